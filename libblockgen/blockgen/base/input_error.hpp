@@ -1,0 +1,31 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace blockgen {
+
+/// Where in the user's input something stands. Line and column count from 1; 0 means "not known".
+struct SourcePlace {
+    std::string file;
+    int line = 0;
+    int column = 0;
+
+    /// "file:line:column", with the unknown parts left out.
+    std::string text() const;
+};
+
+/// Bad input: what() is one line, "file:line:column: what is wrong; what was expected".
+/// The programs print it to stderr and exit with code 2, before any result is touched.
+class InputError : public std::runtime_error {
+  public:
+    InputError(const SourcePlace& place, const std::string& what, const std::string& expected);
+
+    const SourcePlace& place() const { return place_; }
+
+  private:
+    SourcePlace place_;
+};
+
+}  // namespace blockgen

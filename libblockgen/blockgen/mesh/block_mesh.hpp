@@ -1,0 +1,95 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace blockgen {
+
+struct Point {
+    double x = 0;
+    double y = 0;
+    friend bool operator==(const Point&, const Point&) = default;
+};
+
+/// What lies along one edge of a block. A joint is a rock discontinuity; `no_joint` marks the free surface and the
+/// outline of the domain.
+struct EdgeMark {
+    static constexpr std::int32_t no_joint = -1;
+    std::int32_t joint_material = no_joint;  ///< index into BlockMesh::joint_materials
+    std::int32_t joint = no_joint;           ///< index into BlockMesh::joints
+    friend bool operator==(const EdgeMark&, const EdgeMark&) = default;
+};
+
+/// How a block may move: by the equations of motion, not at all, or as a record prescribes.
+enum class BlockMotion : std::uint8_t { free, fixed, prescribed };
+
+struct Joint {
+    std::string set;  ///< name of the joint set or trace it belongs to
+    friend bool operator==(const Joint&, const Joint&) = default;
+};
+
+/// A material point whose motion is recorded.
+struct MeasuredPoint {
+    std::string name;
+    std::int32_t block = 0;
+    Point position;
+    friend bool operator==(const MeasuredPoint&, const MeasuredPoint&) = default;
+};
+
+/// A bar between a point of one block and a point of another (or of the same); its properties are a bolt material's.
+struct Bolt {
+    std::string name;
+    std::string material;
+    std::int32_t first_block = 0;
+    std::int32_t second_block = 0;
+    Point first;
+    Point second;
+    friend bool operator==(const Bolt&, const Bolt&) = default;
+};
+
+/// A rock section cut into blocks: plain data, as the block file holds it.
+///
+/// Vertices are shared by index, so neighbours agree to the last bit. Block b owns the rings
+/// [block_rings[b], block_rings[b + 1]): first the outer ring, counter-clockwise, then its holes, clockwise, so that the
+/// block's material is always on the left of an edge. Ring r owns the corners [ring_corners[r], ring_corners[r + 1]) of
+/// `corners` (vertex indices) and of `edge_marks` (edge k runs from corner k to the next corner of the same ring).
+/// Lengths in m.
+struct BlockMesh {
+    std::vector<Point> vertices;
+    std::vector<std::int32_t> corners;
+    std::vector<EdgeMark> edge_marks;
+    std::vector<std::int32_t> ring_corners = {0};
+    std::vector<std::int32_t> block_rings = {0};
+
+    std::vector<std::int32_t> block_material;  ///< per block, index into block_materials
+    std::vector<BlockMotion> motion;           ///< per block
+    std::vector<std::string> motion_name;      ///< per block; the name of a prescribed block, else empty
+
+    std::vector<std::string> block_materials;
+    std::vector<std::string> joint_materials;
+    std::vector<Joint> joints;
+    std::vector<MeasuredPoint> measured_points;
+    std::vector<Bolt> bolts;
+
+    std::vector<std::string> provenance;  ///< free text lines: program version, seed, hash of the input
+
+    std::size_t block_count() const { return block_rings.size() - 1; }
+    std::size_t ring_count(std::size_t block) const {
+        return static_cast<std::size_t>(block_rings[block + 1] - block_rings[block]);
+    }
+    /// The vertex indices of a block's ring; ring 0 is the outer one.
+    std::span<const std::int32_t> ring(std::size_t block, std::size_t ring) const;
+    /// The marks of the edges of a block's ring.
+    std::span<const EdgeMark> ring_marks(std::size_t block, std::size_t ring) const;
+
+    /// Appends a block's ring; the first ring appended after begin_block is the outer one.
+    void begin_block(std::int32_t material, BlockMotion block_motion = BlockMotion::free, std::string name = {});
+    void add_ring(std::span<const std::int32_t> ring_vertices, std::span<const EdgeMark> marks);
+
+    friend bool operator==(const BlockMesh&, const BlockMesh&) = default;
+};
+
+}  // namespace blockgen

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "dda/analysis/state.hpp"
+#include "dda/model/model.hpp"
+#include "dda/model/stage.hpp"
+
+namespace dda {
+
+/// One accepted step, for the step log.
+struct StepReport {
+    double time = 0;        ///< s, at the end of the step
+    double step = 0;        ///< s
+    int iterations = 0;     ///< open-close iterations, all attempts
+    int factorizations = 0;
+    int cuts = 0;           ///< attempts rejected before this one
+    int open = 0, sliding = 0, locked = 0;  ///< contacts by state
+    double largest_penetration = 0;    ///< m
+    double largest_displacement = 0;   ///< of a vertex in this step, m
+    double unbalanced_force = 0;       ///< largest over the blocks, over the largest block weight; static stages
+    double contact_frequency_step = 0; ///< omega_contact * dt, the largest of sqrt(k_n / m_block) * dt
+};
+
+enum class RunStatus { completed, not_converged, not_settled, stopped };
+
+struct RunOutcome {
+    RunStatus status = RunStatus::completed;
+    std::string message;      ///< one line: reason, time, worst contact
+    int worst_contact = -1;   ///< index into the state's contacts, when one is to blame
+};
+
+/// What a run tells the outside: results, progress. Return values steer it.
+class RunObserver {
+  public:
+    virtual ~RunObserver() = default;
+    virtual void stage_begins(const Model&, const State&, const Stage&, int /*stage_index*/) {}
+    /// After every accepted step. Returning false stops the run (status `stopped`).
+    virtual bool step_done(const Model&, const State&, const Stage&, const StepReport&) { return true; }
+    virtual void stage_ends(const Model&, const State&, const Stage&, int /*stage_index*/) {}
+};
+
+struct RunOptions {
+    int threads = 1;
+    int first_stage = 0;  ///< of a resumed run
+    bool resumed = false; ///< the state is in the middle of first_stage
+};
+
+/// The state before the first step of a run.
+State initial_state(const Model& model);
+
+/// Runs the stages one after the other on `state`, which always holds the last accepted step.
+RunOutcome run(const Model& model, std::span<const Stage> stages, State& state, RunObserver& observer,
+               const RunOptions& options = {});
+
+}  // namespace dda

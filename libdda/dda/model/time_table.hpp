@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+namespace dda {
+
+/// A quantity given at instants and linear between them; constant before the first and after the last.
+/// An empty table is the constant 1, so that a load without a history simply acts.
+class TimeTable {
+  public:
+    TimeTable() = default;
+    /// @param times in s, strictly increasing; @param values one for each.
+    TimeTable(std::vector<double> times, std::vector<double> values);
+
+    double at(double time) const;
+    bool empty() const { return times_.empty(); }
+    const std::vector<double>& times() const { return times_; }
+    const std::vector<double>& values() const { return values_; }
+
+  private:
+    std::vector<double> times_;
+    std::vector<double> values_;
+};
+
+}  // namespace dda
