@@ -2,7 +2,6 @@
 
 #include <stdexcept>
 #include <string>
-#include <string_view>
 
 namespace blockgen {
 
@@ -16,8 +15,9 @@ struct SourcePlace {
     std::string text() const;
 };
 
-/// Bad input: what() is one line, "file:line:column: what is wrong; what was expected".
-/// The programs print it to stderr and exit with code 2, before any result is touched.
+/// Bad input: what() is one line, "file:line:column: WHAT; expected EXPECTED". Without an expectation the
+/// line ends after WHAT; line breaks inside either part become spaces. The programs print it to stderr and
+/// exit with code 2, before any result is touched.
 class InputError : public std::runtime_error {
   public:
     InputError(const SourcePlace& place, const std::string& what, const std::string& expected);

@@ -1,0 +1,33 @@
+#include "blockgen/base/input_error.hpp"
+
+#include <algorithm>
+
+namespace blockgen {
+
+namespace {
+
+std::string one_line(const SourcePlace& place, const std::string& what, const std::string& expected) {
+    std::string text = place.text();
+    if (!text.empty()) text += ": ";
+    text += what;
+    if (!expected.empty()) text += "; expected " + expected;
+    std::replace_if(
+        text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+    return text;
+}
+
+}  // namespace
+
+std::string SourcePlace::text() const {
+    std::string result = file;
+    if (line > 0) {
+        result += ':' + std::to_string(line);
+        if (column > 0) result += ':' + std::to_string(column);
+    }
+    return result;
+}
+
+InputError::InputError(const SourcePlace& place, const std::string& what, const std::string& expected)
+    : std::runtime_error(one_line(place, what, expected)), place_(place) {}
+
+}  // namespace blockgen
