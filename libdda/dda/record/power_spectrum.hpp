@@ -1,0 +1,21 @@
+#pragma once
+
+namespace dda {
+
+/// The shape of the power spectral density of strong ground acceleration: white rock motion filtered by the
+/// ground (Kanai 1957, Tajimi 1960), cleaned of its low frequencies (Clough & Penzien 1993), with its high
+/// frequencies attenuated near the surface (Anderson & Hough 1984).
+struct PowerSpectrum {
+    double ground_frequency = 5.0;    ///< Hz, of the ground filter; 2.5 is firm soil, 4 to 8 rock
+    double ground_damping = 0.6;      ///< of critical
+    double low_cut_frequency = 0.25;  ///< Hz, of the second filter; below it the displacement does not grow
+    double low_cut_damping = 0.6;     ///< of critical
+    double kappa = 0.035;             ///< s, amplitude decays as exp(-pi kappa f); 0.02 to 0.05 on rock
+};
+
+/// S(f) for a white input of density 1, dimensionless, f >= 0 in Hz; with r = f / f_g, s = f / f_c:
+///   S = (1 + 4 z_g^2 r^2) / ((1 - r^2)^2 + 4 z_g^2 r^2) * s^4 / ((1 - s^2)^2 + 4 z_c^2 s^2) * exp(-2 pi
+///   kappa f)
+double density(const PowerSpectrum& spectrum, double frequency);
+
+}  // namespace dda

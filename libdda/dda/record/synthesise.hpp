@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+
+#include "dda/record/accelerogram.hpp"
+#include "dda/record/envelope.hpp"
+#include "dda/record/power_spectrum.hpp"
+
+namespace dda {
+
+/// The recipe of an artificial accelerogram.
+struct SyntheticMotion {
+    std::uint64_t seed = 1;
+    double step = 0.005;   ///< s, positive
+    double duration = 20;  ///< s, a whole number of steps, at least 10
+    double peak = 3.43;    ///< m/s2, positive
+    PowerSpectrum spectrum;
+    Envelope envelope;
+};
+
+/// An artificial accelerogram: stationary Gaussian-like noise of the given power spectrum by the spectral
+/// representation (Shinozuka & Deodatis 1991), a(t) = sum_k sqrt(2 S(f_k) df) cos(2 pi f_k t + phi_k), with
+/// uniform phases phi_k from a counter-based generator (Salmon et al. 2011) keyed by the seed; times the
+/// envelope; tapered to zero over the last second (or tenth of the record, if less); baseline-corrected;
+/// scaled so that its largest absolute value is `peak`.
+///
+/// The frequencies are multiples of 1 / (2 duration) from there up to half the sampling rate, so the noise
+/// does not repeat within the record. First and last samples are zero and the ground ends at rest where it
+/// started.
+/// @throws std::invalid_argument for a parameter outside its range.
+Accelerogram synthesise(const SyntheticMotion& recipe);
+
+}  // namespace dda
