@@ -1,0 +1,3 @@
+#pragma once
+#include "dda/base/types.hpp"
+#include "dda/contact/contact.hpp"

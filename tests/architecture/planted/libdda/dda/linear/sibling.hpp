@@ -1,0 +1,2 @@
+#pragma once
+#include "dda/joint/joint_law.hpp"
