@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "dda/analysis/energy.hpp"
 #include "dda/block/block_system.hpp"
 #include "dda/contact/contact.hpp"
@@ -15,6 +18,7 @@ struct State {
     BlockSystem blocks;
     ContactSet contacts;
     std::vector<Vec2> displacement_origin;  ///< per material point: where displacements count from, m
+    std::vector<Vec2> centroid_origin;      ///< per block: likewise
     std::vector<double> bolt_force;         ///< per bolt, N per metre, tension positive
     Energy energy;
 };

@@ -21,6 +21,7 @@ struct MohrCoulomb {
         friend bool operator==(const History&, const History&) = default;
     };
 
+    History fresh(bool intact) const { return {!intact || (cohesion == 0 && tensile_strength == 0 && friction_angle == residual_friction_angle)}; }
     /// @param normal_force N per metre, compression positive; @param length m, the contact's share of the joint.
     Strength strength(const History& history, double normal_force, double length) const;
     /// The history after an accepted step.

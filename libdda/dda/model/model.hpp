@@ -64,6 +64,7 @@ struct Model {
     std::vector<Vec6> initial_velocity;  ///< per block, or empty
 
     int block_count() const { return topology.block_count(); }
+    const JointMaterial& joint_material_at(int index) const { return joint_materials[static_cast<std::size_t>(index)]; }
     const BlockMaterial& material_of(int block) const {
         return block_materials[static_cast<std::size_t>(block_material[static_cast<std::size_t>(block)])];
     }

@@ -1,0 +1,145 @@
+#include "dda/analysis/run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "dda/analysis/step.hpp"
+
+namespace dda {
+
+namespace {
+
+std::string describe(const Model& model, const StepAttempt& attempt) {
+    char text[256];
+    switch (attempt.rejection) {
+        case Rejection::singular: return "the equations are not positive definite";
+        case Rejection::moved_too_far:
+            std::snprintf(text, sizeof text, "a vertex moves %.3g m in a step", attempt.report.largest_displacement);
+            return text;
+        default: break;
+    }
+    if (attempt.worst_contact < 0) return "the open-close iteration does not settle";
+    const Contact& contact = attempt.state.contacts.contacts[static_cast<std::size_t>(attempt.worst_contact)];
+    std::snprintf(text, sizeof text,
+                  "the open-close iteration does not settle; worst contact: block %d on block %d at (%.6g, %.6g), joint material %s",
+                  contact.corner_block, contact.edge_block, contact.point.x(), contact.point.y(),
+                  model.joint_material_at(contact.joint_material).name.c_str());
+    return text;
+}
+
+/// Adapts the step: cut after a rejection, grown after steps that needed none.
+class StepSize {
+  public:
+    StepSize(const StepControl& control, double resume) : control_(control), size_(resume > 0 ? resume : control.step) {
+        size_ = std::min(size_, control.step);
+    }
+    /// The next step, not past what remains; the last two share what remains, so that no sliver of time is left.
+    double next(double remaining) const {
+        if (size_ >= remaining * (1 - 1e-9)) return remaining;
+        return size_ * 2 > remaining ? remaining / 2 : size_;
+    }
+    void cut(double tried) { size_ = tried * control_.cut; }
+    void accept(bool easy) {
+        if (easy) size_ = std::min(control_.step, size_ * control_.growth);
+    }
+    double size() const { return size_; }
+    bool too_small() const { return size_ < control_.smallest_step; }
+
+  private:
+    const StepControl& control_;
+    double size_;
+};
+
+void begin_stage(State& state) {
+    state.stage_time = 0;
+    state.next_step = 0;
+}
+
+void end_static_stage(const Model& model, const Stage& stage, State& state) {
+    for (Vec6& v : state.blocks.velocity) v.setZero();
+    for (Vec6& a : state.blocks.acceleration) a.setZero();
+    if (stage.reset_displacements) {
+        state.displacement_origin = state.blocks.points;
+        for (std::size_t b = 0; b < state.centroid_origin.size(); ++b) {
+            state.centroid_origin[b] = state.blocks.moments[b].centroid;
+        }
+        for (Contact& contact : state.contacts.contacts) contact.slip = 0;
+    }
+    if (stage.reset_joint_history) {
+        for (Contact& contact : state.contacts.contacts) {
+            contact.history = fresh_history(model.joint_material_at(contact.joint_material).law, true);
+        }
+    }
+}
+
+/// Runs one stage. @return how it ended; `completed` lets the run go on.
+RunOutcome run_stage(const Model& model, const Stage& stage, TimeStepper& stepper, State& state, RunObserver& observer) {
+    const bool to_rest = stage.kind == StageKind::static_equilibrium;
+    StepSize step(stage.control, state.next_step);
+    int cuts = 0;
+    int iterations = 0;
+    std::int64_t steps_taken = 0;
+    while (to_rest || state.stage_time < stage.duration * (1 - 1e-12)) {
+        const double dt = to_rest ? step.size() : step.next(stage.duration - state.stage_time);
+        StepAttempt attempt = stepper.advance(stage, state, dt);
+        iterations += attempt.report.iterations;
+        if (attempt.rejection != Rejection::none) {
+            ++cuts;
+            step.cut(dt);
+            if (!step.too_small()) continue;
+            char text[128];
+            std::snprintf(text, sizeof text, "stage '%s', t = %.9g s: no step above %.3g s is accepted: ", stage.name.c_str(),
+                          state.time, stage.control.smallest_step);
+            return {RunStatus::not_converged, text + describe(model, attempt), attempt.worst_contact};
+        }
+        step.accept(cuts == 0);
+        state = std::move(attempt.state);
+        state.next_step = step.size();
+        attempt.report.iterations = iterations;
+        attempt.report.cuts = cuts;
+        cuts = iterations = 0;
+        ++steps_taken;
+        const bool settled = to_rest && attempt.report.unbalanced_force <= stage.tolerance;
+        if (settled) end_static_stage(model, stage, state);
+        if (!observer.step_done(model, state, stage, attempt.report)) return {RunStatus::stopped, "stopped as asked", -1};
+        if (settled) break;
+        if (to_rest && steps_taken >= stage.step_limit) {
+            char text[160];
+            std::snprintf(text, sizeof text, "stage '%s' does not settle: after %d steps the unbalanced force is %.3g of the weight",
+                          stage.name.c_str(), stage.step_limit, attempt.report.unbalanced_force);
+            return {RunStatus::not_settled, text, -1};
+        }
+    }
+    return {};
+}
+
+}  // namespace
+
+State initial_state(const Model& model) {
+    State state;
+    state.blocks = initial_block_system(model);
+    state.displacement_origin = state.blocks.points;
+    for (const AreaMoments& moments : state.blocks.moments) state.centroid_origin.push_back(moments.centroid);
+    for (const BoltSpec& bolt : model.bolts) state.bolt_force.push_back(bolt.pretension);
+    const RowMap rows(model.motion);
+    Ledger(model, rows).take_stock(state, state.energy);
+    state.energy.initial_stores = state.energy.stores();
+    return state;
+}
+
+RunOutcome run(const Model& model, std::span<const Stage> stages, State& state, RunObserver& observer, const RunOptions& options) {
+    TimeStepper stepper(model, options.threads);
+    bool resumed = options.resumed;
+    for (std::size_t k = static_cast<std::size_t>(options.first_stage); k < stages.size(); ++k) {
+        if (!resumed) begin_stage(state);
+        resumed = false;
+        observer.stage_begins(model, state, stages[k], static_cast<int>(k));
+        const RunOutcome outcome = run_stage(model, stages[k], stepper, state, observer);
+        if (outcome.status != RunStatus::completed) return outcome;
+        observer.stage_ends(model, state, stages[k], static_cast<int>(k));
+    }
+    return {};
+}
+
+}  // namespace dda

@@ -1,0 +1,317 @@
+#include "dda/analysis/step.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "dda/contact/candidates.hpp"
+#include "dda/contact/detect.hpp"
+#include "dda/contact/transfer.hpp"
+
+namespace dda {
+
+namespace {
+
+/// Candidates are kept while nothing has moved half of what their distance exceeds the reach by. As a share of the median edge:
+/// normally 0.1 to 0.5; more finds candidates less often, and finds more of them.
+constexpr double skin_share = 0.25;
+/// A detection that turns out too short-sighted for the displacements found is repeated with a longer reach.
+constexpr int detection_attempts = 4;
+
+double extent(std::span<const Vec2> vertices, int axis) {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    for (const Vec2& v : vertices) {
+        low = std::min(low, v[axis]);
+        high = std::max(high, v[axis]);
+    }
+    return high - low;
+}
+
+double largest_coordinate(std::span<const Vec2> vertices) {
+    double largest = 0;
+    for (const Vec2& v : vertices) largest = std::max(largest, v.cwiseAbs().maxCoeff());
+    return largest;
+}
+
+double velocity_kept(const Stage& stage) {
+    return stage.kind == StageKind::static_equilibrium ? 0.0 : stage.dynamic_coefficient;
+}
+
+/// Acceleration that stands for "the weight" when forces are compared with it, m/s2.
+double reference_acceleration(const Model& model) {
+    const double g = model.gravity.norm();
+    return g > 0 ? g : 1.0;
+}
+
+}  // namespace
+
+struct TimeStepper::Step {
+    double dt = 0;
+    Newmark newmark;
+    PrescribedMotion prescribed;
+    MidStep mid;
+    ContactSet contacts;
+    std::vector<ContactSprings> springs;
+    std::vector<BoltSpring> bolts;
+    BaseSystem base;
+};
+
+TimeStepper::TimeStepper(const Model& model, int threads)
+    : model_(model),
+      crew_(threads),
+      rows_(model.motion),
+      ledger_(model_, rows_),
+      half_height_(extent(model.vertices, 1) / 2),
+      rounding_(8 * std::numeric_limits<double>::epsilon() * largest_coordinate(model.vertices)),
+      solver_(make_cholmod_solver()) {
+    std::vector<double> lengths;
+    for (std::size_t k = 0; k < model.vertices.size(); ++k) {
+        lengths.push_back((model.vertices[static_cast<std::size_t>(model.topology.next[k])] - model.vertices[k]).norm());
+    }
+    std::nth_element(lengths.begin(), lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2), lengths.end());
+    edge_length_ = lengths[lengths.size() / 2];
+}
+
+StepAttempt TimeStepper::advance(const Stage& stage, const State& state, double dt) {
+    StepAttempt attempt;
+    double reach = first_reach(state, dt);
+    for (int look = 0; look < detection_attempts; ++look) {
+        const Step step = prepare(stage, state, dt, reach);
+        const OpenCloseResult result = solve(stage, state, step);
+        attempt.report.iterations += result.iterations;
+        attempt.report.factorizations += result.factorizations;
+        if (!result.converged) {
+            attempt.rejection = result.singular ? Rejection::singular : Rejection::not_converged;
+            attempt.worst_contact = result.worst_contact;
+            attempt.state.contacts = step.contacts;
+            return attempt;
+        }
+        const std::vector<Vec6> displacement = all_displacements(step, result);
+        const double moved = largest_displacement(state, displacement);
+        if (moved > stage.control.displacement_ratio * half_height_) {
+            attempt.rejection = Rejection::moved_too_far;
+            attempt.report.largest_displacement = moved;
+            return attempt;
+        }
+        if (2 * moved > reach) {
+            reach = 2.5 * moved;
+            continue;
+        }
+        const int iterations = attempt.report.iterations;
+        const int factorizations = attempt.report.factorizations;
+        attempt.state = updated(stage, state, step, result, displacement);
+        attempt.report = report(step, attempt.state, result);
+        attempt.report.iterations = iterations;
+        attempt.report.factorizations = factorizations;
+        attempt.report.largest_displacement = moved;
+        return attempt;
+    }
+    attempt.rejection = Rejection::moved_too_far;
+    return attempt;
+}
+
+double TimeStepper::first_reach(const State& state, double dt) const {
+    double speed = 0;
+    std::vector<Vec6> way(state.blocks.velocity);
+    for (Vec6& v : way) v *= dt;
+    speed = largest_displacement(state, way);
+    double deepest = 0;
+    for (const Contact& c : state.contacts.contacts) {
+        if (c.state != ContactState::open) deepest = std::max(deepest, -c.gap);
+    }
+    return 3 * speed + 2 * model_.gravity.norm() * dt * dt + 4 * deepest + 1e-4 * edge_length_;
+}
+
+TimeStepper::Step TimeStepper::prepare(const Stage& stage, const State& state, double dt, double reach) {
+    Step step;
+    step.dt = dt;
+    step.newmark = {stage.newmark_beta, stage.newmark_gamma, dt};
+    step.prescribed = prescribe_motion(model_, stage, state.blocks, dt, state.stage_time + dt);
+    std::vector<Vec6> predicted = step.prescribed.displacement;
+    for (const int b : rows_.block_of) {
+        predicted[static_cast<std::size_t>(b)] = dt * state.blocks.velocity[static_cast<std::size_t>(b)];
+    }
+    step.mid = predict_mid_step(model_, state.blocks, predicted);
+    step.contacts = contacts_at(state, reach);
+    step.springs = contact_springs(model_, rows_, step.mid, step.prescribed.displacement, step.contacts.contacts, crew_);
+    step.bolts = bolt_springs(model_, rows_, step.mid, step.prescribed.displacement);
+    assemble_base(stage, state, step);
+    return step;
+}
+
+ContactSet TimeStepper::contacts_at(const State& state, double reach) const {
+    const std::vector<Vec2>& vertices = state.blocks.vertices;
+    ContactSet set;
+    double moved = std::numeric_limits<double>::infinity();
+    if (state.contacts.reference.size() == vertices.size()) {
+        moved = 0;
+        for (std::size_t k = 0; k < vertices.size(); ++k) {
+            moved = std::max(moved, (vertices[k] - state.contacts.reference[k]).norm());
+        }
+    }
+    if (reach + 2 * moved <= state.contacts.candidate_distance) {
+        set.candidates = state.contacts.candidates;
+        set.candidate_distance = state.contacts.candidate_distance;
+        set.reference = state.contacts.reference;
+    } else {
+        set.candidate_distance = std::max(skin_share * edge_length_, 2 * reach);
+        set.candidates = find_candidates(model_, vertices, set.candidate_distance);
+        set.reference = vertices;
+    }
+    const std::vector<Contact>& old = state.contacts.contacts;
+    set.contacts = detect_contacts(model_, vertices, set.candidates, reach, old, crew_);
+    transfer_contacts(model_, old, reach, state.step_count == 0, set.contacts);
+    for (Contact& c : set.contacts) {
+        // The force follows from the geometry, also where the contact took over from another line.
+        const double force = -model_.joint_material_at(c.joint_material).normal_stiffness(model_.normal_penalty) * c.gap;
+        c.normal_force = c.state != ContactState::open && (force > 0 || c.bonded) ? force : 0;
+    }
+    return set;
+}
+
+void TimeStepper::assemble_base(const Stage& stage, const State& state, Step& step) const {
+    const auto count = static_cast<std::size_t>(rows_.count());
+    step.base.stiffness.assign(count, Mat6::Zero());
+    step.base.load.assign(count, Vec6::Zero());
+    add_inertia(rows_, state.blocks, step.newmark, stage.mass_damping, step.base);
+    add_elasticity(model_, rows_, state.blocks, step.base);
+    add_loads(model_, rows_, state.blocks, step.mid, {step.dt, state.time + step.dt}, step.base);
+    add_fixed_points(model_, rows_, state.blocks, step.mid, step.base);
+}
+
+void TimeStepper::analyze_pattern(const ContactSet& contacts) {
+    std::vector<std::pair<int, int>> pairs;
+    const auto add = [&](int first_block, int second_block) {
+        const int i = rows_.row_of[static_cast<std::size_t>(first_block)];
+        const int j = rows_.row_of[static_cast<std::size_t>(second_block)];
+        if (i >= 0 && j >= 0 && i != j && (pairs.empty() || pairs.back() != std::pair{i, j})) pairs.emplace_back(i, j);
+    };
+    for (const auto& [corner, edge] : contacts.candidates) {
+        add(model_.topology.block_of[static_cast<std::size_t>(corner)], model_.topology.block_of[static_cast<std::size_t>(edge)]);
+    }
+    for (const BoltSpec& bolt : model_.bolts) {
+        add(model_.material_points[static_cast<std::size_t>(bolt.first)].block,
+            model_.material_points[static_cast<std::size_t>(bolt.second)].block);
+    }
+    BlockPattern pattern = BlockPattern::from_pairs(rows_.count(), std::move(pairs));
+    if (pattern == pattern_) return;
+    pattern_ = std::move(pattern);
+    solver_->analyze(pattern_);
+}
+
+OpenCloseResult TimeStepper::solve(const Stage& stage, const State& state, const Step& step) {
+    if (rows_.count() == 0) {
+        OpenCloseResult nothing;
+        nothing.converged = true;
+        nothing.contacts.resize(step.contacts.contacts.size());
+        return nothing;
+    }
+    analyze_pattern(step.contacts);
+    const StepProblem problem{model_,       stage.control, rows_,      step.base, state.blocks, step.prescribed.displacement,
+                              step.contacts.contacts, step.springs,  step.bolts, state.bolt_force,
+                              rounding_ * model_.normal_penalty};
+    return iterate_open_close(problem, pattern_, *solver_, matrix_, crew_);
+}
+
+std::vector<Vec6> TimeStepper::all_displacements(const Step& step, const OpenCloseResult& result) const {
+    std::vector<Vec6> displacement = step.prescribed.displacement;
+    for (std::size_t row = 0; row < rows_.block_of.size(); ++row) {
+        displacement[static_cast<std::size_t>(rows_.block_of[row])] = result.displacement[row];
+    }
+    return displacement;
+}
+
+double TimeStepper::largest_displacement(const State& state, std::span<const Vec6> displacement) const {
+    double square = 0;
+    for (std::size_t b = 0; b < displacement.size(); ++b) {
+        if (displacement[b].isZero(0)) continue;
+        const Vec2& centroid = state.blocks.moments[b].centroid;
+        for (int k = model_.topology.block_corners[b]; k < model_.topology.block_corners[b + 1]; ++k) {
+            const Vec2 arm = state.blocks.vertices[static_cast<std::size_t>(k)] - centroid;
+            square = std::max(square, (displacement_matrix(arm) * displacement[b]).squaredNorm());
+        }
+    }
+    return std::sqrt(square);
+}
+
+State TimeStepper::updated(const Stage& stage, const State& state, const Step& step, const OpenCloseResult& result,
+                           std::span<const Vec6> displacement) const {
+    State after = state;
+    after.time += step.dt;
+    after.stage_time += step.dt;
+    ++after.step_count;
+    after.contacts = step.contacts;
+    after.bolt_force = result.bolt_force;
+
+    const double kept = velocity_kept(stage);
+    for (std::size_t row = 0; row < rows_.block_of.size(); ++row) {
+        const auto b = static_cast<std::size_t>(rows_.block_of[row]);
+        const Vec6& v0 = state.blocks.velocity[b];
+        const Vec6& a0 = state.blocks.acceleration[b];
+        const Vec6 a1 = step.newmark.acceleration(result.displacement[row], v0, a0);
+        after.blocks.velocity[b] = kept * step.newmark.velocity(v0, a0, a1);
+        after.blocks.acceleration[b] = a1;
+    }
+    for (std::size_t b = 0; b < model_.motion.size(); ++b) {
+        if (model_.motion[b] != Motion::prescribed || stage.kind != StageKind::dynamic) continue;
+        after.blocks.velocity[b] += step.dt * step.prescribed.acceleration[b];
+        after.blocks.acceleration[b] = step.prescribed.acceleration[b];
+    }
+    move_blocks(model_, displacement, after.blocks);
+
+    for (std::size_t k = 0; k < after.contacts.contacts.size(); ++k) {
+        Contact& contact = after.contacts.contacts[k];
+        const JudgedContact& judged = result.contacts[k];
+        const auto vertex = [&](int corner) { return after.blocks.vertices[static_cast<std::size_t>(corner)]; };
+        const CornerEdgeGeometry geometry = corner_edge_geometry(
+            vertex(contact.corner), vertex(contact.edge), vertex(model_.topology.next[static_cast<std::size_t>(contact.edge)]));
+        contact.point = vertex(contact.corner);
+        contact.normal = geometry.normal;
+        contact.tangent = geometry.tangent;
+        contact.gap = geometry.gap;
+        contact.state = judged.state;
+        contact.normal_force = judged.normal_force;
+        contact.shear_force = judged.shear_force;
+        contact.slip += judged.slip;
+        contact.history = dda::advance(model_.joint_material_at(contact.joint_material).law, contact.history,
+                                       {judged.slip, judged.displacement, judged.normal_force, contact.length, judged.torn});
+        contact.bonded = contact.bonded && !judged.torn &&
+                         strength(model_.joint_material_at(contact.joint_material).law, contact.history, 0, contact.length).tensile > 0;
+    }
+
+    const StepWork work{state.blocks, step.mid, step.contacts.contacts, step.springs, step.bolts, state.bolt_force, result,
+                        step.newmark, stage.mass_damping, kept, after.time};
+    after.energy.released += ledger_.stored_in(state.contacts.contacts) - ledger_.stored_in(step.contacts.contacts);
+    ledger_.record_contacts(work, after.energy);
+    ledger_.record_constraints(work, after.energy);
+    ledger_.record_blocks(work, after.energy);
+    ledger_.take_stock(after, after.energy);
+    return after;
+}
+
+StepReport TimeStepper::report(const Step& step, const State& after, const OpenCloseResult&) const {
+    StepReport report;
+    report.time = after.time;
+    report.step = step.dt;
+    for (const Contact& contact : after.contacts.contacts) {
+        ++(contact.state == ContactState::open      ? report.open
+           : contact.state == ContactState::sliding ? report.sliding
+                                                    : report.locked);
+        if (contact.state != ContactState::open) report.largest_penetration = std::max(report.largest_penetration, -contact.gap);
+    }
+    const double g = reference_acceleration(model_);
+    double lightest = std::numeric_limits<double>::infinity();
+    for (const int block : rows_.block_of) {
+        const auto b = static_cast<std::size_t>(block);
+        const Vec6& a = after.blocks.acceleration[b];
+        const AreaMoments& m = after.blocks.moments[b];
+        const double gyration = std::sqrt((m.xx + m.yy) / m.area);
+        report.unbalanced_force = std::max({report.unbalanced_force, a.head<2>().norm() / g, std::abs(a[2]) * gyration / g});
+        lightest = std::min(lightest, after.blocks.mass[b]);
+    }
+    if (rows_.count() > 0) report.contact_frequency_step = std::sqrt(model_.normal_penalty / lightest) * step.dt;
+    return report;
+}
+
+}  // namespace dda

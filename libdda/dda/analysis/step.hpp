@@ -1,0 +1,69 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "dda/analysis/base_motion.hpp"
+#include "dda/analysis/ledger.hpp"
+#include "dda/analysis/open_close_iteration.hpp"
+#include "dda/analysis/run.hpp"
+#include "dda/analysis/state.hpp"
+#include "dda/base/parallel.hpp"
+#include "dda/linear/linear_solver.hpp"
+#include "dda/terms/system.hpp"
+
+namespace dda {
+
+enum class Rejection { none, not_converged, singular, moved_too_far };
+
+/// What came of one attempt at a step.
+struct StepAttempt {
+    Rejection rejection = Rejection::none;
+    std::string reason;          ///< one line, when rejected
+    int worst_contact = -1;      ///< index into the trial's contacts
+    State state;                 ///< the state at the step's end, when accepted
+    StepReport report;
+};
+
+/// Advances a state by one time step. Holds only work space: what it returns depends on its arguments alone.
+class TimeStepper {
+  public:
+    TimeStepper(const Model& model, int threads);
+
+    /// One attempt at a step of size dt. The given state is not touched.
+    StepAttempt advance(const Stage& stage, const State& state, double dt);
+
+    const Ledger& ledger() const { return ledger_; }
+
+  private:
+    /// Everything a step is computed from, once for all its iterations.
+    struct Step;
+
+    /// How far apart a corner and an edge may be and still meet within the step, m.
+    double first_reach(const State& state, double dt) const;
+    Step prepare(const Stage& stage, const State& state, double dt, double reach);
+    /// The contacts at the state's positions, with what the state's contacts carried.
+    ContactSet contacts_at(const State& state, double reach) const;
+    void assemble_base(const Stage& stage, const State& state, Step& step) const;
+    void analyze_pattern(const ContactSet& contacts);
+    OpenCloseResult solve(const Stage& stage, const State& state, const Step& step);
+    std::vector<Vec6> all_displacements(const Step& step, const OpenCloseResult& result) const;
+    double largest_displacement(const State& state, std::span<const Vec6> displacement) const;
+    State updated(const Stage& stage, const State& state, const Step& step, const OpenCloseResult& result,
+                  std::span<const Vec6> displacement) const;
+    StepReport report(const Step& step, const State& after, const OpenCloseResult& result) const;
+
+    const Model& model_;
+    Crew crew_;
+    RowMap rows_;
+    Ledger ledger_;
+    double half_height_ = 0;  ///< m, of the model
+    double rounding_ = 0;     ///< m, of a coordinate
+    double edge_length_ = 0;  ///< m, median
+    BlockPattern pattern_;
+    BlockMatrix matrix_;
+    std::unique_ptr<LinearSolver> solver_;
+};
+
+}  // namespace dda

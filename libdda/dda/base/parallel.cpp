@@ -1,0 +1,56 @@
+#include "dda/base/parallel.hpp"
+
+#include <algorithm>
+#include <boost/asio/post.hpp>
+#include <boost/asio/thread_pool.hpp>
+#include <exception>
+#include <latch>
+#include <vector>
+
+namespace dda {
+
+namespace {
+/// Indices below which handing work to another thread costs more than it saves (a hand-over takes about 10 us).
+constexpr std::size_t shortest_shared_loop = 512;
+}  // namespace
+
+struct Crew::Pool {
+    explicit Pool(int helpers) : threads(static_cast<std::size_t>(helpers)) {}
+    boost::asio::thread_pool threads;
+};
+
+Crew::Crew(int threads) : threads_(std::max(threads, 1)) {
+    if (threads_ > 1) pool_ = std::make_unique<Pool>(threads_ - 1);
+}
+
+Crew::~Crew() = default;
+
+void Crew::for_ranges(std::size_t count, const std::function<void(std::size_t, std::size_t)>& body) const {
+    if (!pool_ || count < shortest_shared_loop) {
+        if (count > 0) body(0, count);
+        return;
+    }
+    const auto parts = static_cast<std::size_t>(threads_);
+    std::vector<std::exception_ptr> failures(parts);
+    std::latch done(static_cast<std::ptrdiff_t>(parts - 1));
+    const auto work = [&](std::size_t part) {
+        try {
+            body(count * part / parts, count * (part + 1) / parts);
+        } catch (...) {
+            failures[part] = std::current_exception();
+        }
+    };
+    for (std::size_t part = 1; part < parts; ++part) {
+        boost::asio::post(pool_->threads, [&, part] {
+            work(part);
+            done.count_down();
+        });
+    }
+    work(0);
+    done.wait();
+    for (const auto& failure : failures) {
+        if (failure) std::rethrow_exception(failure);
+    }
+}
+
+}  // namespace dda

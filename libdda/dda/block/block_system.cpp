@@ -1,0 +1,88 @@
+#include "dda/block/block_system.hpp"
+
+#include <cmath>
+
+namespace dda {
+
+namespace {
+
+/// The corners of one block and the sizes of its rings.
+AreaMoments moments_of(const Topology& topology, const std::vector<Vec2>& vertices, std::size_t block) {
+    std::vector<int> ring_sizes;
+    for (int r = topology.block_rings[block]; r < topology.block_rings[block + 1]; ++r) {
+        const auto ring = static_cast<std::size_t>(r);
+        ring_sizes.push_back(topology.ring_corners[ring + 1] - topology.ring_corners[ring]);
+    }
+    const auto first = static_cast<std::size_t>(topology.block_corners[block]);
+    const auto last = static_cast<std::size_t>(topology.block_corners[block + 1]);
+    return integrate(std::span(vertices).subspan(first, last - first), ring_sizes);
+}
+
+}  // namespace
+
+BlockSystem initial_block_system(const Model& model) {
+    const auto count = static_cast<std::size_t>(model.block_count());
+    BlockSystem blocks;
+    blocks.vertices = model.vertices;
+    for (const MaterialPoint& point : model.material_points) blocks.points.push_back(point.position);
+    for (std::size_t b = 0; b < count; ++b) {
+        const BlockMaterial& material = model.material_of(static_cast<int>(b));
+        blocks.moments.push_back(moments_of(model.topology, model.vertices, b));
+        blocks.mass.push_back(material.density * blocks.moments.back().area);
+        blocks.stress.push_back(material.initial_stress);
+    }
+    blocks.rotation.assign(count, 0);
+    blocks.velocity = model.initial_velocity;
+    blocks.velocity.resize(count, Vec6::Zero());
+    blocks.acceleration.assign(count, Vec6::Zero());
+    return blocks;
+}
+
+BlockMap::BlockMap(const Vec2& block_centroid, const Vec6& displacement)
+    : centroid(block_centroid), translation(displacement[0], displacement[1]) {
+    const double c = std::cos(displacement[2]);
+    const double s = std::sin(displacement[2]);
+    Eigen::Matrix2d turn;
+    turn << c, -s, s, c;
+    Eigen::Matrix2d stretch;
+    stretch << 1 + displacement[3], displacement[5] / 2, displacement[5] / 2, 1 + displacement[4];
+    gradient = turn * stretch;
+}
+
+Vec3 rotate_tensor(const Vec3& tensor, double angle, bool engineering) {
+    const double c = std::cos(angle);
+    const double s = std::sin(angle);
+    const double xy = engineering ? tensor[2] / 2 : tensor[2];
+    const double turned_xy = c * s * (tensor[0] - tensor[1]) + (c * c - s * s) * xy;
+    return {c * c * tensor[0] + s * s * tensor[1] - 2 * c * s * xy,
+            s * s * tensor[0] + c * c * tensor[1] + 2 * c * s * xy, engineering ? 2 * turned_xy : turned_xy};
+}
+
+void move_blocks(const Model& model, std::span<const Vec6> displacement, BlockSystem& blocks) {
+    const Topology& topology = model.topology;
+    std::vector<BlockMap> maps;
+    maps.reserve(displacement.size());
+    for (std::size_t b = 0; b < displacement.size(); ++b) {
+        maps.emplace_back(blocks.moments[b].centroid, displacement[b]);
+    }
+    for (std::size_t p = 0; p < blocks.points.size(); ++p) {
+        blocks.points[p] = maps[static_cast<std::size_t>(model.material_points[p].block)](blocks.points[p]);
+    }
+    for (std::size_t b = 0; b < displacement.size(); ++b) {
+        const Vec6& d = displacement[b];
+        if (d.isZero(0)) continue;
+        for (int k = topology.block_corners[b]; k < topology.block_corners[b + 1]; ++k) {
+            Vec2& vertex = blocks.vertices[static_cast<std::size_t>(k)];
+            vertex = maps[b](vertex);
+        }
+        blocks.moments[b] = moments_of(topology, blocks.vertices, b);
+        blocks.rotation[b] += d[2];
+        const Vec3 stress =
+            blocks.stress[b] + elasticity(model.material_of(static_cast<int>(b)), model.plane) * d.tail<3>();
+        blocks.stress[b] = rotate_tensor(stress, d[2], false);
+        blocks.velocity[b].tail<3>() = rotate_tensor(blocks.velocity[b].tail<3>(), d[2], true);
+        blocks.acceleration[b].tail<3>() = rotate_tensor(blocks.acceleration[b].tail<3>(), d[2], true);
+    }
+}
+
+}  // namespace dda

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "dda/contact/contact.hpp"
+#include "dda/model/model.hpp"
+
+namespace dda {
+
+/// All pairs of a corner and an edge of different blocks whose distance is at most `distance`, sorted.
+/// A uniform grid makes the cost linear in the number of corners; its cell is the larger of `distance` and the median edge length.
+/// Pairs of two blocks that cannot move are left out, and so are reflex corners, which can touch no edge.
+std::vector<CornerEdge> find_candidates(const Model& model, std::span<const Vec2> vertices, double distance);
+
+/// Distance of a point from a segment, m.
+double distance_to_segment(const Vec2& point, const Vec2& first, const Vec2& second);
+
+}  // namespace dda

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <span>
+
+#include "dda/base/types.hpp"
+
+namespace dda {
+
+/// Area moments of a region, the sums of Shi's simplex integrals over its rings.
+struct AreaMoments {
+    double area = 0;               ///< m2
+    Vec2 centroid = Vec2::Zero();  ///< m
+    double xx = 0;                 ///< integral of x^2 about the centroid, m4
+    double yy = 0;                 ///< integral of y^2 about the centroid, m4
+    double xy = 0;                 ///< integral of x y about the centroid, m4
+};
+
+/// Exact integrals over a polygon with holes, Eq. (5): each edge and a common apex span an oriented simplex, and the
+/// integrals over the simplices add up with their signs. Outer ring counter-clockwise, holes clockwise.
+/// The apex is the first vertex, so that a model far from the origin loses no digits.
+/// @param vertices the rings' vertices, ring after ring; @param ring_sizes how many belong to each, at least 3.
+AreaMoments integrate(std::span<const Vec2> vertices, std::span<const int> ring_sizes);
+
+}  // namespace dda

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "dda/base/types.hpp"
+
+namespace dda {
+
+/// Which 6x6 submatrices of a symmetric block matrix may be non-zero, Eq. (3): the diagonal, and for each row i the columns
+/// columns[start[i]] ... columns[start[i + 1] - 1], all greater than i and ascending.
+struct BlockPattern {
+    int size = 0;
+    std::vector<int> start = {0};
+    std::vector<int> columns;
+
+    /// @param pairs (i, j) with i != j in any order, repetitions allowed.
+    static BlockPattern from_pairs(int size, std::vector<std::pair<int, int>> pairs);
+    /// The position of submatrix (row, column), row < column, in `columns`. It must exist.
+    int position(int row, int column) const;
+    friend bool operator==(const BlockPattern&, const BlockPattern&) = default;
+};
+
+/// A symmetric block matrix: the diagonal and the upper triangle.
+struct BlockMatrix {
+    std::vector<Mat6> diagonal;  ///< one per row
+    std::vector<Mat6> upper;     ///< one per column entry of the pattern, K_ij with i < j
+
+    void reset(const BlockPattern& pattern);
+    /// Adds first * second^T at (i, j) and its transpose at (j, i); i != j.
+    void add_outer(const BlockPattern& pattern, int i, int j, const Vec6& first, const Vec6& second);
+};
+
+}  // namespace dda

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "dda/linear/block_matrix.hpp"
+
+namespace dda {
+
+/// Solves the step's symmetric positive definite system. Work space that outlives the step lives here.
+class LinearSolver {
+  public:
+    virtual ~LinearSolver() = default;
+    /// Orders and analyses a pattern; called only when the pattern changes.
+    virtual void analyze(const BlockPattern& pattern) = 0;
+    /// Factorises. @return false when the matrix is not positive definite (the caller rejects the step).
+    virtual bool factorize(const BlockMatrix& matrix) = 0;
+    /// Solves with the present factor, in place.
+    virtual void solve(std::vector<Vec6>& right_hand_side) = 0;
+};
+
+/// CHOLMOD's supernodal Cholesky factorisation, ordered on the graph of the blocks.
+std::unique_ptr<LinearSolver> make_cholmod_solver();
+
+/// A fill-reducing order of a block graph: order[k] is the block eliminated k-th. Nested dissection by METIS, with a fixed seed.
+std::vector<int> fill_reducing_order(const BlockPattern& pattern);
+
+}  // namespace dda

@@ -1,0 +1,93 @@
+#include "dda/terms/springs.hpp"
+
+#include "dda/contact/detect.hpp"
+
+namespace dda {
+
+namespace {
+
+/// The displacement of `point` along `direction` as block `a` carries it, less that as block `b` carries it.
+Relative relative_displacement(const RowMap& rows, const MidStep& mid, std::span<const Vec6> prescribed, const Vec2& direction,
+                               int a, const Vec2& point_on_a, int b, const Vec2& point_on_b) {
+    Relative relative;
+    const auto ia = static_cast<std::size_t>(a);
+    const auto ib = static_cast<std::size_t>(b);
+    relative.first = project(direction, point_on_a - mid.centroid[ia]);
+    relative.second = -project(direction, point_on_b - mid.centroid[ib]);
+    if (rows.row_of[ia] < 0) relative.known += relative.first.dot(prescribed[ia]);
+    if (rows.row_of[ib] < 0) relative.known += relative.second.dot(prescribed[ib]);
+    return relative;
+}
+
+}  // namespace
+
+double PairRows::measure(const Relative& relative, std::span<const Vec6> d) const {
+    double sum = relative.known;
+    if (first >= 0) sum += relative.first.dot(d[static_cast<std::size_t>(first)]);
+    if (second >= 0) sum += relative.second.dot(d[static_cast<std::size_t>(second)]);
+    return sum;
+}
+
+void PairRows::add_stiffness(const Relative& relative, double stiffness, const BlockPattern& pattern, BlockMatrix& matrix) const {
+    if (first >= 0) {
+        matrix.diagonal[static_cast<std::size_t>(first)].noalias() += (stiffness * relative.first) * relative.first.transpose();
+    }
+    if (second >= 0) {
+        matrix.diagonal[static_cast<std::size_t>(second)].noalias() +=
+            (stiffness * relative.second) * relative.second.transpose();
+    }
+    if (first >= 0 && second >= 0 && first != second) {
+        matrix.add_outer(pattern, first, second, stiffness * relative.first, relative.second);
+    }
+}
+
+void PairRows::add_force(const Relative& relative, double force, std::span<Vec6> load) const {
+    if (first >= 0) load[static_cast<std::size_t>(first)] += force * relative.first;
+    if (second >= 0) load[static_cast<std::size_t>(second)] += force * relative.second;
+}
+
+std::vector<ContactSprings> contact_springs(const Model& model, const RowMap& rows, const MidStep& mid,
+                                            std::span<const Vec6> prescribed, std::span<const Contact> contacts,
+                                            const Crew& crew) {
+    std::vector<ContactSprings> springs(contacts.size());
+    crew.for_ranges(contacts.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+            const Contact& contact = contacts[k];
+            const JointMaterial& material = model.joint_material_at(contact.joint_material);
+            const Vec2& point = mid.vertices[static_cast<std::size_t>(contact.corner)];
+            const Vec2& first = mid.vertices[static_cast<std::size_t>(contact.edge)];
+            const Vec2& second = mid.vertices[static_cast<std::size_t>(model.topology.next[static_cast<std::size_t>(contact.edge)])];
+            const CornerEdgeGeometry geometry = corner_edge_geometry(point, first, second);
+            const auto measure = [&](const Vec2& direction) {
+                return relative_displacement(rows, mid, prescribed, direction, contact.corner_block, point, contact.edge_block, point);
+            };
+            ContactSprings& spring = springs[k];
+            spring.rows = {rows.row_of[static_cast<std::size_t>(contact.corner_block)],
+                           rows.row_of[static_cast<std::size_t>(contact.edge_block)]};
+            spring.normal = measure(geometry.normal);
+            spring.shear = measure(geometry.tangent);
+            spring.normal_stiffness = material.normal_stiffness(model.normal_penalty);
+            spring.shear_stiffness = material.shear_stiffness(model.shear_penalty);
+        }
+    });
+    return springs;
+}
+
+std::vector<BoltSpring> bolt_springs(const Model& model, const RowMap& rows, const MidStep& mid, std::span<const Vec6> prescribed) {
+    std::vector<BoltSpring> springs;
+    for (const BoltSpec& bolt : model.bolts) {
+        const MaterialPoint& first = model.material_points[static_cast<std::size_t>(bolt.first)];
+        const MaterialPoint& second = model.material_points[static_cast<std::size_t>(bolt.second)];
+        const Vec2& from = mid.points[static_cast<std::size_t>(bolt.first)];
+        const Vec2& to = mid.points[static_cast<std::size_t>(bolt.second)];
+        BoltSpring spring;
+        spring.rows = {rows.row_of[static_cast<std::size_t>(second.block)], rows.row_of[static_cast<std::size_t>(first.block)]};
+        spring.elongation =
+            relative_displacement(rows, mid, prescribed, (to - from).normalized(), second.block, to, first.block, from);
+        spring.stiffness = bolt.axial_stiffness / (second.position - first.position).norm();
+        springs.push_back(spring);
+    }
+    return springs;
+}
+
+}  // namespace dda

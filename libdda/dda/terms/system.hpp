@@ -1,0 +1,60 @@
+#pragma once
+
+#include <vector>
+
+#include "dda/block/mid_step.hpp"
+#include "dda/model/stage.hpp"
+
+namespace dda {
+
+/// The numbering of the unknowns: one row of six for each free block; fixed and prescribed blocks have none (their
+/// displacement is known and is eliminated).
+struct RowMap {
+    std::vector<int> row_of;    ///< per block, -1 when it has no unknowns
+    std::vector<int> block_of;  ///< per row
+
+    explicit RowMap(const std::vector<Motion>& motion);
+    int count() const { return static_cast<int>(block_of.size()); }
+};
+
+/// The part of the step's equations that does not depend on contacts: submatrices on the diagonal and the load vector.
+struct BaseSystem {
+    std::vector<Mat6> stiffness;  ///< per row
+    std::vector<Vec6> load;       ///< per row
+};
+
+/// The instant a step leads to.
+struct StepTimes {
+    double dt = 0;          ///< s
+    double end = 0;         ///< s since the start of the run
+};
+
+/// Newmark's relations for one step, Eqs. (14)-(16): with a displacement d over dt
+///   a1 = d / (beta dt^2) - v0 / (beta dt) - (1/2 - beta)/beta a0,   v1 = v0 + dt ((1 - gamma) a0 + gamma a1).
+/// (beta, gamma) = (1/2, 1) is Shi's integration: a1 constant over the step, v1 = 2 d / dt - v0.
+struct Newmark {
+    double beta = 0.5;
+    double gamma = 1;
+    double dt = 0;
+
+    Vec6 acceleration(const Vec6& d, const Vec6& v0, const Vec6& a0) const {
+        return (d / dt - v0) / (beta * dt) - (0.5 - beta) / beta * a0;
+    }
+    Vec6 velocity(const Vec6& v0, const Vec6& a0, const Vec6& a1) const {
+        return v0 + dt * ((1 - gamma) * a0 + gamma * a1);
+    }
+};
+
+/// Mass matrix of a block, Eq. (11): integral of rho T^T T over its area, kg per metre (and kg m2 for rotation and strains).
+Mat6 mass_matrix(double mass, const AreaMoments& moments);
+
+void add_inertia(const RowMap& rows, const BlockSystem& blocks, const Newmark& newmark, double mass_damping, BaseSystem& base);
+void add_elasticity(const Model& model, const RowMap& rows, const BlockSystem& blocks, BaseSystem& base);
+void add_loads(const Model& model, const RowMap& rows, const BlockSystem& blocks, const MidStep& mid, const StepTimes& times,
+               BaseSystem& base);
+void add_fixed_points(const Model& model, const RowMap& rows, const BlockSystem& blocks, const MidStep& mid, BaseSystem& base);
+
+/// The force of all loads but gravity on one block's unknowns at an instant; for the energy ledger.
+Vec6 load_on_block(const Model& model, int block, const BlockSystem& blocks, const MidStep& mid, double time);
+
+}  // namespace dda

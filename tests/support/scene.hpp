@@ -1,0 +1,119 @@
+#pragma once
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "dda/analysis/run.hpp"
+#include "dda/analysis/step.hpp"
+
+namespace scene {
+
+using dda::Vec2;
+using dda::Vec6;
+
+inline constexpr double g = 9.81;
+inline double radians(double degrees) { return degrees * std::numbers::pi / 180; }
+
+/// Describes small models in code: polygons, one joint material unless said otherwise, the catalogue's default rock (2500 kg/m3,
+/// 10 GPa, 0.25) and penalty (5e10 N/m).
+class Scene {
+  public:
+    Scene() {
+        model.block_materials.push_back({"rock", 2500, 10e9, 0.25, dda::Vec3::Zero()});
+        model.joint_materials.push_back({"joint", mohr_coulomb(0), 0, 0});
+        model.normal_penalty = model.shear_penalty = 5e10;
+        model.fixed_point_penalty = 5e11;
+        model.gravity = {0, -g};
+    }
+
+    static dda::MohrCoulomb mohr_coulomb(double friction_degrees, double cohesion = 0, double tensile = 0) {
+        const double phi = radians(friction_degrees);
+        return {phi, cohesion, tensile, phi, 0};
+    }
+    void friction(double degrees) { model.joint_materials[0].law = mohr_coulomb(degrees); }
+
+    /// Adds a block from its outer ring, counter-clockwise, and holes, clockwise. @return its index.
+    int block(const std::vector<std::vector<Vec2>>& rings, dda::Motion motion = dda::Motion::free, const std::string& name = {}) {
+        std::vector<int> sizes;
+        for (const auto& ring : rings) {
+            sizes.push_back(static_cast<int>(ring.size()));
+            model.vertices.insert(model.vertices.end(), ring.begin(), ring.end());
+        }
+        model.topology.add_block(sizes);
+        model.block_material.push_back(0);
+        model.motion.push_back(motion);
+        model.block_name.push_back(name);
+        return model.block_count() - 1;
+    }
+    /// A rectangle with its lower left corner at `corner` and its base along `angle` (rad).
+    int box(const Vec2& corner, double width, double height, dda::Motion motion = dda::Motion::free, double angle = 0,
+            const std::string& name = {}) {
+        const Vec2 along(std::cos(angle), std::sin(angle));
+        const Vec2 up = dda::perpendicular(along);
+        return block({{corner, corner + width * along, corner + width * along + height * up, corner + height * up}}, motion, name);
+    }
+    int material_point(int block_index, const Vec2& position) {
+        model.material_points.push_back({block_index, position});
+        return static_cast<int>(model.material_points.size()) - 1;
+    }
+
+    dda::Model model;
+};
+
+/// Drives a scene stage by stage and keeps the step reports.
+class Simulation : public dda::RunObserver {
+  public:
+    explicit Simulation(const Scene& s, int thread_count = 1)
+        : model(s.model), state(dda::initial_state(model)), threads(thread_count) {}
+
+    dda::RunOutcome run(const dda::Stage& stage) {
+        const dda::Stage stages[] = {stage};
+        return dda::run(model, stages, state, *this, {threads, 0, false});
+    }
+    /// Gravity until nothing moves.
+    dda::RunOutcome settle(double step = 0.005, double tolerance = 1e-9) {
+        dda::Stage stage;
+        stage.name = "settle";
+        stage.kind = dda::StageKind::static_equilibrium;
+        stage.tolerance = tolerance;
+        stage.control.step = step;
+        return run(stage);
+    }
+    dda::RunOutcome shake(double duration, double step) {
+        dda::Stage stage;
+        stage.name = "dynamic";
+        stage.duration = duration;
+        stage.control.step = step;
+        return run(stage);
+    }
+
+    bool step_done(const dda::Model&, const dda::State& s, const dda::Stage&, const dda::StepReport& report) override {
+        reports.push_back(report);
+        if (each_step) each_step(s, report);
+        return true;
+    }
+
+    Vec2 moved(int block) const {
+        const auto b = static_cast<std::size_t>(block);
+        return state.blocks.moments[b].centroid - state.centroid_origin[b];
+    }
+    const Vec6& velocity(int block) const { return state.blocks.velocity[static_cast<std::size_t>(block)]; }
+    Vec6& velocity(int block) { return state.blocks.velocity[static_cast<std::size_t>(block)]; }
+    const dda::Vec3& stress(int block) const { return state.blocks.stress[static_cast<std::size_t>(block)]; }
+    double mean_iterations() const {
+        double sum = 0;
+        for (const auto& report : reports) sum += report.iterations;
+        return reports.empty() ? 0 : sum / static_cast<double>(reports.size());
+    }
+
+    const dda::Model model;
+    dda::State state;
+    int threads;
+    std::vector<dda::StepReport> reports;
+    std::function<void(const dda::State&, const dda::StepReport&)> each_step;
+};
+
+}  // namespace scene
