@@ -11,11 +11,13 @@ namespace blockgen {
 /// The version of the block file that this code writes, and the newest that it reads ("ddablk 1").
 inline constexpr int block_file_version = 1;
 
-/// The text of a block file; numbers are written shortest-round-trip, so write, read, write gives the same bytes.
+/// The text of a block file; numbers are written shortest-round-trip, so write, read, write gives the same
+/// bytes.
 std::string block_file_text(const BlockMesh& mesh);
 
-/// Parses the text of a block file. @throws InputError with file:line for anything that is not a whole, consistent file of
-/// a version this code knows: truncation, a newer version, an index out of range, a number that is not finite.
+/// Parses the text of a block file. @throws InputError with file:line for anything that is not a whole,
+/// consistent file of a version this code knows: truncation, a newer version, an index out of range, a number
+/// that is not finite.
 BlockMesh parse_block_file(std::string_view text, const std::string& file_name);
 
 BlockMesh read_block_file(const std::filesystem::path& path);

@@ -14,8 +14,8 @@ struct Point {
     friend bool operator==(const Point&, const Point&) = default;
 };
 
-/// What lies along one edge of a block. A joint is a rock discontinuity; `no_joint` marks the free surface and the
-/// outline of the domain.
+/// What lies along one edge of a block. A joint is a rock discontinuity; `no_joint` marks the free surface
+/// and the outline of the domain.
 struct EdgeMark {
     static constexpr std::int32_t no_joint = -1;
     std::int32_t joint_material = no_joint;  ///< index into BlockMesh::joint_materials
@@ -39,7 +39,8 @@ struct MeasuredPoint {
     friend bool operator==(const MeasuredPoint&, const MeasuredPoint&) = default;
 };
 
-/// A bar between a point of one block and a point of another (or of the same); its properties are a bolt material's.
+/// A bar between a point of one block and a point of another (or of the same); its properties are a bolt
+/// material's.
 struct Bolt {
     std::string name;
     std::string material;
@@ -53,10 +54,10 @@ struct Bolt {
 /// A rock section cut into blocks: plain data, as the block file holds it.
 ///
 /// Vertices are shared by index, so neighbours agree to the last bit. Block b owns the rings
-/// [block_rings[b], block_rings[b + 1]): first the outer ring, counter-clockwise, then its holes, clockwise, so that the
-/// block's material is always on the left of an edge. Ring r owns the corners [ring_corners[r], ring_corners[r + 1]) of
-/// `corners` (vertex indices) and of `edge_marks` (edge k runs from corner k to the next corner of the same ring).
-/// Lengths in m.
+/// [block_rings[b], block_rings[b + 1]): first the outer ring, counter-clockwise, then its holes, clockwise,
+/// so that the block's material is always on the left of an edge. Ring r owns the corners [ring_corners[r],
+/// ring_corners[r + 1]) of `corners` (vertex indices) and of `edge_marks` (edge k runs from corner k to the
+/// next corner of the same ring). Lengths in m.
 struct BlockMesh {
     std::vector<Point> vertices;
     std::vector<std::int32_t> corners;
@@ -86,7 +87,8 @@ struct BlockMesh {
     std::span<const EdgeMark> ring_marks(std::size_t block, std::size_t ring) const;
 
     /// Appends a block's ring; the first ring appended after begin_block is the outer one.
-    void begin_block(std::int32_t material, BlockMotion block_motion = BlockMotion::free, std::string name = {});
+    void begin_block(std::int32_t material, BlockMotion block_motion = BlockMotion::free,
+                     std::string name = {});
     void add_ring(std::span<const std::int32_t> ring_vertices, std::span<const EdgeMark> marks);
 
     friend bool operator==(const BlockMesh&, const BlockMesh&) = default;

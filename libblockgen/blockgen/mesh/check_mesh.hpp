@@ -4,8 +4,8 @@
 
 namespace blockgen {
 
-/// Proves a mesh fit for simulation: every ring simple, outer rings counter-clockwise with positive area, holes clockwise and inside,
-/// indices in range, measured points and bolts inside their blocks.
+/// Proves a mesh fit for simulation: every ring simple, outer rings counter-clockwise with positive area,
+/// holes clockwise and inside, indices in range, measured points and bolts inside their blocks.
 /// @throws InputError naming `file_name`, the block and the fault.
 void check_mesh(const BlockMesh& mesh, const std::string& file_name);
 

@@ -1,0 +1,150 @@
+#include "blockgen/mesh/check_mesh.hpp"
+
+#include <cmath>
+#include <string>
+
+#include "blockgen/base/input_error.hpp"
+#include "blockgen/base/text.hpp"
+#include "blockgen/mesh/polygon.hpp"
+
+namespace blockgen {
+
+namespace {
+
+std::string text_of(const Point& p) {
+    return "(" + shortest_text(p.x) + ", " + shortest_text(p.y) + ")";
+}
+
+class MeshChecker {
+  public:
+    MeshChecker(const BlockMesh& mesh, const std::string& file_name) : mesh_(mesh), file_name_(file_name) {}
+
+    void check() const {
+        check_arrays();
+        for (std::size_t v = 0; v < mesh_.vertices.size(); ++v)
+            if (!std::isfinite(mesh_.vertices[v].x) || !std::isfinite(mesh_.vertices[v].y))
+                fail("vertex " + std::to_string(v) + " is not finite", "finite coordinates");
+        for (std::size_t b = 0; b < mesh_.block_count(); ++b) check_block(b);
+        for (const MeasuredPoint& point : mesh_.measured_points)
+            check_point("measured point '" + point.name + "'", point.block, point.position);
+        for (const Bolt& bolt : mesh_.bolts) {
+            check_point("first end of bolt '" + bolt.name + "'", bolt.first_block, bolt.first);
+            check_point("second end of bolt '" + bolt.name + "'", bolt.second_block, bolt.second);
+        }
+    }
+
+  private:
+    [[noreturn]] void fail(const std::string& what, const std::string& expected) const {
+        throw InputError({file_name_}, what, expected);
+    }
+
+    static bool is_offsets(const std::vector<std::int32_t>& offsets, std::size_t total, std::int32_t step) {
+        if (offsets.empty() || offsets.front() != 0 || offsets.back() != static_cast<std::int32_t>(total))
+            return false;
+        for (std::size_t i = 1; i < offsets.size(); ++i)
+            if (offsets[i] - offsets[i - 1] < step) return false;
+        return true;
+    }
+
+    static bool is_index(std::int32_t index, std::size_t size) {
+        return index >= 0 && static_cast<std::size_t>(index) < size;
+    }
+
+    void check_arrays() const {
+        const std::size_t blocks = mesh_.block_rings.empty() ? 0 : mesh_.block_count();
+        if (!is_offsets(mesh_.ring_corners, mesh_.corners.size(), 3) ||
+            mesh_.edge_marks.size() != mesh_.corners.size())
+            fail("the rings do not divide the corners",
+                 "three corners or more in each ring, one mark an edge");
+        if (!is_offsets(mesh_.block_rings, mesh_.ring_corners.size() - 1, 1))
+            fail("the blocks do not divide the rings", "one ring or more in each block");
+        if (mesh_.block_material.size() != blocks || mesh_.motion.size() != blocks ||
+            mesh_.motion_name.size() != blocks)
+            fail("the data per block do not match the blocks", "one material and one motion a block");
+    }
+
+    std::string block_text(std::size_t b) const {
+        const Point& p = mesh_.vertices[static_cast<std::size_t>(mesh_.ring(b, 0)[0])];
+        return "block " + std::to_string(b) + " at " + text_of(p);
+    }
+
+    void check_indices(std::size_t b) const {
+        const std::string name = "block " + std::to_string(b);
+        if (!is_index(mesh_.block_material[b], mesh_.block_materials.size()))
+            fail(name + " has a block material out of range", "an index into the block materials");
+        for (std::size_t r = 0; r < mesh_.ring_count(b); ++r) {
+            for (const std::int32_t vertex : mesh_.ring(b, r))
+                if (!is_index(vertex, mesh_.vertices.size()))
+                    fail(name + " has a vertex out of range", "an index into the vertices");
+            for (const EdgeMark& mark : mesh_.ring_marks(b, r)) {
+                const bool free = mark == EdgeMark{};
+                const bool joint_ok =
+                    mark.joint == EdgeMark::no_joint || is_index(mark.joint, mesh_.joints.size());
+                if (!free && (!joint_ok || !is_index(mark.joint_material, mesh_.joint_materials.size())))
+                    fail(name + " has an edge mark out of range", "a joint material and a joint of the file");
+            }
+        }
+    }
+
+    std::vector<Ring> rings_of(std::size_t b) const {
+        std::vector<Ring> rings(mesh_.ring_count(b));
+        for (std::size_t r = 0; r < rings.size(); ++r)
+            for (const std::int32_t vertex : mesh_.ring(b, r))
+                rings[r].push_back(mesh_.vertices[static_cast<std::size_t>(vertex)]);
+        return rings;
+    }
+
+    void check_block(std::size_t b) const {
+        check_indices(b);
+        const std::vector<Ring> rings = rings_of(b);
+        if (const auto fault = find_ring_fault(rings)) {
+            const std::string edges = "edge " + std::to_string(fault->first_edge) + " of ring " +
+                                      std::to_string(fault->first_ring) + " and edge " +
+                                      std::to_string(fault->second_edge) + " of ring " +
+                                      std::to_string(fault->second_ring);
+            fail(block_text(b) + ": " + edges + " meet at " + text_of(fault->place), "simple rings");
+        }
+        if (!(twice_signed_area(rings[0]) > 0))
+            fail(block_text(b) + ": the outer ring is clockwise or has no area",
+                 "a counter-clockwise outer ring");
+        for (std::size_t r = 1; r < rings.size(); ++r) check_hole(b, rings, r);
+    }
+
+    void check_hole(std::size_t b, const std::vector<Ring>& rings, std::size_t r) const {
+        const std::string name = block_text(b) + ": hole " + std::to_string(r);
+        if (!(twice_signed_area(rings[r]) < 0)) fail(name + " is counter-clockwise", "clockwise holes");
+        for (std::size_t other = 0; other < rings.size(); ++other) {
+            if (other == r) continue;
+            const int wanted = other == 0 ? 1 : -1;
+            for (const Point& p : rings[r]) {
+                const int side = side_of_ring(rings[other], p);
+                if (side == 0) continue;
+                if (side != wanted)
+                    fail(name + (other == 0 ? " lies outside the outer ring" : " lies inside another hole"),
+                         "holes inside the block and apart from each other");
+                break;
+            }
+        }
+    }
+
+    void check_point(const std::string& name, std::int32_t block, const Point& p) const {
+        if (!is_index(block, mesh_.block_count())) fail(name + " names no block", "an index into the blocks");
+        const std::vector<Ring> rings = rings_of(static_cast<std::size_t>(block));
+        bool inside = side_of_ring(rings[0], p) >= 0;
+        for (std::size_t r = 1; r < rings.size(); ++r) inside = inside && side_of_ring(rings[r], p) <= 0;
+        if (!inside)
+            fail(name + " at " + text_of(p) + " lies outside its block " + std::to_string(block),
+                 "a point inside the block");
+    }
+
+    const BlockMesh& mesh_;
+    const std::string& file_name_;
+};
+
+}  // namespace
+
+void check_mesh(const BlockMesh& mesh, const std::string& file_name) {
+    MeshChecker(mesh, file_name).check();
+}
+
+}  // namespace blockgen

@@ -1,0 +1,104 @@
+#include "blockgen/mesh/measures.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace blockgen {
+
+namespace {
+
+/// The area up to which the blocks hold `share` of the total area.
+double weighted_quantile(const std::vector<double>& sorted_areas, double total, double share) {
+    double sum = 0;
+    for (const double area : sorted_areas) {
+        sum += area;
+        if (sum >= share * total) return area;
+    }
+    return sorted_areas.empty() ? 0 : sorted_areas.back();
+}
+
+/// The angle inside the rock at q between the edges p-q and q-r, rad in (0, 2 pi).
+double corner_angle(const Point& p, const Point& q, const Point& r) {
+    const double ax = p.x - q.x, ay = p.y - q.y, bx = r.x - q.x, by = r.y - q.y;
+    const double angle = std::atan2(bx * ay - by * ax, bx * ax + by * ay);
+    return angle < 0 ? angle + 2 * std::numbers::pi : angle;
+}
+
+}  // namespace
+
+Ring ring_points(const BlockMesh& mesh, std::size_t block, std::size_t ring) {
+    Ring points;
+    for (const std::int32_t vertex : mesh.ring(block, ring))
+        points.push_back(mesh.vertices[static_cast<std::size_t>(vertex)]);
+    return points;
+}
+
+double block_area(const BlockMesh& mesh, std::size_t block) {
+    double twice = 0;
+    for (std::size_t r = 0; r < mesh.ring_count(block); ++r)
+        twice += twice_signed_area(ring_points(mesh, block, r));
+    return twice / 2;
+}
+
+Point block_centroid(const BlockMesh& mesh, std::size_t block) {
+    const Point o = mesh.vertices[static_cast<std::size_t>(mesh.ring(block, 0)[0])];
+    double twice_area = 0, sx = 0, sy = 0;
+    for (std::size_t r = 0; r < mesh.ring_count(block); ++r) {
+        const Ring ring = ring_points(mesh, block, r);
+        for (std::size_t k = 0; k < ring.size(); ++k) {
+            const double ax = ring[k].x - o.x, ay = ring[k].y - o.y;
+            const double bx = ring[(k + 1) % ring.size()].x - o.x, by = ring[(k + 1) % ring.size()].y - o.y;
+            const double cross = ax * by - ay * bx;
+            twice_area += cross;
+            sx += cross * (ax + bx);
+            sy += cross * (ay + by);
+        }
+    }
+    return {o.x + sx / (3 * twice_area), o.y + sy / (3 * twice_area)};
+}
+
+double block_perimeter(const BlockMesh& mesh, std::size_t block) {
+    double length = 0;
+    for (std::size_t r = 0; r < mesh.ring_count(block); ++r) {
+        const Ring ring = ring_points(mesh, block, r);
+        for (std::size_t k = 0; k < ring.size(); ++k) {
+            const Point& next = ring[(k + 1) % ring.size()];
+            length += std::hypot(next.x - ring[k].x, next.y - ring[k].y);
+        }
+    }
+    return length;
+}
+
+SizeSummary size_summary(const BlockMesh& mesh) {
+    SizeSummary summary;
+    if (mesh.block_count() == 0) return summary;
+    summary.smallest_edge = std::numeric_limits<double>::infinity();
+    summary.smallest_angle = std::numbers::pi;
+    std::vector<double> areas;
+    for (std::size_t b = 0; b < mesh.block_count(); ++b) {
+        areas.push_back(block_area(mesh, b));
+        summary.area += areas.back();
+        for (std::size_t r = 0; r < mesh.ring_count(b); ++r) {
+            const Ring ring = ring_points(mesh, b, r);
+            const std::size_t n = ring.size();
+            for (std::size_t k = 0; k < n; ++k) {
+                const Point& next = ring[(k + 1) % n];
+                const double length = std::hypot(next.x - ring[k].x, next.y - ring[k].y);
+                summary.smallest_edge = std::min(summary.smallest_edge, length);
+                summary.smallest_angle =
+                    std::min(summary.smallest_angle, corner_angle(ring[(k + n - 1) % n], ring[k], next));
+            }
+        }
+    }
+    std::sort(areas.begin(), areas.end());
+    summary.smallest_area = areas.front();
+    summary.largest_area = areas.back();
+    summary.d10 = weighted_quantile(areas, summary.area, 0.1);
+    summary.d50 = weighted_quantile(areas, summary.area, 0.5);
+    summary.d90 = weighted_quantile(areas, summary.area, 0.9);
+    return summary;
+}
+
+}  // namespace blockgen

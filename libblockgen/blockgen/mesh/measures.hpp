@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+
+#include "blockgen/mesh/block_mesh.hpp"
+#include "blockgen/mesh/polygon.hpp"
+
+namespace blockgen {
+
+/// A ring's vertices in order.
+Ring ring_points(const BlockMesh& mesh, std::size_t block, std::size_t ring);
+
+/// Area of a block without its holes, m2.
+double block_area(const BlockMesh& mesh, std::size_t block);
+
+/// Centroid of a block without its holes.
+Point block_centroid(const BlockMesh& mesh, std::size_t block);
+
+/// Length of a block's rings, outer and holes, m.
+double block_perimeter(const BlockMesh& mesh, std::size_t block);
+
+/// Sizes of all blocks of a mesh; zeros when it has none.
+struct SizeSummary {
+    double area = 0;            ///< of all blocks, m2
+    double smallest_area = 0;   ///< m2
+    double largest_area = 0;    ///< m2
+    double d10 = 0;             ///< m2: blocks up to this area hold a tenth of the total area
+    double d50 = 0;             ///< m2: half of it
+    double d90 = 0;             ///< m2: nine tenths
+    double smallest_edge = 0;   ///< m
+    double smallest_angle = 0;  ///< rad, the sharpest corner of a block, in (0, pi)
+};
+
+SizeSummary size_summary(const BlockMesh& mesh);
+
+}  // namespace blockgen

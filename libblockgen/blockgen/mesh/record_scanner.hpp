@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "blockgen/base/input_error.hpp"
+
+namespace blockgen {
+
+/// Walks once over a line-based text of blank-separated words. Blank lines and everything from a `#` outside
+/// quotes to the end of its line are skipped. Every complaint is an InputError with the file, line and column
+/// of the word at fault.
+class RecordScanner {
+  public:
+    RecordScanner(std::string_view text, std::string file_name);
+
+    /// Moves to the next line that holds a word. False at the end of the text.
+    bool next_line();
+    /// True when the current line has no further word.
+    bool at_line_end();
+
+    /// The next bare word; `expected` is named when the line ends instead.
+    std::string_view word(std::string_view expected);
+    /// A bare or quoted name with its escapes resolved; must be UTF-8.
+    std::string name(std::string_view expected);
+    /// A finite number.
+    double number(std::string_view expected);
+    /// An integer in [0, limit).
+    std::int32_t index(std::string_view expected, std::int64_t limit);
+    void expect_line_end();
+
+    /// The place of the word read last.
+    SourcePlace place() const;
+    [[noreturn]] void fail(const std::string& what, const std::string& expected) const;
+    std::size_t size() const { return text_.size(); }
+
+  private:
+    void skip_blanks();
+    char escaped_character();
+
+    std::string_view text_;
+    std::string file_name_;
+    std::size_t position_ = 0;
+    std::size_t line_start_ = 0;
+    std::size_t next_start_ = 0;
+    std::size_t line_end_ = 0;
+    std::size_t word_start_ = 0;
+    int line_ = 0;
+};
+
+}  // namespace blockgen

@@ -1,0 +1,139 @@
+#include <charconv>
+
+#include "blockgen/base/atomic_file.hpp"
+#include "blockgen/mesh/block_file.hpp"
+#include "blockgen/mesh/names.hpp"
+
+namespace blockgen {
+
+namespace {
+
+template <class Number>
+void append_number(std::string& out, Number value) {
+    char digits[32];
+    const auto result = std::to_chars(digits, digits + sizeof digits, value);
+    out.append(digits, result.ptr);
+}
+
+void append_count(std::string& out, std::string_view noun, std::size_t count) {
+    (out += ' ').append(noun) += ' ';
+    append_number(out, count);
+}
+
+void append_point(std::string& out, const Point& point) {
+    out += ' ';
+    append_number(out, point.x);
+    out += ' ';
+    append_number(out, point.y);
+}
+
+void append_index(std::string& out, std::int32_t index) {
+    if (index < 0)
+        out += '-';
+    else
+        append_number(out, index);
+}
+
+void append_mark(std::string& out, const EdgeMark& mark) {
+    out += ' ';
+    append_index(out, mark.joint_material);
+    if (mark.joint_material < 0 && mark.joint < 0) return;
+    out += ':';
+    append_index(out, mark.joint);
+}
+
+std::string_view motion_word(BlockMotion motion) {
+    switch (motion) {
+        case BlockMotion::fixed:
+            return "fixed";
+        case BlockMotion::prescribed:
+            return "prescribed";
+        case BlockMotion::free:
+            break;
+    }
+    return "free";
+}
+
+void append_names(std::string& out, std::string_view noun, const std::vector<std::string>& names) {
+    for (const std::string& name : names) (((out += noun) += ' ') += quoted_name(name)) += '\n';
+}
+
+void append_header(std::string& out, const BlockMesh& mesh) {
+    out += "ddablk ";
+    append_number(out, block_file_version);
+    out += "\ncounts";
+    append_count(out, "provenance", mesh.provenance.size());
+    append_count(out, "block_materials", mesh.block_materials.size());
+    append_count(out, "joint_materials", mesh.joint_materials.size());
+    append_count(out, "joints", mesh.joints.size());
+    append_count(out, "vertices", mesh.vertices.size());
+    append_count(out, "blocks", mesh.block_count());
+    append_count(out, "rings", mesh.ring_corners.size() - 1);
+    append_count(out, "corners", mesh.corners.size());
+    append_count(out, "measured_points", mesh.measured_points.size());
+    append_count(out, "bolts", mesh.bolts.size());
+    out += '\n';
+}
+
+void append_block(std::string& out, const BlockMesh& mesh, std::size_t block) {
+    out += "block ";
+    append_number(out, mesh.block_material[block]);
+    out += ' ';
+    append_number(out, mesh.ring_count(block));
+    (out += ' ') += motion_word(mesh.motion[block]);
+    if (!mesh.motion_name[block].empty()) (out += ' ') += quoted_name(mesh.motion_name[block]);
+    out += '\n';
+    for (std::size_t r = 0; r < mesh.ring_count(block); ++r) {
+        out += "ring";
+        for (const std::int32_t vertex : mesh.ring(block, r)) {
+            out += ' ';
+            append_number(out, vertex);
+        }
+        out += "\nedges";
+        for (const EdgeMark& mark : mesh.ring_marks(block, r)) append_mark(out, mark);
+        out += '\n';
+    }
+}
+
+void append_bolt(std::string& out, const Bolt& bolt) {
+    (((out += "bolt ") += quoted_name(bolt.name)) += ' ') += quoted_name(bolt.material);
+    out += ' ';
+    append_number(out, bolt.first_block);
+    append_point(out, bolt.first);
+    out += ' ';
+    append_number(out, bolt.second_block);
+    append_point(out, bolt.second);
+    out += '\n';
+}
+
+}  // namespace
+
+std::string block_file_text(const BlockMesh& mesh) {
+    std::string out;
+    out.reserve(256 + 40 * mesh.vertices.size() + 16 * mesh.corners.size() + 32 * mesh.block_count());
+    append_header(out, mesh);
+    append_names(out, "provenance", mesh.provenance);
+    append_names(out, "block_material", mesh.block_materials);
+    append_names(out, "joint_material", mesh.joint_materials);
+    for (const Joint& joint : mesh.joints) ((out += "joint ") += quoted_name(joint.set)) += '\n';
+    for (const Point& vertex : mesh.vertices) {
+        out += "vertex";
+        append_point(out, vertex);
+        out += '\n';
+    }
+    for (std::size_t block = 0; block < mesh.block_count(); ++block) append_block(out, mesh, block);
+    for (const MeasuredPoint& point : mesh.measured_points) {
+        ((out += "measured_point ") += quoted_name(point.name)) += ' ';
+        append_number(out, point.block);
+        append_point(out, point.position);
+        out += '\n';
+    }
+    for (const Bolt& bolt : mesh.bolts) append_bolt(out, bolt);
+    return out += "end\n";
+}
+
+void write_block_file(const std::filesystem::path& path, const BlockMesh& mesh) {
+    write_file_atomically(path, block_file_text(mesh));
+}
+
+}  // namespace blockgen
