@@ -22,7 +22,7 @@ inline double radians(double degrees) { return degrees * std::numbers::pi / 180;
 class Scene {
   public:
     Scene() {
-        model.block_materials.push_back({"rock", 2500, 10e9, 0.25, dda::Vec3::Zero()});
+        model.block_materials.push_back({"rock", 2500, 10e9, 0.25, 0.1, dda::Vec3::Zero()});
         model.joint_materials.push_back({"joint", mohr_coulomb(0), 0, 0});
         model.normal_penalty = model.shear_penalty = 5e10;
         model.fixed_point_penalty = 5e11;

@@ -146,8 +146,11 @@ void Ledger::record_blocks(const StepWork& step, Energy& energy) const {
         const auto b = static_cast<std::size_t>(block);
         const Vec6& d = step.result.displacement[row];
         const Vec3 strain = d.tail<3>();
-        energy.numerical_loss +=
-            step.blocks.moments[b].area * strain.dot(elasticity(model_.material_of(block), model_.plane) * strain) / 2;
+        const double elastic_work =
+            step.blocks.moments[b].area * strain.dot(elasticity(model_.material_of(block), model_.plane) * strain);
+        energy.numerical_loss += elastic_work / 2;
+        energy.damping_loss +=
+            elastic_work * retardation_time(model_.material_of(block), step.blocks.moments[b]) / step.newmark.dt;
         if (!model_.loads.empty()) energy.external_work += load_on_block(model_, block, step.blocks, step.mid, step.time).dot(d);
 
         const Mat6 mass = mass_matrix(step.blocks.mass[b], step.blocks.moments[b]);

@@ -175,7 +175,7 @@ void TimeStepper::assemble_base(const Stage& stage, const State& state, Step& st
     step.base.stiffness.assign(count, Mat6::Zero());
     step.base.load.assign(count, Vec6::Zero());
     add_inertia(rows_, state.blocks, step.newmark, stage.mass_damping, step.base);
-    add_elasticity(model_, rows_, state.blocks, step.base);
+    add_elasticity(model_, rows_, state.blocks, step.dt, step.base);
     add_loads(model_, rows_, state.blocks, step.mid, {step.dt, state.time + step.dt}, step.base);
     add_fixed_points(model_, rows_, state.blocks, step.mid, step.base);
 }

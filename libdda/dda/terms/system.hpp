@@ -49,7 +49,10 @@ struct Newmark {
 Mat6 mass_matrix(double mass, const AreaMoments& moments);
 
 void add_inertia(const RowMap& rows, const BlockSystem& blocks, const Newmark& newmark, double mass_damping, BaseSystem& base);
-void add_elasticity(const Model& model, const RowMap& rows, const BlockSystem& blocks, BaseSystem& base);
+void add_elasticity(const Model& model, const RowMap& rows, const BlockSystem& blocks, double dt, BaseSystem& base);
+/// Retardation time of a block's rock, s: viscous stress = time * elasticity * strain rate gives the material's damping ratio in the
+/// block's softest strain mode, of frequency sqrt(E area / (rho max(I_xx, I_yy))).
+double retardation_time(const BlockMaterial& material, const AreaMoments& moments);
 void add_loads(const Model& model, const RowMap& rows, const BlockSystem& blocks, const MidStep& mid, const StepTimes& times,
                BaseSystem& base);
 void add_fixed_points(const Model& model, const RowMap& rows, const BlockSystem& blocks, const MidStep& mid, BaseSystem& base);
