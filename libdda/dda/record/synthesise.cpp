@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "dda/record/baseline.hpp"
+#include "dda/record/response_spectrum.hpp"
 
 namespace dda {
 
@@ -31,7 +32,9 @@ void check(const SyntheticMotion& recipe) {
     const PowerSpectrum& spectrum = recipe.spectrum;
     require(spectrum.ground_frequency > 0 && spectrum.low_cut_frequency > 0,
             "filter frequencies must be positive");
-    require(spectrum.ground_damping > 0 && spectrum.low_cut_damping > 0, "filter dampings must be positive");
+    require(spectrum.ground_damping > 0, "the ground filter's damping must be positive");
+    require(spectrum.low_cut_damping > 0 && spectrum.low_cut_damping < 1,
+            "the low cut's damping must be in (0, 1)");
     require(spectrum.kappa >= 0, "kappa must not be negative");
 }
 
@@ -52,7 +55,7 @@ std::vector<double> stationary_noise(const SyntheticMotion& recipe, std::size_t 
     const auto frequencies = static_cast<std::uint32_t>(std::floor(0.5 / recipe.step / spacing));
     for (std::uint32_t k = 1; k <= frequencies; ++k) {
         const double frequency = k * spacing;
-        const double amplitude = std::sqrt(2 * density(recipe.spectrum, frequency) * spacing);
+        const double amplitude = std::sqrt(2 * ground_density(recipe.spectrum, frequency) * spacing);
         const double phase = 2 * std::numbers::pi * uniform(recipe.seed, k);
         const double turn = 2 * std::numbers::pi * frequency * recipe.step;
         for (std::size_t i = 0; i < count; ++i) {
@@ -60,6 +63,18 @@ std::vector<double> stationary_noise(const SyntheticMotion& recipe, std::size_t 
         }
     }
     return noise;
+}
+
+/// The acceleration of an oscillator relative to the ground that `record` shakes, with its sign turned: the
+/// low cut.
+Accelerogram without_low_frequencies(const Accelerogram& record, const PowerSpectrum& spectrum) {
+    const OscillatorMotion motion =
+        oscillate(record, 1 / spectrum.low_cut_frequency, spectrum.low_cut_damping);
+    Accelerogram rest = record;
+    for (std::size_t k = 0; k < rest.values.size(); ++k) {
+        rest.values[k] -= motion.absolute_acceleration[k];
+    }
+    return rest;
 }
 
 /// 1, and a half cosine down to 0 over the last `length` seconds.
@@ -74,11 +89,16 @@ Accelerogram synthesise(const SyntheticMotion& recipe) {
     check(recipe);
     const auto count = static_cast<std::size_t>(std::lround(recipe.duration / recipe.step)) + 1;
     Accelerogram record{recipe.step, stationary_noise(recipe, count)};
+    const auto time = [&](std::size_t k) { return static_cast<double>(k) * recipe.step; };
+    for (std::size_t k = 0; k < count; ++k) {
+        record.values[k] *= recipe.envelope.at(time(k));
+    }
+    record = without_low_frequencies(record, recipe.spectrum);
     const double taper = std::min(1.0, recipe.duration / 10);
     for (std::size_t k = 0; k < count; ++k) {
-        const double time = static_cast<double>(k) * recipe.step;
-        record.values[k] *= recipe.envelope.at(time) * closing_taper(time, recipe.duration, taper);
+        record.values[k] *= closing_taper(time(k), recipe.duration, taper);
     }
+    record.values.front() = 0;
     record.values.back() = 0;
     record = correct_baseline(record);
     const double scale = recipe.peak / largest_magnitude(record.values);

@@ -18,15 +18,20 @@ struct SyntheticMotion {
     Envelope envelope;
 };
 
-/// An artificial accelerogram: stationary Gaussian-like noise of the given power spectrum by the spectral
-/// representation (Shinozuka & Deodatis 1991), a(t) = sum_k sqrt(2 S(f_k) df) cos(2 pi f_k t + phi_k), with
-/// uniform phases phi_k from a counter-based generator (Salmon et al. 2011) keyed by the seed; times the
-/// envelope; tapered to zero over the last second (or tenth of the record, if less); baseline-corrected;
-/// scaled so that its largest absolute value is `peak`.
-///
-/// The frequencies are multiples of 1 / (2 duration) from there up to half the sampling rate, so the noise
-/// does not repeat within the record. First and last samples are zero and the ground ends at rest where it
-/// started.
+/// An artificial accelerogram, in six steps:
+///   1. stationary Gaussian-like noise of the ground's power spectrum by the spectral representation
+///   (Shinozuka & Deodatis
+///      1991), a(t) = sum_k sqrt(2 S_g(f_k) df) cos(2 pi f_k t + phi_k), with uniform phases phi_k from a
+///      counter-based generator (Salmon et al. 2011) keyed by the seed; f_k are the multiples of 1 / (2
+///      duration) up to half the sampling rate, so the noise does not repeat within the record;
+///   2. times the envelope;
+///   3. through the low cut in the time domain, after the envelope and not before it, because the envelope
+///   would bring the
+///      lowest frequencies back (Rezaeian & Der Kiureghian 2010);
+///   4. tapered to zero over the last second (or tenth of the record, if less);
+///   5. baseline-corrected;
+///   6. scaled so that its largest absolute value is `peak`.
+/// First and last samples are zero and the ground ends at rest where it started.
 /// @throws std::invalid_argument for a parameter outside its range.
 Accelerogram synthesise(const SyntheticMotion& recipe);
 
