@@ -1,0 +1,39 @@
+#!/bin/sh
+# The shipped record is what its recipe makes, byte for byte, and bad command lines leave no file.
+#   ground_motion_test.sh PROGRAM RECORDS
+set -eu
+program=$1
+records=$2
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+
+fail() {
+    echo "FAILED: $*" >&2
+    exit 1
+}
+
+"$program" synthesise --seed 2 -o again.at2 --spectrum again.csv >measures.txt
+cmp again.at2 "$records/artificial-m6.5.at2" || fail "the shipped record is not the recipe's"
+cmp again.csv "$records/artificial-m6.5-spectrum.csv" || fail "the shipped spectrum is not the record's"
+grep -q 'peak acceleration 0.3500 g' measures.txt || fail "peak is not 0.35 g"
+rm -- *
+
+refused() {
+    expected=$1
+    shift
+    code=0
+    "$program" "$@" >out.txt 2>err.txt || code=$?
+    [ "$code" -eq 2 ] || fail "exit code $code of: $*"
+    [ "$(wc -l <err.txt)" -eq 1 ] || fail "not one line from: $*"
+    grep -q -- "$expected" err.txt || fail "no '$expected' in: $(cat err.txt)"
+    rm -f out.txt err.txt
+    [ -z "$(ls)" ] || fail "left behind by $*: $(ls)"
+}
+refused "synthesise" synthesize -o a.at2
+refused "seeed" synthesise -o a.at2 --seeed 2
+refused "magnitude" synthesise -o a.at2 --magnitude 12
+refused "duration" synthesise -o a.at2 --duration nan
+refused "step" synthesise -o a.at2 --step 0
+refused "at2 or .csv" synthesise -o a.txt
+refused "no/such/folder" synthesise -o no/such/folder/a.at2

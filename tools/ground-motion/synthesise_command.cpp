@@ -1,0 +1,124 @@
+#include "synthesise_command.hpp"
+
+#include <array>
+#include <boost/program_options.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <stdexcept>
+
+#include "blockgen/base/atomic_file.hpp"
+#include "blockgen/base/text.hpp"
+#include "dda/record/measures.hpp"
+#include "dda/record/record_text.hpp"
+#include "dda/record/response_spectrum.hpp"
+#include "dda/record/synthesise.hpp"
+
+namespace po = boost::program_options;
+
+namespace {
+
+constexpr double standard_gravity = 9.80665;  // m/s2
+
+struct Request {
+    dda::SyntheticMotion recipe;
+    double peak_in_g = 0.35;
+    double magnitude = 6.5;
+    double distance = 15;
+    std::filesystem::path output;
+    std::filesystem::path spectrum;
+};
+
+template <class Value>
+po::typed_value<Value>* option(Value& value) {
+    return po::value(&value)->default_value(value, blockgen::shortest_text(static_cast<double>(value)));
+}
+
+po::options_description described(Request& request) {
+    dda::SyntheticMotion& recipe = request.recipe;
+    po::options_description options(
+        "ground-motion synthesise -o FILE.at2|FILE.csv [options]\n"
+        "Makes an artificial accelerogram; the same options give the same bytes");
+    auto add = options.add_options();
+    add("output,o", po::value(&request.output), "the record: PEER AT2 in g, or two-column CSV in m/s2");
+    add("spectrum", po::value(&request.spectrum), "also write the 5 % response spectrum, CSV");
+    add("seed", option(recipe.seed), "chooses one record among those of the recipe");
+    add("step", option(recipe.step), "s between samples");
+    add("duration", option(recipe.duration), "s");
+    add("peak", option(request.peak_in_g), "g, largest absolute acceleration");
+    add("magnitude", option(request.magnitude), "moment magnitude; with the distance it sets the envelope");
+    add("distance", option(request.distance), "km");
+    add("ground-frequency", option(recipe.spectrum.ground_frequency), "Hz, Kanai-Tajimi filter");
+    add("ground-damping", option(recipe.spectrum.ground_damping), "of critical");
+    add("low-cut-frequency", option(recipe.spectrum.low_cut_frequency), "Hz, Clough-Penzien filter");
+    add("low-cut-damping", option(recipe.spectrum.low_cut_damping), "of critical");
+    add("kappa", option(recipe.spectrum.kappa), "s, attenuation of high frequencies near the surface");
+    add("help,h", "this text");
+    return options;
+}
+
+std::string title(const Request& request) {
+    std::array<char, 160> text{};
+    std::snprintf(text.data(), text.size(), "artificial record, M %g at %g km, Kanai-Tajimi %g Hz, seed %llu",
+                  request.magnitude, request.distance, request.recipe.spectrum.ground_frequency,
+                  static_cast<unsigned long long>(request.recipe.seed));
+    return text.data();
+}
+
+std::string spectrum_text(const dda::Accelerogram& record) {
+    std::vector<double> periods;
+    for (int k = 0; k <= 60; ++k) {
+        periods.push_back(0.02 * std::pow(10.0, k / 24.0));
+    }
+    std::string text = "period (s),displacement (m),velocity (m/s),absolute acceleration (g)\n";
+    for (const dda::SpectralOrdinate& ordinate : dda::response_spectrum(record, periods, 0.05)) {
+        std::array<char, 96> line{};
+        std::snprintf(line.data(), line.size(), "%.4f,%.5f,%.5f,%.5f\n", ordinate.period,
+                      ordinate.displacement, ordinate.velocity,
+                      ordinate.absolute_acceleration / standard_gravity);
+        text += line.data();
+    }
+    return text;
+}
+
+void print_measures(const dda::Accelerogram& record) {
+    const dda::RecordMeasures measures = dda::measure(record);
+    std::printf("samples %zu, step %g s, duration %g s\n", record.values.size(), record.step,
+                record.duration());
+    std::printf("peak acceleration %.4f g, velocity %.4f m/s, displacement %.4f m\n",
+                measures.peak_acceleration / standard_gravity, measures.peak_velocity,
+                measures.peak_displacement);
+    std::printf("Arias intensity %.3f m/s, significant duration (5-95 %%) %.2f s\n", measures.arias_intensity,
+                measures.significant_duration);
+    std::printf("at the end: velocity %.1e m/s, displacement %.1e m\n", measures.final_velocity,
+                measures.final_displacement);
+}
+
+}  // namespace
+
+int run_synthesise(const std::vector<std::string>& arguments) {
+    Request request;
+    const po::options_description options = described(request);
+    po::variables_map values;
+    po::store(po::command_line_parser(arguments).options(options).positional({}).run(), values);
+    po::notify(values);
+    if (values.count("help") > 0) {
+        std::cout << options;
+        return 0;
+    }
+    const std::string kind = request.output.extension().string();
+    if (kind != ".at2" && kind != ".AT2" && kind != ".csv") {
+        throw std::invalid_argument(
+            "--output names no record file; expected a name that ends in .at2 or .csv");
+    }
+    request.recipe.peak = request.peak_in_g * standard_gravity;
+    request.recipe.envelope = dda::envelope_of_earthquake(request.magnitude, request.distance);
+    const dda::Accelerogram record = dda::synthesise(request.recipe);
+    blockgen::write_file_atomically(request.output, kind == ".csv" ? dda::csv_text(record, title(request))
+                                                                   : dda::at2_text(record, title(request)));
+    if (!request.spectrum.empty()) {
+        blockgen::write_file_atomically(request.spectrum, spectrum_text(record));
+    }
+    print_measures(record);
+    return 0;
+}

@@ -1,0 +1,10 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+/// `ground-motion synthesise`: makes an artificial accelerogram, writes it, and prints what an engineer would
+/// check.
+/// @param arguments of the command line after the subcommand. @returns the exit code.
+/// @throws boost::program_options::error, std::invalid_argument for bad arguments; blockgen::OutputError.
+int run_synthesise(const std::vector<std::string>& arguments);
