@@ -201,6 +201,14 @@ std::array<double, 2> ConfigTable::pair(std::string_view key, Dimension dimensio
     return quantity_pair(value_of(*impl_, key, "two numbers, [x, y]"), dimension);
 }
 
+std::array<double, 2> ConfigTable::pair(std::string_view key, Dimension dimension,
+                                        std::array<double, 2> fallback) const {
+    if (has(key)) return pair(key, dimension);
+    impl_->record_default(key, "[" + default_quantity_text(fallback[0], dimension) + ", " +
+                                   default_quantity_text(fallback[1], dimension) + "]");
+    return fallback;
+}
+
 std::vector<std::array<double, 2>> ConfigTable::pairs(std::string_view key, Dimension dimension) const {
     return quantity_pairs(value_of(*impl_, key, "a list of points, [[x, y], ...]"), dimension);
 }
@@ -246,13 +254,12 @@ ConfigTable ConfigTable::table(std::string_view key) const {
     const Value value = node_of(*impl_, key, "a table [" + std::string(key) + "]");
     const toml::table* node = value.node.as_table();
     if (!node) value.fail(std::string(type_name(value.node)), "a table");
-    const auto same = [&](const Impl::Entry& entry) { return entry.key == key; };
-    auto entry = std::find_if(impl_->entries.begin(), impl_->entries.end(), same);
-    if (entry == impl_->entries.end()) {
-        impl_->record({std::string(key), {}, {}, false, false, {impl_->child(*node, key_text(key))}});
-        entry = std::prev(impl_->entries.end());
-    }
-    return ConfigTable(entry->tables.front());
+    return ConfigTable(impl_->table_entry(key, *node));
+}
+
+ConfigTable ConfigTable::table_or_empty(std::string_view key) const {
+    static const toml::table empty;
+    return has(key) ? table(key) : ConfigTable(impl_->table_entry(key, empty));
 }
 
 std::optional<ConfigTable> ConfigTable::optional_table(std::string_view key) const {

@@ -68,6 +68,8 @@ class ConfigTable {
                        std::string_view fallback) const;
     /// [x, y]
     std::array<double, 2> pair(std::string_view key, Dimension dimension = Dimension::none) const;
+    std::array<double, 2> pair(std::string_view key, Dimension dimension,
+                               std::array<double, 2> fallback) const;
     /// [[x, y], ...]
     std::vector<std::array<double, 2>> pairs(std::string_view key,
                                              Dimension dimension = Dimension::none) const;
@@ -81,6 +83,7 @@ class ConfigTable {
     bool is_string(std::string_view key) const;
     ConfigTable table(std::string_view key) const;  ///< error when absent
     std::optional<ConfigTable> optional_table(std::string_view key) const;
+    ConfigTable table_or_empty(std::string_view key) const;  ///< a table without keys when absent
     std::vector<ConfigTable> array_of_tables(std::string_view key) const;  ///< empty when absent
     /// The sub-tables of this table, by name, in the order of the file: [block_material.*]. Marks them read.
     std::vector<std::pair<std::string, ConfigTable>> named_tables() const;

@@ -44,6 +44,14 @@ std::shared_ptr<ConfigTable::Impl> ConfigTable::Impl::child(const toml::table& n
     return result;
 }
 
+std::shared_ptr<ConfigTable::Impl> ConfigTable::Impl::table_entry(std::string_view key,
+                                                                  const toml::table& node) {
+    for (const Entry& entry : entries)
+        if (entry.key == key) return entry.tables.front();
+    record({std::string(key), {}, {}, false, false, {child(node, key_text(key))}});
+    return entries.back().tables.front();
+}
+
 std::vector<std::string> ConfigTable::Impl::unread_keys() const {
     std::vector<std::pair<toml::source_index, std::string>> unread;
     for (const auto& [key, value] : *table) {

@@ -63,6 +63,8 @@ struct ConfigTable::Impl {
     const toml::node& require(std::string_view key, const std::string& expected);
     std::string label(std::string_view key) const;
     std::shared_ptr<Impl> child(const toml::table& node, const std::string& child_path) const;
+    /// The view of the table under a key: the same one each time.
+    std::shared_ptr<Impl> table_entry(std::string_view key, const toml::table& node);
     std::vector<std::string> unread_keys() const;
 };
 
