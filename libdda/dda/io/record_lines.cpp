@@ -1,0 +1,40 @@
+#include "dda/io/record_lines.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+namespace dda {
+
+RecordLines::RecordLines(std::string_view text, std::string file_name) : file_name_(std::move(file_name)) {
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        std::string_view line = text.substr(0, end);
+        if (line.ends_with('\r')) line.remove_suffix(1);
+        lines_.push_back(line);
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+}
+
+void RecordLines::fail(std::size_t index, const std::string& what, const std::string& expected) const {
+    throw blockgen::InputError(place(index), what, expected);
+}
+
+std::vector<std::string_view> words_of(std::string_view line, std::string_view separators) {
+    std::vector<std::string_view> words;
+    std::size_t at = line.find_first_not_of(separators);
+    while (at != std::string_view::npos) {
+        const std::size_t end = std::min(line.find_first_of(separators, at), line.size());
+        words.push_back(line.substr(at, end - at));
+        at = line.find_first_not_of(separators, end);
+    }
+    return words;
+}
+
+std::string lower_case(std::string_view text) {
+    std::string result(text);
+    std::transform(result.begin(), result.end(), result.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return result;
+}
+
+}  // namespace dda

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "blockgen/base/input_error.hpp"
+
+namespace dda {
+
+/// A text cut into lines (LF or CRLF), which knows the place of each for messages.
+class RecordLines {
+  public:
+    RecordLines(std::string_view text, std::string file_name);
+
+    std::size_t size() const { return lines_.size(); }
+    std::string_view operator[](std::size_t index) const { return lines_[index]; }
+    blockgen::SourcePlace place(std::size_t index) const { return {file_name_, static_cast<int>(index) + 1}; }
+    /// Throws at a line. `expected` completes "expected ...".
+    [[noreturn]] void fail(std::size_t index, const std::string& what, const std::string& expected) const;
+
+  private:
+    std::vector<std::string_view> lines_;
+    std::string file_name_;
+};
+
+/// The words of a line between blanks, tabs and the other separators given.
+std::vector<std::string_view> words_of(std::string_view line, std::string_view separators = " \t");
+
+std::string lower_case(std::string_view text);
+
+}  // namespace dda

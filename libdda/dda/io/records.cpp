@@ -1,0 +1,106 @@
+#include "dda/io/records.hpp"
+
+#include "blockgen/base/read_file.hpp"
+#include "dda/io/record_formats.hpp"
+
+namespace dda {
+
+namespace {
+
+struct UnitRow {
+    Quantity quantity;
+    const char* name;
+    double factor;
+};
+
+constexpr UnitRow units[] = {
+    {Quantity::acceleration, "g", 9.80665},    {Quantity::acceleration, "m/s2", 1},
+    {Quantity::acceleration, "m/s/s", 1},      {Quantity::acceleration, "m/sec2", 1},
+    {Quantity::acceleration, "cm/s2", 1e-2},   {Quantity::acceleration, "cm/s/s", 1e-2},
+    {Quantity::acceleration, "cm/sec2", 1e-2}, {Quantity::acceleration, "mm/s2", 1e-3},
+    {Quantity::acceleration, "gal", 1e-2},     {Quantity::velocity, "m/s", 1},
+    {Quantity::velocity, "m/sec", 1},          {Quantity::velocity, "cm/s", 1e-2},
+    {Quantity::velocity, "cm/sec", 1e-2},      {Quantity::velocity, "mm/s", 1e-3},
+    {Quantity::displacement, "m", 1},          {Quantity::displacement, "cm", 1e-2},
+    {Quantity::displacement, "mm", 1e-3},
+};
+
+std::string known_units(Quantity quantity) {
+    std::string text;
+    for (const UnitRow& row : units)
+        if (row.quantity == quantity) text += (text.empty() ? "" : ", ") + std::string(row.name);
+    return "a unit of " + quantity_name(quantity) + ": " + text;
+}
+
+bool looks_binary(std::string_view text) {
+    return text.substr(0, 4096).find('\0') != std::string_view::npos;
+}
+
+}  // namespace
+
+std::string quantity_name(Quantity quantity) {
+    switch (quantity) {
+        case Quantity::velocity:
+            return "velocity";
+        case Quantity::displacement:
+            return "displacement";
+        default:
+            return "acceleration";
+    }
+}
+
+std::optional<Quantity> quantity_of_name(std::string_view name) {
+    for (const Quantity quantity : {Quantity::acceleration, Quantity::velocity, Quantity::displacement})
+        if (lower_case(name) == quantity_name(quantity)) return quantity;
+    return std::nullopt;
+}
+
+std::optional<double> record_unit_factor(Quantity quantity, std::string_view unit) {
+    std::string plain = lower_case(unit);
+    std::erase(plain, '^');
+    for (const UnitRow& row : units)
+        if (row.quantity == quantity && plain == row.name) return row.factor;
+    return std::nullopt;
+}
+
+void settle_units(Record& record, std::optional<Quantity> own_quantity, const std::string& own_unit,
+                  const RecordDeclaration& declaration, const RecordLines& lines, std::size_t index) {
+    if (!own_quantity && !declaration.quantity)
+        lines.fail(index, "nothing says what the values are",
+                   "quantity = \"acceleration\", \"velocity\" or \"displacement\" beside file = ... in the "
+                   "model file");
+    record.quantity = declaration.quantity.value_or(own_quantity.value_or(Quantity::acceleration));
+    if (own_quantity && *own_quantity != record.quantity)
+        lines.fail(index, "the file holds " + quantity_name(*own_quantity),
+                   quantity_name(record.quantity) + ", as the model file says");
+    const std::string unit = own_unit.empty() ? declaration.unit : own_unit;
+    if (unit.empty())
+        lines.fail(index, "nothing says in which unit the values are",
+                   "unit = \"...\" beside file = ... in the model file");
+    const std::optional<double> factor = record_unit_factor(record.quantity, unit);
+    if (!factor) lines.fail(index, "the unit '" + unit + "' is not known", known_units(record.quantity));
+    if (!own_unit.empty() && !declaration.unit.empty() &&
+        record_unit_factor(record.quantity, declaration.unit) != factor)
+        lines.fail(index, "the file's unit is " + own_unit, declaration.unit + ", as the model file says");
+    for (double& value : record.values) value *= *factor;
+}
+
+Record parse_record(std::string_view text, const std::string& file_name,
+                    const RecordDeclaration& declaration) {
+    const std::string expected = "a PEER record (AT2, VT2, DT2) or two columns (time, value)";
+    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+    if (looks_binary(text))
+        throw blockgen::InputError(
+            {file_name}, "is a binary file (miniSEED and SAC hold no units: convert to two columns)",
+            expected);
+    const RecordLines lines(text, file_name);
+    for (const RecordFormat& format : record_formats)
+        if (format.recognises(lines)) return format.read(lines, declaration);
+    throw blockgen::InputError({file_name, 1}, "is in no known record format", expected);
+}
+
+Record read_record(const std::filesystem::path& path, const RecordDeclaration& declaration) {
+    return parse_record(blockgen::read_text_file(path), path.string(), declaration);
+}
+
+}  // namespace dda
