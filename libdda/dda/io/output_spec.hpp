@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+namespace dda {
+
+/// What a run keeps.
+struct OutputSpec {
+    std::string name = "run";  ///< stem of the result files
+    int frames = 200;  ///< kept frames, evenly over the dynamic stages, besides both ends of every stage
+    double history_interval = 0.01;   ///< s between the rows of history.csv; 0: every step
+    double checkpoint_interval = 60;  ///< s of wall time between checkpoints
+};
+
+}  // namespace dda

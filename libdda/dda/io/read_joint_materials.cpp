@@ -1,0 +1,79 @@
+#include <array>
+#include <numbers>
+#include <type_traits>
+#include <utility>
+
+#include "dda/io/read_materials.hpp"
+
+namespace dda {
+
+using blockgen::ConfigTable;
+using blockgen::Dimension;
+
+namespace {
+
+double friction_angle(const ConfigTable& table, std::string_view key, double value) {
+    return table.checked(
+        key, value, [](double v) { return v >= 0 && v < std::numbers::pi / 2; },
+        "an angle from 0 up to 90 deg (without it)");
+}
+
+// One reader per law of the list in joint_law.hpp; a law without one does not compile.
+
+MohrCoulomb read_law(std::type_identity<MohrCoulomb>, const ConfigTable& table) {
+    MohrCoulomb law;
+    law.friction_angle =
+        friction_angle(table, "friction_angle", table.number("friction_angle", Dimension::angle));
+    law.cohesion = not_negative(table, "cohesion", Dimension::stress, 0);
+    law.tensile_strength = not_negative(table, "tensile_strength", Dimension::stress, 0);
+    law.residual_friction_angle =
+        friction_angle(table, "residual_friction_angle",
+                       table.number("residual_friction_angle", Dimension::angle, law.friction_angle));
+    law.residual_cohesion = not_negative(table, "residual_cohesion", Dimension::stress, 0);
+    return law;
+}
+
+struct LawReader {
+    const char* name;
+    JointLaw (*read)(const ConfigTable& table);
+};
+
+template <class Law>
+JointLaw read_as(const ConfigTable& table) {
+    return read_law(std::type_identity<Law>{}, table);
+}
+
+template <class... Laws>
+constexpr std::array<LawReader, sizeof...(Laws)> readers_of(std::type_identity<std::variant<Laws...>>) {
+    return {LawReader{Laws::name, read_as<Laws>}...};
+}
+
+constexpr auto law_readers = readers_of(std::type_identity<JointLaw>{});
+
+JointMaterial read_joint_material(const std::string& name, const ConfigTable& table) {
+    std::vector<std::string> names;
+    for (const LawReader& reader : law_readers) names.emplace_back(reader.name);
+    const std::string law = table.choice("law", names);
+    JointMaterial material;
+    material.name = name;
+    for (const LawReader& reader : law_readers)
+        if (law == reader.name) material.law = reader.read(table);
+    material.normal_penalty = not_negative(table, "normal_penalty", Dimension::stiffness, 0);
+    material.shear_penalty = not_negative(table, "shear_penalty", Dimension::stiffness, 0);
+    return material;
+}
+
+}  // namespace
+
+std::vector<JointMaterial> read_joint_materials(const ConfigTable& run) {
+    std::vector<JointMaterial> materials;
+    if (run.has("joint_material"))
+        for (const auto& [name, table] : run.table("joint_material").named_tables())
+            materials.push_back(read_joint_material(name, table));
+    if (materials.empty())
+        throw blockgen::InputError(run.place(), "there is no joint material",
+                                   "a table [joint_material.NAME]");
+    return materials;
+}
+
+}  // namespace dda

@@ -1,0 +1,159 @@
+#include "dda/io/read_loads.hpp"
+
+#include <optional>
+#include <type_traits>
+
+#include "blockgen/base/read_file.hpp"
+#include "blockgen/base/text.hpp"
+#include "dda/io/find_block.hpp"
+#include "dda/io/read_mesh.hpp"
+#include "dda/io/two_columns.hpp"
+
+namespace dda {
+
+using blockgen::ConfigTable;
+using blockgen::Dimension;
+
+namespace {
+
+Vec2 vector_of(const std::array<double, 2>& pair) {
+    return {pair[0], pair[1]};
+}
+
+std::string point_text(const Vec2& point) {
+    return "[" + blockgen::shortest_text(point.x()) + ", " + blockgen::shortest_text(point.y()) + "]";
+}
+
+int block_at(const ConfigTable& table, const Vec2& point, const Model& model) {
+    const std::optional<int> block = find_block(model, point);
+    if (!block)
+        table.fail("at",
+                   "'at' in [" + table.path() + "] is " + point_text(point) + ", where there is no block",
+                   "a point inside a block");
+    return *block;
+}
+
+int block_index(const ConfigTable& table, const Model& model) {
+    const std::int64_t block = table.integer("block");
+    if (block < 0 || block >= model.block_count())
+        table.fail("block", "'block' in [" + table.path() + "] is " + std::to_string(block),
+                   "an index from 0 to " + std::to_string(model.block_count() - 1));
+    return static_cast<int>(block);
+}
+
+/// The block named by `block = index` or `at = [x, y]`.
+int read_block(const ConfigTable& table, const Model& model) {
+    if (table.has("block")) return block_index(table, model);
+    return block_at(table, vector_of(table.pair("at", Dimension::length)), model);
+}
+
+int measured_point(const ConfigTable& table, const Model& model) {
+    const std::string name = table.string("measured_point");
+    std::vector<std::string> names;
+    for (const MeasuredPointSpec& point : model.measured_points) {
+        if (point.name == name) return point.point;
+        names.push_back(point.name);
+    }
+    const auto nearest = blockgen::nearest_word(name, names);
+    table.fail("measured_point", "there is no measured point '" + name + "' in the block file",
+               nearest ? "perhaps '" + *nearest + "'"
+                       : "the name of one of its " + std::to_string(names.size()) + " measured points");
+}
+
+/// The material point named by `measured_point = NAME` or `at = [x, y]`.
+int read_point(const ConfigTable& table, Model& model) {
+    if (table.has("measured_point")) return measured_point(table, model);
+    const Vec2 point = vector_of(table.pair("at", Dimension::length));
+    return add_material_point(model, block_at(table, point, model), point);
+}
+
+TimeTable read_history(const ConfigTable& table, InputFiles& files) {
+    const auto history = table.optional_table("history");
+    return history ? read_time_table(*history, Dimension::none, files) : TimeTable{};
+}
+
+// One key and one reader per load of the list in load.hpp; a load without them does not compile.
+
+constexpr const char* load_key(std::type_identity<PointLoad>) {
+    return "point_load";
+}
+PointLoad read_load(std::type_identity<PointLoad>, const ConfigTable& table, Model& model,
+                    InputFiles& files) {
+    return {read_point(table, model), vector_of(table.pair("force", Dimension::force)),
+            read_history(table, files)};
+}
+
+constexpr const char* load_key(std::type_identity<BodyLoad>) {
+    return "body_load";
+}
+BodyLoad read_load(std::type_identity<BodyLoad>, const ConfigTable& table, Model& model, InputFiles& files) {
+    const bool one_block = table.has("block") || table.has("at");
+    return {one_block ? read_block(table, model) : -1,
+            vector_of(table.pair("acceleration", Dimension::acceleration)), read_history(table, files)};
+}
+
+template <class... Loads>
+void read_each_load(std::type_identity<std::variant<Loads...>>, const ConfigTable& run, Model& model,
+                    InputFiles& files) {
+    const auto read_all = [&](auto kind) {
+        for (const ConfigTable& table : run.array_of_tables(load_key(kind)))
+            model.loads.emplace_back(read_load(kind, table, model, files));
+    };
+    (read_all(std::type_identity<Loads>{}), ...);
+}
+
+void read_fixed_points(const ConfigTable& run, Model& model) {
+    for (const ConfigTable& table : run.array_of_tables("fixed_point")) {
+        FixedPoint point;
+        point.point = read_point(table, model);
+        const std::string direction = table.choice("direction", {"both", "x", "y"}, "both");
+        point.hold_x = direction != "y";
+        point.hold_y = direction != "x";
+        model.fixed_points.push_back(point);
+    }
+}
+
+void read_initial_velocities(const ConfigTable& run, Model& model) {
+    for (const ConfigTable& table : run.array_of_tables("initial_velocity")) {
+        model.initial_velocity.resize(static_cast<std::size_t>(model.block_count()), Vec6::Zero());
+        Vec6& velocity = model.initial_velocity[static_cast<std::size_t>(read_block(table, model))];
+        velocity.head<2>() = vector_of(table.pair("velocity", Dimension::velocity));
+        velocity[2] = table.number("angular_velocity", Dimension::none, 0);
+    }
+}
+
+TimeTable checked_times(const std::vector<double>& times, const std::vector<double>& values,
+                        const ConfigTable& table) {
+    if (times.size() != values.size() || times.empty())
+        table.fail("values",
+                   "'values' in [" + table.path() + "] has " + std::to_string(values.size()) +
+                       " entries and 'times' " + std::to_string(times.size()),
+                   "as many values as times, at least one");
+    for (std::size_t i = 1; i < times.size(); ++i)
+        if (times[i] <= times[i - 1])
+            table.fail("times",
+                       "'times' in [" + table.path() + "] does not grow at entry " + std::to_string(i + 1),
+                       "strictly increasing times");
+    return {times, values};
+}
+
+}  // namespace
+
+TimeTable read_time_table(const ConfigTable& table, Dimension dimension, InputFiles& files) {
+    if (!table.has("file"))
+        return checked_times(table.numbers("times", Dimension::time), table.numbers("values", dimension),
+                             table);
+    const std::filesystem::path file = table.file_path("file");
+    files.push_back(file);
+    const std::string text = blockgen::read_text_file(file);
+    const TwoColumns columns = parse_two_columns(RecordLines(text, file.string()));
+    return {columns.times, columns.values};
+}
+
+void read_loads(const ConfigTable& run, Model& model, InputFiles& files) {
+    read_each_load(std::type_identity<Load>{}, run, model, files);
+    read_fixed_points(run, model);
+    read_initial_velocities(run, model);
+}
+
+}  // namespace dda

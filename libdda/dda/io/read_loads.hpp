@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "blockgen/config/config_table.hpp"
+#include "dda/model/model.hpp"
+
+namespace dda {
+
+/// Files that a model file refers to, in the order of reading.
+using InputFiles = std::vector<std::filesystem::path>;
+
+/// Adds [[point_load]], [[body_load]], [[fixed_point]] and [[initial_velocity]] to a model whose blocks are
+/// known.
+/// @throws InputError for a point in no block, an unknown measured point, a block index out of range.
+void read_loads(const blockgen::ConfigTable& run, Model& model, InputFiles& files);
+
+/// A table of values over time: { file = ... } with two columns, or { times = [...], values = [...] }; times
+/// strictly increasing, otherwise free.
+TimeTable read_time_table(const blockgen::ConfigTable& table, blockgen::Dimension dimension,
+                          InputFiles& files);
+
+}  // namespace dda

@@ -1,0 +1,103 @@
+#include "dda/io/read_mesh.hpp"
+
+#include <algorithm>
+
+#include "blockgen/base/input_error.hpp"
+#include "blockgen/base/text.hpp"
+
+namespace dda {
+
+namespace {
+
+/// The index of each wanted name among the materials of the model file.
+template <class Material>
+std::vector<int> resolve(const std::vector<std::string>& wanted, const std::vector<Material>& materials,
+                         const std::string& table, const std::string& mesh_file) {
+    std::vector<std::string> names;
+    for (const Material& material : materials) names.push_back(material.name);
+    std::vector<int> indices;
+    for (const std::string& name : wanted) {
+        const auto found = std::find(names.begin(), names.end(), name);
+        if (found == names.end()) {
+            const auto nearest = blockgen::nearest_word(name, names);
+            throw blockgen::InputError({mesh_file},
+                                       "needs the " + table + " '" + name +
+                                           "', which the model file does not have" +
+                                           (nearest ? " (it has '" + *nearest + "')" : ""),
+                                       "a table [" + table + "." + name + "]");
+        }
+        indices.push_back(static_cast<int>(found - names.begin()));
+    }
+    return indices;
+}
+
+Motion motion_of(blockgen::BlockMotion motion) {
+    switch (motion) {
+        case blockgen::BlockMotion::fixed:
+            return Motion::fixed;
+        case blockgen::BlockMotion::prescribed:
+            return Motion::prescribed;
+        default:
+            return Motion::free;
+    }
+}
+
+void add_blocks(const blockgen::BlockMesh& mesh, const std::vector<int>& block_materials,
+                const std::vector<int>& joint_materials, Model& model) {
+    for (std::size_t block = 0; block < mesh.block_count(); ++block) {
+        std::vector<int> ring_sizes;
+        for (std::size_t ring = 0; ring < mesh.ring_count(block); ++ring)
+            ring_sizes.push_back(static_cast<int>(mesh.ring(block, ring).size()));
+        auto edge = static_cast<std::size_t>(model.topology.corner_count());
+        model.topology.add_block(ring_sizes);
+        for (std::size_t ring = 0; ring < mesh.ring_count(block); ++ring) {
+            for (const std::int32_t vertex : mesh.ring(block, ring)) {
+                const blockgen::Point& point = mesh.vertices[static_cast<std::size_t>(vertex)];
+                model.vertices.emplace_back(point.x, point.y);
+            }
+            for (const blockgen::EdgeMark& mark : mesh.ring_marks(block, ring)) {
+                const bool is_joint = mark.joint_material != blockgen::EdgeMark::no_joint;
+                model.topology.joint_material[edge] =
+                    is_joint ? joint_materials[static_cast<std::size_t>(mark.joint_material)] : -1;
+                model.topology.joint[edge] = mark.joint;
+                ++edge;
+            }
+        }
+        model.block_material.push_back(block_materials[static_cast<std::size_t>(mesh.block_material[block])]);
+        model.motion.push_back(motion_of(mesh.motion[block]));
+        model.block_name.push_back(mesh.motion_name[block]);
+    }
+}
+
+Vec2 vector_of(const blockgen::Point& point) {
+    return {point.x, point.y};
+}
+
+}  // namespace
+
+int add_material_point(Model& model, int block, const Vec2& position) {
+    model.material_points.push_back({block, position});
+    return static_cast<int>(model.material_points.size()) - 1;
+}
+
+void add_mesh(const blockgen::BlockMesh& mesh, const std::string& mesh_file,
+              const std::vector<BoltMaterial>& bolt_materials, Model& model) {
+    add_blocks(mesh, resolve(mesh.block_materials, model.block_materials, "block_material", mesh_file),
+               resolve(mesh.joint_materials, model.joint_materials, "joint_material", mesh_file), model);
+    for (const blockgen::MeasuredPoint& point : mesh.measured_points)
+        model.measured_points.push_back(
+            {point.name, add_material_point(model, point.block, vector_of(point.position))});
+
+    std::vector<std::string> wanted;
+    for (const blockgen::Bolt& bolt : mesh.bolts) wanted.push_back(bolt.material);
+    const std::vector<int> materials = resolve(wanted, bolt_materials, "bolt_material", mesh_file);
+    for (std::size_t i = 0; i < mesh.bolts.size(); ++i) {
+        const blockgen::Bolt& bolt = mesh.bolts[i];
+        const BoltMaterial& material = bolt_materials[static_cast<std::size_t>(materials[i])];
+        model.bolts.push_back({bolt.name, add_material_point(model, bolt.first_block, vector_of(bolt.first)),
+                               add_material_point(model, bolt.second_block, vector_of(bolt.second)),
+                               material.axial_stiffness, material.pretension, material.yield_force});
+    }
+}
+
+}  // namespace dda

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "blockgen/mesh/block_mesh.hpp"
+#include "dda/model/model.hpp"
+
+namespace dda {
+
+/// The properties of a bolt material; Bolt entries of the block file name one. Units as in BoltSpec.
+struct BoltMaterial {
+    std::string name;
+    double axial_stiffness = 0;
+    double pretension = 0;
+    double yield_force = 0;
+};
+
+/// Adds the blocks of a mesh to a model whose materials have been read: topology, vertices, motions, measured
+/// points and bolts with their material points. Neighbours share no corner any more.
+/// @throws InputError naming `mesh_file` and the material that the model lacks.
+void add_mesh(const blockgen::BlockMesh& mesh, const std::string& mesh_file,
+              const std::vector<BoltMaterial>& bolt_materials, Model& model);
+
+/// Appends a material point and returns its index.
+int add_material_point(Model& model, int block, const Vec2& position);
+
+}  // namespace dda

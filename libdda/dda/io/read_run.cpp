@@ -1,0 +1,102 @@
+#include "dda/io/read_run.hpp"
+
+#include <algorithm>
+
+#include "blockgen/base/text.hpp"
+#include "blockgen/config/config_table.hpp"
+#include "blockgen/mesh/block_file.hpp"
+#include "dda/io/read_loads.hpp"
+#include "dda/io/read_materials.hpp"
+#include "dda/io/read_mesh.hpp"
+#include "dda/io/read_stages.hpp"
+
+namespace dda {
+
+using blockgen::ConfigTable;
+using blockgen::Dimension;
+
+namespace {
+
+/// Contacts should be stiffer than the rock by this factor, so that their penetration stays small beside the
+/// blocks' strain; far larger values cost step size. Dimensionless, usually 1 to 100 (in E, per metre).
+constexpr double penalty_over_modulus = 10;
+
+double largest_modulus(const Model& model) {
+    double largest = 0;
+    for (const BlockMaterial& material : model.block_materials)
+        largest = std::max(largest, material.youngs_modulus);
+    return largest;
+}
+
+int read_default_joint_material(const ConfigTable& analysis, const Model& model) {
+    std::vector<std::string> names;
+    for (const JointMaterial& material : model.joint_materials) names.push_back(material.name);
+    const std::string name = analysis.choice("default_joint_material", names, names.front());
+    return static_cast<int>(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
+void read_analysis(const ConfigTable& analysis, Model& model) {
+    model.plane =
+        analysis.choice("plane", {"strain", "stress"}, "strain") == "strain" ? Plane::strain : Plane::stress;
+    const std::array<double, 2> gravity = analysis.pair("gravity", Dimension::acceleration, {0, -9.81});
+    model.gravity = {gravity[0], gravity[1]};
+    model.normal_penalty = positive(analysis, "normal_penalty", Dimension::stiffness,
+                                    penalty_over_modulus * largest_modulus(model));
+    model.shear_penalty = positive(analysis, "shear_penalty", Dimension::stiffness, model.normal_penalty);
+    model.fixed_point_penalty =
+        positive(analysis, "fixed_point_penalty", Dimension::stiffness, model.normal_penalty);
+    model.default_joint_material = read_default_joint_material(analysis, model);
+}
+
+OutputSpec read_output(const ConfigTable& output, const std::filesystem::path& run_file) {
+    OutputSpec spec;
+    spec.name = output.string("name", run_file.stem().string());
+    if (spec.name.empty() || spec.name.find('/') != std::string::npos)
+        output.fail("name", "'name' in [output] is \"" + spec.name + "\"",
+                    "the stem of a file name, without '/'");
+    const std::int64_t frames = output.integer("frames", spec.frames);
+    output.checked(
+        "frames", static_cast<double>(frames), [](double v) { return v >= 0 && v <= 1e6; },
+        "a whole number from 0 to 1000000");
+    spec.frames = static_cast<int>(frames);
+    spec.history_interval = not_negative(output, "history_interval", Dimension::time, spec.history_interval);
+    spec.checkpoint_interval =
+        positive(output, "checkpoint_interval", Dimension::time, spec.checkpoint_interval);
+    return spec;
+}
+
+std::vector<std::string> with_blocks(const RunReadOptions& options) {
+    std::vector<std::string> overrides = options.overrides;
+    if (options.blocks) {
+        std::string text = "blocks=\"";
+        for (const char c : options.blocks->string())
+            text += (c == '"' || c == '\\') ? std::string("\\") + c : std::string(1, c);
+        overrides.push_back(text + '"');
+    }
+    return overrides;
+}
+
+}  // namespace
+
+RunInput read_run(const std::filesystem::path& run_file, const RunReadOptions& options) {
+    const ConfigTable run = ConfigTable::from_file(run_file, with_blocks(options));
+    RunInput input;
+    const std::filesystem::path block_file = run.file_path("blocks");
+    input.files = {run_file, block_file};
+
+    Model& model = input.model;
+    model.block_materials = read_block_materials(run);
+    model.joint_materials = read_joint_materials(run);
+    const std::vector<BoltMaterial> bolt_materials = read_bolt_materials(run);
+    read_analysis(run.table_or_empty("analysis"), model);
+    add_mesh(blockgen::read_block_file(block_file), block_file.string(), bolt_materials, model);
+    read_loads(run, model, input.files);
+    input.stages = read_stages(run, model, input.files);
+    input.output = read_output(run.table_or_empty("output"), run_file);
+    run.finish();
+    input.effective = "# The effective model: what was read, with every default.\n" +
+                      run.effective_text(options.echo_folder);
+    return input;
+}
+
+}  // namespace dda

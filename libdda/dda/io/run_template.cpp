@@ -1,0 +1,95 @@
+#include "dda/io/read_run.hpp"
+
+namespace dda {
+
+std::string run_template() {
+    return R"(# A run of dda-run. SI units; a number may carry a unit in quotes: "35 deg", "5 GPa", "0.3 g".
+# Keys that are commented out show their default.
+
+blocks = "slope.blocks"            # made by blockgen; --blocks overrides
+
+[block_material.rock]              # one table for each block material of the block file
+density = 2600                     # kg/m3
+youngs_modulus = "5 GPa"
+poissons_ratio = 0.25
+# damping_ratio = 0.1              # of the block's own strain modes, share of critical
+# initial_stress = [0, 0, 0]       # Pa: sx, sy, txy, tension positive
+
+[joint_material.joint]             # one table for each joint material of the block file
+law = "mohr-coulomb"
+friction_angle = "35 deg"
+# cohesion = 0                     # Pa
+# tensile_strength = 0             # Pa
+# residual_friction_angle = "35 deg"   # after the first slip or opening; default: friction_angle
+# residual_cohesion = 0            # Pa
+# normal_penalty = 0               # N/m per metre per contact; 0: the value of [analysis]
+# shear_penalty = 0
+
+# [bolt_material.anchor]           # for bolts of the block file, per metre of section
+# axial_stiffness = "100 MN"       # EA over the spacing
+# pretension = 0                   # N
+# yield_force = 0                  # N; 0: never yields
+
+[analysis]
+# plane = "strain"                 # or "stress"
+# gravity = [0, -9.81]             # m/s2
+# normal_penalty = "50 GPa"        # N/m per metre per contact; default: 10 times the largest Young's modulus
+# shear_penalty = "50 GPa"         # default: normal_penalty
+# fixed_point_penalty = "50 GPa"   # default: normal_penalty
+# default_joint_material = "joint" # for contacts of free faces; default: the first in this file
+
+# [[point_load]]
+# at = [10, 5]                     # m, or measured_point = "crest"
+# force = [0, "-10 kN"]
+# history = { times = [0, 1], values = [0, 1] }   # or { file = "history.csv" }
+
+# [[body_load]]                    # an acceleration added to gravity, on all blocks or on the one at a point
+# acceleration = ["0.1 g", 0]
+
+# [[fixed_point]]
+# at = [10, 5]
+# direction = "both"               # or "x", "y"
+
+# [[initial_velocity]]
+# at = [10, 5]                     # or block = 3
+# velocity = [1, 0]                # m/s
+# angular_velocity = 0             # rad/s
+
+[[stage]]
+name = "settle"
+kind = "static"                    # runs until gravity is carried
+# tolerance = 1e-6                 # unbalanced force over weight
+# step_limit = 20000
+# reset_displacements = true       # measured points count from the end of this stage
+# reset_joint_history = false
+# step = 0.005                     # s, the largest step
+# smallest_step = 1e-9
+# cut = 0.3333333333333333         # factor on the step after a rejection
+# growth = 1.3
+# iteration_limit = 40             # open-close iterations in a step
+# displacement_ratio = 0.01        # largest displacement in a step over the model's half-height
+# force_tolerance = 1e-8
+# mass_damping = 0                 # 1/s
+
+[[stage]]
+name = "shake"
+kind = "dynamic"
+duration = 10                      # s
+step = 0.005
+# dynamic_coefficient = 1          # share of the velocity kept from step to step
+# newmark_beta = 0.5               # (1/2, 1) is Shi's integration
+# newmark_gamma = 1
+
+# [stage.base_motion]              # moves the prescribed block of that name; without block: all fixed and prescribed
+# block = "base"
+# x = { file = "record.at2", scale = 1.0, baseline = "drift" }
+# y = { file = "up.csv", quantity = "acceleration", unit = "cm/s2" }
+
+[output]
+# frames = 200                     # kept frames over the dynamic stages
+# history_interval = 0.01          # s between rows of history.csv
+# checkpoint_interval = 60         # s of wall time
+)";
+}
+
+}  // namespace dda
