@@ -1,0 +1,55 @@
+# The chain of an example: model files -> blocks -> run -> pictures. A folder's Makefile includes this file.
+#
+#   slope.toml -> slope.blocks           blockgen    geometry: redone when the joints change
+#   run.toml, slope.blocks -> out/       dda-run     mechanics: redone when strengths, stages or the record change
+#   out/ -> pictures/                    dda-plot
+#
+# make [all]          everything            make blocks    only the cutting
+# make pictures       drawings              make run       only the analysis
+# make clean          removes all results   make RECORD=x  another accelerogram (PEER AT2 or two-column CSV)
+#
+# BIN is the folder of the programs, OUT that of the results. BLOCKGEN_FLAGS and RUN_FLAGS are handed on, e.g.
+#   make OUT=out-weak RUN_FLAGS="--set joint_material.bedding.friction_angle='28 deg'"
+
+BIN ?= ../../build/release/bin
+OUT ?= out
+PICTURES ?= pictures
+BLOCKGEN ?= $(BIN)/blockgen
+DDA_RUN ?= $(BIN)/dda-run
+DDA_PLOT ?= $(BIN)/dda-plot
+
+.PHONY: all blocks run pictures clean
+.SUFFIXES:
+
+all: pictures
+blocks: slope.blocks
+run: $(OUT)/finished
+
+slope.blocks: slope.toml $(wildcard $(BLOCKGEN))
+	@mkdir -p $(PICTURES)
+	$(BLOCKGEN) slope.toml -o $@ --depfile slope.blocks.d --picture $(PICTURES)/blocks.png --report slope.report.json \
+	    $(BLOCKGEN_FLAGS)
+
+# What changes the run without changing a file: its text changes when, and only when, the options do.
+RUN_OPTIONS = $(if $(RECORD),--set 'stage[$(SHAKEN_STAGE)].base_motion.x.file="$(abspath $(RECORD))"') $(RUN_FLAGS)
+$(OUT)/options: force
+	@mkdir -p $(OUT)
+	@printf '%s\n' $(call quoted,$(RUN_OPTIONS)) | cmp -s - $@ || printf '%s\n' $(call quoted,$(RUN_OPTIONS)) >$@
+quoted = '$(subst ','\'',$(1))'
+.PHONY: force
+
+# The stamp is written after the run has ended well, so a failed run is tried again and its results stay to be looked at.
+$(OUT)/finished: run.toml slope.blocks $(OUT)/options $(if $(RECORD),$(abspath $(RECORD))) $(wildcard $(DDA_RUN))
+	$(DDA_RUN) run.toml --blocks slope.blocks -o $(OUT) --depfile $(OUT)/finished.d $(RUN_OPTIONS)
+	@touch $@
+
+pictures: $(PICTURES)/drawn
+$(PICTURES)/drawn: $(OUT)/finished $(wildcard $(DDA_PLOT))
+	@mkdir -p $(PICTURES)
+	$(DDA_PLOT) $(OUT) -o $(PICTURES) $(PLOT_FLAGS)
+	@touch $@
+
+clean:
+	rm -rf $(OUT) $(PICTURES) slope.blocks slope.blocks.d slope.report.json
+
+-include slope.blocks.d $(OUT)/finished.d
