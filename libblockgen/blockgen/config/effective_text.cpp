@@ -32,12 +32,22 @@ void append_values(const ConfigTable::Impl& view, const std::filesystem::path& f
     }
 }
 
+/// A table without values of its own needs no heading: its sub-tables imply it.
+bool holds_only_tables(const ConfigTable::Impl& view) {
+    return !view.entries.empty() && std::all_of(view.entries.begin(), view.entries.end(),
+                                                [](const auto& entry) { return !entry.tables.empty(); });
+}
+
 void append_table(const ConfigTable::Impl& view, const std::string& path, const std::filesystem::path& folder,
                   std::string& text) {
     append_values(view, folder, text);
     for (const auto& entry : view.entries) {
         const std::string below = joined(path, key_text(entry.key));
         for (const auto& table : entry.tables) {
+            if (!entry.is_array && holds_only_tables(*table)) {
+                append_table(*table, below, folder, text);
+                continue;
+            }
             text += entry.is_array ? "\n[[" + below + "]]\n" : "\n[" + below + "]\n";
             append_table(*table, below, folder, text);
         }
