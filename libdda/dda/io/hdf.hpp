@@ -1,0 +1,128 @@
+#pragma once
+
+#include <hdf5.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace dda {
+
+/// An HDF5 identifier that is closed at the end of its scope.
+class HdfHandle {
+  public:
+    using Closer = herr_t (*)(hid_t);
+
+    HdfHandle() = default;
+    HdfHandle(hid_t id, Closer closer) : id_(id), closer_(closer) {}
+    ~HdfHandle() { reset(); }
+    HdfHandle(HdfHandle&& other) noexcept : id_(std::exchange(other.id_, -1)), closer_(other.closer_) {}
+    HdfHandle& operator=(HdfHandle&& other) noexcept {
+        if (this != &other) {
+            reset();
+            id_ = std::exchange(other.id_, -1);
+            closer_ = other.closer_;
+        }
+        return *this;
+    }
+
+    hid_t id() const { return id_; }
+    explicit operator bool() const { return id_ >= 0; }
+    void reset() {
+        if (id_ >= 0) closer_(id_);
+        id_ = -1;
+    }
+
+  private:
+    hid_t id_ = -1;
+    Closer closer_ = nullptr;
+};
+
+/// The element types that our files hold.
+enum class HdfType { f4, f8, i8, u1 };
+
+template <class T>
+constexpr HdfType hdf_type_of();
+template <>
+constexpr HdfType hdf_type_of<float>() {
+    return HdfType::f4;
+}
+template <>
+constexpr HdfType hdf_type_of<double>() {
+    return HdfType::f8;
+}
+template <>
+constexpr HdfType hdf_type_of<std::int64_t>() {
+    return HdfType::i8;
+}
+template <>
+constexpr HdfType hdf_type_of<std::uint8_t>() {
+    return HdfType::u1;
+}
+
+/// An HDF5 file of datasets that grow by rows. File locking is off, so that a viewer may look at a running
+/// analysis; no times are stored, so that equal writes make equal bytes. Every failure is an OutputError
+/// naming the file (reading: likewise).
+class HdfFile {
+  public:
+    static HdfFile create(const std::filesystem::path& path);
+    static HdfFile open_to_read(const std::filesystem::path& path);
+
+    const std::filesystem::path& path() const { return path_; }
+
+    void add_group(const std::string& name);
+    void set_attribute(const std::string& object, const std::string& name,
+                       const std::vector<std::int64_t>& values);
+    void set_attribute(const std::string& object, const std::string& name, std::int64_t value);
+    void set_attribute(const std::string& object, const std::string& name, const std::string& ascii);
+    bool has_attribute(const std::string& object, const std::string& name) const;
+    std::int64_t integer_attribute(const std::string& object, const std::string& name) const;
+    std::string string_attribute(const std::string& object, const std::string& name) const;
+
+    /// Adds an empty dataset of rows of `width` elements (1: one-dimensional); `chunk` rows are stored
+    /// together. Large ones are compressed.
+    void add_dataset(const std::string& name, HdfType type, int width, std::size_t chunk, bool compressed);
+    bool has(const std::string& name) const;
+    std::size_t row_count(const std::string& name) const;
+
+    template <class T>
+    void append(const std::string& name, const std::vector<T>& values) {
+        append_bytes(name, hdf_type_of<T>(), values.data(), values.size());
+    }
+    /// Rows [first, first + count) of a dataset, row after row.
+    template <class T>
+    std::vector<T> read(const std::string& name, std::size_t first, std::size_t count) const {
+        std::vector<T> values(count * width_of(name));
+        read_bytes(name, hdf_type_of<T>(), first, count, values.data());
+        return values;
+    }
+    template <class T>
+    std::vector<T> read_all(const std::string& name) const {
+        return read<T>(name, 0, row_count(name));
+    }
+    std::vector<std::string> names_in(const std::string& group) const;
+
+    /// Makes sure that the disk has room for so many bytes more before anything of them is written.
+    void reserve(std::size_t bytes) const;
+    void flush();
+    /// Renames the file while it stays open. @throws OutputError.
+    void rename_to(const std::filesystem::path& path);
+
+  private:
+    HdfFile(std::filesystem::path path, HdfHandle file) : path_(std::move(path)), file_(std::move(file)) {}
+
+    [[noreturn]] void fail(const std::string& what) const;
+    hid_t check(hid_t id, const std::string& what) const;
+    HdfHandle dataset(const std::string& name) const;
+    std::size_t width_of(const std::string& name) const;
+    void append_bytes(const std::string& name, HdfType type, const void* data, std::size_t element_count);
+    void read_bytes(const std::string& name, HdfType type, std::size_t first, std::size_t count,
+                    void* data) const;
+
+    std::filesystem::path path_;
+    HdfHandle file_;
+};
+
+}  // namespace dda
