@@ -1,0 +1,107 @@
+#include "dda/io/checkpoint.hpp"
+
+#include <algorithm>
+
+#include "blockgen/base/input_error.hpp"
+#include "blockgen/base/output_error.hpp"
+#include "dda/io/hdf.hpp"
+#include "dda/io/result_writer.hpp"
+#include "dda/io/state_archive.hpp"
+
+namespace dda {
+
+namespace {
+
+constexpr std::int64_t checkpoint_version = 1;
+constexpr std::size_t chunk = 1 << 16;  // elements
+
+template <class T>
+void store(HdfFile& file, const std::string& name, const std::vector<T>& values) {
+    file.add_dataset(name, hdf_type_of<T>(), 1, std::min(std::max<std::size_t>(values.size(), 1), chunk),
+                     false);
+    file.append(name, values);
+}
+
+std::vector<double> peak_values(const std::vector<Peaks>& peaks) {
+    std::vector<double> values;
+    for (const Peaks& p : peaks)
+        values.insert(values.end(), {p.displacement, p.displacement_time, p.velocity, p.velocity_time,
+                                     p.acceleration, p.acceleration_time});
+    return values;
+}
+
+std::vector<Peaks> peaks_of(const std::vector<double>& values) {
+    std::vector<Peaks> peaks;
+    for (std::size_t i = 0; i + 6 <= values.size(); i += 6)
+        peaks.push_back(
+            {values[i], values[i + 1], values[i + 2], values[i + 3], values[i + 4], values[i + 5]});
+    return peaks;
+}
+
+void write_results_state(HdfFile& file, const ResultsState& results) {
+    store<std::int64_t>(file, "/results",
+                        {results.stage, results.next_frame, results.next_history, results.last_frame_step,
+                         results.last_history_step});
+    store<double>(file, "/wall_time", {results.wall_time});
+    store(file, "/peaks", peak_values(results.peaks));
+}
+
+ResultsState read_results_state(const HdfFile& file) {
+    const auto counts = file.read<std::int64_t>("/results", 0, 5);
+    ResultsState results{static_cast<int>(counts[0]), counts[1], counts[2], counts[3], counts[4], 0, {}};
+    results.wall_time = file.read<double>("/wall_time", 0, 1).front();
+    results.peaks = peaks_of(file.read_all<double>("/peaks"));
+    return results;
+}
+
+}  // namespace
+
+void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint) {
+    const std::filesystem::path temporary = path.string() + ".tmp";
+    const StateArchive state = archive(checkpoint.state);
+    try {
+        HdfFile file = HdfFile::create(temporary);
+        file.reserve(8 * (state.reals.size() + state.integers.size()) + state.bytes.size() + (1 << 18));
+        file.set_attribute("/", "version", checkpoint_version);
+        file.set_attribute("/", "input_hash", checkpoint.input_hash);
+        store(file, "/reals", state.reals);
+        store(file, "/integers", state.integers);
+        store(file, "/bytes", state.bytes);
+        write_results_state(file, checkpoint.results);
+        file.add_group("/positions");
+        for (const auto& [name, position] : checkpoint.positions)
+            file.set_attribute("/positions", name, position);
+        file.flush();
+    } catch (const blockgen::OutputError&) {
+        std::error_code ignored;
+        std::filesystem::remove(temporary, ignored);
+        throw;
+    }
+    std::filesystem::rename(temporary, path);
+}
+
+Checkpoint read_checkpoint(const std::filesystem::path& path) {
+    if (!std::filesystem::exists(path))
+        throw blockgen::InputError({path.string()}, "there is no checkpoint to resume from",
+                                   "the output folder of a run that was stopped");
+    try {
+        const HdfFile file = HdfFile::open_to_read(path);
+        const std::int64_t version = file.integer_attribute("/", "version");
+        if (version != checkpoint_version)
+            throw std::runtime_error("the checkpoint has version " + std::to_string(version));
+        Checkpoint checkpoint;
+        checkpoint.input_hash = file.string_attribute("/", "input_hash");
+        checkpoint.state = restore({file.read_all<double>("/reals"), file.read_all<std::int64_t>("/integers"),
+                                    file.read_all<std::uint8_t>("/bytes")});
+        checkpoint.results = read_results_state(file);
+        for (const WriterEntry& writer : writer_table())
+            if (file.has_attribute("/positions", writer.name))
+                checkpoint.positions[writer.name] = file.integer_attribute("/positions", writer.name);
+        return checkpoint;
+    } catch (const std::runtime_error& error) {
+        throw blockgen::InputError({path.string()}, std::string("cannot be resumed from: ") + error.what(),
+                                   "a checkpoint written by this version of dda-run");
+    }
+}
+
+}  // namespace dda

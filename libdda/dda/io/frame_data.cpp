@@ -1,0 +1,109 @@
+#include "dda/io/frame_data.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dda {
+
+namespace {
+
+constexpr std::uint8_t vtk_vertex = 1;
+constexpr std::uint8_t vtk_line = 3;
+
+void append(std::vector<float>& out, const Vec2& v) {
+    out.insert(out.end(), {static_cast<float>(v.x()), static_cast<float>(v.y()), 0.0F});
+}
+void append(std::vector<float>& out, double v) {
+    out.push_back(static_cast<float>(v));
+}
+
+/// Largest and smallest principal stress in the plane, tension positive.
+Vec2 principal(const Vec3& stress) {
+    const double mean = (stress[0] + stress[1]) / 2;
+    const double radius = std::hypot((stress[0] - stress[1]) / 2, stress[2]);
+    return {mean + radius, mean - radius};
+}
+
+/// The end of a contact's share of its joint: the share runs from the corner along the edge, towards the
+/// farther end of it.
+Vec2 share_end(const BlockSystem& blocks, const Topology& topology, const Contact& contact) {
+    const Vec2& corner = blocks.vertices[static_cast<std::size_t>(contact.corner)];
+    const Vec2& a = blocks.vertices[static_cast<std::size_t>(contact.edge)];
+    const Vec2& b =
+        blocks.vertices[static_cast<std::size_t>(topology.next[static_cast<std::size_t>(contact.edge)])];
+    const double ahead = (b - corner).dot(contact.tangent);
+    const double behind = (corner - a).dot(contact.tangent);
+    return corner + (ahead > behind ? contact.length : -contact.length) * contact.tangent;
+}
+
+bool is_shown(const Contact& contact) {
+    return contact.state != ContactState::open || contact.bonded;
+}
+
+}  // namespace
+
+std::vector<GridColumn> block_columns() {
+    return {{"displacement", 3}, {"velocity", 3}, {"stress", 3},  {"principal_stress", 2},
+            {"rotation", 1},     {"block", 1},    {"material", 1}};
+}
+
+GridFrame block_frame(const Model& model, const State& state) {
+    GridFrame frame;
+    frame.time = state.time;
+    frame.columns.resize(block_columns().size());
+    for (const Vec2& vertex : state.blocks.vertices) append(frame.points, vertex);
+    for (int block = 0; block < model.block_count(); ++block) {
+        const auto b = static_cast<std::size_t>(block);
+        const Vec3& stress = state.blocks.stress[b];
+        const Vec2 extremes = principal(stress);
+        append(frame.columns[0], Vec2(state.blocks.centroid(block) - state.centroid_origin[b]));
+        append(frame.columns[1], Vec2(state.blocks.velocity[b].head<2>()));
+        for (int i = 0; i < 3; ++i) append(frame.columns[2], stress[i]);
+        append(frame.columns[3], extremes[0]);
+        append(frame.columns[3], extremes[1]);
+        append(frame.columns[4], state.blocks.rotation[b]);
+        append(frame.columns[5], block);
+        append(frame.columns[6], model.block_material[b]);
+    }
+    return frame;
+}
+
+std::vector<GridColumn> contact_columns() {
+    return {{"state", 1},        {"normal_stress", 1},  {"shear_stress", 1},
+            {"normal_force", 1}, {"shear_force", 1},    {"slip", 1},
+            {"gap", 1},          {"joint_material", 1}, {"joint", 1}};
+}
+
+GridFrame contact_frame(const Model& model, const State& state) {
+    GridFrame frame;
+    frame.time = state.time;
+    frame.columns.resize(contact_columns().size());
+    std::int64_t point = 0;
+    for (const Contact& contact : state.contacts.contacts) {
+        if (!is_shown(contact)) continue;
+        const bool has_length = contact.length > 0;
+        append(frame.points, state.blocks.vertices[static_cast<std::size_t>(contact.corner)]);
+        if (has_length) {
+            append(frame.points, share_end(state.blocks, model.topology, contact));
+            frame.cells.add({point, point + 1}, vtk_line);
+        } else {
+            frame.cells.add({point}, vtk_vertex);
+        }
+        point += has_length ? 2 : 1;
+        // A bare vertex has no area to spread its force over: its stress is given as zero.
+        const double per_length = has_length ? 1 / contact.length : 0;
+        const double values[] = {static_cast<double>(contact.state),
+                                 contact.normal_force * per_length,
+                                 contact.shear_force * per_length,
+                                 contact.normal_force,
+                                 contact.shear_force,
+                                 contact.slip,
+                                 contact.gap,
+                                 static_cast<double>(contact.joint_material),
+                                 static_cast<double>(contact.joint)};
+        for (std::size_t i = 0; i < std::size(values); ++i) append(frame.columns[i], values[i]);
+    }
+    return frame;
+}
+
+}  // namespace dda

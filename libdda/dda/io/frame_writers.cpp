@@ -1,0 +1,68 @@
+#include <functional>
+
+#include "dda/io/frame_data.hpp"
+#include "dda/io/result_writer.hpp"
+
+namespace dda {
+
+namespace {
+
+using FrameOf = GridFrame (*)(const Model&, const State&);
+using MakeFile = std::function<VtkHdfFile(const std::filesystem::path&)>;
+
+std::vector<std::string> names_of(const std::vector<GridColumn>& columns) {
+    std::vector<std::string> names;
+    for (const GridColumn& column : columns) names.push_back(column.name);
+    return names;
+}
+
+/// The file of a resumed run: the frames up to the checkpoint are written anew, by the same calls as before,
+/// so that the bytes are those of a run that was never interrupted. The old file stays until they stand.
+VtkHdfFile resumed_file(const std::filesystem::path& path, const MakeFile& make,
+                        const std::vector<GridColumn>& columns, std::int64_t frames) {
+    const std::filesystem::path copy = path.string() + ".resumed";
+    VtkHdfFile file = make(copy);
+    const VtkHdfReader old(path);
+    for (std::int64_t k = 0; k < frames; ++k) file.append(old.frame(k, names_of(columns)));
+    file.rename_to(path);
+    return file;
+}
+
+class FrameWriter : public ResultWriter {
+  public:
+    FrameWriter(const WriterContext& context, const std::string& extension,
+                const std::vector<GridColumn>& columns, const MakeFile& make, FrameOf frame_of)
+        : model_(context.model),
+          frame_of_(frame_of),
+          file_(context.resume_from ? resumed_file(context.folder / (context.name + extension), make, columns,
+                                                   *context.resume_from)
+                                    : make(context.folder / (context.name + extension))) {}
+
+    void frame(const State& state) override { file_.append(frame_of_(model_, state)); }
+    std::int64_t position() const override { return file_.frame_count(); }
+
+  private:
+    const Model& model_;
+    FrameOf frame_of_;
+    VtkHdfFile file_;
+};
+
+}  // namespace
+
+std::unique_ptr<ResultWriter> make_block_frames(const WriterContext& context) {
+    const MakeFile make = [&](const std::filesystem::path& path) {
+        return VtkHdfFile(path, block_columns(), block_cells(context.model), context.model.vertices.size());
+    };
+    return std::make_unique<FrameWriter>(context, ".vtkhdf", block_columns(), make, block_frame);
+}
+
+std::unique_ptr<ResultWriter> make_joint_frames(const WriterContext& context) {
+    const MakeFile make = [&](const std::filesystem::path& path) {
+        // Blocks of a jointed mass touch about three neighbours each, with two contacts a joint.
+        return VtkHdfFile(path, contact_columns(),
+                          6 * static_cast<std::size_t>(context.model.block_count()) + 64);
+    };
+    return std::make_unique<FrameWriter>(context, ".joints.vtkhdf", contact_columns(), make, contact_frame);
+}
+
+}  // namespace dda

@@ -1,0 +1,157 @@
+#include "dda/io/results.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace dda {
+
+namespace {
+
+/// A time within this share of an interval of its due time is on time.
+constexpr double on_time = 1e-6;
+
+double dynamic_duration(const std::vector<Stage>& stages, std::size_t count) {
+    double duration = 0;
+    for (std::size_t i = 0; i < count; ++i)
+        if (stages[i].kind == StageKind::dynamic) duration += stages[i].duration;
+    return duration;
+}
+
+double seconds(std::chrono::steady_clock::duration duration) {
+    return std::chrono::duration<double>(duration).count();
+}
+
+void follow(double value, double time, double& peak, double& peak_time) {
+    if (value <= peak) return;
+    peak = value;
+    peak_time = time;
+}
+
+/// A static stage's last step resets what displacements count from: no checkpoint falls between it and the
+/// stage's end.
+bool ends_stage(const Stage& stage, const StepReport& report) {
+    return stage.kind == StageKind::static_equilibrium && report.unbalanced_force <= stage.tolerance;
+}
+
+}  // namespace
+
+Results::Results(const Model& model, const std::vector<Stage>& stages, const OutputSpec& output,
+                 ResultsOptions options, const Checkpoint* resume_from)
+    : model_(model),
+      stages_(stages),
+      output_(output),
+      options_(std::move(options)),
+      points_(tracked_points(model)),
+      resuming_(resume_from != nullptr),
+      start_(Clock::now()),
+      last_checkpoint_(start_) {
+    if (output_.frames > 0) frame_interval_ = dynamic_duration(stages_, stages_.size()) / output_.frames;
+    if (resume_from) progress_ = resume_from->results;
+    progress_.peaks.resize(points_.size());
+    for (const WriterEntry& entry : writer_table()) {
+        WriterContext context{model_, options_.folder, output_.name, std::nullopt, options_.pvd};
+        if (!entry.wanted(context)) continue;
+        if (resume_from) context.resume_from = resume_from->positions.at(entry.name);
+        writers_.push_back({entry.name, entry.make(context)});
+    }
+}
+
+Results::~Results() = default;
+
+double Results::wall_time() const {
+    return progress_.wall_time + seconds(Clock::now() - start_);
+}
+
+bool Results::is_due(std::int64_t& next, double interval, double stage_time) const {
+    const double intervals = stage_time / interval + on_time;
+    if (intervals < static_cast<double>(next)) return false;
+    next = static_cast<std::int64_t>(std::floor(intervals)) + 1;
+    return true;
+}
+
+void Results::keep_frame(const State& state) {
+    if (progress_.last_frame_step == state.step_count) return;
+    progress_.last_frame_step = state.step_count;
+    for (const NamedWriter& entry : writers_) entry.writer->frame(state);
+}
+
+void Results::keep_history(const State& state, const Stage& stage) {
+    if (progress_.last_history_step == state.step_count) return;
+    progress_.last_history_step = state.step_count;
+    for (const NamedWriter& entry : writers_) entry.writer->history(state, stage);
+}
+
+void Results::follow_peaks(const State& state) {
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+        const PointMotion motion = motion_of(model_, state, points_[i]);
+        Peaks& peaks = progress_.peaks[i];
+        follow(motion.displacement.norm(), state.time, peaks.displacement, peaks.displacement_time);
+        follow(motion.velocity.norm(), state.time, peaks.velocity, peaks.velocity_time);
+        follow(motion.acceleration.norm(), state.time, peaks.acceleration, peaks.acceleration_time);
+    }
+}
+
+void Results::save_checkpoint(const State& state) {
+    Checkpoint checkpoint{state, progress_, {}, options_.input_hash};
+    checkpoint.results.wall_time = wall_time();
+    for (const NamedWriter& entry : writers_) checkpoint.positions[entry.name] = entry.writer->position();
+    write_checkpoint(options_.folder / "checkpoint.h5", checkpoint);
+    last_checkpoint_ = Clock::now();
+}
+
+Progress Results::progress_of(const State& state, const Stage& stage, const StepReport& report) const {
+    const double before = dynamic_duration(stages_, static_cast<std::size_t>(progress_.stage));
+    const double now = stage.kind == StageKind::dynamic ? state.stage_time : 0;
+    return {stage,
+            state,
+            report,
+            before + now,
+            dynamic_duration(stages_, stages_.size()),
+            seconds(Clock::now() - start_)};
+}
+
+void Results::stage_begins(const Model&, const State& state, const Stage& stage, int stage_index) {
+    if (std::exchange(resuming_, false)) return;
+    progress_.stage = stage_index;
+    progress_.next_frame = progress_.next_history = 1;
+    keep_frame(state);
+    keep_history(state, stage);
+}
+
+bool Results::step_done(const Model&, const State& state, const Stage& stage, const StepReport& report) {
+    for (const NamedWriter& entry : writers_) entry.writer->step(state, stage, report);
+    if (output_.history_interval == 0 ||
+        is_due(progress_.next_history, output_.history_interval, state.stage_time))
+        keep_history(state, stage);
+    const bool has_frames = stage.kind == StageKind::dynamic && frame_interval_ > 0;
+    if (has_frames && is_due(progress_.next_frame, frame_interval_, state.stage_time)) keep_frame(state);
+    // Displacements of a static stage that resets them are not the motion that peaks are asked for.
+    if (stage.kind == StageKind::dynamic) follow_peaks(state);
+
+    const bool go_on = options_.progress(progress_of(state, stage, report));
+    if (ends_stage(stage, report)) return true;
+    if (!go_on || seconds(Clock::now() - last_checkpoint_) >= output_.checkpoint_interval)
+        save_checkpoint(state);
+    return go_on;
+}
+
+void Results::stage_ends(const Model&, const State& state, const Stage& stage, int) {
+    keep_history(state, stage);
+    keep_frame(state);
+}
+
+double predicted_bytes(const Model& model, const std::vector<Stage>& stages, const OutputSpec& output) {
+    constexpr double compressed = 0.6;          // of the floats of a frame, shuffled and deflated
+    constexpr double bytes_per_corner = 3 * 4;  // coordinates
+    constexpr double bytes_per_block = 14 * 4;  // quantities of a block
+    constexpr double bytes_per_contact = 90;    // coordinates, cell and quantities
+    constexpr double contacts_per_block = 4;    // of a jointed mass
+    const double frames = (dynamic_duration(stages, stages.size()) > 0 ? output.frames : 0) + 1.0 +
+                          static_cast<double>(stages.size());
+    const double frame = bytes_per_corner * static_cast<double>(model.vertices.size()) +
+                         model.block_count() * (bytes_per_block + contacts_per_block * bytes_per_contact);
+    return compressed * frames * frame;
+}
+
+}  // namespace dda

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "dda/analysis/run.hpp"
+#include "dda/io/checkpoint.hpp"
+#include "dda/io/output_spec.hpp"
+#include "dda/io/point_motion.hpp"
+#include "dda/io/result_writer.hpp"
+
+namespace dda {
+
+/// Where a run is, for a progress line.
+struct Progress {
+    const Stage& stage;
+    const State& state;
+    const StepReport& report;
+    double done = 0;       ///< s, of the dynamic stages
+    double total = 0;      ///< s, likewise
+    double wall_time = 0;  ///< s, since this program started the run
+};
+
+/// Called after every step; false asks the run to stop, which it does after writing a checkpoint.
+using ProgressFunction = std::function<bool(const Progress&)>;
+
+struct ResultsOptions {
+    std::filesystem::path folder;  ///< exists already
+    bool pvd = false;
+    std::string input_hash;  ///< stored in checkpoints
+    ProgressFunction progress = [](const Progress&) { return true; };
+};
+
+/// Writes the results of a run as it goes: composes the writers of the table, keeps their rhythm, and writes
+/// checkpoints.
+class Results : public RunObserver {
+  public:
+    /// Opens the result files; with a checkpoint, cuts them back to it. @throws OutputError.
+    Results(const Model& model, const std::vector<Stage>& stages, const OutputSpec& output,
+            ResultsOptions options, const Checkpoint* resume_from = nullptr);
+    ~Results() override;
+
+    void stage_begins(const Model& model, const State& state, const Stage& stage, int stage_index) override;
+    bool step_done(const Model& model, const State& state, const Stage& stage,
+                   const StepReport& report) override;
+    void stage_ends(const Model& model, const State& state, const Stage& stage, int stage_index) override;
+
+    const ResultsState& state() const { return progress_; }
+    const std::vector<TrackedPoint>& points() const { return points_; }
+    /// s of wall time, of this and the earlier parts of the run.
+    double wall_time() const;
+
+  private:
+    bool is_due(std::int64_t& next, double interval, double stage_time) const;
+    void keep_frame(const State& state);
+    void keep_history(const State& state, const Stage& stage);
+    void follow_peaks(const State& state);
+    void save_checkpoint(const State& state);
+    Progress progress_of(const State& state, const Stage& stage, const StepReport& report) const;
+
+    using Clock = std::chrono::steady_clock;
+    struct NamedWriter {
+        std::string name;
+        std::unique_ptr<ResultWriter> writer;
+    };
+
+    const Model& model_;
+    const std::vector<Stage>& stages_;
+    OutputSpec output_;
+    ResultsOptions options_;
+    std::vector<TrackedPoint> points_;
+    std::vector<NamedWriter> writers_;
+    ResultsState progress_;
+    double frame_interval_ = 0;  ///< s; 0: no frames within stages
+    bool resuming_;
+    Clock::time_point start_;
+    Clock::time_point last_checkpoint_;
+};
+
+/// The size that the frames of a run will take on disk, bytes: an estimate, good to a factor of two.
+double predicted_bytes(const Model& model, const std::vector<Stage>& stages, const OutputSpec& output);
+
+}  // namespace dda

@@ -1,0 +1,127 @@
+#include "dda/io/summary.hpp"
+
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "blockgen/base/read_file.hpp"
+#include "blockgen/base/sha256.hpp"
+
+namespace dda {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+const char* status_name(RunStatus status) {
+    switch (status) {
+        case RunStatus::completed:
+            return "completed";
+        case RunStatus::not_converged:
+            return "not converged";
+        case RunStatus::not_settled:
+            return "not settled";
+        default:
+            return "stopped";
+    }
+}
+
+Json pair(const Vec2& v) {
+    return Json::array({v.x(), v.y()});
+}
+
+Json peaks_json(const Results& results, const Model& model, const State& state) {
+    Json points = Json::array();
+    for (std::size_t i = 0; i < results.points().size(); ++i) {
+        const TrackedPoint& point = results.points()[i];
+        const Peaks& peaks = results.state().peaks[i];
+        points.push_back({{"name", point.name},
+                          {"kind", point.material_point >= 0 ? "measured point" : "prescribed block"},
+                          {"final_displacement", pair(motion_of(model, state, point).displacement)},
+                          {"peak_displacement", peaks.displacement},
+                          {"peak_displacement_time", peaks.displacement_time},
+                          {"peak_velocity", peaks.velocity},
+                          {"peak_velocity_time", peaks.velocity_time},
+                          {"peak_acceleration", peaks.acceleration},
+                          {"peak_acceleration_time", peaks.acceleration_time}});
+    }
+    return points;
+}
+
+Json farthest_block(const Model& model, const State& state) {
+    int farthest = 0;
+    double distance = -1;
+    for (int block = 0; block < model.block_count(); ++block) {
+        const Vec2 moved =
+            state.blocks.centroid(block) - state.centroid_origin[static_cast<std::size_t>(block)];
+        if (model.motion[static_cast<std::size_t>(block)] != Motion::free || moved.norm() <= distance)
+            continue;
+        distance = moved.norm();
+        farthest = block;
+    }
+    if (distance < 0) return nullptr;
+    return {
+        {"block", farthest}, {"displacement", distance}, {"centroid", pair(state.blocks.centroid(farthest))}};
+}
+
+Json contact_counts(const State& state) {
+    std::array<int, 3> counts{};
+    for (const Contact& contact : state.contacts.contacts) ++counts[static_cast<std::size_t>(contact.state)];
+    return {{"open", counts[0]}, {"sliding", counts[1]}, {"locked", counts[2]}};
+}
+
+Json energy_json(const Energy& e) {
+    return {{"kinetic", e.kinetic},           {"strain", e.strain},
+            {"contact", e.contact},           {"constraint", e.constraint},
+            {"gravity", e.gravity},           {"friction_loss", e.friction_loss},
+            {"damping_loss", e.damping_loss}, {"numerical_loss", e.numerical_loss},
+            {"released", e.released},         {"external_work", e.external_work},
+            {"residual", e.residual()}};
+}
+
+Json worst_contact(const Model& model, const State& state, int index) {
+    if (index < 0 || static_cast<std::size_t>(index) >= state.contacts.contacts.size()) return nullptr;
+    const Contact& contact = state.contacts.contacts[static_cast<std::size_t>(index)];
+    return {{"corner_block", contact.corner_block},
+            {"edge_block", contact.edge_block},
+            {"at", pair(contact.point)},
+            {"joint_material", model.joint_material_at(contact.joint_material).name},
+            {"normal_force", contact.normal_force},
+            {"shear_force", contact.shear_force},
+            {"gap", contact.gap}};
+}
+
+}  // namespace
+
+std::vector<InputFile> hash_files(const std::vector<std::filesystem::path>& files) {
+    std::vector<InputFile> inputs;
+    for (const std::filesystem::path& file : files)
+        inputs.push_back({file.string(), blockgen::sha256(blockgen::read_text_file(file))});
+    return inputs;
+}
+
+std::string summary_text(const Model& model, const std::vector<Stage>& stages, const State& state,
+                         const RunOutcome& outcome, const Results& results, const std::string& version,
+                         const std::vector<InputFile>& inputs) {
+    Json json;
+    json["status"] = status_name(outcome.status);
+    json["message"] = outcome.message;
+    if (outcome.status == RunStatus::not_converged)
+        json["worst_contact"] = worst_contact(model, state, outcome.worst_contact);
+    json["stage"] = stages[static_cast<std::size_t>(results.state().stage)].name;
+    json["time"] = state.time;
+    json["steps"] = state.step_count;
+    json["wall_time"] = results.wall_time();
+    json["blocks"] = model.block_count();
+    json["contacts"] = contact_counts(state);
+    json["farthest_block"] = farthest_block(model, state);
+    json["points"] = peaks_json(results, model, state);
+    json["energy"] = energy_json(state.energy);
+    json["units"] = "SI, per metre of thickness";
+    json["version"] = version;
+    json["inputs"] = Json::array();
+    for (const InputFile& input : inputs)
+        json["inputs"].push_back({{"file", input.path}, {"sha256", input.sha256}});
+    return json.dump(2) + "\n";
+}
+
+}  // namespace dda
