@@ -1,0 +1,122 @@
+#include "command_line.hpp"
+
+#include <algorithm>
+#include <boost/program_options.hpp>
+#include <sstream>
+#include <thread>
+
+#include "blockgen/base/input_error.hpp"
+
+namespace po = boost::program_options;
+
+namespace {
+
+constexpr int most_threads = 1024;
+
+int default_threads() {
+    return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, most_threads);
+}
+
+po::options_description visible_options() {
+    po::options_description options("Options");
+    auto add = options.add_options();
+    add("output,o", po::value<std::string>()->value_name("FOLDER"), "where the results go (default: out)");
+    add("blocks", po::value<std::string>()->value_name("FILE"), "block file in place of the model file's");
+    add("set", po::value<std::vector<std::string>>()->value_name("KEY=VALUE")->composing(),
+        "change a key of the model file, e.g. stage[1].step=0.002 (may be repeated)");
+    add("resume", "go on from the checkpoint in the output folder");
+    add("threads", po::value<int>()->value_name("N"),
+        "threads to use (default: all cores); results do not depend on it");
+    add("depfile", po::value<std::string>()->value_name("FILE"),
+        "write the files the run depends on, for Make");
+    add("pvd", "also write .pvd and .vtu files, for viewers older than ParaView 5.12");
+    add("print-config", "print the effective model, defaults included, and stop");
+    add("template", "print a commented model file to start from, and stop");
+    add("version", "print the version and stop");
+    add("help,h", "print this text and stop");
+    return options;
+}
+
+po::variables_map parse(int argc, const char* const* argv) {
+    po::options_description all;
+    all.add(visible_options()).add_options()("run-file", po::value<std::vector<std::string>>());
+    po::positional_options_description positional;
+    positional.add("run-file", -1);
+    const int style = po::command_line_style::default_style & ~po::command_line_style::allow_guessing;
+    po::variables_map values;
+    try {
+        po::store(po::command_line_parser(argc, argv).options(all).positional(positional).style(style).run(),
+                  values);
+        po::notify(values);
+    } catch (const po::error& error) {
+        throw blockgen::InputError({"dda-run"}, error.what(), "the options that --help lists");
+    }
+    return values;
+}
+
+CommandLine::Action action_of(const po::variables_map& values) {
+    if (values.count("help")) return CommandLine::Action::print_help;
+    if (values.count("version")) return CommandLine::Action::print_version;
+    if (values.count("template")) return CommandLine::Action::print_template;
+    if (values.count("print-config")) return CommandLine::Action::print_config;
+    return CommandLine::Action::simulate;
+}
+
+int threads_of(const po::variables_map& values) {
+    if (!values.count("threads")) return default_threads();
+    const int threads = values["threads"].as<int>();
+    if (threads < 1 || threads > most_threads)
+        throw blockgen::InputError({"dda-run"}, "--threads is " + std::to_string(threads),
+                                   "a number from 1 to 1024");
+    return threads;
+}
+
+std::filesystem::path run_file_of(const po::variables_map& values) {
+    const auto files = values.count("run-file") ? values["run-file"].as<std::vector<std::string>>()
+                                                : std::vector<std::string>{};
+    if (files.size() == 1) return files.front();
+    throw blockgen::InputError(
+        {"dda-run"}, files.empty() ? "no model file is given" : "more than one model file is given",
+        "dda-run RUN.toml [options]; --help lists them, --template prints a model file");
+}
+
+std::optional<std::filesystem::path> path_of(const po::variables_map& values, const char* name) {
+    if (!values.count(name)) return std::nullopt;
+    const std::string text = values[name].as<std::string>();
+    if (text.empty())
+        throw blockgen::InputError({"dda-run"}, std::string("--") + name + " is empty", "a path");
+    return text;
+}
+
+}  // namespace
+
+CommandLine parse_command_line(int argc, const char* const* argv) {
+    const po::variables_map values = parse(argc, argv);
+    CommandLine line;
+    line.action = action_of(values);
+    const bool needs_file =
+        line.action == CommandLine::Action::simulate || line.action == CommandLine::Action::print_config;
+    if (!needs_file) return line;
+    line.run_file = run_file_of(values);
+    line.output = path_of(values, "output").value_or("out");
+    line.blocks = path_of(values, "blocks");
+    line.depfile = path_of(values, "depfile");
+    if (values.count("set")) line.overrides = values["set"].as<std::vector<std::string>>();
+    line.threads = threads_of(values);
+    line.resume = values.count("resume") > 0;
+    line.pvd = values.count("pvd") > 0;
+    return line;
+}
+
+std::string help_text() {
+    std::ostringstream text;
+    text << "dda-run RUN.toml [options]\n"
+            "Simulates a block file made by blockgen by two-dimensional discontinuous deformation "
+            "analysis.\n\n"
+         << visible_options()
+         << "\nExit codes: 0 done; 1 the analysis failed, results so far are kept; 2 bad command line or "
+            "input;\n"
+            "75 stopped by a signal, or by a file named 'stop' in the output folder, after writing a "
+            "checkpoint.\n";
+    return text.str();
+}

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// What the user asked of dda-run.
+struct CommandLine {
+    enum class Action { simulate, print_config, print_template, print_help, print_version };
+
+    Action action = Action::simulate;
+    std::filesystem::path run_file;
+    std::filesystem::path output = "out";
+    std::optional<std::filesystem::path> blocks;
+    std::optional<std::filesystem::path> depfile;
+    std::vector<std::string> overrides;
+    int threads = 1;
+    bool resume = false;
+    bool pvd = false;
+};
+
+/// @throws blockgen::InputError for what cannot be understood.
+CommandLine parse_command_line(int argc, const char* const* argv);
+
+std::string help_text();

@@ -1,0 +1,149 @@
+#include "simulate.hpp"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <optional>
+
+#include "blockgen/base/atomic_file.hpp"
+#include "blockgen/base/input_error.hpp"
+#include "blockgen/base/sha256.hpp"
+#include "dda/io/read_run.hpp"
+#include "dda/io/results.hpp"
+#include "dda/io/summary.hpp"
+#include "progress_line.hpp"
+#include "stop_request.hpp"
+
+namespace fs = std::filesystem;
+
+namespace {
+
+void prepare_folder(const fs::path& folder) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (!error && ::access(folder.c_str(), W_OK | X_OK) != 0)
+        error = std::error_code(errno, std::generic_category());
+    if (!error && !fs::is_directory(folder)) error = std::make_error_code(std::errc::not_a_directory);
+    if (error)
+        throw blockgen::InputError({folder.string()}, "cannot be written to: " + error.message(),
+                                   "a folder for the results");
+}
+
+/// What a checkpoint must have been made from to be continued: the effective model and the content of the
+/// files it names.
+std::string input_hash(const dda::RunInput& input, const std::vector<dda::InputFile>& files) {
+    std::string text = input.effective;
+    for (std::size_t i = 1; i < files.size(); ++i) text += files[i].sha256;
+    return blockgen::sha256(text);
+}
+
+dda::Checkpoint checkpoint_of(const fs::path& folder, const std::string& hash) {
+    const fs::path path = folder / "checkpoint.h5";
+    dda::Checkpoint checkpoint = dda::read_checkpoint(path);
+    if (checkpoint.input_hash != hash)
+        throw blockgen::InputError({path.string()}, "belongs to a run of other input",
+                                   "the model, block file and records of the run that was stopped");
+    return checkpoint;
+}
+
+void forget_earlier_run(const fs::path& folder) {
+    for (const char* name : {"summary.json", "checkpoint.h5", "stop"}) {
+        std::error_code ignored;
+        fs::remove(folder / name, ignored);
+    }
+}
+
+std::string make_escaped(const fs::path& path) {
+    std::string text;
+    for (const char c : path.string()) {
+        if (c == ' ' || c == '#' || c == '\\') text += '\\';
+        if (c == '$') text += '$';
+        text += c;
+    }
+    return text;
+}
+
+/// A Makefile rule: the summary depends on every file read; each of those is a target, so that a file that is
+/// gone is no error.
+std::string depfile_text(const fs::path& summary, const std::vector<fs::path>& files) {
+    std::string text = make_escaped(summary) + ":";
+    for (const fs::path& file : files)
+        text += " \\\n  " + make_escaped(file.lexically_proximate(fs::current_path()));
+    text += "\n";
+    for (const fs::path& file : files)
+        text += "\n" + make_escaped(file.lexically_proximate(fs::current_path())) + ":\n";
+    return text;
+}
+
+void say_plan(const dda::RunInput& input, const fs::path& folder) {
+    const double megabytes = dda::predicted_bytes(input.model, input.stages, input.output) / 1e6;
+    std::fprintf(stderr, "dda-run: %d blocks, %zu stages, about %.2g MB of frames into %s\n",
+                 input.model.block_count(), input.stages.size(), megabytes, folder.string().c_str());
+}
+
+ExitCode exit_code_of(const dda::RunOutcome& outcome) {
+    switch (outcome.status) {
+        case dda::RunStatus::completed:
+            return done;
+        case dda::RunStatus::stopped:
+            return stopped;
+        default:
+            return analysis_failed;
+    }
+}
+
+void say_outcome(const dda::RunOutcome& outcome, const dda::State& state, double wall_time,
+                 const fs::path& folder) {
+    const char* where = folder.c_str();
+    if (outcome.status == dda::RunStatus::completed)
+        std::fprintf(stderr, "dda-run: done, %lld steps to t = %.6g s in %.3g s; results in %s\n",
+                     static_cast<long long>(state.step_count), state.time, wall_time, where);
+    else if (outcome.status == dda::RunStatus::stopped)
+        std::fprintf(stderr, "dda-run: stopped at t = %.6g s; --resume goes on from the checkpoint in %s\n",
+                     state.time, where);
+    else
+        std::fprintf(stderr, "dda-run: %s; results so far are in %s\n", outcome.message.c_str(), where);
+}
+
+}  // namespace
+
+ExitCode simulate(const CommandLine& line, const std::string& version) {
+    listen_for_signals();
+    const dda::RunInput input = dda::read_run(line.run_file, {line.overrides, line.blocks, line.output});
+    const std::vector<dda::InputFile> files = dda::hash_files(input.files);
+    const std::string hash = input_hash(input, files);
+    prepare_folder(line.output);
+    std::optional<dda::Checkpoint> checkpoint;
+    if (line.resume)
+        checkpoint = checkpoint_of(line.output, hash);
+    else
+        forget_earlier_run(line.output);
+
+    blockgen::write_file_atomically(line.output / "run.toml", input.effective);
+    if (line.depfile)
+        blockgen::write_file_atomically(*line.depfile,
+                                        depfile_text(line.output / "summary.json", input.files));
+    say_plan(input, line.output);
+
+    ProgressLine progress;
+    const fs::path stop_file = line.output / "stop";
+    const auto on_step = [&](const dda::Progress& now) {
+        progress.show(now);
+        return !stop_requested(stop_file);
+    };
+    dda::Results results(input.model, input.stages, input.output, {line.output, line.pvd, hash, on_step},
+                         checkpoint ? &*checkpoint : nullptr);
+    dda::State state = checkpoint ? checkpoint->state : dda::initial_state(input.model);
+    const dda::RunOptions options{line.threads, checkpoint ? checkpoint->results.stage : 0,
+                                  checkpoint.has_value()};
+    const dda::RunOutcome outcome = dda::run(input.model, input.stages, state, results, options);
+    progress.clear();
+
+    blockgen::write_file_atomically(
+        line.output / "summary.json",
+        dda::summary_text(input.model, input.stages, state, outcome, results, version, files));
+    say_outcome(outcome, state, results.wall_time(), line.output);
+    return exit_code_of(outcome);
+}
