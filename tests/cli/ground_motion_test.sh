@@ -36,4 +36,5 @@ refused "magnitude" synthesise -o a.at2 --magnitude 12
 refused "duration" synthesise -o a.at2 --duration nan
 refused "step" synthesise -o a.at2 --step 0
 refused "at2 or .csv" synthesise -o a.txt
+refused ".svg, .png or .pdf" synthesise -o a.at2 --picture a.gif
 refused "no/such/folder" synthesise -o no/such/folder/a.at2

@@ -13,6 +13,7 @@
 #include "dda/record/record_text.hpp"
 #include "dda/record/response_spectrum.hpp"
 #include "dda/record/synthesise.hpp"
+#include "record_picture.hpp"
 
 namespace po = boost::program_options;
 
@@ -27,6 +28,7 @@ struct Request {
     double distance = 15;
     std::filesystem::path output;
     std::filesystem::path spectrum;
+    std::filesystem::path picture;
 };
 
 template <class Value>
@@ -42,6 +44,7 @@ po::options_description described(Request& request) {
     auto add = options.add_options();
     add("output,o", po::value(&request.output), "the record: PEER AT2 in g, or two-column CSV in m/s2");
     add("spectrum", po::value(&request.spectrum), "also write the 5 % response spectrum, CSV");
+    add("picture", po::value(&request.picture), "also draw the record, SVG, PNG or PDF");
     add("seed", option(recipe.seed), "chooses one record among those of the recipe");
     add("step", option(recipe.step), "s between samples");
     add("duration", option(recipe.duration), "s");
@@ -111,6 +114,10 @@ int run_synthesise(const std::vector<std::string>& arguments) {
         throw std::invalid_argument(
             "--output names no record file; expected a name that ends in .at2 or .csv");
     }
+    if (!request.picture.empty() && !blockgen::picture_format(request.picture)) {
+        throw std::invalid_argument(
+            "--picture names no picture file; expected a name that ends in .svg, .png or .pdf");
+    }
     request.recipe.peak = request.peak_in_g * standard_gravity;
     request.recipe.envelope = dda::envelope_of_earthquake(request.magnitude, request.distance);
     const dda::Accelerogram record = dda::synthesise(request.recipe);
@@ -118,6 +125,9 @@ int run_synthesise(const std::vector<std::string>& arguments) {
                                                                    : dda::at2_text(record, title(request)));
     if (!request.spectrum.empty()) {
         blockgen::write_file_atomically(request.spectrum, spectrum_text(record));
+    }
+    if (!request.picture.empty()) {
+        record_picture(record, title(request)).write(request.picture);
     }
     print_measures(record);
     return 0;
