@@ -23,7 +23,7 @@ DDA_PLOT ?= $(BIN)/dda-plot
 
 all: pictures
 blocks: slope.blocks
-run: $(OUT)/finished
+run: $(OUT)/summary.json
 
 slope.blocks: slope.toml $(wildcard $(BLOCKGEN))
 	@mkdir -p $(PICTURES)
@@ -38,13 +38,13 @@ $(OUT)/options: force
 quoted = '$(subst ','\'',$(1))'
 .PHONY: force
 
-# The stamp is written after the run has ended well, so a failed run is tried again and its results stay to be looked at.
-$(OUT)/finished: run.toml slope.blocks $(OUT)/options $(if $(RECORD),$(abspath $(RECORD))) $(wildcard $(DDA_RUN))
-	$(DDA_RUN) run.toml --blocks slope.blocks -o $(OUT) --depfile $(OUT)/finished.d $(RUN_OPTIONS)
-	@touch $@
+# A failed analysis keeps its results, with a summary that says why, dated back so that the next make tries again.
+$(OUT)/summary.json: run.toml slope.blocks $(OUT)/options $(if $(RECORD),$(abspath $(RECORD))) $(wildcard $(DDA_RUN))
+	$(DDA_RUN) run.toml --blocks slope.blocks -o $(OUT) --depfile $(OUT)/summary.json.d $(RUN_OPTIONS) || \
+	    { code=$$?; touch -c -d 1980-01-01 $@; exit $$code; }
 
 pictures: $(PICTURES)/drawn
-$(PICTURES)/drawn: $(OUT)/finished $(wildcard $(DDA_PLOT))
+$(PICTURES)/drawn: $(OUT)/summary.json $(wildcard $(DDA_PLOT))
 	@mkdir -p $(PICTURES)
 	$(DDA_PLOT) $(OUT) -o $(PICTURES) $(PLOT_FLAGS)
 	@touch $@
@@ -52,4 +52,4 @@ $(PICTURES)/drawn: $(OUT)/finished $(wildcard $(DDA_PLOT))
 clean:
 	rm -rf $(OUT) $(PICTURES) slope.blocks slope.blocks.d slope.report.json
 
--include slope.blocks.d $(OUT)/finished.d
+-include slope.blocks.d $(OUT)/summary.json.d
