@@ -1,0 +1,167 @@
+#include "blockgen/snap_round.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <unordered_map>
+
+#include "blockgen/bucket_grid.hpp"
+
+namespace blockgen {
+
+namespace {
+
+Int128 floor_division(Int128 numerator, Int128 denominator) {
+    const Int128 quotient = numerator / denominator;
+    return numerator % denominator < 0 ? quotient - 1 : quotient;
+}
+
+/// The cell of a point of the fine grid.
+GridPoint cell_of(const GridPoint& p, std::int64_t fineness) {
+    const auto cell = [fineness](std::int64_t x) {
+        return static_cast<std::int64_t>(floor_division(x + fineness / 2, fineness));
+    };
+    return {cell(p.x), cell(p.y)};
+}
+
+/// The cell that holds the common point of two segments that are not parallel; nothing when they do not meet.
+/// The point is a + t (b - a) with t = ((c - a) x (d - c)) / ((b - a) x (d - c)).
+std::optional<GridPoint> crossing_cell(const FineSegment& s, const FineSegment& t, std::int64_t fineness) {
+    if (std::max(s.a.x, s.b.x) < std::min(t.a.x, t.b.x) || std::max(t.a.x, t.b.x) < std::min(s.a.x, s.b.x) ||
+        std::max(s.a.y, s.b.y) < std::min(t.a.y, t.b.y) || std::max(t.a.y, t.b.y) < std::min(s.a.y, s.b.y))
+        return std::nullopt;
+    const Int128 ux = s.b.x - s.a.x, uy = s.b.y - s.a.y, vx = t.b.x - t.a.x, vy = t.b.y - t.a.y;
+    const Int128 wx = t.a.x - s.a.x, wy = t.a.y - s.a.y;
+    Int128 denominator = ux * vy - uy * vx;
+    if (denominator == 0) return std::nullopt;
+    Int128 along_s = wx * vy - wy * vx, along_t = wx * uy - wy * ux;
+    if (denominator < 0) denominator = -denominator, along_s = -along_s, along_t = -along_t;
+    if (along_s < 0 || along_s > denominator || along_t < 0 || along_t > denominator) return std::nullopt;
+    const auto cell = [&](std::int64_t start, Int128 component) {
+        const Int128 numerator = along_s * component + (start + fineness / 2) * denominator;
+        return static_cast<std::int64_t>(floor_division(numerator, denominator * fineness));
+    };
+    return GridPoint{cell(s.a.x, ux), cell(s.a.y, uy)};
+}
+
+/// Whether a closed segment meets the half-open square of a cell.
+bool passes_through(const FineSegment& segment, const GridPoint& cell, std::int64_t fineness) {
+    const std::int64_t half = fineness / 2;
+    const std::int64_t left = cell.x * fineness - half, right = left + fineness;
+    const std::int64_t bottom = cell.y * fineness - half, top = bottom + fineness;
+    GridPoint a = segment.a, b = segment.b;
+    if (b < a) std::swap(a, b);
+    const std::int64_t low_y = std::min(a.y, b.y), high_y = std::max(a.y, b.y);
+    if (b.x < left || a.x >= right || high_y < bottom || low_y >= top) return false;
+    if (a.x == b.x || low_y == high_y) return true;
+
+    const int lower_left = side_of(a, b, {left, bottom}), lower_right = side_of(a, b, {right, bottom});
+    const int upper_left = side_of(a, b, {left, top}), upper_right = side_of(a, b, {right, top});
+    const int lowest = std::min({lower_left, lower_right, upper_left, upper_right});
+    const int highest = std::max({lower_left, lower_right, upper_left, upper_right});
+    if (lowest < 0 && highest > 0 && b.x > left && a.x < right && high_y > bottom && low_y < top) return true;
+    // Left and bottom sides belong to the cell. The segment runs from left to right.
+    if (a.x <= left && b.x >= left && lower_left <= 0 && upper_left > 0) return true;
+    const bool rises = a.y < b.y;
+    return low_y <= bottom && high_y >= bottom &&
+           (rises ? lower_left >= 0 && lower_right < 0 : lower_left <= 0 && lower_right > 0);
+}
+
+struct CellHash {
+    std::size_t operator()(const GridPoint& p) const {
+        return static_cast<std::size_t>(p.x) * 0x9e3779b97f4a7c15u ^
+               (static_cast<std::size_t>(p.y) + 0x7f4a7c15u) * 0xc2b2ae3d27d4eb4fu;
+    }
+};
+
+std::vector<GridPoint> hot_cells(std::span<const FineSegment> segments, const BucketGrid& grid,
+                                 std::int64_t fineness) {
+    std::vector<GridPoint> cells;
+    for (const FineSegment& s : segments) {
+        cells.push_back(cell_of(s.a, fineness));
+        cells.push_back(cell_of(s.b, fineness));
+    }
+    for (std::size_t bucket = 0; bucket < grid.bucket_count(); ++bucket) {
+        const auto near = grid.segments_of(bucket);
+        for (std::size_t i = 0; i < near.size(); ++i)
+            for (std::size_t j = i + 1; j < near.size(); ++j)
+                if (const auto cell = crossing_cell(segments[static_cast<std::size_t>(near[i])],
+                                                    segments[static_cast<std::size_t>(near[j])], fineness))
+                    cells.push_back(*cell);
+    }
+    std::sort(cells.begin(), cells.end());
+    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+    return cells;
+}
+
+/// For each hot cell the cell that stands for it: itself, or a neighbour that came first.
+std::vector<GridPoint> representatives(std::span<const GridPoint> cells, std::span<const GridPoint> anchors) {
+    std::unordered_map<GridPoint, char, CellHash> chosen;
+    const auto choose = [&chosen](const GridPoint& cell) {
+        for (std::int64_t dx = -1; dx <= 1; ++dx)
+            for (std::int64_t dy = -1; dy <= 1; ++dy)
+                if (const GridPoint near{cell.x + dx, cell.y + dy}; chosen.contains(near)) return near;
+        chosen.emplace(cell, 0);
+        return cell;
+    };
+    for (const GridPoint& anchor : anchors) choose(anchor);
+    std::vector<GridPoint> result;
+    result.reserve(cells.size());
+    for (const GridPoint& cell : cells) result.push_back(chosen.contains(cell) ? cell : choose(cell));
+    return result;
+}
+
+struct Hit {
+    std::int32_t segment;
+    std::int32_t cell;
+};
+
+std::vector<Hit> find_hits(std::span<const FineSegment> segments, std::span<const GridPoint> cells,
+                           const BucketGrid& grid, std::int64_t fineness) {
+    std::vector<Hit> hits;
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+        const GridPoint centre{cells[c].x * fineness, cells[c].y * fineness};
+        for (const std::int32_t s : grid.segments_of(grid.bucket_of(centre)))
+            if (passes_through(segments[static_cast<std::size_t>(s)], cells[c], fineness))
+                hits.push_back({s, static_cast<std::int32_t>(c)});
+    }
+    return hits;
+}
+
+}  // namespace
+
+SnappedChains snap_round(std::span<const FineSegment> segments, std::int64_t fineness, bool join_adjacent,
+                         std::span<const GridPoint> anchors) {
+    const BucketGrid grid(segments, fineness);
+    const std::vector<GridPoint> cells = hot_cells(segments, grid, fineness);
+    const std::vector<GridPoint> stand_ins = join_adjacent ? representatives(cells, anchors) : cells;
+    std::vector<Hit> hits = find_hits(segments, cells, grid, fineness);
+
+    const auto distance_along = [&](const Hit& hit) {
+        const FineSegment& s = segments[static_cast<std::size_t>(hit.segment)];
+        const GridPoint& cell = cells[static_cast<std::size_t>(hit.cell)];
+        return static_cast<Int128>(cell.x * fineness - s.a.x) * (s.b.x - s.a.x) +
+               static_cast<Int128>(cell.y * fineness - s.a.y) * (s.b.y - s.a.y);
+    };
+    std::vector<std::int64_t> next(segments.size() + 1, 0);
+    for (const Hit& hit : hits) ++next[static_cast<std::size_t>(hit.segment) + 1];
+    for (std::size_t k = 0; k < segments.size(); ++k) next[k + 1] += next[k];
+    std::vector<std::pair<Int128, std::int32_t>> ordered(hits.size());
+    std::vector<std::int64_t> fill(next.begin(), next.end() - 1);
+    for (const Hit& hit : hits)
+        ordered[static_cast<std::size_t>(fill[static_cast<std::size_t>(hit.segment)]++)] = {
+            distance_along(hit), hit.cell};
+
+    SnappedChains chains;
+    for (std::size_t k = 0; k < segments.size(); ++k) {
+        std::sort(ordered.begin() + next[k], ordered.begin() + next[k + 1]);
+        for (std::int64_t i = next[k]; i < next[k + 1]; ++i) {
+            const GridPoint& cell =
+                stand_ins[static_cast<std::size_t>(ordered[static_cast<std::size_t>(i)].second)];
+            if (i == next[k] || chains.cells.back() != cell) chains.cells.push_back(cell);
+        }
+        chains.first.push_back(static_cast<std::int64_t>(chains.cells.size()));
+    }
+    return chains;
+}
+
+}  // namespace blockgen
