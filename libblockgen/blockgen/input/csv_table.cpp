@@ -1,0 +1,104 @@
+#include "blockgen/input/csv_table.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+#include "blockgen/base/input_error.hpp"
+#include "blockgen/base/read_file.hpp"
+#include "blockgen/base/text.hpp"
+
+namespace blockgen {
+
+namespace {
+
+struct Field {
+    std::string_view text;
+    int column = 1;
+};
+
+std::vector<Field> split(std::string_view line) {
+    std::vector<Field> fields;
+    for (std::size_t start = 0; start <= line.size();) {
+        const std::size_t comma = std::min(line.find(',', start), line.size());
+        std::size_t first = start, last = comma;
+        const auto is_blank = [&](std::size_t i) {
+            return line[i] == ' ' || line[i] == '\t' || line[i] == '\r';
+        };
+        while (first < last && is_blank(first)) ++first;
+        while (last > first && is_blank(last - 1)) --last;
+        if (last - first >= 2 && line[first] == '"' && line[last - 1] == '"') ++first, --last;
+        fields.push_back({line.substr(first, last - first), static_cast<int>(first) + 1});
+        start = comma + 1;
+    }
+    return fields;
+}
+
+constexpr std::size_t no_column = static_cast<std::size_t>(-1);
+
+std::size_t position_of(const std::vector<Field>& header, const std::string& name) {
+    for (std::size_t i = 0; i < header.size(); ++i)
+        if (header[i].text == name) return i;
+    return no_column;
+}
+
+std::string list_of(const std::vector<std::string>& names) {
+    std::string list;
+    for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+    return list;
+}
+
+}  // namespace
+
+CsvTable read_csv(const std::filesystem::path& path, const std::vector<std::string>& number_columns,
+                  const std::vector<std::string>& text_columns) {
+    const std::string text = read_text_file(path);
+    std::vector<std::size_t> where;
+    CsvTable table;
+    int line_number = 0;
+    for (std::size_t start = 0; start < text.size();) {
+        const std::size_t newline = std::min(text.find('\n', start), text.size());
+        std::string_view line = std::string_view(text).substr(start, newline - start);
+        start = newline + 1;
+        ++line_number;
+        if (line_number == 1 && line.starts_with("\xef\xbb\xbf")) line.remove_prefix(3);
+        line = line.substr(0, line.find('#'));
+        const std::vector<Field> fields = split(line);
+        if (fields.size() == 1 && fields[0].text.empty()) continue;
+
+        if (where.empty()) {
+            const bool is_header = !parse_number(fields[0].text);
+            for (std::size_t i = 0; i < number_columns.size() + text_columns.size(); ++i) {
+                const bool number = i < number_columns.size();
+                const std::string& name =
+                    number ? number_columns[i] : text_columns[i - number_columns.size()];
+                where.push_back(is_header ? position_of(fields, name) : i);
+                if (is_header && number && where.back() == no_column)
+                    throw InputError({path.string(), line_number, 1},
+                                     "the header has no column '" + name + "'",
+                                     "the columns " + list_of(number_columns));
+            }
+            if (is_header) continue;
+        }
+        CsvRow row;
+        row.line = line_number;
+        for (std::size_t i = 0; i < where.size(); ++i) {
+            const bool present = where[i] < fields.size();
+            if (i >= number_columns.size()) {
+                row.texts.emplace_back(present ? fields[where[i]].text : std::string_view());
+                continue;
+            }
+            const auto value = present ? parse_number(fields[where[i]].text) : std::nullopt;
+            if (!value)
+                throw InputError({path.string(), line_number, present ? fields[where[i]].column : 1},
+                                 present
+                                     ? "'" + std::string(fields[where[i]].text) + "' is not a finite number"
+                                     : "the line ends before column '" + number_columns[i] + "'",
+                                 "a number for " + number_columns[i]);
+            row.numbers.push_back(*value);
+        }
+        table.rows.push_back(std::move(row));
+    }
+    return table;
+}
+
+}  // namespace blockgen

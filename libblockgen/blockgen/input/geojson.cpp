@@ -1,0 +1,129 @@
+#include "blockgen/input/geojson.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "blockgen/base/input_error.hpp"
+#include "blockgen/base/read_file.hpp"
+
+namespace blockgen {
+
+namespace {
+
+using nlohmann::json;
+
+json parse(const std::filesystem::path& path) {
+    const std::string text = read_text_file(path);
+    try {
+        return json::parse(text);
+    } catch (const json::parse_error& error) {
+        const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
+        const int line = 1 + static_cast<int>(std::count(text.begin(), end, '\n'));
+        throw InputError({path.string(), line}, "this is not JSON", "a GeoJSON file");
+    }
+}
+
+class GeoJsonReader {
+  public:
+    explicit GeoJsonReader(const std::filesystem::path& path) : path_(path.string()), root_(parse(path)) {}
+
+    /// Calls visit(geometry, properties) for each geometry.
+    template <class Visit>
+    void visit_geometries(const Visit& visit) {
+        visit_object(root_, json::object(), visit);
+    }
+
+    Ring points(const json& list) const {
+        if (!list.is_array()) fail("coordinates are not a list", "a list of [x, y]");
+        Ring result;
+        for (const json& position : list) {
+            if (!position.is_array() || position.size() < 2 || !position[0].is_number() ||
+                !position[1].is_number())
+                fail("a position is not a pair of numbers", "[x, y]");
+            result.push_back({position[0].get<double>(), position[1].get<double>()});
+            if (!std::isfinite(result.back().x) || !std::isfinite(result.back().y))
+                fail("a coordinate is not finite", "finite coordinates");
+        }
+        return result;
+    }
+
+    const json& coordinates(const json& geometry) const {
+        const auto found = geometry.find("coordinates");
+        if (found == geometry.end() || !found->is_array()) fail("a geometry has no coordinates", "a list");
+        return *found;
+    }
+
+    [[noreturn]] void fail(const std::string& what, const std::string& expected) const {
+        throw InputError({path_}, where_ + what, expected);
+    }
+
+  private:
+    template <class Visit>
+    void visit_object(const json& object, const json& properties, const Visit& visit) {
+        if (!object.is_object() || !object.contains("type") || !object["type"].is_string())
+            fail("an object has no type", "a GeoJSON object");
+        const std::string type = object["type"].get<std::string>();
+        if (type == "FeatureCollection" || type == "GeometryCollection") {
+            const char* key = type == "FeatureCollection" ? "features" : "geometries";
+            if (!object.contains(key) || !object[key].is_array())
+                fail("'" + type + "' has no " + key, "a list");
+            std::size_t number = 0;
+            for (const json& part : object[key]) {
+                where_ = type == "FeatureCollection" ? "feature " + std::to_string(number++) + ": " : where_;
+                visit_object(part, properties, visit);
+            }
+            where_.clear();
+        } else if (type == "Feature") {
+            const json own = object.contains("properties") ? object["properties"] : json::object();
+            if (object.contains("geometry") && !object["geometry"].is_null())
+                visit_object(object["geometry"], own, visit);
+        } else {
+            visit(type, object, properties);
+        }
+    }
+
+    std::string path_;
+    std::string where_;
+    json root_;
+};
+
+}  // namespace
+
+std::vector<GeoJsonLine> read_geojson_lines(const std::filesystem::path& path) {
+    GeoJsonReader reader(path);
+    std::vector<GeoJsonLine> lines;
+    reader.visit_geometries([&](const std::string& type, const json& geometry, const json& properties) {
+        std::string material;
+        if (properties.is_object() && properties.contains("joint_material") &&
+            properties["joint_material"].is_string())
+            material = properties["joint_material"].get<std::string>();
+        if (type == "LineString")
+            lines.push_back({material, reader.points(reader.coordinates(geometry))});
+        else if (type == "MultiLineString")
+            for (const json& part : reader.coordinates(geometry))
+                lines.push_back({material, reader.points(part)});
+        else
+            reader.fail("geometry of type '" + type + "'", "LineString or MultiLineString");
+        if (lines.back().points.size() < 2)
+            reader.fail("a line of fewer than two points", "two points or more");
+    });
+    return lines;
+}
+
+std::vector<Ring> read_geojson_polygon(const std::filesystem::path& path) {
+    GeoJsonReader reader(path);
+    std::vector<Ring> rings;
+    reader.visit_geometries([&](const std::string& type, const json& geometry, const json&) {
+        json polygon = reader.coordinates(geometry);
+        if (type == "MultiPolygon" && polygon.size() == 1) polygon = json(polygon[0]);
+        if ((type != "Polygon" && type != "MultiPolygon") || !rings.empty() || !polygon.is_array() ||
+            polygon.empty())
+            reader.fail("geometry of type '" + type + "'", "one single Polygon");
+        for (const json& ring : polygon) rings.push_back(reader.points(ring));
+    });
+    if (rings.empty()) reader.fail("no polygon", "one single Polygon");
+    return rings;
+}
+
+}  // namespace blockgen

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "blockgen/mesh/polygon.hpp"
+
+namespace blockgen {
+
+struct GeoJsonLine {
+    std::string joint_material;  ///< the feature's property of that name; empty when it has none
+    std::vector<Point> points;
+};
+
+/// All LineStrings and MultiLineStrings of a GeoJSON file (RFC 7946), bare, in features or in collections.
+/// Coordinates are taken as planar metres, whatever reference system the file names; a third coordinate is
+/// ignored.
+/// @throws InputError for a file that is no JSON or no GeoJSON.
+std::vector<GeoJsonLine> read_geojson_lines(const std::filesystem::path& path);
+
+/// The rings of the only Polygon (or one-part MultiPolygon) of a GeoJSON file, outer ring first, closing
+/// corner included.
+std::vector<Ring> read_geojson_polygon(const std::filesystem::path& path);
+
+}  // namespace blockgen

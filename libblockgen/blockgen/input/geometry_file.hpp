@@ -1,0 +1,20 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "blockgen/input/slope_model.hpp"
+
+namespace blockgen {
+
+/// The outer ring and the holes of an outline file: CSV with the columns x,y, one corner a line, or GeoJSON
+/// with one Polygon. A last corner that repeats the first is dropped. Rings in file order. @throws InputError
+std::vector<Ring> read_outline_file(const std::filesystem::path& path);
+
+/// The traces of a file: CSV with the columns x1,y1,x2,y2 and perhaps joint_material, or GeoJSON with
+/// LineStrings and MultiLineStrings (a feature's property joint_material names its material). Traces without
+/// a material of their own get `joint_material`. @throws InputError, also when the file holds no trace.
+std::vector<Trace> read_trace_file(const std::filesystem::path& path, const std::string& name,
+                                   const std::string& joint_material);
+
+}  // namespace blockgen

@@ -1,0 +1,190 @@
+#include "blockgen/input/read_shapes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "blockgen/base/text.hpp"
+#include "blockgen/input/geometry_file.hpp"
+
+namespace blockgen {
+
+namespace {
+
+std::string text_of(const Point& p) {
+    return "(" + shortest_text(p.x) + ", " + shortest_text(p.y) + ")";
+}
+
+std::string text_of_edge(const Ring& ring, std::size_t edge) {
+    return "edge " + std::to_string(edge + 1) + " from " + text_of(ring[edge]) + " to " +
+           text_of(ring[(edge + 1) % ring.size()]);
+}
+
+/// What keeps a ring from bounding an area; empty when nothing does.
+std::string fault_of(const Ring& ring) {
+    if (ring.size() < 3) return std::to_string(ring.size()) + " corners enclose no area";
+    const auto fault = find_ring_fault(std::vector<Ring>{ring});
+    if (!fault) return {};
+    if (fault->first_edge == fault->second_edge)
+        return text_of_edge(ring, fault->first_edge) + " has no length";
+    return text_of_edge(ring, fault->first_edge) + " and " + text_of_edge(ring, fault->second_edge) +
+           " meet at " + text_of(fault->place);
+}
+
+constexpr const char* ring_expected = "a simple polygon of three corners or more";
+
+Ring ring_of(const std::vector<std::array<double, 2>>& pairs) {
+    Ring ring;
+    for (const auto& pair : pairs) ring.push_back(point_of(pair));
+    if (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
+    return ring;
+}
+
+void make_counter_clockwise(Ring& ring) {
+    if (twice_signed_area(ring) < 0) std::reverse(ring.begin(), ring.end());
+}
+
+double positive(const ConfigTable& table, std::string_view key) {
+    return table.checked(
+        key, table.number(key, Dimension::length), [](double x) { return x > 0; }, "a positive length");
+}
+
+Ring circle(const Point& centre, double radius, std::int64_t segments) {
+    Ring ring;
+    for (std::int64_t k = 0; k < segments; ++k) {
+        const double angle =
+            2 * std::numbers::pi * (static_cast<double>(k) + 0.5) / static_cast<double>(segments);
+        ring.push_back({centre.x + radius * std::cos(angle), centre.y + radius * std::sin(angle)});
+    }
+    return ring;
+}
+
+/// A rectangle under a half circle; `floor` is the middle of the floor.
+Ring horseshoe(const Point& floor, double width, double height, std::int64_t segments) {
+    const double radius = width / 2;
+    const Point crown{floor.x, floor.y + height - radius};
+    Ring ring = {{floor.x - radius, floor.y}, {floor.x + radius, floor.y}};
+    if (!(height > radius)) ring.clear();
+    for (std::int64_t k = 0; k <= segments; ++k) {
+        const double angle = std::numbers::pi * static_cast<double>(k) / static_cast<double>(segments);
+        ring.push_back({crown.x + radius * std::cos(angle), crown.y + radius * std::sin(angle)});
+    }
+    return ring;
+}
+
+Ring read_tunnel_outline(const ConfigTable& table) {
+    const std::string shape = table.choice("shape", {"circle", "horseshoe", "polygon"});
+    if (shape == "polygon") return read_ring(table, "polygon");
+    const auto segments = table.integer("segments", 32);
+    if (segments < 8 || segments > 10000)
+        table.fail("segments", "too few or too many segments", "8 to 10000");
+    if (shape == "circle")
+        return circle(point_of(table.pair("centre", Dimension::length)), positive(table, "radius"), segments);
+    const double width = positive(table, "width");
+    const double height = table.checked(
+        "height", table.number("height", Dimension::length), [width](double h) { return h >= width / 2; },
+        "at least half the width");
+    return horseshoe(point_of(table.pair("floor", Dimension::length)), width, height, segments);
+}
+
+void read_outline(const ConfigTable& domain, SlopeModel& model) {
+    const bool in_file = domain.has("outline_file");
+    const std::string key = in_file ? "outline_file" : "outline";
+    if (in_file && domain.has("outline"))
+        domain.fail("outline_file", "outline and outline_file are both given", "one of them");
+    std::vector<Ring> rings;
+    if (in_file) {
+        model.files.push_back(domain.file_path("outline_file"));
+        rings = read_outline_file(model.files.back());
+    } else {
+        rings.push_back(ring_of(domain.pairs("outline", Dimension::length)));
+    }
+    for (const auto& pairs : domain.rings("holes")) rings.push_back(ring_of(pairs));
+    for (std::size_t r = 0; r < rings.size(); ++r) {
+        const std::string what = r == 0 ? "the outline" : "hole " + std::to_string(r);
+        if (const std::string fault = fault_of(rings[r]); !fault.empty())
+            domain.fail(r == 0 || in_file ? key : "holes", what + ": " + fault, ring_expected);
+        make_counter_clockwise(rings[r]);
+    }
+    model.outline = rings.front();
+    model.holes.assign(rings.begin() + 1, rings.end());
+}
+
+double read_grid(const ConfigTable& domain) {
+    const double grid = domain.number("grid", Dimension::length, 0x1p-20);
+    int exponent = 0;
+    if (!(grid > 0) || std::frexp(grid, &exponent) != 0.5)
+        domain.fail("grid", shortest_text(grid) + " m is no power of two",
+                    "a power of two, such as 2^-20 = 9.5367431640625e-7");
+    return grid;
+}
+
+void check_extent(const ConfigTable& domain, const SlopeModel& model) {
+    double low = model.outline[0].x, high = low, farthest = 0;
+    for (const Point& p : model.outline) {
+        low = std::min({low, p.x});
+        high = std::max({high, p.x});
+        farthest = std::max({farthest, std::abs(p.x), std::abs(p.y)});
+    }
+    double low_y = model.outline[0].y, high_y = low_y;
+    for (const Point& p : model.outline) low_y = std::min(low_y, p.y), high_y = std::max(high_y, p.y);
+    const double extent = std::max(high - low, high_y - low_y);
+    if (farthest / model.grid >= 0x1p51 || extent / model.grid >= 0x1p37)
+        domain.fail(domain.has("grid") ? "grid" : "outline",
+                    "a grid of " + shortest_text(model.grid) + " m is too fine for a domain of this extent",
+                    "a coarser grid");
+    if (std::min(high - low, high_y - low_y) < 16 * model.grid)
+        domain.fail(domain.has("grid") ? "grid" : "outline", "the domain is hardly larger than the grid",
+                    "a finer grid");
+}
+
+}  // namespace
+
+Point point_of(const std::array<double, 2>& pair) {
+    return {pair[0], pair[1]};
+}
+
+Ring read_ring(const ConfigTable& table, std::string_view key) {
+    Ring ring = ring_of(table.pairs(key, Dimension::length));
+    if (const std::string fault = fault_of(ring); !fault.empty()) table.fail(key, fault, ring_expected);
+    make_counter_clockwise(ring);
+    return ring;
+}
+
+void read_domain(const ConfigTable& root, SlopeModel& model) {
+    const ConfigTable domain = root.table("domain");
+    model.domain_place = domain.place();
+    read_outline(domain, model);
+    model.block_material = domain.string("block_material");
+    model.grid = read_grid(domain);
+    model.islands = domain.choice("islands", {"keep", "error"}, "keep") == "keep" ? IslandPolicy::keep
+                                                                                  : IslandPolicy::error;
+    check_extent(domain, model);
+}
+
+void read_regions(const ConfigTable& root, SlopeModel& model) {
+    for (const ConfigTable& table : root.array_of_tables("region")) {
+        Region region;
+        region.place = table.place();
+        region.name = table.string("name");
+        region.block_material = table.string("block_material", model.block_material);
+        region.joint_material = table.string("joint_material", "");
+        region.polygon = read_ring(table, "polygon");
+        for (const Region& other : model.regions)
+            if (other.name == region.name)
+                table.fail("name", "a second region '" + region.name + "'", "a name for each region");
+        model.regions.push_back(std::move(region));
+    }
+}
+
+void read_tunnels(const ConfigTable& root, SlopeModel& model) {
+    for (const ConfigTable& table : root.array_of_tables("tunnel")) {
+        Tunnel tunnel;
+        tunnel.place = table.place();
+        tunnel.name = table.string("name", "tunnel " + std::to_string(model.tunnels.size() + 1));
+        tunnel.outline = read_tunnel_outline(table);
+        model.tunnels.push_back(std::move(tunnel));
+    }
+}
+
+}  // namespace blockgen

@@ -1,0 +1,88 @@
+#include "blockgen/input/read_slope_model.hpp"
+
+#include "blockgen/input/read_shapes.hpp"
+
+namespace blockgen {
+
+SlopeModel read_slope_model(const ConfigTable& root) {
+    SlopeModel model;
+    const std::int64_t seed = root.integer("seed", 0);
+    if (seed < 0) root.fail("seed", "a negative seed", "an integer of zero or more");
+    model.seed = static_cast<std::uint64_t>(seed);
+    read_domain(root, model);
+    read_regions(root, model);
+    read_tunnels(root, model);
+    read_joints(root, model);
+    read_marks(root, model);
+    root.finish();
+    return model;
+}
+
+std::string slope_model_template() {
+    return R"(# A slope for blockgen. Lengths in metres, or with a unit: "5 mm", "2 km". Angles need a unit: "35 deg".
+# They count from the x axis, counter-clockwise positive. Lines that start with '#' show what may be added.
+
+seed = 42                                  # of all random draws; the same seed gives the same blocks
+
+[domain]
+outline = [[0, 0], [120, 0], [120, 30], [60, 70], [0, 70]]
+# outline_file = "profile.csv"             # instead of outline: columns x,y; or a GeoJSON file with one Polygon
+# holes = [[[10, 10], [14, 10], [12, 14]]]
+block_material = "sandstone"
+# grid = 9.5367431640625e-7                # m, a power of two: joints that come nearer to each other are joined
+# islands = "keep"                         # or "error": rock enclosed by a block without any joint to its rim
+
+# [[region]]                               # overrides what lies below it, inside its polygon
+# name = "weathered"
+# block_material = "weathered sandstone"
+# joint_material = "contact"               # along its outline where no joint runs
+# polygon = [[0, 60], [120, 60], [120, 70], [0, 70]]
+
+# [[tunnel]]
+# shape = "circle"                         # or "horseshoe" (floor, width, height), "polygon" (polygon)
+# centre = [40, 20]
+# radius = 3
+# segments = 32
+
+[[joint_set]]
+name = "bedding"
+joint_material = "bedding"
+angle = "-25 deg"
+spacing = { law = "lognormal", mean = 3.0, sd = 0.6, min = 1.0, max = 8.0 }
+# Each of angle, spacing, trace_length and gap is a number, or one of the laws constant (value), uniform (min, max),
+# normal, lognormal (mean, sd), exponential (mean), truncated to [min, max].
+
+[[joint_set]]
+name = "cross joints"
+joint_material = "cross joints"
+angle = "65 deg"
+spacing = 4
+trace_length = { law = "exponential", mean = 20, min = 2 }   # absent: each joint crosses the whole domain
+gap = 1.0                                  # rock bridge; or persistence = 0.9
+# origin = [0, 0]                          # a point of one joint; absent: the seed places the set
+# region = "weathered"                     # only there
+
+# [[traces]]                               # joints one by one
+# joint_material = "fault"
+# points = [[10, 0], [40, 70]]             # or file = "faults.csv" (x1,y1,x2,y2[,joint_material]) or "faults.geojson"
+
+[[fixed_block]]
+side = "bottom"                            # or at = [x, y], or inside = polygon
+
+# [[prescribed_block]]                     # moves as a record says
+# name = "base"
+# at = [60, 2]
+
+[[measured_point]]
+name = "crest"
+at = [59, 69]
+
+# [[bolt]]
+# name = "anchor 1"
+# material = "cable"
+# from = [80, 56]
+# to = [70, 50]
+)";
+}
+
+}  // namespace blockgen
