@@ -1,0 +1,26 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "blockgen/mesh/polygon.hpp"
+
+namespace blockgen {
+
+/// An upright box.
+struct Bounds {
+    Point low, high;
+
+    static Bounds of(const Ring& ring);
+    std::array<Point, 4> corners() const;
+    Bounds widened(double margin) const;
+    /// The parameters between which point + t direction lies in the box; nothing when the line misses it.
+    std::optional<std::pair<double, double>> clip(const Point& point, const Point& direction) const;
+};
+
+/// The pieces of a segment inside a ring, in order along it.
+std::vector<std::pair<Point, Point>> clip_to_ring(const Point& a, const Point& b, const Ring& ring);
+
+}  // namespace blockgen
