@@ -1,0 +1,270 @@
+#include "blockgen/cut_blocks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "blockgen/base/text.hpp"
+#include "blockgen/choose_blocks.hpp"
+#include "blockgen/detail/arrange.hpp"
+#include "blockgen/disjoint_sets.hpp"
+#include "blockgen/mark_edges.hpp"
+#include "blockgen/mesh/check_mesh.hpp"
+#include "blockgen/sample_joints.hpp"
+#include "blockgen/straighten.hpp"
+
+namespace blockgen {
+
+namespace {
+
+/// The bounded faces of a planar graph by Euler's formula, E - V + components.
+std::size_t bounded_faces(const NodedEdges& noded) {
+    DisjointSets sets(noded.vertices.size());
+    std::size_t components = noded.vertices.size();
+    for (const auto& [a, b] : noded.edges)
+        components -= sets.join(static_cast<std::size_t>(a), static_cast<std::size_t>(b));
+    return noded.edges.size() + components - noded.vertices.size();
+}
+
+[[noreturn]] void fail_too_many(const SlopeModel& model, double count, std::size_t limit) {
+    throw InputError(model.domain_place,
+                     "the joints make about " + std::to_string(std::llround(count)) + " blocks",
+                     "at most " + std::to_string(limit) + " (--max-blocks sets the limit)");
+}
+
+class Cutter {
+  public:
+    Cutter(const SlopeModel& model, const std::vector<Trace>& traces, const CutOptions& options)
+        : model_(model),
+          traces_(traces),
+          table_(model, traces),
+          noded_(node(options)),
+          subdivision_(arrange(noded_)),
+          faces_(classify_faces(noded_, subdivision_, model, table_)),
+          boundary_(noded_, subdivision_, faces_),
+          edges_(mark_edges(noded_, subdivision_, faces_, boundary_, model, traces, table_)) {
+        if (faces_.material.empty())
+            throw InputError(model.domain_place, "no rock is left",
+                             "a domain larger than its holes and tunnels");
+    }
+
+    CutResult cut(const CutOptions& options) {
+        blocks_ = block_rings(noded_, subdivision_, faces_, boundary_);
+        removed_ = straight_vertices(noded_, subdivision_, faces_, boundary_, edges_.marks);
+        CutResult result;
+        fill_mesh(result.mesh);
+        choose_blocks(result.mesh, model_, result.report.warnings);
+        check(result.mesh);
+        fill_report(result);
+        prove_area(result.report);
+        if (options.verify) verify(result.report);
+        return result;
+    }
+
+  private:
+    /// A mesh that is unfit is a fault of this program, not of its input.
+    static void check(const BlockMesh& mesh) {
+        try {
+            check_mesh(mesh, "the cut mesh");
+        } catch (const InputError& error) {
+            throw std::logic_error(error.what());
+        }
+    }
+
+    NodedEdges node(const CutOptions& options) const {
+        const std::vector<SourceSegment> segments = source_segments(model_, traces_, table_);
+        const double estimate = estimated_blocks(model_, segments, table_);
+        if (estimate > 4.0 * static_cast<double>(options.max_blocks) + 1000)
+            fail_too_many(model_, estimate, options.max_blocks);
+        NodedEdges noded = node_joints(segments, model_.grid);
+        const std::size_t faces = bounded_faces(noded);
+        if (faces > options.max_blocks) fail_too_many(model_, static_cast<double>(faces), options.max_blocks);
+        return noded;
+    }
+
+    std::int32_t block_of(std::size_t half_edge) const {
+        return faces_.block[static_cast<std::size_t>(subdivision_.face[half_edge])];
+    }
+    const GridPoint& start(std::size_t half_edge) const {
+        return noded_.vertices[static_cast<std::size_t>(boundary_.origin[half_edge])];
+    }
+
+    /// Only names that a block bears enter the file.
+    std::int32_t material_index(BlockMesh& mesh, std::int32_t block) const {
+        const std::int32_t k = faces_.material[static_cast<std::size_t>(block)];
+        const std::string& name =
+            k == 0 ? model_.block_material : model_.regions[static_cast<std::size_t>(k - 1)].block_material;
+        const auto found = std::find(mesh.block_materials.begin(), mesh.block_materials.end(), name);
+        if (found == mesh.block_materials.end()) {
+            mesh.block_materials.push_back(name);
+            return static_cast<std::int32_t>(mesh.block_materials.size() - 1);
+        }
+        return static_cast<std::int32_t>(found - mesh.block_materials.begin());
+    }
+
+    void fill_mesh(BlockMesh& mesh) {
+        std::vector<std::int32_t> number(noded_.vertices.size(), -1);
+        std::vector<std::int32_t> ring;
+        std::vector<EdgeMark> marks;
+        mesh.joint_materials = edges_.joint_materials;
+        mesh.joints = edges_.joints;
+        for (const RingBlock& block : blocks_) {
+            mesh.begin_block(material_index(mesh, block.block));
+            for (const auto& half_edges : block.rings) {
+                ring.clear();
+                marks.clear();
+                for (const std::int32_t h : half_edges) {
+                    const auto v = static_cast<std::size_t>(boundary_.origin[static_cast<std::size_t>(h)]);
+                    if (removed_[v]) continue;
+                    if (number[v] < 0) {
+                        number[v] = static_cast<std::int32_t>(mesh.vertices.size());
+                        mesh.vertices.push_back(noded_.frame.place(noded_.vertices[v]));
+                        places_.push_back(noded_.vertices[v]);
+                    }
+                    ring.push_back(number[v]);
+                    marks.push_back(edges_.marks[static_cast<std::size_t>(h / 2)]);
+                }
+                mesh.add_ring(ring, marks);
+                twice_block_area_ += twice_ring_area(ring);
+            }
+        }
+    }
+
+    Int128 twice_ring_area(const std::vector<std::int32_t>& ring) const {
+        Int128 sum = 0;
+        const auto place = [&](std::size_t k) { return places_[static_cast<std::size_t>(ring[k])]; };
+        for (std::size_t k = 1; k + 1 < ring.size(); ++k) sum += twice_area(place(0), place(k), place(k + 1));
+        return sum;
+    }
+
+    /// The blocks of the mesh fill the rock: as integers, without rounding. Where no hole or tunnel reaches
+    /// over the outline or another, the rock's area also follows from the noded outlines alone, each walked
+    /// in its own direction.
+    void prove_area(CutReport& report) const {
+        Int128 twice_rock = 0, twice_outlines = 0;
+        for (std::size_t e = 0; e < noded_.edges.size(); ++e) {
+            const Int128 area = twice_area({0, 0}, start(2 * e), start(2 * e + 1));
+            const int left = block_of(2 * e) != FaceBlocks::outside,
+                      right = block_of(2 * e + 1) != FaceBlocks::outside;
+            twice_rock += area * (left - right);
+            for (const EdgeSource& s : noded_.sources_of(e)) {
+                const bool is_void = (s.source >= table_.first_hole && s.source < table_.first_region) ||
+                                     (s.source >= table_.first_tunnel && s.source < table_.first_joint);
+                if (s.source == 0 || is_void) twice_outlines += (s.reversed != is_void ? -1 : 1) * area;
+            }
+        }
+        if (twice_rock != twice_block_area_) throw std::logic_error("the blocks do not fill the domain");
+        if (faces_.plain_rings && twice_rock != twice_outlines)
+            throw std::logic_error("the outline does not enclose the rock");
+        report.domain_area = static_cast<double>(twice_rock) / 2 * noded_.frame.step * noded_.frame.step;
+        report.area_proved = true;
+    }
+
+    void verify(CutReport& report) const {
+        const ExactCut exact = arrange_exactly(noded_), ours = summary_of(noded_, subdivision_);
+        if (exact.vertices != ours.vertices || exact.edges != ours.edges ||
+            exact.twice_areas != ours.twice_areas || exact.adjacency != ours.adjacency)
+            throw std::logic_error("an arrangement with exact construction disagrees: " +
+                                   std::to_string(exact.twice_areas.size()) + " faces for " +
+                                   std::to_string(ours.twice_areas.size()));
+        report.verified = true;
+    }
+
+    void fill_report(CutResult& result) const {
+        CutReport& report = result.report;
+        const BlockMesh& mesh = result.mesh;
+        report.blocks = mesh.block_count();
+        report.noding_rounds = noded_.rounds;
+        report.largest_snap = noded_.largest_snap;
+        report.merged_vertices = static_cast<std::size_t>(std::count(removed_.begin(), removed_.end(), 1));
+        for (const EdgeMark& mark : mesh.edge_marks)
+            ++(mark == EdgeMark{} ? report.boundary_edges : report.interior_edges);
+        report.interior_edges /= 2;
+        report.sizes = size_summary(mesh);
+        for (std::size_t b = 0; b < mesh.block_count(); ++b) {
+            const double perimeter = block_perimeter(mesh, b);
+            report.slivers += 4 * std::numbers::pi * block_area(mesh, b) < 0.02 * perimeter * perimeter;
+        }
+        count_islands(report);
+        balance_joints(report);
+    }
+
+    void count_islands(CutReport& report) const {
+        for (const RingBlock& block : blocks_)
+            for (std::size_t r = 1; r < block.rings.size(); ++r) {
+                ++report.holes;
+                const auto h = static_cast<std::size_t>(block.rings[r][0]);
+                if (block_of(h ^ 1u) == FaceBlocks::outside) continue;
+                ++report.islands;
+                if (model_.islands != IslandPolicy::error) continue;
+                const Point p = noded_.frame.place(start(h));
+                throw InputError(
+                    model_.domain_place,
+                    "one block encloses others at (" + shortest_text(p.x) + ", " + shortest_text(p.y) + ")",
+                    "joints that reach the rim, or islands = \"keep\"");
+            }
+    }
+
+    void balance_joints(CutReport& report) const {
+        std::vector<std::size_t> row;
+        for (const Trace& trace : traces_) {
+            const auto is_it = [&](const JointBalance& b) { return b.name == trace.name; };
+            auto found = std::find_if(report.joints.rbegin(), report.joints.rend(), is_it);
+            if (found == report.joints.rend()) {
+                report.joints.push_back({trace.name});
+                found = report.joints.rbegin();
+            }
+            ++found->traces;
+            row.push_back(static_cast<std::size_t>(report.joints.rend() - found) - 1);
+        }
+        for (std::size_t e = 0; e < noded_.edges.size(); ++e) {
+            const GridPoint &a = start(2 * e), &b = start(2 * e + 1);
+            const double length = noded_.frame.step *
+                                  std::hypot(static_cast<double>(b.x - a.x), static_cast<double>(b.y - a.y));
+            std::int32_t last = -1;
+            for (const EdgeSource& s : noded_.sources_of(e)) {
+                if (!table_.is_joint(s.source) || s.source == last) continue;
+                last = s.source;
+                JointBalance& balance =
+                    report.joints[row[static_cast<std::size_t>(s.source - table_.first_joint)]];
+                const std::int32_t left = block_of(2 * e), right = block_of(2 * e + 1);
+                const bool rock_left = left != FaceBlocks::outside, rock_right = right != FaceBlocks::outside;
+                if (rock_left != rock_right)
+                    balance.on_boundary += length;
+                else if (!rock_left)
+                    balance.outside += length;
+                else
+                    (left == right ? balance.pruned : balance.retained) += length;
+            }
+        }
+    }
+
+    const SlopeModel& model_;
+    const std::vector<Trace>& traces_;
+    SourceTable table_;
+    NodedEdges noded_;
+    Subdivision subdivision_;
+    FaceBlocks faces_;
+    BlockBoundary boundary_;
+    EdgeMarks edges_;
+    std::vector<RingBlock> blocks_;
+    std::vector<char> removed_;
+    std::vector<GridPoint> places_;  ///< per vertex of the mesh
+    Int128 twice_block_area_ = 0;
+};
+
+}  // namespace
+
+std::vector<Trace> all_traces(const SlopeModel& model) {
+    std::vector<Trace> traces = model.traces;
+    for (const JointSet& set : model.joint_sets)
+        for (Trace& trace : sample_joint_set(set, model)) traces.push_back(std::move(trace));
+    return traces;
+}
+
+CutResult cut_blocks(const SlopeModel& model, const std::vector<Trace>& traces, const CutOptions& options) {
+    return Cutter(model, traces, options).cut(options);
+}
+
+}  // namespace blockgen

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "blockgen/input/slope_model.hpp"
+#include "blockgen/mesh/block_mesh.hpp"
+#include "blockgen/mesh/measures.hpp"
+
+namespace blockgen {
+
+struct CutOptions {
+    std::size_t max_blocks = 1'000'000;
+    bool verify = false;  ///< recut with exact construction and compare
+};
+
+/// Where the length of the joints of one set, or of traces of one name, went, m. Overlapping joints each
+/// count.
+struct JointBalance {
+    std::string name;
+    std::size_t traces = 0;
+    double retained = 0;     ///< between two blocks
+    double pruned = 0;       ///< ends in rock, or encloses nothing
+    double on_boundary = 0;  ///< along the outline, a hole or a tunnel, where the free face wins
+    double outside = 0;      ///< beyond the rock
+};
+
+/// What cutting did, for the user.
+struct CutReport {
+    std::size_t blocks = 0;
+    std::size_t holes = 0;           ///< inner rings of blocks
+    std::size_t islands = 0;         ///< groups of blocks enclosed by one block
+    std::size_t interior_edges = 0;  ///< shared by two blocks
+    std::size_t boundary_edges = 0;
+    std::size_t slivers = 0;          ///< blocks whose 4 pi area / perimeter^2 is below 0.02
+    std::size_t merged_vertices = 0;  ///< on straight edges where no third edge ends
+    int noding_rounds = 0;
+    double largest_snap = 0;   ///< m, upper bound
+    double domain_area = 0;    ///< m2, of the rock after snapping, from its outline
+    bool area_proved = false;  ///< the blocks' areas sum up to it as integers
+    bool verified = false;     ///< an arrangement with exact construction agreed
+    SizeSummary sizes;
+    std::vector<JointBalance> joints;  ///< in the order of the model: traces, then sets
+    std::vector<std::string> warnings;
+};
+
+struct CutResult {
+    BlockMesh mesh;
+    CutReport report;
+};
+
+/// All joints of a model: its traces, then its sets as sampled.
+std::vector<Trace> all_traces(const SlopeModel& model);
+
+/// Cuts a slope by joints into blocks. Joints that end in rock are cut back to the last block corner; an edge
+/// between two materials separates blocks even without a joint. The blocks are numbered by their lowest-left
+/// vertex, so they do not depend on the order of the joints. @throws InputError for a model that cannot be
+/// cut, std::logic_error when a proof fails.
+CutResult cut_blocks(const SlopeModel& model, const std::vector<Trace>& traces,
+                     const CutOptions& options = {});
+
+/// The report as JSON, ready to be written.
+std::string report_text(const CutReport& report);
+
+}  // namespace blockgen

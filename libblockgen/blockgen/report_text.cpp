@@ -1,0 +1,44 @@
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "blockgen/cut_blocks.hpp"
+
+namespace blockgen {
+
+std::string report_text(const CutReport& report) {
+    using json = nlohmann::ordered_json;
+    json joints = json::array();
+    for (const JointBalance& b : report.joints)
+        joints.push_back({{"name", b.name},
+                          {"traces", b.traces},
+                          {"retained_m", b.retained},
+                          {"pruned_m", b.pruned},
+                          {"on_boundary_m", b.on_boundary},
+                          {"outside_m", b.outside}});
+    const SizeSummary& s = report.sizes;
+    const json root = {{"blocks", report.blocks},
+                       {"holes", report.holes},
+                       {"islands", report.islands},
+                       {"interior_edges", report.interior_edges},
+                       {"boundary_edges", report.boundary_edges},
+                       {"slivers", report.slivers},
+                       {"merged_vertices", report.merged_vertices},
+                       {"noding_rounds", report.noding_rounds},
+                       {"largest_snap_m", report.largest_snap},
+                       {"domain_area_m2", report.domain_area},
+                       {"area_proved", report.area_proved},
+                       {"verified_exactly", report.verified},
+                       {"block_area_m2",
+                        {{"smallest", s.smallest_area},
+                         {"d10", s.d10},
+                         {"d50", s.d50},
+                         {"d90", s.d90},
+                         {"largest", s.largest_area}}},
+                       {"smallest_edge_m", s.smallest_edge},
+                       {"smallest_angle_deg", s.smallest_angle * 180 / std::numbers::pi},
+                       {"joints", joints},
+                       {"warnings", report.warnings}};
+    return root.dump(2) + "\n";
+}
+
+}  // namespace blockgen

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "blockgen/input/slope_model.hpp"
+#include "blockgen/node_joints.hpp"
+
+namespace blockgen {
+
+/// The numbers of everything that makes edges: the outline, the holes, the regions, the tunnels, then the
+/// joints.
+struct SourceTable {
+    SourceTable(const SlopeModel& model, const std::vector<Trace>& traces);
+
+    std::int32_t first_hole = 1;
+    std::int32_t first_region = 1;
+    std::int32_t first_tunnel = 1;
+    std::int32_t first_joint = 1;
+
+    bool is_joint(std::int32_t source) const { return source >= first_joint; }
+    bool is_region(std::int32_t source) const { return source >= first_region && source < first_tunnel; }
+};
+
+/// Every outline as segments, and every joint as far as the domain's bounding box.
+std::vector<SourceSegment> source_segments(const SlopeModel& model, const std::vector<Trace>& traces,
+                                           const SourceTable& table);
+
+/// How many blocks joints of this length and these directions are likely to make: crossings of evenly spread
+/// lines.
+double estimated_blocks(const SlopeModel& model, const std::vector<SourceSegment>& segments,
+                        const SourceTable& table);
+
+}  // namespace blockgen

@@ -1,0 +1,177 @@
+#include "blockgen/straighten.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace blockgen {
+
+namespace {
+
+constexpr double bend = 2;  // grid cells
+
+/// Kept edges in a row between two vertices that are needed.
+struct Chain {
+    std::vector<std::int32_t> vertices;
+    bool is_exact = false;     ///< along the outline of the rock
+    bool is_restored = false;  ///< its vertices all stay
+};
+
+class Straightener {
+  public:
+    Straightener(const NodedEdges& noded, const Subdivision& subdivision, const FaceBlocks& faces,
+                 const BlockBoundary& boundary, const std::vector<EdgeMark>& marks)
+        : noded_(noded), subdivision_(subdivision), faces_(faces), boundary_(boundary), marks_(marks) {
+        find_plain_vertices();
+        find_chains();
+    }
+
+    std::vector<char> run() {
+        while (true) {
+            std::vector<char> out(noded_.vertices.size(), 0);
+            std::vector<std::pair<std::int32_t, std::int32_t>> edges;
+            std::vector<std::size_t> chain_of_edge;
+            for (std::size_t c = 0; c < chains_.size(); ++c) {
+                const std::vector<std::int32_t>& all = chains_[c].vertices;
+                const std::vector<std::int32_t> kept = kept_vertices(chains_[c]);
+                for (std::size_t k = 1; k + 1 < all.size(); ++k) out[static_cast<std::size_t>(all[k])] = 1;
+                for (const std::int32_t v : kept) out[static_cast<std::size_t>(v)] = 0;
+                for (std::size_t k = 0; k + 1 < kept.size(); ++k) {
+                    edges.push_back(std::minmax({kept[k], kept[k + 1]}));
+                    chain_of_edge.push_back(c);
+                }
+            }
+            if (!restore_unclean(edges, chain_of_edge)) return out;
+        }
+    }
+
+  private:
+    void find_plain_vertices() {
+        std::vector<int> degree(noded_.vertices.size(), 0);
+        std::vector<std::int32_t> one_edge(noded_.vertices.size(), -1);
+        plain_.assign(noded_.vertices.size(), 1);
+        for (std::size_t e = 0; e < noded_.edges.size(); ++e) {
+            if (!boundary_.keeps[e]) continue;
+            for (const std::int32_t v : {noded_.edges[e].first, noded_.edges[e].second}) {
+                const auto i = static_cast<std::size_t>(v);
+                ++degree[i];
+                if (one_edge[i] >= 0 && !(marks_[static_cast<std::size_t>(one_edge[i])] == marks_[e]))
+                    plain_[i] = 0;
+                one_edge[i] = static_cast<std::int32_t>(e);
+            }
+        }
+        for (std::size_t i = 0; i < plain_.size(); ++i) plain_[i] = plain_[i] && degree[i] == 2;
+    }
+
+    std::size_t origin(std::size_t h) const { return static_cast<std::size_t>(boundary_.origin[h]); }
+
+    void find_chains() {
+        std::vector<char> used(noded_.edges.size(), 0);
+        for (std::size_t h = 0; h < boundary_.next.size(); ++h)
+            if (boundary_.keeps[h / 2] && !used[h / 2] && !plain_[origin(h)]) walk(h, used);
+        // What is left are closed rings of plain vertices: they are opened at their smallest vertex.
+        for (std::size_t h = 0; h < boundary_.next.size(); ++h) {
+            if (!boundary_.keeps[h / 2] || used[h / 2]) continue;
+            std::size_t smallest = h;
+            for (std::size_t k = next(h); k != h; k = next(k))
+                if (origin(k) < origin(smallest)) smallest = k;
+            plain_[origin(smallest)] = 0;
+            walk(smallest, used);
+        }
+    }
+
+    std::size_t next(std::size_t h) const { return static_cast<std::size_t>(boundary_.next[h]); }
+
+    void walk(std::size_t h, std::vector<char>& used) {
+        Chain chain;
+        const auto block = [&](std::size_t k) {
+            return faces_.block[static_cast<std::size_t>(subdivision_.face[k])];
+        };
+        chain.is_exact = block(h) == FaceBlocks::outside || block(h ^ 1u) == FaceBlocks::outside;
+        chain.vertices.push_back(static_cast<std::int32_t>(origin(h)));
+        for (std::size_t k = h;; k = next(k)) {
+            used[k / 2] = 1;
+            chain.vertices.push_back(boundary_.origin[k ^ 1u]);
+            if (!plain_[origin(k ^ 1u)]) break;
+        }
+        chains_.push_back(std::move(chain));
+    }
+
+    const GridPoint& place(std::int32_t v) const { return noded_.vertices[static_cast<std::size_t>(v)]; }
+
+    /// Distance of v from the line a-b, or from a where both are one; in cells.
+    double distance(std::int32_t a, std::int32_t b, std::int32_t v, bool exact) const {
+        const GridPoint &p = place(a), &q = place(b), &r = place(v);
+        const Int128 area = twice_area(p, q, r);
+        if (a != b && area == 0) return 0;
+        if (a == b) return std::hypot(static_cast<double>(r.x - p.x), static_cast<double>(r.y - p.y));
+        const double height = std::abs(static_cast<double>(area)) /
+                              std::hypot(static_cast<double>(q.x - p.x), static_cast<double>(q.y - p.y));
+        return exact ? std::max(height, 2 * bend) : height;
+    }
+
+    /// Douglas and Peucker (1973) between the chain's ends.
+    std::vector<std::int32_t> kept_vertices(const Chain& chain) const {
+        if (chain.is_restored || chain.vertices.size() == 2) return chain.vertices;
+        std::vector<char> keep(chain.vertices.size(), 0);
+        keep.front() = keep.back() = 1;
+        std::vector<std::pair<std::size_t, std::size_t>> open = {{0, chain.vertices.size() - 1}};
+        while (!open.empty()) {
+            const auto [first, last] = open.back();
+            open.pop_back();
+            double farthest = 0;
+            std::size_t where = first;
+            for (std::size_t k = first + 1; k < last; ++k) {
+                const double d =
+                    distance(chain.vertices[first], chain.vertices[last], chain.vertices[k], chain.is_exact);
+                if (d > farthest) farthest = d, where = k;
+            }
+            const bool closed = chain.vertices[first] == chain.vertices[last];
+            if (where == first || (farthest <= bend && !closed)) continue;
+            keep[where] = 1;
+            open.emplace_back(first, where);
+            open.emplace_back(where, last);
+        }
+        std::vector<std::int32_t> kept;
+        for (std::size_t k = 0; k < keep.size(); ++k)
+            if (keep[k]) kept.push_back(chain.vertices[k]);
+        return kept;
+    }
+
+    /// Gives back the vertices of chains that now share an edge, cross another or pass a foreign vertex.
+    /// False when there are none.
+    bool restore_unclean(const std::vector<std::pair<std::int32_t, std::int32_t>>& edges,
+                         const std::vector<std::size_t>& chain_of_edge) {
+        bool any = false;
+        const auto restore = [&](std::size_t edge) {
+            Chain& chain = chains_[chain_of_edge[edge]];
+            any = any || !chain.is_restored;
+            chain.is_restored = true;
+        };
+        std::map<std::pair<std::int32_t, std::int32_t>, std::size_t> first_with;
+        for (std::size_t e = 0; e < edges.size(); ++e) {
+            const auto [found, is_new] = first_with.emplace(edges[e], e);
+            if (!is_new) restore(e), restore(found->second);
+        }
+        for (const std::size_t e : unclean_edges(noded_.vertices, edges)) restore(e);
+        return any;
+    }
+
+    const NodedEdges& noded_;
+    const Subdivision& subdivision_;
+    const FaceBlocks& faces_;
+    const BlockBoundary& boundary_;
+    const std::vector<EdgeMark>& marks_;
+    std::vector<char> plain_;
+    std::vector<Chain> chains_;
+};
+
+}  // namespace
+
+std::vector<char> straight_vertices(const NodedEdges& noded, const Subdivision& subdivision,
+                                    const FaceBlocks& faces, const BlockBoundary& boundary,
+                                    const std::vector<EdgeMark>& marks) {
+    return Straightener(noded, subdivision, faces, boundary, marks).run();
+}
+
+}  // namespace blockgen
