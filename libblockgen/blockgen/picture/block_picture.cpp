@@ -1,0 +1,217 @@
+#include "blockgen/picture/block_picture.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "blockgen/mesh/measures.hpp"
+#include "blockgen/picture/axes.hpp"
+
+namespace blockgen {
+
+namespace {
+
+constexpr double page_width = 760, left = 62, right = 185, top = 24, bottom = 74;
+
+struct Extent {
+    Range x, y;
+};
+
+Extent extent_of(const BlockMesh& mesh) {
+    Extent e{{mesh.vertices[0].x, mesh.vertices[0].x}, {mesh.vertices[0].y, mesh.vertices[0].y}};
+    for (const Point& p : mesh.vertices) {
+        e.x = {std::min(e.x.low, p.x), std::max(e.x.high, p.x)};
+        e.y = {std::min(e.y.low, p.y), std::max(e.y.high, p.y)};
+    }
+    const double margin = 0.02 * std::max(e.x.high - e.x.low, e.y.high - e.y.low);
+    return {{e.x.low - margin, e.x.high + margin}, {e.y.low - margin, e.y.high + margin}};
+}
+
+/// A shade for each block that no block beyond an edge has already, as far as there are shades.
+std::vector<std::size_t> shades_of(const BlockMesh& mesh) {
+    std::vector<std::pair<std::pair<std::int32_t, std::int32_t>, std::size_t>> edges;
+    for (std::size_t b = 0; b < mesh.block_count(); ++b)
+        for (std::size_t r = 0; r < mesh.ring_count(b); ++r) {
+            const auto ring = mesh.ring(b, r);
+            for (std::size_t k = 0; k < ring.size(); ++k)
+                edges.push_back({std::minmax({ring[k], ring[(k + 1) % ring.size()]}), b});
+        }
+    std::sort(edges.begin(), edges.end());
+    std::vector<std::vector<std::size_t>> neighbours(mesh.block_count());
+    for (std::size_t i = 1; i < edges.size(); ++i)
+        if (edges[i].first == edges[i - 1].first) {
+            neighbours[edges[i].second].push_back(edges[i - 1].second);
+            neighbours[edges[i - 1].second].push_back(edges[i].second);
+        }
+    std::vector<std::size_t> shade(mesh.block_count(), shade_count);
+    for (std::size_t b = 0; b < shade.size(); ++b) {
+        bool taken[shade_count + 1] = {};
+        for (const std::size_t n : neighbours[b]) taken[shade[n]] = true;
+        std::size_t s = b % 2;
+        for (std::size_t k = 0; k < shade_count && taken[s]; ++k) s = (s + 1) % shade_count;
+        shade[b] = s;
+    }
+    return shade;
+}
+
+class BlockPicture {
+  public:
+    BlockPicture(const BlockMesh& mesh, const Extent& extent, double height)
+        : mesh_(mesh),
+          canvas_(page_width, height),
+          axes_(
+              Axes::of_equal_scale({left, top}, {page_width - right, height - bottom}, extent.x, extent.y)) {
+        for (const Joint& joint : mesh.joints)
+            if (std::find(sets_.begin(), sets_.end(), joint.set) == sets_.end()) sets_.push_back(joint.set);
+    }
+
+    Canvas draw() {
+        fill_blocks();
+        draw_edges();
+        for (const Bolt& bolt : mesh_.bolts) draw_bolt(bolt);
+        for (const MeasuredPoint& point : mesh_.measured_points) draw_point(point);
+        axes_.draw(canvas_, "x (m)", "y (m)");
+        draw_scale_bar(canvas_, {axes_.upper_left().x, axes_.lower_right().y + 42}, axes_.scale(), 130);
+        draw_legends();
+        return std::move(canvas_);
+    }
+
+  private:
+    std::vector<Ring> page_rings(std::size_t b) const {
+        std::vector<Ring> rings;
+        for (std::size_t r = 0; r < mesh_.ring_count(b); ++r)
+            rings.push_back(axes_.to_page(ring_points(mesh_, b, r)));
+        return rings;
+    }
+
+    void fill_blocks() {
+        const std::vector<std::size_t> shades = shades_of(mesh_);
+        for (std::size_t b = 0; b < mesh_.block_count(); ++b) {
+            const Colour fill =
+                shaded(rock_colour(static_cast<std::size_t>(mesh_.block_material[b])), shades[b]);
+            const std::vector<Ring> rings = page_rings(b);
+            canvas_.polygon(rings, fill, Stroke{fill, 0.3});
+            if (mesh_.motion[b] == BlockMotion::fixed)
+                canvas_.hatch(rings, fixed_hatch, 5, std::numbers::pi / 4);
+            if (mesh_.motion[b] == BlockMotion::prescribed)
+                canvas_.hatch(rings, prescribed_hatch, 5, -std::numbers::pi / 4);
+        }
+    }
+
+    /// Narrower lines where the blocks are small on the page.
+    double line_width() const {
+        const double block_size = std::sqrt(size_summary(mesh_).d10) * axes_.scale();
+        return std::clamp(block_size / 16, 0.25, 1.2);
+    }
+
+    void draw_edges() {
+        const double width = line_width();
+        for (const bool free_faces : {false, true})
+            for (std::size_t b = 0; b < mesh_.block_count(); ++b)
+                for (std::size_t r = 0; r < mesh_.ring_count(b); ++r) {
+                    const Ring ring = axes_.to_page(ring_points(mesh_, b, r));
+                    const auto marks = mesh_.ring_marks(b, r);
+                    for (std::size_t k = 0; k < ring.size(); ++k) {
+                        const bool is_free = marks[k] == EdgeMark{};
+                        if (is_free != free_faces) continue;
+                        const Stroke stroke = is_free ? Stroke{black, std::max(0.9, width)}
+                                                      : Stroke{colour_of(marks[k]), width};
+                        canvas_.polyline(std::vector<Point>{ring[k], ring[(k + 1) % ring.size()]}, stroke);
+                    }
+                }
+    }
+
+    Colour colour_of(const EdgeMark& mark) const {
+        if (mark.joint == EdgeMark::no_joint) return contact_colour;
+        const std::string& set = mesh_.joints[static_cast<std::size_t>(mark.joint)].set;
+        return line_colour(
+            static_cast<std::size_t>(std::find(sets_.begin(), sets_.end(), set) - sets_.begin()));
+    }
+
+    void draw_bolt(const Bolt& bolt) {
+        const Point from = axes_.to_page(bolt.first), to = axes_.to_page(bolt.second);
+        canvas_.polyline(std::vector<Point>{from, to}, {white, 3.2});
+        canvas_.polyline(std::vector<Point>{from, to}, bolt_stroke);
+        canvas_.circle(from, 2.4, bolt_stroke.colour, Stroke{white, 0.6});
+    }
+
+    void draw_point(const MeasuredPoint& point) {
+        const Point place = axes_.to_page(point.position);
+        canvas_.circle(place, 3.2, point_colour, Stroke{white, 0.9});
+        TextStyle style{9, black, Anchor::start, Anchor::start, true};
+        style.halo = white;
+        double x = place.x + 6;
+        if (x + canvas_.text_width(point.name, style) > axes_.lower_right().x - 3) {
+            style.anchor = Anchor::end;
+            x = place.x - 6;
+        }
+        canvas_.text({x, std::max(place.y - 5, axes_.upper_left().y + 11)}, point.name, style);
+    }
+
+    void draw_legends() {
+        const double x = axes_.lower_right().x + 18;
+        double y = axes_.upper_left().y;
+        std::vector<LegendEntry> rocks, lines, others;
+        for (std::size_t m = 0; m < mesh_.block_materials.size(); ++m)
+            rocks.push_back({mesh_.block_materials[m], rock_colour(m), Stroke{grey, 0.6}});
+        for (std::size_t s = 0; s < sets_.size(); ++s)
+            lines.push_back({sets_[s], {}, Stroke{line_colour(s), 1.6}, true});
+        const auto is_contact = [](const EdgeMark& m) {
+            return m.joint == EdgeMark::no_joint && m.joint_material != EdgeMark::no_joint;
+        };
+        if (std::any_of(mesh_.edge_marks.begin(), mesh_.edge_marks.end(), is_contact))
+            lines.push_back({"contact of materials", {}, Stroke{contact_colour, 1.6}, true});
+        const auto has = [&](BlockMotion m) {
+            return std::find(mesh_.motion.begin(), mesh_.motion.end(), m) != mesh_.motion.end();
+        };
+        y = draw_legend(canvas_, {x, y}, mesh_.block_materials.size() == 1 ? "Rock" : "Rocks", rocks);
+        if (!lines.empty()) y = draw_legend(canvas_, {x, y}, "Joints", lines);
+        if (has(BlockMotion::fixed)) y = draw_hatched(x, y, "fixed block", fixed_hatch, std::numbers::pi / 4);
+        if (has(BlockMotion::prescribed))
+            y = draw_hatched(x, y, "prescribed block", prescribed_hatch, -std::numbers::pi / 4);
+        if (!mesh_.measured_points.empty()) {
+            canvas_.circle({x + 8, y + 5}, 3.2, point_colour, Stroke{white, 0.9});
+            canvas_.text({x + 22, y + 5}, "measured point", {9, black, Anchor::start, Anchor::middle});
+            y += 15;
+        }
+        if (!mesh_.bolts.empty()) {
+            canvas_.polyline(std::vector<Point>{{x, y + 5}, {x + 16, y + 5}}, bolt_stroke);
+            canvas_.text({x + 22, y + 5}, "bolt", {9, black, Anchor::start, Anchor::middle});
+            y += 15;
+        }
+        const std::string count =
+            std::to_string(mesh_.block_count()) + (mesh_.block_count() == 1 ? " block" : " blocks");
+        canvas_.text({x, y + 8}, count, {9, grey, Anchor::start, Anchor::end});
+    }
+
+    double draw_hatched(double x, double y, const std::string& text, const Stroke& hatch, double angle) {
+        const std::vector<Ring> box = {{{x, y}, {x + 16, y}, {x + 16, y + 9}, {x, y + 9}}};
+        canvas_.polygon(box, white, Stroke{grey, 0.6});
+        canvas_.hatch(box, hatch, 3.5, angle);
+        canvas_.text({x + 22, y + 4.5}, text, {9, black, Anchor::start, Anchor::middle});
+        return y + 15;
+    }
+
+    inline static const Stroke fixed_hatch{{0.25, 0.25, 0.28, 0.75}, 0.6};
+    inline static const Stroke prescribed_hatch{{0.70, 0.10, 0.16, 0.8}, 0.7};
+    inline static const Stroke bolt_stroke{{0.12, 0.12, 0.40}, 1.5};
+    inline static const Colour point_colour{0.80, 0.12, 0.15};
+    inline static const Colour contact_colour{0.45, 0.36, 0.26};
+
+    const BlockMesh& mesh_;
+    Canvas canvas_;
+    Axes axes_;
+    std::vector<std::string> sets_;
+};
+
+}  // namespace
+
+Canvas draw_blocks(const BlockMesh& mesh) {
+    if (mesh.vertices.empty()) return Canvas(page_width, 200);
+    const Extent extent = extent_of(mesh);
+    const double scale = (page_width - left - right) / (extent.x.high - extent.x.low);
+    const double height = std::clamp(scale * (extent.y.high - extent.y.low), 230.0, 900.0) + top + bottom;
+    return BlockPicture(mesh, extent, height).draw();
+}
+
+}  // namespace blockgen

@@ -1,0 +1,74 @@
+#include <chrono>
+#include <cstdio>
+#include <exception>
+
+#include "blockgen/base/atomic_file.hpp"
+#include "blockgen/base/output_error.hpp"
+#include "blockgen/cut_blocks.hpp"
+#include "blockgen/input/read_slope_model.hpp"
+#include "blockgen/mesh/block_file.hpp"
+#include "blockgen/picture/block_picture.hpp"
+#include "options.hpp"
+#include "provenance.hpp"
+
+namespace blockgen_tool {
+namespace {
+
+using namespace blockgen;
+
+constexpr int done = 0, failed = 1, bad_input = 2;
+
+ConfigTable read_config(const Options& options) {
+    std::vector<std::string> overrides = options.overrides;
+    if (options.seed) overrides.push_back("seed=" + std::to_string(*options.seed));
+    return ConfigTable::from_file(options.model, overrides);
+}
+
+void write_results(const Options& options, const SlopeModel& model, const CutResult& result) {
+    if (!options.picture.empty()) draw_blocks(result.mesh).write(options.picture);
+    if (!options.report.empty()) write_file_atomically(options.report, report_text(result.report));
+    if (!options.depfile.empty()) write_file_atomically(options.depfile, make_rule(options, model));
+    write_block_file(options.output, result.mesh);
+}
+
+int run(const Options& options) {
+    if (!options.text.empty()) return std::fputs(options.text.c_str(), stdout) < 0 ? failed : done;
+    const auto start = std::chrono::steady_clock::now();
+    const ConfigTable config = read_config(options);
+    const SlopeModel model = read_slope_model(config);
+    if (options.print_config) return std::fputs(config.effective_text().c_str(), stdout) < 0 ? failed : done;
+    check_writable(options);
+
+    CutResult result = cut_blocks(model, all_traces(model), {options.max_blocks, options.verify});
+    result.mesh.provenance = provenance(model, config);
+    for (const std::string& warning : result.report.warnings)
+        std::fprintf(stderr, "warning: %s\n", warning.c_str());
+    write_results(options, model, result);
+
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    std::printf("%s: %zu blocks, D50 %.3g m2, %.3g s%s\n", options.output.c_str(), result.report.blocks,
+                result.report.sizes.d50, seconds.count(), options.verify ? ", verified" : "");
+    return done;
+}
+
+}  // namespace
+}  // namespace blockgen_tool
+
+int main(int argc, char** argv) {
+    using namespace blockgen_tool;
+    try {
+        return run(parse_options(argc, argv));
+    } catch (const UsageError& error) {
+        std::fprintf(stderr, "blockgen: %s\n", error.what());
+        return bad_input;
+    } catch (const blockgen::InputError& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return bad_input;
+    } catch (const blockgen::OutputError& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return bad_input;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "blockgen: %s\n", error.what());
+        return failed;
+    }
+}

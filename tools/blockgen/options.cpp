@@ -1,0 +1,114 @@
+#include "options.hpp"
+
+#include <boost/program_options.hpp>
+#include <sstream>
+
+#include "blockgen/input/read_slope_model.hpp"
+#include "blockgen/picture/canvas.hpp"
+
+namespace blockgen_tool {
+
+namespace {
+
+namespace po = boost::program_options;
+
+po::options_description visible_options() {
+    po::options_description all("Options");
+    auto add = all.add_options();
+    add("output,o", po::value<std::string>()->value_name("FILE"),
+        "block file to write (default: the model's name with .blocks)");
+    add("seed", po::value<std::int64_t>()->value_name("N"),
+        "seed of the random draws, instead of the model's");
+    add("set", po::value<std::vector<std::string>>()->composing()->value_name("KEY=VALUE"),
+        "override a value of the model, e.g. joint_set[0].spacing=2; may be repeated");
+    add("picture", po::value<std::string>()->value_name("FILE"), "draw the blocks; .svg, .png or .pdf");
+    add("report", po::value<std::string>()->value_name("FILE"),
+        "write what was cut, and the block sizes, as JSON");
+    add("depfile", po::value<std::string>()->value_name("FILE"),
+        "write a Make rule that names every file read");
+    add("verify", "recut with exact construction and compare");
+    add("max-blocks", po::value<std::int64_t>()->value_name("N")->default_value(1'000'000),
+        "refuse to cut more blocks");
+    add("template", "print a commented model file and stop");
+    add("print-config", "print the model with overrides and defaults and stop");
+    add("version", "print the version and stop");
+    add("help,h", "print this and stop");
+    return all;
+}
+
+std::string help_text(const po::options_description& options) {
+    std::ostringstream text;
+    text << "Usage: blockgen SLOPE.toml [options]\n\n"
+            "Cuts a rock section by its joints into blocks and writes a block file for dda-run.\n\n"
+         << options << "\nExit codes: 0 done, 1 cutting failed, 2 bad command line or input.\n";
+    return text.str();
+}
+
+std::string text_or_empty(const po::variables_map& given, const char* name) {
+    return given.count(name) ? given[name].as<std::string>() : std::string();
+}
+
+void check_outputs(const Options& options) {
+    if (!options.picture.empty() && !blockgen::picture_format(options.picture))
+        throw UsageError("--picture " + options.picture.string() +
+                         ": expected a name that ends in .svg, .png or .pdf");
+    const std::filesystem::path* outputs[] = {&options.output, &options.picture, &options.report,
+                                              &options.depfile};
+    for (const auto* a : outputs) {
+        if (!a->empty() && a->lexically_normal() == options.model.lexically_normal())
+            throw UsageError(a->string() + ": this would overwrite the model file; expected another name");
+        for (const auto* b : outputs)
+            if (a < b && !a->empty() && *a == *b)
+                throw UsageError(a->string() + ": two results of one name; expected different names");
+    }
+}
+
+Options read_options(const po::variables_map& given) {
+    Options options;
+    options.model = given["model"].as<std::string>();
+    options.output = text_or_empty(given, "output");
+    if (options.output.empty())
+        options.output = std::filesystem::path(options.model).replace_extension(".blocks");
+    options.picture = text_or_empty(given, "picture");
+    options.report = text_or_empty(given, "report");
+    options.depfile = text_or_empty(given, "depfile");
+    if (given.count("seed")) options.seed = given["seed"].as<std::int64_t>();
+    if (options.seed && *options.seed < 0) throw UsageError("--seed: expected an integer of zero or more");
+    if (given.count("set")) options.overrides = given["set"].as<std::vector<std::string>>();
+    const auto most = given["max-blocks"].as<std::int64_t>();
+    if (most < 1) throw UsageError("--max-blocks: expected a positive integer");
+    options.max_blocks = static_cast<std::size_t>(most);
+    options.verify = given.count("verify") > 0;
+    options.print_config = given.count("print-config") > 0;
+    check_outputs(options);
+    return options;
+}
+
+}  // namespace
+
+Options parse_options(int argc, const char* const* argv) {
+    const po::options_description visible = visible_options();
+    po::options_description all;
+    all.add(visible).add_options()("model", po::value<std::string>());
+    po::positional_options_description positional;
+    positional.add("model", 1);
+    po::variables_map given;
+    try {
+        const auto style = po::command_line_style::default_style & ~po::command_line_style::allow_guessing;
+        po::store(po::command_line_parser(argc, argv).options(all).positional(positional).style(style).run(),
+                  given);
+        po::notify(given);
+    } catch (const po::error& error) {
+        throw UsageError(std::string(error.what()) + "; see blockgen --help");
+    }
+    Options options;
+    if (given.count("help")) options.text = help_text(visible);
+    if (given.count("version")) options.text = "blockgen " ROCKSLOPE_VERSION "\n";
+    if (given.count("template")) options.text = blockgen::slope_model_template();
+    if (!options.text.empty()) return options;
+    if (!given.count("model"))
+        throw UsageError("no model file; expected blockgen SLOPE.toml; see blockgen --help");
+    return read_options(given);
+}
+
+}  // namespace blockgen_tool

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace blockgen_tool {
+
+/// What the command line asks for.
+struct Options {
+    std::filesystem::path model;
+    std::filesystem::path output;
+    std::optional<std::int64_t> seed;
+    std::vector<std::string> overrides;
+    std::filesystem::path picture, report, depfile;
+    bool verify = false;
+    bool print_config = false;
+    std::size_t max_blocks = 1'000'000;
+    std::string text;  ///< to print instead of doing anything: help, version or the template
+};
+
+/// A command line that cannot be understood.
+struct UsageError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// @throws UsageError with one line.
+Options parse_options(int argc, const char* const* argv);
+
+}  // namespace blockgen_tool
