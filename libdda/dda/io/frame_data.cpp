@@ -36,15 +36,16 @@ Vec2 share_end(const BlockSystem& blocks, const Topology& topology, const Contac
     return corner + (ahead > behind ? contact.length : -contact.length) * contact.tangent;
 }
 
+/// Faces that lie side by side are shown also when they do not touch: they are the open joints.
 bool is_shown(const Contact& contact) {
-    return contact.state != ContactState::open || contact.bonded;
+    return contact.state != ContactState::open || contact.bonded || contact.length > 0;
 }
 
 }  // namespace
 
 std::vector<GridColumn> block_columns() {
-    return {{"displacement", 3}, {"velocity", 3}, {"stress", 3},  {"principal_stress", 2},
-            {"rotation", 1},     {"block", 1},    {"material", 1}};
+    return {{"displacement", 3}, {"velocity", 3}, {"stress", 3},   {"principal_stress", 2},
+            {"rotation", 1},     {"block", 1},    {"material", 1}, {"motion", 1}};
 }
 
 GridFrame block_frame(const Model& model, const State& state) {
@@ -64,6 +65,7 @@ GridFrame block_frame(const Model& model, const State& state) {
         append(frame.columns[4], state.blocks.rotation[b]);
         append(frame.columns[5], block);
         append(frame.columns[6], model.block_material[b]);
+        append(frame.columns[7], static_cast<double>(model.motion[b]));
     }
     return frame;
 }

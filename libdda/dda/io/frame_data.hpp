@@ -11,13 +11,15 @@ GridCells block_cells(const Model& model);
 /// The quantities of a block, in the order of block_frame()'s columns.
 std::vector<GridColumn> block_columns();
 /// Corners, and per block: displacement and velocity of the centroid, stress and principal stresses,
-/// rotation, id, material.
+/// rotation, id, material, and motion
+/// (0 free, 1 fixed, 2 prescribed).
 GridFrame block_frame(const Model& model, const State& state);
 
 /// The quantities of a contact, in the order of contact_frame()'s columns.
 std::vector<GridColumn> contact_columns();
-/// The contacts that carry force or touch: each half of an edge-edge contact a line along its share of the
-/// joint, every other contact a vertex; state (0 open, 1 sliding, 2 locked), forces, stresses, slip, gap.
+/// The contacts that touch, and the open ones between faces that lie side by side: each half of an edge-edge
+/// contact a line along its share of the joint, every other contact a vertex; state (0 open, 1 sliding, 2
+/// locked), forces, stresses, slip, gap.
 GridFrame contact_frame(const Model& model, const State& state);
 
 }  // namespace dda

@@ -1,18 +1,50 @@
 #include "dda/io/hdf.hpp"
 
 #include <fcntl.h>
+#include <hdf5.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <mutex>
+#include <utility>
 
 #include "blockgen/base/output_error.hpp"
 
 namespace dda {
 
 namespace {
+
+/// An HDF5 identifier that is closed at the end of its scope.
+class HdfHandle {
+  public:
+    using Closer = herr_t (*)(hid_t);
+
+    HdfHandle() = default;
+    HdfHandle(hid_t id, Closer closer) : id_(id), closer_(closer) {}
+    ~HdfHandle() { reset(); }
+    HdfHandle(HdfHandle&& other) noexcept : id_(std::exchange(other.id_, -1)), closer_(other.closer_) {}
+    HdfHandle& operator=(HdfHandle&& other) noexcept {
+        if (this != &other) {
+            reset();
+            id_ = std::exchange(other.id_, -1);
+            closer_ = other.closer_;
+        }
+        return *this;
+    }
+
+    hid_t id() const { return id_; }
+    explicit operator bool() const { return id_ >= 0; }
+    void reset() {
+        if (id_ >= 0) closer_(id_);
+        id_ = -1;
+    }
+
+  private:
+    hid_t id_ = -1;
+    Closer closer_ = nullptr;
+};
 
 hid_t memory_type(HdfType type) {
     switch (type) {
@@ -59,6 +91,21 @@ HdfHandle string_type(std::size_t size) {
 
 }  // namespace
 
+struct HdfFile::Access {
+    HdfHandle file;
+
+    hid_t id() const { return file.id(); }
+    /// May be invalid.
+    HdfHandle dataset(const std::string& name) const {
+        return {H5Dopen2(id(), name.c_str(), H5P_DEFAULT), H5Dclose};
+    }
+};
+
+HdfFile::HdfFile(std::filesystem::path path) : path_(std::move(path)), file_(std::make_unique<Access>()) {}
+HdfFile::~HdfFile() = default;
+HdfFile::HdfFile(HdfFile&&) noexcept = default;
+HdfFile& HdfFile::operator=(HdfFile&&) noexcept = default;
+
 HdfFile HdfFile::create(const std::filesystem::path& path) {
     prepare_library();
     const HdfHandle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
@@ -66,17 +113,19 @@ HdfFile HdfFile::create(const std::filesystem::path& path) {
     const HdfHandle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
     H5Pset_libver_bounds(access.id(), H5F_LIBVER_EARLIEST, H5F_LIBVER_LATEST);
     errno = 0;
-    HdfFile file(path,
-                 HdfHandle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.id(), access.id()), H5Fclose));
-    if (!file.file_) file.fail("cannot be created");
+    HdfFile file(path);
+    file.file_->file =
+        HdfHandle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.id(), access.id()), H5Fclose);
+    file.check(file.file_->id(), "cannot be created");
     return file;
 }
 
 HdfFile HdfFile::open_to_read(const std::filesystem::path& path) {
     prepare_library();
     errno = 0;
-    HdfFile file(path, HdfHandle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose));
-    if (!file.file_) file.fail("cannot be read as HDF5");
+    HdfFile file(path);
+    file.file_->file = HdfHandle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+    file.check(file.file_->id(), "cannot be read as HDF5");
     return file;
 }
 
@@ -84,14 +133,14 @@ void HdfFile::fail(const std::string& what) const {
     throw blockgen::OutputError(path_, errno != 0 ? what + ": " + std::strerror(errno) : what);
 }
 
-hid_t HdfFile::check(hid_t id, const std::string& what) const {
-    if (id < 0) fail(what);
-    return id;
+std::int64_t HdfFile::check(std::int64_t result, const std::string& what) const {
+    if (result < 0) fail(what);
+    return result;
 }
 
 void HdfFile::add_group(const std::string& name) {
     HdfHandle(
-        check(H5Gcreate2(file_.id(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), "group " + name),
+        check(H5Gcreate2(file_->id(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), "group " + name),
         H5Gclose);
 }
 
@@ -99,7 +148,7 @@ void HdfFile::set_attribute(const std::string& object, const std::string& name,
                             const std::vector<std::int64_t>& values) {
     const hsize_t size = values.size();
     const HdfHandle space(H5Screate_simple(1, &size, nullptr), H5Sclose);
-    const HdfHandle attribute(H5Acreate_by_name(file_.id(), object.c_str(), name.c_str(), H5T_STD_I64LE,
+    const HdfHandle attribute(H5Acreate_by_name(file_->id(), object.c_str(), name.c_str(), H5T_STD_I64LE,
                                                 space.id(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
                               H5Aclose);
     check(attribute.id(), "attribute " + name);
@@ -109,7 +158,7 @@ void HdfFile::set_attribute(const std::string& object, const std::string& name,
 void HdfFile::set_attribute(const std::string& object, const std::string& name, std::int64_t value) {
     // The object stays open meanwhile: an attribute opened by name alone cannot be written again after a
     // flush (HDF5 1.10).
-    const HdfHandle owner(check(H5Oopen(file_.id(), object.c_str(), H5P_DEFAULT), "object " + object),
+    const HdfHandle owner(check(H5Oopen(file_->id(), object.c_str(), H5P_DEFAULT), "object " + object),
                           H5Oclose);
     const bool exists = H5Aexists(owner.id(), name.c_str()) > 0;
     const HdfHandle space(H5Screate(H5S_SCALAR), H5Sclose);
@@ -124,7 +173,7 @@ void HdfFile::set_attribute(const std::string& object, const std::string& name, 
 void HdfFile::set_attribute(const std::string& object, const std::string& name, const std::string& ascii) {
     const HdfHandle type = string_type(std::max<std::size_t>(ascii.size(), 1));
     const HdfHandle space(H5Screate(H5S_SCALAR), H5Sclose);
-    const HdfHandle attribute(H5Acreate_by_name(file_.id(), object.c_str(), name.c_str(), type.id(),
+    const HdfHandle attribute(H5Acreate_by_name(file_->id(), object.c_str(), name.c_str(), type.id(),
                                                 space.id(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
                               H5Aclose);
     check(attribute.id(), "attribute " + name);
@@ -132,12 +181,12 @@ void HdfFile::set_attribute(const std::string& object, const std::string& name, 
 }
 
 bool HdfFile::has_attribute(const std::string& object, const std::string& name) const {
-    return H5Aexists_by_name(file_.id(), object.c_str(), name.c_str(), H5P_DEFAULT) > 0;
+    return H5Aexists_by_name(file_->id(), object.c_str(), name.c_str(), H5P_DEFAULT) > 0;
 }
 
 std::int64_t HdfFile::integer_attribute(const std::string& object, const std::string& name) const {
     const HdfHandle attribute(
-        check(H5Aopen_by_name(file_.id(), object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
+        check(H5Aopen_by_name(file_->id(), object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
               "has no attribute " + name),
         H5Aclose);
     std::int64_t value = 0;
@@ -147,7 +196,7 @@ std::int64_t HdfFile::integer_attribute(const std::string& object, const std::st
 
 std::string HdfFile::string_attribute(const std::string& object, const std::string& name) const {
     const HdfHandle attribute(
-        check(H5Aopen_by_name(file_.id(), object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
+        check(H5Aopen_by_name(file_->id(), object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
               "has no attribute " + name),
         H5Aclose);
     const HdfHandle type(H5Aget_type(attribute.id()), H5Tclose);
@@ -170,22 +219,19 @@ void HdfFile::add_dataset(const std::string& name, HdfType type, int width, std:
         H5Pset_shuffle(creation.id());
         H5Pset_deflate(creation.id(), 1);
     }
-    HdfHandle(check(H5Dcreate2(file_.id(), name.c_str(), file_type(type), space.id(), H5P_DEFAULT,
+    HdfHandle(check(H5Dcreate2(file_->id(), name.c_str(), file_type(type), space.id(), H5P_DEFAULT,
                                creation.id(), H5P_DEFAULT),
                     "dataset " + name),
               H5Dclose);
 }
 
 bool HdfFile::has(const std::string& name) const {
-    return H5Lexists(file_.id(), name.c_str(), H5P_DEFAULT) > 0;
-}
-
-HdfHandle HdfFile::dataset(const std::string& name) const {
-    return {check(H5Dopen2(file_.id(), name.c_str(), H5P_DEFAULT), "has no dataset " + name), H5Dclose};
+    return H5Lexists(file_->id(), name.c_str(), H5P_DEFAULT) > 0;
 }
 
 std::size_t HdfFile::row_count(const std::string& name) const {
-    const HdfHandle set = dataset(name);
+    const HdfHandle set = file_->dataset(name);
+    check(set.id(), "has no dataset " + name);
     const HdfHandle space(H5Dget_space(set.id()), H5Sclose);
     hsize_t size[2] = {0, 1};
     H5Sget_simple_extent_dims(space.id(), size, nullptr);
@@ -193,7 +239,8 @@ std::size_t HdfFile::row_count(const std::string& name) const {
 }
 
 std::size_t HdfFile::width_of(const std::string& name) const {
-    const HdfHandle set = dataset(name);
+    const HdfHandle set = file_->dataset(name);
+    check(set.id(), "has no dataset " + name);
     const HdfHandle space(H5Dget_space(set.id()), H5Sclose);
     hsize_t size[2] = {0, 1};
     H5Sget_simple_extent_dims(space.id(), size, nullptr);
@@ -202,7 +249,8 @@ std::size_t HdfFile::width_of(const std::string& name) const {
 
 void HdfFile::append_bytes(const std::string& name, HdfType type, const void* data,
                            std::size_t element_count) {
-    const HdfHandle set = dataset(name);
+    const HdfHandle set = file_->dataset(name);
+    check(set.id(), "has no dataset " + name);
     const hsize_t width = width_of(name);
     const hsize_t start[] = {row_count(name), 0};
     const hsize_t count[] = {element_count / width, width};
@@ -221,7 +269,8 @@ void HdfFile::append_bytes(const std::string& name, HdfType type, const void* da
 void HdfFile::read_bytes(const std::string& name, HdfType type, std::size_t first, std::size_t count,
                          void* data) const {
     if (count == 0) return;
-    const HdfHandle set = dataset(name);
+    const HdfHandle set = file_->dataset(name);
+    check(set.id(), "has no dataset " + name);
     const hsize_t width = width_of(name);
     const hsize_t start[] = {first, 0};
     const hsize_t counts[] = {count, width};
@@ -241,7 +290,7 @@ std::vector<std::string> HdfFile::names_in(const std::string& group) const {
         return 0;
     };
     errno = 0;
-    check(H5Literate_by_name(file_.id(), group.c_str(), H5_INDEX_NAME, H5_ITER_INC, nullptr, collect, &names,
+    check(H5Literate_by_name(file_->id(), group.c_str(), H5_INDEX_NAME, H5_ITER_INC, nullptr, collect, &names,
                              H5P_DEFAULT),
           "has no group " + group);
     return names;
@@ -268,7 +317,7 @@ void HdfFile::rename_to(const std::filesystem::path& path) {
 
 void HdfFile::flush() {
     errno = 0;
-    check(H5Fflush(file_.id(), H5F_SCOPE_GLOBAL), "cannot be written");
+    check(H5Fflush(file_->id(), H5F_SCOPE_GLOBAL), "cannot be written");
 }
 
 }  // namespace dda

@@ -1,44 +1,13 @@
 #pragma once
 
-#include <hdf5.h>
-
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace dda {
-
-/// An HDF5 identifier that is closed at the end of its scope.
-class HdfHandle {
-  public:
-    using Closer = herr_t (*)(hid_t);
-
-    HdfHandle() = default;
-    HdfHandle(hid_t id, Closer closer) : id_(id), closer_(closer) {}
-    ~HdfHandle() { reset(); }
-    HdfHandle(HdfHandle&& other) noexcept : id_(std::exchange(other.id_, -1)), closer_(other.closer_) {}
-    HdfHandle& operator=(HdfHandle&& other) noexcept {
-        if (this != &other) {
-            reset();
-            id_ = std::exchange(other.id_, -1);
-            closer_ = other.closer_;
-        }
-        return *this;
-    }
-
-    hid_t id() const { return id_; }
-    explicit operator bool() const { return id_ >= 0; }
-    void reset() {
-        if (id_ >= 0) closer_(id_);
-        id_ = -1;
-    }
-
-  private:
-    hid_t id_ = -1;
-    Closer closer_ = nullptr;
-};
 
 /// The element types that our files hold.
 enum class HdfType { f4, f8, i8, u1 };
@@ -69,6 +38,9 @@ class HdfFile {
   public:
     static HdfFile create(const std::filesystem::path& path);
     static HdfFile open_to_read(const std::filesystem::path& path);
+    ~HdfFile();
+    HdfFile(HdfFile&&) noexcept;
+    HdfFile& operator=(HdfFile&&) noexcept;
 
     const std::filesystem::path& path() const { return path_; }
 
@@ -111,18 +83,19 @@ class HdfFile {
     void rename_to(const std::filesystem::path& path);
 
   private:
-    HdfFile(std::filesystem::path path, HdfHandle file) : path_(std::move(path)), file_(std::move(file)) {}
+    struct Access;  // HDF5's identifiers stay out of this header
+    explicit HdfFile(std::filesystem::path path);
 
     [[noreturn]] void fail(const std::string& what) const;
-    hid_t check(hid_t id, const std::string& what) const;
-    HdfHandle dataset(const std::string& name) const;
+    /// Passes on what HDF5 returned, unless it says failure.
+    std::int64_t check(std::int64_t result, const std::string& what) const;
     std::size_t width_of(const std::string& name) const;
     void append_bytes(const std::string& name, HdfType type, const void* data, std::size_t element_count);
     void read_bytes(const std::string& name, HdfType type, std::size_t first, std::size_t count,
                     void* data) const;
 
     std::filesystem::path path_;
-    HdfHandle file_;
+    std::unique_ptr<Access> file_;
 };
 
 }  // namespace dda

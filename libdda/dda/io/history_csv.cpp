@@ -35,7 +35,7 @@ class HistoryCsv : public ResultWriter {
         for (const TrackedPoint& point : points_)
             for (const char* quantity :
                  {" ux (m)", " uy (m)", " vx (m/s)", " vy (m/s)", " ax (m/s2)", " ay (m/s2)"})
-                row.text(point.name + quantity);
+                row.text((point.block >= 0 ? "prescribed " : "") + point.name + quantity);
         return row.line();
     }
 

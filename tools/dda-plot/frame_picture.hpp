@@ -1,0 +1,40 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "blockgen/picture/canvas.hpp"
+#include "dda/io/vtkhdf_file.hpp"
+
+/// The frames of a run: its blocks and its contacts.
+class RunFrames {
+  public:
+    /// Finds NAME.vtkhdf and NAME.joints.vtkhdf in a result folder. @throws blockgen::InputError when there
+    /// are none.
+    explicit RunFrames(const std::filesystem::path& folder);
+
+    const std::string& name() const { return name_; }
+    const std::vector<double>& times() const { return blocks_->times(); }
+    dda::GridFrame blocks(std::int64_t index) const;
+    dda::GridFrame contacts(std::int64_t index) const;
+
+  private:
+    std::string name_;
+    std::optional<dda::VtkHdfReader> blocks_;
+    std::optional<dda::VtkHdfReader> contacts_;
+};
+
+/// What all pictures of a series share, so that they can be compared.
+struct PictureScale {
+    double largest = 0;          ///< m, displacement at the dark end of the colours
+    double left = 0, right = 0;  ///< m, the part of the plane that is shown
+    double bottom = 0, top = 0;
+    bool relative_to_base = false;  ///< displacements are those relative to the first prescribed block
+};
+
+/// The scale that fits the given frames.
+PictureScale common_scale(const RunFrames& run, const std::vector<std::int64_t>& frames);
+
+/// Blocks coloured by the magnitude of their displacement, sliding contacts and open joints marked, the time
+/// in the title.
+blockgen::Canvas draw_frame(const RunFrames& run, std::int64_t index, const PictureScale& scale);

@@ -1,0 +1,141 @@
+#include "history_picture.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "blockgen/picture/axes.hpp"
+#include "length_unit.hpp"
+
+namespace {
+
+constexpr double page_width = 640, panel_height = 150, panel_gap = 22;
+constexpr double left = 64, top = 30, legend_width = 130;
+/// More samples than a line can show are drawn by their extremes over this many intervals.
+constexpr std::size_t drawn_intervals = 2000;
+
+blockgen::Range padded(double low, double high) {
+    const double size = high > low ? high - low : std::max(std::abs(high), 1e-9);
+    return {low - 0.05 * size, high + 0.05 * size};
+}
+
+/// A line's points, thinned so that each interval keeps its smallest and largest value in their order.
+std::vector<blockgen::Point> line_points(const std::vector<double>& time, const std::vector<double>& value,
+                                         double factor) {
+    std::vector<blockgen::Point> points;
+    const std::size_t stride = std::max<std::size_t>(1, time.size() / drawn_intervals);
+    for (std::size_t i = 0; i < time.size(); i += stride) {
+        const auto first = value.begin() + static_cast<std::ptrdiff_t>(i);
+        const auto last = value.begin() + static_cast<std::ptrdiff_t>(std::min(i + stride, time.size()));
+        auto [low, high] = std::minmax_element(first, last);
+        if (high < low) std::swap(low, high);
+        points.push_back({time[static_cast<std::size_t>(low - value.begin())], *low * factor});
+        if (high != low)
+            points.push_back({time[static_cast<std::size_t>(high - value.begin())], *high * factor});
+    }
+    return points;
+}
+
+/// One line of a panel: a name and the values over time, m.
+struct Line {
+    std::string name;
+    std::size_t colour = 0;
+    std::vector<double> values;
+};
+
+struct Panel {
+    std::string title;  ///< of the ordinate, without its unit
+    std::vector<Line> lines;
+};
+
+bool is_prescribed(const std::string& point) {
+    return point.starts_with(prescribed_prefix);
+}
+
+const std::vector<double>& displacement(const HistoryTable& history, const std::string& point,
+                                        const std::string& direction) {
+    return history.columns[history.column(point + " u" + direction + " (m)")];
+}
+
+/// The measured points in a direction, from the base where there is one.
+Panel points_panel(const HistoryTable& history, const std::string& base, const std::string& direction) {
+    Panel panel{base.empty() ? "displacement " + direction : direction + " from the base", {}};
+    for (const std::string& point : history.points()) {
+        if (is_prescribed(point)) continue;
+        Line line{point, panel.lines.size(), displacement(history, point, direction)};
+        if (!base.empty())
+            for (std::size_t i = 0; i < line.values.size(); ++i)
+                line.values[i] -= displacement(history, base, direction)[i];
+        panel.lines.push_back(std::move(line));
+    }
+    return panel;
+}
+
+/// The prescribed blocks in both directions; a direction without motion is left out.
+Panel base_panel(const HistoryTable& history) {
+    Panel panel{"displacement of the base", {}};
+    for (const std::string& point : history.points()) {
+        for (const char* direction : {"x", "y"}) {
+            const std::vector<double>& values = displacement(history, point, direction);
+            const bool moves = std::any_of(values.begin(), values.end(), [](double v) { return v != 0; });
+            if (is_prescribed(point) && moves)
+                panel.lines.push_back({point.substr(std::string(prescribed_prefix).size()) + " " + direction,
+                                       6 + panel.lines.size(), values});
+        }
+    }
+    return panel;
+}
+
+std::vector<Panel> panels_of(const HistoryTable& history) {
+    const std::vector<std::string> points = history.points();
+    const auto base = std::find_if(points.begin(), points.end(), is_prescribed);
+    const std::string base_name = base == points.end() ? "" : *base;
+    std::vector<Panel> panels = {points_panel(history, base_name, "x"), points_panel(history, base_name, "y"),
+                                 base_panel(history)};
+    std::erase_if(panels, [](const Panel& panel) { return panel.lines.empty(); });
+    return panels;
+}
+
+void draw_panel(blockgen::Canvas& canvas, const HistoryTable& history, const Panel& panel, double upper,
+                bool is_last) {
+    double low = 0, high = 0;
+    for (const Line& line : panel.lines) {
+        low = std::min(low, *std::min_element(line.values.begin(), line.values.end()));
+        high = std::max(high, *std::max_element(line.values.begin(), line.values.end()));
+    }
+    const LengthUnit unit = readable_unit(std::max(-low, high));
+    const blockgen::Range times{history.time.front(),
+                                std::max(history.time.back(), history.time.front() + 1e-9)};
+    const blockgen::Axes axes({left, upper}, {page_width - legend_width, upper + panel_height}, times,
+                              padded(low * unit.per_metre, high * unit.per_metre));
+    axes.draw(canvas, is_last ? "time (s)" : "", panel.title + " (" + unit.name + ")", true);
+    canvas.clip(axes.upper_left(), axes.lower_right());
+    std::vector<blockgen::LegendEntry> entries;
+    for (const Line& line : panel.lines) {
+        std::vector<blockgen::Point> points = line_points(history.time, line.values, unit.per_metre);
+        for (blockgen::Point& point : points) point = axes.to_page(point);
+        const blockgen::Stroke stroke{blockgen::line_colour(line.colour), 1.1};
+        canvas.polyline(points, stroke);
+        blockgen::LegendEntry entry;
+        entry.text = line.name;
+        entry.stroke = stroke;
+        entry.is_line = true;
+        entries.push_back(entry);
+    }
+    canvas.unclip();
+    blockgen::draw_legend(canvas, {page_width - legend_width + 12, upper - 12}, "", entries);
+}
+
+}  // namespace
+
+blockgen::Canvas draw_history(const HistoryTable& whole) {
+    const HistoryTable history = without_reset_stages(whole);
+    const std::vector<Panel> panels = panels_of(history);
+    const auto count = static_cast<double>(panels.size());
+    blockgen::Canvas canvas(page_width, top + count * panel_height + (count - 1) * panel_gap + 44);
+    canvas.text({left, top - 12}, "Displacement of the recorded points",
+                {11, blockgen::black, blockgen::Anchor::start, blockgen::Anchor::start, true});
+    for (std::size_t i = 0; i < panels.size(); ++i)
+        draw_panel(canvas, history, panels[i], top + static_cast<double>(i) * (panel_height + panel_gap),
+                   i + 1 == panels.size());
+    return canvas;
+}

@@ -1,0 +1,135 @@
+#include <boost/program_options.hpp>
+#include <charconv>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+
+#include "blockgen/base/input_error.hpp"
+#include "frame_picture.hpp"
+#include "history_picture.hpp"
+
+namespace po = boost::program_options;
+namespace fs = std::filesystem;
+
+namespace {
+
+po::options_description visible_options() {
+    po::options_description options("Options");
+    auto add = options.add_options();
+    add("frames", po::value<std::string>()->value_name("LIST"),
+        "frames to draw, apart by commas: numbers from 0, first, middle, last, or all (default: "
+        "first,middle,last)");
+    add("history", "draw the history only, or with --frames too");
+    add("format", po::value<std::string>()->default_value("png")->value_name("EXT"), "png, svg or pdf");
+    add("output,o", po::value<std::string>()->value_name("FOLDER"),
+        "where the pictures go (default: the result folder)");
+    add("version", "print the version and stop");
+    add("help,h", "print this text and stop");
+    return options;
+}
+
+po::variables_map parse(int argc, char** argv) {
+    po::options_description all;
+    all.add(visible_options()).add_options()("folder", po::value<std::vector<std::string>>());
+    po::positional_options_description positional;
+    positional.add("folder", -1);
+    const int style = po::command_line_style::default_style & ~po::command_line_style::allow_guessing;
+    po::variables_map values;
+    try {
+        po::store(po::command_line_parser(argc, argv).options(all).positional(positional).style(style).run(),
+                  values);
+    } catch (const po::error& error) {
+        throw blockgen::InputError({"dda-plot"}, error.what(), "the options that --help lists");
+    }
+    return values;
+}
+
+std::int64_t frame_number(const std::string& word, std::int64_t count) {
+    if (word == "first") return 0;
+    if (word == "middle") return count / 2;
+    if (word == "last") return count - 1;
+    std::int64_t number = -1;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+    if (error != std::errc{} || end != word.data() + word.size() || number < 0 || number >= count)
+        throw blockgen::InputError(
+            {"dda-plot"}, "there is no frame '" + word + "'",
+            "a number from 0 to " + std::to_string(count - 1) + ", first, middle, last or all");
+    return number;
+}
+
+std::vector<std::int64_t> frame_numbers(const std::string& list, std::int64_t count) {
+    std::vector<std::int64_t> numbers;
+    if (list == "all")
+        for (std::int64_t k = 0; k < count; ++k) numbers.push_back(k);
+    for (std::size_t start = 0; list != "all" && start <= list.size();) {
+        const std::size_t end = std::min(list.find(',', start), list.size());
+        numbers.push_back(frame_number(list.substr(start, end - start), count));
+        start = end + 1;
+    }
+    return numbers;
+}
+
+void draw_frames(const RunFrames& run, const std::string& list, const fs::path& output,
+                 const std::string& extension) {
+    const auto count = static_cast<std::int64_t>(run.times().size());
+    if (count == 0)
+        throw blockgen::InputError({run.name() + ".vtkhdf"}, "holds no frame yet", "a run that has begun");
+    const std::vector<std::int64_t> numbers = frame_numbers(list, count);
+    const PictureScale scale = common_scale(run, numbers);
+    for (const std::int64_t number : numbers) {
+        char suffix[32];
+        std::snprintf(suffix, sizeof suffix, ".frame-%04lld.", static_cast<long long>(number));
+        draw_frame(run, number, scale).write(output / (run.name() + suffix + extension));
+    }
+}
+
+int plot(const po::variables_map& values) {
+    const auto folders =
+        values.count("folder") ? values["folder"].as<std::vector<std::string>>() : std::vector<std::string>{};
+    if (folders.size() != 1)
+        throw blockgen::InputError({"dda-plot"}, std::to_string(folders.size()) + " folders are given",
+                                   "one: dda-plot OUT [options]");
+    const fs::path folder = folders.front();
+    const fs::path output = values.count("output") ? fs::path(values["output"].as<std::string>()) : folder;
+    const std::string extension = values["format"].as<std::string>();
+    if (!blockgen::picture_format("x." + extension))
+        throw blockgen::InputError({"dda-plot"}, "--format is '" + extension + "'", "png, svg or pdf");
+    const bool all = !values.count("frames") && !values.count("history");
+    const RunFrames run(folder);
+    if (all || values.count("frames"))
+        draw_frames(run, values.count("frames") ? values["frames"].as<std::string>() : "first,middle,last",
+                    output, extension);
+    if (all || values.count("history")) {
+        const HistoryTable history = read_history(folder / "history.csv");
+        if (history.time.empty())
+            throw blockgen::InputError({(folder / "history.csv").string()}, "holds no row yet",
+                                       "a run that has begun");
+        draw_history(history).write(output / (run.name() + ".history." + extension));
+    }
+    return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        const po::variables_map values = parse(argc, argv);
+        if (values.count("help")) {
+            std::cout << "dda-plot OUT [options]\nDraws the results of dda-run: blocks coloured by "
+                         "displacement, and the histories of the measured points.\n\n"
+                      << visible_options();
+            return 0;
+        }
+        if (values.count("version")) {
+            std::puts("dda-plot " ROCKSLOPE_VERSION);
+            return 0;
+        }
+        return plot(values);
+    } catch (const blockgen::InputError& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return 2;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return 1;
+    }
+}
