@@ -10,6 +10,7 @@ namespace {
 
 constexpr double page_width = 640, panel_height = 150, panel_gap = 22;
 constexpr double left = 64, top = 30, legend_width = 130;
+constexpr double rest = 1e-9;  // m, below which a base stands still
 /// More samples than a line can show are drawn by their extremes over this many intervals.
 constexpr std::size_t drawn_intervals = 2000;
 
@@ -76,7 +77,8 @@ Panel base_panel(const HistoryTable& history) {
     for (const std::string& point : history.points()) {
         for (const char* direction : {"x", "y"}) {
             const std::vector<double>& values = displacement(history, point, direction);
-            const bool moves = std::any_of(values.begin(), values.end(), [](double v) { return v != 0; });
+            const bool moves =
+                std::any_of(values.begin(), values.end(), [](double v) { return std::abs(v) > rest; });
             if (is_prescribed(point) && moves)
                 panel.lines.push_back({point.substr(std::string(prescribed_prefix).size()) + " " + direction,
                                        6 + panel.lines.size(), values});

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <hdf5.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -301,11 +302,15 @@ void HdfFile::reserve(std::size_t bytes) const {
     if (descriptor < 0) fail("cannot be written");
     const off_t end = ::lseek(descriptor, 0, SEEK_END);
     const int result = ::fallocate(descriptor, FALLOC_FL_KEEP_SIZE, end, static_cast<off_t>(bytes));
-    const int reason = errno;
+    int reason = result == 0 || errno == EOPNOTSUPP || errno == ENOSYS ? 0 : errno;
     ::close(descriptor);
-    if (result == 0 || reason == EOPNOTSUPP || reason == ENOSYS) return;
+    // The limit on a file's size is not looked at when room is set aside beyond its end.
+    rlimit limit{};
+    if (::getrlimit(RLIMIT_FSIZE, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY &&
+        static_cast<std::size_t>(end) + bytes > limit.rlim_cur)
+        reason = EFBIG;
     errno = reason;
-    fail("cannot be written");
+    if (reason != 0) fail("cannot be written");
 }
 
 void HdfFile::rename_to(const std::filesystem::path& path) {

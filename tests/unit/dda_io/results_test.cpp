@@ -1,0 +1,274 @@
+#include "dda/io/results.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include "blockgen/base/output_error.hpp"
+#include "blockgen/base/read_file.hpp"
+#include "dda/io/frame_data.hpp"
+#include "dda/io/read_run.hpp"
+#include "dda/io/state_archive.hpp"
+#include "dda/io/summary.hpp"
+#include "support.hpp"
+
+namespace dda {
+namespace {
+
+using blockgen::read_text_file;
+using ::testing::HasSubstr;
+namespace fs = std::filesystem;
+
+const char* const result_files[] = {"history.csv", "steps.csv", "run.vtkhdf", "run.joints.vtkhdf"};
+
+/// A block that settles on a base and is then shaken until it slides.
+class ResultsTest : public ::testing::Test {
+  protected:
+    void SetUp() override {
+        blockgen::write_block_file(folder / "two.blocks", io_test::two_block_mesh());
+        folder.write("run.toml", R"(blocks = "two.blocks"
+[block_material.rock]
+density = 2500
+youngs_modulus = "10 GPa"
+poissons_ratio = 0.25
+[joint_material.bedding]
+law = "mohr-coulomb"
+friction_angle = "20 deg"
+[[stage]]
+name = "settle"
+kind = "static"
+[[stage]]
+name = "shake"
+kind = "dynamic"
+duration = 0.5
+[stage.base_motion]
+block = "base"
+x = { times = [0, 0.1, 0.3, 0.5], values = [0, 6, -6, 0] }
+[output]
+frames = 10
+history_interval = 0.02
+)");
+        input = read_run(folder / "run.toml");
+    }
+
+    RunOutcome simulate(
+        const std::string& name, ProgressFunction progress = [](const Progress&) { return true; }) {
+        fs::create_directories(folder / name);
+        Results results(input.model, input.stages, input.output,
+                        {folder / name, false, "hash", std::move(progress)});
+        State state = initial_state(input.model);
+        return run(input.model, input.stages, state, results);
+    }
+    RunOutcome resume(const std::string& name) {
+        const Checkpoint checkpoint = read_checkpoint(folder / name / "checkpoint.h5");
+        Results results(input.model, input.stages, input.output,
+                        {folder / name, false, "hash", [](const Progress&) { return true; }}, &checkpoint);
+        State state = checkpoint.state;
+        return run(input.model, input.stages, state, results, {1, checkpoint.results.stage, true});
+    }
+    void expect_same_files(const std::string& a, const std::string& b) {
+        for (const char* file : result_files)
+            EXPECT_EQ(read_text_file(folder / a / file), read_text_file(folder / b / file)) << file;
+    }
+    static std::vector<std::string> lines_of(const fs::path& path) {
+        std::istringstream text(read_text_file(path));
+        std::vector<std::string> lines;
+        for (std::string line; std::getline(text, line);) lines.push_back(line);
+        return lines;
+    }
+
+    io_test::Folder folder;
+    RunInput input;
+};
+
+TEST_F(ResultsTest, ARunWritesEveryKindOfResult) {
+    ASSERT_EQ(simulate("a").status, RunStatus::completed);
+    const VtkHdfReader frames(folder / "a" / "run.vtkhdf");
+    EXPECT_EQ(frames.frame_count(), 1 + 1 + 10) << "the start, the end of settling, ten of the shaking";
+    const GridFrame last = frames.frame(frames.frame_count() - 1, {"displacement", "block", "motion"});
+    EXPECT_EQ(last.cells.count(), 2u);
+    EXPECT_EQ(last.cells.types[0], 7);
+    EXPECT_EQ(last.columns[2], (std::vector<float>{2, 0}));
+    EXPECT_GT(std::abs(last.columns[0][3] - last.columns[0][0]), 0.01F) << "the block slides on its base";
+
+    const VtkHdfReader contacts(folder / "a" / "run.joints.vtkhdf");
+    EXPECT_EQ(contacts.times(), frames.times());
+    const GridFrame settled = contacts.frame(1, {"state", "normal_stress", "normal_force"});
+    ASSERT_EQ(settled.cells.count(), 2u) << "an edge-edge contact is two";
+    double force = 0, length = 0;
+    for (std::size_t i = 0; i < 2; ++i) {
+        force += settled.columns[2][i];
+        length += settled.columns[2][i] / settled.columns[1][i];
+    }
+    EXPECT_NEAR(force, 2 * 2500 * 9.81, 0.01 * force) << "the block's weight";
+    EXPECT_NEAR(length, 2, 1e-3) << "the joint's length";
+
+    const auto history = lines_of(folder / "a" / "history.csv");
+    EXPECT_EQ(history[0],
+              "time (s),stage,crest ux (m),crest uy (m),crest vx (m/s),crest vy (m/s),crest ax (m/s2),crest "
+              "ay (m/s2),"
+              "prescribed base ux (m),prescribed base uy (m),prescribed base vx (m/s),prescribed base vy "
+              "(m/s),prescribed base ax (m/s2),prescribed base ay (m/s2)");
+    const auto shaken = std::count_if(history.begin(), history.end(), [](const std::string& line) {
+        return line.find(",shake,") != std::string::npos;
+    });
+    EXPECT_EQ(shaken, 25) << "0.5 s every 0.02 s; the stage's start is the settling's end";
+    EXPECT_GT(lines_of(folder / "a" / "steps.csv").size(), 100u);
+}
+
+TEST_F(ResultsTest, TheSameRunWritesTheSameBytes) {
+    simulate("a");
+    simulate("b");
+    expect_same_files("a", "b");
+}
+
+TEST_F(ResultsTest, AContinuedRunEndsInTheSameBytes) {
+    simulate("whole");
+    // Stops in the settling, early and late in the shaking, and in its last step.
+    const auto steps = static_cast<int>(lines_of(folder / "whole" / "steps.csv").size()) - 1;
+    for (const int stop : {1, steps / 2, steps - 20, steps}) {
+        const std::string name = "stopped" + std::to_string(stop);
+        int step = 0;
+        const RunOutcome outcome = simulate(name, [&](const Progress&) { return ++step < stop; });
+        EXPECT_EQ(outcome.status, RunStatus::stopped) << stop;
+        EXPECT_EQ(resume(name).status, RunStatus::completed) << stop;
+        expect_same_files(name, "whole");
+    }
+}
+
+TEST_F(ResultsTest, AKilledRunLeavesReadableResults) {
+    fs::create_directories(folder / "killed");
+    const pid_t child = ::fork();
+    if (child == 0) {
+        int step = 0;
+        simulate("killed", [&](const Progress& now) {
+            if (now.done > 0.25 && ++step == 3) ::kill(::getpid(), SIGKILL);
+            return true;
+        });
+        ::_exit(0);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    ASSERT_TRUE(WIFSIGNALED(status));
+    for (const char* file : {"run.vtkhdf", "run.joints.vtkhdf"}) {
+        const VtkHdfReader frames(folder / "killed" / file);
+        EXPECT_EQ(frames.frame_count(), 2 + 5) << file;
+        for (std::int64_t k = 0; k < frames.frame_count(); ++k) EXPECT_NO_THROW(frames.frame(k, {}));
+    }
+    EXPECT_TRUE(read_text_file(folder / "killed" / "steps.csv").ends_with("\n"));
+}
+
+TEST_F(ResultsTest, AFullDiskEndsTheRunWithItsResultsSoFar) {
+    simulate("whole");
+    const auto whole = fs::file_size(folder / "whole" / "run.vtkhdf");
+    fs::create_directories(folder / "full");
+    const pid_t child = ::fork();
+    if (child == 0) {
+        ::signal(SIGXFSZ, SIG_IGN);
+        // Less than the frames and the room that is reserved for their bookkeeping.
+        const rlimit limit{whole + 200 * 1024, whole + 200 * 1024};
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+        try {
+            simulate("full");
+        } catch (const blockgen::OutputError& error) {
+            const bool told =
+                std::string(error.what()).find("run.vtkhdf: cannot be written: File too large") !=
+                std::string::npos;
+            ::_exit(told ? 1 : 2);
+        }
+        ::_exit(0);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    ASSERT_TRUE(WIFEXITED(status));
+    EXPECT_EQ(WEXITSTATUS(status), 1);
+    const VtkHdfReader frames(folder / "full" / "run.vtkhdf");
+    EXPECT_GT(frames.frame_count(), 0);
+    for (std::int64_t k = 0; k < frames.frame_count(); ++k)
+        EXPECT_NO_THROW(frames.frame(k, {"displacement"}));
+}
+
+TEST_F(ResultsTest, ValuesThatAreNotFiniteReachNoFile) {
+    fs::create_directories(folder / "nan");
+    Results results(input.model, input.stages, input.output,
+                    {folder / "nan", false, "", [](const Progress&) { return true; }});
+    State state = initial_state(input.model);
+    results.stage_begins(input.model, state, input.stages[1], 1);
+    const std::string before = read_text_file(folder / "nan" / "history.csv");
+    for (const double bad :
+         {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+        State broken = state;
+        broken.step_count = 7;
+        broken.stage_time = 0.1;
+        broken.blocks.velocity[1][0] = bad;
+        EXPECT_THROW(results.stage_ends(input.model, broken, input.stages[1], 1), blockgen::OutputError);
+    }
+    EXPECT_EQ(read_text_file(folder / "nan" / "history.csv"), before);
+    EXPECT_EQ(VtkHdfReader(folder / "nan" / "run.vtkhdf").frame_count(), 1);
+}
+
+TEST_F(ResultsTest, TheSummaryTellsHowItEnded) {
+    fs::create_directories(folder / "a");
+    Results results(input.model, input.stages, input.output,
+                    {folder / "a", false, "", [](const Progress&) { return true; }});
+    State state = initial_state(input.model);
+    const RunOutcome outcome = run(input.model, input.stages, state, results);
+    const std::string text =
+        summary_text(input.model, input.stages, state, outcome, results, "9.9", hash_files(input.files));
+    for (const char* part : {"\"status\": \"completed\"", "\"version\": \"9.9\"", "\"name\": \"crest\"",
+                             "\"sha256\": \"", "\"sliding\":"})
+        EXPECT_THAT(text, HasSubstr(part));
+    EXPECT_GT(results.state().peaks[0].displacement, 0.01);
+}
+
+TEST_F(ResultsTest, ACheckpointOfOtherContentIsRefused) {
+    folder.write("checkpoint.h5", "not HDF5");
+    EXPECT_THAT(io_test::error_of([&] { read_checkpoint(folder / "checkpoint.h5"); }),
+                HasSubstr("cannot be resumed from"));
+    EXPECT_THAT(io_test::error_of([&] { read_checkpoint(folder / "none.h5"); }),
+                HasSubstr("there is no checkpoint to resume from"));
+}
+
+TEST_F(ResultsTest, TheArchiveKeepsEveryBitOfAState) {
+    State state = initial_state(input.model);
+    RunObserver silent;
+    run(input.model, input.stages, state, silent);
+    const StateArchive once = archive(state);
+    const StateArchive twice = archive(restore(once));
+    EXPECT_EQ(once.reals, twice.reals);
+    EXPECT_EQ(once.integers, twice.integers);
+    EXPECT_EQ(once.bytes, twice.bytes);
+    StateArchive cut = once;
+    cut.reals.pop_back();
+    EXPECT_THROW(restore(cut), std::runtime_error);
+    StateArchive longer = once;
+    longer.integers.push_back(1);
+    EXPECT_THROW(restore(longer), std::runtime_error);
+}
+
+TEST(BlockCells, ABlockWithHolesIsOnePolygonOfTheSameArea) {
+    Model model;
+    model.topology.add_block({4, 4, 3});
+    model.vertices = {{0, 0}, {10, 0}, {10, 10}, {0, 10}, {2, 2}, {2, 4},
+                      {4, 4}, {4, 2},  {6, 6},   {6, 8},  {8, 6}};
+    const GridCells cells = block_cells(model);
+    ASSERT_EQ(cells.count(), 1u);
+    EXPECT_EQ(cells.connectivity.size(), 11u + 2 * 2) << "each hole's slit is walked twice";
+    double area = 0;
+    for (std::size_t i = 0; i < cells.connectivity.size(); ++i) {
+        const Vec2& a = model.vertices[static_cast<std::size_t>(cells.connectivity[i])];
+        const Vec2& b =
+            model.vertices[static_cast<std::size_t>(cells.connectivity[(i + 1) % cells.connectivity.size()])];
+        area += cross(a, b) / 2;
+    }
+    EXPECT_NEAR(area, 100 - 4 - 2, 1e-12);
+}
+
+}  // namespace
+}  // namespace dda
