@@ -114,12 +114,10 @@ ExitCode simulate(const CommandLine& line, const std::string& version) {
     const dda::RunInput input = dda::read_run(line.run_file, {line.overrides, line.blocks, line.output});
     const std::vector<dda::InputFile> files = dda::hash_files(input.files);
     const std::string hash = input_hash(input, files);
-    prepare_folder(line.output);
     std::optional<dda::Checkpoint> checkpoint;
-    if (line.resume)
-        checkpoint = checkpoint_of(line.output, hash);
-    else
-        forget_earlier_run(line.output);
+    if (line.resume) checkpoint = checkpoint_of(line.output, hash);
+    prepare_folder(line.output);
+    if (!checkpoint) forget_earlier_run(line.output);
 
     blockgen::write_file_atomically(line.output / "run.toml", input.effective);
     if (line.depfile)

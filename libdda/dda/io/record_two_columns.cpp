@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <optional>
 
 #include "blockgen/base/text.hpp"
@@ -53,6 +54,13 @@ RecordDeclaration heading_of(std::string_view line) {
     return said;
 }
 
+/// Six digits, for messages.
+std::string short_text(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", value);
+    return text;
+}
+
 /// The step of the times, which must be equal within the tolerances.
 double even_step(const RecordLines& lines, const TwoColumns& columns) {
     const std::vector<double>& times = columns.times;
@@ -64,8 +72,8 @@ double even_step(const RecordLines& lines, const TwoColumns& columns) {
                           std::abs(times[i] - even_time) <= drift_tolerance * dt + 1e-9;
         if (!even)
             lines.fail(columns.lines[i],
-                       "the time step is uneven: " + blockgen::shortest_text(step) + " s where the mean is " +
-                           blockgen::shortest_text(dt) + " s",
+                       "the time step is uneven: " + short_text(step) + " s where the mean is " +
+                           short_text(dt) + " s",
                        "equal steps");
     }
     // The rounding of sums is not part of the step: 0.01, not 0.009999999999999998.
