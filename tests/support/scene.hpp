@@ -96,6 +96,12 @@ class Simulation : public dda::RunObserver {
         return true;
     }
 
+    /// Starts the energy ledger anew, after the test has changed the state.
+    void restart_ledger() {
+        state.energy = {};
+        dda::Ledger(model, dda::RowMap(model.motion)).take_stock(state, state.energy);
+        state.energy.initial_stores = state.energy.stores();
+    }
     Vec2 moved(int block) const {
         const auto b = static_cast<std::size_t>(block);
         return state.blocks.moments[b].centroid - state.centroid_origin[b];

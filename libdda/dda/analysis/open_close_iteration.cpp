@@ -205,11 +205,9 @@ class Iteration {
         }
 
         double step() const {
-            const double at_end = slope(1);
-            if (at_end <= 0) return 1;
-            const double at_start = slope(0);
-            // Against rounding: a slope that has all but vanished at the end is the minimum.
-            if (at_start >= 0 || at_end <= 1e-9 * -at_start) return 1;
+            // Where the law agrees with the linear system its solution is the minimum, whatever rounding makes of the slope.
+            if (largest_difference() <= it_.tolerance()) return 1;
+            if (slope(1) <= 0) return 1;
             double low = 0;
             double high = 1;
             for (int k = 0; k < line_search_evaluations && high - low > 1e-6; ++k) {
@@ -225,6 +223,16 @@ class Iteration {
             double rate = 0;
             double at(double share) const { return end - (1 - share) * rate; }
         };
+
+        double largest_difference() const {
+            double largest = 0;
+            for (std::size_t k = 0; k < opening_.size(); ++k) {
+                const Forces linear = it_.linear_forces(k, opening_[k].end, shearing_[k].end);
+                const Forces law = it_.law_forces(k, opening_[k].end, shearing_[k].end);
+                largest = std::max({largest, std::abs(law.normal - linear.normal), std::abs(law.shear - linear.shear)});
+            }
+            return largest;
+        }
 
         double slope(double share) const {
             double sum = -(1 - share) * curvature_;

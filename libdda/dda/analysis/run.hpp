@@ -20,7 +20,7 @@ struct StepReport {
     int open = 0, sliding = 0, locked = 0;  ///< contacts by state
     double largest_penetration = 0;    ///< m
     double largest_displacement = 0;   ///< of a vertex in this step, m
-    double unbalanced_force = 0;       ///< largest over the blocks, over the largest block weight; static stages
+    double unbalanced_force = 0;       ///< largest over the blocks, of all six unknowns, over the block's weight
     double contact_frequency_step = 0; ///< omega_contact * dt, the largest of sqrt(k_n / m_block) * dt
 };
 

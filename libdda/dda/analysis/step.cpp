@@ -38,10 +38,19 @@ double velocity_kept(const Stage& stage) {
     return stage.kind == StageKind::static_equilibrium ? 0.0 : stage.dynamic_coefficient;
 }
 
-/// Acceleration that stands for "the weight" when forces are compared with it, m/s2.
-double reference_acceleration(const Model& model) {
-    const double g = model.gravity.norm();
-    return g > 0 ? g : 1.0;
+/// Acceleration that stands for "the weight" when forces are compared with it, m/s2: gravity, or the strongest load where it is
+/// stronger, or 1 where there is neither.
+double reference_acceleration(const Model& model, const BlockSystem& blocks) {
+    double largest = model.gravity.norm();
+    for (const Load& load : model.loads) {
+        if (const auto* point = std::get_if<PointLoad>(&load)) {
+            const int block = model.material_points[static_cast<std::size_t>(point->point)].block;
+            largest = std::max(largest, point->force.norm() / blocks.mass[static_cast<std::size_t>(block)]);
+        } else {
+            largest = std::max(largest, std::get<BodyLoad>(load).acceleration.norm());
+        }
+    }
+    return largest > 0 ? largest : 1.0;
 }
 
 }  // namespace
@@ -300,14 +309,15 @@ StepReport TimeStepper::report(const Step& step, const State& after, const OpenC
                                                     : report.locked);
         if (contact.state != ContactState::open) report.largest_penetration = std::max(report.largest_penetration, -contact.gap);
     }
-    const double g = reference_acceleration(model_);
+    const double g = reference_acceleration(model_, after.blocks);
     double lightest = std::numeric_limits<double>::infinity();
     for (const int block : rows_.block_of) {
         const auto b = static_cast<std::size_t>(block);
         const Vec6& a = after.blocks.acceleration[b];
         const AreaMoments& m = after.blocks.moments[b];
         const double gyration = std::sqrt((m.xx + m.yy) / m.area);
-        report.unbalanced_force = std::max({report.unbalanced_force, a.head<2>().norm() / g, std::abs(a[2]) * gyration / g});
+        const double deforming = a.tail<4>().cwiseAbs().maxCoeff() * gyration;  // of rotation and strains, at that radius
+        report.unbalanced_force = std::max({report.unbalanced_force, a.head<2>().norm() / g, deforming / g});
         lightest = std::min(lightest, after.blocks.mass[b]);
     }
     if (rows_.count() > 0) report.contact_frequency_step = std::sqrt(model_.normal_penalty / lightest) * step.dt;

@@ -18,7 +18,7 @@ struct StepControl {
     double growth = 1.3;              ///< factor on the step after an easy step, up to `step`
     int iteration_limit = 40;         ///< open-close iterations in a step
     double displacement_ratio = 0.01; ///< largest vertex displacement in a step over the model's half-height
-    double force_tolerance = 1e-8;    ///< largest change of a contact force over the reference force, at convergence
+    double force_tolerance = 1e-6;    ///< largest change of a contact force over the reference force, at convergence
 };
 
 /// Acceleration of a prescribed block (or of all fixed and prescribed blocks when `block` is empty), m/s2: constant before the first

@@ -1,0 +1,149 @@
+// Free motion and the time integration itself: what must hold before any contact does.
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+
+#include "support/scene.hpp"
+
+namespace {
+
+using namespace scene;
+
+// V01. A falling block follows v = -g t, y = -g t^2/2 exactly: Newmark (1/2, 1) is exact for constant acceleration, so only rounding
+// in about a thousand steps is left.
+TEST(FreeFall, IsExact) {
+    Scene s;
+    const int block = s.box({0, 0}, 1, 1);
+    Simulation sim(s);
+    ASSERT_EQ(sim.shake(1, 0.001).status, dda::RunStatus::completed);
+    EXPECT_NEAR(sim.moved(block).y(), -g / 2, 1e-9);
+    EXPECT_NEAR(sim.velocity(block)[1], -g, 1e-9);
+    EXPECT_NEAR(sim.stress(block).norm(), 0, 1e-3);  // Pa, of 25 kPa that gravity could make
+    EXPECT_NEAR(sim.moved(block).x(), 0, 1e-12);
+}
+
+// V28. Ten turns at 2 pi rad/s, dt = 1 ms: with the exact rotation area, kinetic energy and stress stay; linearised, the area
+// would grow by (1 + dtheta^2)^N = 1.484.
+TEST(SpinningBlock, NeitherGrowsNorSlows) {
+    Scene s;
+    s.model.gravity.setZero();
+    const int block = s.box({-0.5, -0.5}, 1, 1);
+    Simulation sim(s);
+    sim.velocity(block)[2] = 2 * std::numbers::pi;
+    dda::Stage stage;
+    stage.name = "spin";
+    stage.duration = 10;
+    stage.control.step = 1e-3;
+    stage.control.displacement_ratio = 0.1;
+    ASSERT_EQ(sim.run(stage).status, dda::RunStatus::completed);
+    EXPECT_NEAR(sim.state.blocks.moments[0].area, 1, 1e-6);
+    const double inertia = 2500.0 / 6;
+    EXPECT_NEAR(sim.state.energy.kinetic / (inertia * 2 * std::numbers::pi * std::numbers::pi), 1, 1e-6);
+    EXPECT_NEAR(sim.state.blocks.rotation[0], 20 * std::numbers::pi, 1e-6);
+    EXPECT_NEAR((sim.state.blocks.vertices[0] - Vec2(-0.5, -0.5)).norm(), 0, 1e-6);
+}
+
+/// Amplification of the oscillator with frequency w by Newmark (1/2, 1): x1 = tr x0 - det x(-1), from the exact 2x2 matrix.
+struct Amplification {
+    double trace, determinant;
+    explicit Amplification(double w_dt)
+        : trace((4 - w_dt * w_dt) / (2 + w_dt * w_dt)), determinant(2 / (2 + w_dt * w_dt)) {}
+    double angle() const { return std::acos(trace / (2 * std::sqrt(determinant))); }
+    double amplitude_per_cycle() const { return std::pow(determinant, std::numbers::pi / angle()); }
+};
+
+struct OscillatorCase {
+    double w_dt, amplitude, period_ratio;
+};
+
+class Oscillator : public testing::TestWithParam<OscillatorCase> {};
+
+// V27. A block on a fixed-point spring is one oscillator; its decay is the integration's own. The recurrence of the positions gives the decay
+// and the period without any fitting, so the tolerance only covers the table's rounding.
+TEST_P(Oscillator, DecaysAsTheAmplificationMatrixSays) {
+    const auto [w_dt, amplitude, period_ratio] = GetParam();
+    Scene s;
+    s.model.gravity.setZero();
+    const int block = s.box({-0.5, -0.5}, 1, 1);
+    s.model.fixed_points.push_back({s.material_point(block, {0, 0}), true, true});
+    const double frequency = 10;
+    s.model.fixed_point_penalty = 2500 * frequency * frequency;
+    Simulation sim(s);
+    sim.velocity(block)[0] = 1e-4;
+    std::vector<double> x = {0};
+    sim.each_step = [&](const dda::State& state, const dda::StepReport&) {
+        x.push_back(state.blocks.moments[0].centroid.x());
+    };
+    const double dt = w_dt / frequency;
+    ASSERT_EQ(sim.shake(20 * dt, dt).status, dda::RunStatus::completed);
+    // Least squares for (trace, -determinant) over all triples.
+    Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
+    Vec2 right = Vec2::Zero();
+    for (std::size_t k = 2; k < x.size(); ++k) {
+        const Vec2 row(x[k - 1], x[k - 2]);
+        normal += row * row.transpose();
+        right += x[k] * row;
+    }
+    const double det = normal.determinant();
+    const double trace = (right[0] * normal(1, 1) - right[1] * normal(0, 1)) / det;
+    const double determinant = -(right[1] * normal(0, 0) - right[0] * normal(0, 1)) / det;
+    const Amplification exact(w_dt);
+    EXPECT_NEAR(trace, exact.trace, 1e-8);
+    EXPECT_NEAR(determinant, exact.determinant, 1e-8);
+    const double angle = std::acos(trace / (2 * std::sqrt(determinant)));
+    EXPECT_NEAR(std::pow(determinant, std::numbers::pi / angle), amplitude, 1e-3);
+    EXPECT_NEAR(w_dt / angle, period_ratio, 1e-3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Catalogue, Oscillator,
+                         testing::Values(OscillatorCase{0.05, .92449, 1.0003}, OscillatorCase{0.1, .85482, 1.0011},
+                                         OscillatorCase{0.2, .73163, 1.0046}, OscillatorCase{0.5, .46753, 1.0273},
+                                         OscillatorCase{1.0, .24731, 1.0968}));
+
+/// Position at t = 1 s under a unit acceleration sin(w t) or cos(w t), less the exact one.
+double driven_error(bool cosine, double w, double dt) {
+    Scene s;
+    s.model.gravity.setZero();
+    const int block = s.box({-0.5, -0.5}, 1, 1);
+    // A fine table, so that the load is the function at the ends of all steps used here.
+    std::vector<double> times;
+    std::vector<double> values;
+    for (int k = 0; k <= 2000; ++k) {
+        times.push_back(k * 0.0005);
+        values.push_back(cosine ? std::cos(w * times.back()) : std::sin(w * times.back()));
+    }
+    s.model.loads.push_back(dda::PointLoad{s.material_point(block, {0, 0}), {2500, 0}, dda::TimeTable(times, values)});
+    Simulation sim(s);
+    dda::Stage stage;
+    stage.name = "drive";
+    stage.duration = 1;
+    stage.control.step = dt;
+    stage.control.displacement_ratio = 1;
+    EXPECT_EQ(sim.run(stage).status, dda::RunStatus::completed);
+    return sim.moved(block).x() - (cosine ? (1 - std::cos(w)) / (w * w) : 1 / w);
+}
+
+// V50. The integration is of first order: the cosine load starts at its peak, and evaluating it at the ends of the steps misses dt/2 of its
+// initial value (error -dt/2 a0). A load that starts at zero hides that and shows second order: by Euler and Maclaurin -dt^2 w/12.
+TEST(IntegratorOrder, IsFirstOrderAndSecondForLoadsThatStartAtZero) {
+    const double w = 2 * std::numbers::pi;
+    const double sine[] = {driven_error(false, w, 0.01), driven_error(false, w, 0.005), driven_error(false, w, 0.0025)};
+    const double cosine[] = {driven_error(true, w, 0.01), driven_error(true, w, 0.005), driven_error(true, w, 0.0025)};
+    for (const int k : {0, 1}) {
+        EXPECT_NEAR(std::log2(sine[k] / sine[k + 1]), 2.0, 0.1);
+        EXPECT_NEAR(std::log2(cosine[k] / cosine[k + 1]), 1.0, 0.1);
+    }
+    const double expected_cosine[] = {-5.0e-3, -2.5e-3, -1.25e-3};
+    for (const int k : {0, 1, 2}) EXPECT_NEAR(cosine[k], expected_cosine[k], 1e-6);
+    const double expected_sine[] = {5.24e-5, 1.31e-5, 3.27e-6};
+    for (const int k : {0, 1, 2}) EXPECT_NEAR(std::abs(sine[k]) / expected_sine[k], 1, 0.01);
+}
+
+// V44. F = 1e4 sin(4 pi t) on 2500 kg: x(1) = 1/pi, v(1) = 0.
+TEST(PointLoad, FollowsItsHistory) {
+    const double w = 4 * std::numbers::pi;
+    EXPECT_NEAR(4 * (driven_error(false, w, 1e-3) + 1 / w), .318310, 1e-3 * .318310);
+}
+
+}  // namespace
