@@ -54,6 +54,12 @@ double Distribution::quantile(double u) const {
     return std::clamp(value, min, max);
 }
 
+bool Distribution::has_weight() const {
+    if (law == Law::constant || law == Law::uniform) return true;
+    if (sd == 0 && law != Law::exponential) return min <= mean && mean <= max;
+    return share_below(*this, max) - share_below(*this, min) > 1e-12;
+}
+
 double Distribution::infimum() const {
     if (law == Law::constant) return mean;
     if (law == Law::lognormal || law == Law::exponential) return std::max(min, 0.0);

@@ -20,6 +20,8 @@ struct Distribution {
     double quantile(double u) const;
     /// Mean of the law before truncation.
     double untruncated_mean() const { return law == Law::uniform ? (min + max) / 2 : mean; }
+    /// Whether more than 1e-12 of the law lies between min and max, so that quantile() means something.
+    bool has_weight() const;
     /// The smallest value that a draw can return.
     double infimum() const;
 

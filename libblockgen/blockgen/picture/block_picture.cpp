@@ -92,9 +92,9 @@ class BlockPicture {
             const std::vector<Ring> rings = page_rings(b);
             canvas_.polygon(rings, fill, Stroke{fill, 0.3});
             if (mesh_.motion[b] == BlockMotion::fixed)
-                canvas_.hatch(rings, fixed_hatch, 5, std::numbers::pi / 4);
+                canvas_.hatch(rings, fixed_hatch, 7, std::numbers::pi / 4);
             if (mesh_.motion[b] == BlockMotion::prescribed)
-                canvas_.hatch(rings, prescribed_hatch, 5, -std::numbers::pi / 4);
+                canvas_.hatch(rings, prescribed_hatch, 7, -std::numbers::pi / 4);
         }
     }
 
@@ -140,12 +140,12 @@ class BlockPicture {
         canvas_.circle(place, 3.2, point_colour, Stroke{white, 0.9});
         TextStyle style{9, black, Anchor::start, Anchor::start, true};
         style.halo = white;
-        double x = place.x + 6;
+        double x = place.x + 4;
         if (x + canvas_.text_width(point.name, style) > axes_.lower_right().x - 3) {
             style.anchor = Anchor::end;
-            x = place.x - 6;
+            x = place.x - 4;
         }
-        canvas_.text({x, std::max(place.y - 5, axes_.upper_left().y + 11)}, point.name, style);
+        canvas_.text({x, std::max(place.y - 8, axes_.upper_left().y + 11)}, point.name, style);
     }
 
     void draw_legends() {
@@ -192,8 +192,8 @@ class BlockPicture {
         return y + 15;
     }
 
-    inline static const Stroke fixed_hatch{{0.25, 0.25, 0.28, 0.75}, 0.6};
-    inline static const Stroke prescribed_hatch{{0.70, 0.10, 0.16, 0.8}, 0.7};
+    inline static const Stroke fixed_hatch{{0.25, 0.25, 0.28, 0.6}, 0.6};
+    inline static const Stroke prescribed_hatch{{0.70, 0.10, 0.16, 0.6}, 0.7};
     inline static const Stroke bolt_stroke{{0.12, 0.12, 0.40}, 1.5};
     inline static const Colour point_colour{0.80, 0.12, 0.15};
     inline static const Colour contact_colour{0.45, 0.36, 0.26};

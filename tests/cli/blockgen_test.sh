@@ -1,0 +1,113 @@
+#!/bin/sh
+# What users and Makefiles rely on: exit codes, one-line errors with their place, and that a failed run touches no file.
+#   blockgen_test.sh PROGRAM
+set -eu
+program=$1
+folder=$(mktemp -d)
+trap 'chmod -R u+w "$folder"; rm -rf "$folder" "$folder.err" "$folder.now"' EXIT
+cd "$folder"
+
+fail() {
+    echo "FAILED: $*" >&2
+    exit 1
+}
+
+list() {
+    find . ! -name before.txt | sort >"$1"
+}
+
+cat >slope.toml <<'END'
+seed = 42
+[domain]
+outline = [[0, 0], [40, 0], [40, 30], [0, 30]]
+block_material = "rock"
+[[joint_set]]
+name = "bedding"
+angle = "-25 deg"
+spacing = { law = "lognormal", mean = 3.0, sd = 0.6, min = 1.0, max = 8.0 }
+[[joint_set]]
+name = "cross"
+angle = "65 deg"
+spacing = 4
+trace_length = { law = "exponential", mean = 12 }
+gap = 1
+[[traces]]
+joint_material = "fault"
+file = "faults of the slope.csv"
+[[fixed_block]]
+side = "bottom"
+END
+printf 'x1,y1,x2,y2\n3,-1,20,31\n' >'faults of the slope.csv'
+
+# Success: one line, every result, the same bytes again.
+"$program" slope.toml --picture p.svg --report r.json --depfile d.d --verify >out.txt 2>err.txt
+[ "$(wc -l <out.txt)" -eq 1 ] || fail "not one line: $(cat out.txt)"
+grep -q 'slope.blocks: .* blocks, D50 .*verified' out.txt || fail "summary: $(cat out.txt)"
+[ ! -s err.txt ] || fail "said: $(cat err.txt)"
+[ "$(head -n 1 slope.blocks)" = 'ddablk 1' ] || fail 'not a block file'
+grep -q '"area_proved": true' r.json || fail 'no proof in the report'
+grep -qF 'faults\ of\ the\ slope.csv:' d.d || fail 'the depfile lacks the traces'
+printf 'slope.blocks:\n\tfalse\ninclude d.d\n' >Makefile
+make -q slope.blocks || fail 'make finds the blocks out of date'
+touch -d 1980-01-01 slope.blocks
+! make -q slope.blocks 2>make.txt || fail 'make does not see new traces'
+"$program" slope.toml -o again.blocks --picture again.svg >out.txt
+cmp slope.blocks again.blocks || fail 'not the same bytes'
+cmp p.svg again.svg || fail 'not the same picture'
+"$program" slope.toml -o other.blocks --seed 43 >out.txt
+! cmp -s slope.blocks other.blocks || fail 'the seed changes nothing'
+"$program" slope.toml -o wide.blocks --set 'joint_set[0].spacing=30' --set seed=42 >out.txt
+! cmp -s slope.blocks wide.blocks || fail '--set changes nothing'
+"$program" --template >template.toml
+"$program" template.toml --picture t.png --report t.json >out.txt
+"$program" slope.toml --print-config >echo.toml
+"$program" echo.toml -o echo.blocks >out.txt
+grep -v '^provenance' slope.blocks >a.txt
+grep -v '^provenance' echo.blocks >b.txt
+cmp a.txt b.txt || fail 'the echoed model makes other blocks'
+"$program" --version | grep -q '^blockgen [0-9]' || fail version
+"$program" --help | grep -q -- --max-blocks || fail help
+
+# Failure: the old results stay, nothing new appears.
+echo old >slope.blocks
+list before.txt
+refused() {
+    expected=$1
+    shift
+    code=0
+    "$program" "$@" >/dev/null 2>"$folder.err" || code=$?
+    [ "$code" -eq 2 ] || fail "exit code $code of: $*"
+    [ "$(wc -l <"$folder.err")" -eq 1 ] || fail "not one line from: $*: $(cat "$folder.err")"
+    grep -q -- "$expected" "$folder.err" || fail "no '$expected' in: $(cat "$folder.err")"
+    list "$folder.now"
+    cmp -s "$folder.now" before.txt || fail "a file appeared or vanished after: $*"
+    [ "$(cat slope.blocks)" = old ] || fail "slope.blocks was touched by: $*"
+}
+set_value() { refused "$1" slope.toml --set "$2" --picture new.svg --report new.json --depfile new.d; }
+
+set_value 'spacing' 'joint_set[0].spacng=3'
+set_value 'finite' 'domain.outline=[[0, 0], [1, nan], [1, 1]]'
+set_value 'enclose no area' 'domain.outline=[]'
+set_value 'edge 1 .* and edge 3 .* meet at (0.5, 0.5)' 'domain.outline=[[0, 0], [1, 1], [1, 0], [0, 1]]'
+set_value 'block_material' 'domain.block_material=3'
+set_value 'too small' 'joint_set[0].spacing=-3'
+set_value 'below the grid' 'joint_set[0].spacing=1e-7'
+set_value 'blocks; expected at most' 'joint_set[0].spacing=0.00003'
+refused 'slope.toml:2.*--max-blocks' slope.toml --max-blocks 10
+refused 'no-such.toml' no-such.toml
+refused 'no such folder' slope.toml -o nowhere/slope.blocks
+refused 'new.gif' slope.toml --picture new.gif
+refused 'model file' slope.toml -o slope.toml
+refused 'different names' slope.toml --report slope.blocks
+refused 'pictur' slope.toml --pictur new.svg
+refused 'no model file'
+if [ "$(id -u)" -ne 0 ]; then
+    mkdir shut
+    chmod a-w shut
+    list before.txt
+    refused 'shut/slope.blocks: cannot be written' slope.toml -o shut/slope.blocks
+fi
+printf '[domain\n' >broken.toml
+list before.txt
+refused 'broken.toml:1' broken.toml
+echo 'blockgen: all as promised'

@@ -1,0 +1,213 @@
+#include "blockgen/input/read_slope_model.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <numbers>
+
+#include "blockgen/input/geometry_file.hpp"
+#include "unit/blockgen/slopes.hpp"
+
+namespace blockgen {
+namespace {
+
+using testing::HasSubstr;
+
+const std::string valid = R"(seed = 42
+[domain]
+outline = [[0, 0], [10, 0], [10, 5], [0, 5]]
+block_material = "rock"
+grid = 9.5367431640625e-7
+[[region]]
+name = "top"
+block_material = "soil"
+polygon = [[0, 4], [10, 4], [10, 5], [0, 5]]
+[[tunnel]]
+shape = "circle"
+centre = [4, 2]
+radius = "50 cm"
+[[joint_set]]
+name = "bedding"
+kind = "parallel"
+angle = "-25 deg"
+spacing = { law = "lognormal", mean = 3.0, sd = 0.6, min = 1.0, max = 8.0 }
+trace_length = { law = "exponential", mean = 20 }
+gap = 2.0
+[[traces]]
+joint_material = "fault"
+points = [[1, 0], [2, 5]]
+[[fixed_block]]
+side = "bottom"
+[[measured_point]]
+name = "crest"
+at = [5, 4.5]
+)";
+
+std::string error_of(const std::string& text) {
+    try {
+        slope(text);
+    } catch (const InputError& error) {
+        EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+        return error.what();
+    }
+    return "no error";
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return text.replace(at, from.size(), to);
+}
+
+TEST(ReadSlopeModel, ReadsEveryTable) {
+    const SlopeModel model = slope(valid);
+    EXPECT_EQ(model.seed, 42u);
+    EXPECT_EQ(model.grid, 0x1p-20);
+    EXPECT_EQ(model.regions[0].block_material, "soil");
+    EXPECT_EQ(model.tunnels[0].outline.size(), 32u);
+    EXPECT_NEAR(model.joint_sets[0].angle.mean, -25 * std::numbers::pi / 180, 1e-15);
+    EXPECT_EQ(model.joint_sets[0].spacing, (Distribution{Law::lognormal, 3, 0.6, 1, 8}));
+    EXPECT_EQ(model.joint_sets[0].joint_material, "bedding");
+    EXPECT_EQ(model.traces[0].points[1], (Point{2, 5}));
+    EXPECT_EQ(model.selectors[0].side, "bottom");
+    EXPECT_EQ(model.measured_points[0].name, "crest");
+}
+
+TEST(ReadSlopeModel, ItsTemplateIsAModel) {
+    EXPECT_GT(cut(slope(slope_model_template())).mesh.block_count(), 100u);
+}
+
+TEST(ReadSlopeModel, OutlinesMayTurnEitherWayAndBeClosed) {
+    const SlopeModel model = slope(
+        replaced(valid, "[[0, 0], [10, 0], [10, 5], [0, 5]]", "[[0, 5], [10, 5], [10, 0], [0, 0], [0, 5]]"));
+    EXPECT_EQ(model.outline.size(), 4u);
+    EXPECT_EQ(twice_signed_area(model.outline), 100);
+}
+
+struct Fault {
+    const char* from;
+    const char* to;
+    const char* place;
+    const char* message;
+};
+
+class FaultySlope : public testing::TestWithParam<Fault> {};
+
+TEST_P(FaultySlope, IsRefusedWithItsPlace) {
+    const auto& [from, to, place, message] = GetParam();
+    const std::string error = error_of(replaced(valid, from, to));
+    EXPECT_THAT(error, HasSubstr(std::string("slope.toml:") + place));
+    EXPECT_THAT(error, HasSubstr(message));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, FaultySlope,
+    testing::Values(
+        Fault{"gap = 2.0", "gapp = 2.0", "", "gap"}, Fault{"spacing = {", "spacng = {", "", "spacing"},
+        Fault{"seed = 42", "seed = -1", "1", "negative seed"},
+        Fault{"seed = 42", "seed = \"a\"", "1", "seed"}, Fault{"seed = 42", "seeed = 42", "1", "seed"},
+        Fault{"[[0, 0], [10, 0], [10, 5], [0, 5]]", "[]", "3", "enclose no area"},
+        Fault{"[[0, 0], [10, 0], [10, 5], [0, 5]]", "[[0, 0], [1, 0]]", "3", "enclose no area"},
+        Fault{"[[0, 0], [10, 0], [10, 5], [0, 5]]", "[[0, 0], [5, 0], [10, 0]]", "3", "meet"},
+        Fault{"[[0, 0], [10, 0], [10, 5], [0, 5]]", "[[0, 0], [10, 5], [10, 0], [0, 5]]", "3",
+              "edge 1 from (0, 0) to (10, 5) and edge 3 from (10, 0) to (0, 5) meet at (5, 2.5)"},
+        Fault{"[10, 5], [0, 5]]", "[10, nan], [0, 5]]", "3", "finite"},
+        Fault{"[10, 5], [0, 5]]", "[10, 5, 1], [0, 5]]", "3", "outline"},
+        Fault{"block_material = \"rock\"", "block_material = 3", "4", "block_material"},
+        Fault{"block_material = \"rock\"\n", "", "2", "block_material"},
+        Fault{"grid = 9.5367431640625e-7", "grid = 1e-6", "5", "power of two"},
+        Fault{"grid = 9.5367431640625e-7", "grid = 0", "5", "power of two"},
+        Fault{"grid = 9.5367431640625e-7", "grid = 3.552713678800501e-15", "5", "too fine"},
+        Fault{"[10, 4], [10, 5], [0, 5]]", "[10, 5], [10, 4], [0, 5]]", "9", "meet"},
+        Fault{"\"circle\"", "\"cirkle\"", "11", "circle"}, Fault{"\"50 cm\"", "\"50 kg\"", "13", "radius"},
+        Fault{"\"50 cm\"", "-1", "13", "positive"}, Fault{"\"-25 deg\"", "-25", "17", "deg"},
+        Fault{"\"parallel\"", "\"voronoi\"", "16", "parallel"},
+        Fault{"{ law = \"lognormal\", mean = 3.0, sd = 0.6, min = 1.0, max = 8.0 }", "-3", "18", "too small"},
+        Fault{"{ law = \"lognormal\", mean = 3.0, sd = 0.6, min = 1.0, max = 8.0 }", "0", "18", "too small"},
+        Fault{"{ law = \"lognormal\", mean = 3.0, sd = 0.6, min = 1.0, max = 8.0 }", "1e-7", "18",
+              "below the grid"},
+        Fault{"law = \"lognormal\", mean = 3.0, sd = 0.6, min = 1.0",
+              "law = \"normal\", mean = 3.0, sd = 0.6, min = -1.0", "18", "negative"},
+        Fault{"min = 1.0, max = 8.0", "min = 8.0, max = 1.0", "18", "max"},
+        Fault{"min = 1.0, max = 8.0", "min = 1e6, max = 2e6", "18", "no weight"},
+        Fault{"sd = 0.6", "sd = -0.6", "18", "standard deviation"},
+        Fault{"sd = 0.6", "sdd = 0.6", "18", "sd"}, Fault{"gap = 2.0", "gap = -2.0", "20", "too small"},
+        Fault{"gap = 2.0", "", "19", "gap and persistence"},
+        Fault{"gap = 2.0", "gap = 2.0\nregion = \"tip\"", "21", "no region 'tip'"},
+        Fault{"points = [[1, 0], [2, 5]]", "points = [[1, 0]]", "23", "fewer than two"},
+        Fault{"side = \"bottom\"", "side = \"base\"", "25", "bottom"},
+        Fault{"side = \"bottom\"", "side = \"bottom\"\nat = [1, 1]", "", "exactly one"},
+        Fault{"at = [5, 4.5]", "at = [5]", "28", "at"}));
+
+TEST(ReadSlopeModel, NamesTheSpelling) {
+    EXPECT_THAT(error_of(replaced(valid, "gap = 2.0", "gapp = 2.0\ngap = 2.0")), HasSubstr("gap"));
+}
+
+class GeometryFile : public testing::Test {
+  protected:
+    std::filesystem::path write(const std::string& name, const std::string& text) {
+        const std::filesystem::path path =
+            std::filesystem::path(testing::TempDir()) / ("geometry_file_" + name);
+        std::ofstream(path) << text;
+        return path;
+    }
+    std::string error_of(const std::filesystem::path& path) {
+        try {
+            read_trace_file(path, "t", "");
+        } catch (const InputError& error) {
+            return error.what();
+        }
+        return "no error";
+    }
+};
+
+TEST_F(GeometryFile, TracesFromCsv) {
+    const auto path = write(
+        "a.csv", "x1, y1,x2,y2,joint_material # header\n0,0,1,1,\n\n466000.282228214303632,2,3,-4e0,fault\n");
+    const auto traces = read_trace_file(path, "t", "joint");
+    ASSERT_EQ(traces.size(), 2u);
+    EXPECT_EQ(traces[0].joint_material, "joint");
+    EXPECT_EQ(traces[1].joint_material, "fault");
+    EXPECT_EQ(traces[1].points[0].x, 466000.282228214303632);
+    EXPECT_THAT(error_of(path), HasSubstr("no joint material"));
+}
+
+TEST_F(GeometryFile, CsvFaultsAreNamedWithTheirPlace) {
+    EXPECT_THAT(error_of(write("b.csv", "x1,y1,x2\n0,0,1\n")), HasSubstr("no column 'y2'"));
+    EXPECT_THAT(error_of(write("c.csv", "x1,y1,x2,y2\n0,0,1,nan\n")), HasSubstr("c.csv:2:7"));
+    EXPECT_THAT(error_of(write("d.csv", "x1,y1,x2,y2\n0,0,1\n")), HasSubstr("d.csv:2"));
+    EXPECT_THAT(error_of(write("e.csv", "x1,y1,x2,y2\n")), HasSubstr("no trace"));
+    EXPECT_THAT(error_of(write("f.dxf", "0")), HasSubstr("geometry format"));
+    EXPECT_THAT(error_of("no-such.csv"), HasSubstr("no-such.csv: cannot be read"));
+}
+
+TEST_F(GeometryFile, TracesAndOutlineFromGeoJson) {
+    const auto traces = read_trace_file(write("g.geojson", R"({"type": "FeatureCollection", "features": [
+        {"type": "Feature", "properties": {"joint_material": "fault"}, "geometry": {"type": "LineString", "coordinates": [[0, 0, 9], [1, 1]]}},
+        {"type": "Feature", "properties": null, "geometry": {"type": "MultiLineString", "coordinates": [[[0, 0], [2, 1]], [[3, 3], [4, 4], [5, 4]]]}},
+        {"type": "Feature", "properties": {}, "geometry": null}]})"),
+                                        "t", "joint");
+    ASSERT_EQ(traces.size(), 3u);
+    EXPECT_EQ(traces[0].joint_material, "fault");
+    EXPECT_EQ(traces[2].points.size(), 3u);
+    const auto rings = read_outline_file(write(
+        "h.geojson",
+        R"({"type": "Polygon", "coordinates": [[[0, 0], [4, 0], [4, 4], [0, 0]], [[2, 1], [3, 1], [3, 2], [2, 1]]]})"));
+    ASSERT_EQ(rings.size(), 2u);
+    EXPECT_EQ(rings[0].size(), 3u);
+}
+
+TEST_F(GeometryFile, GeoJsonFaultsAreNamed) {
+    EXPECT_THAT(error_of(write("i.geojson", "{\n\n\"type\": oops}")), HasSubstr("i.geojson:3"));
+    EXPECT_THAT(error_of(write("j.geojson", "[]")), HasSubstr("no type"));
+    EXPECT_THAT(error_of(write("k.geojson", R"({"type": "Point", "coordinates": [0, 0]})")),
+                HasSubstr("'Point'"));
+    EXPECT_THAT(error_of(write("l.geojson", R"({"type": "LineString", "coordinates": [[0, 0]]})")),
+                HasSubstr("two points"));
+    EXPECT_THAT(error_of(write("m.geojson", R"({"type": "LineString", "coordinates": [[0, "x"], [1, 1]]})")),
+                HasSubstr("pair of numbers"));
+}
+
+}  // namespace
+}  // namespace blockgen
