@@ -17,8 +17,12 @@ struct Entry {
     Contact contact;
     double inside = 0;        ///< m, projection inside the ends
     int partner = -1;         ///< the edge's end that the corner is near, or -1
-    bool was_closed = false;  ///< it carried force at the end of the last step
+    bool holds = false;       ///< it carried force at the end of the last step, and its corner is on its edge
 };
+
+/// How far past its edge's end a corner may be and still be on it, as a share of the edge: the ends of two equal faces shift by
+/// elastic strains from step to step, and a contact that changed roles with each of them would never come to rest.
+constexpr double end_slack = 1e-6;
 
 class Detector {
   public:
@@ -47,7 +51,7 @@ class Detector {
         contact.joint_material = joint_material_of(corner, edge);
         contact.joint = topology_.joint[index(edge)];
         entry.inside = geometry.inside();
-        entry.was_closed = old != nullptr && old->state != ContactState::open;
+        entry.holds = old != nullptr && old->state != ContactState::open && entry.inside >= -end_slack * geometry.length;
         const int end = geometry.along < geometry.length / 2 ? edge : next(edge);
         entry.partner = (vertex - at(end)).norm() <= reach_ && !is_reflex(end) ? end : -1;
         return true;
@@ -117,20 +121,16 @@ class Detector {
         return model_.default_joint_material;
     }
 
-    /// Whether `a` is to stand for its line rather than `b`: the one that carried force while its corner is on its edge, then the one
-    /// whose corner projects farther inside; a tie, as where two corners coincide, goes to the earlier.
+    /// Whether `a` is to stand for its line rather than `b`: the one that holds, then the one whose corner projects farther inside;
+    /// a tie, as where two corners coincide, goes to the earlier.
     bool better(const Entry& a, const Entry& b) const {
-        const double tie = 1e-9 * reach_;
-        const bool a_holds = a.was_closed && a.inside >= -tie;
-        const bool b_holds = b.was_closed && b.inside >= -tie;
-        if (a_holds != b_holds) return a_holds;
-        return a.inside > b.inside + tie;
+        if (a.holds != b.holds) return a.holds;
+        return a.inside > b.inside + 1e-9 * reach_;
     }
 
-    /// A line that carried force keeps the group while its corner is on its edge, however deep: the others leave the group's choice.
+    /// A line that holds keeps the group, however deep: the others cannot close.
     static void keep_what_carries(std::span<const Entry* const> lines, std::span<Contact> contacts) {
-        const auto holds = [](const Entry* line) { return line->was_closed && line->inside >= 0; };
-        const auto holder = std::find_if(lines.begin(), lines.end(), holds);
+        const auto holder = std::find_if(lines.begin(), lines.end(), [](const Entry* line) { return line->holds; });
         if (holder == lines.end()) return;
         for (std::size_t k = 0; k < lines.size(); ++k) contacts[k].held_back = lines[k] != *holder;
     }

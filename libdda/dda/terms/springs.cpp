@@ -58,8 +58,10 @@ std::vector<ContactSprings> contact_springs(const Model& model, const RowMap& ro
             const Vec2& first = mid.vertices[static_cast<std::size_t>(contact.edge)];
             const Vec2& second = mid.vertices[static_cast<std::size_t>(model.topology.next[static_cast<std::size_t>(contact.edge)])];
             const CornerEdgeGeometry geometry = corner_edge_geometry(point, first, second);
+            // The force acts half-way between the corner and the face it lies on: the same place when corner and edge exchange roles.
+            const Vec2 meeting = point - geometry.gap / 2 * geometry.normal;
             const auto measure = [&](const Vec2& direction) {
-                return relative_displacement(rows, mid, prescribed, direction, contact.corner_block, point, contact.edge_block, point);
+                return relative_displacement(rows, mid, prescribed, direction, contact.corner_block, meeting, contact.edge_block, meeting);
             };
             ContactSprings& spring = springs[k];
             spring.rows = {rows.row_of[static_cast<std::size_t>(contact.corner_block)],
