@@ -18,6 +18,7 @@ void take_note(int number) {
 void listen_for_signals() {
     std::signal(SIGINT, take_note);
     std::signal(SIGTERM, take_note);
+    std::signal(SIGHUP, take_note);
     std::signal(SIGXFSZ, SIG_IGN);
 }
 

@@ -2,8 +2,8 @@
 
 #include <filesystem>
 
-/// From here on SIGINT and SIGTERM ask for a stop instead of ending the program, and a full file-size limit
-/// is an error of the write instead of a signal. A second SIGINT or SIGTERM ends the program at once.
+/// From here on SIGINT, SIGTERM and SIGHUP ask for a stop instead of ending the program, and a full file-size
+/// limit is an error of the write instead of a signal. A second one of them ends the program at once.
 void listen_for_signals();
 
 /// True once a signal has come or `stop_file` exists; the file is removed, having said its word.
