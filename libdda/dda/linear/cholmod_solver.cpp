@@ -1,4 +1,6 @@
 #include <cholmod.h>
+#include <dlfcn.h>
+#include <omp.h>
 
 #include <cstring>
 #include <new>
@@ -6,19 +8,25 @@
 
 #include "dda/linear/linear_solver.hpp"
 
-// OpenBLAS, where it is the BLAS: its own threads make small supernodes slower and their sums depend on the thread count.
-extern "C" void openblas_set_num_threads(int) __attribute__((weak));
-
 namespace dda {
 
 namespace {
 
 constexpr int unknowns = 6;
 
+/// Keeps CHOLMOD's and the BLAS' own threads out: they wait for each other longer than a supernode of a few blocks takes (four
+/// threads on two cores cost five times the time), and sums would depend on their number.
+void stay_single_threaded() {
+    omp_set_max_active_levels(0);
+    // Only OpenBLAS has this function; another BLAS is left alone.
+    using SetThreads = void (*)(int);
+    if (auto* set_threads = reinterpret_cast<SetThreads>(dlsym(RTLD_DEFAULT, "openblas_set_num_threads"))) set_threads(1);
+}
+
 class CholmodSolver final : public LinearSolver {
   public:
     CholmodSolver() {
-        if (openblas_set_num_threads != nullptr) openblas_set_num_threads(1);
+        stay_single_threaded();
         cholmod_start(&common_);
         common_.supernodal = CHOLMOD_SUPERNODAL;
         common_.final_ll = 1;
