@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "dda/contact/detect.hpp"
+#include "dda/linear/anderson.hpp"
 
 namespace dda {
 
@@ -11,6 +12,9 @@ namespace {
 
 /// Iterations in which the shear bounds follow every iterate; past these they wait for the minimum of the potential.
 constexpr int following_iterations = 10;
+/// Back-substitutions spent on the coupling of shear bounds and normal forces in one iteration, and the earlier ones remembered.
+constexpr int friction_iterations = 12;
+constexpr int friction_memory = 6;
 /// Evaluations of the potential's slope in a line search; each halves the bracket at worst.
 constexpr int line_search_evaluations = 40;
 
@@ -21,6 +25,7 @@ enum class Spring : std::uint8_t { none, sliding, locked };
 struct Trial {
     Spring spring = Spring::none;  ///< in the linear system
     double held_force = 0;         ///< shear force in the linear system when sliding, N per metre
+    bool forward = true;           ///< the direction it slides in
     Strength bounds;               ///< that the shear force is clipped to
     double gap_offset = 0;         ///< m, gap less the linear measure of the present displacement
     bool torn = false;
@@ -46,6 +51,7 @@ class Iteration {
     OpenCloseResult run() {
         OpenCloseResult result;
         bool changed = true;
+        bool at_minimum = false;
         while (result.iterations < p_.control.iteration_limit) {
             if (changed) {
                 assemble();
@@ -55,16 +61,16 @@ class Iteration {
                     return result;
                 }
             }
-            std::vector<Vec6> target = right_hand_side();
-            solver_.solve(target);
             ++result.iterations;
+            const bool follow = result.iterations <= following_iterations || at_minimum;
+            const std::vector<Vec6> target = follow ? solve_with_friction() : solve_as_held();
             const bool full_step = advance_towards(target, result.iterations == 1);
 
             update_geometry();
-            const bool follow = result.iterations <= following_iterations;
             double change = force_change(result);
-            if (follow || (full_step && change <= tolerance())) {
-                update_bounds(follow || result.iterations < 2 * following_iterations ? 1.0 : 0.5);
+            at_minimum = full_step && change <= tolerance();
+            if (follow || at_minimum) {
+                update_bounds();
                 change = force_change(result);
             }
             if (full_step && change <= tolerance() && !tear()) {
@@ -89,6 +95,7 @@ class Iteration {
             trial.spring = contact.state == ContactState::locked ? Spring::locked : Spring::sliding;
         }
         trial.held_force = contact.shear_force;
+        trial.forward = contact.shear_force >= 0;
     }
 
     Strength bounds_of(const Contact& contact, double normal_force) const {
@@ -132,6 +139,52 @@ class Iteration {
             b.rows.add_force(b.elongation, -force, load);
         }
         return load;
+    }
+
+    std::vector<Vec6> solve_as_held() {
+        std::vector<Vec6> d = right_hand_side();
+        solver_.solve(d);
+        return d;
+    }
+
+    /// Solves the linear system with the sliding contacts' shear forces at the bounds that belong to its own normal forces. The coupling
+    /// makes the equations unsymmetric; instead of a second kind of factor, the held forces are found as a fixed point, accelerated, at one
+    /// back-substitution each.
+    std::vector<Vec6> solve_with_friction() {
+        std::vector<std::size_t> sliding;
+        for (std::size_t k = 0; k < trials_.size(); ++k) {
+            if (trials_[k].spring == Spring::sliding) sliding.push_back(k);
+        }
+        std::vector<Vec6> d = solve_as_held();
+        Eigen::VectorXd held(static_cast<Eigen::Index>(sliding.size()));
+        Eigen::VectorXd image(held.size());
+        AndersonMixing mixing(friction_memory);
+        for (int k = 0; k < friction_iterations && !sliding.empty(); ++k) {
+            for (std::size_t s = 0; s < sliding.size(); ++s) {
+                const auto row = static_cast<Eigen::Index>(s);
+                held[row] = trials_[sliding[s]].held_force;
+                image[row] = bound_at(sliding[s], d);
+            }
+            if ((image - held).cwiseAbs().maxCoeff() <= tolerance() / 2) break;
+            const Eigen::VectorXd next = mixing.next(held, image);
+            for (std::size_t s = 0; s < sliding.size(); ++s) trials_[sliding[s]].held_force = next[static_cast<Eigen::Index>(s)];
+            d = solve_as_held();
+        }
+        for (const std::size_t k : sliding) {
+            Strength& bounds = trials_[k].bounds;
+            (trials_[k].forward ? bounds.forward : bounds.backward) = std::abs(trials_[k].held_force);
+        }
+        return d;
+    }
+
+    /// The shear bound of a sliding contact, with its sign, at the normal force that the linear system gives for a displacement.
+    double bound_at(std::size_t k, const std::vector<Vec6>& d) const {
+        const ContactSprings& s = p_.springs[k];
+        const Contact& contact = p_.contacts[k];
+        const double normal = -s.normal_stiffness * (trials_[k].gap_offset + s.rows.measure(s.normal, d));
+        if (normal <= 0 && !is_bonded(k)) return 0;
+        const Strength bounds = bounds_of(contact, normal);
+        return trials_[k].forward ? bounds.forward : -bounds.backward;
     }
 
     /// What the linear system takes the contact's forces to be.
@@ -332,16 +385,11 @@ class Iteration {
 
     double tolerance() const { return std::max(p_.control.force_tolerance * reference_, p_.smallest_force); }
 
-    /// Moves the shear bounds to those of the present normal forces, or a share of the way.
-    void update_bounds(double share) {
+    /// Moves the shear bounds to those of the present normal forces.
+    void update_bounds() {
         for (std::size_t k = 0; k < trials_.size(); ++k) {
             const Forces forces = law_forces(k, opening_[k], shearing_[k]);
-            Strength bounds = bounds_of(p_.contacts[k], forces.normal);
-            if (forces.normal <= 0 && !is_bonded(k)) bounds = {};
-            Strength& held = trials_[k].bounds;
-            held.forward += share * (bounds.forward - held.forward);
-            held.backward += share * (bounds.backward - held.backward);
-            held.tensile = bounds.tensile;
+            trials_[k].bounds = forces.normal <= 0 && !is_bonded(k) ? Strength{} : bounds_of(p_.contacts[k], forces.normal);
         }
     }
 
@@ -379,6 +427,7 @@ class Iteration {
             changed = changed || spring != trial.spring;
             trial.spring = spring;
             trial.held_force = law_forces(k, opening_[k], shearing_[k]).shear;
+            trial.forward = p_.contacts[k].shear_force + p_.springs[k].shear_stiffness * shearing_[k] >= 0;
         }
         for (std::size_t k = 0; k < p_.bolts.size(); ++k) {
             const double elongation = p_.bolts[k].rows.measure(p_.bolts[k].elongation, displacement_);

@@ -175,6 +175,10 @@ ContactSet TimeStepper::contacts_at(const State& state, double reach) const {
         // The force follows from the geometry, also where the contact took over from another line.
         const double force = -model_.joint_material_at(c.joint_material).normal_stiffness(model_.normal_penalty) * c.gap;
         c.normal_force = c.state != ContactState::open && (force > 0 || c.bonded) ? force : 0;
+        // A corner enters through a line that it was outside of: one that is open and behind the line belongs elsewhere. At a pair of
+        // corners two nearly parallel lines may change places, and differ by their angle.
+        const double behind = c.group >= 0 || c.kind != ContactKind::vertex_edge ? parallel_tolerance * reach : 0;
+        if (c.state == ContactState::open && c.gap < -(behind + rounding_)) c.held_back = true;
     }
     return set;
 }

@@ -41,8 +41,7 @@ class Detector {
         contact.edge_block = topology_.block_of[index(edge)];
         const Contact* old = find_previous(contact);
         if (old == nullptr && distance_to_segment(vertex, at(edge), at(next(edge))) > reach_) return false;
-        if (!on_outer_side(next(corner), vertex, geometry.normal)) return false;
-        if (!on_outer_side(previous(corner), vertex, geometry.normal)) return false;
+        if (!on_outer_side(corner, geometry.normal)) return false;
 
         contact.point = vertex;
         contact.normal = geometry.normal;
@@ -101,9 +100,13 @@ class Detector {
         return found != previous_.end() && sort_key(*found) == sort_key(contact) ? &*found : nullptr;
     }
 
-    bool on_outer_side(int neighbour, const Vec2& vertex, const Vec2& normal) const {
-        const Vec2 side = at(neighbour) - vertex;
-        return side.dot(normal) >= -parallel_tolerance * side.norm();
+    /// Whether the rock at a corner lies on the outer side of a line with the given normal: both its edges, and the side they enclose,
+    /// which decides for a straight corner.
+    bool on_outer_side(int corner, const Vec2& normal) const {
+        const Vec2 leaving = (at(next(corner)) - at(corner)).normalized();
+        const Vec2 arriving = (at(previous(corner)) - at(corner)).normalized();
+        if (leaving.dot(normal) < -parallel_tolerance || arriving.dot(normal) < -parallel_tolerance) return false;
+        return perpendicular(leaving - arriving).dot(normal) > 0 || (leaving + arriving).dot(normal) > parallel_tolerance;
     }
 
     bool is_reflex(int corner) const {
