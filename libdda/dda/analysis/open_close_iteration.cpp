@@ -11,20 +11,19 @@ namespace dda {
 namespace {
 
 /// Iterations in which the shear bounds follow every iterate; past these they wait for the minimum of the potential.
-constexpr int following_iterations = 10;
+constexpr int following_iterations = 30;
 /// Back-substitutions spent on the coupling of shear bounds and normal forces in one iteration, and the earlier ones remembered.
 constexpr int friction_iterations = 12;
 constexpr int friction_memory = 6;
 /// Evaluations of the potential's slope in a line search; each halves the bracket at worst.
 constexpr int line_search_evaluations = 40;
 
-/// How the linear system holds a contact.
-enum class Spring : std::uint8_t { none, sliding, locked };
-
-/// A contact during the iteration. Normal force and shear force are functions of the gap and of the elastic trial force.
+/// A contact during the iteration. With the bounds held, its normal force depends on the gap alone and its shear force on the elastic
+/// trial force alone, both without a jump: that makes the potential convex. What couples them is the bounds, zero where it is open.
 struct Trial {
-    Spring spring = Spring::none;  ///< in the linear system
-    double held_force = 0;         ///< shear force in the linear system when sliding, N per metre
+    bool pressed = false;          ///< has its normal spring in the linear system
+    bool locked = false;           ///< has its shear spring in the linear system
+    double held_force = 0;         ///< shear force in the linear system when not locked, N per metre
     bool forward = true;           ///< the direction it slides in
     Strength bounds;               ///< that the shear force is clipped to
     double gap_offset = 0;         ///< m, gap less the linear measure of the present displacement
@@ -67,6 +66,7 @@ class Iteration {
             const bool full_step = advance_towards(target, result.iterations == 1);
 
             update_geometry();
+            if (follow) choose_lines();
             double change = force_change(result);
             at_minimum = full_step && change <= tolerance();
             if (follow || at_minimum) {
@@ -87,13 +87,10 @@ class Iteration {
     void start(const Contact& contact, Trial& trial) {
         trial.may_close = !contact.held_back;
         trial.gap_offset = contact.gap;
-        trial.bounds = bounds_of(contact, contact.normal_force);
-        if (!trial.may_close || contact.state == ContactState::open) {
-            trial.spring = trial.may_close && contact.gap < 0 ? Spring::locked : Spring::none;
-            if (contact.group >= 0) trial.spring = Spring::none;
-        } else {
-            trial.spring = contact.state == ContactState::locked ? Spring::locked : Spring::sliding;
-        }
+        const bool was_closed = contact.state != ContactState::open;
+        trial.pressed = trial.may_close && (was_closed || (contact.gap < 0 && contact.group < 0));
+        trial.locked = trial.pressed && contact.state != ContactState::sliding;
+        if (trial.pressed) trial.bounds = bounds_of(contact, contact.normal_force);
         trial.held_force = contact.shear_force;
         trial.forward = contact.shear_force >= 0;
     }
@@ -109,10 +106,9 @@ class Iteration {
         matrix_.reset(pattern_);
         for (std::size_t r = 0; r < p_.base.stiffness.size(); ++r) matrix_.diagonal[r] = p_.base.stiffness[r];
         for (std::size_t k = 0; k < trials_.size(); ++k) {
-            if (trials_[k].spring == Spring::none) continue;
             const ContactSprings& s = p_.springs[k];
-            s.rows.add_stiffness(s.normal, s.normal_stiffness, pattern_, matrix_);
-            if (trials_[k].spring == Spring::locked) s.rows.add_stiffness(s.shear, s.shear_stiffness, pattern_, matrix_);
+            if (trials_[k].pressed) s.rows.add_stiffness(s.normal, s.normal_stiffness, pattern_, matrix_);
+            if (trials_[k].locked) s.rows.add_stiffness(s.shear, s.shear_stiffness, pattern_, matrix_);
         }
         for (std::size_t k = 0; k < p_.bolts.size(); ++k) {
             if (yielding_[k] == 0) p_.bolts[k].rows.add_stiffness(p_.bolts[k].elongation, p_.bolts[k].stiffness, pattern_, matrix_);
@@ -123,14 +119,12 @@ class Iteration {
         std::vector<Vec6> load = p_.base.load;
         for (std::size_t k = 0; k < trials_.size(); ++k) {
             const Trial& trial = trials_[k];
-            if (trial.spring == Spring::none) continue;
             const ContactSprings& s = p_.springs[k];
             // Forces at zero unknowns: the known displacement of blocks without unknowns is in Relative::known.
-            s.rows.add_force(s.normal, -s.normal_stiffness * (trial.gap_offset + s.normal.known), load);
-            const double shear = trial.spring == Spring::locked
-                                     ? p_.contacts[k].shear_force + s.shear_stiffness * s.shear.known
-                                     : trial.held_force;
-            s.rows.add_force(s.shear, -shear, load);
+            if (trial.pressed) s.rows.add_force(s.normal, -s.normal_stiffness * (trial.gap_offset + s.normal.known), load);
+            const double shear =
+                trial.locked ? p_.contacts[k].shear_force + s.shear_stiffness * s.shear.known : trial.held_force;
+            if (shear != 0) s.rows.add_force(s.shear, -shear, load);
         }
         for (std::size_t k = 0; k < p_.bolts.size(); ++k) {
             const BoltSpring& b = p_.bolts[k];
@@ -153,7 +147,7 @@ class Iteration {
     std::vector<Vec6> solve_with_friction() {
         std::vector<std::size_t> sliding;
         for (std::size_t k = 0; k < trials_.size(); ++k) {
-            if (trials_[k].spring == Spring::sliding) sliding.push_back(k);
+            if (trials_[k].pressed && !trials_[k].locked) sliding.push_back(k);
         }
         std::vector<Vec6> d = solve_as_held();
         Eigen::VectorXd held(static_cast<Eigen::Index>(sliding.size()));
@@ -190,10 +184,9 @@ class Iteration {
     /// What the linear system takes the contact's forces to be.
     Forces linear_forces(std::size_t k, double opening, double shearing) const {
         const Trial& trial = trials_[k];
-        if (trial.spring == Spring::none) return {};
         const ContactSprings& s = p_.springs[k];
-        return {-s.normal_stiffness * (trial.gap_offset + opening),
-                trial.spring == Spring::locked ? p_.contacts[k].shear_force + s.shear_stiffness * shearing : trial.held_force};
+        return {trial.pressed ? -s.normal_stiffness * (trial.gap_offset + opening) : 0,
+                trial.locked ? p_.contacts[k].shear_force + s.shear_stiffness * shearing : trial.held_force};
     }
 
     // --- the law ---------------------------------------------------------------------------------------------------
@@ -206,9 +199,13 @@ class Iteration {
         if (!trial.may_close) return {};
         const ContactSprings& s = p_.springs[k];
         const double normal = -s.normal_stiffness * (trial.gap_offset + opening);
-        if (normal <= 0 && !is_bonded(k)) return {};
         const double elastic = p_.contacts[k].shear_force + s.shear_stiffness * shearing;
-        return {normal, std::clamp(elastic, -trial.bounds.backward, trial.bounds.forward)};
+        return {is_bonded(k) ? normal : std::max(normal, 0.0), std::clamp(elastic, -trial.bounds.backward, trial.bounds.forward)};
+    }
+
+    /// Whether the joint bears an elastic shear force without slipping. Without strength nothing is locked.
+    static bool within(double force, const Strength& bounds) {
+        return force <= bounds.forward && force >= -bounds.backward && bounds.forward + bounds.backward > 0;
     }
 
     double bolt_law_force(std::size_t k, double elongation) const {
@@ -339,7 +336,6 @@ class Iteration {
                 trials_[k].gap_offset = gap - opening_[k];
             }
         });
-        choose_lines();
     }
 
     /// Of a group of vertex-vertex lines only the one with the largest gap, the last that is crossed, may close.
@@ -389,7 +385,8 @@ class Iteration {
     void update_bounds() {
         for (std::size_t k = 0; k < trials_.size(); ++k) {
             const Forces forces = law_forces(k, opening_[k], shearing_[k]);
-            trials_[k].bounds = forces.normal <= 0 && !is_bonded(k) ? Strength{} : bounds_of(p_.contacts[k], forces.normal);
+            const bool open = !trials_[k].may_close || (forces.normal <= 0 && !is_bonded(k));
+            trials_[k].bounds = open ? Strength{} : bounds_of(p_.contacts[k], forces.normal);
         }
     }
 
@@ -411,8 +408,7 @@ class Iteration {
         const Forces forces = law_forces(k, opening_[k], shearing_[k]);
         if (forces.normal <= 0 && !(is_bonded(k) && trials_[k].may_close)) return ContactState::open;
         const double elastic = p_.contacts[k].shear_force + s.shear_stiffness * shearing_[k];
-        return elastic > trials_[k].bounds.forward || elastic < -trials_[k].bounds.backward ? ContactState::sliding
-                                                                                            : ContactState::locked;
+        return within(elastic, trials_[k].bounds) ? ContactState::locked : ContactState::sliding;
     }
 
     /// Sets the linear system's springs to the judged states. @return whether its matrix changes.
@@ -420,14 +416,15 @@ class Iteration {
         bool changed = false;
         for (std::size_t k = 0; k < trials_.size(); ++k) {
             Trial& trial = trials_[k];
-            const ContactState state = judged_state(k);
-            const Spring spring = state == ContactState::open      ? Spring::none
-                                  : state == ContactState::sliding ? Spring::sliding
-                                                                   : Spring::locked;
-            changed = changed || spring != trial.spring;
-            trial.spring = spring;
-            trial.held_force = law_forces(k, opening_[k], shearing_[k]).shear;
-            trial.forward = p_.contacts[k].shear_force + p_.springs[k].shear_stiffness * shearing_[k] >= 0;
+            const Forces law = law_forces(k, opening_[k], shearing_[k]);
+            const double elastic = p_.contacts[k].shear_force + p_.springs[k].shear_stiffness * shearing_[k];
+            const bool pressed = trial.may_close && (law.normal > 0 || is_bonded(k));
+            const bool locked = trial.may_close && within(elastic, trial.bounds);
+            changed = changed || pressed != trial.pressed || locked != trial.locked;
+            trial.pressed = pressed;
+            trial.locked = locked;
+            trial.held_force = law.shear;
+            trial.forward = elastic >= 0;
         }
         for (std::size_t k = 0; k < p_.bolts.size(); ++k) {
             const double elongation = p_.bolts[k].rows.measure(p_.bolts[k].elongation, displacement_);

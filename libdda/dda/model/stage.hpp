@@ -16,7 +16,7 @@ struct StepControl {
     double smallest_step = 1e-9;      ///< s; a step that would have to be smaller ends the run with the reason
     double cut = 1.0 / 3.0;           ///< factor on the step after a rejection
     double growth = 1.3;              ///< factor on the step after an easy step, up to `step`
-    int iteration_limit = 40;         ///< open-close iterations in a step
+    int iteration_limit = 100;        ///< open-close iterations in a step
     double displacement_ratio = 0.01; ///< largest vertex displacement in a step over the model's half-height
     double force_tolerance = 1e-6;    ///< largest change of a contact force over the reference force, at convergence
 };
