@@ -7,9 +7,12 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <cstdint>
+#include <functional>
 #include <limits>
-#include <regex>
 #include <stdexcept>
+#include <string_view>
+#include <utility>
 
 #include "blockgen/base/atomic_file.hpp"
 #include "blockgen/base/input_error.hpp"
@@ -75,11 +78,69 @@ void set_font(cairo_t* context, const TextStyle& style) {
     cairo_set_font_size(context, style.size);
 }
 
+void draw_hatch(cairo_t* context, std::span<const Ring> rings, const Stroke& stroke, double spacing,
+                double angle) {
+    const double ux = std::cos(angle), uy = -std::sin(angle);
+    double low = std::numeric_limits<double>::infinity(), high = -low, first = low, last = -low;
+    for (const Ring& ring : rings)
+        for (const Point& p : ring) {
+            low = std::min(low, p.y * ux - p.x * uy);
+            high = std::max(high, p.y * ux - p.x * uy);
+            first = std::min(first, p.x * ux + p.y * uy);
+            last = std::max(last, p.x * ux + p.y * uy);
+        }
+    if (!(low < high)) return;
+    cairo_save(context);
+    trace_rings(context, rings);
+    cairo_clip(context);
+    const auto last_line = static_cast<std::int64_t>(std::floor(high / spacing));
+    for (auto k = static_cast<std::int64_t>(std::ceil(low / spacing)); k <= last_line; ++k) {
+        const double offset = static_cast<double>(k) * spacing;
+        cairo_move_to(context, first * ux - offset * uy, first * uy + offset * ux);
+        cairo_line_to(context, last * ux - offset * uy, last * uy + offset * ux);
+    }
+    set_stroke(context, stroke);
+    cairo_stroke(context);
+    cairo_restore(context);
+}
+
+double share_of(Anchor anchor) {
+    return anchor == Anchor::start ? 0.0 : anchor == Anchor::middle ? 0.5 : 1.0;
+}
+
+void draw_text(cairo_t* context, const Point& place, const std::string& line, const TextStyle& style,
+               double width) {
+    constexpr double cap_height = 0.73;
+    const double dx = -share_of(style.anchor) * width;
+    const double dy = share_of(style.vertical) * cap_height * style.size;
+    set_font(context, style);
+    cairo_save(context);
+    cairo_translate(context, place.x, place.y);
+    cairo_rotate(context, -style.angle);
+    cairo_move_to(context, dx, dy);
+    if (style.halo) {
+        cairo_text_path(context, line.c_str());
+        set_stroke(context, {*style.halo, 0.3 * style.size});
+        cairo_stroke(context);
+        cairo_move_to(context, dx, dy);
+    }
+    set_colour(context, style.colour);
+    cairo_show_text(context, line.c_str());
+    cairo_new_path(context);
+    cairo_restore(context);
+}
+
 /// Cairo numbers the surfaces of a process in the SVG's identifiers; the same picture must have the same
 /// bytes.
-std::string without_surface_numbers(const std::string& svg) {
-    static const std::regex numbered("surface[0-9]+");
-    return std::regex_replace(svg, numbered, "surface");
+std::string without_surface_numbers(std::string svg) {
+    constexpr std::string_view word = "surface";
+    for (std::size_t at = svg.find(word); at != std::string::npos; at = svg.find(word, at)) {
+        at += word.size();
+        std::size_t end = at;
+        while (end < svg.size() && svg[end] >= '0' && svg[end] <= '9') ++end;
+        svg.erase(at, end - at);
+    }
+    return svg;
 }
 
 void check(cairo_status_t status) {
@@ -90,26 +151,26 @@ void check(cairo_status_t status) {
 }  // namespace
 
 struct Canvas::Impl {
+    using Command = std::function<void(cairo_t*)>;
+
     double width, height;
-    Surface record;
-    Context context;
+    std::vector<Command> commands;
+    Surface sheet{cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1)};
+    Context ruler{cairo_create(sheet.get())};  ///< measures text
 
-    Impl(double page_width, double page_height) : width(page_width), height(page_height) {
-        const cairo_rectangle_t extents{0, 0, width, height};
-        record.reset(cairo_recording_surface_create(CAIRO_CONTENT_COLOR_ALPHA, &extents));
-        context.reset(cairo_create(record.get()));
-        set_colour(context.get(), white);
-        cairo_paint(context.get());
-        cairo_set_line_join(context.get(), CAIRO_LINE_JOIN_ROUND);
-        cairo_set_line_cap(context.get(), CAIRO_LINE_CAP_ROUND);
-        cairo_set_fill_rule(context.get(), CAIRO_FILL_RULE_EVEN_ODD);
-    }
+    Impl(double page_width, double page_height) : width(page_width), height(page_height) {}
 
+    // Cairo's own recording surface would do the same, but its SVG output keeps such a source for ever
+    // (Cairo 1.16).
     void replay(cairo_surface_t* target, double scale) const {
         const Context to(cairo_create(target));
         cairo_scale(to.get(), scale, scale);
-        cairo_set_source_surface(to.get(), record.get(), 0, 0);
+        set_colour(to.get(), white);
         cairo_paint(to.get());
+        cairo_set_line_join(to.get(), CAIRO_LINE_JOIN_ROUND);
+        cairo_set_line_cap(to.get(), CAIRO_LINE_CAP_ROUND);
+        cairo_set_fill_rule(to.get(), CAIRO_FILL_RULE_EVEN_ODD);
+        for (const Command& command : commands) command(to.get());
         check(cairo_status(to.get()));
     }
 };
@@ -128,46 +189,34 @@ double Canvas::height() const {
 
 void Canvas::polygon(std::span<const Ring> rings, const std::optional<Colour>& fill,
                      const std::optional<Stroke>& stroke) {
-    trace_rings(impl_->context.get(), rings);
-    finish_path(impl_->context.get(), fill, stroke);
+    impl_->commands.emplace_back(
+        [shape = std::vector<Ring>(rings.begin(), rings.end()), fill, stroke](cairo_t* to) {
+            trace_rings(to, shape);
+            finish_path(to, fill, stroke);
+        });
 }
 
 void Canvas::hatch(std::span<const Ring> rings, const Stroke& stroke, double spacing, double angle) {
-    cairo_t* context = impl_->context.get();
-    const double ux = std::cos(angle), uy = -std::sin(angle);
-    double low = std::numeric_limits<double>::infinity(), high = -low, first = low, last = -low;
-    for (const Ring& ring : rings)
-        for (const Point& p : ring) {
-            low = std::min(low, p.y * ux - p.x * uy);
-            high = std::max(high, p.y * ux - p.x * uy);
-            first = std::min(first, p.x * ux + p.y * uy);
-            last = std::max(last, p.x * ux + p.y * uy);
-        }
-    if (!(low < high)) return;
-    cairo_save(context);
-    trace_rings(context, rings);
-    cairo_clip(context);
-    for (double k = std::ceil(low / spacing); k * spacing <= high; k += 1) {
-        const double offset = k * spacing;
-        cairo_move_to(context, first * ux - offset * uy, first * uy + offset * ux);
-        cairo_line_to(context, last * ux - offset * uy, last * uy + offset * ux);
-    }
-    set_stroke(context, stroke);
-    cairo_stroke(context);
-    cairo_restore(context);
+    impl_->commands.emplace_back([shape = std::vector<Ring>(rings.begin(), rings.end()), stroke, spacing,
+                                  angle](cairo_t* to) { draw_hatch(to, shape, stroke, spacing, angle); });
 }
 
 void Canvas::polyline(std::span<const Point> points, const Stroke& stroke) {
-    cairo_new_path(impl_->context.get());
-    trace(impl_->context.get(), points);
-    finish_path(impl_->context.get(), std::nullopt, stroke);
+    impl_->commands.emplace_back(
+        [line = std::vector<Point>(points.begin(), points.end()), stroke](cairo_t* to) {
+            cairo_new_path(to);
+            trace(to, line);
+            finish_path(to, std::nullopt, stroke);
+        });
 }
 
 void Canvas::circle(const Point& centre, double radius, const std::optional<Colour>& fill,
                     const std::optional<Stroke>& stroke) {
-    cairo_new_path(impl_->context.get());
-    cairo_arc(impl_->context.get(), centre.x, centre.y, radius, 0, 2 * M_PI);
-    finish_path(impl_->context.get(), fill, stroke);
+    impl_->commands.emplace_back([=](cairo_t* to) {
+        cairo_new_path(to);
+        cairo_arc(to, centre.x, centre.y, radius, 0, 2 * M_PI);
+        finish_path(to, fill, stroke);
+    });
 }
 
 void Canvas::arrow(const Point& from, const Point& to, const Stroke& stroke, double head) {
@@ -183,46 +232,28 @@ void Canvas::arrow(const Point& from, const Point& to, const Stroke& stroke, dou
 }
 
 double Canvas::text_width(const std::string& line, const TextStyle& style) const {
-    set_font(impl_->context.get(), style);
+    set_font(impl_->ruler.get(), style);
     cairo_text_extents_t extents;
-    cairo_text_extents(impl_->context.get(), line.c_str(), &extents);
+    cairo_text_extents(impl_->ruler.get(), line.c_str(), &extents);
     return extents.x_advance;
 }
 
 void Canvas::text(const Point& place, const std::string& line, const TextStyle& style) {
-    cairo_t* context = impl_->context.get();
-    const auto share = [](Anchor anchor) {
-        return anchor == Anchor::start ? 0.0 : anchor == Anchor::middle ? 0.5 : 1.0;
-    };
-    constexpr double cap_height = 0.73;
-    const double dx = -share(style.anchor) * text_width(line, style);
-    const double dy = share(style.vertical) * cap_height * style.size;
-    cairo_save(context);
-    cairo_translate(context, place.x, place.y);
-    cairo_rotate(context, -style.angle);
-    cairo_move_to(context, dx, dy);
-    if (style.halo) {
-        cairo_text_path(context, line.c_str());
-        set_stroke(context, {*style.halo, 0.3 * style.size});
-        cairo_stroke(context);
-        cairo_move_to(context, dx, dy);
-    }
-    set_colour(context, style.colour);
-    cairo_show_text(context, line.c_str());
-    cairo_new_path(context);
-    cairo_restore(context);
+    const double width = text_width(line, style);
+    impl_->commands.emplace_back([=](cairo_t* to) { draw_text(to, place, line, style, width); });
 }
 
 void Canvas::clip(const Point& upper_left, const Point& lower_right) {
-    cairo_t* context = impl_->context.get();
-    cairo_save(context);
-    cairo_rectangle(context, upper_left.x, upper_left.y, lower_right.x - upper_left.x,
-                    lower_right.y - upper_left.y);
-    cairo_clip(context);
+    impl_->commands.emplace_back([=](cairo_t* to) {
+        cairo_save(to);
+        cairo_rectangle(to, upper_left.x, upper_left.y, lower_right.x - upper_left.x,
+                        lower_right.y - upper_left.y);
+        cairo_clip(to);
+    });
 }
 
 void Canvas::unclip() {
-    cairo_restore(impl_->context.get());
+    impl_->commands.emplace_back(cairo_restore);
 }
 
 std::string Canvas::bytes(PictureFormat format) const {
@@ -247,7 +278,7 @@ std::string Canvas::bytes(PictureFormat format) const {
     page.replay(surface.get(), 1);
     cairo_surface_finish(surface.get());
     check(cairo_surface_status(surface.get()));
-    return format == PictureFormat::svg ? without_surface_numbers(out) : out;
+    return format == PictureFormat::svg ? without_surface_numbers(std::move(out)) : out;
 }
 
 std::optional<PictureFormat> picture_format(const std::filesystem::path& path) {
