@@ -24,7 +24,9 @@ Extent extent_of(const BlockMesh& mesh) {
         e.y = {std::min(e.y.low, p.y), std::max(e.y.high, p.y)};
     }
     const double margin = 0.02 * std::max(e.x.high - e.x.low, e.y.high - e.y.low);
-    return {{e.x.low - margin, e.x.high + margin}, {e.y.low - margin, e.y.high + margin}};
+    const double label =
+        mesh.measured_points.empty() ? 0 : 1.5 * margin;  // room for a name above the highest point
+    return {{e.x.low - margin, e.x.high + margin}, {e.y.low - margin, e.y.high + margin + label}};
 }
 
 /// A shade for each block that no block beyond an edge has already, as far as there are shades.
