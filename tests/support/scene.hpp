@@ -15,10 +15,12 @@ using dda::Vec2;
 using dda::Vec6;
 
 inline constexpr double g = 9.81;
-inline double radians(double degrees) { return degrees * std::numbers::pi / 180; }
+inline double radians(double degrees) {
+    return degrees * std::numbers::pi / 180;
+}
 
-/// Describes small models in code: polygons, one joint material unless said otherwise, the catalogue's default rock (2500 kg/m3,
-/// 10 GPa, 0.25) and penalty (5e10 N/m).
+/// Describes small models in code: polygons, one joint material unless said otherwise, the catalogue's
+/// default rock (2500 kg/m3, 10 GPa, 0.25) and penalty (5e10 N/m).
 class Scene {
   public:
     Scene() {
@@ -36,7 +38,8 @@ class Scene {
     void friction(double degrees) { model.joint_materials[0].law = mohr_coulomb(degrees); }
 
     /// Adds a block from its outer ring, counter-clockwise, and holes, clockwise. @return its index.
-    int block(const std::vector<std::vector<Vec2>>& rings, dda::Motion motion = dda::Motion::free, const std::string& name = {}) {
+    int block(const std::vector<std::vector<Vec2>>& rings, dda::Motion motion = dda::Motion::free,
+              const std::string& name = {}) {
         std::vector<int> sizes;
         for (const auto& ring : rings) {
             sizes.push_back(static_cast<int>(ring.size()));
@@ -49,11 +52,13 @@ class Scene {
         return model.block_count() - 1;
     }
     /// A rectangle with its lower left corner at `corner` and its base along `angle` (rad).
-    int box(const Vec2& corner, double width, double height, dda::Motion motion = dda::Motion::free, double angle = 0,
-            const std::string& name = {}) {
+    int box(const Vec2& corner, double width, double height, dda::Motion motion = dda::Motion::free,
+            double angle = 0, const std::string& name = {}) {
         const Vec2 along(std::cos(angle), std::sin(angle));
         const Vec2 up = dda::perpendicular(along);
-        return block({{corner, corner + width * along, corner + width * along + height * up, corner + height * up}}, motion, name);
+        return block(
+            {{corner, corner + width * along, corner + width * along + height * up, corner + height * up}},
+            motion, name);
     }
     int material_point(int block_index, const Vec2& position) {
         model.material_points.push_back({block_index, position});
@@ -90,7 +95,8 @@ class Simulation : public dda::RunObserver {
         return run(stage);
     }
 
-    bool step_done(const dda::Model&, const dda::State& s, const dda::Stage&, const dda::StepReport& report) override {
+    bool step_done(const dda::Model&, const dda::State& s, const dda::Stage&,
+                   const dda::StepReport& report) override {
         reports.push_back(report);
         if (each_step) each_step(s, report);
         return true;

@@ -4,8 +4,8 @@
 
 namespace scene {
 
-/// A running-bond wall of 1 m blocks on a fixed base: rows alternate between whole blocks and rows that start and end with halves.
-/// Young's modulus 5 GPa, density 2600, friction 35 degrees; penalty in multiples of E.
+/// A running-bond wall of 1 m blocks on a fixed base: rows alternate between whole blocks and rows that start
+/// and end with halves. Young's modulus 5 GPa, density 2600, friction 35 degrees; penalty in multiples of E.
 inline Scene running_bond_wall(int columns, int rows, double penalty_over_e) {
     Scene s;
     s.model.block_materials[0] = {"rock", 2600, 5e9, 0.25, 0.1, dda::Vec3::Zero()};

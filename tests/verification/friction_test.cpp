@@ -8,7 +8,8 @@ namespace {
 
 using namespace scene;
 
-/// A fixed incline and a block upon it; the block is settled as if glued, and the friction angle is set for the motion.
+/// A fixed incline and a block upon it; the block is settled as if glued, and the friction angle is set for
+/// the motion.
 struct Incline {
     explicit Incline(double psi_degrees, double width = 1, double height = 1) : psi(radians(psi_degrees)) {
         const Vec2 along(std::cos(psi), std::sin(psi));
@@ -43,7 +44,8 @@ struct SlideCase {
 };
 class Sliding : public testing::TestWithParam<SlideCase> {};
 
-// V08. s = (sin psi - cos psi tan phi) g t^2 / 2. From settled contact the only error is the elastic take-off, of the order of a penetration.
+// V08. s = (sin psi - cos psi tan phi) g t^2 / 2. From settled contact the only error is the elastic
+// take-off, of the order of a penetration.
 TEST_P(Sliding, FollowsTheClosedForm) {
     const auto [psi, phi, distance] = GetParam();
     Incline incline(psi, 2, 1);
@@ -53,8 +55,9 @@ TEST_P(Sliding, FollowsTheClosedForm) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Catalogue, Sliding,
-                         testing::Values(SlideCase{22.6, 5, 1.48879}, SlideCase{22.6, 10, 1.08650}, SlideCase{22.6, 15, .67160},
-                                         SlideCase{22.6, 20, .23679}, SlideCase{30, 0, 2.45250}, SlideCase{30, 10, 1.70349},
+                         testing::Values(SlideCase{22.6, 5, 1.48879}, SlideCase{22.6, 10, 1.08650},
+                                         SlideCase{22.6, 15, .67160}, SlideCase{22.6, 20, .23679},
+                                         SlideCase{30, 0, 2.45250}, SlideCase{30, 10, 1.70349},
                                          SlideCase{30, 20, .90641}, SlideCase{45, 30, 1.46590}));
 
 // V09. A tenth of a degree on either side of the limit.
@@ -65,7 +68,8 @@ TEST(StickThreshold, HoldsAboveAndSlidesBelow) {
     EXPECT_NEAR(Incline(30).slide(29.9, 5, 5e-3) / 12.5, a, 0.03 * a);
 }
 
-// V10, V11. v0 = 2 m/s on the flat at 25 degrees: stops after v0^2/(2 mu g) in v0/(mu g); friction takes all of m v0^2/2.
+// V10, V11. v0 = 2 m/s on the flat at 25 degrees: stops after v0^2/(2 mu g) in v0/(mu g); friction takes all
+// of m v0^2/2.
 TEST(Braking, StopsWhereAndWhenItMustAndFrictionTakesTheEnergy) {
     Scene s;
     s.friction(25);
@@ -100,8 +104,9 @@ class StandStill : public testing::TestWithParam<RestCase> {
     }
 };
 
-// A block that must stand still stands still: 30 degrees, phi = 35. Settled, it creeps less than 1e-6 m in ten seconds; set down
-// unsettled, it comes to rest within 1e-4 m. Both bounds are requirements, not measurements: seen are 1e-13 and 6e-5.
+// A block that must stand still stands still: 30 degrees, phi = 35. Settled, it creeps less than 1e-6 m in
+// ten seconds; set down unsettled, it comes to rest within 1e-4 m. Both bounds are requirements, not
+// measurements: seen are 1e-13 and 6e-5.
 TEST_P(StandStill, OnceSettled) {
     const Incline made = incline();
     Simulation sim(made.s);
@@ -119,17 +124,19 @@ TEST_P(StandStill, SetDownUnsettled) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Contract, StandStill,
-                         testing::Values(RestCase{1, 1e-4}, RestCase{1, 1e-3}, RestCase{1, 1e-2}, RestCase{10, 1e-4},
-                                         RestCase{10, 1e-3}, RestCase{10, 1e-2}, RestCase{100, 1e-4}, RestCase{100, 1e-3},
-                                         RestCase{100, 1e-2}));
+                         testing::Values(RestCase{1, 1e-4}, RestCase{1, 1e-3}, RestCase{1, 1e-2},
+                                         RestCase{10, 1e-4}, RestCase{10, 1e-3}, RestCase{10, 1e-2},
+                                         RestCase{100, 1e-4}, RestCase{100, 1e-3}, RestCase{100, 1e-2}));
 
-// V35. Direct shear under 1 MPa, c = 0.1 MPa, phi = 30: c + tan phi at the peak, tan phi after it. The lower half moves steadily, the upper is
-// held along the joint; an increment is 1e3 N of 6.8e5, so the peak is met within 0.2 %.
+// V35. Direct shear under 1 MPa, c = 0.1 MPa, phi = 30: c + tan phi at the peak, tan phi after it. The lower
+// half moves steadily, the upper is held along the joint; an increment is 1e3 N of 6.8e5, so the peak is met
+// within 0.2 %.
 TEST(DirectShear, ReachesPeakAndResidualStrength) {
     Scene s;
     s.model.gravity.setZero();
     s.model.joint_materials[0].law = Scene::mohr_coulomb(30, 0.1e6);
-    s.model.block_materials[0].poissons_ratio = 0;  // no shear from lateral expansion, so both ends slip at once
+    s.model.block_materials[0].poissons_ratio =
+        0;  // no shear from lateral expansion, so both ends slip at once
     const int lower = s.box({-1, -1}, 3, 1, dda::Motion::prescribed, 0, "lower");
     const int upper = s.box({0, 0}, 1, 1);
     for (const double x : {0.0, 1.0}) {

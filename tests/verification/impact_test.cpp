@@ -8,8 +8,9 @@ namespace {
 
 using namespace scene;
 
-// V29. Two equal frictionless blocks head on: contact forces come in equal and opposite pairs, so momentum is conserved to rounding whatever
-// the integration does to the energy. The bound is relative to the momentum of one block.
+// V29. Two equal frictionless blocks head on: contact forces come in equal and opposite pairs, so momentum is
+// conserved to rounding whatever the integration does to the energy. The bound is relative to the momentum of
+// one block.
 TEST(Collision, ConservesMomentum) {
     Scene s;
     s.model.gravity.setZero();
@@ -19,7 +20,9 @@ TEST(Collision, ConservesMomentum) {
     sim.velocity(left)[0] = 1;
     sim.velocity(right)[0] = -1;
     sim.restart_ledger();
-    const auto momentum = [&] { return 2500 * (sim.velocity(left).head<2>() + sim.velocity(right).head<2>()); };
+    const auto momentum = [&] {
+        return 2500 * (sim.velocity(left).head<2>() + sim.velocity(right).head<2>());
+    };
     ASSERT_EQ(sim.shake(0.05, 1e-4).status, dda::RunStatus::completed);
     EXPECT_LT(sim.velocity(left)[0], 0) << "they have met and parted";
     EXPECT_LT(momentum().norm(), 1e-8 * 2500);

@@ -10,8 +10,8 @@ namespace {
 
 using namespace scene;
 
-// V01. A falling block follows v = -g t, y = -g t^2/2 exactly: Newmark (1/2, 1) is exact for constant acceleration, so only rounding
-// in about a thousand steps is left.
+// V01. A falling block follows v = -g t, y = -g t^2/2 exactly: Newmark (1/2, 1) is exact for constant
+// acceleration, so only rounding in about a thousand steps is left.
 TEST(FreeFall, IsExact) {
     Scene s;
     const int block = s.box({0, 0}, 1, 1);
@@ -23,8 +23,8 @@ TEST(FreeFall, IsExact) {
     EXPECT_NEAR(sim.moved(block).x(), 0, 1e-12);
 }
 
-// V28. Ten turns at 2 pi rad/s, dt = 1 ms: with the exact rotation area, kinetic energy and stress stay; linearised, the area
-// would grow by (1 + dtheta^2)^N = 1.484.
+// V28. Ten turns at 2 pi rad/s, dt = 1 ms: with the exact rotation area, kinetic energy and stress stay;
+// linearised, the area would grow by (1 + dtheta^2)^N = 1.484.
 TEST(SpinningBlock, NeitherGrowsNorSlows) {
     Scene s;
     s.model.gravity.setZero();
@@ -44,7 +44,8 @@ TEST(SpinningBlock, NeitherGrowsNorSlows) {
     EXPECT_NEAR((sim.state.blocks.vertices[0] - Vec2(-0.5, -0.5)).norm(), 0, 1e-6);
 }
 
-/// Amplification of the oscillator with frequency w by Newmark (1/2, 1): x1 = tr x0 - det x(-1), from the exact 2x2 matrix.
+/// Amplification of the oscillator with frequency w by Newmark (1/2, 1): x1 = tr x0 - det x(-1), from the
+/// exact 2x2 matrix.
 struct Amplification {
     double trace, determinant;
     explicit Amplification(double w_dt)
@@ -59,8 +60,9 @@ struct OscillatorCase {
 
 class Oscillator : public testing::TestWithParam<OscillatorCase> {};
 
-// V27. A block on a fixed-point spring is one oscillator; its decay is the integration's own. The recurrence of the positions gives the decay
-// and the period without any fitting, so the tolerance only covers the table's rounding.
+// V27. A block on a fixed-point spring is one oscillator; its decay is the integration's own. The recurrence
+// of the positions gives the decay and the period without any fitting, so the tolerance only covers the
+// table's rounding.
 TEST_P(Oscillator, DecaysAsTheAmplificationMatrixSays) {
     const auto [w_dt, amplitude, period_ratio] = GetParam();
     Scene s;
@@ -97,8 +99,10 @@ TEST_P(Oscillator, DecaysAsTheAmplificationMatrixSays) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Catalogue, Oscillator,
-                         testing::Values(OscillatorCase{0.05, .92449, 1.0003}, OscillatorCase{0.1, .85482, 1.0011},
-                                         OscillatorCase{0.2, .73163, 1.0046}, OscillatorCase{0.5, .46753, 1.0273},
+                         testing::Values(OscillatorCase{0.05, .92449, 1.0003},
+                                         OscillatorCase{0.1, .85482, 1.0011},
+                                         OscillatorCase{0.2, .73163, 1.0046},
+                                         OscillatorCase{0.5, .46753, 1.0273},
                                          OscillatorCase{1.0, .24731, 1.0968}));
 
 /// Position at t = 1 s under a unit acceleration sin(w t) or cos(w t), less the exact one.
@@ -113,7 +117,8 @@ double driven_error(bool cosine, double w, double dt) {
         times.push_back(k * 0.0005);
         values.push_back(cosine ? std::cos(w * times.back()) : std::sin(w * times.back()));
     }
-    s.model.loads.push_back(dda::PointLoad{s.material_point(block, {0, 0}), {2500, 0}, dda::TimeTable(times, values)});
+    s.model.loads.push_back(
+        dda::PointLoad{s.material_point(block, {0, 0}), {2500, 0}, dda::TimeTable(times, values)});
     Simulation sim(s);
     dda::Stage stage;
     stage.name = "drive";
@@ -124,12 +129,15 @@ double driven_error(bool cosine, double w, double dt) {
     return sim.moved(block).x() - (cosine ? (1 - std::cos(w)) / (w * w) : 1 / w);
 }
 
-// V50. The integration is of first order: the cosine load starts at its peak, and evaluating it at the ends of the steps misses dt/2 of its
-// initial value (error -dt/2 a0). A load that starts at zero hides that and shows second order: by Euler and Maclaurin -dt^2 w/12.
+// V50. The integration is of first order: the cosine load starts at its peak, and evaluating it at the ends
+// of the steps misses dt/2 of its initial value (error -dt/2 a0). A load that starts at zero hides that and
+// shows second order: by Euler and Maclaurin -dt^2 w/12.
 TEST(IntegratorOrder, IsFirstOrderAndSecondForLoadsThatStartAtZero) {
     const double w = 2 * std::numbers::pi;
-    const double sine[] = {driven_error(false, w, 0.01), driven_error(false, w, 0.005), driven_error(false, w, 0.0025)};
-    const double cosine[] = {driven_error(true, w, 0.01), driven_error(true, w, 0.005), driven_error(true, w, 0.0025)};
+    const double sine[] = {driven_error(false, w, 0.01), driven_error(false, w, 0.005),
+                           driven_error(false, w, 0.0025)};
+    const double cosine[] = {driven_error(true, w, 0.01), driven_error(true, w, 0.005),
+                             driven_error(true, w, 0.0025)};
     for (const int k : {0, 1}) {
         EXPECT_NEAR(std::log2(sine[k] / sine[k + 1]), 2.0, 0.1);
         EXPECT_NEAR(std::log2(cosine[k] / cosine[k + 1]), 1.0, 0.1);

@@ -25,10 +25,11 @@ dda::Vec3 strains(const Simulation& sim) {
     return {along.x() - 1, up.y() - 1, along.y() + up.x()};
 }
 
-// V05, V06. Hooke's law; 0.1 % covers the change of the square's own size (strains of 1e-4) and the settling tolerance.
+// V05, V06. Hooke's law; 0.1 % covers the change of the square's own size (strains of 1e-4) and the settling
+// tolerance.
 TEST(Elasticity, UniaxialCompression) {
-    for (const auto& [plane, axial, lateral] :
-         {std::tuple{dda::Plane::stress, -1e-4, 2.5e-5}, std::tuple{dda::Plane::strain, -9.375e-5, 3.125e-5}}) {
+    for (const auto& [plane, axial, lateral] : {std::tuple{dda::Plane::stress, -1e-4, 2.5e-5},
+                                                std::tuple{dda::Plane::strain, -9.375e-5, 3.125e-5}}) {
         Scene s;
         s.model.plane = plane;
         s.model.gravity.setZero();
@@ -51,7 +52,8 @@ TEST(Elasticity, SimpleShear) {
     EXPECT_NEAR(sim.stress(0)[2], 1e5, 1e2);
 }
 
-// V02, V03. W over two springs, and the virial stress of self-weight: sigma_y = -rho g h / 2, sigma_x = 0. In ten seconds nothing drifts.
+// V02, V03. W over two springs, and the virial stress of self-weight: sigma_y = -rho g h / 2, sigma_x = 0. In
+// ten seconds nothing drifts.
 TEST(BlockAtRest, PenetratesByItsWeightAndStays) {
     Scene s;
     s.box({-1, -1}, 3, 1, dda::Motion::fixed);
@@ -74,11 +76,13 @@ TEST(Column, StressGrowsWithDepth) {
     ASSERT_EQ(sim.settle().status, dda::RunStatus::completed);
     for (int k = 1; k <= 10; ++k) {
         const double expected = -2500 * g * (k - 0.5);
-        EXPECT_NEAR(sim.stress(11 - k)[1], expected, 0.01 * std::abs(expected)) << "block " << k << " from the top";
+        EXPECT_NEAR(sim.stress(11 - k)[1], expected, 0.01 * std::abs(expected))
+            << "block " << k << " from the top";
     }
 }
 
-// V07. n blocks on n joints of stiffness k: 1/E_eff = 1/E + 1/(k h). Every joint has two contacts, so each spring is k h / 2.
+// V07. n blocks on n joints of stiffness k: 1/E_eff = 1/E + 1/(k h). Every joint has two contacts, so each
+// spring is k h / 2.
 TEST(Chain, IsAsSoftAsBlocksAndJointsInSeries) {
     Scene s;
     s.model.plane = dda::Plane::stress;

@@ -94,6 +94,9 @@ int plot(const po::variables_map& values) {
     const std::string extension = values["format"].as<std::string>();
     if (!blockgen::picture_format("x." + extension))
         throw blockgen::InputError({"dda-plot"}, "--format is '" + extension + "'", "png, svg or pdf");
+    std::error_code
+        refused;  // a folder that cannot be made is said by the first picture that cannot be written
+    fs::create_directories(output, refused);
     const bool all = !values.count("frames") && !values.count("history");
     const RunFrames run(folder);
     if (all || values.count("frames"))

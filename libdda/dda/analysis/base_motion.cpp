@@ -11,8 +11,8 @@ double acceleration_at(const TimeTable& table, double time) {
 
 }  // namespace
 
-PrescribedMotion prescribe_motion(const Model& model, const Stage& stage, const BlockSystem& blocks, double dt,
-                                  double stage_time) {
+PrescribedMotion prescribe_motion(const Model& model, const Stage& stage, const BlockSystem& blocks,
+                                  double dt, double stage_time) {
     const auto count = static_cast<std::size_t>(model.block_count());
     PrescribedMotion motion{std::vector<Vec6>(count, Vec6::Zero()), std::vector<Vec6>(count, Vec6::Zero())};
     if (stage.kind != StageKind::dynamic) return motion;

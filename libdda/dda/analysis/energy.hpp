@@ -2,17 +2,18 @@
 
 namespace dda {
 
-/// The energy ledger, J per metre of thickness. Stores are values at an instant, flows accumulate from the start of the run.
-/// Balance: stores - initial stores + losses = external work, up to `residual()`.
+/// The energy ledger, J per metre of thickness. Stores are values at an instant, flows accumulate from the
+/// start of the run. Balance: stores - initial stores + losses = external work, up to `residual()`.
 struct Energy {
     double kinetic = 0;
-    double strain = 0;          ///< of the blocks
-    double contact = 0;         ///< of normal and shear contact springs
-    double constraint = 0;      ///< of fixed points and bolts
-    double gravity = 0;         ///< potential, zero at the start of the run
+    double strain = 0;      ///< of the blocks
+    double contact = 0;     ///< of normal and shear contact springs
+    double constraint = 0;  ///< of fixed points and bolts
+    double gravity = 0;     ///< potential, zero at the start of the run
 
-    double friction_loss = 0;   ///< dissipated by sliding, never decreases
-    double damping_loss = 0;    ///< mass damping, and velocity taken away by a dynamic coefficient below 1 or a static stage
+    double friction_loss = 0;  ///< dissipated by sliding, never decreases
+    double damping_loss =
+        0;  ///< mass damping, and velocity taken away by a dynamic coefficient below 1 or a static stage
     double numerical_loss = 0;  ///< dissipated by the end-of-step evaluation of forces, theory Eq. (40)
     double released = 0;        ///< spring energy lost when contacts open, tear or are replaced
     double external_work = 0;   ///< done by loads and by prescribed blocks

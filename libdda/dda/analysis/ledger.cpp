@@ -28,7 +28,9 @@ double strain_energy(const Model& model, const RowMap& rows, const BlockSystem& 
     return sum;
 }
 
-double spring_energy(double force, double stiffness) { return force * force / (2 * stiffness); }
+double spring_energy(double force, double stiffness) {
+    return force * force / (2 * stiffness);
+}
 
 double contact_energy(const Model& model, const std::vector<Contact>& contacts) {
     double sum = 0;
@@ -47,7 +49,8 @@ double bolt_stiffness(const Model& model, const BoltSpec& bolt) {
     return bolt.axial_stiffness / (to - from).norm();
 }
 
-double constraint_energy(const Model& model, const BlockSystem& blocks, const std::vector<double>& bolt_force) {
+double constraint_energy(const Model& model, const BlockSystem& blocks,
+                         const std::vector<double>& bolt_force) {
     double sum = 0;
     for (const FixedPoint& fixed : model.fixed_points) {
         const auto p = static_cast<std::size_t>(fixed.point);
@@ -62,7 +65,8 @@ double constraint_energy(const Model& model, const BlockSystem& blocks, const st
 }
 
 /// Heights count from the initial configuration, so that the datum costs no digits.
-double gravity_energy(const Model& model, const RowMap& rows, const BlockSystem& blocks, const std::vector<Vec2>& datum) {
+double gravity_energy(const Model& model, const RowMap& rows, const BlockSystem& blocks,
+                      const std::vector<Vec2>& datum) {
     double sum = 0;
     for (const int block : rows.block_of) {
         const auto b = static_cast<std::size_t>(block);
@@ -71,8 +75,9 @@ double gravity_energy(const Model& model, const RowMap& rows, const BlockSystem&
     return sum;
 }
 
-/// Splits what an elastic-plastic spring did in a step: the work of its force at the end of the step, less what it stores more than
-/// before and what slipping took, is lost to the end-of-step evaluation. Never negative where the stiffness is constant.
+/// Splits what an elastic-plastic spring did in a step: the work of its force at the end of the step, less
+/// what it stores more than before and what slipping took, is lost to the end-of-step evaluation. Never
+/// negative where the stiffness is constant.
 void record_spring(double work, double slip_work, double stored_before, double stored_after, Energy& energy) {
     energy.friction_loss += slip_work;
     energy.numerical_loss += work - slip_work - (stored_after - stored_before);
@@ -92,7 +97,9 @@ void Ledger::take_stock(const State& state, Energy& energy) const {
     energy.gravity = gravity_energy(model_, rows_, state.blocks, datum_);
 }
 
-double Ledger::stored_in(const std::vector<Contact>& contacts) const { return contact_energy(model_, contacts); }
+double Ledger::stored_in(const std::vector<Contact>& contacts) const {
+    return contact_energy(model_, contacts);
+}
 
 void Ledger::record_contacts(const StepWork& step, Energy& energy) const {
     for (std::size_t k = 0; k < step.before.size(); ++k) {
@@ -104,14 +111,15 @@ void Ledger::record_contacts(const StepWork& step, Energy& energy) const {
         const double stored_normal = was_closed ? spring_energy(before.normal_force, s.normal_stiffness) : 0;
         const double stored_shear = was_closed ? spring_energy(before.shear_force, s.shear_stiffness) : 0;
         if (!is_closed) {
-            // An opened contact bears nothing at the step's end: its compression is lost to the integration, the rest snaps free.
+            // An opened contact bears nothing at the step's end: its compression is lost to the integration,
+            // the rest snaps free.
             (after.torn ? energy.released : energy.numerical_loss) += stored_normal;
             energy.released += stored_shear;
             continue;
         }
         const double opening = s.rows.measure(s.normal, step.result.displacement);
-        record_spring(-after.normal_force * opening, 0, stored_normal, spring_energy(after.normal_force, s.normal_stiffness),
-                      energy);
+        record_spring(-after.normal_force * opening, 0, stored_normal,
+                      spring_energy(after.normal_force, s.normal_stiffness), energy);
         record_spring(after.shear_force * after.displacement, after.shear_force * after.slip, stored_shear,
                       spring_energy(after.shear_force, s.shear_stiffness), energy);
         energy.external_work += after.shear_force * s.shear.known - after.normal_force * s.normal.known;
@@ -133,8 +141,9 @@ void Ledger::record_constraints(const StepWork& step, Energy& energy) const {
         const int block = model_.material_points[p].block;
         const int row = rows_.row_of[static_cast<std::size_t>(block)];
         if (row < 0) continue;
-        const Vec2 moved = displacement_matrix(step.mid.points[p] - step.mid.centroid[static_cast<std::size_t>(block)]) *
-                           step.result.displacement[static_cast<std::size_t>(row)];
+        const Vec2 moved =
+            displacement_matrix(step.mid.points[p] - step.mid.centroid[static_cast<std::size_t>(block)]) *
+            step.result.displacement[static_cast<std::size_t>(row)];
         if (fixed.hold_x) energy.numerical_loss += model_.fixed_point_penalty * moved.x() * moved.x() / 2;
         if (fixed.hold_y) energy.numerical_loss += model_.fixed_point_penalty * moved.y() * moved.y() / 2;
     }
@@ -146,12 +155,14 @@ void Ledger::record_blocks(const StepWork& step, Energy& energy) const {
         const auto b = static_cast<std::size_t>(block);
         const Vec6& d = step.result.displacement[row];
         const Vec3 strain = d.tail<3>();
-        const double elastic_work =
-            step.blocks.moments[b].area * strain.dot(elasticity(model_.material_of(block), model_.plane) * strain);
+        const double elastic_work = step.blocks.moments[b].area *
+                                    strain.dot(elasticity(model_.material_of(block), model_.plane) * strain);
         energy.numerical_loss += elastic_work / 2;
-        energy.damping_loss +=
-            elastic_work * retardation_time(model_.material_of(block), step.blocks.moments[b]) / step.newmark.dt;
-        if (!model_.loads.empty()) energy.external_work += load_on_block(model_, block, step.blocks, step.mid, step.time).dot(d);
+        energy.damping_loss += elastic_work *
+                               retardation_time(model_.material_of(block), step.blocks.moments[b]) /
+                               step.newmark.dt;
+        if (!model_.loads.empty())
+            energy.external_work += load_on_block(model_, block, step.blocks, step.mid, step.time).dot(d);
 
         const Mat6 mass = mass_matrix(step.blocks.mass[b], step.blocks.moments[b]);
         const Vec6& v0 = step.blocks.velocity[b];

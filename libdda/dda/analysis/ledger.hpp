@@ -10,12 +10,12 @@ namespace dda {
 
 /// What one accepted step did, as the energy ledger needs it.
 struct StepWork {
-    const BlockSystem& blocks;          ///< at the start of the step
+    const BlockSystem& blocks;  ///< at the start of the step
     const MidStep& mid;
-    std::span<const Contact> before;    ///< at the start of the step
+    std::span<const Contact> before;  ///< at the start of the step
     std::span<const ContactSprings> springs;
     std::span<const BoltSpring> bolts;
-    std::span<const double> bolt_force; ///< at the start of the step
+    std::span<const double> bolt_force;  ///< at the start of the step
     const OpenCloseResult& result;
     Newmark newmark;
     double mass_damping = 0;
@@ -23,8 +23,9 @@ struct StepWork {
     double time = 0;           ///< s, at the end of the step
 };
 
-/// Keeps the energy ledger, theory sec. 8. The stores are computed from the state alone and the flows from the step's forces and
-/// displacements, so that the residual measures what the step's linear kinematics, the solver and contact transfer get wrong.
+/// Keeps the energy ledger, theory sec. 8. The stores are computed from the state alone and the flows from
+/// the step's forces and displacements, so that the residual measures what the step's linear kinematics, the
+/// solver and contact transfer get wrong.
 class Ledger {
   public:
     Ledger(const Model& model, const RowMap& rows);

@@ -10,23 +10,26 @@ namespace dda {
 
 namespace {
 
-/// Iterations in which the shear bounds follow every iterate; past these they wait for the minimum of the potential.
+/// Iterations in which the shear bounds follow every iterate; past these they wait for the minimum of the
+/// potential.
 constexpr int following_iterations = 30;
-/// Back-substitutions spent on the coupling of shear bounds and normal forces in one iteration, and the earlier ones remembered.
+/// Back-substitutions spent on the coupling of shear bounds and normal forces in one iteration, and the
+/// earlier ones remembered.
 constexpr int friction_iterations = 12;
 constexpr int friction_memory = 6;
 /// Evaluations of the potential's slope in a line search; each halves the bracket at worst.
 constexpr int line_search_evaluations = 40;
 
-/// A contact during the iteration. With the bounds held, its normal force depends on the gap alone and its shear force on the elastic
-/// trial force alone, both without a jump: that makes the potential convex. What couples them is the bounds, zero where it is open.
+/// A contact during the iteration. With the bounds held, its normal force depends on the gap alone and its
+/// shear force on the elastic trial force alone, both without a jump: that makes the potential convex. What
+/// couples them is the bounds, zero where it is open.
 struct Trial {
-    bool pressed = false;          ///< has its normal spring in the linear system
-    bool locked = false;           ///< has its shear spring in the linear system
-    double held_force = 0;         ///< shear force in the linear system when not locked, N per metre
-    bool forward = true;           ///< the direction it slides in
-    Strength bounds;               ///< that the shear force is clipped to
-    double gap_offset = 0;         ///< m, gap less the linear measure of the present displacement
+    bool pressed = false;   ///< has its normal spring in the linear system
+    bool locked = false;    ///< has its shear spring in the linear system
+    double held_force = 0;  ///< shear force in the linear system when not locked, N per metre
+    bool forward = true;    ///< the direction it slides in
+    Strength bounds;        ///< that the shear force is clipped to
+    double gap_offset = 0;  ///< m, gap less the linear measure of the present displacement
     bool torn = false;
     bool may_close = true;
 };
@@ -39,7 +42,8 @@ struct Forces {
 
 class Iteration {
   public:
-    Iteration(const StepProblem& problem, const BlockPattern& pattern, LinearSolver& solver, BlockMatrix& work, const Crew& crew)
+    Iteration(const StepProblem& problem, const BlockPattern& pattern, LinearSolver& solver,
+              BlockMatrix& work, const Crew& crew)
         : p_(problem), pattern_(pattern), solver_(solver), matrix_(work), crew_(crew) {
         trials_.resize(p_.contacts.size());
         yielding_.assign(p_.bolts.size(), 0);
@@ -96,11 +100,13 @@ class Iteration {
     }
 
     Strength bounds_of(const Contact& contact, double normal_force) const {
-        const JointMaterial& material = p_.model.joint_materials[static_cast<std::size_t>(contact.joint_material)];
+        const JointMaterial& material =
+            p_.model.joint_materials[static_cast<std::size_t>(contact.joint_material)];
         return strength(material.law, contact.history, normal_force, contact.length);
     }
 
-    // --- the linear system -----------------------------------------------------------------------------------------
+    // --- the linear system
+    // -----------------------------------------------------------------------------------------
 
     void assemble() {
         matrix_.reset(pattern_);
@@ -111,7 +117,9 @@ class Iteration {
             if (trials_[k].locked) s.rows.add_stiffness(s.shear, s.shear_stiffness, pattern_, matrix_);
         }
         for (std::size_t k = 0; k < p_.bolts.size(); ++k) {
-            if (yielding_[k] == 0) p_.bolts[k].rows.add_stiffness(p_.bolts[k].elongation, p_.bolts[k].stiffness, pattern_, matrix_);
+            if (yielding_[k] == 0)
+                p_.bolts[k].rows.add_stiffness(p_.bolts[k].elongation, p_.bolts[k].stiffness, pattern_,
+                                               matrix_);
         }
     }
 
@@ -120,16 +128,18 @@ class Iteration {
         for (std::size_t k = 0; k < trials_.size(); ++k) {
             const Trial& trial = trials_[k];
             const ContactSprings& s = p_.springs[k];
-            // Forces at zero unknowns: the known displacement of blocks without unknowns is in Relative::known.
-            if (trial.pressed) s.rows.add_force(s.normal, -s.normal_stiffness * (trial.gap_offset + s.normal.known), load);
-            const double shear =
-                trial.locked ? p_.contacts[k].shear_force + s.shear_stiffness * s.shear.known : trial.held_force;
+            // Forces at zero unknowns: the known displacement of blocks without unknowns is in
+            // Relative::known.
+            if (trial.pressed)
+                s.rows.add_force(s.normal, -s.normal_stiffness * (trial.gap_offset + s.normal.known), load);
+            const double shear = trial.locked ? p_.contacts[k].shear_force + s.shear_stiffness * s.shear.known
+                                              : trial.held_force;
             if (shear != 0) s.rows.add_force(s.shear, -shear, load);
         }
         for (std::size_t k = 0; k < p_.bolts.size(); ++k) {
             const BoltSpring& b = p_.bolts[k];
-            const double force =
-                yielding_[k] == 0 ? p_.bolt_force[k] + b.stiffness * b.elongation.known : yielding_[k] * p_.model.bolts[k].yield_force;
+            const double force = yielding_[k] == 0 ? p_.bolt_force[k] + b.stiffness * b.elongation.known
+                                                   : yielding_[k] * p_.model.bolts[k].yield_force;
             b.rows.add_force(b.elongation, -force, load);
         }
         return load;
@@ -141,9 +151,9 @@ class Iteration {
         return d;
     }
 
-    /// Solves the linear system with the sliding contacts' shear forces at the bounds that belong to its own normal forces. The coupling
-    /// makes the equations unsymmetric; instead of a second kind of factor, the held forces are found as a fixed point, accelerated, at one
-    /// back-substitution each.
+    /// Solves the linear system with the sliding contacts' shear forces at the bounds that belong to its own
+    /// normal forces. The coupling makes the equations unsymmetric; instead of a second kind of factor, the
+    /// held forces are found as a fixed point, accelerated, at one back-substitution each.
     std::vector<Vec6> solve_with_friction() {
         std::vector<std::size_t> sliding;
         for (std::size_t k = 0; k < trials_.size(); ++k) {
@@ -161,7 +171,8 @@ class Iteration {
             }
             if ((image - held).cwiseAbs().maxCoeff() <= tolerance() / 2) break;
             const Eigen::VectorXd next = mixing.next(held, image);
-            for (std::size_t s = 0; s < sliding.size(); ++s) trials_[sliding[s]].held_force = next[static_cast<Eigen::Index>(s)];
+            for (std::size_t s = 0; s < sliding.size(); ++s)
+                trials_[sliding[s]].held_force = next[static_cast<Eigen::Index>(s)];
             d = solve_as_held();
         }
         for (const std::size_t k : sliding) {
@@ -171,7 +182,8 @@ class Iteration {
         return d;
     }
 
-    /// The shear bound of a sliding contact, with its sign, at the normal force that the linear system gives for a displacement.
+    /// The shear bound of a sliding contact, with its sign, at the normal force that the linear system gives
+    /// for a displacement.
     double bound_at(std::size_t k, const std::vector<Vec6>& d) const {
         const ContactSprings& s = p_.springs[k];
         const Contact& contact = p_.contacts[k];
@@ -189,7 +201,8 @@ class Iteration {
                 trial.locked ? p_.contacts[k].shear_force + s.shear_stiffness * shearing : trial.held_force};
     }
 
-    // --- the law ---------------------------------------------------------------------------------------------------
+    // --- the law
+    // ---------------------------------------------------------------------------------------------------
 
     bool is_bonded(std::size_t k) const { return p_.contacts[k].bonded && !trials_[k].torn; }
 
@@ -200,7 +213,8 @@ class Iteration {
         const ContactSprings& s = p_.springs[k];
         const double normal = -s.normal_stiffness * (trial.gap_offset + opening);
         const double elastic = p_.contacts[k].shear_force + s.shear_stiffness * shearing;
-        return {is_bonded(k) ? normal : std::max(normal, 0.0), std::clamp(elastic, -trial.bounds.backward, trial.bounds.forward)};
+        return {is_bonded(k) ? normal : std::max(normal, 0.0),
+                std::clamp(elastic, -trial.bounds.backward, trial.bounds.forward)};
     }
 
     /// Whether the joint bears an elastic shear force without slipping. Without strength nothing is locked.
@@ -218,9 +232,11 @@ class Iteration {
                                  : yielding_[k] * p_.model.bolts[k].yield_force;
     }
 
-    // --- one Newton step -------------------------------------------------------------------------------------------
+    // --- one Newton step
+    // -------------------------------------------------------------------------------------------
 
-    /// Goes from the present displacement towards the linear system's solution, as far as the potential falls.
+    /// Goes from the present displacement towards the linear system's solution, as far as the potential
+    /// falls.
     /// @return whether it went all the way.
     bool advance_towards(const std::vector<Vec6>& target, bool first) {
         double share = 1;
@@ -228,13 +244,15 @@ class Iteration {
             LineSearch search(*this, target);
             share = search.step();
         }
-        for (std::size_t r = 0; r < displacement_.size(); ++r) displacement_[r] += share * (target[r] - displacement_[r]);
+        for (std::size_t r = 0; r < displacement_.size(); ++r)
+            displacement_[r] += share * (target[r] - displacement_[r]);
         if (share == 1) displacement_ = target;
         return share == 1;
     }
 
-    /// The slope of the potential along the way to the linear system's solution. At the solution the linear forces balance, so the slope
-    /// is the work of what the law's forces differ from those, less what the way still to go takes from the quadratic part.
+    /// The slope of the potential along the way to the linear system's solution. At the solution the linear
+    /// forces balance, so the slope is the work of what the law's forces differ from those, less what the way
+    /// still to go takes from the quadratic part.
     class LineSearch {
       public:
         LineSearch(const Iteration& iteration, const std::vector<Vec6>& target) : it_(iteration) {
@@ -255,7 +273,8 @@ class Iteration {
         }
 
         double step() const {
-            // Where the law agrees with the linear system its solution is the minimum, whatever rounding makes of the slope.
+            // Where the law agrees with the linear system its solution is the minimum, whatever rounding
+            // makes of the slope.
             if (largest_difference() <= it_.tolerance()) return 1;
             if (slope(1) <= 0) return 1;
             double low = 0;
@@ -279,7 +298,8 @@ class Iteration {
             for (std::size_t k = 0; k < opening_.size(); ++k) {
                 const Forces linear = it_.linear_forces(k, opening_[k].end, shearing_[k].end);
                 const Forces law = it_.law_forces(k, opening_[k].end, shearing_[k].end);
-                largest = std::max({largest, std::abs(law.normal - linear.normal), std::abs(law.shear - linear.shear)});
+                largest = std::max(
+                    {largest, std::abs(law.normal - linear.normal), std::abs(law.shear - linear.shear)});
             }
             return largest;
         }
@@ -289,10 +309,12 @@ class Iteration {
             for (std::size_t k = 0; k < opening_.size(); ++k) {
                 const Forces linear = it_.linear_forces(k, opening_[k].end, shearing_[k].end);
                 const Forces law = it_.law_forces(k, opening_[k].at(share), shearing_[k].at(share));
-                sum += -(law.normal - linear.normal) * opening_[k].rate + (law.shear - linear.shear) * shearing_[k].rate;
+                sum += -(law.normal - linear.normal) * opening_[k].rate +
+                       (law.shear - linear.shear) * shearing_[k].rate;
             }
             for (std::size_t k = 0; k < elongation_.size(); ++k) {
-                sum += (it_.bolt_law_force(k, elongation_[k].at(share)) - it_.bolt_linear_force(k, elongation_[k].end)) *
+                sum += (it_.bolt_law_force(k, elongation_[k].at(share)) -
+                        it_.bolt_linear_force(k, elongation_[k].end)) *
                        elongation_[k].rate;
             }
             return sum;
@@ -305,7 +327,8 @@ class Iteration {
         std::vector<Line> elongation_;
     };
 
-    // --- judging ---------------------------------------------------------------------------------------------------
+    // --- judging
+    // ---------------------------------------------------------------------------------------------------
 
     /// Measures and true gaps at the present displacement; the linear measure of the gap is kept exact there.
     void update_geometry() {
@@ -326,19 +349,23 @@ class Iteration {
                 opening_[k] = s.rows.measure(s.normal, displacement_);
                 shearing_[k] = s.rows.measure(s.shear, displacement_);
                 linear_[k] = linear_forces(k, opening_[k], shearing_[k]);
-                const auto vertex = [&](int corner) { return p_.blocks.vertices[static_cast<std::size_t>(corner)]; };
+                const auto vertex = [&](int corner) {
+                    return p_.blocks.vertices[static_cast<std::size_t>(corner)];
+                };
                 const BlockMap& edge_map = maps[static_cast<std::size_t>(contact.edge_block)];
                 const BlockMap& corner_map = maps[static_cast<std::size_t>(contact.corner_block)];
                 const int edge_end = p_.model.topology.next[static_cast<std::size_t>(contact.edge)];
-                const double gap = corner_edge_geometry(corner_map(vertex(contact.corner)), edge_map(vertex(contact.edge)),
-                                                        edge_map(vertex(edge_end)))
-                                       .gap;
+                const double gap =
+                    corner_edge_geometry(corner_map(vertex(contact.corner)), edge_map(vertex(contact.edge)),
+                                         edge_map(vertex(edge_end)))
+                        .gap;
                 trials_[k].gap_offset = gap - opening_[k];
             }
         });
     }
 
-    /// Of a group of vertex-vertex lines only the one with the largest gap, the last that is crossed, may close.
+    /// Of a group of vertex-vertex lines only the one with the largest gap, the last that is crossed, may
+    /// close.
     void choose_lines() {
         std::vector<std::size_t>& chosen = chosen_;
         chosen.clear();
@@ -352,7 +379,8 @@ class Iteration {
         }
         for (std::size_t k = 0; k < trials_.size(); ++k) {
             const int group = p_.contacts[k].group;
-            if (group >= 0 && !p_.contacts[k].held_back) trials_[k].may_close = chosen[static_cast<std::size_t>(group)] == k;
+            if (group >= 0 && !p_.contacts[k].held_back)
+                trials_[k].may_close = chosen[static_cast<std::size_t>(group)] == k;
         }
     }
 
@@ -364,7 +392,8 @@ class Iteration {
         reference_ = 0;
         for (std::size_t k = 0; k < trials_.size(); ++k) {
             const Forces law = law_forces(k, opening_[k], shearing_[k]);
-            const double moved = std::max(std::abs(law.normal - linear_[k].normal), std::abs(law.shear - linear_[k].shear));
+            const double moved =
+                std::max(std::abs(law.normal - linear_[k].normal), std::abs(law.shear - linear_[k].shear));
             reference_ = std::max({reference_, std::abs(law.normal), std::abs(law.shear)});
             if (moved > largest) {
                 largest = moved;
@@ -373,7 +402,8 @@ class Iteration {
         }
         for (std::size_t k = 0; k < p_.bolts.size(); ++k) {
             const double elongation = p_.bolts[k].rows.measure(p_.bolts[k].elongation, displacement_);
-            largest = std::max(largest, std::abs(bolt_law_force(k, elongation) - bolt_linear_force(k, elongation)));
+            largest =
+                std::max(largest, std::abs(bolt_law_force(k, elongation) - bolt_linear_force(k, elongation)));
         }
         result.force_change = largest;
         return largest;
@@ -390,7 +420,8 @@ class Iteration {
         }
     }
 
-    /// Opens, for the rest of the step, the bonded contacts whose tension exceeds the strength. @return whether there were any.
+    /// Opens, for the rest of the step, the bonded contacts whose tension exceeds the strength. @return
+    /// whether there were any.
     bool tear() {
         bool any = false;
         for (std::size_t k = 0; k < trials_.size(); ++k) {
@@ -450,12 +481,14 @@ class Iteration {
             judged.displacement = shearing_[k];
             judged.torn = trials_[k].torn;
             if (judged.state != ContactState::open) {
-                const double elastic = p_.contacts[k].shear_force + p_.springs[k].shear_stiffness * shearing_[k];
+                const double elastic =
+                    p_.contacts[k].shear_force + p_.springs[k].shear_stiffness * shearing_[k];
                 judged.slip = (elastic - forces.shear) / p_.springs[k].shear_stiffness;
             }
         }
         for (std::size_t k = 0; k < p_.bolts.size(); ++k) {
-            result.bolt_force.push_back(bolt_law_force(k, p_.bolts[k].rows.measure(p_.bolts[k].elongation, displacement_)));
+            result.bolt_force.push_back(
+                bolt_law_force(k, p_.bolts[k].rows.measure(p_.bolts[k].elongation, displacement_)));
         }
     }
 
@@ -476,8 +509,8 @@ class Iteration {
 
 }  // namespace
 
-OpenCloseResult iterate_open_close(const StepProblem& problem, const BlockPattern& pattern, LinearSolver& solver,
-                                   BlockMatrix& work, const Crew& crew) {
+OpenCloseResult iterate_open_close(const StepProblem& problem, const BlockPattern& pattern,
+                                   LinearSolver& solver, BlockMatrix& work, const Crew& crew) {
     return Iteration(problem, pattern, solver, work, crew).run();
 }
 

@@ -13,16 +13,20 @@ namespace {
 std::string describe(const Model& model, const StepAttempt& attempt) {
     char text[256];
     switch (attempt.rejection) {
-        case Rejection::singular: return "the equations are not positive definite";
+        case Rejection::singular:
+            return "the equations are not positive definite";
         case Rejection::moved_too_far:
-            std::snprintf(text, sizeof text, "a vertex moves %.3g m in a step", attempt.report.largest_displacement);
+            std::snprintf(text, sizeof text, "a vertex moves %.3g m in a step",
+                          attempt.report.largest_displacement);
             return text;
-        default: break;
+        default:
+            break;
     }
     if (attempt.worst_contact < 0) return "the open-close iteration does not settle";
     const Contact& contact = attempt.state.contacts.contacts[static_cast<std::size_t>(attempt.worst_contact)];
     std::snprintf(text, sizeof text,
-                  "the open-close iteration does not settle; worst contact: block %d on block %d at (%.6g, %.6g), joint material %s",
+                  "the open-close iteration does not settle; worst contact: block %d on block %d at (%.6g, "
+                  "%.6g), joint material %s",
                   contact.corner_block, contact.edge_block, contact.point.x(), contact.point.y(),
                   model.joint_material_at(contact.joint_material).name.c_str());
     return text;
@@ -31,10 +35,12 @@ std::string describe(const Model& model, const StepAttempt& attempt) {
 /// Adapts the step: cut after a rejection, grown after steps that needed none.
 class StepSize {
   public:
-    StepSize(const StepControl& control, double resume) : control_(control), size_(resume > 0 ? resume : control.step) {
+    StepSize(const StepControl& control, double resume)
+        : control_(control), size_(resume > 0 ? resume : control.step) {
         size_ = std::min(size_, control.step);
     }
-    /// The next step, not past what remains; the last two share what remains, so that no sliver of time is left.
+    /// The next step, not past what remains; the last two share what remains, so that no sliver of time is
+    /// left.
     double next(double remaining) const {
         if (size_ >= remaining * (1 - 1e-9)) return remaining;
         return size_ * 2 > remaining ? remaining / 2 : size_;
@@ -74,7 +80,8 @@ void end_static_stage(const Model& model, const Stage& stage, State& state) {
 }
 
 /// Runs one stage. @return how it ended; `completed` lets the run go on.
-RunOutcome run_stage(const Model& model, const Stage& stage, TimeStepper& stepper, State& state, RunObserver& observer) {
+RunOutcome run_stage(const Model& model, const Stage& stage, TimeStepper& stepper, State& state,
+                     RunObserver& observer) {
     const bool to_rest = stage.kind == StageKind::static_equilibrium;
     StepSize step(stage.control, state.next_step);
     int cuts = 0;
@@ -89,7 +96,8 @@ RunOutcome run_stage(const Model& model, const Stage& stage, TimeStepper& steppe
             step.cut(dt);
             if (!step.too_small()) continue;
             char text[128];
-            std::snprintf(text, sizeof text, "stage '%s', t = %.9g s: no step above %.3g s is accepted: ", stage.name.c_str(),
+            std::snprintf(text, sizeof text,
+                          "stage '%s', t = %.9g s: no step above %.3g s is accepted: ", stage.name.c_str(),
                           state.time, stage.control.smallest_step);
             return {RunStatus::not_converged, text + describe(model, attempt), attempt.worst_contact};
         }
@@ -102,12 +110,15 @@ RunOutcome run_stage(const Model& model, const Stage& stage, TimeStepper& steppe
         ++steps_taken;
         const bool settled = to_rest && attempt.report.unbalanced_force <= stage.tolerance;
         if (settled) end_static_stage(model, stage, state);
-        if (!observer.step_done(model, state, stage, attempt.report)) return {RunStatus::stopped, "stopped as asked", -1};
+        if (!observer.step_done(model, state, stage, attempt.report))
+            return {RunStatus::stopped, "stopped as asked", -1};
         if (settled) break;
         if (to_rest && steps_taken >= stage.step_limit) {
             char text[160];
-            std::snprintf(text, sizeof text, "stage '%s' does not settle: after %d steps the unbalanced force is %.3g of the weight",
-                          stage.name.c_str(), stage.step_limit, attempt.report.unbalanced_force);
+            std::snprintf(
+                text, sizeof text,
+                "stage '%s' does not settle: after %d steps the unbalanced force is %.3g of the weight",
+                stage.name.c_str(), stage.step_limit, attempt.report.unbalanced_force);
             return {RunStatus::not_settled, text, -1};
         }
     }
@@ -128,7 +139,8 @@ State initial_state(const Model& model) {
     return state;
 }
 
-RunOutcome run(const Model& model, std::span<const Stage> stages, State& state, RunObserver& observer, const RunOptions& options) {
+RunOutcome run(const Model& model, std::span<const Stage> stages, State& state, RunObserver& observer,
+               const RunOptions& options) {
     TimeStepper stepper(model, options.threads);
     bool resumed = options.resumed;
     for (std::size_t k = static_cast<std::size_t>(options.first_stage); k < stages.size(); ++k) {

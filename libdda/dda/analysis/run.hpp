@@ -12,24 +12,24 @@ namespace dda {
 
 /// One accepted step, for the step log.
 struct StepReport {
-    double time = 0;        ///< s, at the end of the step
-    double step = 0;        ///< s
-    int iterations = 0;     ///< open-close iterations, all attempts
+    double time = 0;     ///< s, at the end of the step
+    double step = 0;     ///< s
+    int iterations = 0;  ///< open-close iterations, all attempts
     int factorizations = 0;
-    int cuts = 0;           ///< attempts rejected before this one
+    int cuts = 0;                           ///< attempts rejected before this one
     int open = 0, sliding = 0, locked = 0;  ///< contacts by state
-    double largest_penetration = 0;    ///< m
-    double largest_displacement = 0;   ///< of a vertex in this step, m
-    double unbalanced_force = 0;       ///< largest over the blocks, of all six unknowns, over the block's weight
-    double contact_frequency_step = 0; ///< omega_contact * dt, the largest of sqrt(k_n / m_block) * dt
+    double largest_penetration = 0;         ///< m
+    double largest_displacement = 0;        ///< of a vertex in this step, m
+    double unbalanced_force = 0;  ///< largest over the blocks, of all six unknowns, over the block's weight
+    double contact_frequency_step = 0;  ///< omega_contact * dt, the largest of sqrt(k_n / m_block) * dt
 };
 
 enum class RunStatus { completed, not_converged, not_settled, stopped };
 
 struct RunOutcome {
     RunStatus status = RunStatus::completed;
-    std::string message;      ///< one line: reason, time, worst contact
-    int worst_contact = -1;   ///< index into the state's contacts, when one is to blame
+    std::string message;     ///< one line: reason, time, worst contact
+    int worst_contact = -1;  ///< index into the state's contacts, when one is to blame
 };
 
 /// What a run tells the outside: results, progress. Return values steer it.
@@ -44,8 +44,8 @@ class RunObserver {
 
 struct RunOptions {
     int threads = 1;
-    int first_stage = 0;  ///< of a resumed run
-    bool resumed = false; ///< the state is in the middle of first_stage
+    int first_stage = 0;   ///< of a resumed run
+    bool resumed = false;  ///< the state is in the middle of first_stage
 };
 
 /// The state before the first step of a run.

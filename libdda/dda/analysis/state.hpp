@@ -9,7 +9,8 @@
 
 namespace dda {
 
-/// Everything that changes during a run, at one instant. A trial step makes a new one; a rejected step forgets it.
+/// Everything that changes during a run, at one instant. A trial step makes a new one; a rejected step
+/// forgets it.
 struct State {
     double time = 0;        ///< s since the start of the run
     double stage_time = 0;  ///< s since the start of the stage

@@ -12,8 +12,8 @@ namespace dda {
 
 namespace {
 
-/// Candidates are kept while nothing has moved half of what their distance exceeds the reach by. As a share of the median edge:
-/// normally 0.1 to 0.5; more finds candidates less often, and finds more of them.
+/// Candidates are kept while nothing has moved half of what their distance exceeds the reach by. As a share
+/// of the median edge: normally 0.1 to 0.5; more finds candidates less often, and finds more of them.
 constexpr double skin_share = 0.25;
 /// A detection that turns out too short-sighted for the displacements found is repeated with a longer reach.
 constexpr int detection_attempts = 4;
@@ -38,8 +38,8 @@ double velocity_kept(const Stage& stage) {
     return stage.kind == StageKind::static_equilibrium ? 0.0 : stage.dynamic_coefficient;
 }
 
-/// Acceleration that stands for "the weight" when forces are compared with it, m/s2: gravity, or the strongest load where it is
-/// stronger, or 1 where there is neither.
+/// Acceleration that stands for "the weight" when forces are compared with it, m/s2: gravity, or the
+/// strongest load where it is stronger, or 1 where there is neither.
 double reference_acceleration(const Model& model, const BlockSystem& blocks) {
     double largest = model.gravity.norm();
     for (const Load& load : model.loads) {
@@ -76,9 +76,11 @@ TimeStepper::TimeStepper(const Model& model, int threads)
       solver_(make_cholmod_solver()) {
     std::vector<double> lengths;
     for (std::size_t k = 0; k < model.vertices.size(); ++k) {
-        lengths.push_back((model.vertices[static_cast<std::size_t>(model.topology.next[k])] - model.vertices[k]).norm());
+        lengths.push_back(
+            (model.vertices[static_cast<std::size_t>(model.topology.next[k])] - model.vertices[k]).norm());
     }
-    std::nth_element(lengths.begin(), lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2), lengths.end());
+    std::nth_element(lengths.begin(), lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2),
+                     lengths.end());
     edge_length_ = lengths[lengths.size() / 2];
 }
 
@@ -143,7 +145,8 @@ TimeStepper::Step TimeStepper::prepare(const Stage& stage, const State& state, d
     }
     step.mid = predict_mid_step(model_, state.blocks, predicted);
     step.contacts = contacts_at(state, reach);
-    step.springs = contact_springs(model_, rows_, step.mid, step.prescribed.displacement, step.contacts.contacts, crew_);
+    step.springs =
+        contact_springs(model_, rows_, step.mid, step.prescribed.displacement, step.contacts.contacts, crew_);
     step.bolts = bolt_springs(model_, rows_, step.mid, step.prescribed.displacement);
     assemble_base(stage, state, step);
     return step;
@@ -173,11 +176,14 @@ ContactSet TimeStepper::contacts_at(const State& state, double reach) const {
     transfer_contacts(model_, old, reach, state.step_count == 0, set.contacts);
     for (Contact& c : set.contacts) {
         // The force follows from the geometry, also where the contact took over from another line.
-        const double force = -model_.joint_material_at(c.joint_material).normal_stiffness(model_.normal_penalty) * c.gap;
+        const double force =
+            -model_.joint_material_at(c.joint_material).normal_stiffness(model_.normal_penalty) * c.gap;
         c.normal_force = c.state != ContactState::open && (force > 0 || c.bonded) ? force : 0;
-        // A corner enters through a line that it was outside of: one that is open and behind the line belongs elsewhere. At a pair of
-        // corners two nearly parallel lines may change places, and differ by their angle.
-        const double behind = c.group >= 0 || c.kind != ContactKind::vertex_edge ? parallel_tolerance * reach : 0;
+        // A corner enters through a line that it was outside of: one that is open and behind the line belongs
+        // elsewhere. At a pair of corners two nearly parallel lines may change places, and differ by their
+        // angle.
+        const double behind =
+            c.group >= 0 || c.kind != ContactKind::vertex_edge ? parallel_tolerance * reach : 0;
         if (c.state == ContactState::open && c.gap < -(behind + rounding_)) c.held_back = true;
     }
     return set;
@@ -198,10 +204,12 @@ void TimeStepper::analyze_pattern(const ContactSet& contacts) {
     const auto add = [&](int first_block, int second_block) {
         const int i = rows_.row_of[static_cast<std::size_t>(first_block)];
         const int j = rows_.row_of[static_cast<std::size_t>(second_block)];
-        if (i >= 0 && j >= 0 && i != j && (pairs.empty() || pairs.back() != std::pair{i, j})) pairs.emplace_back(i, j);
+        if (i >= 0 && j >= 0 && i != j && (pairs.empty() || pairs.back() != std::pair{i, j}))
+            pairs.emplace_back(i, j);
     };
     for (const auto& [corner, edge] : contacts.candidates) {
-        add(model_.topology.block_of[static_cast<std::size_t>(corner)], model_.topology.block_of[static_cast<std::size_t>(edge)]);
+        add(model_.topology.block_of[static_cast<std::size_t>(corner)],
+            model_.topology.block_of[static_cast<std::size_t>(edge)]);
     }
     for (const BoltSpec& bolt : model_.bolts) {
         add(model_.material_points[static_cast<std::size_t>(bolt.first)].block,
@@ -221,8 +229,16 @@ OpenCloseResult TimeStepper::solve(const Stage& stage, const State& state, const
         return nothing;
     }
     analyze_pattern(step.contacts);
-    const StepProblem problem{model_,       stage.control, rows_,      step.base, state.blocks, step.prescribed.displacement,
-                              step.contacts.contacts, step.springs,  step.bolts, state.bolt_force,
+    const StepProblem problem{model_,
+                              stage.control,
+                              rows_,
+                              step.base,
+                              state.blocks,
+                              step.prescribed.displacement,
+                              step.contacts.contacts,
+                              step.springs,
+                              step.bolts,
+                              state.bolt_force,
                               rounding_ * model_.normal_penalty};
     return iterate_open_close(problem, pattern_, *solver_, matrix_, crew_);
 }
@@ -248,8 +264,8 @@ double TimeStepper::largest_displacement(const State& state, std::span<const Vec
     return std::sqrt(square);
 }
 
-State TimeStepper::updated(const Stage& stage, const State& state, const Step& step, const OpenCloseResult& result,
-                           std::span<const Vec6> displacement) const {
+State TimeStepper::updated(const Stage& stage, const State& state, const Step& step,
+                           const OpenCloseResult& result, std::span<const Vec6> displacement) const {
     State after = state;
     after.time += step.dt;
     after.stage_time += step.dt;
@@ -276,9 +292,12 @@ State TimeStepper::updated(const Stage& stage, const State& state, const Step& s
     for (std::size_t k = 0; k < after.contacts.contacts.size(); ++k) {
         Contact& contact = after.contacts.contacts[k];
         const JudgedContact& judged = result.contacts[k];
-        const auto vertex = [&](int corner) { return after.blocks.vertices[static_cast<std::size_t>(corner)]; };
-        const CornerEdgeGeometry geometry = corner_edge_geometry(
-            vertex(contact.corner), vertex(contact.edge), vertex(model_.topology.next[static_cast<std::size_t>(contact.edge)]));
+        const auto vertex = [&](int corner) {
+            return after.blocks.vertices[static_cast<std::size_t>(corner)];
+        };
+        const CornerEdgeGeometry geometry =
+            corner_edge_geometry(vertex(contact.corner), vertex(contact.edge),
+                                 vertex(model_.topology.next[static_cast<std::size_t>(contact.edge)]));
         contact.point = vertex(contact.corner);
         contact.normal = geometry.normal;
         contact.tangent = geometry.tangent;
@@ -287,15 +306,20 @@ State TimeStepper::updated(const Stage& stage, const State& state, const Step& s
         contact.normal_force = judged.normal_force;
         contact.shear_force = judged.shear_force;
         contact.slip += judged.slip;
-        contact.history = dda::advance(model_.joint_material_at(contact.joint_material).law, contact.history,
-                                       {judged.slip, judged.displacement, judged.normal_force, contact.length, judged.torn});
-        contact.bonded = contact.bonded && !judged.torn &&
-                         strength(model_.joint_material_at(contact.joint_material).law, contact.history, 0, contact.length).tensile > 0;
+        contact.history = dda::advance(
+            model_.joint_material_at(contact.joint_material).law, contact.history,
+            {judged.slip, judged.displacement, judged.normal_force, contact.length, judged.torn});
+        contact.bonded =
+            contact.bonded && !judged.torn &&
+            strength(model_.joint_material_at(contact.joint_material).law, contact.history, 0, contact.length)
+                    .tensile > 0;
     }
 
-    const StepWork work{state.blocks, step.mid, step.contacts.contacts, step.springs, step.bolts, state.bolt_force, result,
-                        step.newmark, stage.mass_damping, kept, after.time};
-    after.energy.released += ledger_.stored_in(state.contacts.contacts) - ledger_.stored_in(step.contacts.contacts);
+    const StepWork work{state.blocks,     step.mid, step.contacts.contacts, step.springs,       step.bolts,
+                        state.bolt_force, result,   step.newmark,           stage.mass_damping, kept,
+                        after.time};
+    after.energy.released +=
+        ledger_.stored_in(state.contacts.contacts) - ledger_.stored_in(step.contacts.contacts);
     ledger_.record_contacts(work, after.energy);
     ledger_.record_constraints(work, after.energy);
     ledger_.record_blocks(work, after.energy);
@@ -311,7 +335,8 @@ StepReport TimeStepper::report(const Step& step, const State& after, const OpenC
         ++(contact.state == ContactState::open      ? report.open
            : contact.state == ContactState::sliding ? report.sliding
                                                     : report.locked);
-        if (contact.state != ContactState::open) report.largest_penetration = std::max(report.largest_penetration, -contact.gap);
+        if (contact.state != ContactState::open)
+            report.largest_penetration = std::max(report.largest_penetration, -contact.gap);
     }
     const double g = reference_acceleration(model_, after.blocks);
     double lightest = std::numeric_limits<double>::infinity();
@@ -320,11 +345,13 @@ StepReport TimeStepper::report(const Step& step, const State& after, const OpenC
         const Vec6& a = after.blocks.acceleration[b];
         const AreaMoments& m = after.blocks.moments[b];
         const double gyration = std::sqrt((m.xx + m.yy) / m.area);
-        const double deforming = a.tail<4>().cwiseAbs().maxCoeff() * gyration;  // of rotation and strains, at that radius
+        const double deforming =
+            a.tail<4>().cwiseAbs().maxCoeff() * gyration;  // of rotation and strains, at that radius
         report.unbalanced_force = std::max({report.unbalanced_force, a.head<2>().norm() / g, deforming / g});
         lightest = std::min(lightest, after.blocks.mass[b]);
     }
-    if (rows_.count() > 0) report.contact_frequency_step = std::sqrt(model_.normal_penalty / lightest) * step.dt;
+    if (rows_.count() > 0)
+        report.contact_frequency_step = std::sqrt(model_.normal_penalty / lightest) * step.dt;
     return report;
 }
 

@@ -20,9 +20,9 @@ enum class Rejection { none, not_converged, singular, moved_too_far };
 /// What came of one attempt at a step.
 struct StepAttempt {
     Rejection rejection = Rejection::none;
-    std::string reason;          ///< one line, when rejected
-    int worst_contact = -1;      ///< index into the trial's contacts
-    State state;                 ///< the state at the step's end, when accepted
+    std::string reason;      ///< one line, when rejected
+    int worst_contact = -1;  ///< index into the trial's contacts
+    State state;             ///< the state at the step's end, when accepted
     StepReport report;
 };
 

@@ -10,7 +10,8 @@
 namespace dda {
 
 namespace {
-/// Indices below which handing work to another thread costs more than it saves (a hand-over takes about 10 us).
+/// Indices below which handing work to another thread costs more than it saves (a hand-over takes about 10
+/// us).
 constexpr std::size_t shortest_shared_loop = 512;
 }  // namespace
 

@@ -13,8 +13,12 @@ using Vec6 = Eigen::Matrix<double, 6, 1>;
 using Mat6 = Eigen::Matrix<double, 6, 6>;
 
 /// The third component of the cross product of two plane vectors.
-inline double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+inline double cross(const Vec2& a, const Vec2& b) {
+    return a.x() * b.y() - a.y() * b.x();
+}
 /// The vector turned by a right angle counter-clockwise.
-inline Vec2 perpendicular(const Vec2& a) { return {-a.y(), a.x()}; }
+inline Vec2 perpendicular(const Vec2& a) {
+    return {-a.y(), a.x()};
+}
 
 }  // namespace dda

@@ -26,8 +26,8 @@ struct BlockSystem {
 /// The state before the first step: the model's geometry, initial stress and initial velocity.
 BlockSystem initial_block_system(const Model& model);
 
-/// A block's map over one step: x -> centroid + (u0, v0) + R(r0) (I + strain) (x - centroid). The rotation is exact, so that a
-/// spinning block neither grows nor shears (theory, Eq. (9)).
+/// A block's map over one step: x -> centroid + (u0, v0) + R(r0) (I + strain) (x - centroid). The rotation is
+/// exact, so that a spinning block neither grows nor shears (theory, Eq. (9)).
 struct BlockMap {
     Vec2 centroid = Vec2::Zero();
     Vec2 translation = Vec2::Zero();
@@ -47,19 +47,18 @@ inline Eigen::Matrix<double, 2, 6> displacement_matrix(const Vec2& arm) {
 
 /// direction^T T(arm): what a displacement along `direction` at a point is in the block's unknowns.
 inline Vec6 project(const Vec2& direction, const Vec2& arm) {
-    return {direction.x(),
-            direction.y(),
-            cross(arm, direction),
-            direction.x() * arm.x(),
-            direction.y() * arm.y(),
-            (direction.x() * arm.y() + direction.y() * arm.x()) / 2};
+    return {direction.x(),           direction.y(),
+            cross(arm, direction),   direction.x() * arm.x(),
+            direction.y() * arm.y(), (direction.x() * arm.y() + direction.y() * arm.x()) / 2};
 }
 
-/// A symmetric plane tensor (xx, yy, xy) turned by an angle, rad. With `engineering` the third component is twice the tensor's.
+/// A symmetric plane tensor (xx, yy, xy) turned by an angle, rad. With `engineering` the third component is
+/// twice the tensor's.
 Vec3 rotate_tensor(const Vec3& tensor, double angle, bool engineering);
 
-/// Moves every block by its displacement: vertices, material points, moments, accumulated rotation; stresses gain
-/// elasticity * strain and turn with the block; rates of strain turn as well. Velocities must already be those of the step's end.
+/// Moves every block by its displacement: vertices, material points, moments, accumulated rotation; stresses
+/// gain elasticity * strain and turn with the block; rates of strain turn as well. Velocities must already be
+/// those of the step's end.
 /// @param displacement per block.
 void move_blocks(const Model& model, std::span<const Vec6> displacement, BlockSystem& blocks);
 

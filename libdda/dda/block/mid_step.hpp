@@ -6,9 +6,10 @@
 
 namespace dda {
 
-/// The configuration half-way through a step, predicted from the velocities (for prescribed blocks: known). Lever arms and contact
-/// directions are taken here: then the linear displacement of a contact point agrees with that of the exact rotation to third
-/// order in the step, so that the work of contact forces is the energy they store, and a pair of forces leaves no moment.
+/// The configuration half-way through a step, predicted from the velocities (for prescribed blocks: known).
+/// Lever arms and contact directions are taken here: then the linear displacement of a contact point agrees
+/// with that of the exact rotation to third order in the step, so that the work of contact forces is the
+/// energy they store, and a pair of forces leaves no moment.
 struct MidStep {
     std::vector<Vec2> vertices;  ///< per corner, m
     std::vector<Vec2> points;    ///< per material point, m

@@ -8,18 +8,21 @@ namespace dda {
 
 namespace {
 
-/// Buckets of edges on a uniform grid, as sorted (cell, edge) entries: no fixed extent, no empty cells stored.
+/// Buckets of edges on a uniform grid, as sorted (cell, edge) entries: no fixed extent, no empty cells
+/// stored.
 class EdgeGrid {
   public:
     EdgeGrid(double cell_size, const Vec2& origin) : cell_size_(cell_size), origin_(origin) {}
 
-    /// Enters an edge into every cell within `reach` of it, row by row so that a long oblique edge enters few cells.
+    /// Enters an edge into every cell within `reach` of it, row by row so that a long oblique edge enters few
+    /// cells.
     void insert(int edge, const Vec2& first, const Vec2& second, double reach) {
         const std::int64_t bottom = row(std::min(first.y(), second.y()) - reach);
         const std::int64_t top = row(std::max(first.y(), second.y()) + reach);
         for (std::int64_t r = bottom; r <= top; ++r) {
             const auto [left, right] = extent_in_row(first, second, r, reach);
-            for (std::int64_t c = column(left); c <= column(right); ++c) entries_.push_back({key(c, r), edge});
+            for (std::int64_t c = column(left); c <= column(right); ++c)
+                entries_.push_back({key(c, r), edge});
         }
     }
     void finish() { std::sort(entries_.begin(), entries_.end()); }
@@ -32,14 +35,19 @@ class EdgeGrid {
     }
 
   private:
-    std::int64_t column(double x) const { return static_cast<std::int64_t>(std::floor((x - origin_.x()) / cell_size_)); }
-    std::int64_t row(double y) const { return static_cast<std::int64_t>(std::floor((y - origin_.y()) / cell_size_)); }
+    std::int64_t column(double x) const {
+        return static_cast<std::int64_t>(std::floor((x - origin_.x()) / cell_size_));
+    }
+    std::int64_t row(double y) const {
+        return static_cast<std::int64_t>(std::floor((y - origin_.y()) / cell_size_));
+    }
     static std::uint64_t key(std::int64_t column, std::int64_t row) {
         return (static_cast<std::uint64_t>(row) << 32) ^ (static_cast<std::uint64_t>(column) & 0xffffffffu);
     }
 
     /// The x-range of the part of a segment that lies within `reach` of a grid row, widened by `reach`.
-    std::pair<double, double> extent_in_row(const Vec2& first, const Vec2& second, std::int64_t r, double reach) const {
+    std::pair<double, double> extent_in_row(const Vec2& first, const Vec2& second, std::int64_t r,
+                                            double reach) const {
         double from = 0;
         double to = 1;
         const double dy = second.y() - first.y();
@@ -86,8 +94,12 @@ std::vector<CornerEdge> find_candidates(const Model& model, std::span<const Vec2
     const Topology& topology = model.topology;
     std::vector<CornerEdge> found;
     if (vertices.empty()) return found;
-    const auto end_of = [&](int edge) { return vertices[static_cast<std::size_t>(topology.next[static_cast<std::size_t>(edge)])]; };
-    const auto moves = [&](int block) { return model.motion[static_cast<std::size_t>(block)] == Motion::free; };
+    const auto end_of = [&](int edge) {
+        return vertices[static_cast<std::size_t>(topology.next[static_cast<std::size_t>(edge)])];
+    };
+    const auto moves = [&](int block) {
+        return model.motion[static_cast<std::size_t>(block)] == Motion::free;
+    };
 
     EdgeGrid grid(std::max(distance, median_edge_length(topology, vertices)), vertices[0]);
     for (int edge = 0; edge < topology.corner_count(); ++edge) {
@@ -106,7 +118,8 @@ std::vector<CornerEdge> find_candidates(const Model& model, std::span<const Vec2
             const auto e = static_cast<std::size_t>(edge);
             const int other = topology.block_of[e];
             if (other == block || !(moves(block) || moves(other))) return;
-            if (distance_to_segment(vertex, vertices[e], end_of(edge)) <= distance) found.push_back({corner, edge});
+            if (distance_to_segment(vertex, vertices[e], end_of(edge)) <= distance)
+                found.push_back({corner, edge});
         });
     }
     std::sort(found.begin(), found.end());

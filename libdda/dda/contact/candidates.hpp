@@ -9,8 +9,9 @@
 namespace dda {
 
 /// All pairs of a corner and an edge of different blocks whose distance is at most `distance`, sorted.
-/// A uniform grid makes the cost linear in the number of corners; its cell is the larger of `distance` and the median edge length.
-/// Pairs of two blocks that cannot move are left out, and so are reflex corners, which can touch no edge.
+/// A uniform grid makes the cost linear in the number of corners; its cell is the larger of `distance` and
+/// the median edge length. Pairs of two blocks that cannot move are left out, and so are reflex corners,
+/// which can touch no edge.
 std::vector<CornerEdge> find_candidates(const Model& model, std::span<const Vec2> vertices, double distance);
 
 /// Distance of a point from a segment, m.

@@ -14,29 +14,31 @@ enum class ContactState : std::uint8_t { open, sliding, locked };
 
 enum class ContactKind : std::uint8_t { vertex_vertex, vertex_edge, edge_edge };
 
-/// A corner of one block against an edge of another. An edge-edge contact is two of these, one at each end of the
-/// overlap, each with half its length. `normal` points out of the edge's block, `tangent` along its edge (the rock of the edge's block
-/// is on the left of it). Forces are N per metre of thickness.
+/// A corner of one block against an edge of another. An edge-edge contact is two of these, one at each end of
+/// the overlap, each with half its length. `normal` points out of the edge's block, `tangent` along its edge
+/// (the rock of the edge's block is on the left of it). Forces are N per metre of thickness.
 struct Contact {
-    int corner = 0;        ///< corner index of the vertex
-    int edge = 0;          ///< first corner of the edge
+    int corner = 0;  ///< corner index of the vertex
+    int edge = 0;    ///< first corner of the edge
     int corner_block = 0;
     int edge_block = 0;
     ContactKind kind = ContactKind::vertex_edge;
     int joint_material = 0;
-    int joint = -1;        ///< the joint's id, or -1 between faces that are no joint's
-    int group = -1;        ///< vertex-vertex: contacts of one group share a pair of corners, and at most one of them closes
-    bool held_back = false; ///< another line of its group carries force: this one cannot close in this step
-    double length = 0;     ///< m, share of the joint for cohesion and stress; 0 for a bare vertex
+    int joint = -1;  ///< the joint's id, or -1 between faces that are no joint's
+    int group =
+        -1;  ///< vertex-vertex: contacts of one group share a pair of corners, and at most one of them closes
+    bool held_back = false;  ///< another line of its group carries force: this one cannot close in this step
+    double length = 0;       ///< m, share of the joint for cohesion and stress; 0 for a bare vertex
 
     Vec2 point = Vec2::Zero();  ///< the corner's position at the state's time, m
     Vec2 normal = Vec2::Zero();
     Vec2 tangent = Vec2::Zero();
-    double gap = 0;             ///< distance of the corner from the edge line, m; negative: penetration
+    double gap = 0;  ///< distance of the corner from the edge line, m; negative: penetration
 
     ContactState state = ContactState::open;
     double normal_force = 0;  ///< compression positive: pushes the corner's block along `normal`
-    double shear_force = 0;   ///< resists the corner's motion along `tangent`: positive pushes the corner's block along -tangent
+    double shear_force = 0;   ///< resists the corner's motion along `tangent`: positive pushes the corner's
+                              ///< block along -tangent
     double slip = 0;          ///< accumulated plastic slip of the corner along `tangent`, m
     bool bonded = false;      ///< the joint bears tension here
     JointHistory history;
@@ -49,7 +51,8 @@ struct CornerEdge {
     friend auto operator<=>(const CornerEdge&, const CornerEdge&) = default;
 };
 
-/// All contact candidates of a state, sorted by (corner_block, edge_block, corner, edge), and what they were found among.
+/// All contact candidates of a state, sorted by (corner_block, edge_block, corner, edge), and what they were
+/// found among.
 struct ContactSet {
     std::vector<Contact> contacts;
     std::vector<CornerEdge> candidates;  ///< sorted

@@ -10,23 +10,27 @@ namespace dda {
 
 namespace {
 
-auto sort_key(const Contact& c) { return std::tuple(c.corner_block, c.edge_block, c.corner, c.edge); }
+auto sort_key(const Contact& c) {
+    return std::tuple(c.corner_block, c.edge_block, c.corner, c.edge);
+}
 
 /// A contact in the making: what selection among a group needs besides the contact.
 struct Entry {
     Contact contact;
-    double inside = 0;        ///< m, projection inside the ends
-    int partner = -1;         ///< the edge's end that the corner is near, or -1
-    bool holds = false;       ///< it carried force at the end of the last step, and its corner is on its edge
+    double inside = 0;   ///< m, projection inside the ends
+    int partner = -1;    ///< the edge's end that the corner is near, or -1
+    bool holds = false;  ///< it carried force at the end of the last step, and its corner is on its edge
 };
 
-/// How far past its edge's end a corner may be and still be on it, as a share of the edge: the ends of two equal faces shift by
-/// elastic strains from step to step, and a contact that changed roles with each of them would never come to rest.
+/// How far past its edge's end a corner may be and still be on it, as a share of the edge: the ends of two
+/// equal faces shift by elastic strains from step to step, and a contact that changed roles with each of them
+/// would never come to rest.
 constexpr double end_slack = 1e-6;
 
 class Detector {
   public:
-    Detector(const Model& model, std::span<const Vec2> vertices, double reach, std::span<const Contact> previous)
+    Detector(const Model& model, std::span<const Vec2> vertices, double reach,
+             std::span<const Contact> previous)
         : model_(model), topology_(model.topology), vertices_(vertices), reach_(reach), previous_(previous) {}
 
     /// Fills the entry for a candidate. @return whether it is a contact at all.
@@ -50,7 +54,8 @@ class Detector {
         contact.joint_material = joint_material_of(corner, edge);
         contact.joint = topology_.joint[index(edge)];
         entry.inside = geometry.inside();
-        entry.holds = old != nullptr && old->state != ContactState::open && entry.inside >= -end_slack * geometry.length;
+        entry.holds = old != nullptr && old->state != ContactState::open &&
+                      entry.inside >= -end_slack * geometry.length;
         const int end = geometry.along < geometry.length / 2 ? edge : next(edge);
         entry.partner = (vertex - at(end)).norm() <= reach_ && !is_reflex(end) ? end : -1;
         return true;
@@ -82,7 +87,8 @@ class Detector {
 
     void resolve_single(const Entry& entry, std::vector<Contact>& out) const {
         Contact contact = entry.contact;
-        for (const int a : {contact.corner, previous(contact.corner)}) contact.length += half_overlap(a, contact.edge);
+        for (const int a : {contact.corner, previous(contact.corner)})
+            contact.length += half_overlap(a, contact.edge);
         contact.kind = contact.length > 0 ? ContactKind::edge_edge : ContactKind::vertex_edge;
         out.push_back(contact);
     }
@@ -94,19 +100,21 @@ class Detector {
     int previous(int corner) const { return topology_.previous[index(corner)]; }
 
     const Contact* find_previous(const Contact& contact) const {
-        const auto found = std::lower_bound(previous_.begin(), previous_.end(), contact, [](const Contact& a, const Contact& b) {
-            return sort_key(a) < sort_key(b);
-        });
+        const auto found =
+            std::lower_bound(previous_.begin(), previous_.end(), contact,
+                             [](const Contact& a, const Contact& b) { return sort_key(a) < sort_key(b); });
         return found != previous_.end() && sort_key(*found) == sort_key(contact) ? &*found : nullptr;
     }
 
-    /// Whether the rock at a corner lies on the outer side of a line with the given normal: both its edges, and the side they enclose,
-    /// which decides for a straight corner.
+    /// Whether the rock at a corner lies on the outer side of a line with the given normal: both its edges,
+    /// and the side they enclose, which decides for a straight corner.
     bool on_outer_side(int corner, const Vec2& normal) const {
         const Vec2 leaving = (at(next(corner)) - at(corner)).normalized();
         const Vec2 arriving = (at(previous(corner)) - at(corner)).normalized();
-        if (leaving.dot(normal) < -parallel_tolerance || arriving.dot(normal) < -parallel_tolerance) return false;
-        return perpendicular(leaving - arriving).dot(normal) > 0 || (leaving + arriving).dot(normal) > parallel_tolerance;
+        if (leaving.dot(normal) < -parallel_tolerance || arriving.dot(normal) < -parallel_tolerance)
+            return false;
+        return perpendicular(leaving - arriving).dot(normal) > 0 ||
+               (leaving + arriving).dot(normal) > parallel_tolerance;
     }
 
     bool is_reflex(int corner) const {
@@ -115,7 +123,8 @@ class Detector {
         return cross(arriving, leaving) < -parallel_tolerance * arriving.norm() * leaving.norm();
     }
 
-    /// The edge's material; on a free face that of the face of the corner that lies on it, and the model's default last.
+    /// The edge's material; on a free face that of the face of the corner that lies on it, and the model's
+    /// default last.
     int joint_material_of(int corner, int edge) const {
         for (const int e : {edge, corner, previous(corner)}) {
             const int material = topology_.joint_material[index(e)];
@@ -124,8 +133,8 @@ class Detector {
         return model_.default_joint_material;
     }
 
-    /// Whether `a` is to stand for its line rather than `b`: the one that holds, then the one whose corner projects farther inside;
-    /// a tie, as where two corners coincide, goes to the earlier.
+    /// Whether `a` is to stand for its line rather than `b`: the one that holds, then the one whose corner
+    /// projects farther inside; a tie, as where two corners coincide, goes to the earlier.
     bool better(const Entry& a, const Entry& b) const {
         if (a.holds != b.holds) return a.holds;
         return a.inside > b.inside + 1e-9 * reach_;
@@ -133,7 +142,8 @@ class Detector {
 
     /// A line that holds keeps the group, however deep: the others cannot close.
     static void keep_what_carries(std::span<const Entry* const> lines, std::span<Contact> contacts) {
-        const auto holder = std::find_if(lines.begin(), lines.end(), [](const Entry* line) { return line->holds; });
+        const auto holder =
+            std::find_if(lines.begin(), lines.end(), [](const Entry* line) { return line->holds; });
         if (holder == lines.end()) return;
         for (std::size_t k = 0; k < lines.size(); ++k) contacts[k].held_back = lines[k] != *holder;
     }
@@ -143,7 +153,8 @@ class Detector {
         const Vec2 along = at(next(b)) - at(b);
         const double length = along.norm();
         const Vec2 face = at(next(a)) - at(a);
-        if (along.dot(face) >= 0 || std::abs(cross(along, face)) > parallel_tolerance * length * face.norm()) return 0;
+        if (along.dot(face) >= 0 || std::abs(cross(along, face)) > parallel_tolerance * length * face.norm())
+            return 0;
         const double from = std::max(0.0, (at(next(a)) - at(b)).dot(along) / length);
         const double to = std::min(length, (at(a) - at(b)).dot(along) / length);
         return std::max(0.0, to - from) / 2;
@@ -187,7 +198,8 @@ std::vector<Contact> detect_contacts(const Model& model, std::span<const Vec2> v
     std::vector<Entry> examined(candidates.size());
     std::vector<char> accepted(candidates.size(), 0);
     crew.for_ranges(candidates.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t k = begin; k < end; ++k) accepted[k] = detector.examine(candidates[k], examined[k]) ? 1 : 0;
+        for (std::size_t k = begin; k < end; ++k)
+            accepted[k] = detector.examine(candidates[k], examined[k]) ? 1 : 0;
     });
 
     std::vector<Contact> contacts;
@@ -206,10 +218,12 @@ std::vector<Contact> detect_contacts(const Model& model, std::span<const Vec2> v
     for (std::size_t k = 0; k < grouped.size(); ++group) {
         members.clear();
         const auto corners = grouped[k].first;
-        for (; k < grouped.size() && grouped[k].first == corners; ++k) members.push_back(examined[grouped[k].second]);
+        for (; k < grouped.size() && grouped[k].first == corners; ++k)
+            members.push_back(examined[grouped[k].second]);
         detector.resolve_group(members, group, contacts);
     }
-    std::sort(contacts.begin(), contacts.end(), [](const Contact& a, const Contact& b) { return sort_key(a) < sort_key(b); });
+    std::sort(contacts.begin(), contacts.end(),
+              [](const Contact& a, const Contact& b) { return sort_key(a) < sort_key(b); });
     return contacts;
 }
 

@@ -9,8 +9,8 @@
 
 namespace dda {
 
-/// How near flat faces must be to parallel to count as an edge-edge contact, and how far a corner's edge may dip below the line
-/// it rests on: sin(3 degrees), Shi's value [Shi 1993, sec. 2.3].
+/// How near flat faces must be to parallel to count as an edge-edge contact, and how far a corner's edge may
+/// dip below the line it rests on: sin(3 degrees), Shi's value [Shi 1993, sec. 2.3].
 inline constexpr double parallel_tolerance = 0.0523;
 
 /// Where a corner stands against an edge line.
@@ -26,10 +26,11 @@ struct CornerEdgeGeometry {
 };
 CornerEdgeGeometry corner_edge_geometry(const Vec2& corner, const Vec2& first, const Vec2& second);
 
-/// The contacts among the candidates at the given positions: corners at most `reach` from an edge that they can touch, that is, with
-/// both their edges on its outer side. Corners near an end of the edge are vertex-vertex contacts, in groups: Shi's first-entrance
-/// rule lets the line that is crossed last carry the contact. An edge-edge contact comes out as one contact at each end of the overlap.
-/// Contacts of `previous` stay while they are candidates. States, forces and histories are the caller's (transfer_contacts).
+/// The contacts among the candidates at the given positions: corners at most `reach` from an edge that they
+/// can touch, that is, with both their edges on its outer side. Corners near an end of the edge are
+/// vertex-vertex contacts, in groups: Shi's first-entrance rule lets the line that is crossed last carry the
+/// contact. An edge-edge contact comes out as one contact at each end of the overlap. Contacts of `previous`
+/// stay while they are candidates. States, forces and histories are the caller's (transfer_contacts).
 std::vector<Contact> detect_contacts(const Model& model, std::span<const Vec2> vertices,
                                      std::span<const CornerEdge> candidates, double reach,
                                      std::span<const Contact> previous, const Crew& crew);

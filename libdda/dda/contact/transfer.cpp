@@ -10,7 +10,9 @@ namespace dda {
 
 namespace {
 
-auto sort_key(const Contact& c) { return std::tuple(c.corner_block, c.edge_block, c.corner, c.edge); }
+auto sort_key(const Contact& c) {
+    return std::tuple(c.corner_block, c.edge_block, c.corner, c.edge);
+}
 
 void hand_over(const Contact& from, Contact& to) {
     to.state = from.state;
@@ -22,8 +24,8 @@ void hand_over(const Contact& from, Contact& to) {
     to.joint = from.joint >= 0 ? from.joint : to.joint;
 }
 
-/// Whether an old contact lay on the line of a new one: the same faces, or the same with corner and edge in exchanged roles, or
-/// the same corner on a neighbour's face.
+/// Whether an old contact lay on the line of a new one: the same faces, or the same with corner and edge in
+/// exchanged roles, or the same corner on a neighbour's face.
 bool same_line(const Contact& from, const Contact& to) {
     if (from.joint_material != to.joint_material) return false;
     const double facing = from.normal.dot(to.normal);
@@ -35,15 +37,19 @@ bool same_line(const Contact& from, const Contact& to) {
     return exchanged && facing < -least;
 }
 
-/// Touching faces of the first configuration: a gap of a millionth of the shared length is rounding, not an open joint.
-bool touches(const Contact& contact) { return std::abs(contact.gap) <= 1e-6 * std::max(contact.length, 1e-3); }
+/// Touching faces of the first configuration: a gap of a millionth of the shared length is rounding, not an
+/// open joint.
+bool touches(const Contact& contact) {
+    return std::abs(contact.gap) <= 1e-6 * std::max(contact.length, 1e-3);
+}
 
 void start_fresh(const Model& model, bool first_step, Contact& contact) {
     const JointLaw& law = model.joint_materials[static_cast<std::size_t>(contact.joint_material)].law;
     const bool intact = first_step && touches(contact);
     contact.history = fresh_history(law, intact);
     contact.state = intact ? ContactState::locked : ContactState::open;
-    contact.bonded = intact && contact.length > 0 && strength(law, contact.history, 0, contact.length).tensile > 0;
+    contact.bonded =
+        intact && contact.length > 0 && strength(law, contact.history, 0, contact.length).tensile > 0;
 }
 
 }  // namespace
@@ -75,7 +81,8 @@ void transfer_contacts(const Model& model, std::span<const Contact> old, double 
         Contact& contact = contacts[k];
         const Contact* nearest = nullptr;
         double least = moved;
-        auto entry = std::lower_bound(by_block.begin(), by_block.end(), std::pair<int, const Contact*>{contact.corner_block, nullptr});
+        auto entry = std::lower_bound(by_block.begin(), by_block.end(),
+                                      std::pair<int, const Contact*>{contact.corner_block, nullptr});
         for (; entry != by_block.end() && entry->first == contact.corner_block; ++entry) {
             const Contact* donor = entry->second;
             const double distance = (donor->point - contact.point).norm();

@@ -10,11 +10,12 @@ namespace dda {
 
 /// Gives the contacts of a new step the states, forces and histories of the old ones.
 ///
-/// A contact keeps its identity as (corner, edge). Where that pair is gone because the corner slid on to the next
-/// edge, because the roles of the two corners at the end of an overlap changed, or because a neighbouring block's face took over, the
-/// nearest old contact along the same line hands over what it carried: shear force, slip and history change neither sign nor size, because
-/// the tangent turns with the role. `moved` bounds how far a contact point can have gone, m.
-/// Contacts nobody hands anything to are fresh; in the first step of a run faces that touch are intact and locked.
+/// A contact keeps its identity as (corner, edge). Where that pair is gone because the corner slid on to the
+/// next edge, because the roles of the two corners at the end of an overlap changed, or because a
+/// neighbouring block's face took over, the nearest old contact along the same line hands over what it
+/// carried: shear force, slip and history change neither sign nor size, because the tangent turns with the
+/// role. `moved` bounds how far a contact point can have gone, m. Contacts nobody hands anything to are
+/// fresh; in the first step of a run faces that touch are intact and locked.
 void transfer_contacts(const Model& model, std::span<const Contact> old, double moved, bool first_step,
                        std::vector<Contact>& contacts);
 

@@ -15,10 +15,11 @@ struct AreaMoments {
     double xy = 0;                 ///< integral of x y about the centroid, m4
 };
 
-/// Exact integrals over a polygon with holes, Eq. (5): each edge and a common apex span an oriented simplex, and the
-/// integrals over the simplices add up with their signs. Outer ring counter-clockwise, holes clockwise.
-/// The apex is the first vertex, so that a model far from the origin loses no digits.
-/// @param vertices the rings' vertices, ring after ring; @param ring_sizes how many belong to each, at least 3.
+/// Exact integrals over a polygon with holes, Eq. (5): each edge and a common apex span an oriented simplex,
+/// and the integrals over the simplices add up with their signs. Outer ring counter-clockwise, holes
+/// clockwise. The apex is the first vertex, so that a model far from the origin loses no digits.
+/// @param vertices the rings' vertices, ring after ring; @param ring_sizes how many belong to each, at
+/// least 3.
 AreaMoments integrate(std::span<const Vec2> vertices, std::span<const int> ring_sizes);
 
 }  // namespace dda

@@ -17,8 +17,8 @@ std::variant<typename Laws::History...> histories_of(const std::variant<Laws...>
 /// What a joint remembers: the alternative has the same index as its law in JointLaw.
 using JointHistory = decltype(detail::histories_of(std::declval<JointLaw>()));
 
-/// The history of a joint that has not moved yet. @param intact false for a contact between faces that met later: it bears neither
-/// cohesion nor tension.
+/// The history of a joint that has not moved yet. @param intact false for a contact between faces that met
+/// later: it bears neither cohesion nor tension.
 JointHistory fresh_history(const JointLaw& law, bool intact);
 /// What the joint can bear now. @param normal_force N per metre, compression positive; @param length m.
 Strength strength(const JointLaw& law, const JointHistory& history, double normal_force, double length);
@@ -32,8 +32,12 @@ struct JointMaterial {
     double normal_penalty = 0;  ///< N/m per metre per contact; 0: the analysis' value
     double shear_penalty = 0;   ///< likewise
 
-    double normal_stiffness(double analysis_value) const { return normal_penalty > 0 ? normal_penalty : analysis_value; }
-    double shear_stiffness(double analysis_value) const { return shear_penalty > 0 ? shear_penalty : analysis_value; }
+    double normal_stiffness(double analysis_value) const {
+        return normal_penalty > 0 ? normal_penalty : analysis_value;
+    }
+    double shear_stiffness(double analysis_value) const {
+        return shear_penalty > 0 ? shear_penalty : analysis_value;
+    }
 };
 
 }  // namespace dda

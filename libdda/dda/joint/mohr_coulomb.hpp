@@ -4,9 +4,9 @@
 
 namespace dda {
 
-/// Mohr-Coulomb friction with cohesion and tensile strength, Eq. (30): tau = c + sigma_n tan(phi), intact until the first slip or
-/// opening, thereafter with the residual values. Source: Shi (1988); the default residual is Shi's (c and tensile strength
-/// vanish, phi stays).
+/// Mohr-Coulomb friction with cohesion and tensile strength, Eq. (30): tau = c + sigma_n tan(phi), intact
+/// until the first slip or opening, thereafter with the residual values. Source: Shi (1988); the default
+/// residual is Shi's (c and tensile strength vanish, phi stays).
 struct MohrCoulomb {
     static constexpr const char* name = "mohr-coulomb";
 
@@ -21,8 +21,12 @@ struct MohrCoulomb {
         friend bool operator==(const History&, const History&) = default;
     };
 
-    History fresh(bool intact) const { return {!intact || (cohesion == 0 && tensile_strength == 0 && friction_angle == residual_friction_angle)}; }
-    /// @param normal_force N per metre, compression positive; @param length m, the contact's share of the joint.
+    History fresh(bool intact) const {
+        return {!intact ||
+                (cohesion == 0 && tensile_strength == 0 && friction_angle == residual_friction_angle)};
+    }
+    /// @param normal_force N per metre, compression positive; @param length m, the contact's share of the
+    /// joint.
     Strength strength(const History& history, double normal_force, double length) const;
     /// The history after an accepted step.
     History advance(const History& history, const ContactMotion& motion) const;

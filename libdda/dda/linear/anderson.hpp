@@ -5,9 +5,9 @@
 
 namespace dda {
 
-/// Anderson's acceleration of a fixed-point iteration x = g(x): the next iterate combines the last few so that their combined residual g(x) - x
-/// is least. For an affine g it is the generalised minimal residual method, and converges where plain iteration oscillates
-/// or grows. [Anderson 1965; Walker & Ni 2011]
+/// Anderson's acceleration of a fixed-point iteration x = g(x): the next iterate combines the last few so
+/// that their combined residual g(x) - x is least. For an affine g it is the generalised minimal residual
+/// method, and converges where plain iteration oscillates or grows. [Anderson 1965; Walker & Ni 2011]
 class AndersonMixing {
   public:
     explicit AndersonMixing(int memory) : memory_(memory) {}

@@ -37,7 +37,8 @@ void BlockMatrix::reset(const BlockPattern& pattern) {
     upper.assign(pattern.columns.size(), Mat6::Zero());
 }
 
-void BlockMatrix::add_outer(const BlockPattern& pattern, int i, int j, const Vec6& first, const Vec6& second) {
+void BlockMatrix::add_outer(const BlockPattern& pattern, int i, int j, const Vec6& first,
+                            const Vec6& second) {
     if (i < j) {
         upper[static_cast<std::size_t>(pattern.position(i, j))].noalias() += first * second.transpose();
     } else {

@@ -7,8 +7,8 @@
 
 namespace dda {
 
-/// Which 6x6 submatrices of a symmetric block matrix may be non-zero, Eq. (3): the diagonal, and for each row i the columns
-/// columns[start[i]] ... columns[start[i + 1] - 1], all greater than i and ascending.
+/// Which 6x6 submatrices of a symmetric block matrix may be non-zero, Eq. (3): the diagonal, and for each row
+/// i the columns columns[start[i]] ... columns[start[i + 1] - 1], all greater than i and ascending.
 struct BlockPattern {
     int size = 0;
     std::vector<int> start = {0};

@@ -14,13 +14,14 @@ namespace {
 
 constexpr int unknowns = 6;
 
-/// Keeps CHOLMOD's and the BLAS' own threads out: they wait for each other longer than a supernode of a few blocks takes (four
-/// threads on two cores cost five times the time), and sums would depend on their number.
+/// Keeps CHOLMOD's and the BLAS' own threads out: they wait for each other longer than a supernode of a few
+/// blocks takes (four threads on two cores cost five times the time), and sums would depend on their number.
 void stay_single_threaded() {
     omp_set_max_active_levels(0);
     // Only OpenBLAS has this function; another BLAS is left alone.
     using SetThreads = void (*)(int);
-    if (auto* set_threads = reinterpret_cast<SetThreads>(dlsym(RTLD_DEFAULT, "openblas_set_num_threads"))) set_threads(1);
+    if (auto* set_threads = reinterpret_cast<SetThreads>(dlsym(RTLD_DEFAULT, "openblas_set_num_threads")))
+        set_threads(1);
 }
 
 class CholmodSolver final : public LinearSolver {
@@ -74,7 +75,8 @@ class CholmodSolver final : public LinearSolver {
         b.x = right_hand_side.data();
         b.xtype = CHOLMOD_REAL;
         b.dtype = CHOLMOD_DOUBLE;
-        if (cholmod_solve2(CHOLMOD_A, factor_, &b, nullptr, &solution_, nullptr, &work_y_, &work_e_, &common_) == 0) {
+        if (cholmod_solve2(CHOLMOD_A, factor_, &b, nullptr, &solution_, nullptr, &work_y_, &work_e_,
+                           &common_) == 0) {
             throw std::bad_alloc();
         }
         std::memcpy(static_cast<void*>(right_hand_side.data()), solution_->x, b.nrow * sizeof(double));
@@ -86,10 +88,12 @@ class CholmodSolver final : public LinearSolver {
         cholmod_free_sparse(&matrix_, &common_);
     }
 
-    /// The lower triangle by columns: column block i holds its diagonal and, below it, the transposes of the upper row i.
+    /// The lower triangle by columns: column block i holds its diagonal and, below it, the transposes of the
+    /// upper row i.
     void allocate_scalar_matrix() {
         const auto size = static_cast<std::size_t>(pattern_.size) * unknowns;
-        const std::size_t entries = static_cast<std::size_t>(pattern_.size) * 21 + pattern_.columns.size() * 36;
+        const std::size_t entries =
+            static_cast<std::size_t>(pattern_.size) * 21 + pattern_.columns.size() * 36;
         matrix_ = cholmod_allocate_sparse(size, size, entries, 1, 1, -1, CHOLMOD_REAL, &common_);
         if (matrix_ == nullptr) throw std::bad_alloc();
         auto* column_start = static_cast<int*>(matrix_->p);
@@ -135,6 +139,8 @@ class CholmodSolver final : public LinearSolver {
 
 }  // namespace
 
-std::unique_ptr<LinearSolver> make_cholmod_solver() { return std::make_unique<CholmodSolver>(); }
+std::unique_ptr<LinearSolver> make_cholmod_solver() {
+    return std::make_unique<CholmodSolver>();
+}
 
 }  // namespace dda

@@ -22,7 +22,8 @@ class LinearSolver {
 /// CHOLMOD's supernodal Cholesky factorisation, ordered on the graph of the blocks.
 std::unique_ptr<LinearSolver> make_cholmod_solver();
 
-/// A fill-reducing order of a block graph: order[k] is the block eliminated k-th. Nested dissection by METIS, with a fixed seed.
+/// A fill-reducing order of a block graph: order[k] is the block eliminated k-th. Nested dissection by METIS,
+/// with a fixed seed.
 std::vector<int> fill_reducing_order(const BlockPattern& pattern);
 
 }  // namespace dda

@@ -37,8 +37,8 @@ std::vector<int> fill_reducing_order(const BlockPattern& pattern) {
     idx_t count = static_cast<idx_t>(size);
     std::vector<idx_t> permutation(size);
     std::vector<idx_t> inverse(size);
-    if (METIS_NodeND(&count, start.data(), neighbours.data(), nullptr, options, permutation.data(), inverse.data()) !=
-        METIS_OK) {
+    if (METIS_NodeND(&count, start.data(), neighbours.data(), nullptr, options, permutation.data(),
+                     inverse.data()) != METIS_OK) {
         throw std::runtime_error("METIS could not order the blocks");
     }
     order.assign(permutation.begin(), permutation.end());

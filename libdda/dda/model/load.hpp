@@ -22,7 +22,8 @@ struct PointLoad {
     TimeTable history;
 };
 
-/// A uniform acceleration field added to gravity, m/s2, times its history; on one block, or on all when block < 0.
+/// A uniform acceleration field added to gravity, m/s2, times its history; on one block, or on all when block
+/// < 0.
 struct BodyLoad {
     int block = -1;
     Vec2 acceleration = Vec2::Zero();
@@ -42,8 +43,8 @@ struct FixedPoint {
 /// A bar between two material points, linear elastic up to its yield force.
 struct BoltSpec {
     std::string name;
-    int first = 0;   ///< index into Model::material_points
-    int second = 0;  ///< likewise
+    int first = 0;               ///< index into Model::material_points
+    int second = 0;              ///< likewise
     double axial_stiffness = 0;  ///< EA over the spacing of the bolts, N per metre of thickness
     double pretension = 0;       ///< N per metre of thickness, tension positive
     double yield_force = 0;      ///< N per metre of thickness; 0: elastic without limit

@@ -12,18 +12,19 @@ namespace dda {
 
 enum class Motion : std::uint8_t { free, fixed, prescribed };
 
-/// The corners of all blocks, block after block and ring after ring; every block owns its corners, neighbours share none.
-/// Outer rings run counter-clockwise and holes clockwise: the rock is on the left of every edge. Edge k runs from corner k to
-/// next[k]. Constant during a run.
+/// The corners of all blocks, block after block and ring after ring; every block owns its corners, neighbours
+/// share none. Outer rings run counter-clockwise and holes clockwise: the rock is on the left of every edge.
+/// Edge k runs from corner k to next[k]. Constant during a run.
 struct Topology {
-    std::vector<int> block_corners = {0};  ///< block b owns the corners [block_corners[b], block_corners[b + 1])
-    std::vector<int> ring_corners = {0};   ///< ring r owns the corners [ring_corners[r], ring_corners[r + 1])
-    std::vector<int> block_rings = {0};    ///< block b owns the rings [block_rings[b], block_rings[b + 1])
-    std::vector<int> next;                 ///< per corner
-    std::vector<int> previous;             ///< per corner
-    std::vector<int> block_of;             ///< per corner
-    std::vector<int> joint_material;       ///< per edge, index into Model::joint_materials; -1 on a free face
-    std::vector<int> joint;                ///< per edge, the joint's id in the block file; -1 on a free face
+    std::vector<int> block_corners = {
+        0};  ///< block b owns the corners [block_corners[b], block_corners[b + 1])
+    std::vector<int> ring_corners = {0};  ///< ring r owns the corners [ring_corners[r], ring_corners[r + 1])
+    std::vector<int> block_rings = {0};   ///< block b owns the rings [block_rings[b], block_rings[b + 1])
+    std::vector<int> next;                ///< per corner
+    std::vector<int> previous;            ///< per corner
+    std::vector<int> block_of;            ///< per corner
+    std::vector<int> joint_material;      ///< per edge, index into Model::joint_materials; -1 on a free face
+    std::vector<int> joint;               ///< per edge, the joint's id in the block file; -1 on a free face
 
     int block_count() const { return static_cast<int>(block_corners.size()) - 1; }
     int corner_count() const { return static_cast<int>(next.size()); }
@@ -41,9 +42,9 @@ struct MeasuredPointSpec {
 /// What the user described, and nothing that changes during a run. SI units, per metre of thickness.
 struct Model {
     Topology topology;
-    std::vector<Vec2> vertices;       ///< per corner, the initial configuration, m
-    std::vector<int> block_material;  ///< per block, index into block_materials
-    std::vector<Motion> motion;       ///< per block
+    std::vector<Vec2> vertices;           ///< per corner, the initial configuration, m
+    std::vector<int> block_material;      ///< per block, index into block_materials
+    std::vector<Motion> motion;           ///< per block
     std::vector<std::string> block_name;  ///< per block; empty unless prescribed
 
     std::vector<BlockMaterial> block_materials;
@@ -51,9 +52,9 @@ struct Model {
     int default_joint_material = 0;  ///< for contacts of free faces
 
     Plane plane = Plane::strain;
-    Vec2 gravity = {0, -9.81};   ///< m/s2
-    double normal_penalty = 0;   ///< N/m per metre of thickness per contact
-    double shear_penalty = 0;    ///< likewise
+    Vec2 gravity = {0, -9.81};       ///< m/s2
+    double normal_penalty = 0;       ///< N/m per metre of thickness per contact
+    double shear_penalty = 0;        ///< likewise
     double fixed_point_penalty = 0;  ///< N/m per metre of thickness
 
     std::vector<MaterialPoint> material_points;  ///< of loads, fixed points, bolts and measured points
@@ -64,7 +65,9 @@ struct Model {
     std::vector<Vec6> initial_velocity;  ///< per block, or empty
 
     int block_count() const { return topology.block_count(); }
-    const JointMaterial& joint_material_at(int index) const { return joint_materials[static_cast<std::size_t>(index)]; }
+    const JointMaterial& joint_material_at(int index) const {
+        return joint_materials[static_cast<std::size_t>(index)];
+    }
     const BlockMaterial& material_of(int block) const {
         return block_materials[static_cast<std::size_t>(block_material[static_cast<std::size_t>(block)])];
     }

@@ -10,19 +10,22 @@ namespace dda {
 
 enum class StageKind { static_equilibrium, dynamic };
 
-/// How the step is chosen and when it is refused. The defaults are Shi's where he gives one [Shi 1993, ch. 4].
+/// How the step is chosen and when it is refused. The defaults are Shi's where he gives one [Shi 1993, ch.
+/// 4].
 struct StepControl {
-    double step = 0.005;              ///< s, the largest step
-    double smallest_step = 1e-9;      ///< s; a step that would have to be smaller ends the run with the reason
-    double cut = 1.0 / 3.0;           ///< factor on the step after a rejection
-    double growth = 1.3;              ///< factor on the step after an easy step, up to `step`
-    int iteration_limit = 100;        ///< open-close iterations in a step
-    double displacement_ratio = 0.01; ///< largest vertex displacement in a step over the model's half-height
-    double force_tolerance = 1e-6;    ///< largest change of a contact force over the reference force, at convergence
+    double step = 0.005;          ///< s, the largest step
+    double smallest_step = 1e-9;  ///< s; a step that would have to be smaller ends the run with the reason
+    double cut = 1.0 / 3.0;       ///< factor on the step after a rejection
+    double growth = 1.3;          ///< factor on the step after an easy step, up to `step`
+    int iteration_limit = 100;    ///< open-close iterations in a step
+    double displacement_ratio = 0.01;  ///< largest vertex displacement in a step over the model's half-height
+    double force_tolerance =
+        1e-6;  ///< largest change of a contact force over the reference force, at convergence
 };
 
-/// Acceleration of a prescribed block (or of all fixed and prescribed blocks when `block` is empty), m/s2: constant before the first
-/// and after the last instant is not assumed; outside the table the acceleration is zero. Times count from the stage's start.
+/// Acceleration of a prescribed block (or of all fixed and prescribed blocks when `block` is empty), m/s2:
+/// constant before the first and after the last instant is not assumed; outside the table the acceleration is
+/// zero. Times count from the stage's start.
 struct BaseMotion {
     std::string block;
     TimeTable x;
@@ -33,15 +36,16 @@ struct BaseMotion {
 struct Stage {
     std::string name;
     StageKind kind = StageKind::dynamic;
-    double duration = 0;             ///< s, of a dynamic stage
-    double dynamic_coefficient = 1;  ///< share of the velocity kept from step to step; static stages keep none
-    double tolerance = 1e-6;         ///< static: unbalanced force over weight at which the stage ends
-    int step_limit = 20000;          ///< static: steps after which the stage has failed to settle
-    double newmark_beta = 0.5;       ///< Newmark's parameters; (1/2, 1) is Shi's integration
+    double duration = 0;  ///< s, of a dynamic stage
+    double dynamic_coefficient =
+        1;                      ///< share of the velocity kept from step to step; static stages keep none
+    double tolerance = 1e-6;    ///< static: unbalanced force over weight at which the stage ends
+    int step_limit = 20000;     ///< static: steps after which the stage has failed to settle
+    double newmark_beta = 0.5;  ///< Newmark's parameters; (1/2, 1) is Shi's integration
     double newmark_gamma = 1.0;
-    double mass_damping = 0;         ///< 1/s, mass-proportional damping
-    bool reset_displacements = true; ///< static: measured points and slips count from the end of this stage
-    bool reset_joint_history = false; ///< static: joints forget their slip at the end of this stage
+    double mass_damping = 0;           ///< 1/s, mass-proportional damping
+    bool reset_displacements = true;   ///< static: measured points and slips count from the end of this stage
+    bool reset_joint_history = false;  ///< static: joints forget their slip at the end of this stage
     StepControl control;
     std::vector<BaseMotion> base_motions;
 };

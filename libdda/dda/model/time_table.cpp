@@ -7,8 +7,10 @@ namespace dda {
 
 TimeTable::TimeTable(std::vector<double> times, std::vector<double> values)
     : times_(std::move(times)), values_(std::move(values)) {
-    if (times_.size() != values_.size()) throw std::invalid_argument("a time table needs one value for each time");
-    if (std::adjacent_find(times_.begin(), times_.end(), [](double a, double b) { return !(a < b); }) != times_.end()) {
+    if (times_.size() != values_.size())
+        throw std::invalid_argument("a time table needs one value for each time");
+    if (std::adjacent_find(times_.begin(), times_.end(), [](double a, double b) { return !(a < b); }) !=
+        times_.end()) {
         throw std::invalid_argument("the times of a time table must increase");
     }
 }

@@ -2,7 +2,8 @@
 
 namespace dda {
 
-void add_fixed_points(const Model& model, const RowMap& rows, const BlockSystem& blocks, const MidStep& mid, BaseSystem& base) {
+void add_fixed_points(const Model& model, const RowMap& rows, const BlockSystem& blocks, const MidStep& mid,
+                      BaseSystem& base) {
     for (const FixedPoint& fixed : model.fixed_points) {
         const auto p = static_cast<std::size_t>(fixed.point);
         const MaterialPoint& point = model.material_points[p];

@@ -20,7 +20,8 @@ struct LoadOnBlock {
     Vec6 operator()(const BodyLoad& load) const {
         Vec6 force = Vec6::Zero();
         if (load.block < 0 || load.block == block) {
-            force.head<2>() = blocks.mass[static_cast<std::size_t>(block)] * load.history.at(time) * load.acceleration;
+            force.head<2>() =
+                blocks.mass[static_cast<std::size_t>(block)] * load.history.at(time) * load.acceleration;
         }
         return force;
     }
@@ -28,14 +29,16 @@ struct LoadOnBlock {
 
 }  // namespace
 
-Vec6 load_on_block(const Model& model, int block, const BlockSystem& blocks, const MidStep& mid, double time) {
+Vec6 load_on_block(const Model& model, int block, const BlockSystem& blocks, const MidStep& mid,
+                   double time) {
     Vec6 sum = Vec6::Zero();
-    for (const Load& load : model.loads) sum += std::visit(LoadOnBlock{model, block, blocks, mid, time}, load);
+    for (const Load& load : model.loads)
+        sum += std::visit(LoadOnBlock{model, block, blocks, mid, time}, load);
     return sum;
 }
 
-void add_loads(const Model& model, const RowMap& rows, const BlockSystem& blocks, const MidStep& mid, const StepTimes& times,
-               BaseSystem& base) {
+void add_loads(const Model& model, const RowMap& rows, const BlockSystem& blocks, const MidStep& mid,
+               const StepTimes& times, BaseSystem& base) {
     for (std::size_t row = 0; row < rows.block_of.size(); ++row) {
         const int block = rows.block_of[row];
         base.load[row].head<2>() += blocks.mass[static_cast<std::size_t>(block)] * model.gravity;

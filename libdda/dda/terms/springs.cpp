@@ -7,8 +7,9 @@ namespace dda {
 namespace {
 
 /// The displacement of `point` along `direction` as block `a` carries it, less that as block `b` carries it.
-Relative relative_displacement(const RowMap& rows, const MidStep& mid, std::span<const Vec6> prescribed, const Vec2& direction,
-                               int a, const Vec2& point_on_a, int b, const Vec2& point_on_b) {
+Relative relative_displacement(const RowMap& rows, const MidStep& mid, std::span<const Vec6> prescribed,
+                               const Vec2& direction, int a, const Vec2& point_on_a, int b,
+                               const Vec2& point_on_b) {
     Relative relative;
     const auto ia = static_cast<std::size_t>(a);
     const auto ib = static_cast<std::size_t>(b);
@@ -28,9 +29,11 @@ double PairRows::measure(const Relative& relative, std::span<const Vec6> d) cons
     return sum;
 }
 
-void PairRows::add_stiffness(const Relative& relative, double stiffness, const BlockPattern& pattern, BlockMatrix& matrix) const {
+void PairRows::add_stiffness(const Relative& relative, double stiffness, const BlockPattern& pattern,
+                             BlockMatrix& matrix) const {
     if (first >= 0) {
-        matrix.diagonal[static_cast<std::size_t>(first)].noalias() += (stiffness * relative.first) * relative.first.transpose();
+        matrix.diagonal[static_cast<std::size_t>(first)].noalias() +=
+            (stiffness * relative.first) * relative.first.transpose();
     }
     if (second >= 0) {
         matrix.diagonal[static_cast<std::size_t>(second)].noalias() +=
@@ -47,8 +50,8 @@ void PairRows::add_force(const Relative& relative, double force, std::span<Vec6>
 }
 
 std::vector<ContactSprings> contact_springs(const Model& model, const RowMap& rows, const MidStep& mid,
-                                            std::span<const Vec6> prescribed, std::span<const Contact> contacts,
-                                            const Crew& crew) {
+                                            std::span<const Vec6> prescribed,
+                                            std::span<const Contact> contacts, const Crew& crew) {
     std::vector<ContactSprings> springs(contacts.size());
     crew.for_ranges(contacts.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) {
@@ -56,12 +59,15 @@ std::vector<ContactSprings> contact_springs(const Model& model, const RowMap& ro
             const JointMaterial& material = model.joint_material_at(contact.joint_material);
             const Vec2& point = mid.vertices[static_cast<std::size_t>(contact.corner)];
             const Vec2& first = mid.vertices[static_cast<std::size_t>(contact.edge)];
-            const Vec2& second = mid.vertices[static_cast<std::size_t>(model.topology.next[static_cast<std::size_t>(contact.edge)])];
+            const Vec2& second = mid.vertices[static_cast<std::size_t>(
+                model.topology.next[static_cast<std::size_t>(contact.edge)])];
             const CornerEdgeGeometry geometry = corner_edge_geometry(point, first, second);
-            // The force acts half-way between the corner and the face it lies on: the same place when corner and edge exchange roles.
+            // The force acts half-way between the corner and the face it lies on: the same place when corner
+            // and edge exchange roles.
             const Vec2 meeting = point - geometry.gap / 2 * geometry.normal;
             const auto measure = [&](const Vec2& direction) {
-                return relative_displacement(rows, mid, prescribed, direction, contact.corner_block, meeting, contact.edge_block, meeting);
+                return relative_displacement(rows, mid, prescribed, direction, contact.corner_block, meeting,
+                                             contact.edge_block, meeting);
             };
             ContactSprings& spring = springs[k];
             spring.rows = {rows.row_of[static_cast<std::size_t>(contact.corner_block)],
@@ -75,7 +81,8 @@ std::vector<ContactSprings> contact_springs(const Model& model, const RowMap& ro
     return springs;
 }
 
-std::vector<BoltSpring> bolt_springs(const Model& model, const RowMap& rows, const MidStep& mid, std::span<const Vec6> prescribed) {
+std::vector<BoltSpring> bolt_springs(const Model& model, const RowMap& rows, const MidStep& mid,
+                                     std::span<const Vec6> prescribed) {
     std::vector<BoltSpring> springs;
     for (const BoltSpec& bolt : model.bolts) {
         const MaterialPoint& first = model.material_points[static_cast<std::size_t>(bolt.first)];
@@ -83,9 +90,10 @@ std::vector<BoltSpring> bolt_springs(const Model& model, const RowMap& rows, con
         const Vec2& from = mid.points[static_cast<std::size_t>(bolt.first)];
         const Vec2& to = mid.points[static_cast<std::size_t>(bolt.second)];
         BoltSpring spring;
-        spring.rows = {rows.row_of[static_cast<std::size_t>(second.block)], rows.row_of[static_cast<std::size_t>(first.block)]};
-        spring.elongation =
-            relative_displacement(rows, mid, prescribed, (to - from).normalized(), second.block, to, first.block, from);
+        spring.rows = {rows.row_of[static_cast<std::size_t>(second.block)],
+                       rows.row_of[static_cast<std::size_t>(first.block)]};
+        spring.elongation = relative_displacement(rows, mid, prescribed, (to - from).normalized(),
+                                                  second.block, to, first.block, from);
         spring.stiffness = bolt.axial_stiffness / (second.position - first.position).norm();
         springs.push_back(spring);
     }

@@ -10,22 +10,24 @@
 
 namespace dda {
 
-/// A scalar measure of the relative displacement of two blocks, linear in their unknowns: first^T d_i + second^T d_j + known, where
-/// `known` is the share of blocks without unknowns.
+/// A scalar measure of the relative displacement of two blocks, linear in their unknowns: first^T d_i +
+/// second^T d_j + known, where `known` is the share of blocks without unknowns.
 struct Relative {
     Vec6 first = Vec6::Zero();
     Vec6 second = Vec6::Zero();
     double known = 0;
 };
 
-/// The springs between two blocks work on measures of their relative displacement; this is the pair and its rows.
+/// The springs between two blocks work on measures of their relative displacement; this is the pair and its
+/// rows.
 struct PairRows {
     int first = -1;   ///< row of the first block, or -1
     int second = -1;  ///< row of the second block, or -1
 
     double measure(const Relative& relative, std::span<const Vec6> d) const;
     /// Adds stiffness * (measure)^2 / 2 to the system.
-    void add_stiffness(const Relative& relative, double stiffness, const BlockPattern& pattern, BlockMatrix& matrix) const;
+    void add_stiffness(const Relative& relative, double stiffness, const BlockPattern& pattern,
+                       BlockMatrix& matrix) const;
     /// Adds a force that works on the measure.
     void add_force(const Relative& relative, double force, std::span<Vec6> load) const;
 };
@@ -33,16 +35,16 @@ struct PairRows {
 /// A contact as the equations see it: normal and tangential displacement of its corner relative to its edge.
 struct ContactSprings {
     PairRows rows;
-    Relative normal;  ///< along the contact's normal at mid-step: opening positive
-    Relative shear;   ///< along its tangent at mid-step
+    Relative normal;              ///< along the contact's normal at mid-step: opening positive
+    Relative shear;               ///< along its tangent at mid-step
     double normal_stiffness = 0;  ///< N/m per metre
     double shear_stiffness = 0;   ///< N/m per metre
 };
 
 /// @param prescribed displacement of the step, per block; used for blocks without unknowns.
 std::vector<ContactSprings> contact_springs(const Model& model, const RowMap& rows, const MidStep& mid,
-                                            std::span<const Vec6> prescribed, std::span<const Contact> contacts,
-                                            const Crew& crew);
+                                            std::span<const Vec6> prescribed,
+                                            std::span<const Contact> contacts, const Crew& crew);
 
 /// A bolt as the equations see it: the elongation of the bar.
 struct BoltSpring {
@@ -51,6 +53,7 @@ struct BoltSpring {
     double stiffness = 0;  ///< N/m per metre
 };
 
-std::vector<BoltSpring> bolt_springs(const Model& model, const RowMap& rows, const MidStep& mid, std::span<const Vec6> prescribed);
+std::vector<BoltSpring> bolt_springs(const Model& model, const RowMap& rows, const MidStep& mid,
+                                     std::span<const Vec6> prescribed);
 
 }  // namespace dda

@@ -7,8 +7,8 @@
 
 namespace dda {
 
-/// The numbering of the unknowns: one row of six for each free block; fixed and prescribed blocks have none (their
-/// displacement is known and is eliminated).
+/// The numbering of the unknowns: one row of six for each free block; fixed and prescribed blocks have none
+/// (their displacement is known and is eliminated).
 struct RowMap {
     std::vector<int> row_of;    ///< per block, -1 when it has no unknowns
     std::vector<int> block_of;  ///< per row
@@ -17,7 +17,8 @@ struct RowMap {
     int count() const { return static_cast<int>(block_of.size()); }
 };
 
-/// The part of the step's equations that does not depend on contacts: submatrices on the diagonal and the load vector.
+/// The part of the step's equations that does not depend on contacts: submatrices on the diagonal and the
+/// load vector.
 struct BaseSystem {
     std::vector<Mat6> stiffness;  ///< per row
     std::vector<Vec6> load;       ///< per row
@@ -25,12 +26,13 @@ struct BaseSystem {
 
 /// The instant a step leads to.
 struct StepTimes {
-    double dt = 0;          ///< s
-    double end = 0;         ///< s since the start of the run
+    double dt = 0;   ///< s
+    double end = 0;  ///< s since the start of the run
 };
 
 /// Newmark's relations for one step, Eqs. (14)-(16): with a displacement d over dt
-///   a1 = d / (beta dt^2) - v0 / (beta dt) - (1/2 - beta)/beta a0,   v1 = v0 + dt ((1 - gamma) a0 + gamma a1).
+///   a1 = d / (beta dt^2) - v0 / (beta dt) - (1/2 - beta)/beta a0,   v1 = v0 + dt ((1 - gamma) a0 + gamma
+///   a1).
 /// (beta, gamma) = (1/2, 1) is Shi's integration: a1 constant over the step, v1 = 2 d / dt - v0.
 struct Newmark {
     double beta = 0.5;
@@ -45,17 +47,22 @@ struct Newmark {
     }
 };
 
-/// Mass matrix of a block, Eq. (11): integral of rho T^T T over its area, kg per metre (and kg m2 for rotation and strains).
+/// Mass matrix of a block, Eq. (11): integral of rho T^T T over its area, kg per metre (and kg m2 for
+/// rotation and strains).
 Mat6 mass_matrix(double mass, const AreaMoments& moments);
 
-void add_inertia(const RowMap& rows, const BlockSystem& blocks, const Newmark& newmark, double mass_damping, BaseSystem& base);
-void add_elasticity(const Model& model, const RowMap& rows, const BlockSystem& blocks, double dt, BaseSystem& base);
-/// Retardation time of a block's rock, s: viscous stress = time * elasticity * strain rate gives the material's damping ratio in the
-/// block's softest strain mode, of frequency sqrt(E area / (rho max(I_xx, I_yy))).
+void add_inertia(const RowMap& rows, const BlockSystem& blocks, const Newmark& newmark, double mass_damping,
+                 BaseSystem& base);
+void add_elasticity(const Model& model, const RowMap& rows, const BlockSystem& blocks, double dt,
+                    BaseSystem& base);
+/// Retardation time of a block's rock, s: viscous stress = time * elasticity * strain rate gives the
+/// material's damping ratio in the block's softest strain mode, of frequency sqrt(E area / (rho max(I_xx,
+/// I_yy))).
 double retardation_time(const BlockMaterial& material, const AreaMoments& moments);
-void add_loads(const Model& model, const RowMap& rows, const BlockSystem& blocks, const MidStep& mid, const StepTimes& times,
-               BaseSystem& base);
-void add_fixed_points(const Model& model, const RowMap& rows, const BlockSystem& blocks, const MidStep& mid, BaseSystem& base);
+void add_loads(const Model& model, const RowMap& rows, const BlockSystem& blocks, const MidStep& mid,
+               const StepTimes& times, BaseSystem& base);
+void add_fixed_points(const Model& model, const RowMap& rows, const BlockSystem& blocks, const MidStep& mid,
+                      BaseSystem& base);
 
 /// The force of all loads but gravity on one block's unknowns at an instant; for the energy ledger.
 Vec6 load_on_block(const Model& model, int block, const BlockSystem& blocks, const MidStep& mid, double time);
