@@ -147,7 +147,7 @@ RunOutcome run(const Model& model, std::span<const Stage> stages, State& state, 
         if (!resumed) begin_stage(state);
         resumed = false;
         observer.stage_begins(model, state, stages[k], static_cast<int>(k));
-        const RunOutcome outcome = run_stage(model, stages[k], stepper, state, observer);
+        RunOutcome outcome = run_stage(model, stages[k], stepper, state, observer);
         if (outcome.status != RunStatus::completed) return outcome;
         observer.stage_ends(model, state, stages[k], static_cast<int>(k));
     }

@@ -3,7 +3,7 @@
 namespace dda {
 
 AreaMoments integrate(std::span<const Vec2> vertices, std::span<const int> ring_sizes) {
-    const Vec2 apex = vertices[0];
+    const Vec2& apex = vertices[0];
     double area = 0;
     Vec2 first = Vec2::Zero();
     double xx = 0;

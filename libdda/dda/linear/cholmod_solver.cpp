@@ -110,7 +110,7 @@ class CholmodSolver final : public LinearSolver {
                 }
             }
         }
-        column_start[pattern_.size * unknowns] = filled;
+        column_start[size] = filled;
     }
 
     void fill_values(const BlockMatrix& matrix) {
