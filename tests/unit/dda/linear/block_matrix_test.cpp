@@ -1,0 +1,66 @@
+#include "dda/linear/block_matrix.hpp"
+
+#include <gtest/gtest.h>
+
+#include "unit/dda/linear/dense.hpp"
+
+namespace {
+
+using dda::BlockMatrix;
+using dda::BlockPattern;
+using dda::Vec6;
+
+TEST(BlockPattern, SortsSwapsAndDropsRepetitions) {
+    const BlockPattern pattern = BlockPattern::from_pairs(4, {{3, 0}, {1, 2}, {0, 3}, {0, 1}, {2, 1}});
+    EXPECT_EQ(pattern.size, 4);
+    EXPECT_EQ(pattern.start, (std::vector<int>{0, 2, 3, 3, 3}));
+    EXPECT_EQ(pattern.columns, (std::vector<int>{1, 3, 2}));
+}
+
+TEST(BlockPattern, KnowsThePositionsOfItsEntries) {
+    const BlockPattern pattern = BlockPattern::from_pairs(5, {{0, 4}, {0, 2}, {1, 4}, {3, 4}});
+    for (int row = 0; row < pattern.size; ++row) {
+        for (int k = pattern.start[static_cast<std::size_t>(row)];
+             k < pattern.start[static_cast<std::size_t>(row) + 1]; ++k) {
+            EXPECT_EQ(pattern.position(row, pattern.columns[static_cast<std::size_t>(k)]), k);
+        }
+    }
+}
+
+TEST(BlockPattern, WithoutPairs) {
+    EXPECT_EQ(BlockPattern::from_pairs(0, {}).start, std::vector<int>{0});
+    EXPECT_EQ(BlockPattern::from_pairs(3, {}).start, (std::vector<int>{0, 0, 0, 0}));
+}
+
+TEST(BlockPattern, DoesNotDependOnTheOrderOfPairs) {
+    EXPECT_EQ(BlockPattern::from_pairs(3, {{0, 1}, {1, 2}}),
+              BlockPattern::from_pairs(3, {{2, 1}, {1, 0}, {0, 1}}));
+}
+
+TEST(BlockMatrix, AddsOuterProductsAboveAndBelowTheDiagonal) {
+    const BlockPattern pattern = BlockPattern::from_pairs(3, {{0, 2}, {1, 2}});
+    const Vec6 first = (Vec6() << 1, 2, 3, 4, 5, 6).finished();
+    const Vec6 second = (Vec6() << -1, 0, 2, 0, 7, 1).finished();
+    BlockMatrix matrix;
+    matrix.reset(pattern);
+    matrix.add_outer(pattern, 0, 2, first, second);
+    matrix.add_outer(pattern, 2, 1, first, second);
+    matrix.add_outer(pattern, 2, 1, first, second);
+    Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(18, 18);
+    expected.block<6, 6>(0, 12) += first * second.transpose();
+    expected.block<6, 6>(12, 6) += 2 * first * second.transpose();
+    expected = (expected + expected.transpose()).eval();
+    EXPECT_EQ(dense(pattern, matrix), expected);
+}
+
+TEST(BlockMatrix, ResetForgets) {
+    const BlockPattern pattern = BlockPattern::from_pairs(2, {{0, 1}});
+    BlockMatrix matrix;
+    matrix.reset(pattern);
+    matrix.add_outer(pattern, 0, 1, Vec6::Ones(), Vec6::Ones());
+    matrix.diagonal[1].setOnes();
+    matrix.reset(pattern);
+    EXPECT_TRUE(dense(pattern, matrix).isZero(0));
+}
+
+}  // namespace
