@@ -1,0 +1,145 @@
+#include "dda/contact/detect.hpp"
+
+#include <gtest/gtest.h>
+
+#include "dda/contact/candidates.hpp"
+#include "support/scene.hpp"
+
+namespace {
+
+using namespace scene;
+using dda::Contact;
+using dda::ContactKind;
+
+std::vector<Contact> detect(const Scene& s, double reach = .01) {
+    const auto candidates = dda::find_candidates(s.model, s.model.vertices, 2 * reach);
+    return dda::detect_contacts(s.model, s.model.vertices, candidates, reach, {}, dda::Crew(1));
+}
+
+double total_length(const std::vector<Contact>& contacts) {
+    double sum = 0;
+    for (const Contact& c : contacts) sum += c.length;
+    return sum;
+}
+
+TEST(Detect, AWholeSharedEdgeIsTwoContactsOfHalfItsLength) {
+    Scene s;
+    s.box({0, 0}, 1, 1);
+    s.box({0, 1}, 1, 1);
+    const auto contacts = detect(s);
+    ASSERT_EQ(contacts.size(), 2u);
+    for (const Contact& c : contacts) {
+        EXPECT_EQ(c.kind, ContactKind::edge_edge);
+        EXPECT_DOUBLE_EQ(c.length, .5);
+        EXPECT_EQ(c.group, -1) << "one line each: nothing to choose";
+        EXPECT_NEAR(std::abs(c.normal.y()), 1, 1e-15);
+        EXPECT_NEAR(c.gap, 0, 1e-15);
+    }
+    EXPECT_NE(contacts[0].point.x(), contacts[1].point.x()) << "one at each end";
+}
+
+TEST(Detect, OffsetSquaresTouchAtBothEndsOfTheOverlap) {
+    Scene s;
+    s.box({0, 0}, 1, 1);
+    s.box({.25, 1}, 1, 1);
+    const auto contacts = detect(s);
+    ASSERT_EQ(contacts.size(), 2u);
+    EXPECT_DOUBLE_EQ(total_length(contacts), .75);
+    for (const Contact& c : contacts) {
+        EXPECT_DOUBLE_EQ(c.length, .375);
+        EXPECT_TRUE(c.point == Vec2(.25, 1) || c.point == Vec2(1, 1));
+    }
+}
+
+TEST(Detect, NormalPointsOutOfTheEdgesBlock) {
+    Scene s;
+    const int lower = s.box({0, 0}, 1, 1);
+    s.box({.25, 1.005}, 1, 1);
+    for (const Contact& c : detect(s)) {
+        EXPECT_NEAR(c.normal.y(), c.edge_block == lower ? 1 : -1, 1e-15);
+        EXPECT_NEAR(dda::cross(c.tangent, c.normal), -1, 1e-15) << "rock on the tangent's left";
+        EXPECT_NEAR(c.gap, .005, 1e-15);
+    }
+}
+
+TEST(Detect, FacesThatGapWiderThanTheReachDoNotTouch) {
+    Scene s;
+    s.box({0, 0}, 1, 1);
+    s.box({0, 1.02}, 1, 1);
+    EXPECT_TRUE(detect(s).empty());
+    EXPECT_EQ(detect(s, .03).size(), 2u);
+}
+
+TEST(Detect, CornerOnCornerIsAGroupOfItsTwoLines) {
+    Scene s;
+    s.box({0, 0}, 1, 1);
+    s.box({-1, -1}, 1, 1);
+    const auto contacts = detect(s);
+    ASSERT_EQ(contacts.size(), 2u);
+    EXPECT_EQ(contacts[0].group, contacts[1].group);
+    EXPECT_GE(contacts[0].group, 0);
+    for (const Contact& c : contacts) {
+        EXPECT_EQ(c.kind, ContactKind::vertex_vertex);
+        EXPECT_EQ(c.length, 0);
+    }
+    EXPECT_NEAR(contacts[0].normal.dot(contacts[1].normal), 0, 1e-15);
+}
+
+TEST(Detect, ABareCornerOnAFaceIsOneContact) {
+    Scene s;
+    s.box({-5, -1}, 10, 1);
+    s.block({{{0, 0}, {1, 1}, {-1, 1}}});
+    const auto contacts = detect(s);
+    ASSERT_EQ(contacts.size(), 1u);
+    EXPECT_EQ(contacts[0].kind, ContactKind::vertex_edge);
+    EXPECT_EQ(contacts[0].length, 0);
+}
+
+// A joint that ends on the face below leaves a straight corner there, 5 mm from the far face of a thin plate.
+TEST(Detect, AStraightCornerDoesNotTouchTheFarFaceOfAThinPlate) {
+    Scene s;
+    s.block({{{0, -1}, {2, -1}, {2, 0}, {1, 0}, {0, 0}}});
+    const int plate = s.box({0, 0}, 2, .005);
+    for (const Contact& c : detect(s, .02)) {
+        EXPECT_NEAR(c.gap, 0, 1e-15) << "corner " << c.corner << " edge " << c.edge;
+        if (c.edge_block == plate) {
+            EXPECT_NEAR(c.normal.y(), -1, 1e-15) << "only its lower face is touched";
+        }
+    }
+}
+
+TEST(Detect, AWedgeInANotchRestsOnBothFlanks) {
+    Scene s;
+    s.block({{{-2, -1}, {2, -1}, {2, 1}, {1, 1}, {0, 0}, {-1, 1}, {-2, 1}}});
+    s.block({{{0, 0}, {.5, .5}, {-.5, .5}}});
+    const auto contacts = detect(s);
+    ASSERT_EQ(contacts.size(), 4u) << "both ends of both flanks";
+    double left = 0;
+    double right = 0;
+    for (const Contact& c : contacts) {
+        EXPECT_EQ(c.kind, ContactKind::edge_edge);
+        EXPECT_EQ(c.group, -1) << "in a notch both lines bear at once";
+        EXPECT_NEAR(c.gap, 0, 1e-15);
+        (c.normal.x() * (c.edge_block == 0 ? 1 : -1) > 0 ? left : right) += c.length;
+    }
+    EXPECT_NEAR(left, std::sqrt(.5), 1e-15);
+    EXPECT_NEAR(right, std::sqrt(.5), 1e-15);
+}
+
+// Which of two corners is the corner and which is on the edge must not matter for what lies on what.
+TEST(Detect, SwappingTheBlocksKeepsPlacesAndLengths) {
+    for (const double offset : {-.5, -.25, 0.0, .25, .5}) {
+        Scene first;
+        first.box({0, 0}, 1, 1);
+        first.box({offset, 1}, 1, 1);
+        Scene second;
+        second.box({offset, 1}, 1, 1);
+        second.box({0, 0}, 1, 1);
+        EXPECT_EQ(detect(first).size(), 2u) << offset;
+        EXPECT_EQ(detect(second).size(), 2u) << offset;
+        EXPECT_DOUBLE_EQ(total_length(detect(first)), 1 - std::abs(offset));
+        EXPECT_DOUBLE_EQ(total_length(detect(second)), 1 - std::abs(offset));
+    }
+}
+
+}  // namespace

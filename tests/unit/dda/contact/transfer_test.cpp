@@ -1,0 +1,134 @@
+#include "dda/contact/transfer.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/scene.hpp"
+
+namespace {
+
+using namespace scene;
+using dda::Contact;
+using dda::ContactState;
+
+Contact contact(int corner_block, int edge_block, int corner, int edge, const Vec2& point,
+                const Vec2& normal) {
+    Contact c;
+    c.corner = corner;
+    c.edge = edge;
+    c.corner_block = corner_block;
+    c.edge_block = edge_block;
+    c.point = point;
+    c.normal = normal;
+    c.tangent = dda::perpendicular(normal);
+    c.length = .5;
+    return c;
+}
+
+Contact carrying(Contact c) {
+    c.state = ContactState::sliding;
+    c.normal_force = 100;
+    c.shear_force = -30;
+    c.slip = .25;
+    c.history = dda::MohrCoulomb::History{true};
+    return c;
+}
+
+class Transfer : public testing::Test {
+  protected:
+    Contact moved_to(Contact now, double reach = .1, bool first_step = false) {
+        std::vector<Contact> contacts = {now};
+        dda::transfer_contacts(s.model, std::vector{old}, reach, first_step, contacts);
+        return contacts[0];
+    }
+    static void expect_carried(const Contact& c) {
+        EXPECT_EQ(c.state, ContactState::sliding);
+        EXPECT_EQ(c.normal_force, 100);
+        EXPECT_EQ(c.shear_force, -30);
+        EXPECT_EQ(c.slip, .25);
+    }
+    static void expect_fresh(const Contact& c) {
+        EXPECT_EQ(c.state, ContactState::open);
+        EXPECT_EQ(c.shear_force, 0);
+        EXPECT_EQ(c.slip, 0);
+    }
+
+    Scene s;
+    const Vec2 up{0, 1};
+    /// Corner 4 of block 1 on edge 2 of block 0.
+    Contact old = carrying(contact(1, 0, 4, 2, {0, 0}, up));
+};
+
+TEST_F(Transfer, TheSamePairGoesOn) {
+    expect_carried(moved_to(contact(1, 0, 4, 2, {.05, 0}, up)));
+}
+
+TEST_F(Transfer, TheSamePairGoesOnWhereverItIs) {
+    expect_carried(moved_to(contact(1, 0, 4, 2, {5, 0}, Vec2(1, 0))));
+}
+
+TEST_F(Transfer, SlidingOntoTheNextEdge) {
+    expect_carried(moved_to(contact(1, 0, 4, 3, {.05, 0}, up)));
+}
+
+TEST_F(Transfer, CornerAndEdgeExchangeRoles) {
+    const Contact now = moved_to(contact(0, 1, 3, 5, {.05, 0}, -up));
+    expect_carried(now);
+    // Positive shear pushes the corner's block along -tangent. Now the blocks are exchanged and the tangent
+    // is turned, so the force on block 1 is what it was.
+    EXPECT_EQ(old.shear_force * old.tangent, -now.shear_force * now.tangent);
+}
+
+TEST_F(Transfer, ANeighboursFaceTakesOver) {
+    expect_carried(moved_to(contact(1, 2, 4, 9, {.05, 0}, up)));
+}
+
+TEST_F(Transfer, NotFromFartherThanAnythingMoved) {
+    expect_fresh(moved_to(contact(1, 0, 4, 3, {.11, 0}, up)));
+}
+
+TEST_F(Transfer, NotFromALineInAnotherDirection) {
+    expect_fresh(moved_to(contact(1, 0, 4, 3, {0, 0}, Vec2(1, 0))));
+    expect_fresh(moved_to(contact(1, 0, 4, 3, {0, 0}, -up)));
+    expect_fresh(moved_to(contact(0, 1, 3, 5, {0, 0}, up)));
+    const double four_degrees = 4 * std::numbers::pi / 180;
+    expect_fresh(moved_to(contact(1, 0, 4, 3, {0, 0}, {std::sin(four_degrees), std::cos(four_degrees)})));
+}
+
+TEST_F(Transfer, NotFromOtherBlocks) {
+    expect_fresh(moved_to(contact(3, 2, 12, 9, {0, 0}, up)));
+}
+
+TEST_F(Transfer, NotFromAnotherJoint) {
+    s.model.joint_materials.push_back(s.model.joint_materials[0]);
+    Contact now = contact(1, 0, 4, 3, {0, 0}, up);
+    now.joint_material = 1;
+    expect_fresh(moved_to(now));
+}
+
+TEST_F(Transfer, OneContactHandsOverOnceAndToTheNearest) {
+    std::vector<Contact> contacts = {contact(1, 0, 4, 3, {.05, 0}, up), contact(1, 0, 5, 3, {.01, 0}, up)};
+    dda::transfer_contacts(s.model, std::vector{old}, .1, false, contacts);
+    EXPECT_EQ((contacts[0].state != ContactState::open) + (contacts[1].state != ContactState::open), 1);
+}
+
+TEST_F(Transfer, InTheFirstStepFacesThatTouchAreIntactAndLocked) {
+    s.model.joint_materials[0].law = Scene::mohr_coulomb(30, 1e5, 1e4);
+    const auto fresh = [&](double gap, bool first_step) {
+        std::vector<Contact> contacts = {contact(1, 0, 4, 2, {0, 0}, up)};
+        contacts[0].gap = gap;
+        dda::transfer_contacts(s.model, {}, .1, first_step, contacts);
+        return contacts[0];
+    };
+    for (const double gap : {0.0, 4e-7, -4e-7}) {
+        EXPECT_EQ(fresh(gap, true).state, ContactState::locked);
+        EXPECT_TRUE(fresh(gap, true).bonded);
+        EXPECT_FALSE(std::get<dda::MohrCoulomb::History>(fresh(gap, true).history).broken);
+    }
+    for (const Contact& c : {fresh(1e-3, true), fresh(0, false)}) {
+        EXPECT_EQ(c.state, ContactState::open);
+        EXPECT_FALSE(c.bonded);
+        EXPECT_TRUE(std::get<dda::MohrCoulomb::History>(c.history).broken);
+    }
+}
+
+}  // namespace

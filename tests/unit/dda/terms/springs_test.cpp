@@ -1,0 +1,94 @@
+#include "dda/terms/springs.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/scene.hpp"
+#include "unit/dda/linear/dense.hpp"
+
+namespace {
+
+using namespace scene;
+
+/// A corner of the upper block a little inside the lower block's top.
+struct Touching {
+    Scene s;
+    dda::Contact contact;
+    Touching() {
+        s.box({0, 0}, 2, 1);
+        s.block({{{.7, .99}, {1.5, 1.8}, {.1, 1.9}}});
+        contact.corner = 4;
+        contact.edge = 2;
+        contact.corner_block = 1;
+        contact.edge_block = 0;
+    }
+    dda::ContactSprings springs(const dda::RowMap& rows, const dda::MidStep& mid,
+                                const std::vector<Vec6>& known) const {
+        return dda::contact_springs(s.model, rows, mid, known, std::vector{contact}, dda::Crew(1))[0];
+    }
+};
+
+const Vec6 lower = (Vec6() << .1, .2, .3, .01, .02, .03).finished();
+const Vec6 upper = (Vec6() << -.4, .5, -.6, .07, -.08, .09).finished();
+
+TEST(ContactSprings, MeasureTheRelativeDisplacementAtTheMeetingPoint) {
+    const Touching t;
+    const dda::BlockSystem blocks = dda::initial_block_system(t.s.model);
+    const dda::MidStep mid{blocks.vertices, {}, {blocks.centroid(0), blocks.centroid(1)}};
+    const dda::RowMap rows(t.s.model.motion);
+    const auto spring = t.springs(rows, mid, {Vec6::Zero(), Vec6::Zero()});
+    const Vec2 meeting(.7, .995);
+    const Vec2 relative = dda::displacement_matrix(meeting - blocks.centroid(1)) * upper -
+                          dda::displacement_matrix(meeting - blocks.centroid(0)) * lower;
+    const Vec6 d[] = {lower, upper};
+    EXPECT_NEAR(spring.rows.measure(spring.normal, d), relative.y(), 1e-15);
+    EXPECT_NEAR(spring.rows.measure(spring.shear, d), -relative.x(), 1e-15)
+        << "the top edge runs to the left";
+}
+
+TEST(ContactSprings, AddNeitherMomentumNorMoment) {
+    const Touching t;
+    const dda::BlockSystem blocks = dda::initial_block_system(t.s.model);
+    const dda::MidStep mid{blocks.vertices, {}, {blocks.centroid(0), blocks.centroid(1)}};
+    const auto spring = t.springs(dda::RowMap(t.s.model.motion), mid, {Vec6::Zero(), Vec6::Zero()});
+    for (const dda::Relative& relative : {spring.normal, spring.shear}) {
+        const Vec2 on_corner = relative.first.head<2>();
+        const Vec2 on_edge = relative.second.head<2>();
+        EXPECT_LT((on_corner + on_edge).norm(), 1e-15);
+        const double moment = relative.first[2] + dda::cross(blocks.centroid(1), on_corner) +
+                              relative.second[2] + dda::cross(blocks.centroid(0), on_edge);
+        EXPECT_NEAR(moment, 0, 1e-14);
+    }
+}
+
+TEST(ContactSprings, KnowADisplacementWithoutUnknowns) {
+    Touching t;
+    const dda::BlockSystem blocks = dda::initial_block_system(t.s.model);
+    const dda::MidStep mid{blocks.vertices, {}, {blocks.centroid(0), blocks.centroid(1)}};
+    const auto both = t.springs(dda::RowMap(t.s.model.motion), mid, {Vec6::Zero(), Vec6::Zero()});
+    const Vec6 d[] = {lower, upper};
+    t.s.model.motion[0] = dda::Motion::prescribed;
+    const auto one = t.springs(dda::RowMap(t.s.model.motion), mid, {lower, Vec6::Zero()});
+    EXPECT_NEAR(one.rows.measure(one.normal, std::vector<Vec6>{upper}), both.rows.measure(both.normal, d),
+                1e-15);
+    EXPECT_NEAR(one.rows.measure(one.shear, std::vector<Vec6>{upper}), both.rows.measure(both.shear, d),
+                1e-15);
+}
+
+TEST(PairRows, AddTheStiffnessOfTheirMeasureInEitherOrder) {
+    const dda::BlockPattern pattern = dda::BlockPattern::from_pairs(3, {{0, 2}});
+    for (const dda::PairRows rows :
+         {dda::PairRows{0, 2}, dda::PairRows{2, 0}, dda::PairRows{1, -1}, dda::PairRows{-1, 1}}) {
+        const dda::Relative relative{lower, upper, .5};
+        dda::BlockMatrix matrix;
+        matrix.reset(pattern);
+        rows.add_stiffness(relative, 7, pattern, matrix);
+        std::vector<Vec6> force(3, Vec6::Zero());
+        rows.add_force(relative, 1, force);
+        Eigen::VectorXd h(18);
+        h << force[0], force[1], force[2];
+        EXPECT_LT((dense(pattern, matrix) - 7 * h * h.transpose()).norm(), 1e-14);
+        EXPECT_NEAR(rows.measure(relative, force), h.squaredNorm() + .5, 1e-14);
+    }
+}
+
+}  // namespace
