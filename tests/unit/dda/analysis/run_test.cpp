@@ -1,0 +1,175 @@
+#include "dda/analysis/run.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "support/walls.hpp"
+
+namespace {
+
+using namespace scene;
+
+bool all_finite(const dda::State& state) {
+    const dda::BlockSystem& b = state.blocks;
+    const auto finite = [](const auto& v) { return v.allFinite(); };
+    return std::all_of(b.vertices.begin(), b.vertices.end(), finite) &&
+           std::all_of(b.velocity.begin(), b.velocity.end(), finite) &&
+           std::all_of(b.stress.begin(), b.stress.end(), finite) && std::isfinite(state.energy.residual());
+}
+
+/// Two blocks that meet at 20 m/s.
+struct Crash {
+    Scene s;
+    Crash() {
+        s.box({0, 0}, 1, 1);
+        s.box({1.05, .1}, 1, 1);
+        s.model.initial_velocity = {(Vec6() << 10, 0, 0, 0, 0, 0).finished(),
+                                    (Vec6() << -10, 0, 0, 0, 0, 0).finished()};
+    }
+};
+
+// One iteration is not enough to close a contact, and the step may hardly be cut: the run must end with the
+// reason and with the last good state.
+TEST(Run, EndsWithTheReasonWhereNoStepConverges) {
+    const Crash crash;
+    Simulation sim(crash.s);
+    dda::Stage stage;
+    stage.name = "crash";
+    stage.duration = .1;
+    stage.control = {.step = 1e-3, .smallest_step = 5e-4, .iteration_limit = 1, .displacement_ratio = 1};
+    const dda::RunOutcome outcome = sim.run(stage);
+    EXPECT_EQ(outcome.status, dda::RunStatus::not_converged);
+    EXPECT_NE(outcome.message.find("stage 'crash', t = "), std::string::npos) << outcome.message;
+    EXPECT_NE(outcome.message.find("worst contact: block"), std::string::npos) << outcome.message;
+    EXPECT_EQ(outcome.message.find('\n'), std::string::npos);
+    EXPECT_TRUE(all_finite(sim.state));
+    ASSERT_FALSE(sim.reports.empty());
+    EXPECT_EQ(sim.state.time, sim.reports.back().time) << "the last accepted step";
+    EXPECT_LT(sim.state.time, .1);
+}
+
+TEST(Run, EndsWithTheReasonWhereBlocksAreTooFast) {
+    const Crash crash;
+    Simulation sim(crash.s);
+    dda::Stage stage;
+    stage.name = "fast";
+    stage.duration = .1;
+    stage.control = {.step = 1e-3, .smallest_step = 5e-4};
+    const dda::RunOutcome outcome = sim.run(stage);
+    EXPECT_EQ(outcome.status, dda::RunStatus::not_converged);
+    EXPECT_NE(outcome.message.find("a vertex moves 0.01 m"), std::string::npos) << outcome.message;
+    EXPECT_TRUE(sim.reports.empty());
+}
+
+TEST(Run, TheSameModelRunsWhereTheControlLetsIt) {
+    const Crash crash;
+    Simulation sim(crash.s);
+    EXPECT_EQ(sim.shake(.02, 1e-3).status, dda::RunStatus::completed);
+    EXPECT_TRUE(all_finite(sim.state));
+    EXPECT_GT(sim.state.blocks.centroid(1).x(), sim.state.blocks.centroid(0).x())
+        << "they have not passed each other";
+}
+
+TEST(Run, SaysThatAFallingBlockDoesNotSettle) {
+    Scene s;
+    s.box({0, 0}, 1, 1);
+    Simulation sim(s);
+    dda::Stage stage;
+    stage.name = "settle";
+    stage.kind = dda::StageKind::static_equilibrium;
+    stage.step_limit = 20;
+    const dda::RunOutcome outcome = sim.run(stage);
+    EXPECT_EQ(outcome.status, dda::RunStatus::not_settled);
+    EXPECT_EQ(sim.reports.size(), 20u);
+}
+
+TEST(Run, EndsAtTheStagesDurationWhateverTheStep) {
+    for (const double step : {.03, .1, .0999999, .5}) {
+        Scene s;
+        s.box({0, 0}, 1, 100);
+        Simulation sim(s);
+        ASSERT_EQ(sim.shake(.1, step).status, dda::RunStatus::completed);
+        EXPECT_NEAR(sim.state.stage_time, .1, 1e-12) << step;
+        for (const auto& report : sim.reports) EXPECT_GT(report.step, .3 * std::min(step, .1)) << "no sliver";
+    }
+}
+
+TEST(Run, WithoutAFreeBlockTimePasses) {
+    Scene s;
+    s.box({0, 0}, 1, 1, dda::Motion::fixed);
+    Simulation sim(s);
+    ASSERT_EQ(sim.shake(.1, .01).status, dda::RunStatus::completed);
+    EXPECT_EQ(sim.moved(0), Vec2(0, 0));
+}
+
+struct Bytes {
+    std::vector<Vec2> vertices;
+    std::vector<Vec6> velocity;
+    std::vector<double> forces;
+    std::size_t candidates;
+    bool operator==(const Bytes&) const = default;
+};
+
+/// A wall settled and then struck from the side.
+Bytes shaken_wall(int columns, int rows, int threads) {
+    const Scene s = running_bond_wall(columns, rows, 10);
+    Simulation sim(s, threads);
+    EXPECT_EQ(sim.settle(.005, 1e-3).status, dda::RunStatus::completed);
+    for (int b = 1; b < s.model.block_count(); b += 3) sim.velocity(b)[0] = .5;
+    EXPECT_EQ(sim.shake(.05, .0025).status, dda::RunStatus::completed);
+    Bytes bytes{
+        sim.state.blocks.vertices, sim.state.blocks.velocity, {}, sim.state.contacts.candidates.size()};
+    for (const dda::Contact& c : sim.state.contacts.contacts)
+        bytes.forces.insert(bytes.forces.end(), {c.normal_force, c.shear_force, c.slip});
+    return bytes;
+}
+
+// 7 rows of 7 or 8. Loops are shared among threads from 512 indices on, and the candidates must be more for
+// this to show anything.
+TEST(Determinism, AWallIsBitwiseTheSameAgainAndOnTwoThreads) {
+    const Bytes once = shaken_wall(7, 7, 1);
+    EXPECT_EQ(shaken_wall(7, 7, 1), once);
+    EXPECT_EQ(shaken_wall(7, 7, 2), once);
+    EXPECT_GT(once.candidates, 512u);
+}
+
+/// Four blocks stacked out of line on a base, pushed: they slide, tilt and lose contact. `at` moves the
+/// whole, and `order` says which block comes when.
+Simulation stack(const Vec2& at, const std::vector<int>& order) {
+    Scene s;
+    s.friction(20);
+    s.box(at + Vec2(-4, -1), 12, 1, dda::Motion::fixed);
+    const std::vector<Vec2> corners = {{0, 0}, {.25, 1}, {-.125, 2}, {1.5, 0}};
+    for (const int k : order) s.box(at + corners[static_cast<std::size_t>(k)], 1, 1);
+    Simulation sim(s);
+    EXPECT_EQ(sim.settle(.005, 1e-4).status, dda::RunStatus::completed);
+    for (std::size_t b = 1; b <= order.size(); ++b)
+        sim.velocity(static_cast<int>(b))[0] = .3 * (1 + order[b - 1]);
+    EXPECT_EQ(sim.shake(.3, 1e-3).status, dda::RunStatus::completed);
+    return sim;
+}
+
+// A power of two moves the coordinates without rounding them, and they then resolve 2^-33 m. Times the
+// penalty that is a noise of 6 N in each contact force, a 4000th of a block's weight; it may change the way
+// by four times that share.
+TEST(Invariance, OfAModelMovedByAMillionMetres) {
+    const Simulation here = stack({0, 0}, {0, 1, 2, 3});
+    const Simulation far = stack({1048576, -1048576}, {0, 1, 2, 3});
+    for (int b = 1; b <= 4; ++b) {
+        EXPECT_GT(here.moved(b).norm(), .02);
+        EXPECT_LT((far.moved(b) - here.moved(b)).norm(), 1e-3 * here.moved(b).norm()) << "block " << b;
+    }
+}
+
+TEST(Invariance, OfTheOrderOfBlocks) {
+    const Simulation first = stack({0, 0}, {0, 1, 2, 3});
+    const std::vector<int> order = {3, 1, 0, 2};
+    const Simulation second = stack({0, 0}, order);
+    for (std::size_t k = 0; k < order.size(); ++k) {
+        EXPECT_LT((second.moved(static_cast<int>(k) + 1) - first.moved(order[k] + 1)).norm(), 1e-7)
+            << "block " << order[k];
+    }
+}
+
+}  // namespace
