@@ -87,6 +87,9 @@ void transfer_contacts(const Model& model, std::span<const Contact> old, double 
             const Contact* donor = entry->second;
             const double distance = (donor->point - contact.point).norm();
             if (distance > least || !same_line(*donor, contact)) continue;
+            // The same line has the same gap: a contact as deep as another's face is wide would come with
+            // energy from nowhere.
+            if (std::abs(donor->gap - contact.gap) > parallel_tolerance * moved) continue;
             if (std::find(given.begin(), given.end(), donor) != given.end()) continue;
             if (nearest == nullptr || distance < least) {
                 least = distance;
