@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -76,6 +77,7 @@ class Simulation : public dda::RunObserver {
 
     dda::RunOutcome run(const dda::Stage& stage) {
         const dda::Stage stages[] = {stage};
+        first_report_ = reports.size();
         return dda::run(model, stages, state, *this, {threads, 0, false});
     }
     /// Gravity until nothing moves.
@@ -115,6 +117,13 @@ class Simulation : public dda::RunObserver {
     const Vec6& velocity(int block) const { return state.blocks.velocity[static_cast<std::size_t>(block)]; }
     Vec6& velocity(int block) { return state.blocks.velocity[static_cast<std::size_t>(block)]; }
     const dda::Vec3& stress(int block) const { return state.blocks.stress[static_cast<std::size_t>(block)]; }
+    /// omega_contact * dt, the largest in the steps of the last run.
+    double contact_frequency_step() const {
+        double largest = 0;
+        for (std::size_t k = first_report_; k < reports.size(); ++k)
+            largest = std::max(largest, reports[k].contact_frequency_step);
+        return largest;
+    }
     double mean_iterations() const {
         double sum = 0;
         for (const auto& report : reports) sum += report.iterations;
@@ -126,6 +135,9 @@ class Simulation : public dda::RunObserver {
     int threads;
     std::vector<dda::StepReport> reports;
     std::function<void(const dda::State&, const dda::StepReport&)> each_step;
+
+  private:
+    std::size_t first_report_ = 0;
 };
 
 }  // namespace scene

@@ -1,0 +1,214 @@
+#include "report/page.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+
+#include "support/catalogue.hpp"
+
+namespace verification {
+
+namespace {
+
+std::string key(const Row& row) {
+    return row.id + ", " + row.set_up + ", " + row.quantity;
+}
+
+std::vector<Row> rows_of(const std::vector<Row>& rows, std::string_view id) {
+    std::vector<Row> found;
+    std::copy_if(rows.begin(), rows.end(), std::back_inserter(found),
+                 [&](const Row& row) { return row.id == id; });
+    return found;
+}
+
+std::string with_unit(const std::string& value, const std::string& unit) {
+    return unit.empty() || value.empty() ? value : value + " " + unit;
+}
+
+std::string percent(const std::string& share) {
+    return to_text(100 * std::strtod(share.c_str(), nullptr)) + " %";
+}
+
+std::string expected_of(const Row& row) {
+    switch (row.kind) {
+        case ToleranceKind::below:
+            return "below " + with_unit(row.tolerance, row.unit);
+        case ToleranceKind::above:
+            return "above " + with_unit(row.tolerance, row.unit);
+        default:
+            return with_unit(row.expected, row.unit);
+    }
+}
+
+std::string short_number(const std::string& text, const char* format) {
+    char made[32];
+    std::snprintf(made, sizeof made, format, std::strtod(text.c_str(), nullptr));
+    return made;
+}
+
+std::string error_of(const Row& row) {
+    if (row.error.empty()) return {};
+    if (row.kind == ToleranceKind::relative) return short_number(percent(row.error), "%.2g") + " %";
+    return with_unit(short_number(row.error, "%.2g"), row.unit);
+}
+
+std::string tolerance_of(const Row& row) {
+    if (row.kind == ToleranceKind::relative) return percent(row.tolerance);
+    return row.kind == ToleranceKind::absolute ? with_unit(row.tolerance, row.unit) : std::string();
+}
+
+std::string verdict_of(const Row& row) {
+    switch (row.verdict) {
+        case Verdict::passes:
+            return "within";
+        case Verdict::fails:
+            return "**outside**";
+        case Verdict::misses:
+            return "**misses**";
+        case Verdict::informs:
+            return "for information";
+    }
+    return {};
+}
+
+/// The largest error of a case as a share of its tolerance, over the rows that have one.
+std::string worst_share(const std::vector<Row>& rows) {
+    double worst = -1;
+    for (const Row& row : rows) {
+        const double tolerance = std::strtod(row.tolerance.c_str(), nullptr);
+        if (row.verdict == Verdict::informs || tolerance <= 0) continue;
+        const std::string& measured = row.error.empty() ? row.ours : row.error;
+        if (row.kind == ToleranceKind::above || row.kind == ToleranceKind::outcome) continue;
+        worst = std::max(worst, std::abs(std::strtod(measured.c_str(), nullptr)) / tolerance);
+    }
+    return worst < 0 ? std::string() : short_number(to_text(100 * worst), "%.2g") + " %";
+}
+
+std::string summary_verdict(const std::vector<Row>& rows) {
+    if (rows.empty()) return "not covered yet";
+    const auto has = [&](Verdict v) {
+        return std::any_of(rows.begin(), rows.end(), [&](const Row& row) { return row.verdict == v; });
+    };
+    return has(Verdict::fails) ? "**outside**" : has(Verdict::misses) ? "**misses**" : "within";
+}
+
+std::string range_of_steps(const std::vector<Row>& rows) {
+    double least = INFINITY;
+    double most = -INFINITY;
+    for (const Row& row : rows) {
+        if (row.contact_frequency_step.empty()) continue;
+        const double value = std::strtod(row.contact_frequency_step.c_str(), nullptr);
+        least = std::min(least, value);
+        most = std::max(most, value);
+    }
+    if (most < least) return {};
+    const std::string low = short_number(to_text(least), "%.2g");
+    const std::string high = short_number(to_text(most), "%.2g");
+    return low == high ? low : low + "–" + high;
+}
+
+void write_summary(std::ostream& out, const std::vector<Row>& rows) {
+    out << "| id | case | rows | largest error, share of its tolerance | ω_c Δt | verdict "
+           "|\n|---|---|---|---|---|---|\n";
+    for (const CatalogueCase& entry : catalogue) {
+        const std::vector<Row> own = rows_of(rows, entry.id);
+        out << "| "
+            << (own.empty() ? std::string(entry.id)
+                            : "[" + std::string(entry.id) + "](#" + std::string(entry.id) + ")")
+            << " | " << entry.title << " | " << own.size() << " | " << worst_share(own) << " | "
+            << range_of_steps(own) << " | " << summary_verdict(own) << " |\n";
+    }
+}
+
+void write_reasons(std::ostream& out, const std::vector<Row>& rows, bool misses) {
+    std::vector<std::string> said;
+    for (const Row& row : rows) {
+        if ((row.verdict == Verdict::misses) != misses) continue;
+        if (row.reason.empty() || std::find(said.begin(), said.end(), row.reason) != said.end()) continue;
+        said.push_back(row.reason);
+        out << (misses ? "\nMisses: " : "\nTolerance: ") << row.reason << "\n";
+    }
+}
+
+void write_case(std::ostream& out, const CatalogueCase& entry, const std::vector<Row>& rows,
+                const std::vector<PictureLink>& pictures) {
+    out << "\n### <a id=\"" << entry.id << "\"></a>" << entry.id << " " << entry.title
+        << "\n\nExpected from: " << entry.basis << ".\n\n"
+        << "| set-up | quantity | expected | ours | error | tolerance | ω_c Δt | verdict |\n"
+        << "|---|---|---|---|---|---|---|---|\n";
+    for (const Row& row : rows) {
+        out << "| " << row.set_up << " | " << row.quantity << " | " << expected_of(row) << " | "
+            << with_unit(row.ours, row.unit) << " | " << error_of(row) << " | " << tolerance_of(row) << " | "
+            << (row.contact_frequency_step.empty() ? std::string()
+                                                   : short_number(row.contact_frequency_step, "%.2g"))
+            << " | " << verdict_of(row) << " |\n";
+    }
+    write_reasons(out, rows, false);
+    write_reasons(out, rows, true);
+    for (const PictureLink& picture : pictures) {
+        if (picture.id == entry.id) out << "\n![" << picture.title << "](" << picture.path << ")\n";
+    }
+}
+
+}  // namespace
+
+std::vector<Row> in_order(std::vector<Row> rows) {
+    std::stable_sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) { return a.id < b.id; });
+    std::set<std::string> seen;
+    for (const Row& row : rows) {
+        if (!seen.insert(key(row)).second) throw std::runtime_error("two rows for " + key(row));
+    }
+    return rows;
+}
+
+std::string page(const std::vector<Row>& rows, const std::vector<PictureLink>& pictures) {
+    std::ostringstream out;
+    out << "# Verification\n\n"
+           "Written by the verification tests; do not edit. Anew with\n\n"
+           "    cmake --build --preset release --target verification_report\n\n"
+           "Each row is one assertion of a test: the tolerance shown is the one asserted. ω_c Δt is the "
+           "frequency of the "
+           "contact\nspring on the lightest block times the step ([theory](theory.md), sec. 7); rows without "
+           "it have no "
+           "contact. How the expected\nvalues come about is in the [notes](verification-notes.md), the "
+           "numbers also in "
+           "[verification.tsv](verification.tsv).\n\n## Summary\n\n";
+    write_summary(out, rows);
+    out << "\n## Cases\n";
+    for (const CatalogueCase& entry : catalogue) {
+        const std::vector<Row> own = rows_of(rows, entry.id);
+        if (!own.empty()) write_case(out, entry, own, pictures);
+    }
+    return out.str();
+}
+
+std::vector<std::string> differences(const std::vector<Row>& committed, const std::vector<Row>& fresh) {
+    std::map<std::string, const Row*> by_key;
+    for (const Row& row : committed) by_key[key(row)] = &row;
+    std::vector<std::string> found;
+    for (const Row& row : fresh) {
+        const auto old = by_key.find(key(row));
+        if (old == by_key.end()) {
+            found.push_back(key(row) + ": not in the committed report");
+            continue;
+        }
+        const Row& was = *old->second;
+        if (was.verdict != row.verdict) {
+            found.push_back(key(row) + ": " + to_text(row.verdict) + ", committed: " + to_text(was.verdict));
+        }
+        const auto promise = [](const Row& r) { return expected_of(r) + ", tolerance " + tolerance_of(r); };
+        // A reference that informs is ours, and its digits may differ.
+        if (row.kind != ToleranceKind::none && promise(row) != promise(was)) {
+            found.push_back(key(row) + ": expected " + promise(row) + ", committed: " + promise(was));
+        }
+        by_key.erase(old);
+    }
+    for (const auto& [name, row] : by_key) found.push_back(name + ": committed, but no test records it");
+    return found;
+}
+
+}  // namespace verification

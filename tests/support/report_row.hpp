@@ -1,0 +1,41 @@
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace verification {
+
+enum class ToleranceKind { relative, absolute, below, above, outcome, none };
+enum class Verdict { passes, fails, misses, informs };
+
+/// One line of the report. Numbers are kept as the text that is printed, so that reading and writing change
+/// nothing.
+struct Row {
+    std::string id;
+    std::string set_up;
+    std::string quantity;
+    std::string unit;
+    std::string expected;
+    std::string ours;
+    std::string error;  ///< in the measure of the tolerance: a share, or an amount in `unit`
+    std::string tolerance;
+    ToleranceKind kind = ToleranceKind::none;
+    std::string contact_frequency_step;  ///< omega_contact * dt; empty without contact
+    Verdict verdict = Verdict::informs;
+    std::string reason;  ///< of the tolerance; of the miss
+};
+
+std::string to_text(double value);
+std::string to_text(ToleranceKind kind);
+std::string to_text(Verdict verdict);
+
+/// Column names, tab-separated.
+void write_header(std::ostream& out);
+/// One line of tab-separated fields.
+void write_row(std::ostream& out, const Row& row);
+/// Reads a file that begins with the header. Throws std::runtime_error, naming file and line, on another
+/// header, a wrong number of fields or an unknown word.
+std::vector<Row> read_rows(const std::string& path);
+
+}  // namespace verification
