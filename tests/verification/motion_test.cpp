@@ -4,11 +4,13 @@
 
 #include <Eigen/LU>
 
+#include "support/record.hpp"
 #include "support/scene.hpp"
 
 namespace {
 
 using namespace scene;
+using namespace verification;
 
 // V01. A falling block follows v = -g t, y = -g t^2/2 exactly: Newmark (1/2, 1) is exact for constant
 // acceleration, so only rounding in about a thousand steps is left.
@@ -17,10 +19,12 @@ TEST(FreeFall, IsExact) {
     const int block = s.box({0, 0}, 1, 1);
     Simulation sim(s);
     ASSERT_EQ(sim.shake(1, 0.001).status, dda::RunStatus::completed);
-    EXPECT_NEAR(sim.moved(block).y(), -g / 2, 1e-9);
-    EXPECT_NEAR(sim.velocity(block)[1], -g, 1e-9);
-    EXPECT_NEAR(sim.stress(block).norm(), 0, 1e-3);  // Pa, of 25 kPa that gravity could make
-    EXPECT_NEAR(sim.moved(block).x(), 0, 1e-12);
+    const Case fall("V01", "1 m square, 1 s",
+                    "Newmark (1/2, 1) is exact here: rounding of a thousand steps is left");
+    fall.expect("y(1 s)", "m", sim.moved(block).y(), -g / 2, absolute(1e-9));
+    fall.expect("v(1 s)", "m/s", sim.velocity(block)[1], -g, absolute(1e-9));
+    fall.expect_below("stress, of 25 kPa that gravity could make", "Pa", sim.stress(block).norm(), 1e-3);
+    fall.expect_below("x(1 s)", "m", sim.moved(block).x(), 1e-12);
 }
 
 // V28. Ten turns at 2 pi rad/s, dt = 1 ms: with the exact rotation area, kinetic energy and stress stay;
@@ -37,11 +41,15 @@ TEST(SpinningBlock, NeitherGrowsNorSlows) {
     stage.control.step = 1e-3;
     stage.control.displacement_ratio = 0.1;
     ASSERT_EQ(sim.run(stage).status, dda::RunStatus::completed);
-    EXPECT_NEAR(sim.state.blocks.moments[0].area, 1, 1e-6);
     const double inertia = 2500.0 / 6;
-    EXPECT_NEAR(sim.state.energy.kinetic / (inertia * 2 * std::numbers::pi * std::numbers::pi), 1, 1e-6);
-    EXPECT_NEAR(sim.state.blocks.rotation[0], 20 * std::numbers::pi, 1e-6);
-    EXPECT_NEAR((sim.state.blocks.vertices[0] - Vec2(-0.5, -0.5)).norm(), 0, 1e-6);
+    const double kinetic = inertia * 2 * std::numbers::pi * std::numbers::pi;
+    const Case spin("V28", "ten turns at one a second, steps of 1 ms",
+                    "required; linearised, the area would be 1.484");
+    spin.expect("area", "m²", sim.state.blocks.moments[0].area, 1, absolute(1e-6));
+    spin.expect("kinetic energy", "J/m", sim.state.energy.kinetic, kinetic, relative(1e-6));
+    spin.expect("angle", "rad", sim.state.blocks.rotation[0], 20 * std::numbers::pi, absolute(1e-6));
+    spin.expect_below("a corner's way from its start", "m",
+                      (sim.state.blocks.vertices[0] - Vec2(-0.5, -0.5)).norm(), 1e-6);
 }
 
 /// Amplification of the oscillator with frequency w by Newmark (1/2, 1): x1 = tr x0 - det x(-1), from the
@@ -91,11 +99,15 @@ TEST_P(Oscillator, DecaysAsTheAmplificationMatrixSays) {
     const double trace = (right[0] * normal(1, 1) - right[1] * normal(0, 1)) / det;
     const double determinant = -(right[1] * normal(0, 0) - right[0] * normal(0, 1)) / det;
     const Amplification exact(w_dt);
-    EXPECT_NEAR(trace, exact.trace, 1e-8);
-    EXPECT_NEAR(determinant, exact.determinant, 1e-8);
+    const std::string set_up = "ω Δt = " + to_text(w_dt);
+    const Case matrix("V27", set_up, "the recurrence of the positions is exact: rounding is left");
+    matrix.expect("trace", "", trace, exact.trace, absolute(1e-8));
+    matrix.expect("determinant", "", determinant, exact.determinant, absolute(1e-8));
     const double angle = std::acos(trace / (2 * std::sqrt(determinant)));
-    EXPECT_NEAR(std::pow(determinant, std::numbers::pi / angle), amplitude, 1e-3);
-    EXPECT_NEAR(w_dt / angle, period_ratio, 1e-3);
+    const Case table("V27", set_up, "required; covers the rounding of the table");
+    table.expect("amplitude kept in a cycle", "", std::pow(determinant, std::numbers::pi / angle), amplitude,
+                 absolute(1e-3));
+    table.expect("period over the true one", "", w_dt / angle, period_ratio, absolute(1e-3));
 }
 
 INSTANTIATE_TEST_SUITE_P(Catalogue, Oscillator,
@@ -138,20 +150,27 @@ TEST(IntegratorOrder, IsFirstOrderAndSecondForLoadsThatStartAtZero) {
                            driven_error(false, w, 0.0025)};
     const double cosine[] = {driven_error(true, w, 0.01), driven_error(true, w, 0.005),
                              driven_error(true, w, 0.0025)};
+    const double steps[] = {.01, .005, .0025};
     for (const int k : {0, 1}) {
-        EXPECT_NEAR(std::log2(sine[k] / sine[k + 1]), 2.0, 0.1);
-        EXPECT_NEAR(std::log2(cosine[k] / cosine[k + 1]), 1.0, 0.1);
+        const Case order("V50", "Δt = " + to_text(steps[k]) + " s halved", "required");
+        order.expect("order, sine load", "", std::log2(sine[k] / sine[k + 1]), 2.0, absolute(.1));
+        order.expect("order, cosine load", "", std::log2(cosine[k] / cosine[k + 1]), 1.0, absolute(.1));
     }
     const double expected_cosine[] = {-5.0e-3, -2.5e-3, -1.25e-3};
-    for (const int k : {0, 1, 2}) EXPECT_NEAR(cosine[k], expected_cosine[k], 1e-6);
     const double expected_sine[] = {5.24e-5, 1.31e-5, 3.27e-6};
-    for (const int k : {0, 1, 2}) EXPECT_NEAR(std::abs(sine[k]) / expected_sine[k], 1, 0.01);
+    for (const int k : {0, 1, 2}) {
+        const Case error("V50", "Δt = " + to_text(steps[k]) + " s",
+                         "the next term of the series, and three digits of the table");
+        error.expect("error of x(1 s), cosine load", "m", cosine[k], expected_cosine[k], absolute(1e-6));
+        error.expect("error of x(1 s), sine load", "m", std::abs(sine[k]), expected_sine[k], relative(.01));
+    }
 }
 
 // V44. F = 1e4 sin(4 pi t) on 2500 kg: x(1) = 1/pi, v(1) = 0.
 TEST(PointLoad, FollowsItsHistory) {
     const double w = 4 * std::numbers::pi;
-    EXPECT_NEAR(4 * (driven_error(false, w, 1e-3) + 1 / w), .318310, 1e-3 * .318310);
+    Case("V44", "F = 10 kN sin 4πt on 2500 kg", "required at a step of 1 ms")
+        .expect("x(1 s)", "m", 4 * (driven_error(false, w, 1e-3) + 1 / w), .318310, relative(1e-3));
 }
 
 }  // namespace

@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include "support/record.hpp"
 #include "support/scene.hpp"
 
 namespace {
 
 using namespace scene;
+using namespace verification;
 
 /// Forces on the corners of a unit square that make a uniform traction: top and bottom, then right and left.
 void add_corner_tractions(Scene& s, int block, const Vec2& top, const Vec2& right) {
@@ -16,6 +18,8 @@ void add_corner_tractions(Scene& s, int block, const Vec2& top, const Vec2& righ
         s.model.loads.push_back(dda::PointLoad{s.material_point(block, corner), force, {}});
     }
 }
+
+const std::string strain_reason = "the square's own size changes by 1e-4, and settling has a tolerance";
 
 /// Strains of a square from where its corners went: exact for an affine displacement.
 dda::Vec3 strains(const Simulation& sim) {
@@ -36,9 +40,11 @@ TEST(Elasticity, UniaxialCompression) {
         add_corner_tractions(s, s.box({0, 0}, 1, 1), {0, -1e6}, {0, 0});
         Simulation sim(s);
         ASSERT_EQ(sim.settle().status, dda::RunStatus::completed);
-        EXPECT_NEAR(strains(sim)[1], axial, 1e-3 * std::abs(axial));
-        EXPECT_NEAR(strains(sim)[0], lateral, 1e-3 * lateral);
-        EXPECT_NEAR(sim.stress(0)[1], -1e6, 1e3);
+        const Case pressed("V05", plane == dda::Plane::stress ? "1 MPa, plane stress" : "1 MPa, plane strain",
+                           strain_reason);
+        pressed.expect("ε_y", "", strains(sim)[1], axial, relative(1e-3));
+        pressed.expect("ε_x", "", strains(sim)[0], lateral, relative(1e-3));
+        pressed.expect("σ_y", "Pa", sim.stress(0)[1], -1e6, relative(1e-3));
     }
 }
 
@@ -48,8 +54,9 @@ TEST(Elasticity, SimpleShear) {
     add_corner_tractions(s, s.box({0, 0}, 1, 1), {1e5, 0}, {0, 1e5});
     Simulation sim(s);
     ASSERT_EQ(sim.settle().status, dda::RunStatus::completed);
-    EXPECT_NEAR(strains(sim)[2], 2.5e-5, 2.5e-8);
-    EXPECT_NEAR(sim.stress(0)[2], 1e5, 1e2);
+    const Case sheared("V06", "τ = 0.1 MPa", strain_reason);
+    sheared.expect("γ", "", strains(sim)[2], 2.5e-5, relative(1e-3));
+    sheared.expect("τ_xy", "Pa", sim.stress(0)[2], 1e5, relative(1e-3));
 }
 
 // V02, V03. W over two springs, and the virial stress of self-weight: sigma_y = -rho g h / 2, sigma_x = 0. In
@@ -60,11 +67,16 @@ TEST(BlockAtRest, PenetratesByItsWeightAndStays) {
     const int block = s.box({0, 0}, 1, 1);
     Simulation sim(s);
     ASSERT_EQ(sim.settle().status, dda::RunStatus::completed);
-    EXPECT_NEAR(sim.reports.back().largest_penetration, 2.4525e-7, 2.4525e-9);
-    EXPECT_NEAR(sim.stress(block)[1], -12262.5, 122.6);
-    EXPECT_NEAR(sim.stress(block)[0], 0, 122.6);
+    Case rest("V02", "1 m square on a fixed base", "required; settled to 1e-9 of the weight");
+    rest.contact_frequency_step(sim.contact_frequency_step());
+    rest.expect("penetration", "m", sim.reports.back().largest_penetration, 2.4525e-7, relative(.01));
+    Case stress("V03", "1 m square on a fixed base", "required; 1 % of σ_y");
+    stress.contact_frequency_step(sim.contact_frequency_step());
+    stress.expect("σ_y", "Pa", sim.stress(block)[1], -12262.5, relative(.01));
+    stress.expect("σ_x", "Pa", sim.stress(block)[0], 0, absolute(122.6));
     ASSERT_EQ(sim.shake(10, 0.005).status, dda::RunStatus::completed);
-    EXPECT_LT(sim.moved(block).norm(), 1e-6);
+    rest.contact_frequency_step(sim.contact_frequency_step());
+    rest.expect_below("drift in 10 s", "m", sim.moved(block).norm(), 1e-6);
 }
 
 // V04. In a smooth column the k-th block from the top carries k - 1/2 blocks.
@@ -76,8 +88,9 @@ TEST(Column, StressGrowsWithDepth) {
     ASSERT_EQ(sim.settle().status, dda::RunStatus::completed);
     for (int k = 1; k <= 10; ++k) {
         const double expected = -2500 * g * (k - 0.5);
-        EXPECT_NEAR(sim.stress(11 - k)[1], expected, 0.01 * std::abs(expected))
-            << "block " << k << " from the top";
+        Case("V04", "block " + std::to_string(k) + " from the top", "required; settled to 1e-9 of the weight")
+            .contact_frequency_step(sim.contact_frequency_step())
+            .expect("σ_y", "Pa", sim.stress(11 - k)[1], expected, relative(.01));
     }
 }
 
@@ -97,7 +110,10 @@ TEST(Chain, IsAsSoftAsBlocksAndJointsInSeries) {
     Simulation sim(s);
     ASSERT_EQ(sim.settle().status, dda::RunStatus::completed);
     const double shortening = n - sim.state.blocks.points[0].y();
-    EXPECT_NEAR(1e6 * n / shortening, 9.901e9, 0.01 * 9.901e9);
+    Case("V07", "five blocks, k = 1e12 Pa/m by penalty springs",
+         "required; the upper edge is above the last joint")
+        .contact_frequency_step(sim.contact_frequency_step())
+        .expect("E_eff", "Pa", 1e6 * n / shortening, 9.901e9, relative(.01));
 }
 
 }  // namespace
