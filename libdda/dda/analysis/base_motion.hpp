@@ -7,13 +7,16 @@
 
 namespace dda {
 
-/// The displacement over a step of every block whose motion is known, and its acceleration at the step's end;
-/// zero for free blocks. A base motion gives accelerations: the displacement is built by the engine's own
-/// integration, u = dt v0 + dt^2 a / 2, so that the block's acceleration is the record itself. Outside its
+/// The motion over a step of every block whose motion is known; zero for free blocks. A base motion gives
+/// accelerations a. The stage's steps end on the instants k h, h the stage's step (a step that is cut has its
+/// pieces end there), and from one such instant to the next the block moves by the engine's own integration
+/// with the acceleration at the later one, Eq. (38): u += dt v + dt^2 a / 2, v += dt a. So the motion at
+/// those instants does not depend on cuts, and the acceleration there is the record itself. Outside its
 /// table, and in static stages, the acceleration is zero.
 struct PrescribedMotion {
-    std::vector<Vec6> displacement;  ///< per block
-    std::vector<Vec6> acceleration;  ///< per block
+    std::vector<Vec6> displacement;     ///< per block, over the step
+    std::vector<Vec6> velocity_change;  ///< per block, over the step
+    std::vector<Vec6> acceleration;     ///< per block, the record at the step's end
 };
 
 /// @param stage_time s, at the step's end, since the start of the stage.

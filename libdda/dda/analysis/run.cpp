@@ -39,8 +39,8 @@ class StepSize {
         : control_(control), size_(resume > 0 ? resume : control.step) {
         size_ = std::min(size_, control.step);
     }
-    /// The next step, not past what remains; the last two share what remains, so that no sliver of time is
-    /// left.
+    /// The next step, not past what remains until an instant that a step must end on; the last two share what
+    /// remains, so that no sliver of time is left.
     double next(double remaining) const {
         if (size_ >= remaining * (1 - 1e-9)) return remaining;
         return size_ * 2 > remaining ? remaining / 2 : size_;
@@ -56,6 +56,13 @@ class StepSize {
     const StepControl& control_;
     double size_;
 };
+
+/// A step of a dynamic stage must not pass the next instant, nor the stage's end; an instant within half a
+/// step of the end gives way to it.
+double until_next_instant(const Stage& stage, double stage_time) {
+    const double instant = next_instant(stage, stage_time);
+    return (instant + stage.control.step / 2 < stage.duration ? instant : stage.duration) - stage_time;
+}
 
 void begin_stage(State& state) {
     state.stage_time = 0;
@@ -88,7 +95,7 @@ RunOutcome run_stage(const Model& model, const Stage& stage, TimeStepper& steppe
     int iterations = 0;
     std::int64_t steps_taken = 0;
     while (to_rest || state.stage_time < stage.duration * (1 - 1e-12)) {
-        const double dt = to_rest ? step.size() : step.next(stage.duration - state.stage_time);
+        const double dt = to_rest ? step.size() : step.next(until_next_instant(stage, state.stage_time));
         StepAttempt attempt = stepper.advance(stage, state, dt);
         iterations += attempt.report.iterations;
         if (attempt.rejection != Rejection::none) {

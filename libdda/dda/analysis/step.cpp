@@ -284,7 +284,7 @@ State TimeStepper::updated(const Stage& stage, const State& state, const Step& s
     }
     for (std::size_t b = 0; b < model_.motion.size(); ++b) {
         if (model_.motion[b] != Motion::prescribed || stage.kind != StageKind::dynamic) continue;
-        after.blocks.velocity[b] += step.dt * step.prescribed.acceleration[b];
+        after.blocks.velocity[b] += step.prescribed.velocity_change[b];
         after.blocks.acceleration[b] = step.prescribed.acceleration[b];
     }
     move_blocks(model_, displacement, after.blocks);

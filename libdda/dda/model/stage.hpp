@@ -50,4 +50,8 @@ struct Stage {
     std::vector<BaseMotion> base_motions;
 };
 
+/// The first of the instants k * step, k = 1, 2, ..., later than the given time, s since the stage's start.
+/// The steps of a dynamic stage end on each of them but, perhaps, the last before its end.
+double next_instant(const Stage& stage, double stage_time);
+
 }  // namespace dda
