@@ -27,7 +27,8 @@ std::string describe(const Model& model, const StepAttempt& attempt) {
     std::snprintf(text, sizeof text,
                   "the open-close iteration does not settle; worst contact: block %d on block %d at (%.6g, "
                   "%.6g), joint material %s",
-                  contact.corner_block, contact.edge_block, contact.point.x(), contact.point.y(),
+                  contact.corner_block, contact.edge_block, contact.point.x() + model.origin.x(),
+                  contact.point.y() + model.origin.y(),
                   model.joint_material_at(contact.joint_material).name.c_str());
     return text;
 }

@@ -10,8 +10,9 @@ namespace {
 constexpr std::uint8_t vtk_vertex = 1;
 constexpr std::uint8_t vtk_line = 3;
 
-void append(std::vector<float>& out, const Vec2& v) {
-    out.insert(out.end(), {static_cast<float>(v.x()), static_cast<float>(v.y()), 0.0F});
+template <class Number>
+void append(std::vector<Number>& out, const Vec2& v) {
+    out.insert(out.end(), {static_cast<Number>(v.x()), static_cast<Number>(v.y()), Number{0}});
 }
 void append(std::vector<float>& out, double v) {
     out.push_back(static_cast<float>(v));
@@ -52,7 +53,7 @@ GridFrame block_frame(const Model& model, const State& state) {
     GridFrame frame;
     frame.time = state.time;
     frame.columns.resize(block_columns().size());
-    for (const Vec2& vertex : state.blocks.vertices) append(frame.points, vertex);
+    for (const Vec2& vertex : state.blocks.vertices) append(frame.points, vertex + model.origin);
     for (int block = 0; block < model.block_count(); ++block) {
         const auto b = static_cast<std::size_t>(block);
         const Vec3& stress = state.blocks.stress[b];
@@ -84,9 +85,9 @@ GridFrame contact_frame(const Model& model, const State& state) {
     for (const Contact& contact : state.contacts.contacts) {
         if (!is_shown(contact)) continue;
         const bool has_length = contact.length > 0;
-        append(frame.points, state.blocks.vertices[static_cast<std::size_t>(contact.corner)]);
+        append(frame.points, state.blocks.vertices[static_cast<std::size_t>(contact.corner)] + model.origin);
         if (has_length) {
-            append(frame.points, share_end(state.blocks, model.topology, contact));
+            append(frame.points, share_end(state.blocks, model.topology, contact) + model.origin);
             frame.cells.add({point, point + 1}, vtk_line);
         } else {
             frame.cells.add({point}, vtk_vertex);

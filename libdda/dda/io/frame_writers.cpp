@@ -7,6 +7,12 @@ namespace dda {
 
 namespace {
 
+/// Single precision holds a model's own coordinates to micrometres, and those of a national grid to half a
+/// metre.
+HdfType type_of_points(const Model& model) {
+    return model.origin.isZero(0) ? HdfType::f4 : HdfType::f8;
+}
+
 using FrameOf = GridFrame (*)(const Model&, const State&);
 using MakeFile = std::function<VtkHdfFile(const std::filesystem::path&)>;
 
@@ -51,7 +57,8 @@ class FrameWriter : public ResultWriter {
 
 std::unique_ptr<ResultWriter> make_block_frames(const WriterContext& context) {
     const MakeFile make = [&](const std::filesystem::path& path) {
-        return VtkHdfFile(path, block_columns(), block_cells(context.model), context.model.vertices.size());
+        return VtkHdfFile(path, block_columns(), type_of_points(context.model), block_cells(context.model),
+                          context.model.vertices.size());
     };
     return std::make_unique<FrameWriter>(context, ".vtkhdf", block_columns(), make, block_frame);
 }
@@ -59,7 +66,7 @@ std::unique_ptr<ResultWriter> make_block_frames(const WriterContext& context) {
 std::unique_ptr<ResultWriter> make_joint_frames(const WriterContext& context) {
     const MakeFile make = [&](const std::filesystem::path& path) {
         // Blocks of a jointed mass touch about three neighbours each, with two contacts a joint.
-        return VtkHdfFile(path, contact_columns(),
+        return VtkHdfFile(path, contact_columns(), type_of_points(context.model),
                           6 * static_cast<std::size_t>(context.model.block_count()) + 64);
     };
     return std::make_unique<FrameWriter>(context, ".joints.vtkhdf", contact_columns(), make, contact_frame);

@@ -26,7 +26,7 @@ std::string vtu_text(const GridFrame& frame, const GridCells& cells, const std::
         "byte_order=\"LittleEndian\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"" +
         std::to_string(frame.points.size() / 3) + "\" NumberOfCells=\"" + std::to_string(cells.count()) +
         "\">\n<Points>\n";
-    text += array_text("Points", "Float32", 3, frame.points) + "</Points>\n<Cells>\n";
+    text += array_text("Points", "Float64", 3, frame.points) + "</Points>\n<Cells>\n";
     const std::vector<std::int64_t> ends(cells.offsets.begin() + 1, cells.offsets.end());
     text += array_text("connectivity", "Int64", 1, cells.connectivity) +
             array_text("offsets", "Int64", 1, ends) + array_text("types", "UInt8", 1, cells.types);

@@ -20,6 +20,11 @@ Vec2 vector_of(const std::array<double, 2>& pair) {
     return {pair[0], pair[1]};
 }
 
+/// The place `at = [x, y]`, in the model's coordinates.
+Vec2 read_place(const ConfigTable& table, const Model& model) {
+    return vector_of(table.pair("at", Dimension::length)) - model.origin;
+}
+
 std::string point_text(const Vec2& point) {
     return "[" + blockgen::shortest_text(point.x()) + ", " + blockgen::shortest_text(point.y()) + "]";
 }
@@ -28,7 +33,8 @@ int block_at(const ConfigTable& table, const Vec2& point, const Model& model) {
     const std::optional<int> block = find_block(model, point);
     if (!block)
         table.fail("at",
-                   "'at' in [" + table.path() + "] is " + point_text(point) + ", where there is no block",
+                   "'at' in [" + table.path() + "] is " + point_text(point + model.origin) +
+                       ", where there is no block",
                    "a point inside a block");
     return *block;
 }
@@ -44,7 +50,7 @@ int block_index(const ConfigTable& table, const Model& model) {
 /// The block named by `block = index` or `at = [x, y]`.
 int read_block(const ConfigTable& table, const Model& model) {
     if (table.has("block")) return block_index(table, model);
-    return block_at(table, vector_of(table.pair("at", Dimension::length)), model);
+    return block_at(table, read_place(table, model), model);
 }
 
 int measured_point(const ConfigTable& table, const Model& model) {
@@ -63,7 +69,7 @@ int measured_point(const ConfigTable& table, const Model& model) {
 /// The material point named by `measured_point = NAME` or `at = [x, y]`.
 int read_point(const ConfigTable& table, Model& model) {
     if (table.has("measured_point")) return measured_point(table, model);
-    const Vec2 point = vector_of(table.pair("at", Dimension::length));
+    const Vec2 point = read_place(table, model);
     return add_material_point(model, block_at(table, point, model), point);
 }
 

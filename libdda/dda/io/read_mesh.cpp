@@ -1,6 +1,7 @@
 #include "dda/io/read_mesh.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "blockgen/base/input_error.hpp"
 #include "blockgen/base/text.hpp"
@@ -42,6 +43,25 @@ Motion motion_of(blockgen::BlockMotion motion) {
     }
 }
 
+Vec2 vector_of(const blockgen::Point& point) {
+    return {point.x, point.y};
+}
+
+/// Zero for a model near zero; otherwise a point of whole metres near its middle, so that the difference of a
+/// coordinate and it is exact.
+Vec2 origin_of(const blockgen::BlockMesh& mesh) {
+    constexpr double far = 16;  // sizes of the model: four of a coordinate's bits are lost on the distance
+    if (mesh.vertices.empty()) return Vec2::Zero();
+    Vec2 low = vector_of(mesh.vertices.front()), high = low;
+    for (const blockgen::Point& point : mesh.vertices) {
+        low = low.cwiseMin(vector_of(point));
+        high = high.cwiseMax(vector_of(point));
+    }
+    const Vec2 middle = (low + high) / 2;
+    if (middle.cwiseAbs().maxCoeff() < far * (high - low).maxCoeff()) return Vec2::Zero();
+    return {std::round(middle.x()), std::round(middle.y())};
+}
+
 void add_blocks(const blockgen::BlockMesh& mesh, const std::vector<int>& block_materials,
                 const std::vector<int>& joint_materials, Model& model) {
     for (std::size_t block = 0; block < mesh.block_count(); ++block) {
@@ -53,7 +73,7 @@ void add_blocks(const blockgen::BlockMesh& mesh, const std::vector<int>& block_m
         for (std::size_t ring = 0; ring < mesh.ring_count(block); ++ring) {
             for (const std::int32_t vertex : mesh.ring(block, ring)) {
                 const blockgen::Point& point = mesh.vertices[static_cast<std::size_t>(vertex)];
-                model.vertices.emplace_back(point.x, point.y);
+                model.vertices.push_back(vector_of(point) - model.origin);
             }
             for (const blockgen::EdgeMark& mark : mesh.ring_marks(block, ring)) {
                 const bool is_joint = mark.joint_material != blockgen::EdgeMark::no_joint;
@@ -69,10 +89,6 @@ void add_blocks(const blockgen::BlockMesh& mesh, const std::vector<int>& block_m
     }
 }
 
-Vec2 vector_of(const blockgen::Point& point) {
-    return {point.x, point.y};
-}
-
 }  // namespace
 
 int add_material_point(Model& model, int block, const Vec2& position) {
@@ -82,11 +98,12 @@ int add_material_point(Model& model, int block, const Vec2& position) {
 
 void add_mesh(const blockgen::BlockMesh& mesh, const std::string& mesh_file,
               const std::vector<BoltMaterial>& bolt_materials, Model& model) {
+    model.origin = origin_of(mesh);
     add_blocks(mesh, resolve(mesh.block_materials, model.block_materials, "block_material", mesh_file),
                resolve(mesh.joint_materials, model.joint_materials, "joint_material", mesh_file), model);
     for (const blockgen::MeasuredPoint& point : mesh.measured_points)
         model.measured_points.push_back(
-            {point.name, add_material_point(model, point.block, vector_of(point.position))});
+            {point.name, add_material_point(model, point.block, vector_of(point.position) - model.origin)});
 
     std::vector<std::string> wanted;
     for (const blockgen::Bolt& bolt : mesh.bolts) wanted.push_back(bolt.material);
@@ -94,9 +111,10 @@ void add_mesh(const blockgen::BlockMesh& mesh, const std::string& mesh_file,
     for (std::size_t i = 0; i < mesh.bolts.size(); ++i) {
         const blockgen::Bolt& bolt = mesh.bolts[i];
         const BoltMaterial& material = bolt_materials[static_cast<std::size_t>(materials[i])];
-        model.bolts.push_back({bolt.name, add_material_point(model, bolt.first_block, vector_of(bolt.first)),
-                               add_material_point(model, bolt.second_block, vector_of(bolt.second)),
-                               material.axial_stiffness, material.pretension, material.yield_force});
+        model.bolts.push_back(
+            {bolt.name, add_material_point(model, bolt.first_block, vector_of(bolt.first) - model.origin),
+             add_material_point(model, bolt.second_block, vector_of(bolt.second) - model.origin),
+             material.axial_stiffness, material.pretension, material.yield_force});
     }
 }
 

@@ -83,7 +83,7 @@ Json worst_contact(const Model& model, const State& state, int index) {
     const Contact& contact = state.contacts.contacts[static_cast<std::size_t>(index)];
     return {{"corner_block", contact.corner_block},
             {"edge_block", contact.edge_block},
-            {"at", pair(contact.point)},
+            {"at", pair(contact.point + model.origin)},
             {"joint_material", model.joint_material_at(contact.joint_material).name},
             {"normal_force", contact.normal_force},
             {"shear_force", contact.shear_force},

@@ -29,7 +29,7 @@ std::vector<T> one(T value) {
 }
 
 std::size_t bytes_of(const GridFrame& frame) {
-    std::size_t bytes = frame.points.size() * sizeof(float) + frame.cells.connectivity.size() * 8 +
+    std::size_t bytes = frame.points.size() * sizeof(double) + frame.cells.connectivity.size() * 8 +
                         frame.cells.offsets.size() * 9;
     for (const auto& column : frame.columns) bytes += column.size() * sizeof(float);
     return bytes;
@@ -43,8 +43,9 @@ void GridCells::add(const std::vector<std::int64_t>& points, std::uint8_t type) 
     types.push_back(type);
 }
 
-VtkHdfFile::VtkHdfFile(const std::filesystem::path& path, std::vector<GridColumn> columns, bool fixed_cells)
-    : file_(HdfFile::create(path)), columns_(std::move(columns)), fixed_cells_(fixed_cells) {
+VtkHdfFile::VtkHdfFile(const std::filesystem::path& path, std::vector<GridColumn> columns, HdfType points,
+                       bool fixed_cells)
+    : file_(HdfFile::create(path)), columns_(std::move(columns)), points_(points), fixed_cells_(fixed_cells) {
     file_.reserve(bookkeeping);
     file_.add_group("/VTKHDF");
     file_.set_attribute("/VTKHDF", "Version", std::vector<std::int64_t>{2, 0});
@@ -57,11 +58,11 @@ VtkHdfFile::VtkHdfFile(const std::filesystem::path& path, std::vector<GridColumn
         file_.add_dataset(root + name, HdfType::i8, 1, fixed_cells ? 1 : step_chunk, false);
 }
 
-VtkHdfFile::VtkHdfFile(const std::filesystem::path& path, std::vector<GridColumn> columns,
+VtkHdfFile::VtkHdfFile(const std::filesystem::path& path, std::vector<GridColumn> columns, HdfType points,
                        const GridCells& cells, std::size_t point_count)
-    : VtkHdfFile(path, std::move(columns), true) {
+    : VtkHdfFile(path, std::move(columns), points, true) {
     file_.reserve(bytes_of({0, {}, {}, cells}) + bookkeeping);
-    file_.add_dataset(root + "Points", HdfType::f4, 3, point_count, true);
+    file_.add_dataset(root + "Points", points, 3, point_count, true);
     file_.add_dataset(root + "Connectivity", HdfType::i8, 1, cells.connectivity.size(), true);
     file_.add_dataset(root + "Offsets", HdfType::i8, 1, cells.offsets.size(), true);
     file_.add_dataset(root + "Types", HdfType::u1, 1, cells.count(), true);
@@ -74,10 +75,10 @@ VtkHdfFile::VtkHdfFile(const std::filesystem::path& path, std::vector<GridColumn
     add_column_datasets(cells.count());
 }
 
-VtkHdfFile::VtkHdfFile(const std::filesystem::path& path, std::vector<GridColumn> columns,
+VtkHdfFile::VtkHdfFile(const std::filesystem::path& path, std::vector<GridColumn> columns, HdfType points,
                        std::size_t typical_cells)
-    : VtkHdfFile(path, std::move(columns), false) {
-    file_.add_dataset(root + "Points", HdfType::f4, 3, 2 * typical_cells, true);
+    : VtkHdfFile(path, std::move(columns), points, false) {
+    file_.add_dataset(root + "Points", points, 3, 2 * typical_cells, true);
     file_.add_dataset(root + "Connectivity", HdfType::i8, 1, 2 * typical_cells, true);
     file_.add_dataset(root + "Offsets", HdfType::i8, 1, typical_cells, true);
     file_.add_dataset(root + "Types", HdfType::u1, 1, typical_cells, true);
@@ -94,8 +95,8 @@ void VtkHdfFile::add_column_datasets(std::size_t cell_chunk) {
 }
 
 void VtkHdfFile::check(const GridFrame& frame) const {
-    const auto finite = [](const std::vector<float>& values) {
-        return std::all_of(values.begin(), values.end(), [](float v) { return std::isfinite(v); });
+    const auto finite = [](const auto& values) {
+        return std::all_of(values.begin(), values.end(), [](auto v) { return std::isfinite(v); });
     };
     const auto refuse = [&](const std::string& what) {
         throw blockgen::OutputError(path(),
@@ -126,7 +127,10 @@ void VtkHdfFile::append(const GridFrame& frame) {
     const auto cells =
         static_cast<std::int64_t>(columns_.empty() ? 0 : frame.columns[0].size()) / columns_[0].width;
     append_steps(frame);
-    file_.append(root + "Points", frame.points);
+    if (points_ == HdfType::f4)
+        file_.append(root + "Points", std::vector<float>(frame.points.begin(), frame.points.end()));
+    else
+        file_.append(root + "Points", frame.points);
     for (std::size_t i = 0; i < columns_.size(); ++i)
         file_.append(cell_data + columns_[i].name, frame.columns[i]);
     if (!fixed_cells_) {
@@ -166,7 +170,7 @@ GridFrame VtkHdfReader::frame(std::int64_t index, const std::vector<std::string>
     const std::size_t cells = count("NumberOfCells");
     GridFrame frame;
     frame.time = times_[static_cast<std::size_t>(index)];
-    frame.points = file_.read<float>(root + "Points", from("PointOffsets"), count("NumberOfPoints"));
+    frame.points = file_.read<double>(root + "Points", from("PointOffsets"), count("NumberOfPoints"));
     frame.cells.connectivity = file_.read<std::int64_t>(root + "Connectivity", from("ConnectivityIdOffsets"),
                                                         count("NumberOfConnectivityIds"));
     frame.cells.offsets = file_.read<std::int64_t>(root + "Offsets", from("CellOffsets") + part, cells + 1);

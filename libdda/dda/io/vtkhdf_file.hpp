@@ -30,7 +30,7 @@ struct GridColumn {
 /// from frame to frame.
 struct GridFrame {
     double time = 0;
-    std::vector<float> points;
+    std::vector<double> points;
     std::vector<std::vector<float>> columns;
     GridCells cells;
 };
@@ -39,11 +39,12 @@ struct GridFrame {
 /// append() the file on disk is whole: killing the process loses no frame.
 class VtkHdfFile {
   public:
-    /// A file whose cells stay the same: written once.
-    VtkHdfFile(const std::filesystem::path& path, std::vector<GridColumn> columns, const GridCells& cells,
-               std::size_t point_count);
+    /// A file whose cells stay the same: written once. Coordinates are stored as `points`, f4 or f8.
+    VtkHdfFile(const std::filesystem::path& path, std::vector<GridColumn> columns, HdfType points,
+               const GridCells& cells, std::size_t point_count);
     /// A file whose frames bring their own cells; each frame is a part. `typical_cells` sizes the storage.
-    VtkHdfFile(const std::filesystem::path& path, std::vector<GridColumn> columns, std::size_t typical_cells);
+    VtkHdfFile(const std::filesystem::path& path, std::vector<GridColumn> columns, HdfType points,
+               std::size_t typical_cells);
 
     /// @throws OutputError when a value is not finite (nothing is written then), or the disk is full (earlier
     /// frames stay good).
@@ -53,13 +54,15 @@ class VtkHdfFile {
     void rename_to(const std::filesystem::path& path) { file_.rename_to(path); }
 
   private:
-    VtkHdfFile(const std::filesystem::path& path, std::vector<GridColumn> columns, bool fixed_cells);
+    VtkHdfFile(const std::filesystem::path& path, std::vector<GridColumn> columns, HdfType points,
+               bool fixed_cells);
     void add_column_datasets(std::size_t cell_chunk);
     void check(const GridFrame& frame) const;
     void append_steps(const GridFrame& frame);
 
     HdfFile file_;
     std::vector<GridColumn> columns_;
+    HdfType points_;
     bool fixed_cells_;
     std::int64_t frame_count_ = 0;
     std::int64_t points_before_ = 0;

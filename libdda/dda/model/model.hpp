@@ -41,6 +41,10 @@ struct MeasuredPointSpec {
 
 /// What the user described, and nothing that changes during a run. SI units, per metre of thickness.
 struct Model {
+    /// Where the user's coordinates have this model's zero, m. Far from zero, as on a national grid,
+    /// coordinates are read less this point and written plus it: a contact's force would drown in their
+    /// rounding.
+    Vec2 origin = Vec2::Zero();
     Topology topology;
     std::vector<Vec2> vertices;           ///< per corner, the initial configuration, m
     std::vector<int> block_material;      ///< per block, index into block_materials
