@@ -1,0 +1,39 @@
+#pragma once
+
+#include <span>
+
+#include "dda/contact/contact.hpp"
+#include "dda/model/model.hpp"
+#include "dda/model/stage.hpp"
+#include "dda/terms/springs.hpp"
+#include "dda/terms/system.hpp"
+
+namespace dda {
+
+/// One step's equations: everything that the open-close iteration may read and does not change.
+struct StepProblem {
+    const Model& model;
+    const StepControl& control;
+    const RowMap& rows;
+    const BaseSystem& base;
+    const BlockSystem& blocks;          ///< at the start of the step
+    std::span<const Vec6> prescribed;   ///< per block, known displacements
+    std::span<const Contact> contacts;  ///< at the start of the step
+    std::span<const ContactSprings> springs;
+    std::span<const BoltSpring> bolts;
+    std::span<const double> bolt_force;  ///< at the start of the step, N per metre
+    double smallest_force = 0;           ///< N per metre, below which force differences are rounding
+};
+
+/// What a contact does at the end of a step.
+struct JudgedContact {
+    ContactState state = ContactState::open;
+    double gap = 0;           ///< m
+    double normal_force = 0;  ///< N per metre
+    double shear_force = 0;   ///< N per metre
+    double displacement = 0;  ///< tangential, of the step, m
+    double slip = 0;          ///< plastic part of it, m
+    bool torn = false;        ///< bonded at the start, opened in this step
+};
+
+}  // namespace dda

@@ -1,0 +1,240 @@
+#include "dda/analysis/trial_contacts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dda/contact/detect.hpp"
+
+namespace dda {
+
+namespace {
+
+/// Whether the joint bears an elastic shear force without slipping. Without strength nothing is locked.
+bool within(double force, const Strength& bounds) {
+    return force <= bounds.forward && force >= -bounds.backward && bounds.forward + bounds.backward > 0;
+}
+
+}  // namespace
+
+TrialContacts::TrialContacts(const StepProblem& problem, const Crew& crew) : p_(problem), crew_(crew) {
+    trials_.reserve(p_.contacts.size());
+    for (std::size_t k = 0; k < p_.contacts.size(); ++k) trials_.push_back(started(k));
+    yielding_.assign(p_.bolts.size(), 0);
+    elongation_.assign(p_.bolts.size(), 0);
+}
+
+TrialContacts::Trial TrialContacts::started(std::size_t k) const {
+    const Contact& contact = p_.contacts[k];
+    Trial trial;
+    trial.may_close = !contact.held_back;
+    trial.gap_offset = contact.gap;
+    const bool was_closed = contact.state != ContactState::open;
+    trial.pressed = trial.may_close && (was_closed || (contact.gap < 0 && contact.group < 0));
+    trial.locked = trial.pressed && contact.state != ContactState::sliding;
+    if (trial.pressed) trial.bounds = bounds_of(contact, contact.normal_force);
+    trial.held_force = contact.shear_force;
+    trial.forward = contact.shear_force >= 0;
+    return trial;
+}
+
+Strength TrialContacts::bounds_of(const Contact& contact, double normal_force) const {
+    return strength(p_.model.joint_material_at(contact.joint_material).law, contact.history, normal_force,
+                    contact.length);
+}
+
+// --- the linear system
+
+Forces TrialContacts::linear_forces(std::size_t k, double opening, double shearing) const {
+    const Trial& trial = trials_[k];
+    const ContactSprings& s = p_.springs[k];
+    return {trial.pressed ? -s.normal_stiffness * (trial.gap_offset + opening) : 0,
+            trial.locked ? p_.contacts[k].shear_force + s.shear_stiffness * shearing : trial.held_force};
+}
+
+double TrialContacts::linear_bolt_force(std::size_t k, double elongation) const {
+    return yielding_[k] == 0 ? p_.bolt_force[k] + p_.bolts[k].stiffness * elongation
+                             : yielding_[k] * p_.model.bolts[k].yield_force;
+}
+
+// --- the laws
+
+Forces TrialContacts::law_forces(std::size_t k, double opening, double shearing) const {
+    const Trial& trial = trials_[k];
+    if (!trial.may_close) return {};
+    const ContactSprings& s = p_.springs[k];
+    const double normal = -s.normal_stiffness * (trial.gap_offset + opening);
+    const double elastic = p_.contacts[k].shear_force + s.shear_stiffness * shearing;
+    return {is_bonded(k) ? normal : std::max(normal, 0.0),
+            std::clamp(elastic, -trial.bounds.backward, trial.bounds.forward)};
+}
+
+Forces TrialContacts::present_forces(std::size_t k) const {
+    return law_forces(k, trials_[k].opening, trials_[k].shearing);
+}
+
+double TrialContacts::elastic_shear(std::size_t k) const {
+    return p_.contacts[k].shear_force + p_.springs[k].shear_stiffness * trials_[k].shearing;
+}
+
+double TrialContacts::law_bolt_force(std::size_t k, double elongation) const {
+    const double elastic = p_.bolt_force[k] + p_.bolts[k].stiffness * elongation;
+    const double yield = p_.model.bolts[k].yield_force;
+    return yield > 0 ? std::clamp(elastic, -yield, yield) : elastic;
+}
+
+// --- the shear forces of sliding contacts
+
+std::vector<std::size_t> TrialContacts::sliding() const {
+    std::vector<std::size_t> indices;
+    for (std::size_t k = 0; k < trials_.size(); ++k) {
+        if (trials_[k].pressed && !trials_[k].locked) indices.push_back(k);
+    }
+    return indices;
+}
+
+void TrialContacts::bound_by_held_force(std::size_t k) {
+    Trial& trial = trials_[k];
+    (trial.forward ? trial.bounds.forward : trial.bounds.backward) = std::abs(trial.held_force);
+}
+
+double TrialContacts::bound_at(std::size_t k, std::span<const Vec6> d) const {
+    const ContactSprings& s = p_.springs[k];
+    const Contact& contact = p_.contacts[k];
+    const double normal = -s.normal_stiffness * (trials_[k].gap_offset + s.rows.measure(s.normal, d));
+    if (normal <= 0 && !is_bonded(k)) return 0;
+    const Strength bounds = bounds_of(contact, normal);
+    return trials_[k].forward ? bounds.forward : -bounds.backward;
+}
+
+// --- judging
+
+void TrialContacts::move_to(std::span<const Vec6> d) {
+    std::vector<BlockMap> maps;
+    maps.reserve(p_.prescribed.size());
+    for (std::size_t b = 0; b < p_.prescribed.size(); ++b) {
+        const int row = p_.rows.row_of[b];
+        maps.emplace_back(p_.blocks.moments[b].centroid,
+                          row < 0 ? p_.prescribed[b] : d[static_cast<std::size_t>(row)]);
+    }
+    const auto moved = [&](int block, int corner) {
+        return maps[static_cast<std::size_t>(block)](p_.blocks.vertices[static_cast<std::size_t>(corner)]);
+    };
+    crew_.for_ranges(trials_.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+            const Contact& contact = p_.contacts[k];
+            const ContactSprings& s = p_.springs[k];
+            Trial& trial = trials_[k];
+            trial.opening = s.rows.measure(s.normal, d);
+            trial.shearing = s.rows.measure(s.shear, d);
+            trial.linear = linear_forces(k, trial.opening, trial.shearing);
+            const int edge_end = p_.model.topology.next[static_cast<std::size_t>(contact.edge)];
+            const double gap = corner_edge_geometry(moved(contact.corner_block, contact.corner),
+                                                    moved(contact.edge_block, contact.edge),
+                                                    moved(contact.edge_block, edge_end))
+                                   .gap;
+            trial.gap_offset = gap - trial.opening;
+        }
+    });
+    for (std::size_t k = 0; k < elongation_.size(); ++k)
+        elongation_[k] = p_.bolts[k].rows.measure(p_.bolts[k].elongation, d);
+}
+
+void TrialContacts::choose_lines() {
+    chosen_.clear();
+    for (std::size_t k = 0; k < trials_.size(); ++k) {
+        const int group = p_.contacts[k].group;
+        if (group < 0 || p_.contacts[k].held_back) continue;
+        const auto g = static_cast<std::size_t>(group);
+        if (chosen_.size() <= g) chosen_.resize(g + 1, trials_.size());
+        std::size_t& best = chosen_[g];
+        if (best == trials_.size() || gap(k) > gap(best)) best = k;
+    }
+    for (std::size_t k = 0; k < trials_.size(); ++k) {
+        const int group = p_.contacts[k].group;
+        if (group >= 0 && !p_.contacts[k].held_back)
+            trials_[k].may_close = chosen_[static_cast<std::size_t>(group)] == k;
+    }
+}
+
+TrialContacts::ForceChange TrialContacts::force_change() {
+    ForceChange change;
+    reference_ = 0;
+    for (std::size_t k = 0; k < trials_.size(); ++k) {
+        const Forces law = present_forces(k);
+        const Forces& linear = trials_[k].linear;
+        const double moved =
+            std::max(std::abs(law.normal - linear.normal), std::abs(law.shear - linear.shear));
+        reference_ = std::max({reference_, std::abs(law.normal), std::abs(law.shear)});
+        if (moved > change.largest) change = {moved, static_cast<int>(k)};
+    }
+    for (std::size_t k = 0; k < elongation_.size(); ++k) {
+        const double moved = std::abs(bolt_force(k) - linear_bolt_force(k, elongation_[k]));
+        change.largest = std::max(change.largest, moved);
+    }
+    return change;
+}
+
+double TrialContacts::tolerance() const {
+    return std::max(p_.control.force_tolerance * reference_, p_.smallest_force);
+}
+
+void TrialContacts::update_bounds() {
+    for (std::size_t k = 0; k < trials_.size(); ++k) {
+        const double normal = present_forces(k).normal;
+        const bool open = !trials_[k].may_close || (normal <= 0 && !is_bonded(k));
+        trials_[k].bounds = open ? Strength{} : bounds_of(p_.contacts[k], normal);
+    }
+}
+
+bool TrialContacts::tear() {
+    bool any = false;
+    for (std::size_t k = 0; k < trials_.size(); ++k) {
+        if (!is_bonded(k) || present_forces(k).normal >= -trials_[k].bounds.tensile) continue;
+        trials_[k].torn = true;
+        any = true;
+    }
+    return any;
+}
+
+bool TrialContacts::choose_springs() {
+    bool changed = false;
+    for (std::size_t k = 0; k < trials_.size(); ++k) {
+        Trial& trial = trials_[k];
+        const Forces law = present_forces(k);
+        const double elastic = elastic_shear(k);
+        const bool pressed = trial.may_close && (law.normal > 0 || is_bonded(k));
+        const bool locked = trial.may_close && within(elastic, trial.bounds);
+        changed = changed || pressed != trial.pressed || locked != trial.locked;
+        trial.pressed = pressed;
+        trial.locked = locked;
+        trial.held_force = law.shear;
+        trial.forward = elastic >= 0;
+    }
+    for (std::size_t k = 0; k < elongation_.size(); ++k) {
+        const double elastic = p_.bolt_force[k] + p_.bolts[k].stiffness * elongation_[k];
+        const double law = bolt_force(k);
+        const int yielding = elastic == law ? 0 : (elastic > law ? 1 : -1);
+        changed = changed || yielding != yielding_[k];
+        yielding_[k] = yielding;
+    }
+    return changed;
+}
+
+JudgedContact TrialContacts::judged(std::size_t k) const {
+    const Trial& trial = trials_[k];
+    const Forces forces = present_forces(k);
+    JudgedContact judged;
+    judged.gap = gap(k);
+    judged.normal_force = forces.normal;
+    judged.shear_force = forces.shear;
+    judged.displacement = trial.shearing;
+    judged.torn = trial.torn;
+    if (forces.normal > 0 || (is_bonded(k) && trial.may_close)) {
+        const double elastic = elastic_shear(k);
+        judged.state = within(elastic, trial.bounds) ? ContactState::locked : ContactState::sliding;
+        judged.slip = (elastic - forces.shear) / p_.springs[k].shear_stiffness;
+    }
+    return judged;
+}
+
+}  // namespace dda

@@ -1,0 +1,107 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "dda/analysis/step_problem.hpp"
+
+namespace dda {
+
+/// A contact's forces at one displacement, N per metre.
+struct Forces {
+    double normal = 0;
+    double shear = 0;
+};
+
+/// The contacts and bolts of a step while its equations are being solved: what the linear system takes them
+/// for, what their laws say, and the judgement that makes the one follow the other.
+///
+/// With the shear bounds held, a contact's normal force depends on the gap alone and its shear force on the
+/// elastic trial force alone, both without a jump: that makes the step's potential convex. What couples them
+/// is the bounds, zero where the contact is open.
+class TrialContacts {
+  public:
+    TrialContacts(const StepProblem& problem, const Crew& crew);
+
+    std::size_t count() const { return trials_.size(); }
+
+    // --- the linear system
+    bool is_pressed(std::size_t k) const { return trials_[k].pressed; }
+    bool is_locked(std::size_t k) const { return trials_[k].locked; }
+    bool is_elastic(std::size_t bolt) const { return yielding_[bolt] == 0; }
+    /// What the linear system takes the contact's forces to be.
+    Forces linear_forces(std::size_t k, double opening, double shearing) const;
+    double linear_bolt_force(std::size_t k, double elongation) const;
+
+    // --- the laws
+    /// What the law says they are, with the shear bounds held.
+    Forces law_forces(std::size_t k, double opening, double shearing) const;
+    double law_bolt_force(std::size_t k, double elongation) const;
+
+    // --- the shear forces of sliding contacts, which the linear system holds
+    std::vector<std::size_t> sliding() const;
+    double held_force(std::size_t k) const { return trials_[k].held_force; }
+    void hold(std::size_t k, double force) { trials_[k].held_force = force; }
+    /// The bounds become those that the held force is at.
+    void bound_by_held_force(std::size_t k);
+    /// The shear bound of a sliding contact, with its sign, at the normal force that the linear system gives
+    /// for a displacement.
+    double bound_at(std::size_t k, std::span<const Vec6> d) const;
+
+    // --- judging
+    /// Takes measures and true gaps at a displacement; the linear measure of the gap is kept exact there.
+    void move_to(std::span<const Vec6> d);
+    /// Of a group of vertex-vertex lines only the one with the largest gap, the last that is crossed, may
+    /// close.
+    void choose_lines();
+    /// The largest movement between the forces of the linear system and those of the law, N per metre.
+    struct ForceChange {
+        double largest = 0;
+        int contact = -1;  ///< whose it is
+    };
+    ForceChange force_change();
+    /// What a force may still move by at convergence, N per metre.
+    double tolerance() const;
+    /// Moves the shear bounds to those of the present normal forces.
+    void update_bounds();
+    /// Opens, for the rest of the step, the bonded contacts whose tension exceeds the strength. @return
+    /// whether there were any.
+    bool tear();
+    /// Sets the linear system's springs to the judged states. @return whether its matrix changes.
+    bool choose_springs();
+
+    JudgedContact judged(std::size_t k) const;
+    double bolt_force(std::size_t k) const { return law_bolt_force(k, elongation_[k]); }
+
+  private:
+    struct Trial {
+        bool pressed = false;   ///< has its normal spring in the linear system
+        bool locked = false;    ///< has its shear spring in the linear system
+        double held_force = 0;  ///< shear force in the linear system when not locked, N per metre
+        bool forward = true;    ///< the direction it slides in
+        Strength bounds;        ///< that the shear force is clipped to
+        double gap_offset = 0;  ///< m, gap less the linear measure of the present displacement
+        bool torn = false;
+        bool may_close = true;
+        double opening = 0;   ///< linear measure of the normal displacement, m
+        double shearing = 0;  ///< of the tangential displacement, m
+        Forces linear;        ///< in the linear system, at the present displacement
+    };
+
+    Trial started(std::size_t k) const;
+    Strength bounds_of(const Contact& contact, double normal_force) const;
+    bool is_bonded(std::size_t k) const { return p_.contacts[k].bonded && !trials_[k].torn; }
+    double gap(std::size_t k) const { return trials_[k].gap_offset + trials_[k].opening; }
+    double elastic_shear(std::size_t k) const;
+    Forces present_forces(std::size_t k) const;
+
+    const StepProblem& p_;
+    const Crew& crew_;
+    std::vector<Trial> trials_;
+    std::vector<int> yielding_;        ///< per bolt: the sign of its yielding force, 0 when elastic
+    std::vector<double> elongation_;   ///< per bolt, of the step, m
+    std::vector<std::size_t> chosen_;  ///< per group, the line that may close
+    double reference_ = 0;             ///< the largest force of a law, N per metre
+};
+
+}  // namespace dda
