@@ -7,7 +7,7 @@ namespace dda {
 Eigen::VectorXd AndersonMixing::next(const Eigen::VectorXd& x, const Eigen::VectorXd& image) {
     const Eigen::VectorXd residual = image - x;
     Eigen::VectorXd mixed = image;
-    if (last_residual_.size() == residual.size() && residual.size() > 0) {
+    if (memory_ > 0 && last_residual_.size() == residual.size() && residual.size() > 0) {
         residual_changes_.push_back(residual - last_residual_);
         image_changes_.push_back(image - last_image_);
         if (static_cast<int>(residual_changes_.size()) > memory_) {

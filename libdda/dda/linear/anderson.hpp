@@ -10,7 +10,7 @@ namespace dda {
 /// method, and converges where plain iteration oscillates or grows. [Anderson 1965; Walker & Ni 2011]
 class AndersonMixing {
   public:
-    /// @param memory how many earlier steps it combines, at least 1.
+    /// @param memory how many earlier steps it combines; with none (0 or less) it is plain iteration.
     explicit AndersonMixing(int memory) : memory_(memory) {}
 
     /// The next iterate from x and g(x).

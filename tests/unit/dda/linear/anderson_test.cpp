@@ -56,6 +56,19 @@ TEST_P(AndersonOnAffineMaps, EndAfterOneStepMoreThanUnknowns) {
 INSTANTIATE_TEST_SUITE_P(Sizes, AndersonOnAffineMaps,
                          testing::Combine(testing::Values(1, 2, 4, 6), testing::Values(0.5, 0.9, 3.0, 10.0)));
 
+TEST(AndersonMixing, WithoutMemoryIsPlainIteration) {
+    const Affine map = random_map(3, .5, 1);
+    for (const int memory : {0, -1}) {
+        dda::AndersonMixing mixing(memory);
+        Eigen::VectorXd x = Eigen::VectorXd::Zero(3);
+        for (int k = 0; k < 4; ++k) {
+            const Eigen::VectorXd next = mixing.next(x, map(x));
+            EXPECT_EQ(next, map(x)) << "memory " << memory << ", iterate " << k;
+            x = next;
+        }
+    }
+}
+
 TEST(AndersonMixing, FirstStepIsPlainIteration) {
     dda::AndersonMixing mixing(3);
     const Eigen::Vector2d image(3, 4);
