@@ -23,9 +23,8 @@ struct StepControl {
         1e-6;  ///< largest change of a contact force over the reference force, at convergence
 };
 
-/// Acceleration of a prescribed block (or of all fixed and prescribed blocks when `block` is empty), m/s2:
-/// constant before the first and after the last instant is not assumed; outside the table the acceleration is
-/// zero. Times count from the stage's start.
+/// Acceleration of the prescribed block of that name, or of all prescribed blocks when `block` is empty,
+/// m/s2. Fixed blocks stay. Outside its table the acceleration is zero. Times count from the stage's start.
 struct BaseMotion {
     std::string block;
     TimeTable x;
