@@ -66,9 +66,9 @@ kind = "static"                    # runs until gravity is carried
 # smallest_step = 1e-9
 # cut = 0.3333333333333333         # factor on the step after a rejection
 # growth = 1.3
-# iteration_limit = 40             # open-close iterations in a step
+# iteration_limit = 100            # open-close iterations in a step
 # displacement_ratio = 0.01        # largest displacement in a step over the model's half-height
-# force_tolerance = 1e-8
+# force_tolerance = 1e-6
 # mass_damping = 0                 # 1/s
 
 [[stage]]
@@ -80,7 +80,7 @@ step = 0.005
 # newmark_beta = 0.5               # (1/2, 1) is Shi's integration
 # newmark_gamma = 1
 
-# [stage.base_motion]              # moves the prescribed block of that name; without block: all fixed and prescribed
+# [stage.base_motion]              # moves the prescribed block of that name; without block: all prescribed blocks
 # block = "base"
 # x = { file = "record.at2", scale = 1.0, baseline = "drift" }
 # y = { file = "up.csv", quantity = "acceleration", unit = "cm/s2" }
