@@ -68,6 +68,7 @@ double until_next_instant(const Stage& stage, double stage_time) {
 void begin_stage(State& state) {
     state.stage_time = 0;
     state.next_step = 0;
+    state.stage_steps = 0;
 }
 
 void end_static_stage(const Model& model, const Stage& stage, State& state) {
@@ -94,7 +95,6 @@ RunOutcome run_stage(const Model& model, const Stage& stage, TimeStepper& steppe
     StepSize step(stage.control, state.next_step);
     int cuts = 0;
     int iterations = 0;
-    std::int64_t steps_taken = 0;
     while (to_rest || state.stage_time < stage.duration * (1 - 1e-12)) {
         const double dt = to_rest ? step.size() : step.next(until_next_instant(stage, state.stage_time));
         StepAttempt attempt = stepper.advance(stage, state, dt);
@@ -115,13 +115,13 @@ RunOutcome run_stage(const Model& model, const Stage& stage, TimeStepper& steppe
         attempt.report.iterations = iterations;
         attempt.report.cuts = cuts;
         cuts = iterations = 0;
-        ++steps_taken;
+        ++state.stage_steps;
         const bool settled = to_rest && attempt.report.unbalanced_force <= stage.tolerance;
         if (settled) end_static_stage(model, stage, state);
         if (!observer.step_done(model, state, stage, attempt.report))
             return {RunStatus::stopped, "stopped as asked", -1};
         if (settled) break;
-        if (to_rest && steps_taken >= stage.step_limit) {
+        if (to_rest && state.stage_steps >= stage.step_limit) {
             char text[160];
             std::snprintf(
                 text, sizeof text,

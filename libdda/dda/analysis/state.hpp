@@ -12,10 +12,11 @@ namespace dda {
 /// Everything that changes during a run, at one instant. A trial step makes a new one; a rejected step
 /// forgets it.
 struct State {
-    double time = 0;        ///< s since the start of the run
-    double stage_time = 0;  ///< s since the start of the stage
-    double next_step = 0;   ///< s, the step to try next; 0: the stage's own
-    std::int64_t step_count = 0;
+    double time = 0;               ///< s since the start of the run
+    double stage_time = 0;         ///< s since the start of the stage
+    double next_step = 0;          ///< s, the step to try next; 0: the stage's own
+    std::int64_t step_count = 0;   ///< since the start of the run
+    std::int64_t stage_steps = 0;  ///< since the start of the stage
     BlockSystem blocks;
     ContactSet contacts;
     std::vector<Vec2> displacement_origin;  ///< per material point: where displacements count from, m

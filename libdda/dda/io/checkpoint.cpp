@@ -12,7 +12,7 @@ namespace dda {
 
 namespace {
 
-constexpr std::int64_t checkpoint_version = 1;
+constexpr std::int64_t checkpoint_version = 2;
 constexpr std::size_t chunk = 1 << 16;  // elements
 
 template <class T>

@@ -171,10 +171,10 @@ void energy(Walker& walker, E& value) {
 
 template <class Walker, class S>
 void state(Walker& walker, S& value) {
-    auto& [time, stage_time, next_step, step_count, all_blocks, contact_set, displacement_origin,
+    auto& [time, stage_time, next_step, step_count, stage_steps, all_blocks, contact_set, displacement_origin,
            centroid_origin, bolt_force, ledger] = value;
     reals(walker, time, stage_time, next_step);
-    integers(walker, step_count);
+    integers(walker, step_count, stage_steps);
     blocks(walker, all_blocks);
     contacts(walker, contact_set);
     all_components(walker, displacement_origin);
