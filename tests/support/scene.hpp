@@ -75,10 +75,11 @@ class Simulation : public dda::RunObserver {
     explicit Simulation(const Scene& s, int thread_count = 1)
         : model(s.model), state(dda::initial_state(model)), threads(thread_count) {}
 
+    /// Goes on with a stage after those that have been run.
     dda::RunOutcome run(const dda::Stage& stage) {
-        const dda::Stage stages[] = {stage};
         first_report_ = reports.size();
-        return dda::run(model, stages, state, *this, {threads, 0, false});
+        stages.push_back(stage);
+        return dda::run(model, stages, state, *this, {threads, static_cast<int>(stages.size()) - 1, false});
     }
     /// Gravity until nothing moves.
     dda::RunOutcome settle(double step = 0.005, double tolerance = 1e-9) {
@@ -133,6 +134,7 @@ class Simulation : public dda::RunObserver {
     const dda::Model model;
     dda::State state;
     int threads;
+    std::vector<dda::Stage> stages;  ///< run so far
     std::vector<dda::StepReport> reports;
     std::function<void(const dda::State&, const dda::StepReport&)> each_step;
 

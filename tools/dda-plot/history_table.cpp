@@ -50,12 +50,13 @@ HistoryTable without_reset_stages(const HistoryTable& history) {
     std::size_t first = 0;
     for (std::size_t row = 0; row + 1 < history.time.size(); ++row) {
         const bool ends = history.stage[row] != history.stage[row + 1];
+        const bool same_instant = history.time[row] == history.time[row + 1];
         const auto at_zero = [&](const std::string& point) {
-            return history.columns[history.column(point + " ux (m)")][row] == 0 &&
-                   history.columns[history.column(point + " uy (m)")][row] == 0;
+            return history.columns[history.column(point + " ux (m)")][row + 1] == 0 &&
+                   history.columns[history.column(point + " uy (m)")][row + 1] == 0;
         };
         const std::vector<std::string> points = history.points();
-        if (ends && std::all_of(points.begin(), points.end(), at_zero)) first = row;
+        if (ends && same_instant && std::all_of(points.begin(), points.end(), at_zero)) first = row + 1;
     }
     HistoryTable kept = history;
     const auto cut = [first](auto& values) {

@@ -71,9 +71,15 @@ void begin_stage(State& state) {
     state.stage_steps = 0;
 }
 
-void end_static_stage(const Model& model, const Stage& stage, State& state) {
+void come_to_rest(State& state) {
     for (Vec6& v : state.blocks.velocity) v.setZero();
     for (Vec6& a : state.blocks.acceleration) a.setZero();
+}
+
+/// What a static stage leaves to count anew. It is done when another stage follows, so that a run's last
+/// state still tells what its last stage did.
+void count_anew_after(const Model& model, const Stage& stage, State& state) {
+    if (stage.kind != StageKind::static_equilibrium) return;
     if (stage.reset_displacements) {
         state.displacement_origin = state.blocks.points;
         for (std::size_t b = 0; b < state.centroid_origin.size(); ++b) {
@@ -117,7 +123,7 @@ RunOutcome run_stage(const Model& model, const Stage& stage, TimeStepper& steppe
         cuts = iterations = 0;
         ++state.stage_steps;
         const bool settled = to_rest && attempt.report.unbalanced_force <= stage.tolerance;
-        if (settled) end_static_stage(model, stage, state);
+        if (settled) come_to_rest(state);
         if (!observer.step_done(model, state, stage, attempt.report))
             return {RunStatus::stopped, "stopped as asked", -1};
         if (settled) break;
@@ -152,10 +158,15 @@ RunOutcome run(const Model& model, std::span<const Stage> stages, State& state, 
     TimeStepper stepper(model, options.threads);
     bool resumed = options.resumed;
     for (std::size_t k = static_cast<std::size_t>(options.first_stage); k < stages.size(); ++k) {
-        if (!resumed) begin_stage(state);
+        if (!resumed) {
+            if (k > 0) count_anew_after(model, stages[k - 1], state);
+            begin_stage(state);
+        }
         resumed = false;
         observer.stage_begins(model, state, stages[k], static_cast<int>(k));
         RunOutcome outcome = run_stage(model, stages[k], stepper, state, observer);
+        if (outcome.status == RunStatus::not_converged || outcome.status == RunStatus::not_settled)
+            observer.stage_fails(model, state, stages[k], static_cast<int>(k));
         if (outcome.status != RunStatus::completed) return outcome;
         observer.stage_ends(model, state, stages[k], static_cast<int>(k));
     }

@@ -36,15 +36,19 @@ struct RunOutcome {
 class RunObserver {
   public:
     virtual ~RunObserver() = default;
+    /// What the stage before set to count anew counts from this state.
     virtual void stage_begins(const Model&, const State&, const Stage&, int /*stage_index*/) {}
     /// After every accepted step. Returning false stops the run (status `stopped`).
     virtual bool step_done(const Model&, const State&, const Stage&, const StepReport&) { return true; }
     virtual void stage_ends(const Model&, const State&, const Stage&, int /*stage_index*/) {}
+    /// In place of stage_ends() when a stage does not converge or settle. @param state the last accepted
+    /// step.
+    virtual void stage_fails(const Model&, const State& /*state*/, const Stage&, int /*stage_index*/) {}
 };
 
 struct RunOptions {
     int threads = 1;
-    int first_stage = 0;   ///< of a resumed run
+    int first_stage = 0;   ///< the stages before it are done
     bool resumed = false;  ///< the state is in the middle of first_stage
 };
 

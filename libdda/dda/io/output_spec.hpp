@@ -8,6 +8,7 @@ namespace dda {
 struct OutputSpec {
     std::string name = "run";  ///< stem of the result files
     int frames = 200;  ///< kept frames, evenly over the dynamic stages, besides both ends of every stage
+    int static_frame_interval = 0;    ///< steps between kept frames inside static stages; 0: none
     double history_interval = 0.01;   ///< s between the rows of history.csv; 0: every step
     double checkpoint_interval = 60;  ///< s of wall time between checkpoints
 };

@@ -48,17 +48,23 @@ void read_analysis(const ConfigTable& analysis, Model& model) {
     model.default_joint_material = read_default_joint_material(analysis, model);
 }
 
+int count_up_to_a_million(const ConfigTable& output, std::string_view key, int fallback) {
+    const std::int64_t value = output.integer(key, fallback);
+    output.checked(
+        key, static_cast<double>(value), [](double v) { return v >= 0 && v <= 1e6; },
+        "a whole number from 0 to 1000000");
+    return static_cast<int>(value);
+}
+
 OutputSpec read_output(const ConfigTable& output, const std::filesystem::path& run_file) {
     OutputSpec spec;
     spec.name = output.string("name", run_file.stem().string());
     if (spec.name.empty() || spec.name.find('/') != std::string::npos)
         output.fail("name", "'name' in [output] is \"" + spec.name + "\"",
                     "the stem of a file name, without '/'");
-    const std::int64_t frames = output.integer("frames", spec.frames);
-    output.checked(
-        "frames", static_cast<double>(frames), [](double v) { return v >= 0 && v <= 1e6; },
-        "a whole number from 0 to 1000000");
-    spec.frames = static_cast<int>(frames);
+    spec.frames = count_up_to_a_million(output, "frames", spec.frames);
+    spec.static_frame_interval =
+        count_up_to_a_million(output, "static_frame_interval", spec.static_frame_interval);
     spec.history_interval = not_negative(output, "history_interval", Dimension::time, spec.history_interval);
     spec.checkpoint_interval =
         positive(output, "checkpoint_interval", Dimension::time, spec.checkpoint_interval);

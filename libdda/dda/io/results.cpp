@@ -28,10 +28,16 @@ void follow(double value, double time, double& peak, double& peak_time) {
     peak_time = time;
 }
 
-/// A static stage's last step resets what displacements count from: no checkpoint falls between it and the
-/// stage's end.
-bool ends_stage(const Stage& stage, const StepReport& report) {
-    return stage.kind == StageKind::static_equilibrium && report.unbalanced_force <= stage.tolerance;
+/// A static stage ends by what its last step reports, which a checkpoint does not hold: none falls between
+/// that step and the stage's end.
+bool ends_stage(const State& state, const Stage& stage, const StepReport& report) {
+    return stage.kind == StageKind::static_equilibrium &&
+           (report.unbalanced_force <= stage.tolerance || state.stage_steps >= stage.step_limit);
+}
+
+/// Whether displacements count anew from a stage's end.
+bool counts_anew(const Stage& stage) {
+    return stage.kind == StageKind::static_equilibrium && stage.reset_displacements;
 }
 
 }  // namespace
@@ -68,6 +74,12 @@ bool Results::is_due(std::int64_t& next, double interval, double stage_time) con
     if (intervals < static_cast<double>(next)) return false;
     next = static_cast<std::int64_t>(std::floor(intervals)) + 1;
     return true;
+}
+
+bool Results::frame_is_due(const State& state, const Stage& stage) {
+    if (stage.kind == StageKind::dynamic)
+        return frame_interval_ > 0 && is_due(progress_.next_frame, frame_interval_, state.stage_time);
+    return output_.static_frame_interval > 0 && state.stage_steps % output_.static_frame_interval == 0;
 }
 
 void Results::keep_frame(const State& state) {
@@ -115,6 +127,9 @@ void Results::stage_begins(const Model&, const State& state, const Stage& stage,
     if (std::exchange(resuming_, false)) return;
     progress_.stage = stage_index;
     progress_.next_frame = progress_.next_history = 1;
+    // The state's second row: the first, of the same instant, has the displacements that the last stage made.
+    if (stage_index > 0 && counts_anew(stages_[static_cast<std::size_t>(stage_index) - 1]))
+        progress_.last_history_step = -1;
     keep_frame(state);
     keep_history(state, stage);
 }
@@ -124,19 +139,26 @@ bool Results::step_done(const Model&, const State& state, const Stage& stage, co
     if (output_.history_interval == 0 ||
         is_due(progress_.next_history, output_.history_interval, state.stage_time))
         keep_history(state, stage);
-    const bool has_frames = stage.kind == StageKind::dynamic && frame_interval_ > 0;
-    if (has_frames && is_due(progress_.next_frame, frame_interval_, state.stage_time)) keep_frame(state);
+    const bool ends = ends_stage(state, stage, report);
+    if (!ends && frame_is_due(state, stage)) keep_frame(state);
     // Displacements of a static stage that resets them are not the motion that peaks are asked for.
     if (stage.kind == StageKind::dynamic) follow_peaks(state);
 
     const bool go_on = options_.progress(progress_of(state, stage, report));
-    if (ends_stage(stage, report)) return true;
+    if (ends) return true;
     if (!go_on || seconds(Clock::now() - last_checkpoint_) >= output_.checkpoint_interval)
         save_checkpoint(state);
     return go_on;
 }
 
-void Results::stage_ends(const Model&, const State& state, const Stage& stage, int) {
+void Results::stage_ends(const Model&, const State& state, const Stage& stage, int stage_index) {
+    keep_history(state, stage);
+    // A viewer finds a frame by its time, so of an instant there is one: that of the next stage's start.
+    const bool is_last = static_cast<std::size_t>(stage_index) + 1 == stages_.size();
+    if (is_last || !counts_anew(stage)) keep_frame(state);
+}
+
+void Results::stage_fails(const Model&, const State& state, const Stage& stage, int) {
     keep_history(state, stage);
     keep_frame(state);
 }

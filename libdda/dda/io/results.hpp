@@ -48,6 +48,7 @@ class Results : public RunObserver {
     bool step_done(const Model& model, const State& state, const Stage& stage,
                    const StepReport& report) override;
     void stage_ends(const Model& model, const State& state, const Stage& stage, int stage_index) override;
+    void stage_fails(const Model& model, const State& state, const Stage& stage, int stage_index) override;
 
     const ResultsState& state() const { return progress_; }
     const std::vector<TrackedPoint>& points() const { return points_; }
@@ -55,6 +56,7 @@ class Results : public RunObserver {
     double wall_time() const;
 
   private:
+    bool frame_is_due(const State& state, const Stage& stage);
     bool is_due(std::int64_t& next, double interval, double stage_time) const;
     void keep_frame(const State& state);
     void keep_history(const State& state, const Stage& stage);

@@ -87,6 +87,7 @@ step = 0.005
 
 [output]
 # frames = 200                     # kept frames over the dynamic stages
+# static_frame_interval = 0        # steps between kept frames inside static stages; 0: none
 # history_interval = 0.01          # s between rows of history.csv
 # checkpoint_interval = 60         # s of wall time
 )";

@@ -240,6 +240,9 @@ TEST_F(ReadRun, BadInputIsOneLineWithItsPlace) {
     EXPECT_THAT(error_with("kind = \"dynamic\"\nduration = \"2 s\"", "kind = \"dynamic\""),
                 HasSubstr("there is no key 'duration' in [stage[1]]"));
     EXPECT_THAT(error_with("frames = 10", "frames = nan"), HasSubstr("expected a whole number"));
+    EXPECT_THAT(error_with("frames = 10", "static_frame_interval = -1"),
+                HasSubstr("'static_frame_interval' in [output] is -1; expected a whole number from 0"));
+    EXPECT_THAT(error_with("frames = 10", "static_frame_interval = 2.5"), HasSubstr("static_frame_interval"));
     EXPECT_THAT(error_with("scale = 2.0", "scale = inf"), HasSubstr("not a finite number"));
     EXPECT_THAT(error_with("times = [0, 1], values = [0, 2]", "times = [0, 0], values = [0, 2]"),
                 HasSubstr("strictly increasing times"));

@@ -12,6 +12,7 @@
 
 #include "blockgen/base/output_error.hpp"
 #include "blockgen/base/read_file.hpp"
+#include "blockgen/base/text.hpp"
 #include "dda/io/frame_data.hpp"
 #include "dda/io/read_run.hpp"
 #include "dda/io/state_archive.hpp"
@@ -61,14 +62,14 @@ history_interval = 0.02
         const std::string& name, ProgressFunction progress = [](const Progress&) { return true; }) {
         fs::create_directories(folder / name);
         Results results(input.model, input.stages, input.output,
-                        {folder / name, false, "hash", std::move(progress)});
+                        {folder / name, pvd, "hash", std::move(progress)});
         State state = initial_state(input.model);
         return run(input.model, input.stages, state, results);
     }
     RunOutcome resume(const std::string& name) {
         const Checkpoint checkpoint = read_checkpoint(folder / name / "checkpoint.h5");
         Results results(input.model, input.stages, input.output,
-                        {folder / name, false, "hash", [](const Progress&) { return true; }}, &checkpoint);
+                        {folder / name, pvd, "hash", [](const Progress&) { return true; }}, &checkpoint);
         State state = checkpoint.state;
         return run(input.model, input.stages, state, results, {1, checkpoint.results.stage, true});
     }
@@ -83,8 +84,24 @@ history_interval = 0.02
         return lines;
     }
 
+    /// Runs until the given step, then goes on from the checkpoint. @return how it ended.
+    RunOutcome stop_and_resume(const std::string& name, int stop) {
+        int step = 0;
+        const RunOutcome first = simulate(name, [&](const Progress&) { return ++step < stop; });
+        EXPECT_EQ(first.status, RunStatus::stopped) << stop;
+        return resume(name);
+    }
+    VtkHdfReader frames_of(const std::string& name) const {
+        return VtkHdfReader(folder / name / "run.vtkhdf");
+    }
+    /// Of the block that settles, m, in a kept frame.
+    static double settlement(const VtkHdfReader& frames, std::int64_t index) {
+        return frames.frame(index, {"displacement"}).columns[0][4];
+    }
+
     io_test::Folder folder;
     RunInput input;
+    bool pvd = false;
 };
 
 TEST_F(ResultsTest, ARunWritesEveryKindOfResult) {
@@ -118,7 +135,7 @@ TEST_F(ResultsTest, ARunWritesEveryKindOfResult) {
     const auto shaken = std::count_if(history.begin(), history.end(), [](const std::string& line) {
         return line.find(",shake,") != std::string::npos;
     });
-    EXPECT_EQ(shaken, 25) << "0.5 s every 0.02 s; the stage's start is the settling's end";
+    EXPECT_EQ(shaken, 1 + 25) << "0.5 s every 0.02 s, and the start, from which displacements count";
     EXPECT_GT(lines_of(folder / "a" / "steps.csv").size(), 100u);
 }
 
@@ -134,12 +151,88 @@ TEST_F(ResultsTest, AContinuedRunEndsInTheSameBytes) {
     const auto steps = static_cast<int>(lines_of(folder / "whole" / "steps.csv").size()) - 1;
     for (const int stop : {1, steps / 2, steps - 20, steps}) {
         const std::string name = "stopped" + std::to_string(stop);
-        int step = 0;
-        const RunOutcome outcome = simulate(name, [&](const Progress&) { return ++step < stop; });
-        EXPECT_EQ(outcome.status, RunStatus::stopped) << stop;
-        EXPECT_EQ(resume(name).status, RunStatus::completed) << stop;
+        EXPECT_EQ(stop_and_resume(name, stop).status, RunStatus::completed) << stop;
         expect_same_files(name, "whole");
     }
+}
+
+TEST_F(ResultsTest, AContinuedRunCountsOnToTheStepLimit) {
+    input.stages[0].tolerance = 1e-300;
+    input.stages[0].step_limit = 40;
+    const RunOutcome whole = simulate("whole");
+    ASSERT_EQ(whole.status, RunStatus::not_settled);
+    ASSERT_EQ(lines_of(folder / "whole" / "steps.csv").size(), 1 + 40u);
+    for (const int stop : {1, 25, 39}) {
+        const std::string name = "stopped" + std::to_string(stop);
+        const RunOutcome outcome = stop_and_resume(name, stop);
+        EXPECT_EQ(outcome.status, RunStatus::not_settled) << stop;
+        EXPECT_EQ(outcome.message, whole.message) << stop;
+        expect_same_files(name, "whole");
+    }
+    // The limit's own step leaves nothing to go on with.
+    int step = 0;
+    EXPECT_EQ(simulate("late", [&](const Progress&) { return ++step < 40; }).status, RunStatus::not_settled);
+}
+
+TEST_F(ResultsTest, AStageThatFailsLeavesItsLastState) {
+    input.stages[0].tolerance = 1e-300;
+    input.stages[0].step_limit = 7;
+    ASSERT_EQ(simulate("a").status, RunStatus::not_settled);
+    const VtkHdfReader frames = frames_of("a");
+    ASSERT_EQ(frames.frame_count(), 2) << "the start and the failure";
+    EXPECT_NEAR(frames.times().back(), 7 * 0.005, 1e-12);
+    EXPECT_LT(settlement(frames, 1), -1e-8) << "the block has sunk into its base";
+}
+
+TEST_F(ResultsTest, AStaticStageKeepsFramesWhenAsked) {
+    for (const int interval : {1, 2, 3}) {
+        const std::string name = "every" + std::to_string(interval);
+        input.output.static_frame_interval = interval;
+        ASSERT_EQ(simulate(name).status, RunStatus::completed);
+        const auto log = lines_of(folder / name / "steps.csv");
+        const auto settling = std::count_if(log.begin(), log.end(), [](const std::string& line) {
+            return line.find(",settle,") != std::string::npos;
+        });
+        const std::int64_t inside = (settling - 1) / interval;
+        ASSERT_GT(inside, 0);
+        const VtkHdfReader frames = frames_of(name);
+        EXPECT_EQ(frames.frame_count(), 1 + inside + 1 + 10) << "the last step's is that of the stage's end";
+        const std::vector<double> times = frames.times();
+        EXPECT_TRUE(std::is_sorted(times.begin(), times.end(), std::less_equal<>())) << "no instant twice";
+        EXPECT_LT(settlement(frames, inside), -1e-8);
+        EXPECT_EQ(settlement(frames, inside + 1), 0) << "the shaking counts from here";
+        stop_and_resume(name + " stopped", 3);
+        expect_same_files(name + " stopped", name);
+    }
+}
+
+// Displacements count anew for a stage that follows, not for those who look at a run's end.
+TEST_F(ResultsTest, ARunThatEndsAtRestTellsHowFarItSettled) {
+    input.stages.pop_back();
+    ASSERT_EQ(simulate("a").status, RunStatus::completed);
+    const VtkHdfReader frames = frames_of("a");
+    ASSERT_EQ(frames.frame_count(), 2);
+    EXPECT_LT(settlement(frames, 1), -1e-8);
+}
+
+TEST_F(ResultsTest, AContinuedRunListsEveryFrameOnceForOlderParaView) {
+    pvd = true;
+    simulate("whole");
+    const auto steps = static_cast<int>(lines_of(folder / "whole" / "steps.csv").size()) - 1;
+    EXPECT_EQ(stop_and_resume("stopped", steps / 2).status, RunStatus::completed);
+    const std::string list = read_text_file(folder / "stopped" / "run.pvd");
+    EXPECT_EQ(list, read_text_file(folder / "whole" / "run.pvd"));
+    const std::vector<double> times = frames_of("stopped").times();
+    std::size_t at = 0;
+    for (std::size_t k = 0; k < times.size(); ++k) {
+        const std::string file = "run." + std::to_string(k) + ".vtu";
+        const std::string entry =
+            "timestep=\"" + blockgen::shortest_text(times[k]) + "\" file=\"" + file + "\"";
+        at = list.find(entry, at);
+        ASSERT_NE(at, std::string::npos) << entry << " is missing or out of order";
+        EXPECT_EQ(read_text_file(folder / "stopped" / file), read_text_file(folder / "whole" / file));
+    }
+    EXPECT_EQ(std::count(list.begin(), list.end(), '\n'), static_cast<long>(times.size()) + 5);
 }
 
 TEST_F(ResultsTest, AKilledRunLeavesReadableResults) {
