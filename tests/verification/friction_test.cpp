@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/case_name.hpp"
 #include "support/record.hpp"
 #include "support/scene.hpp"
 
@@ -65,11 +66,15 @@ TEST_P(Sliding, FollowsTheClosedForm) {
                       1e-6);
 }
 
+std::string slide_name(const testing::TestParamInfo<SlideCase>& tested) {
+    return case_name("psi " + case_number(tested.param.psi) + " phi " + case_number(tested.param.phi));
+}
 INSTANTIATE_TEST_SUITE_P(Catalogue, Sliding,
                          testing::Values(SlideCase{22.6, 5, 1.48879}, SlideCase{22.6, 10, 1.08650},
                                          SlideCase{22.6, 15, .67160}, SlideCase{22.6, 20, .23679},
                                          SlideCase{30, 0, 2.45250}, SlideCase{30, 10, 1.70349},
-                                         SlideCase{30, 20, .90641}, SlideCase{45, 30, 1.46590}));
+                                         SlideCase{30, 20, .90641}, SlideCase{45, 30, 1.46590}),
+                         slide_name);
 
 // V09. A tenth of a degree on either side of the limit.
 TEST(StickThreshold, HoldsAboveAndSlidesBelow) {
@@ -150,10 +155,15 @@ TEST_P(StandStill, SetDownUnsettled) {
     EXPECT_LT(sim.velocity(made.block).head<2>().norm(), 1e-4);
 }
 
+std::string rest_name(const testing::TestParamInfo<RestCase>& tested) {
+    return case_name("penalty " + case_number(tested.param.penalty_over_e) + " E step " +
+                     case_number(tested.param.step));
+}
 INSTANTIATE_TEST_SUITE_P(Contract, StandStill,
                          testing::Values(RestCase{1, 1e-4}, RestCase{1, 1e-3}, RestCase{1, 1e-2},
                                          RestCase{10, 1e-4}, RestCase{10, 1e-3}, RestCase{10, 1e-2},
-                                         RestCase{100, 1e-4}, RestCase{100, 1e-3}, RestCase{100, 1e-2}));
+                                         RestCase{100, 1e-4}, RestCase{100, 1e-3}, RestCase{100, 1e-2}),
+                         rest_name);
 
 // V35. Direct shear under 1 MPa, c = 0.1 MPa, phi = 30: c + tan phi at the peak, tan phi after it. The lower
 // half moves steadily, the upper is held along the joint; an increment is 1e3 N of 6.8e5, so the peak is met

@@ -4,6 +4,7 @@
 
 #include <Eigen/LU>
 
+#include "support/case_name.hpp"
 #include "support/record.hpp"
 #include "support/scene.hpp"
 
@@ -110,12 +111,12 @@ TEST_P(Oscillator, DecaysAsTheAmplificationMatrixSays) {
     table.expect("period over the true one", "", w_dt / angle, period_ratio, absolute(1e-3));
 }
 
-INSTANTIATE_TEST_SUITE_P(Catalogue, Oscillator,
-                         testing::Values(OscillatorCase{0.05, .92449, 1.0003},
-                                         OscillatorCase{0.1, .85482, 1.0011},
-                                         OscillatorCase{0.2, .73163, 1.0046},
-                                         OscillatorCase{0.5, .46753, 1.0273},
-                                         OscillatorCase{1.0, .24731, 1.0968}));
+INSTANTIATE_TEST_SUITE_P(
+    Catalogue, Oscillator,
+    testing::Values(OscillatorCase{0.05, .92449, 1.0003}, OscillatorCase{0.1, .85482, 1.0011},
+                    OscillatorCase{0.2, .73163, 1.0046}, OscillatorCase{0.5, .46753, 1.0273},
+                    OscillatorCase{1.0, .24731, 1.0968}),
+    [](const auto& tested) { return case_name("w_dt " + case_number(tested.param.w_dt)); });
 
 /// Position at t = 1 s under a unit acceleration sin(w t) or cos(w t), less the exact one.
 double driven_error(bool cosine, double w, double dt) {

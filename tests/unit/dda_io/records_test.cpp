@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "support.hpp"
+#include "support/case_name.hpp"
 
 namespace dda {
 namespace {
@@ -157,7 +158,8 @@ INSTANTIATE_TEST_SUITE_P(Peer, RealRecords,
                                                     g},
                                            Expected{"IELC180.AT2", 4000, 0.01, -0.3128806, 2.150, g},
                                            Expected{"IELC180.DT2", 4000, 0.01, 13.3061, 4.160, 0.01},
-                                           Expected{"NIS090.AT2", 4096, 0.01, -0.5027490, 7.090, g}));
+                                           Expected{"NIS090.AT2", 4096, 0.01, -0.5027490, 7.090, g}),
+                         [](const auto& tested) { return case_name(tested.param.file); });
 
 }  // namespace
 }  // namespace dda

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "blockgen/input/geometry_file.hpp"
+#include "support/case_name.hpp"
 #include "unit/blockgen/slopes.hpp"
 
 namespace blockgen {
@@ -138,7 +139,8 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"points = [[1, 0], [2, 5]]", "points = [[1, 0]]", "23", "fewer than two"},
         Fault{"side = \"bottom\"", "side = \"base\"", "25", "bottom"},
         Fault{"side = \"bottom\"", "side = \"bottom\"\nat = [1, 1]", "", "exactly one"},
-        Fault{"at = [5, 4.5]", "at = [5]", "28", "at"}));
+        Fault{"at = [5, 4.5]", "at = [5]", "28", "at"}),
+    [](const auto& tested) { return case_name(std::to_string(tested.index) + " " + tested.param.message); });
 
 TEST(ReadSlopeModel, NamesTheSpelling) {
     EXPECT_THAT(error_of(replaced(valid, "gap = 2.0", "gapp = 2.0\ngap = 2.0")), HasSubstr("gap"));

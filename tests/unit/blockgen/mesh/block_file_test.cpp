@@ -8,6 +8,7 @@
 
 #include "blockgen/base/input_error.hpp"
 #include "blockgen/mesh/check_mesh.hpp"
+#include "support/case_name.hpp"
 
 namespace blockgen {
 namespace {
@@ -148,7 +149,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Damage{"\"blockgen 0.1.0\"", "\"blockgen", "3:12", "not closed"},
                     Damage{"\"blockgen 0.1.0\"", "\"\\q\"", "3:12", "escape"},
                     Damage{"granite", "\xff", "4:16", "UTF-8"},
-                    Damage{"end\n", "end\nend\n", "21", "after the end"}));
+                    Damage{"end\n", "end\nend\n", "21", "after the end"}),
+    [](const auto& tested) { return case_name(std::to_string(tested.index) + " " + tested.param.message); });
 
 TEST(BlockFile, MissingFileIsAnErrorThatNamesIt) {
     try {

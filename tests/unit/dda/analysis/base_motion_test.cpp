@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/case_name.hpp"
 #include "support/scene.hpp"
 
 namespace {
@@ -85,7 +86,8 @@ TEST_P(PrescribedBlock, AcceleratesAsTheRecordAndDoesNotDrift) {
     EXPECT_LT(follower.worst_place, 1e-12) << "m, rounding of some hundred steps";
     EXPECT_LT(follower.worst_speed, 1e-12) << "m/s, likewise";
 }
-INSTANTIATE_TEST_SUITE_P(DisplacementRatios, PrescribedBlock, testing::Values(.01, 5e-4));
+INSTANTIATE_TEST_SUITE_P(DisplacementRatios, PrescribedBlock, testing::Values(.01, 5e-4),
+                         [](const auto& tested) { return case_name(case_number(tested.param)); });
 
 TEST(BaseMotion, AnEmptyNameMovesAllPrescribedBlocksAndANameOnlyItsOwn) {
     Scene s;

@@ -39,7 +39,7 @@ TEST_P(CrewSizes, CarriesAnExceptionToTheCaller) {
     crew.for_ranges(10000, [&](std::size_t begin, std::size_t end) { sum += static_cast<int>(end - begin); });
     EXPECT_EQ(sum, 10000) << "the crew works on after a failure";
 }
-INSTANTIATE_TEST_SUITE_P(Threads, CrewSizes, testing::Values(1, 2, 3, 5));
+INSTANTIATE_TEST_SUITE_P(Threads, CrewSizes, testing::Values(1, 2, 3, 5), testing::PrintToStringParamName());
 
 TEST(Crew, HasAtLeastOneThread) {
     EXPECT_EQ(Crew(0).size(), 1);

@@ -77,7 +77,7 @@ TEST_P(RandomScenes, CandidatesAreThoseOfBruteForce) {
     }
     EXPECT_GT(found, 1000u);
 }
-INSTANTIATE_TEST_SUITE_P(Seeds, RandomScenes, testing::Range(1u, 13u));
+INSTANTIATE_TEST_SUITE_P(Seeds, RandomScenes, testing::Range(1u, 13u), testing::PrintToStringParamName());
 
 TEST(Candidates, OfNothingAreNone) {
     EXPECT_TRUE(dda::find_candidates(Scene().model, {}, 1).empty());

@@ -5,6 +5,8 @@
 #include <Eigen/LU>
 #include <random>
 
+#include "support/case_name.hpp"
+
 namespace {
 
 /// g(x) = A x + b and its fixed point.
@@ -54,7 +56,11 @@ TEST_P(AndersonOnAffineMaps, EndAfterOneStepMoreThanUnknowns) {
     }
 }
 INSTANTIATE_TEST_SUITE_P(Sizes, AndersonOnAffineMaps,
-                         testing::Combine(testing::Values(1, 2, 4, 6), testing::Values(0.5, 0.9, 3.0, 10.0)));
+                         testing::Combine(testing::Values(1, 2, 4, 6), testing::Values(0.5, 0.9, 3.0, 10.0)),
+                         [](const auto& tested) {
+                             return case_name("size " + case_number(std::get<0>(tested.param)) + " norm " +
+                                              case_number(std::get<1>(tested.param)));
+                         });
 
 TEST(AndersonMixing, WithoutMemoryIsPlainIteration) {
     const Affine map = random_map(3, .5, 1);

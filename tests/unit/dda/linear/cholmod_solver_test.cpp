@@ -4,6 +4,7 @@
 #include <random>
 
 #include "dda/linear/linear_solver.hpp"
+#include "support/case_name.hpp"
 #include "unit/dda/linear/dense.hpp"
 
 namespace {
@@ -84,7 +85,11 @@ TEST_P(CholmodSizes, AgreesWithADenseSolution) {
 }
 INSTANTIATE_TEST_SUITE_P(Graphs, CholmodSizes,
                          testing::Values(std::pair{1, 0}, std::pair{2, 1}, std::pair{5, 0}, std::pair{7, 12},
-                                         std::pair{30, 60}, std::pair{60, 200}));
+                                         std::pair{30, 60}, std::pair{60, 200}),
+                         [](const auto& tested) {
+                             return case_name("blocks " + case_number(tested.param.first) + " springs " +
+                                              case_number(tested.param.second));
+                         });
 
 TEST(CholmodSolver, ServesOnePatternAfterAnother) {
     const auto solver = dda::make_cholmod_solver();
