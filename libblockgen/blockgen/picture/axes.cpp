@@ -42,6 +42,32 @@ std::string tick_text(double value, double step) {
     return text[0] == '-' ? "\u2212" + std::string(text + 1) : text;
 }
 
+TickLabels tick_labels(const Range& range, int most) {
+    constexpr std::size_t longest_text = 7;
+    TickLabels labels{round_ticks(range, most), {}, 0};
+    if (labels.values.empty()) return labels;
+    const double step = tick_step(range, most);
+    const double largest = std::max(std::abs(range.low), std::abs(range.high));
+    const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
+    const int digits = 1 + std::max(0, static_cast<int>(std::floor(std::log10(largest))));
+    if (digits + decimals + (decimals > 0 ? 1 : 0) > static_cast<int>(longest_text)) {
+        const double power = std::pow(10.0, std::ceil(std::log10(range.high - range.low) - 1e-9));
+        labels.offset = std::floor(range.low / power) * power + 0.0;
+        // A range about zero has none to share, however long its texts.
+        if (range.low <= 0 && range.high >= 0) labels.offset = 0;
+    }
+    for (const double value : labels.values) labels.texts.push_back(tick_text(value - labels.offset, step));
+    return labels;
+}
+
+std::string TickLabels::title(const std::string& quantity) const {
+    if (offset == 0) return quantity;
+    const std::size_t unit = std::min(quantity.find(" ("), quantity.size());
+    char text[64];
+    std::snprintf(text, sizeof text, "%.12g", std::abs(offset));
+    return quantity.substr(0, unit) + (offset < 0 ? " + " : " \u2212 ") + text + quantity.substr(unit);
+}
+
 Axes::Axes(Point upper_left, Point lower_right, Range x, Range y)
     : upper_left_(upper_left), lower_right_(lower_right), x_(x), y_(y) {}
 
@@ -70,17 +96,18 @@ void Axes::draw(Canvas& canvas, const std::string& x_title, const std::string& y
     const int x_most = std::max(2, static_cast<int>((lower_right_.x - upper_left_.x) / 55));
     const int y_most = std::max(2, static_cast<int>((lower_right_.y - upper_left_.y) / 40));
     double widest = 0;
-    for (const double x : round_ticks(x_, x_most)) {
-        const double page_x = to_page({x, y_.low}).x;
+    const TickLabels x_labels = tick_labels(x_, x_most), y_labels = tick_labels(y_, y_most);
+    for (std::size_t k = 0; k < x_labels.values.size(); ++k) {
+        const double page_x = to_page({x_labels.values[k], y_.low}).x;
         if (grid)
             canvas.polyline(std::vector<Point>{{page_x, upper_left_.y}, {page_x, lower_right_.y}}, thin);
         canvas.polyline(std::vector<Point>{{page_x, lower_right_.y}, {page_x, lower_right_.y + 3.5}}, line);
-        canvas.text({page_x, lower_right_.y + 6}, tick_text(x, tick_step(x_, x_most)), numbers);
+        canvas.text({page_x, lower_right_.y + 6}, x_labels.texts[k], numbers);
     }
-    for (const double y : round_ticks(y_, y_most)) {
-        const double page_y = to_page({x_.low, y}).y;
+    for (std::size_t k = 0; k < y_labels.values.size(); ++k) {
+        const double page_y = to_page({x_.low, y_labels.values[k]}).y;
         const TextStyle style{8, black, Anchor::end, Anchor::middle};
-        const std::string text = tick_text(y, tick_step(y_, y_most));
+        const std::string& text = y_labels.texts[k];
         if (grid)
             canvas.polyline(std::vector<Point>{{upper_left_.x, page_y}, {lower_right_.x, page_y}}, thin);
         canvas.polyline(std::vector<Point>{{upper_left_.x - 3.5, page_y}, {upper_left_.x, page_y}}, line);
@@ -90,9 +117,9 @@ void Axes::draw(Canvas& canvas, const std::string& x_title, const std::string& y
     const Ring frame = {
         upper_left_, {lower_right_.x, upper_left_.y}, lower_right_, {upper_left_.x, lower_right_.y}};
     canvas.polygon(std::vector<Ring>{frame}, std::nullopt, line);
-    canvas.text({(upper_left_.x + lower_right_.x) / 2, lower_right_.y + 19}, x_title,
+    canvas.text({(upper_left_.x + lower_right_.x) / 2, lower_right_.y + 19}, x_labels.title(x_title),
                 {9, black, Anchor::middle, Anchor::end});
-    canvas.text({upper_left_.x - widest - 13, (upper_left_.y + lower_right_.y) / 2}, y_title,
+    canvas.text({upper_left_.x - widest - 13, (upper_left_.y + lower_right_.y) / 2}, y_labels.title(y_title),
                 {9, black, Anchor::middle, Anchor::start, false, M_PI / 2});
 }
 

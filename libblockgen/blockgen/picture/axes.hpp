@@ -19,6 +19,20 @@ std::vector<double> round_ticks(const Range& range, int most);
 /// A tick's value with no more digits than its step needs.
 std::string tick_text(double value, double step);
 
+/// How the values along an axis are written: in full where that is short, otherwise less a round offset that
+/// they share, so that coordinates far from the origin stay readable and distinct.
+struct TickLabels {
+    std::vector<double> values;
+    std::vector<std::string> texts;  ///< one for each value, less the offset
+    double offset = 0;
+
+    /// "x (m)", or with an offset "x − 6690000 (m)".
+    std::string title(const std::string& quantity) const;
+};
+
+/// Labels for the round ticks of a range. Offsets are multiples of a power of ten that is at least the range.
+TickLabels tick_labels(const Range& range, int most);
+
 /// A box on the page with a linear scale on each side.
 class Axes {
   public:

@@ -65,6 +65,29 @@ TEST(Axes, TicksAreRound) {
     EXPECT_EQ(tick_text(466000, 20), "466000");
 }
 
+TEST(Axes, LabelsFarFromTheOriginStayShortAndDistinct) {
+    const TickLabels near = tick_labels({0, 140}, 3);
+    EXPECT_EQ(near.offset, 0);
+    EXPECT_THAT(near.texts, ElementsAre("0", "50", "100"));
+    EXPECT_EQ(near.title("x (m)"), "x (m)");
+
+    const TickLabels map = tick_labels({6690000, 6690040}, 5);
+    EXPECT_THAT(map.texts, ElementsAre("6690000", "6690010", "6690020", "6690030", "6690040"));
+
+    const TickLabels fine = tick_labels({6690012.3, 6690013.9}, 4);
+    EXPECT_EQ(fine.offset, 6690010);
+    EXPECT_THAT(fine.texts, ElementsAre("2.5", "3.0", "3.5"));
+    EXPECT_EQ(fine.title("y (m)"), "y \u2212 6690010 (m)");
+
+    const TickLabels south = tick_labels({-3e9 - 25, -3e9 + 25}, 5);
+    EXPECT_EQ(south.offset, -3000000100);
+    EXPECT_THAT(south.texts, ElementsAre("80", "90", "100", "110", "120"));
+    EXPECT_EQ(south.title("y (m)"), "y + 3000000100 (m)");
+
+    const TickLabels wide = tick_labels({-2e9, 6e9}, 4);
+    EXPECT_EQ(wide.offset, 0) << "nothing is shared by a range about zero";
+}
+
 TEST(Colour, ShadesOfNeighboursDiffer) {
     for (std::size_t i = 0; i < shade_count; ++i)
         for (std::size_t j = 0; j < i; ++j) EXPECT_NE(shaded(rock_colour(0), i), shaded(rock_colour(0), j));
