@@ -148,4 +148,12 @@ grep -q '<svg' stopped/run.frame-0003.svg || fail "no SVG"
 code=0
 "$plot" whole --frames 99 2>err.txt || code=$?
 [ "$code" -eq 2 ] || fail "exit code $code for a frame that is not there"
+for largest in 0 -1 nan inf; do
+    code=0
+    "$plot" whole --largest=$largest 2>err.txt || code=$?
+    [ "$code" -eq 2 ] || fail "exit code $code for --largest=$largest"
+done
+"$plot" whole --frames last -o other
+"$plot" whole --frames last --largest 0.02 -o given
+cmp -s other/run.frame-0011.png given/run.frame-0011.png && fail "--largest changes nothing"
 echo "dda-run keeps its word"

@@ -6,17 +6,23 @@
 
 #include "blockgen/base/input_error.hpp"
 #include "blockgen/picture/axes.hpp"
-#include "length_unit.hpp"
+#include "colour_bar.hpp"
+#include "colour_scale.hpp"
 
 namespace {
 
-constexpr double left = 52, top = 34, plot_width = 520, bar_width = 14, margin_right = 98, margin_bottom = 44;
-constexpr double lowest_plot = 150, highest_plot = 640;
+constexpr double left = 60, top = 34, below_axes = 44, bar_gap = 16, margin_right = 16;
+constexpr double widest_plot = 520, highest_plot = 640;
+/// What the time and the key to the contacts need side by side.
+constexpr double least_header = 290;
+/// The least height of a drawing for a bar with its title beside it.
+constexpr double least_standing_bar = 170;
+constexpr double lying_bar_length = 260;
 
 // The columns that a picture needs, and their places in the frames.
 const std::vector<std::string> block_columns = {"displacement", "motion"};
 const std::vector<std::string> contact_columns = {"state"};
-constexpr float prescribed = 2, state_open = 0, state_sliding = 1;
+constexpr float unconstrained = 0, prescribed = 2, state_open = 0, state_sliding = 1;
 
 const blockgen::Colour sliding_colour{0.84, 0.37, 0.0};
 const blockgen::Colour open_colour{0.0, 0.45, 0.70};
@@ -47,6 +53,10 @@ std::vector<double> magnitudes(const dda::GridFrame& frame) {
     return result;
 }
 
+bool has_base(const dda::GridFrame& frame) {
+    return std::find(frame.columns[1].begin(), frame.columns[1].end(), prescribed) != frame.columns[1].end();
+}
+
 blockgen::Point point_at(const dda::GridFrame& frame, std::int64_t index) {
     const auto i = static_cast<std::size_t>(index);
     return {frame.points[3 * i], frame.points[3 * i + 1]};
@@ -58,6 +68,49 @@ std::vector<blockgen::Point> cell_points(const dda::GridFrame& frame, std::size_
         points.push_back(point_at(frame, frame.cells.connectivity[static_cast<std::size_t>(k)]));
     return points;
 }
+
+double area_of(const std::vector<blockgen::Point>& ring) {
+    const blockgen::Point& origin = ring.front();
+    double twice = 0;
+    for (std::size_t i = 1; i + 1 < ring.size(); ++i)
+        twice += (ring[i].x - origin.x) * (ring[i + 1].y - origin.y) -
+                 (ring[i + 1].x - origin.x) * (ring[i].y - origin.y);
+    return twice / 2;
+}
+
+std::vector<MovedArea> free_blocks(const dda::GridFrame& frame) {
+    const std::vector<double> moved = magnitudes(frame);
+    std::vector<MovedArea> blocks;
+    for (std::size_t block = 0; block < frame.cells.count(); ++block)
+        if (frame.columns[1][block] == unconstrained)
+            blocks.push_back({area_of(cell_points(frame, block)), moved[block]});
+    return blocks;
+}
+
+/// Where the parts of a picture are, pt. The drawing is as large as the page allows at one scale in both
+/// directions; low ones have the colour bar below them, narrow ones are centred under the header.
+struct Layout {
+    blockgen::Point upper_left, lower_right;  ///< of the axes
+    double header_left, header_right;
+    double page_width, page_height;
+    bool bar_stands;
+
+    /// @param width, height of what is shown, m.
+    Layout(double width, double height) {
+        const double scale = std::min(widest_plot / width, highest_plot / height);
+        const double header = std::max(scale * width, least_header);
+        const double bottom = top + scale * height;
+        bar_stands = scale * height >= least_standing_bar;
+        header_left = left;
+        header_right = left + header;
+        upper_left = {left + (header - scale * width) / 2, top};
+        lower_right = {upper_left.x + scale * width, bottom};
+        page_width = header_right + margin_right;
+        if (bar_stands)
+            page_width = std::max(page_width, lower_right.x + bar_gap + standing_bar_width + margin_right);
+        page_height = bottom + below_axes + (bar_stands ? 0 : lying_bar_height);
+    }
+};
 
 void draw_blocks(blockgen::Canvas& canvas, const blockgen::Axes& axes, const dda::GridFrame& frame,
                  double largest) {
@@ -81,36 +134,6 @@ void draw_contacts(blockgen::Canvas& canvas, const blockgen::Axes& axes, const d
         else
             canvas.polyline(points, {colour, 1.1});
     }
-}
-
-void draw_colour_bar(blockgen::Canvas& canvas, const blockgen::Axes& axes, const PictureScale& scale) {
-    const LengthUnit unit = readable_unit(scale.largest);
-    const double x = axes.lower_right().x + 16;
-    const double low = axes.lower_right().y, high = axes.upper_left().y;
-    constexpr int shades = 64;
-    for (int i = 0; i < shades; ++i) {
-        const double from = low + (high - low) * i / shades, to = low + (high - low) * (i + 1) / shades - 0.3;
-        const blockgen::Ring strip = {{x, from}, {x + bar_width, from}, {x + bar_width, to}, {x, to}};
-        canvas.polygon(std::span(&strip, 1), blockgen::scale_colour((i + 0.5) / shades), std::nullopt);
-    }
-    const blockgen::Ring frame = {{x, low}, {x + bar_width, low}, {x + bar_width, high}, {x, high}};
-    canvas.polygon(std::span(&frame, 1), std::nullopt, blockgen::Stroke{blockgen::black, 0.5});
-    const double largest = scale.largest * unit.per_metre;
-    const std::vector<double> ticks = blockgen::round_ticks({0, largest}, 6);
-    const double step = ticks.size() > 1 ? ticks[1] - ticks[0] : largest;
-    for (const double tick : ticks) {
-        const double y = low + (high - low) * tick / largest;
-        canvas.polyline(std::vector<blockgen::Point>{{x + bar_width, y}, {x + bar_width + 3, y}},
-                        {blockgen::black, 0.5});
-        canvas.text({x + bar_width + 5, y}, blockgen::tick_text(tick, step),
-                    {8, blockgen::black, blockgen::Anchor::start, blockgen::Anchor::middle});
-    }
-    const std::string title =
-        std::string(scale.relative_to_base ? "displacement from the base" : "displacement") + " (" +
-        unit.name + ")";
-    canvas.text(
-        {x + bar_width + 42, (low + high) / 2}, title,
-        {9, blockgen::black, blockgen::Anchor::middle, blockgen::Anchor::middle, false, 1.5707963267948966});
 }
 
 void draw_contact_key(blockgen::Canvas& canvas, double right) {
@@ -146,21 +169,23 @@ dda::GridFrame RunFrames::contacts(std::int64_t index) const {
     return contacts_->frame(index, contact_columns);
 }
 
-PictureScale common_scale(const RunFrames& run, const std::vector<std::int64_t>& frames) {
-    PictureScale scale{0, 1e300, -1e300, 1e300, -1e300, false};
+PictureScale common_scale(const RunFrames& run, const std::vector<std::int64_t>& frames,
+                          std::optional<double> largest) {
+    PictureScale scale{0, 0, 1e300, -1e300, 1e300, -1e300, false};
     for (const std::int64_t index : frames) {
         const dda::GridFrame frame = run.blocks(index);
-        for (const double moved : magnitudes(frame)) scale.largest = std::max(scale.largest, moved);
+        const std::vector<MovedArea> moved = free_blocks(frame);
+        for (const MovedArea& block : moved) scale.farthest = std::max(scale.farthest, block.distance);
+        scale.largest = std::max(scale.largest, distance_covering(moved, coloured_share));
         for (std::size_t i = 0; i + 2 < frame.points.size(); i += 3) {
             scale.left = std::min<double>(scale.left, frame.points[i]);
             scale.right = std::max<double>(scale.right, frame.points[i]);
             scale.bottom = std::min<double>(scale.bottom, frame.points[i + 1]);
             scale.top = std::max<double>(scale.top, frame.points[i + 1]);
         }
-        const auto& motion = frame.columns[1];
-        scale.relative_to_base = std::find(motion.begin(), motion.end(), prescribed) != motion.end();
+        scale.relative_to_base = scale.relative_to_base || has_base(frame);
     }
-    if (scale.largest == 0) scale.largest = 1e-3;
+    scale.largest = largest ? *largest : scale.largest > 0 ? round_length_above(scale.largest) : 1e-3;
     const double margin = 0.02 * std::max(scale.right - scale.left, scale.top - scale.bottom);
     scale.left -= margin;
     scale.right += margin;
@@ -170,22 +195,27 @@ PictureScale common_scale(const RunFrames& run, const std::vector<std::int64_t>&
 }
 
 blockgen::Canvas draw_frame(const RunFrames& run, std::int64_t index, const PictureScale& scale) {
-    const double aspect = (scale.top - scale.bottom) / (scale.right - scale.left);
-    const double plot_height = std::clamp(plot_width * aspect, lowest_plot, highest_plot);
-    blockgen::Canvas canvas(left + plot_width + margin_right, top + plot_height + margin_bottom);
-    const blockgen::Axes axes =
-        blockgen::Axes::of_equal_scale({left, top}, {left + plot_width, top + plot_height},
-                                       {scale.left, scale.right}, {scale.bottom, scale.top});
+    const Layout layout(scale.right - scale.left, scale.top - scale.bottom);
+    blockgen::Canvas canvas(layout.page_width, layout.page_height);
+    const blockgen::Axes axes(layout.upper_left, layout.lower_right, {scale.left, scale.right},
+                              {scale.bottom, scale.top});
     canvas.clip(axes.upper_left(), axes.lower_right());
     draw_blocks(canvas, axes, run.blocks(index), scale.largest);
     draw_contacts(canvas, axes, run.contacts(index));
     canvas.unclip();
     axes.draw(canvas, "x (m)", "y (m)");
-    draw_colour_bar(canvas, axes, scale);
-    draw_contact_key(canvas, left + plot_width);
+    const ColourBar bar{scale.relative_to_base ? "displacement from the base" : "displacement", scale.largest,
+                        scale.farthest};
+    if (layout.bar_stands)
+        draw_standing_bar(canvas, bar, {layout.lower_right.x + bar_gap, layout.lower_right.y},
+                          layout.lower_right.y - layout.upper_left.y);
+    else
+        draw_lying_bar(canvas, bar, {layout.header_left, layout.lower_right.y + below_axes},
+                       lying_bar_length);
+    draw_contact_key(canvas, layout.header_right);
     char title[64];
     std::snprintf(title, sizeof title, "t = %.3f s", run.times()[static_cast<std::size_t>(index)]);
-    canvas.text({left, top - 12}, title,
+    canvas.text({layout.header_left, top - 12}, title,
                 {11, blockgen::black, blockgen::Anchor::start, blockgen::Anchor::start, true});
     return canvas;
 }

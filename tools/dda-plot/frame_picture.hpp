@@ -27,13 +27,16 @@ class RunFrames {
 /// What all pictures of a series share, so that they can be compared.
 struct PictureScale {
     double largest = 0;          ///< m, displacement at the dark end of the colours
+    double farthest = 0;         ///< m, the largest displacement of a free block
     double left = 0, right = 0;  ///< m, the part of the plane that is shown
     double bottom = 0, top = 0;
     bool relative_to_base = false;  ///< displacements are those relative to the first prescribed block
 };
 
-/// The scale that fits the given frames.
-PictureScale common_scale(const RunFrames& run, const std::vector<std::int64_t>& frames);
+/// The scale that fits the given frames. @param largest m, where the colours shall end; without it at a round
+/// length that in every frame covers 99 % of the free blocks' area.
+PictureScale common_scale(const RunFrames& run, const std::vector<std::int64_t>& frames,
+                          std::optional<double> largest = std::nullopt);
 
 /// Blocks coloured by the magnitude of their displacement, sliding contacts and open joints marked, the time
 /// in the title.

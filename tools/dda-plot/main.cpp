@@ -1,10 +1,12 @@
 #include <boost/program_options.hpp>
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <iostream>
 
 #include "blockgen/base/input_error.hpp"
+#include "blockgen/base/text.hpp"
 #include "frame_picture.hpp"
 #include "history_picture.hpp"
 
@@ -19,6 +21,10 @@ po::options_description visible_options() {
     add("frames", po::value<std::string>()->value_name("LIST"),
         "frames to draw, apart by commas: numbers from 0, first, middle, last, or all (default: "
         "first,middle,last)");
+    add("largest", po::value<double>()->value_name("METRES"),
+        "displacement at which the colours end (default: a round one that covers 99 % of the free blocks' "
+        "area "
+        "in every frame drawn)");
     add("history", "draw the history only, or with --frames too");
     add("format", po::value<std::string>()->default_value("png")->value_name("EXT"), "png, svg or pdf");
     add("output,o", po::value<std::string>()->value_name("FOLDER"),
@@ -70,17 +76,26 @@ std::vector<std::int64_t> frame_numbers(const std::string& list, std::int64_t co
 }
 
 void draw_frames(const RunFrames& run, const std::string& list, const fs::path& output,
-                 const std::string& extension) {
+                 const std::string& extension, std::optional<double> largest) {
     const auto count = static_cast<std::int64_t>(run.times().size());
     if (count == 0)
         throw blockgen::InputError({run.name() + ".vtkhdf"}, "holds no frame yet", "a run that has begun");
     const std::vector<std::int64_t> numbers = frame_numbers(list, count);
-    const PictureScale scale = common_scale(run, numbers);
+    const PictureScale scale = common_scale(run, numbers, largest);
     for (const std::int64_t number : numbers) {
         char suffix[32];
         std::snprintf(suffix, sizeof suffix, ".frame-%04lld.", static_cast<long long>(number));
         draw_frame(run, number, scale).write(output / (run.name() + suffix + extension));
     }
+}
+
+std::optional<double> largest_of(const po::variables_map& values) {
+    if (!values.count("largest")) return std::nullopt;
+    const double largest = values["largest"].as<double>();
+    if (!(largest > 0) || !std::isfinite(largest))
+        throw blockgen::InputError({"dda-plot"}, "--largest is " + blockgen::shortest_text(largest),
+                                   "a positive length in metres");
+    return largest;
 }
 
 int plot(const po::variables_map& values) {
@@ -101,7 +116,7 @@ int plot(const po::variables_map& values) {
     const RunFrames run(folder);
     if (all || values.count("frames"))
         draw_frames(run, values.count("frames") ? values["frames"].as<std::string>() : "first,middle,last",
-                    output, extension);
+                    output, extension, largest_of(values));
     if (all || values.count("history")) {
         const HistoryTable history = read_history(folder / "history.csv");
         if (history.time.empty())

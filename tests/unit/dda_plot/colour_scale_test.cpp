@@ -1,0 +1,33 @@
+#include "colour_scale.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace {
+
+TEST(ColourScale, CoversTheAskedShareOfTheArea) {
+    const std::vector<MovedArea> slope = {{50, 0.02}, {0.5, 40}, {48.5, 0.01}, {1, 0.3}};
+    EXPECT_EQ(distance_covering(slope, 0.99), 0.3) << "the small one that flew far is less than a hundredth";
+    EXPECT_EQ(distance_covering(slope, 0.98), 0.02);
+    EXPECT_EQ(distance_covering(slope, 1), 40);
+    EXPECT_EQ(distance_covering({{1e-9, 3}}, 0.99), 3);
+    EXPECT_EQ(distance_covering({}, 0.99), 0);
+    // A hundred equal parts: 99 of them are the share, whatever the rounding of the sums.
+    std::vector<MovedArea> equal;
+    for (int k = 1; k <= 100; ++k) equal.push_back({0.1, static_cast<double>(k)});
+    EXPECT_EQ(distance_covering(equal, 0.99), 99);
+}
+
+TEST(ColourScale, EndsAtTheNextRoundLength) {
+    for (const double exponent : {-9.0, -3.0, 0.0, 4.0}) {
+        const double power = std::pow(10, exponent);
+        EXPECT_DOUBLE_EQ(round_length_above(1 * power), 1 * power);
+        EXPECT_DOUBLE_EQ(round_length_above(1.01 * power), 1.5 * power);
+        EXPECT_DOUBLE_EQ(round_length_above(3.7 * power), 4 * power);
+        EXPECT_DOUBLE_EQ(round_length_above(8 * power), 8 * power);
+        EXPECT_DOUBLE_EQ(round_length_above(8.1 * power), 10 * power);
+    }
+}
+
+}  // namespace

@@ -1,0 +1,24 @@
+#include "colour_scale.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+double distance_covering(std::vector<MovedArea> parts, double share) {
+    std::sort(parts.begin(), parts.end(),
+              [](const MovedArea& a, const MovedArea& b) { return a.distance < b.distance; });
+    double whole = 0;
+    for (const MovedArea& part : parts) whole += part.area;
+    double covered = 0;
+    for (const MovedArea& part : parts) {
+        covered += part.area;
+        if (covered >= share * whole * (1 - 1e-12)) return part.distance;
+    }
+    return 0;
+}
+
+double round_length_above(double length) {
+    const double power = std::pow(10.0, std::floor(std::log10(length)));
+    for (const double factor : {1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0})
+        if (factor * power >= length * (1 - 1e-9)) return factor * power;
+    return 10 * power;
+}
