@@ -18,4 +18,4 @@ void draw_standing_bar(blockgen::Canvas& canvas, const ColourBar& bar, const blo
 void draw_lying_bar(blockgen::Canvas& canvas, const ColourBar& bar, const blockgen::Point& corner,
                     double length);
 /// pt that a bar needs right of its left edge, or below its upper one, with ticks and title.
-inline constexpr double standing_bar_width = 66, lying_bar_height = 46;
+inline constexpr double standing_bar_width = 70, lying_bar_height = 46;

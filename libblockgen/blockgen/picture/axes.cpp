@@ -52,7 +52,7 @@ TickLabels tick_labels(const Range& range, int most) {
     const int digits = 1 + std::max(0, static_cast<int>(std::floor(std::log10(largest))));
     if (digits + decimals + (decimals > 0 ? 1 : 0) > static_cast<int>(longest_text)) {
         const double power = std::pow(10.0, std::ceil(std::log10(range.high - range.low) - 1e-9));
-        labels.offset = std::floor(range.low / power) * power + 0.0;
+        labels.offset = std::floor(labels.values.front() / power) * power + 0.0;
         // A range about zero has none to share, however long its texts.
         if (range.low <= 0 && range.high >= 0) labels.offset = 0;
     }
