@@ -1,6 +1,7 @@
 #include "colour_bar.hpp"
 
-#include <cmath>
+#include <algorithm>
+#include <cstdio>
 #include <functional>
 #include <numbers>
 
