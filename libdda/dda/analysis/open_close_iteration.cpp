@@ -11,8 +11,8 @@ namespace dda {
 namespace {
 
 /// Iterations in which the shear bounds follow every iterate; past these they wait for the minimum of the
-/// potential.
-constexpr int following_iterations = 30;
+/// potential, and from one minimum to the next they are a fixed point to be found.
+constexpr int following_iterations = 16;
 /// Back-substitutions spent on the coupling of shear bounds and normal forces in one iteration, and the
 /// earlier ones remembered.
 constexpr int friction_iterations = 12;
@@ -29,7 +29,7 @@ class Iteration {
     OpenCloseResult run() {
         OpenCloseResult result;
         bool changed = true;
-        bool at_minimum = false;
+        AndersonMixing mixing(friction_memory);
         while (result.iterations < p_.control.iteration_limit) {
             if (changed) {
                 assemble();
@@ -40,21 +40,20 @@ class Iteration {
                 }
             }
             ++result.iterations;
-            const bool follow = result.iterations <= following_iterations || at_minimum;
+            const bool follow = result.iterations <= following_iterations;
             const std::vector<Vec6> target = follow ? solve_with_friction() : solve_as_held();
             const bool full_step = advance_towards(target, result.iterations == 1);
 
             trials_.move_to(displacement_);
-            if (follow) trials_.choose_lines();
-            double change = force_change(result);
-            at_minimum = full_step && change <= trials_.tolerance();
-            if (follow || at_minimum) {
+            if (follow || is_at_minimum(result, full_step)) {
+                const Eigen::VectorXd held = trials_.shear_bounds();
+                trials_.choose_lines();
                 trials_.update_bounds();
-                change = force_change(result);
-            }
-            if (full_step && change <= trials_.tolerance() && !trials_.tear()) {
-                result.converged = true;
-                break;
+                if (is_at_minimum(result, full_step) && !trials_.tear()) {
+                    result.converged = true;
+                    break;
+                }
+                if (!follow) trials_.set_shear_bounds(mixing.next(held, trials_.shear_bounds()));
             }
             changed = trials_.choose_springs();
         }
@@ -135,10 +134,13 @@ class Iteration {
         return share == 1;
     }
 
-    double force_change(OpenCloseResult& result) {
+    /// Whether the linear system's solution, reached by a full step, is what the laws with the present bounds
+    /// say.
+    bool is_at_minimum(OpenCloseResult& result, bool full_step) {
         const TrialContacts::ForceChange change = trials_.force_change();
         if (change.contact >= 0) result.worst_contact = change.contact;
-        return result.force_change = change.largest;
+        result.force_change = change.largest;
+        return full_step && change.largest <= trials_.tolerance();
     }
 
     void finish(OpenCloseResult& result) const {

@@ -186,6 +186,24 @@ void TrialContacts::update_bounds() {
     }
 }
 
+Eigen::VectorXd TrialContacts::shear_bounds() const {
+    Eigen::VectorXd bounds(2 * static_cast<Eigen::Index>(trials_.size()));
+    Eigen::Index row = 0;
+    for (const Trial& trial : trials_) {
+        bounds[row++] = trial.bounds.forward;
+        bounds[row++] = trial.bounds.backward;
+    }
+    return bounds;
+}
+
+void TrialContacts::set_shear_bounds(const Eigen::VectorXd& bounds) {
+    Eigen::Index row = 0;
+    for (Trial& trial : trials_) {
+        trial.bounds.forward = std::max(bounds[row++], 0.0);
+        trial.bounds.backward = std::max(bounds[row++], 0.0);
+    }
+}
+
 bool TrialContacts::tear() {
     bool any = false;
     for (std::size_t k = 0; k < trials_.size(); ++k) {

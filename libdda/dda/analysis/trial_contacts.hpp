@@ -64,6 +64,10 @@ class TrialContacts {
     double tolerance() const;
     /// Moves the shear bounds to those of the present normal forces.
     void update_bounds();
+    /// The shear bounds, forward and backward of each contact in turn, N per metre.
+    Eigen::VectorXd shear_bounds() const;
+    /// Sets them; negative ones to zero.
+    void set_shear_bounds(const Eigen::VectorXd& bounds);
     /// Opens, for the rest of the step, the bonded contacts whose tension exceeds the strength. @return
     /// whether there were any.
     bool tear();

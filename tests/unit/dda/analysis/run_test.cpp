@@ -103,6 +103,15 @@ TEST(Run, WithoutAFreeBlockTimePasses) {
     EXPECT_EQ(sim.moved(0), Vec2(0, 0));
 }
 
+// With every joint of the wall about to slip, the states of a pair of mirrored contacts chase each other; the
+// bounds found as a fixed point end that.
+TEST(Run, AWallDroppedOnItsBaseTakesEveryStepAtOnce) {
+    Simulation sim(running_bond_wall(20, 20, 10));
+    ASSERT_EQ(sim.shake(.06, .005).status, dda::RunStatus::completed);
+    EXPECT_EQ(sim.reports.size(), 12U);
+    for (const auto& report : sim.reports) EXPECT_EQ(report.cuts, 0) << report.time;
+}
+
 struct Bytes {
     std::vector<Vec2> vertices;
     std::vector<Vec6> velocity;
