@@ -1,0 +1,162 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <vector>
+
+#include "support/record.hpp"
+#include "support/scene.hpp"
+
+namespace scene {
+
+/// Acceleration as a function of time, m/s2.
+using Acceleration = std::function<double(double)>;
+
+/// Position along the slope against time.
+struct Track {
+    std::vector<double> time;  ///< s
+    std::vector<double> slip;  ///< m, downhill relative to the base
+
+    /// Linear between the instants; the track must reach `t`.
+    double at(double t) const {
+        const auto after = std::lower_bound(time.begin(), time.end(), t - 1e-9);
+        const auto k = static_cast<std::size_t>(after - time.begin());
+        if (k == 0 || time.at(k) == t) return slip.at(k);
+        const double share = (t - time[k - 1]) / (time[k] - time[k - 1]);
+        return slip[k - 1] + share * (slip[k] - slip[k - 1]);
+    }
+    verification::Curve curve(const std::string& name) const { return {name, time, slip}; }
+};
+
+/// Newmark's sliding block, integrated to convergence: in the base's frame a unit mass feels the drive
+/// g sin(psi) - a cos(psi) downhill and the friction tan(phi) (g cos(psi) + a sin(psi)) against its velocity,
+/// a being the base's horizontal acceleration, positive downhill. Explicit steps of 1e-5 s at mid-step
+/// accelerations; a velocity that would change its sign within a step stops there.
+inline Track sliding_reference(double psi_degrees, double phi_degrees, const Acceleration& base,
+                               double duration) {
+    const double psi = radians(psi_degrees);
+    const double mu = std::tan(radians(phi_degrees));
+    const double dt = 1e-5;
+    const int kept_every = 100;
+    Track track{{0}, {0}};
+    double v = 0;
+    double s = 0;
+    const int steps = static_cast<int>(std::lround(duration / dt));
+    for (int k = 1; k <= steps; ++k) {
+        const double a = base((k - .5) * dt);
+        const double drive = g * std::sin(psi) - a * std::cos(psi);
+        const double strength = mu * (g * std::cos(psi) + a * std::sin(psi));
+        double next = 0;
+        if (v != 0) {
+            next = v + dt * (drive - std::copysign(strength, v));
+            if (next * v < 0) next = 0;
+        } else if (std::abs(drive) > strength) {
+            next = dt * (drive - std::copysign(strength, drive));
+        }
+        s += dt * (v + next) / 2;
+        v = next;
+        if (k % kept_every == 0) {
+            track.time.push_back(k * dt);
+            track.slip.push_back(s);
+        }
+    }
+    return track;
+}
+
+/// How the shaking reaches the block.
+enum class Shaking { moving_base, body_force };
+
+/// A block, 2 m long and 1 m high, on an incline that falls to the right; settled as if glued, then shaken.
+struct SlidingBlock {
+    double psi = 0;  ///< degrees
+    double phi = 0;  ///< degrees
+    Acceleration base{};
+    Shaking shaking = Shaking::moving_base;
+    double damping_ratio = 0.1;  ///< of the block's strain modes
+
+    double base_speed = 0;  ///< m/s, of the base at the start, positive downhill and horizontal
+
+    Track track{};
+    double stopped = 0;   ///< s, the last instant at which the block slid
+    double fastest = 0;   ///< m/s, relative to the base
+    double started = -1;  ///< s, when it first moved faster than 1 mm/s
+    double frequency_step = 0;
+    double residual = 0;  ///< of the energy ledger, over the energy exchanged
+
+    /// Runs the engine for `duration` in steps of `step`, s.
+    void run(double duration, double step);
+
+  private:
+    Scene scene(double friction_degrees) const;
+    dda::TimeTable table(double duration, double sign) const;
+};
+
+inline Scene SlidingBlock::scene(double friction_degrees) const {
+    const double angle = -radians(psi);
+    const Vec2 along(std::cos(angle), std::sin(angle));
+    Scene s;
+    s.friction(friction_degrees);
+    s.model.block_materials[0].damping_ratio = damping_ratio;
+    s.box(-dda::perpendicular(along) - 10 * along, 30, 1, dda::Motion::prescribed, angle, "base");
+    s.box({0, 0}, 2, 1, dda::Motion::free, angle);
+    return s;
+}
+
+/// Samples every 0.5 ms: a sine of 2 Hz is then met to 5e-6.
+inline dda::TimeTable SlidingBlock::table(double duration, double sign) const {
+    std::vector<double> times;
+    std::vector<double> values;
+    const int samples = static_cast<int>(std::lround(duration / 5e-4));
+    for (int k = 0; k <= samples; ++k) {
+        times.push_back(k * 5e-4);
+        values.push_back(sign * base(times.back()));
+    }
+    return {times, values};
+}
+
+inline void SlidingBlock::run(double duration, double step) {
+    const Scene glued = scene(80);
+    Simulation settled(glued);
+    ASSERT_EQ(settled.settle().status, dda::RunStatus::completed);
+
+    Scene s = scene(phi);
+    dda::Stage stage;
+    stage.name = "shaking";
+    stage.duration = duration;
+    stage.control.step = step;
+    if (shaking == Shaking::moving_base) {
+        stage.base_motions.push_back({"base", table(duration, 1), {}});
+    } else {
+        s.model.loads.push_back(dda::BodyLoad{1, {1, 0}, table(duration, -1)});
+    }
+    Simulation sim(s);
+    sim.state = settled.state;
+    sim.velocity(0)[0] = base_speed;
+    sim.state.time = 0;  // histories of loads count from the start of the run
+    sim.restart_ledger();
+    const Vec2 downhill(std::cos(radians(psi)), -std::sin(radians(psi)));
+    track = {{0}, {0}};
+    double next_kept = 0;
+    sim.each_step = [&](const dda::State& state, const dda::StepReport&) {
+        const double speed =
+            (state.blocks.velocity[1].head<2>() - state.blocks.velocity[0].head<2>()).dot(downhill);
+        fastest = std::max(fastest, std::abs(speed));
+        if (std::abs(speed) > 1e-3) {
+            stopped = state.stage_time;
+            if (started < 0) started = state.stage_time;
+        }
+        if (state.stage_time < next_kept && state.stage_time < duration - 1e-9) return;
+        next_kept += 1e-3;
+        track.time.push_back(state.stage_time);
+        track.slip.push_back((sim.moved(1) - sim.moved(0)).dot(downhill));
+    };
+    ASSERT_EQ(sim.run(stage).status, dda::RunStatus::completed);
+    frequency_step = sim.contact_frequency_step();
+    const dda::Energy& e = sim.state.energy;
+    residual = std::abs(e.residual()) / std::max(e.friction_loss + e.kinetic, 1.0);
+}
+
+}  // namespace scene
