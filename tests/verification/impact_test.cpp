@@ -38,4 +38,77 @@ TEST(Collision, ConservesMomentum) {
         .expect_below("energy residual over kinetic energy", "", sim.state.energy.residual() / 2500, 5e-4);
 }
 
+/// Speed kept by a unit mass that meets a one-sided spring at unit speed, by Newmark's relations in unit
+/// steps.
+/// @param w omega dt; @param gap the distance to the spring at the start, which sets the phase of the impact.
+double restitution_of_recurrence(double w, double beta, double gamma, double gap) {
+    double x = gap;
+    double v = -1;
+    double a = 0;
+    bool met = false;
+    while (!met || x < 0 || a != 0) {
+        const double predicted = x + v + (.5 - beta) * a;
+        x = predicted < 0 ? predicted / (1 + beta * w * w) : predicted;
+        const double next = x < 0 ? -w * w * x : 0;
+        v += (1 - gamma) * a + gamma * next;
+        a = next;
+        met = met || x < 0;
+    }
+    return v;
+}
+
+struct ImpactCase {
+    double w_dt, beta, gamma, restitution, tolerance;
+    friend std::ostream& operator<<(std::ostream& out, const ImpactCase& c) {
+        return out << c.beta << "_" << c.w_dt;
+    }
+};
+class Restitution : public testing::TestWithParam<ImpactCase> {};
+
+// V26. A stiff block without damping of its own meets a fixed wall face to face on two springs, omega =
+// sqrt(2 k_n/m). The recurrence at the same phase is exact for a rigid block; 1e-3 covers that this one is a
+// thousand times stiffer than the springs. The table's values are for any phase.
+TEST_P(Restitution, IsThatOfTheRecurrence) {
+    const ImpactCase& c = GetParam();
+    const double dt = 1e-3;
+    Scene s;
+    s.model.gravity.setZero();
+    s.model.block_materials[0].damping_ratio = 0;
+    const double frequency = c.w_dt / dt;
+    s.model.normal_penalty = s.model.shear_penalty = 2500 * frequency * frequency / 2;
+    s.model.block_materials[0].youngs_modulus = 1e4 * s.model.normal_penalty;
+    const double speed = .01;
+    const double gap = 1.5 * speed * dt;
+    s.box({-1, -1}, 1, 3, dda::Motion::fixed);
+    const int block = s.box({gap, 0}, 1, 1);
+    Simulation sim(s);
+    sim.velocity(block)[0] = -speed;
+    dda::Stage stage;
+    stage.name = "impact";
+    stage.duration = (4 + std::ceil(4 / c.w_dt)) * dt;
+    stage.control.step = dt;
+    stage.newmark_beta = c.beta;
+    stage.newmark_gamma = c.gamma;
+    ASSERT_EQ(sim.run(stage).status, dda::RunStatus::completed);
+    ASSERT_GT(sim.moved(block).x(), -gap) << "it has left the wall";
+    const double kept = sim.velocity(block)[0] / speed;
+    const std::string set_up =
+        "Newmark (" + to_text(c.beta) + ", " + to_text(c.gamma) + "), ω Δt = " + to_text(c.w_dt);
+    Case exact("V26", set_up, "the block is a thousand times stiffer than the springs");
+    exact.contact_frequency_step(sim.contact_frequency_step());
+    exact.expect("restitution at this phase", "", kept,
+                 restitution_of_recurrence(c.w_dt, c.beta, c.gamma, 1.5), absolute(1e-3));
+    Case table("V26", set_up, "required, or the range over the phases where that is wider");
+    table.contact_frequency_step(sim.contact_frequency_step());
+    table.expect("restitution", "", kept, c.restitution, absolute(c.tolerance));
+}
+
+INSTANTIATE_TEST_SUITE_P(Catalogue, Restitution,
+                         testing::Values(ImpactCase{.01, .5, 1, .992, .02}, ImpactCase{.05, .5, 1, .961, .02},
+                                         ImpactCase{.1, .5, 1, .925, .02}, ImpactCase{.2, .5, 1, .855, .02},
+                                         ImpactCase{.5, .5, 1, .685, .02}, ImpactCase{2, .5, 1, .333, .02},
+                                         ImpactCase{.01, .25, .5, 1, .01}, ImpactCase{.05, .25, .5, 1, .01},
+                                         ImpactCase{.1, .25, .5, 1, .01}, ImpactCase{.2, .25, .5, 1, .01},
+                                         ImpactCase{1, .25, .5, 1, .11}));
+
 }  // namespace

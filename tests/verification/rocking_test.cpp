@@ -1,0 +1,145 @@
+// Slender blocks that rock on a corner: uplift, free rocking, overturning.
+
+#include <gtest/gtest.h>
+
+#include "support/record.hpp"
+#include "support/rocking_block.hpp"
+#include "support/scene.hpp"
+
+namespace {
+
+using namespace scene;
+using namespace verification;
+
+constexpr double pi = std::numbers::pi;
+
+// V24. The heel bears W/2 - m a h/b: nothing at a = g b/h. The base's acceleration is raised in a second, and
+// kept for one more. At 0.99 the heel's springs still carry a hundredth of what they carry at rest, 2.45e-9
+// m.
+TEST(Uplift, BeginsAtTheSlendernessTimesGravity) {
+    for (const double share : {.99, 1.01}) {
+        Scene s;
+        s.friction(45);
+        s.box({-5, -1}, 10, 1, dda::Motion::prescribed, 0, "base");
+        const int block = s.box({0, 0}, .5, 2);
+        Simulation sim(s);
+        ASSERT_EQ(sim.settle().status, dda::RunStatus::completed);
+        sim.restart_ledger();
+        dda::Stage stage;
+        stage.name = "pull";
+        stage.duration = 2;
+        stage.control.step = 4e-5;
+        const double a = share * .25 * g;
+        stage.base_motions.push_back({"base", dda::TimeTable({0, 1, 3}, {0, a, a}), {}});
+        ASSERT_EQ(sim.run(stage).status, dda::RunStatus::completed);
+        const auto corner =
+            static_cast<std::size_t>(s.model.topology.block_corners[static_cast<std::size_t>(block)]);
+        const double heel = sim.state.blocks.vertices[corner + 1].y();
+        Case uplift(
+            "V24", "0.5 m x 2 m, a = " + to_text(share) + " g B/H",
+            "at rest the heel is 2.5e-7 m deep, a hundredth of that at 0.99; above, it rises as exp(p t)");
+        uplift.contact_frequency_step(sim.contact_frequency_step());
+        uplift.expect_outcome("heel", heel > 0 ? "lifts" : "presses", share < 1 ? "presses" : "lifts");
+        if (share < 1)
+            uplift.expect("height of the heel", "m", heel, -2.4525e-9, relative(.02));
+        else
+            uplift.expect_above("height of the heel", "m", heel, 1e-3);
+    }
+}
+
+struct RockingCase {
+    const char* id;
+    double width, height, angle, first_impact, speed;
+    std::vector<double> later;  ///< s, further impacts of Housner's block
+    friend std::ostream& operator<<(std::ostream& out, const RockingCase& c) {
+        return out << c.width << "x" << c.height;
+    }
+};
+class FreeRocking : public testing::TestWithParam<RockingCase> {};
+
+// V22, V23. The first fall is Housner's equation alone; what an impact takes is the engine's, and comes near
+// Housner's because both corners touch when the base is flat and angular momentum decides.
+TEST_P(FreeRocking, FallsAsHousnersBlock) {
+    const RockingCase& c = GetParam();
+    const HousnerBlock housner(c.width, c.height);
+    const HousnerBlock::Motion reference = housner.release(
+        c.angle, [](double) { return 0.; }, 3);
+    EXPECT_NEAR(reference.impacts.at(0), c.first_impact, 1e-4);
+    EXPECT_NEAR(reference.impact_speed.at(0), c.speed, 2e-4);
+    RockingBlock block;
+    block.width = c.width;
+    block.height = c.height;
+    block.run(c.angle, {}, 3);
+    ASSERT_GE(block.impacts.size(), 2u);
+    const std::string set_up =
+        to_text(c.width) + " m x " + to_text(c.height) + " m, θ₀ = " + to_text(c.angle);
+    Case rocking(c.id, set_up, "required of the first fall; later impacts depend on the restitution");
+    rocking.contact_frequency_step(block.frequency_step);
+    rocking.expect("first impact", "s", block.impacts[0], c.first_impact, relative(.01));
+    rocking.expect("speed at it", "rad/s", block.impact_speed[0], c.speed, relative(.01));
+    rocking.inform("speed at the second impact over that at the first", "",
+                   block.impact_speed[1] / block.impact_speed[0], housner.restitution());
+    for (std::size_t k = 0; k < c.later.size() && k + 1 < block.impacts.size(); ++k)
+        rocking.inform("impact " + std::to_string(k + 2), "s", block.impacts[k + 1], c.later[k]);
+    Case(c.id, set_up, "required of every dynamic case")
+        .contact_frequency_step(block.frequency_step)
+        .expect_below("energy residual over weight times height", "", block.residual, 1e-3);
+    record_picture(c.id, to_text(c.width) + "x" + to_text(c.height), std::string(c.id) + ": " + set_up,
+                   "time, s", "angle, rad",
+                   {{"Housner, e = 1 - 3/2 sin²α", reference.time, reference.angle},
+                    {"engine", block.time, block.angle}});
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Catalogue, FreeRocking,
+    testing::Values(RockingCase{"V22", .5, 2, .1, .4185, .5258, {1.1240, 1.7334, 2.2676}},
+                    RockingCase{"V23", .4, 1.2, .15, .3649, .9228, {}},
+                    RockingCase{"V23", 1, 4, .12, .6860, .3968, {}}));
+
+struct PulseCase {
+    double width, height, frequency, amplitude;  ///< m, m, Hz, g
+    friend std::ostream& operator<<(std::ostream& out, const PulseCase& c) {
+        return out << c.width << "x" << c.height << "_" << c.frequency << "Hz";
+    }
+};
+class LongOverturning : public testing::TestWithParam<PulseCase> {};
+
+bool engine_overturns(const PulseCase& c, double amplitude, RockingBlock& block) {
+    std::vector<double> times;
+    std::vector<double> values;
+    for (int k = 0; k <= 1000; ++k) {
+        times.push_back(k / (1000 * c.frequency));
+        values.push_back(amplitude * g * std::sin(2 * pi * k / 1000));
+    }
+    block = RockingBlock();
+    block.width = c.width;
+    block.height = c.height;
+    block.run(0, dda::TimeTable(times, values), 1 / c.frequency + 3);
+    return block.largest_angle() > 1;
+}
+
+// V25. The amplitudes from 0.94 of the expected one are tried upward in steps of 2 % until the block falls
+// over: overturning is not monotonic, and by first is meant the lowest. A block on the edge of falling takes
+// about 10/p, and the runs end 3 s after the pulse.
+TEST_P(LongOverturning, TakesTheAmplitudeOfHousnersBlock) {
+    const PulseCase& c = GetParam();
+    RockingBlock block;
+    double first = .94;
+    while (first < 1.1 && !engine_overturns(c, first * c.amplitude, block)) first += .02;
+    Case overturning("V25",
+                     to_text(c.width) + " m x " + to_text(c.height) + " m, " + to_text(c.frequency) + " Hz",
+                     "required; the edge is resolved to 2 %, and the restitution is the engine's");
+    overturning.contact_frequency_step(block.frequency_step);
+    overturning.expect("first overturning amplitude", "g", first * c.amplitude, c.amplitude, relative(.05));
+    Case("V25", to_text(c.width) + " m x " + to_text(c.height) + " m, " + to_text(c.frequency) + " Hz",
+         "required of every dynamic case")
+        .contact_frequency_step(block.frequency_step)
+        .expect_below("energy residual over weight times height", "", block.residual, 1e-3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Catalogue, LongOverturning,
+                         testing::Values(PulseCase{.5, 2, .5, .2861}, PulseCase{.5, 2, 1, .3180},
+                                         PulseCase{.5, 2, 2, .6063}, PulseCase{.4, 1.2, .5, .3755},
+                                         PulseCase{.4, 1.2, 1, .4036}, PulseCase{.4, 1.2, 2, .5722}));
+
+}  // namespace
