@@ -1,0 +1,102 @@
+// Bolts: an elastic hanger, and the tension that holds a block on a plane.
+
+#include <gtest/gtest.h>
+
+#include "support/record.hpp"
+#include "support/scene.hpp"
+#include "support/threshold.hpp"
+
+namespace {
+
+using namespace scene;
+using namespace verification;
+
+// V42. A block of 24 525 N hangs on one bar: T = W, elongation W L/(E A).
+TEST(HangingBlock, StretchesItsBolt) {
+    Scene s;
+    const int roof = s.box({-1, 3}, 3, 1, dda::Motion::fixed);
+    const int block = s.box({0, 0}, 1, 1);
+    const double length = 2;
+    const double stiffness = 1e8;
+    s.model.bolts.push_back(
+        {"hanger", s.material_point(roof, {.5, 3}), s.material_point(block, {.5, 1}), stiffness});
+    Simulation sim(s);
+    ASSERT_EQ(sim.settle().status, dda::RunStatus::completed);
+    const double weight = 2500 * g;
+    // The block's own stretch moves its top as well; the bar is measured between its ends.
+    const double elongation = (sim.state.blocks.points[0] - sim.state.blocks.points[1]).norm() - length;
+    const Case hanger("V42", "W = 24 525 N, E A = 100 MN, L = 2 m",
+                      "required; settled to 1e-9 of the weight");
+    hanger.expect("tension", "N", sim.state.bolt_force[0], weight, relative(.005));
+    hanger.expect("elongation", "m", elongation, weight * length / stiffness, relative(.005));
+}
+
+/// Whether a 2 m x 1 m block on 30 degrees with friction of 25 stays under a bolt of constant tension. The
+/// bolt is long and all but slack in stiffness, so that neither its tension nor its direction changes with
+/// the block's motion.
+class BoltedBlock {
+  public:
+    explicit BoltedBlock(const Vec2& pull) : pull_(pull) {}
+
+    bool holds(double tension) {
+        Simulation glued(scene(80, tension));
+        EXPECT_EQ(glued.settle().status, dda::RunStatus::completed);
+        Simulation sim(scene(25, tension));
+        sim.state = glued.state;
+        EXPECT_EQ(sim.shake(1, 1e-3).status, dda::RunStatus::completed);
+        frequency_step = sim.contact_frequency_step();
+        return sim.moved(1).norm() < 1e-4;
+    }
+    double frequency_step = 0;
+
+  private:
+    Scene scene(double phi, double tension) const {
+        const double psi = -radians(30);
+        const Vec2 along(std::cos(psi), std::sin(psi));
+        const Vec2 out = dda::perpendicular(along);
+        Scene s;
+        s.friction(phi);
+        const int base = s.box(-out - 10 * along, 30, 1, dda::Motion::fixed, psi);
+        const int block = s.box({0, 0}, 2, 1, dda::Motion::free, psi);
+        const Vec2 centre = along + .5 * out;
+        s.model.bolts.push_back({"bolt", s.material_point(base, centre + 100 * pull_),
+                                 s.material_point(block, centre), 1.0, tension, 0});
+        return s;
+    }
+    Vec2 pull_;
+};
+
+// V41. Limit equilibrium, W sin psi - T_t = (W cos psi + T_n) tan phi, T_n and T_t the tension's parts into
+// the plane and uphill. Sliding at 0.1 % less gains 0.5 mm in the second that is run.
+TEST(BoltedBlock, HoldsFromTheTensionOfLimitEquilibrium) {
+    const double weight = 5000 * g;
+    const double psi = radians(30);
+    const double mu = std::tan(radians(25));
+    struct Direction {
+        const char* name;
+        Vec2 pull;
+        double tension;
+    };
+    const Direction directions[] = {
+        {"normal to the plane",
+         {-std::sin(psi), -std::cos(psi)},
+         weight * (std::sin(psi) / mu - std::cos(psi))},
+        {"horizontal",
+         {-1, 0},
+         weight * (std::sin(psi) - std::cos(psi) * mu) / (std::cos(psi) + std::sin(psi) * mu)}};
+    EXPECT_NEAR(directions[0].tension, 10115.5, .1);
+    EXPECT_NEAR(directions[1].tension, 4291.3, .1);
+    for (const Direction& direction : directions) {
+        BoltedBlock block(direction.pull);
+        ASSERT_FALSE(block.holds(.9 * direction.tension));
+        ASSERT_TRUE(block.holds(1.1 * direction.tension));
+        const double found = direction.tension * threshold(.9, 1.1, 7, [&](double share) {
+                                 return block.holds(share * direction.tension);
+                             });
+        Case bolt("V41", std::string("bolt ") + direction.name, "required; found by halving to 0.2 %");
+        bolt.contact_frequency_step(block.frequency_step);
+        bolt.expect("tension for FS = 1", "N", found, direction.tension, relative(.01));
+    }
+}
+
+}  // namespace

@@ -1,0 +1,67 @@
+// The strength that a slope needs: friction is reduced until it moves.
+
+#include <gtest/gtest.h>
+
+#include "support/record.hpp"
+#include "support/scene.hpp"
+#include "support/threshold.hpp"
+
+namespace {
+
+using namespace scene;
+using namespace verification;
+
+/// A slab of five blocks, each 4 m long and 2 m thick, on 20 degrees. A joint that slips keeps its cohesion,
+/// for the slab must bear it all along at once: its ends slip first.
+class Slab {
+  public:
+    explicit Slab(double cohesion) : cohesion_(cohesion) {}
+
+    bool holds(double phi) {
+        Simulation glued(scene(60));
+        EXPECT_EQ(glued.settle().status, dda::RunStatus::completed);
+        Simulation sim(scene(phi));
+        sim.state = glued.state;
+        EXPECT_EQ(sim.shake(1, 1e-3).status, dda::RunStatus::completed);
+        frequency_step = sim.contact_frequency_step();
+        double moved = 0;
+        for (int b = 1; b <= 5; ++b) moved = std::max(moved, sim.moved(b).norm());
+        return moved < 1e-3;
+    }
+    double frequency_step = 0;
+
+  private:
+    Scene scene(double phi) const {
+        const double psi = -radians(20);
+        const Vec2 along(std::cos(psi), std::sin(psi));
+        Scene s;
+        dda::MohrCoulomb law = Scene::mohr_coulomb(phi, cohesion_);
+        law.residual_cohesion = cohesion_;
+        s.model.joint_materials[0].law = law;
+        s.box(-dda::perpendicular(along) - 10 * along, 60, 1, dda::Motion::fixed, psi);
+        for (int k = 0; k < 5; ++k) s.box(4 * k * along, 4, 2, dda::Motion::free, psi);
+        return s;
+    }
+    double cohesion_;
+};
+
+// V40. A slice of thickness h, weight gamma h per metre of slope: gamma h sin psi = c + gamma h cos psi
+// tan(phi) at the limit, h = z cos psi. At 0.2 degrees below, the slab gains 17 mm in the second that is run.
+TEST(InfiniteSlope, FailsAtTheFrictionOfLimitEquilibrium) {
+    const double psi = radians(20);
+    for (const double cohesion : {0., 5e3}) {
+        const double critical =
+            std::atan(std::tan(psi) - cohesion / (2500 * g * 2 * std::cos(psi))) * 180 / std::numbers::pi;
+        Slab slab(cohesion);
+        ASSERT_FALSE(slab.holds(critical - 1));
+        ASSERT_TRUE(slab.holds(critical + 1));
+        const double found =
+            threshold(critical - 1, critical + 1, 6, [&](double phi) { return slab.holds(phi); });
+        Case slope("V40", "ψ = 20°, 2 m thick, c = " + to_text(cohesion) + " Pa",
+                   "required; found by halving to 0.03°");
+        slope.contact_frequency_step(slab.frequency_step);
+        slope.expect("φ for FS = 1", "°", found, critical, absolute(.2));
+    }
+}
+
+}  // namespace

@@ -1,0 +1,174 @@
+// Wedges between blocks: in a notch, splitting two blocks, and in a roof.
+
+#include <gtest/gtest.h>
+
+#include "support/record.hpp"
+#include "support/scene.hpp"
+
+namespace {
+
+using namespace scene;
+using namespace verification;
+
+/// Sum over the contacts between two blocks: normal and shear force, N, and how many slide of those that
+/// touch.
+struct Joint {
+    double normal = 0;
+    double shear = 0;
+    int touching = 0;
+    int sliding = 0;
+};
+Joint between(const dda::State& state, int a, int b) {
+    Joint sum;
+    for (const dda::Contact& c : state.contacts.contacts) {
+        if (c.state == dda::ContactState::open) continue;
+        if (!((c.corner_block == a && c.edge_block == b) || (c.corner_block == b && c.edge_block == a)))
+            continue;
+        sum.normal += c.normal_force;
+        sum.shear += std::abs(c.shear_force);
+        ++sum.touching;
+        sum.sliding += c.state == dda::ContactState::sliding ? 1 : 0;
+    }
+    return sum;
+}
+
+/// A wedge that points down, between two side blocks whose faces stand at `half_angle` (rad) to the vertical.
+struct WedgeScene : Scene {
+    WedgeScene(double half_angle, dda::Motion sides) {
+        const double t = std::tan(half_angle);
+        const double b = .2;  // half the wedge's lower edge, m
+        wedge = block({{{-b, 0}, {b, 0}, {b + t, 1}, {-b - t, 1}}});
+        left = block({{{-3, -.5}, {-b + .5 * t, -.5}, {-b - 1.5 * t, 1.5}, {-3, 1.5}}}, sides, "left");
+        right = block({{{b - .5 * t, -.5}, {3, -.5}, {3, 1.5}, {b + 1.5 * t, 1.5}}}, sides, "right");
+    }
+    int wedge, left, right;
+};
+
+// V45. Vertical equilibrium of the wedge, 2 (N sin a + S cos a) = W; sinking elastically it shears the faces
+// by cot a times what it presses them, so that with phi < 90 - a all contacts slip at once and S = N
+// tan(phi).
+TEST(Notch, PressesAsTheFrictionLeaves) {
+    for (const double phi : {0., 15.}) {
+        const double a = radians(30);
+        WedgeScene s(a, dda::Motion::fixed);
+        s.friction(phi);
+        Simulation sim(s);
+        ASSERT_EQ(sim.settle().status, dda::RunStatus::completed);
+        const double weight = sim.state.blocks.mass[static_cast<std::size_t>(s.wedge)] * g;
+        const double expected = std::cos(radians(phi)) / (2 * std::sin(a + radians(phi)));
+        EXPECT_NEAR(expected, phi == 0 ? 1 : .68301, 1e-5);
+        Case notch("V45", "half-angle 30°, φ = " + to_text(phi) + "°",
+                   "required; settled to 1e-9 of the weight");
+        notch.contact_frequency_step(sim.contact_frequency_step());
+        notch.expect("N/W on the left face", "", between(sim.state, s.wedge, s.left).normal / weight,
+                     expected, relative(.01));
+        notch.expect("N/W on the right face", "", between(sim.state, s.wedge, s.right).normal / weight,
+                     expected, relative(.01));
+    }
+}
+
+// V46. A force P drives a weightless wedge between two blocks that stand on a smooth floor against smooth
+// walls: each half of P and the side force S are the parts of a contact force inclined at a + phi, S =
+// P/2/tan(a + phi).
+TEST(SplittingWedge, PushesTheBlocksApart) {
+    const double push = 1e5;
+    WedgeScene s(radians(20), dda::Motion::free);
+    s.model.gravity.setZero();
+    s.model.joint_materials.push_back({"wedge", Scene::mohr_coulomb(15), 0, 0});
+    const std::vector<int>& corners = s.model.topology.block_corners;
+    const auto w = static_cast<std::size_t>(s.wedge);
+    for (int e = corners[w]; e < corners[w + 1]; ++e)
+        s.model.topology.joint_material[static_cast<std::size_t>(e)] = 1;
+    s.box({-5, -1.5}, 10, 1, dda::Motion::fixed);
+    const int left_wall = s.box({-4, -.5}, 1, 3, dda::Motion::fixed);
+    const int right_wall = s.box({3, -.5}, 1, 3, dda::Motion::fixed);
+    s.model.loads.push_back(dda::PointLoad{s.material_point(s.wedge, {0, 1}), {0, -push}, {}});
+    Simulation sim(s);
+    ASSERT_EQ(sim.settle().status, dda::RunStatus::completed);
+    const double expected = push / 2 / std::tan(radians(35));
+    EXPECT_NEAR(expected, 71407, 1);
+    Case split("V46", "P = 100 kN, half-angle 20°, φ = 15°", "required; settled to 1e-9 of the load");
+    split.contact_frequency_step(sim.contact_frequency_step());
+    split.expect("force on the left wall", "N", between(sim.state, s.left, left_wall).normal, expected,
+                 relative(.02));
+    split.expect("force on the right wall", "N", between(sim.state, s.right, right_wall).normal, expected,
+                 relative(.02));
+    const Joint face = between(sim.state, s.wedge, s.left);
+    split.expect_outcome("contacts of the wedge", face.sliding == face.touching ? "all slip" : "some stick",
+                         "all slip");
+}
+
+struct RoofCase {
+    double normal, shear, expected;  ///< springs, N/m; p_l/(2 H0)
+    const char* name;
+    friend std::ostream& operator<<(std::ostream& out, const RoofCase& c) { return out << c.name; }
+};
+class RoofWedge : public testing::TestWithParam<RoofCase> {};
+
+// V47. A weightless wedge, wider below, is squeezed by its sides until each bears H0, the sides are stopped,
+// and the wedge is pulled down until all contacts slip. Going down by u it relieves the faces by k_n u sin a
+// and shears them by k_s u cos a, from H0 cos a and H0 sin a; slip at S = N tan(phi) gives the formula of the
+// notes.
+TEST_P(RoofWedge, BearsWhatTheSqueezeLeaves) {
+    const RoofCase& c = GetParam();
+    const double a = radians(20);
+    const double t = std::tan(a);
+    Scene s;
+    s.friction(40);
+    s.model.gravity.setZero();
+    s.model.normal_penalty = c.normal;
+    s.model.shear_penalty = c.shear;
+    s.model.block_materials[0].youngs_modulus = 1e4 * c.normal;  // the formula's blocks are rigid
+    const int wedge = s.block({{{-.2 - t, 0}, {.2 + t, 0}, {.2, 1}, {-.2, 1}}});
+    const int left = s.block({{{-3, -.5}, {-.2 - 1.5 * t, -.5}, {-.2 + .5 * t, 1.5}, {-3, 1.5}}},
+                             dda::Motion::prescribed, "left");
+    const int right = s.block({{{.2 + 1.5 * t, -.5}, {3, -.5}, {3, 1.5}, {.2 - .5 * t, 1.5}}},
+                              dda::Motion::prescribed, "right");
+    const int point_of_load = s.material_point(wedge, {0, 0});
+    const double ramp = 100;      // s of steps of 0.1 s, in which inertia is nothing beside the springs
+    const double squeeze = 1e-5;  // m, of each side
+
+    Simulation sim(s);
+    sim.velocity(left)[0] = squeeze;
+    sim.velocity(right)[0] = -squeeze;
+    dda::Stage stage;
+    stage.name = "squeeze";
+    stage.duration = 1;
+    stage.dynamic_coefficient = 0;
+    stage.control.step = 1e-2;
+    ASSERT_EQ(sim.run(stage).status, dda::RunStatus::completed);
+    sim.velocity(left).setZero();
+    sim.velocity(right).setZero();
+    ASSERT_EQ(sim.settle().status, dda::RunStatus::completed);
+    const Joint squeezed = between(sim.state, wedge, left);
+    const double side =
+        std::hypot(squeezed.normal, squeezed.shear);  // horizontal, for the wedge has no weight
+
+    Scene pulled = s;
+    pulled.model.loads.push_back(
+        dda::PointLoad{point_of_load, {0, -2 * side}, dda::TimeTable({0, ramp}, {0, .5})});
+    Simulation pull(pulled);
+    pull.state = sim.state;
+    pull.state.time = 0;
+    double largest = 0;
+    pull.each_step = [&](const dda::State& state, const dda::StepReport&) {
+        const Joint face = between(state, wedge, left);
+        if (face.touching > 0 && face.sliding < face.touching) largest = .5 * state.stage_time / ramp;
+    };
+    stage.name = "pull";
+    stage.duration = ramp;
+    stage.control.step = .1;
+    stage.control.displacement_ratio = 10;
+    ASSERT_EQ(pull.run(stage).status, dda::RunStatus::completed);
+    Case roof("V47", std::string("α = 20°, φ = 40°, ") + c.name,
+              "required; the load's increments are 0.0005 of 2 H0");
+    roof.contact_frequency_step(pull.contact_frequency_step());
+    roof.expect("p_l/(2 H0)", "", largest, c.expected, relative(.03));
+}
+
+INSTANTIATE_TEST_SUITE_P(Catalogue, RoofWedge,
+                         testing::Values(RoofCase{1e9, 1e5, .18199, "k_n = 10000 k_s"},
+                                         RoofCase{1e9, 1e8, .24058, "k_n = 10 k_s"},
+                                         RoofCase{1e9, 1e9, .36397, "k_n = k_s"}));
+
+}  // namespace
