@@ -85,7 +85,7 @@ std::string worst_share(const std::vector<Row>& rows) {
         if (row.kind == ToleranceKind::above || row.kind == ToleranceKind::outcome) continue;
         worst = std::max(worst, std::abs(std::strtod(measured.c_str(), nullptr)) / tolerance);
     }
-    return worst < 0 ? std::string() : short_number(to_text(100 * worst), "%.2g") + " %";
+    return worst < 0 ? std::string() : short_number(to_text(100 * worst), "%.3g") + " %";
 }
 
 std::string summary_verdict(const std::vector<Row>& rows) {

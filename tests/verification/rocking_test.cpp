@@ -13,9 +13,9 @@ using namespace verification;
 
 constexpr double pi = std::numbers::pi;
 
-// V24. The heel bears W/2 - m a h/b: nothing at a = g b/h. The base's acceleration is raised in a second, and
-// kept for one more. At 0.99 the heel's springs still carry a hundredth of what they carry at rest, 2.45e-9
-// m.
+// V24. The heel bears W/2 - m a h/(2 b): nothing at a = g b/h. The base's acceleration is raised in a second,
+// and kept for one more. At 0.99 the heel's springs still carry a hundredth of what they carry at
+// rest, 2.45e-9 m.
 TEST(Uplift, BeginsAtTheSlendernessTimesGravity) {
     for (const double share : {.99, 1.01}) {
         Scene s;
