@@ -124,6 +124,17 @@ void write_summary(std::ostream& out, const std::vector<Row>& rows) {
     }
 }
 
+void write_misses(std::ostream& out, const std::vector<Row>& rows) {
+    if (std::none_of(rows.begin(), rows.end(), [](const Row& row) { return row.verdict == Verdict::misses; }))
+        return;
+    out << "\nKnown misses, each with its reason at the case:\n\n";
+    for (const Row& row : rows) {
+        if (row.verdict != Verdict::misses) continue;
+        out << "- [" << row.id << "](#" << row.id << "), " << row.set_up << ": " << row.quantity << " is "
+            << with_unit(row.ours, row.unit) << ", expected " << expected_of(row) << ".\n";
+    }
+}
+
 void write_reasons(std::ostream& out, const std::vector<Row>& rows, bool misses) {
     std::vector<std::string> said;
     for (const Row& row : rows) {
@@ -178,6 +189,7 @@ std::string page(const std::vector<Row>& rows, const std::vector<PictureLink>& p
            "numbers also in "
            "[verification.tsv](verification.tsv).\n\n## Summary\n\n";
     write_summary(out, rows);
+    write_misses(out, rows);
     out << "\n## Cases\n";
     for (const CatalogueCase& entry : catalogue) {
         const std::vector<Row> own = rows_of(rows, entry.id);

@@ -131,6 +131,13 @@ TEST(Page, ListsEveryCaseAndSaysWhichIsMissing) {
     EXPECT_NE(text.find("| V01 | Free fall | 0 |  |  | not covered yet |"), std::string::npos);
     EXPECT_NE(text.find("| a | s | 1 | 1.001 | 0.1 % | 1 % |  | within |"), std::string::npos);
     EXPECT_NE(text.find("![curve](p.svg)"), std::string::npos);
+    EXPECT_EQ(text.find("misses"), std::string::npos);
+    Row missed = passing("V18", "slip");
+    missed.verdict = Verdict::misses;
+    missed.reason = "why";
+    const std::string with_miss = page({missed}, {});
+    EXPECT_NE(with_miss.find("- [V18](#V18), a: slip is 1.001, expected 1."), std::string::npos);
+    EXPECT_NE(with_miss.find("Misses: why"), std::string::npos);
 }
 
 TEST_F(Report, PicturesReadBackAsTheyWereRecorded) {
