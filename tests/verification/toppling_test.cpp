@@ -55,7 +55,8 @@ double critical_friction() {
 
 class Slope {
   public:
-    Slope() {
+    /// @param tension N, constant, of a horizontal bolt from the middle of block 1 into the slope.
+    explicit Slope(double tension = 0) : tension_(tension) {
         Simulation sim(scene(70));
         EXPECT_EQ(sim.settle().status, dda::RunStatus::completed);
         glued_ = sim.state;
@@ -63,12 +64,24 @@ class Slope {
     /// Stays, if in three seconds no block has moved by 5 cm: near the limit a block that stays moves by 2
     /// mm.
     bool holds(double phi) {
+        run(phi, 3);
+        return moved < .05;
+    }
+    /// Comes to rest within six seconds, wherever.
+    bool stops(double phi) {
+        run(phi, 6);
+        return speed < 1e-3;
+    }
+    void run(double phi, double duration) {
         Simulation sim(scene(phi));
         sim.state = glued_;
-        EXPECT_EQ(sim.shake(3, 2.5e-4).status, dda::RunStatus::completed);
+        EXPECT_EQ(sim.shake(duration, 2.5e-4).status, dda::RunStatus::completed);
         frequency_step = sim.contact_frequency_step();
-        double moved = 0;
-        for (int n = 1; n <= count; ++n) moved = std::max(moved, sim.moved(block(n)).norm());
+        moved = speed = 0;
+        for (int n = 1; n <= count; ++n) {
+            moved = std::max(moved, sim.moved(block(n)).norm());
+            speed = std::max(speed, sim.velocity(block(n)).head<2>().norm());
+        }
         force.fill(0);
         shear.fill(0);
         for (const dda::Contact& c : sim.state.contacts.contacts) {
@@ -78,8 +91,9 @@ class Slope {
             force[static_cast<std::size_t>(high - count + 1)] += c.normal_force;
             shear[static_cast<std::size_t>(high - count + 1)] += c.shear_force;
         }
-        return moved < .05;
     }
+    double moved = 0;                       ///< m, of the last run, the largest of any block
+    double speed = 0;                       ///< m/s, at its end, likewise
     std::array<double, count + 1> force{};  ///< of the last run, as in LimitEquilibrium
     std::array<double, count + 1> shear{};  ///< on the same faces
     double frequency_step = 0;
@@ -87,7 +101,7 @@ class Slope {
   private:
     static int block(int n) { return count + n - 1; }
 
-    static Scene scene(double phi) {
+    Scene scene(double phi) const {
         Scene s;
         s.friction(phi);
         s.model.block_materials[0].density = weight / g;
@@ -99,8 +113,16 @@ class Slope {
             s.box(width * (n - 1) * up - 20 * out, width, 20 + riser * (n - 1), dda::Motion::fixed, psi);
         for (int n = 1; n <= count; ++n)
             s.box(width * (n - 1) * up + riser * (n - 1) * out, width, height(n), dda::Motion::free, psi);
+        if (tension_ > 0) {
+            // Long and all but slack in stiffness: neither tension nor direction changes with the block's
+            // motion.
+            const Vec2 middle = width / 2 * up + height(1) / 2 * out;
+            s.model.bolts.push_back({"bolt", s.material_point(count - 1, middle + Vec2(1000, 0)),
+                                     s.material_point(block(1), middle), 1.0, tension_, 0});
+        }
         return s;
     }
+    double tension_;
     dda::State glued_;
 };
 
@@ -160,6 +182,34 @@ TEST(LongToppling, FailsAtTheFrictionOfGoodmanAndBray) {
     }
     record_picture("V21", "forces", "V21: forces between the sixteen blocks at the limit",
                    "lower face of block", "normal force, kN", {limit_forces, engine_forces});
+}
+
+// V21. At tan(phi) = 0.65 the slope needs support. A horizontal bolt of tension T in block 1, which slides,
+// bears T (cos psi + mu sin psi) = P (1 - mu^2) + W (sin psi - mu cos psi), P the force from block 2 at full
+// friction.
+TEST(LongToppling, IsHeldByTheBoltOfGoodmanAndBray) {
+    const double mu = .65;
+    const double psi = radians(dip);
+    const LimitEquilibrium limit(mu);
+    const double expected =
+        (limit.force[2] * (1 - mu * mu) + weight * width * height(1) * (std::sin(psi) - mu * std::cos(psi))) /
+        (std::cos(psi) + mu * std::sin(psi));
+    EXPECT_NEAR(expected, 2013e3, 1e3);
+    const double phi = std::atan(mu) * 180 / std::numbers::pi;
+    double frequency_step = 0;
+    const auto holds = [&](double share) {
+        Slope slope(share * expected);
+        const bool held = slope.stops(phi);
+        frequency_step = slope.frequency_step;
+        return held;
+    };
+    ASSERT_FALSE(holds(.9));
+    ASSERT_TRUE(holds(1.1));
+    const double found = threshold(.9, 1.1, 3, holds) * expected;
+    Case bolt("V21", "horizontal bolt in block 1, tan φ = 0.65",
+              "required of the table; found by halving to 2.5 %");
+    bolt.contact_frequency_step(frequency_step);
+    bolt.expect("tension at the limit", "kN", found / 1e3, expected / 1e3, relative(.05));
 }
 
 }  // namespace
