@@ -2,9 +2,12 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <limits>
 #include <optional>
 
 #include "blockgen/base/atomic_file.hpp"
@@ -94,6 +97,26 @@ ExitCode exit_code_of(const dda::RunOutcome& outcome) {
     }
 }
 
+/// The bracket of a strength reduction: between the largest factor that stands and the smallest that fails.
+void say_factor_of_safety(const std::vector<dda::ReductionTrial>& trials) {
+    double stands = 0;
+    double fails = std::numeric_limits<double>::infinity();
+    for (const dda::ReductionTrial& trial : trials) {
+        if (trial.stands)
+            stands = std::max(stands, trial.factor);
+        else
+            fails = std::min(fails, trial.factor);
+    }
+    if (trials.empty()) return;
+    if (stands == 0)
+        std::fprintf(stderr, "dda-run: factor of safety below %.4g\n", fails);
+    else if (std::isinf(fails))
+        std::fprintf(stderr, "dda-run: factor of safety above %.4g\n", stands);
+    else
+        std::fprintf(stderr, "dda-run: factor of safety %.4g, between %.4g (stands) and %.4g (fails)\n",
+                     std::sqrt(stands * fails), stands, fails);
+}
+
 void say_outcome(const dda::RunOutcome& outcome, const dda::State& state, double wall_time,
                  const fs::path& folder) {
     const char* where = folder.c_str();
@@ -142,6 +165,7 @@ ExitCode simulate(const CommandLine& line, const std::string& version) {
     blockgen::write_file_atomically(
         line.output / "summary.json",
         dda::summary_text(input.model, input.stages, state, outcome, results, version, files));
+    say_factor_of_safety(results.state().trials);
     say_outcome(outcome, state, results.wall_time(), line.output);
     return exit_code_of(outcome);
 }

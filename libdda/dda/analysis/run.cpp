@@ -1,80 +1,11 @@
 #include "dda/analysis/run.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-
-#include "dda/analysis/step.hpp"
+#include "dda/analysis/run_stage.hpp"
+#include "dda/analysis/strength_reduction.hpp"
 
 namespace dda {
 
 namespace {
-
-std::string describe(const Model& model, const StepAttempt& attempt) {
-    char text[256];
-    switch (attempt.rejection) {
-        case Rejection::singular:
-            return "the equations are not positive definite";
-        case Rejection::moved_too_far:
-            std::snprintf(text, sizeof text, "a vertex moves %.3g m in a step",
-                          attempt.report.largest_displacement);
-            return text;
-        default:
-            break;
-    }
-    if (attempt.worst_contact < 0) return "the open-close iteration does not settle";
-    const Contact& contact = attempt.state.contacts.contacts[static_cast<std::size_t>(attempt.worst_contact)];
-    std::snprintf(text, sizeof text,
-                  "the open-close iteration does not settle; worst contact: block %d on block %d at (%.6g, "
-                  "%.6g), joint material %s",
-                  contact.corner_block, contact.edge_block, contact.point.x() + model.origin.x(),
-                  contact.point.y() + model.origin.y(),
-                  model.joint_material_at(contact.joint_material).name.c_str());
-    return text;
-}
-
-/// Adapts the step: cut after a rejection, grown after steps that needed none.
-class StepSize {
-  public:
-    StepSize(const StepControl& control, double resume)
-        : control_(control), size_(resume > 0 ? resume : control.step) {
-        size_ = std::min(size_, control.step);
-    }
-    /// The next step, not past what remains until an instant that a step must end on; the last two share what
-    /// remains, so that no sliver of time is left.
-    double next(double remaining) const {
-        if (size_ >= remaining * (1 - 1e-9)) return remaining;
-        return size_ * 2 > remaining ? remaining / 2 : size_;
-    }
-    void cut(double tried) { size_ = tried * control_.cut; }
-    void accept(bool easy) {
-        if (easy) size_ = std::min(control_.step, size_ * control_.growth);
-    }
-    double size() const { return size_; }
-    bool too_small() const { return size_ < control_.smallest_step; }
-
-  private:
-    const StepControl& control_;
-    double size_;
-};
-
-/// A step of a dynamic stage must not pass the next instant, nor the stage's end; an instant within half a
-/// step of the end gives way to it.
-double until_next_instant(const Stage& stage, double stage_time) {
-    const double instant = next_instant(stage, stage_time);
-    return (instant + stage.control.step / 2 < stage.duration ? instant : stage.duration) - stage_time;
-}
-
-void begin_stage(State& state) {
-    state.stage_time = 0;
-    state.next_step = 0;
-    state.stage_steps = 0;
-}
-
-void come_to_rest(State& state) {
-    for (Vec6& v : state.blocks.velocity) v.setZero();
-    for (Vec6& a : state.blocks.acceleration) a.setZero();
-}
 
 /// What a static stage leaves to count anew. It is done when another stage follows, so that a run's last
 /// state still tells what its last stage did.
@@ -92,51 +23,6 @@ void count_anew_after(const Model& model, const Stage& stage, State& state) {
             contact.history = fresh_history(model.joint_material_at(contact.joint_material).law, true);
         }
     }
-}
-
-/// Runs one stage. @return how it ended; `completed` lets the run go on.
-RunOutcome run_stage(const Model& model, const Stage& stage, TimeStepper& stepper, State& state,
-                     RunObserver& observer) {
-    const bool to_rest = stage.kind == StageKind::static_equilibrium;
-    StepSize step(stage.control, state.next_step);
-    int cuts = 0;
-    int iterations = 0;
-    while (to_rest || state.stage_time < stage.duration * (1 - 1e-12)) {
-        const double dt = to_rest ? step.size() : step.next(until_next_instant(stage, state.stage_time));
-        StepAttempt attempt = stepper.advance(stage, state, dt);
-        iterations += attempt.report.iterations;
-        if (attempt.rejection != Rejection::none) {
-            ++cuts;
-            step.cut(dt);
-            if (!step.too_small()) continue;
-            char text[128];
-            std::snprintf(text, sizeof text,
-                          "stage '%s', t = %.9g s: no step above %.3g s is accepted: ", stage.name.c_str(),
-                          state.time, stage.control.smallest_step);
-            return {RunStatus::not_converged, text + describe(model, attempt), attempt.worst_contact};
-        }
-        step.accept(cuts == 0);
-        state = std::move(attempt.state);
-        state.next_step = step.size();
-        attempt.report.iterations = iterations;
-        attempt.report.cuts = cuts;
-        cuts = iterations = 0;
-        ++state.stage_steps;
-        const bool settled = to_rest && attempt.report.unbalanced_force <= stage.tolerance;
-        if (settled) come_to_rest(state);
-        if (!observer.step_done(model, state, stage, attempt.report))
-            return {RunStatus::stopped, "stopped as asked", -1};
-        if (settled) break;
-        if (to_rest && state.stage_steps >= stage.step_limit) {
-            char text[160];
-            std::snprintf(
-                text, sizeof text,
-                "stage '%s' does not settle: after %d steps the unbalanced force is %.3g of the weight",
-                stage.name.c_str(), stage.step_limit, attempt.report.unbalanced_force);
-            return {RunStatus::not_settled, text, -1};
-        }
-    }
-    return {};
 }
 
 }  // namespace
@@ -164,7 +50,10 @@ RunOutcome run(const Model& model, std::span<const Stage> stages, State& state, 
         }
         resumed = false;
         observer.stage_begins(model, state, stages[k], static_cast<int>(k));
-        RunOutcome outcome = run_stage(model, stages[k], stepper, state, observer);
+        const RunOutcome outcome =
+            stages[k].strength_reduction
+                ? find_factor_of_safety(model, stages[k], state, observer, options.threads)
+                : run_stage(model, stages[k], stepper, state, observer);
         if (outcome.status == RunStatus::not_converged || outcome.status == RunStatus::not_settled)
             observer.stage_fails(model, state, stages[k], static_cast<int>(k));
         if (outcome.status != RunStatus::completed) return outcome;

@@ -32,6 +32,15 @@ struct RunOutcome {
     int worst_contact = -1;  ///< index into the state's contacts, when one is to blame
 };
 
+/// What came of one trial of a strength reduction.
+struct ReductionTrial {
+    double factor = 1;  ///< that strengths were divided by
+    bool stands = false;
+    std::int64_t steps = 0;
+    double unbalanced_force = 0;  ///< at its end, over the weight
+    double displacement = 0;      ///< m, of the block that moved farthest
+};
+
 /// What a run tells the outside: results, progress. Return values steer it.
 class RunObserver {
   public:
@@ -41,6 +50,11 @@ class RunObserver {
     /// After every accepted step. Returning false stops the run (status `stopped`).
     virtual bool step_done(const Model&, const State&, const Stage&, const StepReport&) { return true; }
     virtual void stage_ends(const Model&, const State&, const Stage&, int /*stage_index*/) {}
+    /// After every step of a strength reduction's trials, in place of step_done().
+    virtual bool trial_step_done(const Model&, const State&, const Stage&, const StepReport&) { return true; }
+    virtual void trial_done(const Model&, const State&, const Stage&, const ReductionTrial&) {}
+    /// The state in which the trial of the smallest failing factor ended.
+    virtual void mechanism_found(const Model&, const State&, const Stage&) {}
     /// In place of stage_ends() when a stage does not converge or settle. @param state the last accepted
     /// step.
     virtual void stage_fails(const Model&, const State& /*state*/, const Stage&, int /*stage_index*/) {}

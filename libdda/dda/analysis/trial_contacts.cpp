@@ -38,8 +38,11 @@ TrialContacts::Trial TrialContacts::started(std::size_t k) const {
 }
 
 Strength TrialContacts::bounds_of(const Contact& contact, double normal_force) const {
-    return strength(p_.model.joint_material_at(contact.joint_material).law, contact.history, normal_force,
-                    contact.length);
+    Strength bounds = strength(p_.model.joint_material_at(contact.joint_material).law, contact.history,
+                               normal_force, contact.length);
+    for (double* bound : {&bounds.forward, &bounds.backward, &bounds.tensile})
+        *bound /= p_.model.strength_reduction;
+    return bounds;
 }
 
 // --- the linear system

@@ -38,19 +38,37 @@ std::vector<Peaks> peaks_of(const std::vector<double>& values) {
     return peaks;
 }
 
+std::vector<double> trial_values(const std::vector<ReductionTrial>& trials) {
+    std::vector<double> values;
+    for (const ReductionTrial& t : trials)
+        values.insert(values.end(), {t.factor, t.stands ? 1.0 : 0.0, static_cast<double>(t.steps),
+                                     t.unbalanced_force, t.displacement});
+    return values;
+}
+
+std::vector<ReductionTrial> trials_of(const std::vector<double>& values) {
+    std::vector<ReductionTrial> trials;
+    for (std::size_t i = 0; i + 5 <= values.size(); i += 5)
+        trials.push_back({values[i], values[i + 1] != 0, static_cast<std::int64_t>(values[i + 2]),
+                          values[i + 3], values[i + 4]});
+    return trials;
+}
+
 void write_results_state(HdfFile& file, const ResultsState& results) {
     store<std::int64_t>(file, "/results",
                         {results.stage, results.next_frame, results.next_history, results.last_frame_step,
                          results.last_history_step});
     store<double>(file, "/wall_time", {results.wall_time});
     store(file, "/peaks", peak_values(results.peaks));
+    store(file, "/trials", trial_values(results.trials));
 }
 
 ResultsState read_results_state(const HdfFile& file) {
     const auto counts = file.read<std::int64_t>("/results", 0, 5);
-    ResultsState results{static_cast<int>(counts[0]), counts[1], counts[2], counts[3], counts[4], 0, {}};
+    ResultsState results{static_cast<int>(counts[0]), counts[1], counts[2], counts[3], counts[4], 0, {}, {}};
     results.wall_time = file.read<double>("/wall_time", 0, 1).front();
     results.peaks = peaks_of(file.read_all<double>("/peaks"));
+    results.trials = trials_of(file.read_all<double>("/trials"));
     return results;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "dda/analysis/run.hpp"
 #include "dda/analysis/state.hpp"
 
 namespace dda {
@@ -26,6 +27,7 @@ struct ResultsState {
     std::int64_t last_history_step = -1;  ///< likewise
     double wall_time = 0;                 ///< s, of this and the earlier parts of the run
     std::vector<Peaks> peaks;             ///< per tracked point
+    std::vector<ReductionTrial> trials;   ///< of the strength reduction, in the order they were made
 };
 
 /// Everything needed to go on with a run.

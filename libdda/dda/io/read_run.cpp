@@ -40,6 +40,8 @@ void read_analysis(const ConfigTable& analysis, Model& model) {
         analysis.choice("plane", {"strain", "stress"}, "strain") == "strain" ? Plane::strain : Plane::stress;
     const std::array<double, 2> gravity = analysis.pair("gravity", Dimension::acceleration, {0, -9.81});
     model.gravity = {gravity[0], gravity[1]};
+    model.strength_reduction =
+        positive(analysis, "strength_reduction", Dimension::none, model.strength_reduction);
     model.normal_penalty = positive(analysis, "normal_penalty", Dimension::stiffness,
                                     penalty_over_modulus * largest_modulus(model));
     model.shear_penalty = positive(analysis, "shear_penalty", Dimension::stiffness, model.normal_penalty);

@@ -118,16 +118,41 @@ std::vector<BaseMotion> read_base_motions(const ConfigTable& stage, double step,
     return motions;
 }
 
+double height_of(const Model& model) {
+    double low = model.vertices.front().y(), high = low;
+    for (const Vec2& v : model.vertices) {
+        low = std::min(low, v.y());
+        high = std::max(high, v.y());
+    }
+    return high - low;
+}
+
+StrengthReduction read_strength_reduction(const ConfigTable& table, const Model& model) {
+    constexpr double failed_share = 0.01;  // of the model's height
+    StrengthReduction search;
+    search.lowest = in_range(table, "lowest_factor", search.lowest, 1e-3, 1, "a factor from 0.001 to 1");
+    search.highest = in_range(table, "highest_factor", search.highest, 1, 1e3, "a factor from 1 to 1000");
+    search.width = in_range(table, "factor_tolerance", search.width, 1e-6, 1, "a ratio from 1e-6 to 1");
+    search.displacement_limit =
+        positive(table, "displacement_limit", Dimension::length, failed_share * height_of(model));
+    return search;
+}
+
 Stage read_stage(const ConfigTable& table, std::size_t index, const Model& model, InputFiles& files) {
     Stage stage;
     stage.name = table.string("name", "stage " + std::to_string(index + 1));
-    stage.kind = table.choice("kind", {"static", "dynamic"}) == "static" ? StageKind::static_equilibrium
-                                                                         : StageKind::dynamic;
+    const std::string kind = table.choice("kind", {"static", "dynamic", "strength-reduction"});
+    stage.kind = kind == "dynamic" ? StageKind::dynamic : StageKind::static_equilibrium;
     stage.control = read_step_control(table);
     stage.mass_damping = not_negative(table, "mass_damping", Dimension::none, 0);
     if (stage.kind == StageKind::static_equilibrium) {
         stage.tolerance = positive(table, "tolerance", Dimension::none, stage.tolerance);
         stage.step_limit = count(table, "step_limit", stage.step_limit);
+        if (kind == "strength-reduction") {
+            stage.strength_reduction = read_strength_reduction(table, model);
+            stage.reset_displacements = false;
+            return stage;
+        }
         stage.reset_displacements = table.boolean("reset_displacements", stage.reset_displacements);
         stage.reset_joint_history = table.boolean("reset_joint_history", stage.reset_joint_history);
         return stage;

@@ -127,6 +127,7 @@ void Results::stage_begins(const Model&, const State& state, const Stage& stage,
     if (std::exchange(resuming_, false)) return;
     progress_.stage = stage_index;
     progress_.next_frame = progress_.next_history = 1;
+    if (stage.strength_reduction) progress_.trials.clear();
     // The state's second row: the first, of the same instant, has the displacements that the last stage made.
     if (stage_index > 0 && counts_anew(stages_[static_cast<std::size_t>(stage_index) - 1]))
         progress_.last_history_step = -1;
@@ -151,7 +152,22 @@ bool Results::step_done(const Model&, const State& state, const Stage& stage, co
     return go_on;
 }
 
+bool Results::trial_step_done(const Model&, const State& state, const Stage& stage,
+                              const StepReport& report) {
+    return options_.progress(progress_of(state, stage, report));
+}
+
+void Results::trial_done(const Model&, const State&, const Stage&, const ReductionTrial& trial) {
+    progress_.trials.push_back(trial);
+}
+
+void Results::mechanism_found(const Model&, const State& state, const Stage& stage) {
+    keep_history(state, stage);
+    keep_frame(state);
+}
+
 void Results::stage_ends(const Model&, const State& state, const Stage& stage, int stage_index) {
+    if (stage.strength_reduction) return;  // what it has to show is the mechanism
     keep_history(state, stage);
     // A viewer finds a frame by its time, so of an instant there is one: that of the next stage's start.
     const bool is_last = static_cast<std::size_t>(stage_index) + 1 == stages_.size();

@@ -48,6 +48,11 @@ class Results : public RunObserver {
     bool step_done(const Model& model, const State& state, const Stage& stage,
                    const StepReport& report) override;
     void stage_ends(const Model& model, const State& state, const Stage& stage, int stage_index) override;
+    bool trial_step_done(const Model& model, const State& state, const Stage& stage,
+                         const StepReport& report) override;
+    void trial_done(const Model& model, const State& state, const Stage& stage,
+                    const ReductionTrial& trial) override;
+    void mechanism_found(const Model& model, const State& state, const Stage& stage) override;
     void stage_fails(const Model& model, const State& state, const Stage& stage, int stage_index) override;
 
     const ResultsState& state() const { return progress_; }

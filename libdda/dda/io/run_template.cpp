@@ -36,6 +36,7 @@ friction_angle = "35 deg"
 # normal_penalty = "50 GPa"        # N/m per metre per contact; default: 10 times the largest Young's modulus
 # shear_penalty = "50 GPa"         # default: normal_penalty
 # fixed_point_penalty = "50 GPa"   # default: normal_penalty
+# strength_reduction = 1           # joints' cohesion, tan(friction angle), tensile strength are divided by this
 # default_joint_material = "joint" # for contacts of free faces; default: the first in this file
 
 # [[point_load]]
@@ -70,6 +71,14 @@ kind = "static"                    # runs until gravity is carried
 # displacement_ratio = 0.01        # largest displacement in a step over the model's half-height
 # force_tolerance = 1e-6
 # mass_damping = 0                 # 1/s
+
+# [[stage]]
+# name = "factor of safety"
+# kind = "strength-reduction"      # static trials with strengths divided by factors; keys of a static stage, and:
+# factor_tolerance = 0.01          # width of the final bracket, a ratio
+# lowest_factor = 0.1
+# highest_factor = 10
+# displacement_limit = "0.5 m"     # a block that moves farther has failed; default: 1 % of the model's height
 
 [[stage]]
 name = "shake"

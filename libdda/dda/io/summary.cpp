@@ -78,6 +78,24 @@ Json energy_json(const Energy& e) {
             {"residual", e.residual()}};
 }
 
+/// The bracket that the trials leave, null where none stood or none failed, and the trials.
+Json factor_of_safety(const std::vector<ReductionTrial>& trials) {
+    Json stands, fails;
+    Json list = Json::array();
+    for (const ReductionTrial& trial : trials) {
+        Json& bound = trial.stands ? stands : fails;
+        const bool tighter = bound.is_null() || (trial.stands ? trial.factor > bound.get<double>()
+                                                              : trial.factor < bound.get<double>());
+        if (tighter) bound = trial.factor;
+        list.push_back({{"factor", trial.factor},
+                        {"stands", trial.stands},
+                        {"steps", trial.steps},
+                        {"unbalanced_force", trial.unbalanced_force},
+                        {"displacement", trial.displacement}});
+    }
+    return {{"stands", stands}, {"fails", fails}, {"trials", list}};
+}
+
 Json worst_contact(const Model& model, const State& state, int index) {
     if (index < 0 || static_cast<std::size_t>(index) >= state.contacts.contacts.size()) return nullptr;
     const Contact& contact = state.contacts.contacts[static_cast<std::size_t>(index)];
@@ -116,6 +134,7 @@ std::string summary_text(const Model& model, const std::vector<Stage>& stages, c
     json["farthest_block"] = farthest_block(model, state);
     json["points"] = peaks_json(results, model, state);
     json["energy"] = energy_json(state.energy);
+    if (!results.state().trials.empty()) json["factor_of_safety"] = factor_of_safety(results.state().trials);
     json["units"] = "SI, per metre of thickness";
     json["version"] = version;
     json["inputs"] = Json::array();

@@ -57,6 +57,7 @@ struct Model {
 
     Plane plane = Plane::strain;
     Vec2 gravity = {0, -9.81};       ///< m/s2
+    double strength_reduction = 1;   ///< joints' shear and tensile strengths are divided by this
     double normal_penalty = 0;       ///< N/m per metre of thickness per contact
     double shear_penalty = 0;        ///< likewise
     double fixed_point_penalty = 0;  ///< N/m per metre of thickness

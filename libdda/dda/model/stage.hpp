@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,14 @@ struct BaseMotion {
     TimeTable y;
 };
 
+/// A search for the factor of safety, in place of a static stage.
+struct StrengthReduction {
+    double lowest = 0.1;            ///< factors tried are not below this
+    double highest = 10;            ///< nor above this
+    double width = 0.01;            ///< of the final bracket, its larger factor over the smaller less 1
+    double displacement_limit = 0;  ///< m; a block that moves farther has failed
+};
+
 /// One part of a run.
 struct Stage {
     std::string name;
@@ -47,6 +56,7 @@ struct Stage {
     bool reset_joint_history = false;  ///< static: joints forget their slip at the end of this stage
     StepControl control;
     std::vector<BaseMotion> base_motions;
+    std::optional<StrengthReduction> strength_reduction;  ///< of a static stage: what it is for
 };
 
 /// The first of the instants k * step, k = 1, 2, ..., later than the given time, s since the stage's start.

@@ -1,0 +1,118 @@
+#include "dda/analysis/strength_reduction.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dda/analysis/run_stage.hpp"
+
+namespace dda {
+
+namespace {
+
+double farthest_move(const State& from, const State& to) {
+    double farthest = 0;
+    for (std::size_t b = 0; b < from.blocks.moments.size(); ++b) {
+        farthest =
+            std::max(farthest, (to.blocks.moments[b].centroid - from.blocks.moments[b].centroid).norm());
+    }
+    return farthest;
+}
+
+/// Ends a trial in which a block has moved too far to stand, and asks outside whether to go on.
+class Watch : public RunObserver {
+  public:
+    Watch(const State& start, double limit, RunObserver& outside)
+        : start_(start), limit_(limit), outside_(outside) {}
+
+    bool step_done(const Model& model, const State& state, const Stage& stage,
+                   const StepReport& report) override {
+        unbalanced_force = report.unbalanced_force;
+        displacement = farthest_move(start_, state);
+        stopped = !outside_.trial_step_done(model, state, stage, report);
+        return !stopped && displacement <= limit_;
+    }
+
+    double unbalanced_force = 0;
+    double displacement = 0;
+    bool stopped = false;
+
+  private:
+    const State& start_;
+    double limit_;
+    RunObserver& outside_;
+};
+
+class Search {
+  public:
+    Search(const Model& model, const Stage& stage, const State& start, RunObserver& observer, int threads)
+        : model_(model),
+          stage_(stage),
+          spec_(*stage.strength_reduction),
+          start_(start),
+          observer_(observer),
+          threads_(threads),
+          clock_(start.time) {}
+
+    /// @return false when it was stopped.
+    bool run() {
+        double factor = 1;
+        while (!stands_ || !fails_) {
+            if (!try_factor(factor)) return false;
+            factor = stands_ ? *stands_ * 2 : *fails_ / 2;
+            if (stands_ && fails_) break;
+            if (factor > spec_.highest * (1 + 1e-9) || factor < spec_.lowest * (1 - 1e-9)) return true;
+        }
+        while (*fails_ / *stands_ > 1 + spec_.width) {
+            if (!try_factor(std::sqrt(*stands_ * *fails_))) return false;
+        }
+        return true;
+    }
+
+    double clock() const { return clock_; }
+    /// The failing trial of the smallest factor, if any failed.
+    const std::optional<State>& mechanism() const { return mechanism_; }
+
+  private:
+    bool try_factor(double factor) {
+        Model weakened = model_;
+        weakened.strength_reduction *= factor;
+        TimeStepper stepper(weakened, threads_);
+        State state = start_;
+        state.time = clock_;
+        begin_stage(state);
+        Watch watch(start_, spec_.displacement_limit, observer_);
+        const RunOutcome outcome = run_stage(weakened, stage_, stepper, state, watch);
+        if (watch.stopped) return false;
+        clock_ = state.time;
+        const bool stands = outcome.status == RunStatus::completed;
+        (stands ? stands_ : fails_) = factor;
+        observer_.trial_done(model_, state, stage_,
+                             {factor, stands, state.stage_steps, watch.unbalanced_force, watch.displacement});
+        if (!stands) mechanism_ = std::move(state);
+        return true;
+    }
+
+    const Model& model_;
+    const Stage& stage_;
+    const StrengthReduction spec_;
+    const State& start_;
+    RunObserver& observer_;
+    int threads_;
+    double clock_;
+    std::optional<double> stands_;  ///< the largest factor that stands
+    std::optional<double> fails_;   ///< the smallest that fails
+    std::optional<State> mechanism_;
+};
+
+}  // namespace
+
+RunOutcome find_factor_of_safety(const Model& model, const Stage& stage, State& state, RunObserver& observer,
+                                 int threads) {
+    Search search(model, stage, state, observer, threads);
+    if (!search.run()) return {RunStatus::stopped, "stopped as asked", -1};
+    if (search.mechanism()) observer.mechanism_found(model, *search.mechanism(), stage);
+    state.time = search.clock();
+    return {};
+}
+
+}  // namespace dda

@@ -1,0 +1,117 @@
+#include "dda/analysis/strength_reduction.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "support/scene.hpp"
+
+namespace {
+
+using namespace scene;
+
+struct Searched : Simulation {
+    using Simulation::Simulation;
+    bool trial_step_done(const dda::Model&, const dda::State&, const dda::Stage&,
+                         const dda::StepReport&) override {
+        return --steps_allowed > 0;
+    }
+    void trial_done(const dda::Model&, const dda::State&, const dda::Stage&,
+                    const dda::ReductionTrial& trial) override {
+        trials.push_back(trial);
+        (trial.stands ? stands : fails) =
+            trial.stands ? std::max(stands, trial.factor) : std::min(fails, trial.factor);
+    }
+    void mechanism_found(const dda::Model&, const dda::State& failed, const dda::Stage&) override {
+        mechanism_move = (failed.blocks.centroid(1) - state.blocks.centroid(1)).norm();
+    }
+    dda::RunOutcome search(double width) {
+        dda::Stage stage;
+        stage.name = "search";
+        stage.kind = dda::StageKind::static_equilibrium;
+        stage.tolerance = 1e-5;
+        stage.step_limit = 400;
+        stage.reset_displacements = false;
+        stage.strength_reduction = {.1, 10, width, .05};
+        return run(stage);
+    }
+    std::vector<dda::ReductionTrial> trials;
+    double stands = 0;
+    double fails = 1e9;
+    double mechanism_move = 0;
+    int steps_allowed = 1000000;
+};
+
+/// A block of 2 m x 1 m on a plane of the given angle, in degrees.
+Scene on_incline(double angle, double friction, double cohesion) {
+    Scene s;
+    dda::MohrCoulomb law = Scene::mohr_coulomb(friction, cohesion);
+    law.residual_cohesion = cohesion;
+    s.model.joint_materials[0].law = law;
+    const double a = radians(angle);
+    const Vec2 along(std::cos(a), std::sin(a));
+    s.box({0, 0}, 6, 1, dda::Motion::fixed, a);
+    s.box(2 * along + dda::perpendicular(along), 2, 1, dda::Motion::free, a);
+    return s;
+}
+
+TEST(StrengthReduction, FindsTheFactorOfABlockOnAPlane) {
+    Searched sim(on_incline(20, 30, 0));
+    sim.settle(.005, 1e-6);
+    const std::vector<Vec2> before = sim.state.blocks.vertices;
+    const double clock = sim.state.time;
+    ASSERT_EQ(sim.search(.002).status, dda::RunStatus::completed);
+    const double exact = std::tan(radians(30)) / std::tan(radians(20));
+    EXPECT_LE(sim.fails / sim.stands, 1.002);
+    EXPECT_LE(sim.stands, exact * (1 + 1e-4)) << "friction at the limit is met to the force tolerance";
+    EXPECT_GE(sim.fails, exact * (1 - 1e-4));
+    EXPECT_EQ(sim.state.blocks.vertices, before) << "the search leaves the blocks where they were";
+    EXPECT_GT(sim.state.time, clock);
+    const auto of_fails = std::find_if(sim.trials.begin(), sim.trials.end(),
+                                       [&](const auto& trial) { return trial.factor == sim.fails; });
+    EXPECT_EQ(sim.mechanism_move, of_fails->displacement) << "told last: the smallest factor that fails";
+    EXPECT_GT(sim.mechanism_move, 0);
+}
+
+TEST(StrengthReduction, ReducesCohesionLikeFriction) {
+    const double cohesion = 4000;
+    Searched sim(on_incline(35, 20, cohesion));
+    sim.settle(.005, 1e-6);
+    ASSERT_EQ(sim.search(.005).status, dda::RunStatus::completed);
+    const double a = radians(35);
+    const double weight = 2 * 2500 * 9.81;
+    const double exact =
+        (weight * std::cos(a) * std::tan(radians(20)) + cohesion * 2) / (weight * std::sin(a));
+    EXPECT_LE(sim.stands, exact * (1 + 1e-3));
+    EXPECT_GE(sim.fails, exact * (1 - 1e-3));
+}
+
+TEST(StrengthReduction, OfASlopeThatFallsIsBelowOne) {
+    Searched sim(on_incline(30, 20, 0));
+    ASSERT_EQ(sim.search(.02).status, dda::RunStatus::completed);
+    const double exact = std::tan(radians(20)) / std::tan(radians(30));
+    EXPECT_LE(sim.stands, exact * (1 + 1e-4));
+    EXPECT_GE(sim.fails, exact * (1 - 1e-4));
+    EXPECT_LE(sim.fails / sim.stands, 1.02);
+}
+
+TEST(StrengthReduction, EndsAtItsLimitsWhereNothingFails) {
+    Scene s;
+    s.friction(30);
+    s.box({0, 0}, 4, 1, dda::Motion::fixed);
+    s.box({1, 1}, 1, 1);
+    Searched sim(s);
+    ASSERT_EQ(sim.search(.01).status, dda::RunStatus::completed);
+    EXPECT_EQ(sim.stands, 8);
+    EXPECT_EQ(sim.fails, 1e9);
+    EXPECT_EQ(sim.trials.size(), 4U);
+}
+
+TEST(StrengthReduction, StopsWhenAsked) {
+    Searched sim(on_incline(20, 30, 0));
+    sim.steps_allowed = 3;
+    EXPECT_EQ(sim.search(.01).status, dda::RunStatus::stopped);
+    EXPECT_TRUE(sim.trials.empty());
+}
+
+}  // namespace
