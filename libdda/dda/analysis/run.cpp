@@ -50,10 +50,9 @@ RunOutcome run(const Model& model, std::span<const Stage> stages, State& state, 
         }
         resumed = false;
         observer.stage_begins(model, state, stages[k], static_cast<int>(k));
-        const RunOutcome outcome =
-            stages[k].strength_reduction
-                ? find_factor_of_safety(model, stages[k], state, observer, options.threads)
-                : run_stage(model, stages[k], stepper, state, observer);
+        RunOutcome outcome = stages[k].strength_reduction
+                                 ? find_factor_of_safety(model, stages[k], state, observer, options.threads)
+                                 : run_stage(model, stages[k], stepper, state, observer);
         if (outcome.status == RunStatus::not_converged || outcome.status == RunStatus::not_settled)
             observer.stage_fails(model, state, stages[k], static_cast<int>(k));
         if (outcome.status != RunStatus::completed) return outcome;
