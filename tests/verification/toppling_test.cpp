@@ -88,8 +88,9 @@ class Slope {
             const int low = std::min(c.corner_block, c.edge_block);
             const int high = std::max(c.corner_block, c.edge_block);
             if (low < count || high != low + 1) continue;
-            force[static_cast<std::size_t>(high - count + 1)] += c.normal_force;
-            shear[static_cast<std::size_t>(high - count + 1)] += c.shear_force;
+            const auto upper = static_cast<std::size_t>(high) + 1 - count;
+            force[upper] += c.normal_force;
+            shear[upper] += c.shear_force;
         }
     }
     double moved = 0;                       ///< m, of the last run, the largest of any block
