@@ -12,7 +12,8 @@ std::string one_line(const SourcePlace& place, const std::string& what, const st
     text += what;
     if (!expected.empty()) text += "; expected " + expected;
     std::replace_if(
-        text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+        text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; },
+        ' ');
     return text;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "blockgen/base/magnitude.hpp"
 #include "blockgen/base/read_file.hpp"
 #include "blockgen/base/text.hpp"
 #include "blockgen/config/config_view.hpp"
@@ -43,7 +44,7 @@ double quantity_of_text(const Value& value, Dimension dimension, const std::stri
     const std::optional<double> factor = unit_factor(dimension, unit);
     if (!factor) value.fail(shown + ", whose unit does not fit", describe(dimension));
     const double converted = *number * *factor;
-    if (!std::isfinite(converted)) value.fail(shown + ", which is too large", describe(dimension));
+    if (!is_usable(converted)) value.fail(shown + ", which is too large", describe(dimension));
     return converted;
 }
 
@@ -54,6 +55,7 @@ double quantity(const Value& value, Dimension dimension) {
     const double number = value.node.value<double>().value_or(std::nan(""));
     if (!std::isfinite(number))
         value.fail(inline_text(value.node) + ", which is not a finite number", describe(dimension));
+    if (!is_usable(number)) value.fail(shortest_text(number) + ", which is too large", describe(dimension));
     if (dimension == Dimension::angle && number != 0)
         value.fail(shortest_text(number) + ", without a unit", describe(dimension));
     return number;

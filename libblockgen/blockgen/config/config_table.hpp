@@ -34,8 +34,8 @@ enum class Dimension {
 
 /// A strict view of one table of a TOML model file. Every key that is read is marked; finish() makes an error
 /// of each key that nobody read, with the nearest known key as a suggestion. All errors are InputError with
-/// the place. Values that are not finite are refused everywhere. Copies share one view. Ranges are the
-/// caller's, through `checked`.
+/// the place. Values that are not finite, or beyond 1e30, are refused everywhere. Copies share one view.
+/// Ranges are the caller's, through `checked`.
 ///
 /// An `expected` text completes "expected ...": "a positive number", not "must be positive".
 class ConfigTable {

@@ -1,7 +1,9 @@
 #include "blockgen/mesh/check_mesh.hpp"
 
 #include <cmath>
+#include <set>
 #include <string>
+#include <string_view>
 
 #include "blockgen/base/input_error.hpp"
 #include "blockgen/base/text.hpp"
@@ -30,7 +32,9 @@ class MeshChecker {
         for (const Bolt& bolt : mesh_.bolts) {
             check_point("first end of bolt '" + bolt.name + "'", bolt.first_block, bolt.first);
             check_point("second end of bolt '" + bolt.name + "'", bolt.second_block, bolt.second);
+            if (bolt.first == bolt.second) fail("bolt '" + bolt.name + "' has no length", "two points apart");
         }
+        check_names();
     }
 
   private:
@@ -125,6 +129,13 @@ class MeshChecker {
                 break;
             }
         }
+    }
+
+    void check_names() const {
+        std::set<std::string_view> names;
+        for (const MeasuredPoint& point : mesh_.measured_points)
+            if (!names.insert(point.name).second)
+                fail("there are two measured points '" + point.name + "'", "a name for each measured point");
     }
 
     void check_point(const std::string& name, std::int32_t block, const Point& p) const {

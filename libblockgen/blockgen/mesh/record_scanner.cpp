@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "blockgen/base/magnitude.hpp"
 #include "blockgen/mesh/names.hpp"
 
 namespace blockgen {
@@ -24,7 +25,10 @@ int hex_digit(char c) {
 }  // namespace
 
 RecordScanner::RecordScanner(std::string_view text, std::string file_name)
-    : text_(text), file_name_(std::move(file_name)) {}
+    : text_(text), file_name_(std::move(file_name)) {
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+    if (text_.starts_with(byte_order_mark)) text_.remove_prefix(byte_order_mark.size());
+}
 
 bool RecordScanner::next_line() {
     while (next_start_ < text_.size()) {
@@ -103,6 +107,7 @@ double RecordScanner::number(std::string_view expected) {
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value))
         fail("'" + std::string(digits) + "' is not a finite number", std::string(expected));
+    if (!is_usable(value)) fail("'" + std::string(digits) + "' is too large", std::string(expected));
     return value;
 }
 

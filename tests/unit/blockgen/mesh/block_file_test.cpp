@@ -68,7 +68,7 @@ TEST(BlockFile, RoundTripKeepsEveryBitAndEveryName) {
     BlockMesh mesh;
     const double tiny = std::numeric_limits<double>::denorm_min();
     mesh.vertices = {
-        {0.1, -0.0}, {466000.282228214303632, 6691582.099214151501656}, {tiny, 1e300}, {1.0 / 3, 2}};
+        {0.1, -0.0}, {466000.282228214303632, 6691582.099214151501656}, {tiny, 1e30}, {1.0 / 3, 2}};
     mesh.block_materials = {"", "gneiss \"grey\"", "Schiefer #2", "岩", "a\\b\n\tc\x01"};
     mesh.joint_materials = {"-", "ring"};
     mesh.joints = {{"Störung 1"}};
@@ -90,6 +90,8 @@ TEST(BlockFile, RoundTripKeepsEveryBitAndEveryName) {
 TEST(BlockFile, CommentsBlankLinesAndCarriageReturnsAreSkipped) {
     std::string text = replaced(two_blocks, "vertex 1 0\n", "\n  # a comment\nvertex 1 0   # the toe\r\n");
     EXPECT_EQ(parse_block_file(text + "\n# after\n", "x"), parse_block_file(two_blocks, "x"));
+    EXPECT_EQ(parse_block_file("\xEF\xBB\xBF" + text, "x"), parse_block_file(two_blocks, "x"))
+        << "a byte order mark is skipped, too";
 }
 
 TEST(BlockFile, EveryTruncationIsAnError) {
@@ -128,6 +130,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Damage{"vertex 1 0.5", "vertex 1 nan", "9:10", "not a finite number"},
                     Damage{"vertex 1 0.5", "vertex 1 inf", "9:10", "not a finite number"},
                     Damage{"vertex 1 0.5", "vertex 1 1e999", "9:10", "not a finite number"},
+                    Damage{"vertex 1 0.5", "vertex 1 -1.1e30", "9:10", "too large"},
                     Damage{"vertex 1 0.5", "vertex 1", "9:9", "ends early"},
                     Damage{"vertex 1 0.5", "vertex 1 0.5 7", "9:14", "one word too many"},
                     Damage{"vertex 1 1", "vertex 1 1\nvertex 2 2", "13:1", "out of place"},

@@ -81,6 +81,18 @@ TEST(CheckMesh, RefusesBadIndicesAndPoints) {
     EXPECT_THAT(error_of(mesh), HasSubstr("not finite"));
 }
 
+TEST(CheckMesh, RefusesBoltsWithoutLengthAndSharedNames) {
+    BlockMesh mesh = mesh_of({square});
+    mesh.bolts = {{"anchor", "cable", 0, 0, {3, 3}, {3, 2}}};
+    mesh.measured_points = {{"crest", 0, {3, 3}}, {"toe", 0, {3, 3}}};
+    EXPECT_EQ(error_of(mesh), "no error");
+    mesh.bolts[0].second = mesh.bolts[0].first;
+    EXPECT_THAT(error_of(mesh), HasSubstr("bolt 'anchor' has no length"));
+    mesh.bolts.clear();
+    mesh.measured_points[1].name = "crest";
+    EXPECT_THAT(error_of(mesh), HasSubstr("two measured points 'crest'"));
+}
+
 TEST(Orientation, IsExactWhereTheFilterFails) {
     // Three points that double arithmetic calls collinear, or worse, near a line of slope one (Kettner et al.
     // 2008).
