@@ -38,8 +38,8 @@ struct Interval {
 
 class ParallelSet {
   public:
-    ParallelSet(const JointSet& set, const SlopeModel& model, std::size_t most_lines)
-        : set_(set), draws_(model.seed, set.name), bounds_(bounds_of(set, model)), most_lines_(most_lines) {
+    ParallelSet(const JointSet& set, const SlopeModel& model, std::size_t most_draws)
+        : set_(set), draws_(model.seed, set.name), bounds_(bounds_of(set, model)), most_draws_(most_draws) {
         const double mean_angle = set.angle.untruncated_mean();
         across_ = {-std::sin(mean_angle), std::cos(mean_angle)};
         centre_ = {(bounds_.low.x + bounds_.high.x) / 2, (bounds_.low.y + bounds_.high.y) / 2};
@@ -57,12 +57,14 @@ class ParallelSet {
                                                             set_.spacing.quantile(draws_.draw(phase, 0, 1));
         double offset = first;
         for (std::int64_t line = 0; offset <= reach_.high; ++line) {
+            count_draw();
             add_line(line, offset);
             offset +=
                 set_.spacing.quantile(draws_.draw(spacing_forward, 0, static_cast<std::uint64_t>(line)));
         }
         offset = first;
         for (std::int64_t line = -1;; --line) {
+            count_draw();
             offset -=
                 set_.spacing.quantile(draws_.draw(spacing_backward, 0, static_cast<std::uint64_t>(-line)));
             if (offset < reach_.low) break;
@@ -82,14 +84,19 @@ class ParallelSet {
         return Bounds::of(model.outline);
     }
 
+    /// Counts the lines between the origin and the far side of the box, and the traces on them: what takes
+    /// time.
+    void count_draw() {
+        if (++draw_count_ > most_draws_)
+            throw InputError(set_.place,
+                             "joint set '" + set_.name + "' needs more than " + std::to_string(most_draws_) +
+                                 " lines and traces",
+                             "a wider spacing, longer traces or gaps, or an origin nearer to the domain");
+    }
+
     /// The joints of one line, whose distance across the set is `offset`.
     void add_line(std::int64_t line, double offset) {
         if (offset < reach_.low) return;
-        if (++line_count_ > most_lines_)
-            throw InputError(
-                set_.place,
-                "joint set '" + set_.name + "' has more than " + std::to_string(most_lines_) + " lines",
-                "a wider spacing");
         const double angle = set_.angle.quantile(draws_.draw(direction, line, 0));
         const Point u{std::cos(angle), std::sin(angle)};
         const double shift = offset - along(across_, centre_);
@@ -108,6 +115,7 @@ class ParallelSet {
         const double cycle = set_.trace_length->untruncated_mean() + set_.gap->untruncated_mean();
         double t = inside->first - (8 + draws_.draw(start, line, 0)) * cycle;
         for (std::uint64_t k = 0; t < inside->second; ++k) {
+            count_draw();
             const double end = t + set_.trace_length->quantile(draws_.draw(trace, line, k));
             add(std::max(t, inside->first), std::min(end, inside->second));
             t = end + set_.gap->quantile(draws_.draw(bridge, line, k));
@@ -117,8 +125,8 @@ class ParallelSet {
     const JointSet& set_;
     DrawStream draws_;
     Bounds bounds_;
-    std::size_t most_lines_;
-    std::size_t line_count_ = 0;
+    std::size_t most_draws_;
+    std::size_t draw_count_ = 0;
     Point across_, centre_;
     double radius_ = 0;
     Interval reach_;
@@ -136,8 +144,8 @@ double DrawStream::draw(std::uint64_t purpose, std::int64_t line, std::uint64_t 
     return (static_cast<double>(bits >> 12u) + 0.5) * 0x1p-52;
 }
 
-std::vector<Trace> sample_joint_set(const JointSet& set, const SlopeModel& model, std::size_t most_lines) {
-    std::vector<Trace> traces = ParallelSet(set, model, most_lines).sample();
+std::vector<Trace> sample_joint_set(const JointSet& set, const SlopeModel& model, std::size_t most_draws) {
+    std::vector<Trace> traces = ParallelSet(set, model, most_draws).sample();
     for (const Region& region : model.regions) {
         if (region.name != set.region) continue;
         std::vector<Trace> clipped;

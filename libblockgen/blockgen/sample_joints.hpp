@@ -22,8 +22,8 @@ class DrawStream {
 /// The traces of a joint set within the domain's bounding box, or within its region. Spacings are measured
 /// across the set's mean direction, from the origin to both sides. Each line alternates trace and rock
 /// bridge. A set's draws depend on the seed and its name only, so editing one set leaves the others as they
-/// were. @throws InputError when the set has more than `most_lines` lines.
+/// were. @throws InputError when the set needs more than `most_draws` lines and traces.
 std::vector<Trace> sample_joint_set(const JointSet& set, const SlopeModel& model,
-                                    std::size_t most_lines = 10'000'000);
+                                    std::size_t most_draws = 10'000'000);
 
 }  // namespace blockgen

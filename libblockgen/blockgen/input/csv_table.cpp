@@ -4,8 +4,10 @@
 #include <string_view>
 
 #include "blockgen/base/input_error.hpp"
+#include "blockgen/base/magnitude.hpp"
 #include "blockgen/base/read_file.hpp"
 #include "blockgen/base/text.hpp"
+#include "blockgen/mesh/names.hpp"
 
 namespace blockgen {
 
@@ -85,6 +87,9 @@ CsvTable read_csv(const std::filesystem::path& path, const std::vector<std::stri
             const bool present = where[i] < fields.size();
             if (i >= number_columns.size()) {
                 row.texts.emplace_back(present ? fields[where[i]].text : std::string_view());
+                if (!is_utf8(row.texts.back()))
+                    throw InputError({path.string(), line_number, fields[where[i]].column},
+                                     "a name is not UTF-8", "UTF-8 text");
                 continue;
             }
             const auto value = present ? parse_number(fields[where[i]].text) : std::nullopt;
@@ -93,6 +98,10 @@ CsvTable read_csv(const std::filesystem::path& path, const std::vector<std::stri
                                  present
                                      ? "'" + std::string(fields[where[i]].text) + "' is not a finite number"
                                      : "the line ends before column '" + number_columns[i] + "'",
+                                 "a number for " + number_columns[i]);
+            if (!is_usable(*value))
+                throw InputError({path.string(), line_number, fields[where[i]].column},
+                                 "'" + std::string(fields[where[i]].text) + "' is too large",
                                  "a number for " + number_columns[i]);
             row.numbers.push_back(*value);
         }

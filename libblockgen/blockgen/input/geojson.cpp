@@ -1,10 +1,10 @@
 #include "blockgen/input/geojson.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "blockgen/base/input_error.hpp"
+#include "blockgen/base/magnitude.hpp"
 #include "blockgen/base/read_file.hpp"
 
 namespace blockgen {
@@ -13,14 +13,24 @@ namespace {
 
 using nlohmann::json;
 
+/// GeoJSON needs about ten; each level of a geometry collection costs stack.
+constexpr int deepest_nesting = 100;
+
 json parse(const std::filesystem::path& path) {
     const std::string text = read_text_file(path);
+    const auto refuse_depth = [&](int depth, json::parse_event_t, json&) {
+        if (depth > deepest_nesting)
+            throw InputError({path.string()}, "the JSON is nested too deeply", "a GeoJSON file");
+        return true;
+    };
     try {
-        return json::parse(text);
+        return json::parse(text, refuse_depth);
     } catch (const json::parse_error& error) {
         const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
         const int line = 1 + static_cast<int>(std::count(text.begin(), end, '\n'));
         throw InputError({path.string(), line}, "this is not JSON", "a GeoJSON file");
+    } catch (const json::out_of_range&) {
+        throw InputError({path.string()}, "a number is too large", "coordinates in metres");
     }
 }
 
@@ -42,8 +52,8 @@ class GeoJsonReader {
                 !position[1].is_number())
                 fail("a position is not a pair of numbers", "[x, y]");
             result.push_back({position[0].get<double>(), position[1].get<double>()});
-            if (!std::isfinite(result.back().x) || !std::isfinite(result.back().y))
-                fail("a coordinate is not finite", "finite coordinates");
+            if (!is_usable(result.back().x) || !is_usable(result.back().y))
+                fail("a coordinate is too large", "coordinates in metres");
         }
         return result;
     }
@@ -98,15 +108,17 @@ std::vector<GeoJsonLine> read_geojson_lines(const std::filesystem::path& path) {
         if (properties.is_object() && properties.contains("joint_material") &&
             properties["joint_material"].is_string())
             material = properties["joint_material"].get<std::string>();
+        const auto add = [&](const json& coordinates) {
+            lines.push_back({material, reader.points(coordinates)});
+            if (lines.back().points.size() < 2)
+                reader.fail("a line of fewer than two points", "two points or more");
+        };
         if (type == "LineString")
-            lines.push_back({material, reader.points(reader.coordinates(geometry))});
+            add(reader.coordinates(geometry));
         else if (type == "MultiLineString")
-            for (const json& part : reader.coordinates(geometry))
-                lines.push_back({material, reader.points(part)});
+            for (const json& part : reader.coordinates(geometry)) add(part);
         else
             reader.fail("geometry of type '" + type + "'", "LineString or MultiLineString");
-        if (lines.back().points.size() < 2)
-            reader.fail("a line of fewer than two points", "two points or more");
     });
     return lines;
 }

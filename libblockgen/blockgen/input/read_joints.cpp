@@ -96,7 +96,7 @@ void read_bridges(const ConfigTable& table, JointSet& set) {
 JointSet read_joint_set(const ConfigTable& table, const SlopeModel& model) {
     JointSet set;
     set.place = table.place();
-    set.name = table.string("name");
+    set.name = read_name(table, "name");
     table.choice("kind", {"parallel"}, "parallel");
     set.joint_material = table.string("joint_material", set.name);
     set.angle = read_distribution(table, "angle", Dimension::angle);
@@ -122,8 +122,10 @@ void read_traces(const ConfigTable& table, SlopeModel& model) {
         table.fail("points", "traces need points or a file", "exactly one of them");
     if (table.has("file")) {
         model.files.push_back(table.file_path("file"));
-        for (Trace& trace : read_trace_file(model.files.back(), name, material))
+        for (Trace& trace : read_trace_file(model.files.back(), name, material)) {
+            check_reach(table, "file", trace.points, model);
             model.traces.push_back(std::move(trace));
+        }
         return;
     }
     if (material.empty())
@@ -132,6 +134,7 @@ void read_traces(const ConfigTable& table, SlopeModel& model) {
     for (const auto& pair : table.pairs("points", Dimension::length)) trace.points.push_back(point_of(pair));
     if (trace.points.size() < 2)
         table.fail("points", "a trace of fewer than two points", "two points or more");
+    check_reach(table, "points", trace.points, model);
     model.traces.push_back(std::move(trace));
 }
 

@@ -8,7 +8,7 @@ BlockSelector read_selector(const ConfigTable& table, bool prescribed) {
     BlockSelector selector;
     selector.place = table.place();
     selector.prescribed = prescribed;
-    selector.name = prescribed ? table.string("name") : table.string("name", "");
+    selector.name = prescribed ? read_name(table, "name") : table.string("name", "");
     const int given = int{table.has("at")} + int{table.has("inside")} + int{table.has("side")};
     if (given != 1)
         table.fail("at", "a block is chosen by one of at, inside and side", "exactly one of them");
@@ -27,16 +27,19 @@ void read_marks(const ConfigTable& root, SlopeModel& model) {
         model.selectors.push_back(read_selector(table, true));
     for (const ConfigTable& table : root.array_of_tables("measured_point")) {
         model.measured_points.push_back(
-            {table.string("name"), point_of(table.pair("at", Dimension::length)), table.place("at")});
+            {read_name(table, "name"), point_of(table.pair("at", Dimension::length)), table.place("at")});
         for (std::size_t k = 0; k + 1 < model.measured_points.size(); ++k)
             if (model.measured_points[k].name == model.measured_points.back().name)
                 table.fail("name", "a second measured point '" + model.measured_points[k].name + "'",
                            "a name for each measured point");
     }
-    for (const ConfigTable& table : root.array_of_tables("bolt"))
+    for (const ConfigTable& table : root.array_of_tables("bolt")) {
         model.bolts.push_back({table.string("name", "bolt " + std::to_string(model.bolts.size() + 1)),
-                               table.string("material"), point_of(table.pair("from", Dimension::length)),
+                               read_name(table, "material"), point_of(table.pair("from", Dimension::length)),
                                point_of(table.pair("to", Dimension::length)), table.place()});
+        if (model.bolts.back().from == model.bolts.back().to)
+            table.fail("to", "a bolt whose two ends are the same point", "another point than 'from'");
+    }
 }
 
 }  // namespace blockgen

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "blockgen/base/text.hpp"
+#include "blockgen/clip_line.hpp"
 #include "blockgen/input/geometry_file.hpp"
 
 namespace blockgen {
@@ -99,9 +100,11 @@ void read_outline(const ConfigTable& domain, SlopeModel& model) {
     } else {
         rings.push_back(ring_of(domain.pairs("outline", Dimension::length)));
     }
+    const std::size_t rings_in_file = rings.size();
     for (const auto& pairs : domain.rings("holes")) rings.push_back(ring_of(pairs));
     for (std::size_t r = 0; r < rings.size(); ++r) {
-        const std::string what = r == 0 ? "the outline" : "hole " + std::to_string(r);
+        const std::string what = (r == 0 ? "the outline" : "hole " + std::to_string(r)) +
+                                 (in_file && r < rings_in_file ? " in " + model.files.back().string() : "");
         if (const std::string fault = fault_of(rings[r]); !fault.empty())
             domain.fail(r == 0 || in_file ? key : "holes", what + ": " + fault, ring_expected);
         make_counter_clockwise(rings[r]);
@@ -120,28 +123,40 @@ double read_grid(const ConfigTable& domain) {
 }
 
 void check_extent(const ConfigTable& domain, const SlopeModel& model) {
-    double low = model.outline[0].x, high = low, farthest = 0;
-    for (const Point& p : model.outline) {
-        low = std::min({low, p.x});
-        high = std::max({high, p.x});
-        farthest = std::max({farthest, std::abs(p.x), std::abs(p.y)});
-    }
-    double low_y = model.outline[0].y, high_y = low_y;
-    for (const Point& p : model.outline) low_y = std::min(low_y, p.y), high_y = std::max(high_y, p.y);
-    const double extent = std::max(high - low, high_y - low_y);
-    if (farthest / model.grid >= 0x1p51 || extent / model.grid >= 0x1p37)
-        domain.fail(domain.has("grid") ? "grid" : "outline",
-                    "a grid of " + shortest_text(model.grid) + " m is too fine for a domain of this extent",
-                    "a coarser grid");
-    if (std::min(high - low, high_y - low_y) < 16 * model.grid)
-        domain.fail(domain.has("grid") ? "grid" : "outline", "the domain is hardly larger than the grid",
-                    "a finer grid");
+    const std::string key = domain.has("grid") ? "grid" : domain.has("outline") ? "outline" : "outline_file";
+    check_reach(domain, key, model.outline, model);
+    const Bounds bounds = Bounds::of(model.outline);
+    if (std::min(bounds.high.x - bounds.low.x, bounds.high.y - bounds.low.y) < 16 * model.grid)
+        domain.fail(key, "the domain is hardly larger than the grid", "a finer grid");
+    for (const Ring& hole : model.holes)
+        check_reach(domain, domain.has("holes") ? "holes" : key, hole, model);
 }
 
 }  // namespace
 
 Point point_of(const std::array<double, 2>& pair) {
     return {pair[0], pair[1]};
+}
+
+std::string read_name(const ConfigTable& table, std::string_view key) {
+    std::string name = table.string(key);
+    if (name.empty())
+        table.fail(key, "'" + std::string(key) + "' in [" + table.path() + "] is empty", "a name");
+    return name;
+}
+
+void check_reach(const ConfigTable& table, std::string_view key, const Ring& points,
+                 const SlopeModel& model) {
+    Ring all = model.outline;
+    all.insert(all.end(), points.begin(), points.end());
+    const auto [low, high] = Bounds::of(all);
+    const double extent = std::max(high.x - low.x, high.y - low.y);
+    const double farthest = std::max({std::abs(low.x), std::abs(high.x), std::abs(low.y), std::abs(high.y)});
+    if (farthest / model.grid < 0x1p51 && extent / model.grid < 0x1p37) return;
+    table.fail(key,
+               "a grid of " + shortest_text(model.grid) + " m is too fine for coordinates up to " +
+                   shortest_text(farthest) + " m",
+               "smaller coordinates or a coarser grid");
 }
 
 Ring read_ring(const ConfigTable& table, std::string_view key) {
@@ -155,7 +170,7 @@ void read_domain(const ConfigTable& root, SlopeModel& model) {
     const ConfigTable domain = root.table("domain");
     model.domain_place = domain.place();
     read_outline(domain, model);
-    model.block_material = domain.string("block_material");
+    model.block_material = read_name(domain, "block_material");
     model.grid = read_grid(domain);
     model.islands = domain.choice("islands", {"keep", "error"}, "keep") == "keep" ? IslandPolicy::keep
                                                                                   : IslandPolicy::error;
@@ -166,10 +181,11 @@ void read_regions(const ConfigTable& root, SlopeModel& model) {
     for (const ConfigTable& table : root.array_of_tables("region")) {
         Region region;
         region.place = table.place();
-        region.name = table.string("name");
+        region.name = read_name(table, "name");
         region.block_material = table.string("block_material", model.block_material);
         region.joint_material = table.string("joint_material", "");
         region.polygon = read_ring(table, "polygon");
+        check_reach(table, "polygon", region.polygon, model);
         for (const Region& other : model.regions)
             if (other.name == region.name)
                 table.fail("name", "a second region '" + region.name + "'", "a name for each region");
@@ -183,6 +199,7 @@ void read_tunnels(const ConfigTable& root, SlopeModel& model) {
         tunnel.place = table.place();
         tunnel.name = table.string("name", "tunnel " + std::to_string(model.tunnels.size() + 1));
         tunnel.outline = read_tunnel_outline(table);
+        check_reach(table, "shape", tunnel.outline, model);
         model.tunnels.push_back(std::move(tunnel));
     }
 }

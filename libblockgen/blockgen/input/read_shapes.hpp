@@ -7,8 +7,15 @@ namespace blockgen {
 
 Point point_of(const std::array<double, 2>& pair);
 
+/// A string that is not empty.
+std::string read_name(const ConfigTable& table, std::string_view key);
+
 /// A simple ring of at least three corners under `key`; made counter-clockwise.
 Ring read_ring(const ConfigTable& table, std::string_view key);
+
+/// @throws InputError at `key` when the outline and these points together reach too far for the model's grid:
+/// beyond 2^51 steps from the origin or 2^37 steps across, where the cutter's integers would end.
+void check_reach(const ConfigTable& table, std::string_view key, const Ring& points, const SlopeModel& model);
 
 /// [domain]: outline, holes, block material, grid, policies; and the files it names.
 void read_domain(const ConfigTable& root, SlopeModel& model);

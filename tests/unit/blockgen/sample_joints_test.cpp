@@ -186,6 +186,20 @@ TEST(SampleJoints, EditingOneSetLeavesTheOther) {
 
 TEST(SampleJoints, TooManyLinesAreRefused) {
     EXPECT_THROW(sample_joint_set(parallel(10, 0.01), rectangle(100, 100), 1000), InputError);
+    // Lines that lie outside cost as much time as those within.
+    JointSet set = parallel(10, 0.01);
+    set.origin = Point{1e9, 1e9};
+    EXPECT_THROW(sample_joint_set(set, rectangle(1, 1), 1000), InputError);
+}
+
+// Such lengths leave the position along the line where it was, without end.
+TEST(SampleJoints, TooManyTracesAreRefused) {
+    for (const auto& [length, gap] : {std::pair(1e-3, 0.0), std::pair(1e-9, 1e-9), std::pair(1e-30, 0.0)}) {
+        JointSet set = parallel(10, 50);
+        set.trace_length = constant_value(length);
+        set.gap = constant_value(gap);
+        EXPECT_THROW(sample_joint_set(set, rectangle(100, 100), 1000), InputError) << length;
+    }
 }
 
 }  // namespace

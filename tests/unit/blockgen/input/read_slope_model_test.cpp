@@ -115,6 +115,14 @@ INSTANTIATE_TEST_SUITE_P(
               "edge 1 from (0, 0) to (10, 5) and edge 3 from (10, 0) to (0, 5) meet at (5, 2.5)"},
         Fault{"[10, 5], [0, 5]]", "[10, nan], [0, 5]]", "3", "finite"},
         Fault{"[10, 5], [0, 5]]", "[10, 5, 1], [0, 5]]", "3", "outline"},
+        Fault{"[10, 5], [0, 5]]", "[10, 1e31], [0, 5]]", "3", "too large"},
+        Fault{"[10, 5], [0, 5]]", "[10, 1e17], [0, 5]]", "5", "too fine"},
+        Fault{"block_material = \"rock\"", "block_material = \"\"", "4", "is empty"},
+        Fault{"polygon = [[0, 4], [10, 4]", "polygon = [[0, 4], [1e12, 4]", "9", "too fine"},
+        Fault{"centre = [4, 2]", "centre = [4, 1e12]", "11", "too fine"},
+        Fault{"points = [[1, 0], [2, 5]]", "points = [[1, 0], [2e12, 5]]", "23", "too fine"},
+        Fault{"[[fixed_block]]", "[[bolt]]\nmaterial = \"m\"\nfrom = [1, 1]\nto = [1, 1]\n[[fixed_block]]",
+              "27", "same point"},
         Fault{"block_material = \"rock\"", "block_material = 3", "4", "block_material"},
         Fault{"block_material = \"rock\"\n", "", "2", "block_material"},
         Fault{"grid = 9.5367431640625e-7", "grid = 1e-6", "5", "power of two"},
@@ -178,6 +186,12 @@ TEST_F(GeometryFile, TracesFromCsv) {
 TEST_F(GeometryFile, CsvFaultsAreNamedWithTheirPlace) {
     EXPECT_THAT(error_of(write("b.csv", "x1,y1,x2\n0,0,1\n")), HasSubstr("no column 'y2'"));
     EXPECT_THAT(error_of(write("c.csv", "x1,y1,x2,y2\n0,0,1,nan\n")), HasSubstr("c.csv:2:7"));
+    EXPECT_THAT(error_of(write("c.csv", "x1,y1,x2,y2\n0,0,1,1e31\n")),
+                HasSubstr("c.csv:2:7: '1e31' is too large"));
+    EXPECT_THAT(error_of(write("c.csv",
+                               "x1,y1,x2,y2,joint_material\n0,0,1,1,r\xf6"
+                               "ck\n")),
+                HasSubstr("c.csv:2:9: a name is not UTF-8"));
     EXPECT_THAT(error_of(write("d.csv", "x1,y1,x2,y2\n0,0,1\n")), HasSubstr("d.csv:2"));
     EXPECT_THAT(error_of(write("e.csv", "x1,y1,x2,y2\n")), HasSubstr("no trace"));
     EXPECT_THAT(error_of(write("f.dxf", "0")), HasSubstr("geometry format"));
@@ -207,6 +221,19 @@ TEST_F(GeometryFile, GeoJsonFaultsAreNamed) {
                 HasSubstr("'Point'"));
     EXPECT_THAT(error_of(write("l.geojson", R"({"type": "LineString", "coordinates": [[0, 0]]})")),
                 HasSubstr("two points"));
+    const auto line = [](const std::string& points) {
+        return R"({"type": "MultiLineString", "coordinates": [)" + points + "]}";
+    };
+    EXPECT_THAT(error_of(write("n.geojson", line(""))), HasSubstr("no trace"));
+    EXPECT_THAT(error_of(write("n.geojson", line("[[0, 0]], [[0, 0], [1, 1]]"))), HasSubstr("two points"));
+    EXPECT_THAT(error_of(write("n.geojson", line("[[0, 0], [1, 1e31]]"))), HasSubstr("too large"));
+    EXPECT_THAT(error_of(write("n.geojson", line("[[0, 0], [1, 1e999]]"))), HasSubstr("too large"));
+    std::string nested, closing;
+    for (int i = 0; i < 100000; ++i) {
+        nested += R"({"type": "GeometryCollection", "geometries": [)";
+        closing += "]}";
+    }
+    EXPECT_THAT(error_of(write("n.geojson", nested + closing)), HasSubstr("nested too deeply"));
     EXPECT_THAT(error_of(write("m.geojson", R"({"type": "LineString", "coordinates": [[0, "x"], [1, 1]]})")),
                 HasSubstr("pair of numbers"));
 }
