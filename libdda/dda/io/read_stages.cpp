@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "blockgen/base/magnitude.hpp"
 #include "blockgen/base/text.hpp"
 #include "dda/io/base_acceleration.hpp"
 #include "dda/io/read_materials.hpp"
@@ -14,6 +15,7 @@ using blockgen::Dimension;
 namespace {
 
 constexpr int largest_count = 1'000'000'000;
+constexpr double most_drift_steps = 1e8;  // each costs a few nanoseconds
 
 double in_range(const ConfigTable& table, std::string_view key, double fallback, double low, double high,
                 const std::string& expected) {
@@ -71,7 +73,12 @@ TimeTable read_axis(const ConfigTable& axis, double step, InputFiles& files) {
         for (double& value : values) value *= scale;
         table = ending_in_zero(TimeTable(table.times(), std::move(values)));
     }
+    if (!std::all_of(table.values().begin(), table.values().end(), blockgen::is_usable))
+        axis.fail("scale", "the accelerations of [" + axis.path() + "] are too large", "a ground motion");
     if (axis.choice("baseline", {"none", "drift"}, "none") == "none") return table;
+    if (table.times().back() > most_drift_steps * step)
+        axis.fail("baseline", "the record is too long to correct its drift",
+                  "at most " + blockgen::shortest_text(most_drift_steps) + " steps");
     if (table.times().back() < 2 * step)
         axis.fail("baseline", "the record is too short to correct its drift",
                   "at least two steps of " + blockgen::shortest_text(step) + " s");
@@ -86,7 +93,9 @@ TimeTable at_rest() {
 void check_block(const ConfigTable& table, const std::string& block, const Model& model) {
     std::vector<std::string> names;
     for (std::size_t i = 0; i < model.motion.size(); ++i)
-        if (model.motion[i] == Motion::prescribed) names.push_back(model.block_name[i]);
+        if (model.motion[i] == Motion::prescribed &&
+            std::find(names.begin(), names.end(), model.block_name[i]) == names.end())
+            names.push_back(model.block_name[i]);
     if (std::find(names.begin(), names.end(), block) != names.end()) return;
     std::string known;
     for (const std::string& name : names) known += (known.empty() ? "" : ", ") + name;

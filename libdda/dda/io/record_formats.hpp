@@ -27,6 +27,9 @@ inline constexpr std::array record_formats = {
     RecordFormat{"two columns", is_two_columns, read_two_columns},
 };
 
+/// @throws InputError at line `index` when the step or the duration of a record is out of all proportion.
+void check_sampling(double dt, std::size_t count, const RecordLines& lines, std::size_t index);
+
 /// Settles what the values are, from the file's own words (either may be empty) and the declaration, at line
 /// `index`, and multiplies them into SI. @throws InputError when nothing says it, or the two disagree.
 void settle_units(Record& record, std::optional<Quantity> own_quantity, const std::string& own_unit,

@@ -6,6 +6,8 @@
 namespace dda {
 
 RecordLines::RecordLines(std::string_view text, std::string file_name) : file_name_(std::move(file_name)) {
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+    if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
     while (!text.empty()) {
         const std::size_t end = std::min(text.find('\n'), text.size());
         std::string_view line = text.substr(0, end);

@@ -8,7 +8,8 @@
 
 namespace dda {
 
-/// A text cut into lines (LF or CRLF), which knows the place of each for messages.
+/// A text cut into lines (LF or CRLF; a byte order mark is skipped), which knows the place of each for
+/// messages.
 class RecordLines {
   public:
     RecordLines(std::string_view text, std::string file_name);

@@ -88,6 +88,7 @@ Record read_peer(const RecordLines& lines, const RecordDeclaration& declaration)
     if (sampling->dt <= 0)
         lines.fail(count_line, "the time step is " + blockgen::shortest_text(sampling->dt),
                    "a positive time in s");
+    check_sampling(sampling->dt, sampling->count, lines, count_line);
     Record record{sampling->dt, numbers_of(lines, sampling->count), {}};
     settle_units(record, quantity_of_name(words_of(lines[kind_line]).front()), unit_of(lines[kind_line]),
                  declaration, lines, kind_line);

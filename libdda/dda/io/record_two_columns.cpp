@@ -1,8 +1,10 @@
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <optional>
 
+#include "blockgen/base/magnitude.hpp"
 #include "blockgen/base/text.hpp"
 #include "dda/io/record_formats.hpp"
 #include "dda/io/two_columns.hpp"
@@ -37,6 +39,16 @@ std::optional<Row> row_of(std::string_view line) {
     return Row{*time, *value};
 }
 
+/// Whether a line is meant as a sample, if a bad one: a heading does not begin with a number, be it nan or
+/// 1e999.
+bool begins_with_number(std::string_view line) {
+    const auto words = words_of(line, separators);
+    if (words.empty()) return false;
+    double value = 0;
+    const char* const last = words[0].data() + words[0].size();
+    return std::from_chars(words[0].data(), last, value).ptr == last;
+}
+
 std::size_t first_content(const RecordLines& lines) {
     std::size_t i = 0;
     while (i < lines.size() && is_skipped(lines[i])) ++i;
@@ -65,6 +77,7 @@ std::string short_text(double value) {
 double even_step(const RecordLines& lines, const TwoColumns& columns) {
     const std::vector<double>& times = columns.times;
     const double dt = (times.back() - times.front()) / static_cast<double>(times.size() - 1);
+    check_sampling(dt, times.size(), lines, columns.lines.back());
     for (std::size_t i = 1; i < times.size(); ++i) {
         const double step = times[i] - times[i - 1];
         const double even_time = times.front() + static_cast<double>(i) * dt;
@@ -85,7 +98,7 @@ double even_step(const RecordLines& lines, const TwoColumns& columns) {
 
 bool is_two_columns(const RecordLines& lines) {
     const std::size_t first = first_content(lines);
-    if (first < lines.size() && row_of(lines[first])) return true;
+    if (first < lines.size() && begins_with_number(lines[first])) return true;
     std::size_t second = first + 1;
     while (second < lines.size() && is_skipped(lines[second])) ++second;
     return second < lines.size() && row_of(lines[second]).has_value();
@@ -94,12 +107,12 @@ bool is_two_columns(const RecordLines& lines) {
 TwoColumns parse_two_columns(const RecordLines& lines) {
     TwoColumns columns;
     const std::size_t first = first_content(lines);
-    const bool has_heading = first < lines.size() && !row_of(lines[first]);
+    const bool has_heading = first < lines.size() && !begins_with_number(lines[first]);
     if (has_heading) columns.heading = heading_of(lines[first]);
     for (std::size_t i = first + (has_heading ? 1 : 0); i < lines.size(); ++i) {
         if (is_skipped(lines[i])) continue;
         const auto row = row_of(lines[i]);
-        if (!row)
+        if (!row || !blockgen::is_usable(row->time) || !blockgen::is_usable(row->value))
             lines.fail(i, "'" + std::string(lines[i].substr(0, 60)) + "' is not a sample",
                        "two finite numbers, time and value");
         if (!columns.times.empty() && row->time <= columns.times.back())

@@ -1,6 +1,8 @@
 #include "dda/io/records.hpp"
 
+#include "blockgen/base/magnitude.hpp"
 #include "blockgen/base/read_file.hpp"
+#include "blockgen/base/text.hpp"
 #include "dda/io/record_formats.hpp"
 
 namespace dda {
@@ -24,6 +26,10 @@ constexpr UnitRow units[] = {
     {Quantity::displacement, "m", 1},          {Quantity::displacement, "cm", 1e-2},
     {Quantity::displacement, "mm", 1e-3},
 };
+
+/// Times that are written in the wrong unit or damaged fall outside, no strong-motion record does.
+constexpr double shortest_step = 1e-6;  // s
+constexpr double longest_record = 1e6;  // s
 
 std::string known_units(Quantity quantity) {
     std::string text;
@@ -63,6 +69,12 @@ std::optional<double> record_unit_factor(Quantity quantity, std::string_view uni
     return std::nullopt;
 }
 
+void check_sampling(double dt, std::size_t count, const RecordLines& lines, std::size_t index) {
+    if (dt >= shortest_step && dt * static_cast<double>(count) <= longest_record) return;
+    lines.fail(index, std::to_string(count) + " samples at steps of " + blockgen::shortest_text(dt) + " s",
+               "times in seconds: steps of 1e-6 s or more, 1e6 s in all or less");
+}
+
 void settle_units(Record& record, std::optional<Quantity> own_quantity, const std::string& own_unit,
                   const RecordDeclaration& declaration, const RecordLines& lines, std::size_t index) {
     if (!own_quantity && !declaration.quantity)
@@ -82,13 +94,18 @@ void settle_units(Record& record, std::optional<Quantity> own_quantity, const st
     if (!own_unit.empty() && !declaration.unit.empty() &&
         record_unit_factor(record.quantity, declaration.unit) != factor)
         lines.fail(index, "the file's unit is " + own_unit, declaration.unit + ", as the model file says");
-    for (double& value : record.values) value *= *factor;
+    for (double& value : record.values) {
+        value *= *factor;
+        if (!blockgen::is_usable(value))
+            lines.fail(index,
+                       "a value is " + blockgen::shortest_text(value) + " in SI units, which is too large",
+                       "a record of ground motion");
+    }
 }
 
 Record parse_record(std::string_view text, const std::string& file_name,
                     const RecordDeclaration& declaration) {
     const std::string expected = "a PEER record (AT2, VT2, DT2) or two columns (time, value)";
-    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
     if (looks_binary(text))
         throw blockgen::InputError(
             {file_name}, "is a binary file (miniSEED and SAC hold no units: convert to two columns)",

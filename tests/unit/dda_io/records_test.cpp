@@ -111,6 +111,28 @@ TEST(Records, TwoColumnFaultsNameTheLine) {
                 HasSubstr("the unit 'g' is not known; expected a unit of velocity"));
 }
 
+// A heading would swallow the first sample.
+TEST(Records, ABadFirstSampleIsNoHeading) {
+    const RecordDeclaration acceleration{Quantity::acceleration, "g"};
+    for (const char* first : {"0,nan", "0,1e999", "0,1,2", "nan,0", "1e999,0", "0", "0,x"})
+        EXPECT_EQ(
+            error_in(std::string(first) + "\n0.1,2\n0.2,3\n", acceleration),
+            "r:1: '" + std::string(first) + "' is not a sample; expected two finite numbers, time and value");
+}
+
+TEST(Records, ValuesAndTimesOutOfAllProportionAreRefused) {
+    const RecordDeclaration acceleration{Quantity::acceleration, "g"};
+    EXPECT_THAT(error_in("0,1e30\n0.1,2\n", acceleration), HasSubstr("too large"));
+    EXPECT_THAT(error_in("0,1\n1e31,2\n", acceleration), StartsWith("r:2: '1e31,2' is not a sample"));
+    EXPECT_THAT(error_in("0,1\n1e-300,2\n2e-300,3\n", acceleration), HasSubstr("steps of 1e-300 s"));
+    EXPECT_THAT(error_in("0,1\n1e300,2\n", acceleration), StartsWith("r:2:"));
+    EXPECT_THAT(error_in(peer(in_g, "NPTS= 3, DT= 1e-308 SEC", "1 2 3")),
+                StartsWith("r:4: 3 samples at steps of"));
+    EXPECT_THAT(error_in(peer(in_g, "NPTS= 3, DT= 1e30 SEC", "1 2 3")),
+                StartsWith("r:4: 3 samples at steps of"));
+    EXPECT_THAT(error_in(peer(in_g, "NPTS= 3, DT= 1 SEC", "1 2 1e308")), HasSubstr("too large"));
+}
+
 TEST(Records, TimesRoundedToFewDigitsAreStillEven) {
     std::string text;
     for (int i = 0; i < 1000; ++i) {
