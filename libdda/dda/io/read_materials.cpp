@@ -1,5 +1,8 @@
 #include "dda/io/read_materials.hpp"
 
+#include "blockgen/base/magnitude.hpp"
+#include "blockgen/base/text.hpp"
+
 namespace dda {
 
 using blockgen::ConfigTable;
@@ -31,8 +34,11 @@ BlockMaterial read_block_material(const std::string& name, const ConfigTable& ta
 }  // namespace
 
 double positive(const ConfigTable& table, std::string_view key, Dimension dimension) {
+    const double value = table.number(key, dimension);
     return table.checked(
-        key, table.number(key, dimension), [](double v) { return v > 0; }, "a positive number");
+        key, value, [](double v) { return v >= blockgen::smallest_positive; },
+        value > 0 ? "a number above " + blockgen::shortest_text(blockgen::smallest_positive)
+                  : "a positive number");
 }
 
 double positive(const ConfigTable& table, std::string_view key, Dimension dimension, double fallback) {

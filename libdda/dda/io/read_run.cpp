@@ -5,6 +5,7 @@
 #include "blockgen/base/text.hpp"
 #include "blockgen/config/config_table.hpp"
 #include "blockgen/mesh/block_file.hpp"
+#include "blockgen/mesh/check_mesh.hpp"
 #include "dda/io/read_loads.hpp"
 #include "dda/io/read_materials.hpp"
 #include "dda/io/read_mesh.hpp"
@@ -58,16 +59,32 @@ int count_up_to_a_million(const ConfigTable& output, std::string_view key, int f
     return static_cast<int>(value);
 }
 
+/// s; the number of intervals in a stage is counted in an integer.
+constexpr double shortest_history_interval = 1e-9;
+
+bool is_stem(const std::string& name) {
+    constexpr std::size_t longest = 200;  // leaves room for extensions in the 255 bytes of a file name
+    const auto is_unfit = [](char c) {
+        return c == '/' || static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
+    };
+    return !name.empty() && name.size() <= longest && name.front() != '.' &&
+           std::none_of(name.begin(), name.end(), is_unfit);
+}
+
 OutputSpec read_output(const ConfigTable& output, const std::filesystem::path& run_file) {
     OutputSpec spec;
     spec.name = output.string("name", run_file.stem().string());
-    if (spec.name.empty() || spec.name.find('/') != std::string::npos)
-        output.fail("name", "'name' in [output] is \"" + spec.name + "\"",
-                    "the stem of a file name, without '/'");
+    if (!is_stem(spec.name))
+        output.fail(
+            "name", "'name' in [output] is \"" + spec.name + "\"",
+            "the stem of a file name, at most 200 bytes without '/', a dot in front or control characters");
     spec.frames = count_up_to_a_million(output, "frames", spec.frames);
     spec.static_frame_interval =
         count_up_to_a_million(output, "static_frame_interval", spec.static_frame_interval);
-    spec.history_interval = not_negative(output, "history_interval", Dimension::time, spec.history_interval);
+    spec.history_interval = output.checked(
+        "history_interval", output.number("history_interval", Dimension::time, spec.history_interval),
+        [](double v) { return v == 0 || v >= shortest_history_interval; },
+        "0, for every step, or a time of 1e-9 s or more");
     spec.checkpoint_interval =
         positive(output, "checkpoint_interval", Dimension::time, spec.checkpoint_interval);
     return spec;
@@ -97,7 +114,14 @@ RunInput read_run(const std::filesystem::path& run_file, const RunReadOptions& o
     model.joint_materials = read_joint_materials(run);
     const std::vector<BoltMaterial> bolt_materials = read_bolt_materials(run);
     read_analysis(run.table_or_empty("analysis"), model);
-    add_mesh(blockgen::read_block_file(block_file), block_file.string(), bolt_materials, model);
+    const blockgen::BlockMesh mesh = blockgen::read_block_file(block_file);
+    if (mesh.block_count() == 0)
+        throw blockgen::InputError({block_file.string()}, "holds no block", "one block or more");
+    blockgen::check_mesh(mesh, block_file.string());
+    add_mesh(mesh, block_file.string(), bolt_materials, model);
+    if (std::find(model.motion.begin(), model.motion.end(), Motion::free) == model.motion.end())
+        throw blockgen::InputError({block_file.string()}, "every block is fixed or prescribed",
+                                   "a block that is free to move");
     read_loads(run, model, input.files);
     input.stages = read_stages(run, model, input.files);
     input.output = read_output(run.table_or_empty("output"), run_file);

@@ -246,7 +246,41 @@ TEST_F(ReadRun, BadInputIsOneLineWithItsPlace) {
     EXPECT_THAT(error_with("scale = 2.0", "scale = inf"), HasSubstr("not a finite number"));
     EXPECT_THAT(error_with("times = [0, 1], values = [0, 2]", "times = [0, 0], values = [0, 2]"),
                 HasSubstr("strictly increasing times"));
-    EXPECT_THAT(error_with("frames = 10", "name = \"a/b\""), HasSubstr("without '/'"));
+    for (const std::string& name :
+         std::vector<std::string>{"a/b", "..", ".hidden", "a\\nb", "a\\u0000b", std::string(201, 'x')})
+        EXPECT_THAT(error_with("frames = 10", "name = \"" + name + "\""), HasSubstr("without '/'")) << name;
+    EXPECT_THAT(error_with("frames = 10", "history_interval = 1e-300"), HasSubstr("1e-9 s or more"));
+}
+
+TEST_F(ReadRun, NumbersOutOfAllProportionAreRefused) {
+    EXPECT_EQ(error_with("\"5 GPa\"", "1e31"),
+              "run.toml:4:18: 'youngs_modulus' in [block_material.rock] is 1e+31, which is too large; "
+              "expected a stress "
+              "such as \"2.5 GPa\" (Pa, kPa, MPa, GPa)");
+    EXPECT_THAT(error_with("\"5 GPa\"", "\"1e30 GPa\""), HasSubstr("which is too large"));
+    EXPECT_THAT(error_with("\"5 GPa\"", "1e-300"), HasSubstr("expected a number above 1e-30"));
+    EXPECT_THAT(error_with("scale = 2.0", "scale = 1e30"), HasSubstr("too large"));
+}
+
+TEST_F(ReadRun, BlocksThatCannotBeSimulatedAreRefused) {
+    const auto error_of_blocks = [&](const auto& change) {
+        blockgen::BlockMesh mesh = io_test::two_block_mesh();
+        change(mesh);
+        blockgen::write_block_file(folder / "two.blocks", mesh);
+        return error_with("frames = 10", "frames = 10");
+    };
+    EXPECT_EQ(error_of_blocks([](auto&) {}), "no error");
+    EXPECT_THAT(error_of_blocks([](auto& mesh) { std::swap(mesh.corners[6], mesh.corners[7]); }),
+                StartsWith("two.blocks: block 1 at"));
+    EXPECT_THAT(error_of_blocks([](auto& mesh) {
+                    mesh.measured_points[0].position = {9, 9};
+                }),
+                HasSubstr("lies outside its block"));
+    EXPECT_THAT(error_of_blocks([](auto& mesh) { mesh.motion[1] = blockgen::BlockMotion::fixed; }),
+                HasSubstr("every block is fixed or prescribed; expected a block that is free to move"));
+    EXPECT_THAT(error_of_blocks([](auto& mesh) { mesh.vertices[6].x = 1e31; }),
+                HasSubstr("'1e+31' is too large"));
+    EXPECT_THAT(error_of_blocks([](auto& mesh) { mesh = {}; }), HasSubstr("holds no block"));
 }
 
 TEST_F(ReadRun, TheTemplateIsAWholeModelFile) {
