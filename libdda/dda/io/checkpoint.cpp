@@ -4,6 +4,7 @@
 
 #include "blockgen/base/input_error.hpp"
 #include "blockgen/base/output_error.hpp"
+#include "blockgen/base/sha256.hpp"
 #include "dda/io/hdf.hpp"
 #include "dda/io/result_writer.hpp"
 #include "dda/io/state_archive.hpp"
@@ -12,7 +13,7 @@ namespace dda {
 
 namespace {
 
-constexpr std::int64_t checkpoint_version = 2;
+constexpr std::int64_t checkpoint_version = 4;
 constexpr std::size_t chunk = 1 << 16;  // elements
 
 template <class T>
@@ -54,10 +55,34 @@ std::vector<ReductionTrial> trials_of(const std::vector<double>& values) {
     return trials;
 }
 
+std::vector<std::int64_t> counts_of(const ResultsState& results) {
+    return {results.stage, results.next_frame, results.next_history, results.last_frame_step,
+            results.last_history_step};
+}
+
+template <class T>
+void append_bytes(std::string& text, const std::vector<T>& values) {
+    text.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
+}
+
+/// SHA-256 of all that a run is continued from: HDF5 does not notice a damaged number, and a state is full of
+/// indices.
+std::string digest_of(const Checkpoint& checkpoint, const StateArchive& state) {
+    std::string text = checkpoint.input_hash;
+    append_bytes(text, state.reals);
+    append_bytes(text, state.integers);
+    append_bytes(text, state.bytes);
+    append_bytes(text, counts_of(checkpoint.results));
+    append_bytes(text, std::vector<double>{checkpoint.results.wall_time});
+    append_bytes(text, peak_values(checkpoint.results.peaks));
+    append_bytes(text, trial_values(checkpoint.results.trials));
+    for (const auto& [name, position] : checkpoint.positions)
+        text += name + " " + std::to_string(position) + "\n";
+    return blockgen::sha256(text);
+}
+
 void write_results_state(HdfFile& file, const ResultsState& results) {
-    store<std::int64_t>(file, "/results",
-                        {results.stage, results.next_frame, results.next_history, results.last_frame_step,
-                         results.last_history_step});
+    store(file, "/results", counts_of(results));
     store<double>(file, "/wall_time", {results.wall_time});
     store(file, "/peaks", peak_values(results.peaks));
     store(file, "/trials", trial_values(results.trials));
@@ -82,6 +107,7 @@ void write_checkpoint(const std::filesystem::path& path, const Checkpoint& check
         file.reserve(8 * (state.reals.size() + state.integers.size()) + state.bytes.size() + (1 << 18));
         file.set_attribute("/", "version", checkpoint_version);
         file.set_attribute("/", "input_hash", checkpoint.input_hash);
+        file.set_attribute("/", "digest", digest_of(checkpoint, state));
         store(file, "/reals", state.reals);
         store(file, "/integers", state.integers);
         store(file, "/bytes", state.bytes);
@@ -95,7 +121,9 @@ void write_checkpoint(const std::filesystem::path& path, const Checkpoint& check
         std::filesystem::remove(temporary, ignored);
         throw;
     }
-    std::filesystem::rename(temporary, path);
+    std::error_code error;
+    std::filesystem::rename(temporary, path, error);
+    if (error) throw blockgen::OutputError(path, "cannot be replaced: " + error.message());
 }
 
 Checkpoint read_checkpoint(const std::filesystem::path& path) {
@@ -109,12 +137,15 @@ Checkpoint read_checkpoint(const std::filesystem::path& path) {
             throw std::runtime_error("the checkpoint has version " + std::to_string(version));
         Checkpoint checkpoint;
         checkpoint.input_hash = file.string_attribute("/", "input_hash");
-        checkpoint.state = restore({file.read_all<double>("/reals"), file.read_all<std::int64_t>("/integers"),
-                                    file.read_all<std::uint8_t>("/bytes")});
+        const StateArchive state{file.read_all<double>("/reals"), file.read_all<std::int64_t>("/integers"),
+                                 file.read_all<std::uint8_t>("/bytes")};
         checkpoint.results = read_results_state(file);
         for (const WriterEntry& writer : writer_table())
             if (file.has_attribute("/positions", writer.name))
                 checkpoint.positions[writer.name] = file.integer_attribute("/positions", writer.name);
+        if (file.string_attribute("/", "digest") != digest_of(checkpoint, state))
+            throw std::runtime_error("the file is damaged");
+        checkpoint.state = restore(state);
         return checkpoint;
     } catch (const std::runtime_error& error) {
         throw blockgen::InputError({path.string()}, std::string("cannot be resumed from: ") + error.what(),

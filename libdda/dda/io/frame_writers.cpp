@@ -1,5 +1,6 @@
 #include <functional>
 
+#include "blockgen/base/output_error.hpp"
 #include "dda/io/frame_data.hpp"
 #include "dda/io/result_writer.hpp"
 
@@ -27,11 +28,17 @@ std::vector<std::string> names_of(const std::vector<GridColumn>& columns) {
 VtkHdfFile resumed_file(const std::filesystem::path& path, const MakeFile& make,
                         const std::vector<GridColumn>& columns, std::int64_t frames) {
     const std::filesystem::path copy = path.string() + ".resumed";
-    VtkHdfFile file = make(copy);
-    const VtkHdfReader old(path);
-    for (std::int64_t k = 0; k < frames; ++k) file.append(old.frame(k, names_of(columns)));
-    file.rename_to(path);
-    return file;
+    try {
+        VtkHdfFile file = make(copy);
+        const VtkHdfReader old(path);
+        for (std::int64_t k = 0; k < frames; ++k) file.append(old.frame(k, names_of(columns)));
+        file.rename_to(path);
+        return file;
+    } catch (const blockgen::OutputError&) {
+        std::error_code ignored;
+        std::filesystem::remove(copy, ignored);
+        throw;
+    }
 }
 
 class FrameWriter : public ResultWriter {

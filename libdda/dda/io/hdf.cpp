@@ -201,6 +201,10 @@ std::string HdfFile::string_attribute(const std::string& object, const std::stri
               "has no attribute " + name),
         H5Aclose);
     const HdfHandle type(H5Aget_type(attribute.id()), H5Tclose);
+    constexpr std::size_t longest = 1 << 16;
+    if (H5Tget_class(type.id()) != H5T_STRING || H5Tis_variable_str(type.id()) != 0 ||
+        H5Tget_size(type.id()) > longest)
+        fail("attribute " + name + " is no text of fixed length");
     std::string text(H5Tget_size(type.id()), '\0');
     check(H5Aread(attribute.id(), type.id(), text.data()), "attribute " + name);
     return text;
@@ -230,22 +234,21 @@ bool HdfFile::has(const std::string& name) const {
     return H5Lexists(file_->id(), name.c_str(), H5P_DEFAULT) > 0;
 }
 
-std::size_t HdfFile::row_count(const std::string& name) const {
+std::pair<std::size_t, std::size_t> HdfFile::shape_of(const std::string& name) const {
     const HdfHandle set = file_->dataset(name);
     check(set.id(), "has no dataset " + name);
     const HdfHandle space(H5Dget_space(set.id()), H5Sclose);
     hsize_t size[2] = {0, 1};
-    H5Sget_simple_extent_dims(space.id(), size, nullptr);
-    return size[0];
+    const int rank = H5Sget_simple_extent_ndims(space.id());
+    if (rank < 1 || rank > 2) fail("dataset " + name + " is no table");
+    check(H5Sget_simple_extent_dims(space.id(), size, nullptr), "dataset " + name);
+    if (size[1] < 1) fail("dataset " + name + " has no columns");
+    return {size[0], size[1]};
 }
 
-std::size_t HdfFile::width_of(const std::string& name) const {
-    const HdfHandle set = file_->dataset(name);
-    check(set.id(), "has no dataset " + name);
-    const HdfHandle space(H5Dget_space(set.id()), H5Sclose);
-    hsize_t size[2] = {0, 1};
-    H5Sget_simple_extent_dims(space.id(), size, nullptr);
-    return size[1];
+void HdfFile::check_rows(const std::string& name, std::size_t first, std::size_t count) const {
+    const std::size_t rows = row_count(name);
+    if (first > rows || count > rows - first) fail("dataset " + name + " ends early");
 }
 
 void HdfFile::append_bytes(const std::string& name, HdfType type, const void* data,

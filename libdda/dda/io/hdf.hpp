@@ -57,7 +57,7 @@ class HdfFile {
     /// together. Large ones are compressed.
     void add_dataset(const std::string& name, HdfType type, int width, std::size_t chunk, bool compressed);
     bool has(const std::string& name) const;
-    std::size_t row_count(const std::string& name) const;
+    std::size_t row_count(const std::string& name) const { return shape_of(name).first; }
 
     template <class T>
     void append(const std::string& name, const std::vector<T>& values) {
@@ -66,6 +66,7 @@ class HdfFile {
     /// Rows [first, first + count) of a dataset, row after row.
     template <class T>
     std::vector<T> read(const std::string& name, std::size_t first, std::size_t count) const {
+        check_rows(name, first, count);
         std::vector<T> values(count * width_of(name));
         read_bytes(name, hdf_type_of<T>(), first, count, values.data());
         return values;
@@ -89,7 +90,11 @@ class HdfFile {
     [[noreturn]] void fail(const std::string& what) const;
     /// Passes on what HDF5 returned, unless it says failure.
     std::int64_t check(std::int64_t result, const std::string& what) const;
-    std::size_t width_of(const std::string& name) const;
+    /// Rows and width of a dataset.
+    std::pair<std::size_t, std::size_t> shape_of(const std::string& name) const;
+    std::size_t width_of(const std::string& name) const { return shape_of(name).second; }
+    /// A damaged file may name rows that are not there, more of them than memory holds.
+    void check_rows(const std::string& name, std::size_t first, std::size_t count) const;
     void append_bytes(const std::string& name, HdfType type, const void* data, std::size_t element_count);
     void read_bytes(const std::string& name, HdfType type, std::size_t first, std::size_t count,
                     void* data) const;

@@ -35,9 +35,18 @@ class ResultWriter {
     virtual std::int64_t position() const = 0;
 };
 
+/// What a writer's position() counts.
+enum class PositionUnit {
+    frames,  ///< of a VTKHDF file
+    bytes,   ///< of a table
+    none     ///< nothing that its own file could be checked for
+};
+
 /// One row of the table of results: a new output is one file and one row.
 struct WriterEntry {
     const char* name;
+    const char* file;  ///< what it writes; '*' stands for the stem of the results
+    PositionUnit unit;
     bool (*wanted)(const WriterContext& context);
     std::unique_ptr<ResultWriter> (*make)(const WriterContext& context);
 };

@@ -35,6 +35,17 @@ std::size_t bytes_of(const GridFrame& frame) {
     return bytes;
 }
 
+/// Offsets that rise from 0 within the connectivity, which names points that are there.
+bool are_cells(const GridCells& cells, std::size_t point_count) {
+    const auto is_below = [](std::int64_t value, std::size_t limit) {
+        return value >= 0 && static_cast<std::size_t>(value) < limit;
+    };
+    return std::is_sorted(cells.offsets.begin(), cells.offsets.end()) && cells.offsets.front() >= 0 &&
+           is_below(cells.offsets.back(), cells.connectivity.size() + 1) &&
+           std::all_of(cells.connectivity.begin(), cells.connectivity.end(),
+                       [&](std::int64_t point) { return is_below(point, point_count); });
+}
+
 }  // namespace
 
 void GridCells::add(const std::vector<std::int64_t>& points, std::uint8_t type) {
@@ -175,6 +186,9 @@ GridFrame VtkHdfReader::frame(std::int64_t index, const std::vector<std::string>
                                                         count("NumberOfConnectivityIds"));
     frame.cells.offsets = file_.read<std::int64_t>(root + "Offsets", from("CellOffsets") + part, cells + 1);
     frame.cells.types = file_.read<std::uint8_t>(root + "Types", from("CellOffsets"), cells);
+    if (!are_cells(frame.cells, frame.points.size() / 3))
+        throw blockgen::OutputError(file_.path(),
+                                    "the cells of frame " + std::to_string(index) + " are damaged");
     for (const std::string& name : columns)
         frame.columns.push_back(file_.read<float>(cell_data + name, from("CellDataOffsets/" + name), cells));
     return frame;

@@ -5,11 +5,12 @@ namespace dda {
 const std::vector<WriterEntry>& writer_table() {
     const auto always = [](const WriterContext&) { return true; };
     static const std::vector<WriterEntry> table = {
-        {"blocks", always, make_block_frames},
-        {"joints", always, make_joint_frames},
-        {"history", always, make_history_csv},
-        {"steps", always, make_steps_csv},
-        {"pvd", [](const WriterContext& context) { return context.pvd; }, make_pvd},
+        {"blocks", "*.vtkhdf", PositionUnit::frames, always, make_block_frames},
+        {"joints", "*.joints.vtkhdf", PositionUnit::frames, always, make_joint_frames},
+        {"history", "history.csv", PositionUnit::bytes, always, make_history_csv},
+        {"steps", "steps.csv", PositionUnit::bytes, always, make_steps_csv},
+        {"pvd", "*.pvd", PositionUnit::none, [](const WriterContext& context) { return context.pvd; },
+         make_pvd},
     };
     return table;
 }
