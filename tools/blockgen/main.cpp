@@ -31,13 +31,19 @@ void write_results(const Options& options, const SlopeModel& model, const CutRes
     write_block_file(options.output, result.mesh);
 }
 
+int print(const std::string& text) {
+    if (std::fputs(text.c_str(), stdout) >= 0 && std::fflush(stdout) == 0) return done;
+    std::fputs("blockgen: the standard output cannot be written\n", stderr);
+    return failed;
+}
+
 int run(const Options& options) {
-    if (!options.text.empty()) return std::fputs(options.text.c_str(), stdout) < 0 ? failed : done;
+    if (!options.text.empty()) return print(options.text);
     const auto start = std::chrono::steady_clock::now();
     const ConfigTable config = read_config(options);
     const SlopeModel model = read_slope_model(config);
-    if (options.print_config) return std::fputs(config.effective_text().c_str(), stdout) < 0 ? failed : done;
-    check_writable(options);
+    if (options.print_config) return print(config.effective_text());
+    check_outputs(options, model);
 
     CutResult result = cut_blocks(model, all_traces(model), {options.max_blocks, options.verify});
     result.mesh.provenance = provenance(model, config);

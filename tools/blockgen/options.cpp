@@ -44,34 +44,28 @@ std::string help_text(const po::options_description& options) {
     return text.str();
 }
 
-std::string text_or_empty(const po::variables_map& given, const char* name) {
-    return given.count(name) ? given[name].as<std::string>() : std::string();
+std::string path_or_empty(const po::variables_map& given, const char* name) {
+    if (!given.count(name)) return {};
+    const auto path = given[name].as<std::string>();
+    if (path.empty()) throw UsageError(std::string("--") + name + " is empty; expected a file name");
+    return path;
 }
 
-void check_outputs(const Options& options) {
+void check_picture(const Options& options) {
     if (!options.picture.empty() && !blockgen::picture_format(options.picture))
         throw UsageError("--picture " + options.picture.string() +
                          ": expected a name that ends in .svg, .png or .pdf");
-    const std::filesystem::path* outputs[] = {&options.output, &options.picture, &options.report,
-                                              &options.depfile};
-    for (const auto* a : outputs) {
-        if (!a->empty() && a->lexically_normal() == options.model.lexically_normal())
-            throw UsageError(a->string() + ": this would overwrite the model file; expected another name");
-        for (const auto* b : outputs)
-            if (a < b && !a->empty() && *a == *b)
-                throw UsageError(a->string() + ": two results of one name; expected different names");
-    }
 }
 
 Options read_options(const po::variables_map& given) {
     Options options;
     options.model = given["model"].as<std::string>();
-    options.output = text_or_empty(given, "output");
+    options.output = path_or_empty(given, "output");
     if (options.output.empty())
         options.output = std::filesystem::path(options.model).replace_extension(".blocks");
-    options.picture = text_or_empty(given, "picture");
-    options.report = text_or_empty(given, "report");
-    options.depfile = text_or_empty(given, "depfile");
+    options.picture = path_or_empty(given, "picture");
+    options.report = path_or_empty(given, "report");
+    options.depfile = path_or_empty(given, "depfile");
     if (given.count("seed")) options.seed = given["seed"].as<std::int64_t>();
     if (options.seed && *options.seed < 0) throw UsageError("--seed: expected an integer of zero or more");
     if (given.count("set")) options.overrides = given["set"].as<std::vector<std::string>>();
@@ -80,7 +74,7 @@ Options read_options(const po::variables_map& given) {
     options.max_blocks = static_cast<std::size_t>(most);
     options.verify = given.count("verify") > 0;
     options.print_config = given.count("print-config") > 0;
-    check_outputs(options);
+    check_picture(options);
     return options;
 }
 

@@ -1,12 +1,8 @@
 #include "provenance.hpp"
 
-#include <unistd.h>
-
-#include <cerrno>
 #include <cstdio>
-#include <cstring>
 
-#include "blockgen/base/output_error.hpp"
+#include "blockgen/base/output_check.hpp"
 #include "blockgen/base/read_file.hpp"
 
 namespace blockgen_tool {
@@ -52,18 +48,14 @@ std::string make_rule(const Options& options, const blockgen::SlopeModel& model)
     return escaped_for_make(options.output) + ": " + inputs + "\n" + phony;
 }
 
-void check_writable(const Options& options) {
-    for (const auto* path : {&options.output, &options.picture, &options.report, &options.depfile}) {
-        if (path->empty()) continue;
-        const std::filesystem::path folder =
-            path->has_parent_path() ? path->parent_path() : std::filesystem::path(".");
-        if (std::filesystem::is_directory(*path))
-            throw blockgen::OutputError(*path, "this is a folder; expected a file name");
-        if (!std::filesystem::is_directory(folder))
-            throw blockgen::OutputError(*path, "cannot be written: no such folder");
-        if (::access(folder.c_str(), W_OK) != 0)
-            throw blockgen::OutputError(*path, std::string("cannot be written: ") + std::strerror(errno));
-    }
+void check_outputs(const Options& options, const blockgen::SlopeModel& model) {
+    std::vector<std::filesystem::path> inputs = {options.model};
+    inputs.insert(inputs.end(), model.files.begin(), model.files.end());
+    const std::vector<std::filesystem::path> outputs = {options.output, options.picture, options.report,
+                                                        options.depfile};
+    for (const std::filesystem::path& path : outputs)
+        if (!path.empty()) blockgen::check_output(path, inputs);
+    blockgen::check_distinct(outputs);
 }
 
 }  // namespace blockgen_tool

@@ -15,8 +15,8 @@ std::vector<std::string> provenance(const blockgen::SlopeModel& model, const blo
 /// A Make rule: the block file depends on the model file and the files it names.
 std::string make_rule(const Options& options, const blockgen::SlopeModel& model);
 
-/// @throws OutputError when the folder of a result does not exist or cannot be written, before any work is
-/// done.
-void check_writable(const Options& options);
+/// Before any work is done: @throws InputError when a result cannot be written, when two have one name, or
+/// when one would overwrite a file that the model is read from.
+void check_outputs(const Options& options, const blockgen::SlopeModel& model);
 
 }  // namespace blockgen_tool

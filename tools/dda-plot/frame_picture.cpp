@@ -160,10 +160,16 @@ RunFrames::RunFrames(const std::filesystem::path& folder) {
                                    "the output folder of dda-run");
     blocks_.emplace(folder / (name_ + ".vtkhdf"));
     contacts_.emplace(folder / (name_ + ".joints.vtkhdf"));
+    times_ = blocks_->times();
+    times_.resize(std::min(times_.size(), contacts_->times().size()));
 }
 
 dda::GridFrame RunFrames::blocks(std::int64_t index) const {
-    return blocks_->frame(index, block_columns);
+    dda::GridFrame frame = blocks_->frame(index, block_columns);
+    const std::size_t count = frame.cells.count();
+    if (frame.columns[0].size() != 3 * count || frame.columns[1].size() != count)
+        throw blockgen::InputError({name_ + ".vtkhdf"}, "is damaged", "the frames of dda-run");
+    return frame;
 }
 dda::GridFrame RunFrames::contacts(std::int64_t index) const {
     return contacts_->frame(index, contact_columns);

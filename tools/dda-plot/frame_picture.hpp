@@ -14,12 +14,15 @@ class RunFrames {
     explicit RunFrames(const std::filesystem::path& folder);
 
     const std::string& name() const { return name_; }
-    const std::vector<double>& times() const { return blocks_->times(); }
+    /// s, of the frames that are whole: a run that was killed may have left its blocks without their
+    /// contacts.
+    const std::vector<double>& times() const { return times_; }
     dda::GridFrame blocks(std::int64_t index) const;
     dda::GridFrame contacts(std::int64_t index) const;
 
   private:
     std::string name_;
+    std::vector<double> times_;
     std::optional<dda::VtkHdfReader> blocks_;
     std::optional<dda::VtkHdfReader> contacts_;
 };

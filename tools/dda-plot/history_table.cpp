@@ -97,5 +97,11 @@ HistoryTable read_history(const std::filesystem::path& path) {
             table.columns[i].push_back(*value);
         }
     }
+    if (table.time.empty())
+        throw blockgen::InputError({path.string()}, "holds no row yet", "a run that has begun");
+    for (const std::string& point : table.points())
+        if (std::find(table.names.begin(), table.names.end(), point + " uy (m)") == table.names.end())
+            throw blockgen::InputError({path.string(), 1}, "there is no column '" + point + " uy (m)'",
+                                       "the history.csv of a run");
     return table;
 }

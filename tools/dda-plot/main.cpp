@@ -4,8 +4,11 @@
 #include <cstdio>
 #include <exception>
 #include <iostream>
+#include <optional>
 
 #include "blockgen/base/input_error.hpp"
+#include "blockgen/base/output_check.hpp"
+#include "blockgen/base/output_error.hpp"
 #include "blockgen/base/text.hpp"
 #include "frame_picture.hpp"
 #include "history_picture.hpp"
@@ -75,12 +78,15 @@ std::vector<std::int64_t> frame_numbers(const std::string& list, std::int64_t co
     return numbers;
 }
 
-void draw_frames(const RunFrames& run, const std::string& list, const fs::path& output,
-                 const std::string& extension, std::optional<double> largest) {
+std::vector<std::int64_t> chosen_frames(const RunFrames& run, const std::string& list) {
     const auto count = static_cast<std::int64_t>(run.times().size());
     if (count == 0)
         throw blockgen::InputError({run.name() + ".vtkhdf"}, "holds no frame yet", "a run that has begun");
-    const std::vector<std::int64_t> numbers = frame_numbers(list, count);
+    return frame_numbers(list, count);
+}
+
+void draw_frames(const RunFrames& run, const std::vector<std::int64_t>& numbers, const fs::path& output,
+                 const std::string& extension, std::optional<double> largest) {
     const PictureScale scale = common_scale(run, numbers, largest);
     for (const std::int64_t number : numbers) {
         char suffix[32];
@@ -109,21 +115,21 @@ int plot(const po::variables_map& values) {
     const std::string extension = values["format"].as<std::string>();
     if (!blockgen::picture_format("x." + extension))
         throw blockgen::InputError({"dda-plot"}, "--format is '" + extension + "'", "png, svg or pdf");
-    std::error_code
-        refused;  // a folder that cannot be made is said by the first picture that cannot be written
-    fs::create_directories(output, refused);
+    if (output.empty()) throw blockgen::InputError({"dda-plot"}, "--output is empty", "a folder");
+    blockgen::check_output_folder(output);
     const bool all = !values.count("frames") && !values.count("history");
     const RunFrames run(folder);
+    // Everything is read and chosen before the first picture is written.
+    std::optional<HistoryTable> history;
+    if (all || values.count("history")) history = read_history(folder / "history.csv");
+    std::vector<std::int64_t> frames;
     if (all || values.count("frames"))
-        draw_frames(run, values.count("frames") ? values["frames"].as<std::string>() : "first,middle,last",
-                    output, extension, largest_of(values));
-    if (all || values.count("history")) {
-        const HistoryTable history = read_history(folder / "history.csv");
-        if (history.time.empty())
-            throw blockgen::InputError({(folder / "history.csv").string()}, "holds no row yet",
-                                       "a run that has begun");
-        draw_history(history).write(output / (run.name() + ".history." + extension));
-    }
+        frames = chosen_frames(
+            run, values.count("frames") ? values["frames"].as<std::string>() : "first,middle,last");
+    const std::optional<double> largest = largest_of(values);
+    blockgen::make_output_folder(output);
+    if (!frames.empty()) draw_frames(run, frames, output, extension, largest);
+    if (history) draw_history(*history).write(output / (run.name() + ".history." + extension));
     return 0;
 }
 
@@ -144,6 +150,9 @@ int main(int argc, char** argv) {
         }
         return plot(values);
     } catch (const blockgen::InputError& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return 2;
+    } catch (const blockgen::OutputError& error) {  // of results that cannot be read, too
         std::fprintf(stderr, "%s\n", error.what());
         return 2;
     } catch (const std::exception& error) {

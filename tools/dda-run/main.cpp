@@ -8,23 +8,24 @@
 
 namespace {
 
+ExitCode print(const std::string& text) {
+    if (std::fputs(text.c_str(), stdout) >= 0 && std::fflush(stdout) == 0) return done;
+    std::fputs("dda-run: the standard output cannot be written\n", stderr);
+    return analysis_failed;
+}
+
 ExitCode act(const CommandLine& line) {
     switch (line.action) {
         case CommandLine::Action::print_help:
-            std::fputs(help_text().c_str(), stdout);
-            return done;
+            return print(help_text());
         case CommandLine::Action::print_version:
-            std::puts("dda-run " ROCKSLOPE_VERSION);
-            return done;
+            return print("dda-run " ROCKSLOPE_VERSION "\n");
         case CommandLine::Action::print_template:
-            std::fputs(dda::run_template().c_str(), stdout);
-            return done;
+            return print(dda::run_template());
         case CommandLine::Action::print_config:
-            std::fputs(
+            return print(
                 dda::read_run(line.run_file, {line.overrides, line.blocks, std::filesystem::current_path()})
-                    .effective.c_str(),
-                stdout);
-            return done;
+                    .effective);
         default:
             return simulate(line, ROCKSLOPE_VERSION);
     }

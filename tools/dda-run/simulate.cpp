@@ -1,20 +1,18 @@
 #include "simulate.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <limits>
 #include <optional>
 
 #include "blockgen/base/atomic_file.hpp"
 #include "blockgen/base/input_error.hpp"
+#include "blockgen/base/output_check.hpp"
 #include "blockgen/base/sha256.hpp"
 #include "dda/io/read_run.hpp"
 #include "dda/io/results.hpp"
+#include "dda/io/resume_check.hpp"
 #include "dda/io/summary.hpp"
 #include "progress_line.hpp"
 #include "stop_request.hpp"
@@ -23,15 +21,17 @@ namespace fs = std::filesystem;
 
 namespace {
 
-void prepare_folder(const fs::path& folder) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (!error && ::access(folder.c_str(), W_OK | X_OK) != 0)
-        error = std::error_code(errno, std::generic_category());
-    if (!error && !fs::is_directory(folder)) error = std::make_error_code(std::errc::not_a_directory);
-    if (error)
-        throw blockgen::InputError({folder.string()}, "cannot be written to: " + error.message(),
-                                   "a folder for the results");
+/// Refuses results that cannot be written or would overwrite what the run is made from.
+void check_outputs(const CommandLine& line, const dda::RunInput& input) {
+    blockgen::check_output_folder(line.output);
+    std::vector<fs::path> results;
+    for (const std::string& name : dda::result_files(input.output.name))
+        results.push_back(line.output / name);
+    for (const fs::path& file : results) blockgen::check_output(file, input.files, line.output);
+    if (!line.depfile) return;
+    blockgen::check_output(*line.depfile, input.files, line.output);
+    results.push_back(*line.depfile);
+    blockgen::check_distinct(results);
 }
 
 /// What a checkpoint must have been made from to be continued: the effective model and the content of the
@@ -42,12 +42,13 @@ std::string input_hash(const dda::RunInput& input, const std::vector<dda::InputF
     return blockgen::sha256(text);
 }
 
-dda::Checkpoint checkpoint_of(const fs::path& folder, const std::string& hash) {
-    const fs::path path = folder / "checkpoint.h5";
+dda::Checkpoint checkpoint_of(const CommandLine& line, const dda::RunInput& input, const std::string& hash) {
+    const fs::path path = line.output / "checkpoint.h5";
     dda::Checkpoint checkpoint = dda::read_checkpoint(path);
     if (checkpoint.input_hash != hash)
         throw blockgen::InputError({path.string()}, "belongs to a run of other input",
                                    "the model, block file and records of the run that was stopped");
+    dda::check_resumable(checkpoint, {input.model, line.output, input.output.name, std::nullopt, line.pvd});
     return checkpoint;
 }
 
@@ -135,11 +136,12 @@ void say_outcome(const dda::RunOutcome& outcome, const dda::State& state, double
 ExitCode simulate(const CommandLine& line, const std::string& version) {
     listen_for_signals();
     const dda::RunInput input = dda::read_run(line.run_file, {line.overrides, line.blocks, line.output});
+    check_outputs(line, input);
     const std::vector<dda::InputFile> files = dda::hash_files(input.files);
     const std::string hash = input_hash(input, files);
     std::optional<dda::Checkpoint> checkpoint;
-    if (line.resume) checkpoint = checkpoint_of(line.output, hash);
-    prepare_folder(line.output);
+    if (line.resume) checkpoint = checkpoint_of(line, input, hash);
+    blockgen::make_output_folder(line.output);
     if (!checkpoint) forget_earlier_run(line.output);
 
     blockgen::write_file_atomically(line.output / "run.toml", input.effective);

@@ -2,6 +2,7 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "blockgen/base/input_error.hpp"
 #include "blockgen/base/output_error.hpp"
 #include "synthesise_command.hpp"
 
@@ -42,7 +43,12 @@ int main(int count, char** words) {
         return refuse(error.what());
     } catch (const std::invalid_argument& error) {
         return refuse(error.what());
+    } catch (const blockgen::InputError& error) {
+        return refuse(error.what());
     } catch (const blockgen::OutputError& error) {
         return refuse(error.what());
+    } catch (const std::exception& error) {
+        std::cerr << "ground-motion: " << error.what() << '\n';
+        return 1;
     }
 }

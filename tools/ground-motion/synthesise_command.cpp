@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "blockgen/base/atomic_file.hpp"
+#include "blockgen/base/output_check.hpp"
 #include "blockgen/base/text.hpp"
 #include "dda/record/measures.hpp"
 #include "dda/record/record_text.hpp"
@@ -23,6 +24,7 @@ constexpr double standard_gravity = 9.80665;  // m/s2
 
 struct Request {
     dda::SyntheticMotion recipe;
+    std::int64_t seed = 1;
     double peak_in_g = 0.35;
     double magnitude = 6.5;
     double distance = 15;
@@ -45,7 +47,7 @@ po::options_description described(Request& request) {
     add("output,o", po::value(&request.output), "the record: PEER AT2 in g, or two-column CSV in m/s2");
     add("spectrum", po::value(&request.spectrum), "also write the 5 % response spectrum, CSV");
     add("picture", po::value(&request.picture), "also draw the record, SVG, PNG or PDF");
-    add("seed", option(recipe.seed), "chooses one record among those of the recipe");
+    add("seed", option(request.seed), "chooses one record among those of the recipe");
     add("step", option(recipe.step), "s between samples");
     add("duration", option(recipe.duration), "s");
     add("peak", option(request.peak_in_g), "g, largest absolute acceleration");
@@ -118,6 +120,11 @@ int run_synthesise(const std::vector<std::string>& arguments) {
         throw std::invalid_argument(
             "--picture names no picture file; expected a name that ends in .svg, .png or .pdf");
     }
+    for (const auto& path : {request.output, request.spectrum, request.picture})
+        if (!path.empty()) blockgen::check_output(path, {});
+    blockgen::check_distinct({request.output, request.spectrum, request.picture});
+    if (request.seed < 0) throw std::invalid_argument("seed must not be negative");
+    request.recipe.seed = static_cast<std::uint64_t>(request.seed);
     request.recipe.peak = request.peak_in_g * standard_gravity;
     request.recipe.envelope = dda::envelope_of_earthquake(request.magnitude, request.distance);
     const dda::Accelerogram record = dda::synthesise(request.recipe);

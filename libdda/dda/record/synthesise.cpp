@@ -102,6 +102,7 @@ Accelerogram synthesise(const SyntheticMotion& recipe) {
     record.values.back() = 0;
     record = correct_baseline(record);
     const double scale = recipe.peak / largest_magnitude(record.values);
+    require(std::isfinite(scale), "these filters and this kappa leave no motion");
     for (double& value : record.values) {
         value *= scale;
     }
