@@ -180,16 +180,17 @@ void Results::stage_fails(const Model&, const State& state, const Stage& stage, 
 }
 
 double predicted_bytes(const Model& model, const std::vector<Stage>& stages, const OutputSpec& output) {
-    constexpr double compressed = 0.6;  // of the floats of a frame, shuffled and deflated
+    constexpr double compressed = 0.6;  // of the floats of the blocks, shuffled and deflated
     const double bytes_per_corner = model.origin.isZero(0) ? 3 * 4 : 3 * 8;  // coordinates
     constexpr double bytes_per_block = 14 * 4;                               // quantities of a block
     constexpr double bytes_per_contact = 90;  // coordinates, cell and quantities
     constexpr double contacts_per_block = 4;  // of a jointed mass
     const double frames = (dynamic_duration(stages, stages.size()) > 0 ? output.frames : 0) + 1.0 +
                           static_cast<double>(stages.size());
-    const double frame = bytes_per_corner * static_cast<double>(model.vertices.size()) +
-                         model.block_count() * (bytes_per_block + contacts_per_block * bytes_per_contact);
-    return compressed * frames * frame;
+    const double blocks =
+        bytes_per_corner * static_cast<double>(model.vertices.size()) + model.block_count() * bytes_per_block;
+    const double contacts = model.block_count() * contacts_per_block * bytes_per_contact;
+    return frames * (compressed * blocks + contacts);
 }
 
 }  // namespace dda

@@ -89,16 +89,19 @@ VtkHdfFile::VtkHdfFile(const std::filesystem::path& path, std::vector<GridColumn
 VtkHdfFile::VtkHdfFile(const std::filesystem::path& path, std::vector<GridColumn> columns, HdfType points,
                        std::size_t typical_cells)
     : VtkHdfFile(path, std::move(columns), points, false) {
-    file_.add_dataset(root + "Points", points, 3, 2 * typical_cells, true);
-    file_.add_dataset(root + "Connectivity", HdfType::i8, 1, 2 * typical_cells, true);
-    file_.add_dataset(root + "Offsets", HdfType::i8, 1, typical_cells, true);
-    file_.add_dataset(root + "Types", HdfType::u1, 1, typical_cells, true);
+    // A frame does not fill whole chunks here, so the last chunk is written again with the next frame.
+    // Uncompressed it keeps its place; compressed it would move, and a kill before the index follows would
+    // lose the frames that stood in it.
+    file_.add_dataset(root + "Points", points, 3, 2 * typical_cells, false);
+    file_.add_dataset(root + "Connectivity", HdfType::i8, 1, 2 * typical_cells, false);
+    file_.add_dataset(root + "Offsets", HdfType::i8, 1, typical_cells, false);
+    file_.add_dataset(root + "Types", HdfType::u1, 1, typical_cells, false);
     add_column_datasets(typical_cells);
 }
 
 void VtkHdfFile::add_column_datasets(std::size_t cell_chunk) {
     for (const GridColumn& column : columns_) {
-        file_.add_dataset(cell_data + column.name, HdfType::f4, column.width, cell_chunk, true);
+        file_.add_dataset(cell_data + column.name, HdfType::f4, column.width, cell_chunk, fixed_cells_);
         file_.add_dataset(cell_data_offsets + column.name, HdfType::i8, 1, step_chunk, false);
     }
     file_.set_attribute("/VTKHDF/Steps", "NSteps", std::int64_t{0});
