@@ -53,6 +53,17 @@ double reference_acceleration(const Model& model, const BlockSystem& blocks) {
     return largest > 0 ? largest : 1.0;
 }
 
+/// Straining changes a block's moments of inertia, and what stays is its angular momentum, not its rate of
+/// turning. Sets the rate. @return the kinetic energy that this takes, J per metre.
+double keep_angular_momentum(double mass, const AreaMoments& before, const Vec6& velocity_before,
+                             const AreaMoments& after, Vec6& velocity) {
+    const Mat6 inertia_before = mass_matrix(mass, before);
+    const Mat6 inertia = mass_matrix(mass, after);
+    const Vec6 momentum_before = inertia_before * velocity_before;
+    velocity[2] += (momentum_before[2] - inertia.row(2).dot(velocity)) / inertia(2, 2);
+    return (velocity_before.dot(momentum_before) - velocity.dot(inertia * velocity)) / 2;
+}
+
 }  // namespace
 
 struct TimeStepper::Step {
@@ -287,7 +298,14 @@ State TimeStepper::updated(const Stage& stage, const State& state, const Step& s
         after.blocks.velocity[b] += step.prescribed.velocity_change[b];
         after.blocks.acceleration[b] = step.prescribed.acceleration[b];
     }
+    const std::vector<Vec6> velocity = after.blocks.velocity;
     move_blocks(model_, displacement, after.blocks);
+    double straining_loss = 0;
+    for (const int block : rows_.block_of) {
+        const auto b = static_cast<std::size_t>(block);
+        straining_loss += keep_angular_momentum(state.blocks.mass[b], state.blocks.moments[b], velocity[b],
+                                                after.blocks.moments[b], after.blocks.velocity[b]);
+    }
 
     for (std::size_t k = 0; k < after.contacts.contacts.size(); ++k) {
         Contact& contact = after.contacts.contacts[k];
@@ -320,6 +338,7 @@ State TimeStepper::updated(const Stage& stage, const State& state, const Step& s
                         after.time};
     after.energy.released +=
         ledger_.stored_in(state.contacts.contacts) - ledger_.stored_in(step.contacts.contacts);
+    after.energy.numerical_loss += straining_loss;
     ledger_.record_contacts(work, after.energy);
     ledger_.record_constraints(work, after.energy);
     ledger_.record_blocks(work, after.energy);
