@@ -20,6 +20,11 @@ inline double radians(double degrees) {
     return degrees * std::numbers::pi / 180;
 }
 
+/// A joint that neither opens nor slips, of normal and shear stiffness in Pa/m.
+inline dda::JointMaterial elastic_joint(double normal, double shear) {
+    return {"joint", dda::Elastic{}, 0, 0, normal, shear};
+}
+
 /// Describes small models in code: polygons, one joint material unless said otherwise, the catalogue's
 /// default rock (2500 kg/m3, 10 GPa, 0.25) and penalty (5e10 N/m).
 class Scene {

@@ -20,16 +20,17 @@ namespace blockgen {
 /// dimension's units.
 enum class Dimension {
     none,
-    length,        // m, mm, cm, km
-    angle,         // deg, rad; returned in radians
-    time,          // s, ms, min
-    mass_density,  // kg/m3, t/m3, g/cm3
-    stress,        // Pa, kPa, MPa, GPa
-    stiffness,     // N/m per metre of thickness (a penalty): N/m, kN/m, MN/m, GN/m, and Pa, kPa, MPa, GPa
-    acceleration,  // m/s2, cm/s2, gal, g (9.80665 m/s2)
-    velocity,      // m/s, cm/s, mm/s
-    force,         // N, kN, MN
-    frequency      // Hz, rad/s
+    length,           // m, mm, cm, km
+    angle,            // deg, rad; returned in radians
+    time,             // s, ms, min
+    mass_density,     // kg/m3, t/m3, g/cm3
+    stress,           // Pa, kPa, MPa, GPa
+    stiffness,        // N/m per metre of thickness (a penalty): N/m, kN/m, MN/m, GN/m, and Pa, kPa, MPa, GPa
+    joint_stiffness,  // Pa/m, kPa/m, MPa/m, GPa/m
+    acceleration,     // m/s2, cm/s2, gal, g (9.80665 m/s2)
+    velocity,         // m/s, cm/s, mm/s
+    force,            // N, kN, MN
+    frequency         // Hz, rad/s
 };
 
 /// A strict view of one table of a TOML model file. Every key that is read is marked; finish() makes an error

@@ -25,6 +25,7 @@ constexpr Unit mass_densities[] = {{"kg/m3", 1}, {"t/m3", 1e3}, {"g/cm3", 1e3}};
 constexpr Unit stresses[] = {{"Pa", 1}, {"kPa", 1e3}, {"MPa", 1e6}, {"GPa", 1e9}};
 constexpr Unit stiffnesses[] = {{"N/m", 1}, {"kN/m", 1e3}, {"MN/m", 1e6}, {"GN/m", 1e9},
                                 {"Pa", 1},  {"kPa", 1e3},  {"MPa", 1e6},  {"GPa", 1e9}};
+constexpr Unit joint_stiffnesses[] = {{"Pa/m", 1}, {"kPa/m", 1e3}, {"MPa/m", 1e6}, {"GPa/m", 1e9}};
 constexpr Unit accelerations[] = {{"m/s2", 1}, {"cm/s2", 1e-2}, {"gal", 1e-2}, {"g", standard_gravity}};
 constexpr Unit velocities[] = {{"m/s", 1}, {"cm/s", 1e-2}, {"mm/s", 1e-3}};
 constexpr Unit forces[] = {{"N", 1}, {"kN", 1e3}, {"MN", 1e6}};
@@ -53,6 +54,8 @@ Row row(Dimension dimension) {
             return {"a stress", "2.5 GPa", stresses};
         case Dimension::stiffness:
             return {"a stiffness", "50 GN/m", stiffnesses};
+        case Dimension::joint_stiffness:
+            return {"a stiffness of a joint", "20 GPa/m", joint_stiffnesses};
         case Dimension::acceleration:
             return {"an acceleration", "0.3 g", accelerations};
         case Dimension::velocity:

@@ -37,8 +37,9 @@ double contact_energy(const Model& model, const std::vector<Contact>& contacts) 
     for (const Contact& contact : contacts) {
         if (contact.state == ContactState::open) continue;
         const JointMaterial& material = model.joint_material_at(contact.joint_material);
-        sum += spring_energy(contact.normal_force, material.normal_stiffness(model.normal_penalty)) +
-               spring_energy(contact.shear_force, material.shear_stiffness(model.shear_penalty));
+        sum += spring_energy(contact.normal_force,
+                             material.normal_spring(model.normal_penalty, contact.length)) +
+               spring_energy(contact.shear_force, material.shear_spring(model.shear_penalty, contact.length));
     }
     return sum;
 }

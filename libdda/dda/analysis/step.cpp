@@ -38,6 +38,14 @@ double velocity_kept(const Stage& stage) {
     return stage.kind == StageKind::static_equilibrium ? 0.0 : stage.dynamic_coefficient;
 }
 
+/// Of the contacts' springs, N/m per metre; 0 without contacts.
+double stiffest_spring(std::span<const ContactSprings> springs) {
+    double stiffest = 0;
+    for (const ContactSprings& s : springs)
+        stiffest = std::max({stiffest, s.normal_stiffness, s.shear_stiffness});
+    return stiffest;
+}
+
 /// Acceleration that stands for "the weight" when forces are compared with it, m/s2: gravity, or the
 /// strongest load where it is stronger, or 1 where there is neither.
 double reference_acceleration(const Model& model, const BlockSystem& blocks) {
@@ -188,7 +196,8 @@ ContactSet TimeStepper::contacts_at(const State& state, double reach) const {
     for (Contact& c : set.contacts) {
         // The force follows from the geometry, also where the contact took over from another line.
         const double force =
-            -model_.joint_material_at(c.joint_material).normal_stiffness(model_.normal_penalty) * c.gap;
+            -model_.joint_material_at(c.joint_material).normal_spring(model_.normal_penalty, c.length) *
+            c.gap;
         c.normal_force = c.state != ContactState::open && (force > 0 || c.bonded) ? force : 0;
         // A corner enters through a line that it was outside of: one that is open and behind the line belongs
         // elsewhere. At a pair of corners two nearly parallel lines may change places, and differ by their
@@ -250,7 +259,7 @@ OpenCloseResult TimeStepper::solve(const Stage& stage, const State& state, const
                               step.springs,
                               step.bolts,
                               state.bolt_force,
-                              rounding_ * model_.normal_penalty};
+                              rounding_ * std::max(stiffest_spring(step.springs), model_.normal_penalty)};
     return iterate_open_close(problem, pattern_, *solver_, matrix_, crew_);
 }
 
@@ -370,7 +379,7 @@ StepReport TimeStepper::report(const Step& step, const State& after, const OpenC
         lightest = std::min(lightest, after.blocks.mass[b]);
     }
     if (rows_.count() > 0)
-        report.contact_frequency_step = std::sqrt(model_.normal_penalty / lightest) * step.dt;
+        report.contact_frequency_step = std::sqrt(stiffest_spring(step.springs) / lightest) * step.dt;
     return report;
 }
 

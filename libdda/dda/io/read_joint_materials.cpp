@@ -33,6 +33,25 @@ MohrCoulomb read_law(std::type_identity<MohrCoulomb>, const ConfigTable& table) 
     return law;
 }
 
+Elastic read_law(std::type_identity<Elastic>, const ConfigTable&) {
+    return {};
+}
+
+/// The joint's own stiffness takes the place of the penalty; both together would be two answers.
+void read_stiffness(const ConfigTable& table, JointMaterial& material) {
+    for (const char* penalty : {"normal_penalty", "shear_penalty"}) {
+        if (table.has(penalty))
+            table.fail(penalty,
+                       "'" + std::string(penalty) + "' and 'normal_stiffness' stand together in [" +
+                           table.path() + "]",
+                       "one of them");
+    }
+    material.normal_stiffness = positive(table, "normal_stiffness", Dimension::joint_stiffness);
+    material.shear_stiffness =
+        positive(table, "shear_stiffness", Dimension::joint_stiffness, material.normal_stiffness);
+    material.corner_length = positive(table, "corner_length", Dimension::length, material.corner_length);
+}
+
 struct LawReader {
     const char* name;
     JointLaw (*read)(const ConfigTable& table);
@@ -58,6 +77,10 @@ JointMaterial read_joint_material(const std::string& name, const ConfigTable& ta
     material.name = name;
     for (const LawReader& reader : law_readers)
         if (law == reader.name) material.law = reader.read(table);
+    if (table.has("normal_stiffness")) {
+        read_stiffness(table, material);
+        return material;
+    }
     material.normal_penalty = not_negative(table, "normal_penalty", Dimension::stiffness, 0);
     material.shear_penalty = not_negative(table, "shear_penalty", Dimension::stiffness, 0);
     return material;

@@ -25,6 +25,12 @@ friction_angle = "35 deg"
 # normal_penalty = 0               # N/m per metre per contact; 0: the value of [analysis]
 # shear_penalty = 0
 
+# [joint_material.weld]            # a joint that neither opens nor slips
+# law = "elastic"
+# normal_stiffness = "100 GPa/m"   # of the joint itself, times the contact's length, in place of the penalties
+# shear_stiffness = "40 GPa/m"     # default: normal_stiffness
+# corner_length = 0.01             # m, that a contact is given at least
+
 # [bolt_material.anchor]           # for bolts of the block file, per metre of section
 # axial_stiffness = "100 MN"       # EA over the spacing
 # pretension = 0                   # N

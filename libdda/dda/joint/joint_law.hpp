@@ -1,14 +1,16 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <variant>
 
+#include "dda/joint/elastic.hpp"
 #include "dda/joint/mohr_coulomb.hpp"
 
 namespace dda {
 
 /// The list of joint laws: a new law is one file in this folder and one word here.
-using JointLaw = std::variant<MohrCoulomb>;
+using JointLaw = std::variant<MohrCoulomb, Elastic>;
 
 namespace detail {
 template <class... Laws>
@@ -31,11 +33,22 @@ struct JointMaterial {
     JointLaw law;
     double normal_penalty = 0;  ///< N/m per metre per contact; 0: the analysis' value
     double shear_penalty = 0;   ///< likewise
+    /// Stiffness of the joint itself, Pa/m: a contact's spring is this times its length, Eq. (42). 0: the
+    /// penalty.
+    double normal_stiffness = 0;
+    double shear_stiffness = 0;  ///< likewise
+    /// m, the length that a contact is given at least where the joint has a stiffness of its own: corners on
+    /// faces share no length. Normally a hundredth of a block; the smaller, the deeper corners sink in.
+    double corner_length = 0.01;
 
-    double normal_stiffness(double analysis_value) const {
+    /// Stiffness of a contact's normal spring, N/m per metre. @param analysis_value the penalty of the
+    /// analysis; @param length m, the contact's share of the joint.
+    double normal_spring(double analysis_value, double length) const {
+        if (normal_stiffness > 0) return normal_stiffness * std::max(length, corner_length);
         return normal_penalty > 0 ? normal_penalty : analysis_value;
     }
-    double shear_stiffness(double analysis_value) const {
+    double shear_spring(double analysis_value, double length) const {
+        if (shear_stiffness > 0) return shear_stiffness * std::max(length, corner_length);
         return shear_penalty > 0 ? shear_penalty : analysis_value;
     }
 };

@@ -74,8 +74,8 @@ std::vector<ContactSprings> contact_springs(const Model& model, const RowMap& ro
                            rows.row_of[static_cast<std::size_t>(contact.edge_block)]};
             spring.normal = measure(geometry.normal);
             spring.shear = measure(geometry.tangent);
-            spring.normal_stiffness = material.normal_stiffness(model.normal_penalty);
-            spring.shear_stiffness = material.shear_stiffness(model.shear_penalty);
+            spring.normal_stiffness = material.normal_spring(model.normal_penalty, contact.length);
+            spring.shear_stiffness = material.shear_spring(model.shear_penalty, contact.length);
         }
     });
     return springs;

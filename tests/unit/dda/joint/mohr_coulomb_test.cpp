@@ -92,10 +92,10 @@ TEST(JointLaws, HistoryBelongsToItsLaw) {
 TEST(JointMaterial, OwnPenaltyGoesBeforeTheAnalysis) {
     const dda::JointMaterial common{"common", plain, 0, 0};
     const dda::JointMaterial stiff{"stiff", plain, 7e9, 3e9};
-    EXPECT_EQ(common.normal_stiffness(5e10), 5e10);
-    EXPECT_EQ(common.shear_stiffness(4e10), 4e10);
-    EXPECT_EQ(stiff.normal_stiffness(5e10), 7e9);
-    EXPECT_EQ(stiff.shear_stiffness(4e10), 3e9);
+    EXPECT_EQ(common.normal_spring(5e10, 2), 5e10);
+    EXPECT_EQ(common.shear_spring(4e10, 2), 4e10);
+    EXPECT_EQ(stiff.normal_spring(5e10, 2), 7e9);
+    EXPECT_EQ(stiff.shear_spring(4e10, 2), 3e9);
 }
 
 }  // namespace

@@ -1,0 +1,47 @@
+#include "dda/joint/elastic.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "dda/joint/joint_law.hpp"
+
+namespace {
+
+using dda::Elastic;
+using dda::JointMaterial;
+
+TEST(Elastic, NeverSlipsWhateverPressesOrPulls) {
+    const Elastic law;
+    for (const bool intact : {true, false}) {
+        for (const double normal : {-1e12, -1.0, -1e-12, 0.0, 1e-12, 1.0, 1e12}) {
+            const dda::Strength s = law.strength(law.fresh(intact), normal, 0.5);
+            EXPECT_TRUE(std::isinf(s.forward) && s.forward > 0) << normal;
+            EXPECT_EQ(s.backward, s.forward) << normal;
+            EXPECT_EQ(s.tensile, intact ? s.forward : 0) << normal;
+        }
+    }
+}
+
+TEST(Elastic, NothingWears) {
+    const Elastic law;
+    EXPECT_TRUE(law.advance(law.fresh(true), {1e-3, 1e-3, -1e9, 1, false}).glued);
+    EXPECT_FALSE(law.advance(law.fresh(false), {1e-3, 1e-3, 1e9, 1, false}).glued);
+}
+
+TEST(JointStiffness, IsTimesTheLengthAndTakesThePlaceOfThePenalty) {
+    const JointMaterial joint = {"joint", Elastic{}, 0, 0, 2e10, 5e9, 0.1};
+    EXPECT_DOUBLE_EQ(joint.normal_spring(5e10, 3), 6e10);
+    EXPECT_DOUBLE_EQ(joint.shear_spring(5e10, 3), 1.5e10);
+}
+
+// A face that slides off a ledge ends as a corner on an edge: its spring must not jump on the way.
+TEST(JointStiffness, HasNoJumpWhereTheSharedLengthVanishes) {
+    const JointMaterial joint = {"joint", Elastic{}, 0, 0, 2e10, 5e9, 0.1};
+    for (const double length : {0.0, 1e-12, 0.05, 0.1}) {
+        EXPECT_DOUBLE_EQ(joint.normal_spring(5e10, length), 2e9) << length;
+        EXPECT_DOUBLE_EQ(joint.shear_spring(5e10, length), 5e8) << length;
+    }
+}
+
+}  // namespace
