@@ -177,4 +177,17 @@ void Ledger::record_blocks(const StepWork& step, Energy& energy) const {
     }
 }
 
+/// What holds a face in a static stage is outside: its reaction does external work.
+void Ledger::record_boundaries(const StepWork& step, Energy& energy) const {
+    for (const BoundaryTerm& term : step.boundaries) {
+        const auto row = static_cast<std::size_t>(term.row);
+        const auto b = static_cast<std::size_t>(rows_.block_of[row]);
+        const Vec6& d = step.result.displacement[row];
+        const Vec6 v1 = step.newmark.velocity_rate() * d +
+                        step.newmark.velocity_at_rest(step.blocks.velocity[b], step.blocks.acceleration[b]);
+        energy.boundary_loss += d.dot(term.damping * v1);
+        energy.external_work += d.dot(term.force - term.stiffness * d);
+    }
+}
+
 }  // namespace dda

@@ -16,6 +16,7 @@ struct StepWork {
     std::span<const ContactSprings> springs;
     std::span<const BoltSpring> bolts;
     std::span<const double> bolt_force;  ///< at the start of the step
+    std::span<const BoundaryTerm> boundaries;
     const OpenCloseResult& result;
     Newmark newmark;
     double mass_damping = 0;
@@ -38,6 +39,7 @@ class Ledger {
     void record_contacts(const StepWork& step, Energy& energy) const;
     void record_constraints(const StepWork& step, Energy& energy) const;
     void record_blocks(const StepWork& step, Energy& energy) const;
+    void record_boundaries(const StepWork& step, Energy& energy) const;
 
   private:
     const Model& model_;

@@ -6,6 +6,7 @@
 #include "dda/analysis/energy.hpp"
 #include "dda/block/block_system.hpp"
 #include "dda/contact/contact.hpp"
+#include "dda/terms/viscous_boundary.hpp"
 
 namespace dda {
 
@@ -22,6 +23,7 @@ struct State {
     std::vector<Vec2> displacement_origin;  ///< per material point: where displacements count from, m
     std::vector<Vec2> centroid_origin;      ///< per block: likewise
     std::vector<double> bolt_force;         ///< per bolt, N per metre, tension positive
+    BoundaryReactions boundary_reactions;   ///< of viscous boundaries, N per metre
     Energy energy;
 };
 

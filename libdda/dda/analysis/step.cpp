@@ -82,6 +82,7 @@ struct TimeStepper::Step {
     ContactSet contacts;
     std::vector<ContactSprings> springs;
     std::vector<BoltSpring> bolts;
+    std::vector<BoundaryTerm> boundaries;
     BaseSystem base;
 };
 
@@ -167,6 +168,8 @@ TimeStepper::Step TimeStepper::prepare(const Stage& stage, const State& state, d
     step.springs =
         contact_springs(model_, rows_, step.mid, step.prescribed.displacement, step.contacts.contacts, crew_);
     step.bolts = bolt_springs(model_, rows_, step.mid, step.prescribed.displacement);
+    step.boundaries =
+        boundary_terms(model_, rows_, step.mid, stage, state.stage_time + dt, state.boundary_reactions);
     assemble_base(stage, state, step);
     return step;
 }
@@ -217,6 +220,7 @@ void TimeStepper::assemble_base(const Stage& stage, const State& state, Step& st
     add_elasticity(model_, rows_, state.blocks, step.dt, step.base);
     add_loads(model_, rows_, state.blocks, step.mid, {step.dt, state.time + step.dt}, step.base);
     add_fixed_points(model_, rows_, state.blocks, step.mid, step.base);
+    add_boundaries(step.boundaries, rows_, state.blocks, step.newmark, step.base);
 }
 
 void TimeStepper::analyze_pattern(const ContactSet& contacts) {
@@ -292,6 +296,8 @@ State TimeStepper::updated(const Stage& stage, const State& state, const Step& s
     ++after.step_count;
     after.contacts = step.contacts;
     after.bolt_force = result.bolt_force;
+    after.boundary_reactions =
+        advance_reactions(model_, step.mid, stage, displacement, std::move(after.boundary_reactions));
 
     const double kept = velocity_kept(stage);
     for (std::size_t row = 0; row < rows_.block_of.size(); ++row) {
@@ -342,15 +348,16 @@ State TimeStepper::updated(const Stage& stage, const State& state, const Step& s
                     .tensile > 0;
     }
 
-    const StepWork work{state.blocks,     step.mid, step.contacts.contacts, step.springs,       step.bolts,
-                        state.bolt_force, result,   step.newmark,           stage.mass_damping, kept,
-                        after.time};
+    const StepWork work{
+        state.blocks,    step.mid, step.contacts.contacts, step.springs,       step.bolts, state.bolt_force,
+        step.boundaries, result,   step.newmark,           stage.mass_damping, kept,       after.time};
     after.energy.released +=
         ledger_.stored_in(state.contacts.contacts) - ledger_.stored_in(step.contacts.contacts);
     after.energy.numerical_loss += straining_loss;
     ledger_.record_contacts(work, after.energy);
     ledger_.record_constraints(work, after.energy);
     ledger_.record_blocks(work, after.energy);
+    ledger_.record_boundaries(work, after.energy);
     ledger_.take_stock(after, after.energy);
     return after;
 }

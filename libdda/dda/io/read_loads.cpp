@@ -47,12 +47,6 @@ int block_index(const ConfigTable& table, const Model& model) {
     return static_cast<int>(block);
 }
 
-/// The block named by `block = index` or `at = [x, y]`.
-int read_block(const ConfigTable& table, const Model& model) {
-    if (table.has("block")) return block_index(table, model);
-    return block_at(table, read_place(table, model), model);
-}
-
 int measured_point(const ConfigTable& table, const Model& model) {
     const std::string name = table.string("measured_point");
     std::vector<std::string> names;
@@ -144,6 +138,11 @@ TimeTable checked_times(const std::vector<double>& times, const std::vector<doub
 }
 
 }  // namespace
+
+int read_block(const ConfigTable& table, const Model& model) {
+    if (table.has("block")) return block_index(table, model);
+    return block_at(table, read_place(table, model), model);
+}
 
 TimeTable read_time_table(const ConfigTable& table, Dimension dimension, InputFiles& files) {
     if (!table.has("file"))

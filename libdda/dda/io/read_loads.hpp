@@ -16,6 +16,9 @@ using InputFiles = std::vector<std::filesystem::path>;
 /// @throws InputError for a point in no block, an unknown measured point, a block index out of range.
 void read_loads(const blockgen::ConfigTable& run, Model& model, InputFiles& files);
 
+/// The block named by `block = index` or `at = [x, y]` in a table.
+int read_block(const blockgen::ConfigTable& table, const Model& model);
+
 /// A table of values over time: { file = ... } with two columns, or { times = [...], values = [...] }; times
 /// strictly increasing, otherwise free.
 TimeTable read_time_table(const blockgen::ConfigTable& table, blockgen::Dimension dimension,

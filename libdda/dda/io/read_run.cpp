@@ -6,6 +6,7 @@
 #include "blockgen/config/config_table.hpp"
 #include "blockgen/mesh/block_file.hpp"
 #include "blockgen/mesh/check_mesh.hpp"
+#include "dda/io/read_boundaries.hpp"
 #include "dda/io/read_loads.hpp"
 #include "dda/io/read_materials.hpp"
 #include "dda/io/read_mesh.hpp"
@@ -123,6 +124,7 @@ RunInput read_run(const std::filesystem::path& run_file, const RunReadOptions& o
         throw blockgen::InputError({block_file.string()}, "every block is fixed or prescribed",
                                    "a block that is free to move");
     read_loads(run, model, input.files);
+    read_boundaries(run, model);
     input.stages = read_stages(run, model, input.files);
     input.output = read_output(run.table_or_empty("output"), run_file);
     run.finish();

@@ -5,6 +5,7 @@
 #include "blockgen/base/magnitude.hpp"
 #include "blockgen/base/text.hpp"
 #include "dda/io/base_acceleration.hpp"
+#include "dda/io/read_boundaries.hpp"
 #include "dda/io/read_materials.hpp"
 
 namespace dda {
@@ -173,6 +174,7 @@ Stage read_stage(const ConfigTable& table, std::size_t index, const Model& model
         in_range(table, "newmark_beta", stage.newmark_beta, 1e-3, 1, "a number from 0.001 to 1");
     stage.newmark_gamma =
         in_range(table, "newmark_gamma", stage.newmark_gamma, 0.5, 1, "a number from 0.5 to 1");
+    stage.incident_waves = read_incident_waves(table, model, files);
     stage.base_motions = read_base_motions(table, stage.control.step, model, files);
     return stage;
 }

@@ -53,6 +53,14 @@ friction_angle = "35 deg"
 # [[body_load]]                    # an acceleration added to gravity, on all blocks or on the one at a point
 # acceleration = ["0.1 g", 0]
 
+# [[viscous_boundary]]             # free faces behind which the rock goes on: they swallow waves
+# name = "below"
+# along = [[0, 0], [120, 0]]       # the faces on this line
+# tolerance = 0.001                # m, of a face from the line
+# normal_impedance = 0             # Pa s/m; 0: density times the speed of pressure waves
+# shear_impedance = 0              # Pa s/m; 0: density times the speed of shear waves
+# hold = "both"                    # in static stages; or "normal", "none"
+
 # [[fixed_point]]
 # at = [10, 5]
 # direction = "both"               # or "x", "y"
@@ -99,6 +107,10 @@ step = 0.005
 # block = "base"
 # x = { file = "record.at2", scale = 1.0, baseline = "drift" }
 # y = { file = "up.csv", quantity = "acceleration", unit = "cm/s2" }
+
+# [[stage.incident_wave]]          # comes in through a viscous boundary; without boundary: through all
+# boundary = "below"
+# x = { times = [0, 0.1, 0.2], values = [0, 0.05, 0], scale = 1.0 }   # m/s; or { file = "velocity.csv" }
 
 [output]
 # frames = 200                     # kept frames over the dynamic stages

@@ -70,11 +70,17 @@ Json contact_counts(const State& state) {
 }
 
 Json energy_json(const Energy& e) {
-    return {{"kinetic", e.kinetic},           {"strain", e.strain},
-            {"contact", e.contact},           {"constraint", e.constraint},
-            {"gravity", e.gravity},           {"friction_loss", e.friction_loss},
-            {"damping_loss", e.damping_loss}, {"numerical_loss", e.numerical_loss},
-            {"released", e.released},         {"external_work", e.external_work},
+    return {{"kinetic", e.kinetic},
+            {"strain", e.strain},
+            {"contact", e.contact},
+            {"constraint", e.constraint},
+            {"gravity", e.gravity},
+            {"friction_loss", e.friction_loss},
+            {"damping_loss", e.damping_loss},
+            {"numerical_loss", e.numerical_loss},
+            {"released", e.released},
+            {"boundary_loss", e.boundary_loss},
+            {"external_work", e.external_work},
             {"residual", e.residual()}};
 }
 

@@ -4,7 +4,7 @@
 
 namespace dda {
 
-/// A joint that neither opens nor slips, Eq. (41): only its springs give. With the joint's own normal and
+/// A joint that neither opens nor slips, Eq. (42): only its springs give. With the joint's own normal and
 /// shear stiffness it is the linear displacement discontinuity of wave studies [pyraknolte1990]; with stiff
 /// springs it glues blocks together. Faces that meet later in the run have no glue: they part freely, and
 /// stick without slip while pressed. Limit: tension has no bound, so it is no model of rock that could fail.

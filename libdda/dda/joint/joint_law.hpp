@@ -33,7 +33,7 @@ struct JointMaterial {
     JointLaw law;
     double normal_penalty = 0;  ///< N/m per metre per contact; 0: the analysis' value
     double shear_penalty = 0;   ///< likewise
-    /// Stiffness of the joint itself, Pa/m: a contact's spring is this times its length, Eq. (42). 0: the
+    /// Stiffness of the joint itself, Pa/m: a contact's spring is this times its length, Eq. (41). 0: the
     /// penalty.
     double normal_stiffness = 0;
     double shear_stiffness = 0;  ///< likewise

@@ -7,6 +7,7 @@
 #include "dda/joint/joint_law.hpp"
 #include "dda/model/block_material.hpp"
 #include "dda/model/load.hpp"
+#include "dda/model/viscous_boundary.hpp"
 
 namespace dda {
 
@@ -65,6 +66,7 @@ struct Model {
     std::vector<MaterialPoint> material_points;  ///< of loads, fixed points, bolts and measured points
     std::vector<Load> loads;
     std::vector<FixedPoint> fixed_points;
+    std::vector<ViscousBoundary> viscous_boundaries;
     std::vector<BoltSpec> bolts;
     std::vector<MeasuredPointSpec> measured_points;
     std::vector<Vec6> initial_velocity;  ///< per block, or empty

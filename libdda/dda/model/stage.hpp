@@ -40,6 +40,14 @@ struct StrengthReduction {
     double displacement_limit = 0;  ///< m; a block that moves farther has failed
 };
 
+/// A wave that enters through viscous boundaries of that name (through all when empty): the velocity, m/s,
+/// with which its own motion passes them. Zero outside the tables. Times count from the stage's start.
+struct IncidentWave {
+    std::string boundary;
+    TimeTable x;
+    TimeTable y;
+};
+
 /// One part of a run.
 struct Stage {
     std::string name;
@@ -57,6 +65,7 @@ struct Stage {
     StepControl control;
     std::vector<BaseMotion> base_motions;
     std::optional<StrengthReduction> strength_reduction;  ///< of a static stage: what it is for
+    std::vector<IncidentWave> incident_waves;
 };
 
 /// The first of the instants k * step, k = 1, 2, ..., later than the given time, s since the stage's start.

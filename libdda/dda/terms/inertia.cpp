@@ -24,7 +24,8 @@ Mat6 mass_matrix(double mass, const AreaMoments& moments) {
 
 void add_inertia(const RowMap& rows, const BlockSystem& blocks, const Newmark& newmark, double mass_damping,
                  BaseSystem& base) {
-    const auto [beta, gamma, dt] = newmark;
+    const double beta = newmark.beta;
+    const double dt = newmark.dt;
     for (std::size_t row = 0; row < rows.block_of.size(); ++row) {
         const auto b = static_cast<std::size_t>(rows.block_of[row]);
         const Mat6 m = mass_matrix(blocks.mass[b], blocks.moments[b]);
@@ -33,10 +34,8 @@ void add_inertia(const RowMap& rows, const BlockSystem& blocks, const Newmark& n
         base.stiffness[row] += m / (beta * dt * dt);
         base.load[row] += m * (v0 / (beta * dt) + (0.5 - beta) / beta * a0);
         if (mass_damping == 0) continue;
-        const Vec6 v1_without_d =
-            (1 - gamma / beta) * v0 + dt * ((1 - gamma) - gamma * (0.5 - beta) / beta) * a0;
-        base.stiffness[row] += mass_damping * gamma / (beta * dt) * m;
-        base.load[row] -= mass_damping * (m * v1_without_d);
+        base.stiffness[row] += mass_damping * newmark.velocity_rate() * m;
+        base.load[row] -= mass_damping * (m * newmark.velocity_at_rest(v0, a0));
     }
 }
 

@@ -42,6 +42,12 @@ struct Newmark {
     Vec6 acceleration(const Vec6& d, const Vec6& v0, const Vec6& a0) const {
         return (d / dt - v0) / (beta * dt) - (0.5 - beta) / beta * a0;
     }
+    /// The part of v1 that is proportional to d, over d, 1/s.
+    double velocity_rate() const { return gamma / (beta * dt); }
+    /// v1 when d is zero.
+    Vec6 velocity_at_rest(const Vec6& v0, const Vec6& a0) const {
+        return (1 - gamma / beta) * v0 + dt * ((1 - gamma) - gamma * (0.5 - beta) / beta) * a0;
+    }
     Vec6 velocity(const Vec6& v0, const Vec6& a0, const Vec6& a1) const {
         return v0 + dt * ((1 - gamma) * a0 + gamma * a1);
     }

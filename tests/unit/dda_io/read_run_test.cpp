@@ -300,10 +300,12 @@ TEST_F(ReadRun, TheTemplateIsAWholeModelFile) {
         uncommented += line;
     }
     for (const char* block : {"[[point_load]]\nat = [10, 5]", "[[fixed_point]]\nat = [10, 5]",
-                              "[[initial_velocity]]\nat = [10, 5]"})
+                              "[[initial_velocity]]\nat = [10, 5]", "[[viscous_boundary]]"})
         EXPECT_THAT(uncommented, HasSubstr(std::string(block).substr(0, 8)));
     for (std::size_t at; (at = uncommented.find("at = [10, 5]")) != std::string::npos;)
         uncommented.replace(at, 12, "at = [2, 1.5]");
+    for (std::size_t at; (at = uncommented.find("[[0, 0], [120, 0]]")) != std::string::npos;)
+        uncommented.replace(at, 18, "[[1, 2], [3, 2]]");
     uncommented.replace(uncommented.find("record.at2"), 10, "r.csv");
     uncommented.replace(uncommented.find("up.csv"), 6, "r2.csv");
     folder.write("r2.csv", "0,0\n1,1\n");

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "dda/model/face.hpp"
+
+namespace dda {
+
+/// In which directions a viscous boundary is held while a static stage finds the forces that bear the model.
+enum class Hold { none, normal, both };
+
+/// Faces behind which the rock goes on for ever, theory sec. 11: dashpots that swallow waves.
+struct ViscousBoundary {
+    std::string name;  ///< by which a stage's incident wave calls it
+    std::vector<FacePart> faces;
+    double normal_impedance = 0;  ///< Pa s/m; 0: density times the speed of pressure waves in the face's rock
+    double shear_impedance = 0;   ///< Pa s/m; 0: density times the speed of shear waves
+    Hold hold = Hold::both;
+};
+
+}  // namespace dda

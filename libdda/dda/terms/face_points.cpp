@@ -1,0 +1,28 @@
+#include "dda/terms/face_points.hpp"
+
+#include <numbers>
+
+namespace dda {
+
+std::array<FacePoint, 2> face_points(const Model& model, const MidStep& mid, const FacePart& face) {
+    const auto edge = static_cast<std::size_t>(face.edge);
+    const Vec2& first = mid.vertices[edge];
+    const Vec2 along = mid.vertices[static_cast<std::size_t>(model.topology.next[edge])] - first;
+    const double length = along.norm();
+    const int block = model.topology.block_of[edge];
+    constexpr double offset = 0.5 * std::numbers::inv_sqrt3;
+    std::array<FacePoint, 2> points;
+    for (const std::size_t k : {0, 1}) {
+        FacePoint& point = points[k];
+        point.block = block;
+        point.share = 0.5 + (k == 0 ? -offset : offset);
+        point.weight = (face.to - face.from) * length / 2;
+        const double at = face.from + point.share * (face.to - face.from);
+        point.arm = first + at * along - mid.centroid[static_cast<std::size_t>(block)];
+        point.tangent = along / length;
+        point.normal = -perpendicular(point.tangent);
+    }
+    return points;
+}
+
+}  // namespace dda

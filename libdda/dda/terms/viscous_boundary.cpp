@@ -1,0 +1,119 @@
+#include "dda/terms/viscous_boundary.hpp"
+
+#include <cmath>
+
+#include "dda/terms/face_points.hpp"
+
+namespace dda {
+
+namespace {
+
+/// Normal and shear impedance of a face, Pa s/m: density times wave speed, sqrt(density * modulus).
+Vec2 impedance(const Model& model, const ViscousBoundary& boundary, int block) {
+    const BlockMaterial& rock = model.material_of(block);
+    const Mat3 modulus = elasticity(rock, model.plane);
+    return {
+        boundary.normal_impedance > 0 ? boundary.normal_impedance : std::sqrt(rock.density * modulus(0, 0)),
+        boundary.shear_impedance > 0 ? boundary.shear_impedance : std::sqrt(rock.density * modulus(2, 2))};
+}
+
+/// normal n n^T + shear t t^T.
+Eigen::Matrix2d along_face(const FacePoint& point, double normal, double shear) {
+    return normal * point.normal * point.normal.transpose() +
+           shear * point.tangent * point.tangent.transpose();
+}
+
+/// N/m per metre of a point's holding springs, by direction.
+Eigen::Matrix2d holding_springs(const Model& model, const ViscousBoundary& boundary, const FacePoint& point) {
+    const double k = model.fixed_point_penalty;
+    return along_face(point, boundary.hold == Hold::none ? 0 : k, boundary.hold == Hold::both ? k : 0);
+}
+
+double within_table(const TimeTable& table, double time) {
+    if (table.empty() || time < table.times().front() || time > table.times().back()) return 0;
+    return table.at(time);
+}
+
+/// Velocity of the rock as the incident wave alone would have it, m/s.
+Vec2 incident_velocity(const ViscousBoundary& boundary, const Stage& stage, double stage_time) {
+    Vec2 velocity = Vec2::Zero();
+    for (const IncidentWave& wave : stage.incident_waves) {
+        if (!wave.boundary.empty() && wave.boundary != boundary.name) continue;
+        velocity += Vec2(within_table(wave.x, stage_time), within_table(wave.y, stage_time));
+    }
+    return velocity;
+}
+
+/// Calls visit(boundary, face, index of the face's first reaction).
+template <class Visit>
+void for_faces(const Model& model, const Visit& visit) {
+    std::size_t reaction = 0;
+    for (const ViscousBoundary& boundary : model.viscous_boundaries) {
+        for (const FacePart& face : boundary.faces) {
+            visit(boundary, face, reaction);
+            reaction += 2;
+        }
+    }
+}
+
+}  // namespace
+
+BoundaryReactions no_reactions(const Model& model) {
+    std::size_t count = 0;
+    for (const ViscousBoundary& boundary : model.viscous_boundaries) count += 2 * boundary.faces.size();
+    return BoundaryReactions(count, Vec2::Zero());
+}
+
+std::vector<BoundaryTerm> boundary_terms(const Model& model, const RowMap& rows, const MidStep& mid,
+                                         const Stage& stage, double stage_time,
+                                         const BoundaryReactions& reactions) {
+    const bool dynamic = stage.kind == StageKind::dynamic;
+    std::vector<BoundaryTerm> terms;
+    for_faces(model, [&](const ViscousBoundary& boundary, const FacePart& face, std::size_t reaction) {
+        const int block = model.topology.block_of[static_cast<std::size_t>(face.edge)];
+        BoundaryTerm term;
+        term.row = rows.row_of[static_cast<std::size_t>(block)];
+        if (term.row < 0) return;
+        const Vec2 z = impedance(model, boundary, block);
+        for (const FacePoint& point : face_points(model, mid, face)) {
+            const auto t = displacement_matrix(point.arm);
+            Vec2 force = reactions[reaction++];
+            if (dynamic) {
+                const Eigen::Matrix2d dashpots = point.weight * along_face(point, z[0], z[1]);
+                term.damping += t.transpose() * dashpots * t;
+                force += 2 * dashpots * incident_velocity(boundary, stage, stage_time);
+            } else {
+                term.stiffness += t.transpose() * holding_springs(model, boundary, point) * t;
+            }
+            term.force += t.transpose() * force;
+        }
+        terms.push_back(term);
+    });
+    return terms;
+}
+
+void add_boundaries(std::span<const BoundaryTerm> terms, const RowMap& rows, const BlockSystem& blocks,
+                    const Newmark& newmark, BaseSystem& base) {
+    for (const BoundaryTerm& term : terms) {
+        const auto row = static_cast<std::size_t>(term.row);
+        const auto b = static_cast<std::size_t>(rows.block_of[row]);
+        base.stiffness[row] += term.stiffness + newmark.velocity_rate() * term.damping;
+        base.load[row] +=
+            term.force - term.damping * newmark.velocity_at_rest(blocks.velocity[b], blocks.acceleration[b]);
+    }
+}
+
+BoundaryReactions advance_reactions(const Model& model, const MidStep& mid, const Stage& stage,
+                                    std::span<const Vec6> displacement, BoundaryReactions reactions) {
+    if (stage.kind == StageKind::dynamic) return reactions;
+    for_faces(model, [&](const ViscousBoundary& boundary, const FacePart& face, std::size_t reaction) {
+        for (const FacePoint& point : face_points(model, mid, face)) {
+            const Vec2 moved =
+                displacement_matrix(point.arm) * displacement[static_cast<std::size_t>(point.block)];
+            reactions[reaction++] -= holding_springs(model, boundary, point) * moved;
+        }
+    });
+    return reactions;
+}
+
+}  // namespace dda

@@ -1,0 +1,150 @@
+// Waves that leave a model through dashpots, enter through them, and cross a joint on the way.
+
+#include <gtest/gtest.h>
+
+#include <complex>
+
+#include "support/bar.hpp"
+#include "support/record.hpp"
+
+namespace {
+
+using namespace scene;
+using namespace verification;
+
+constexpr double speed = 2000;              // m/s, of the bar in plane stress
+constexpr double impedance = 2500 * speed;  // Pa s/m
+
+/// Closes an end of the bar with dashpots.
+void add_viscous_end(Bar& bar, bool left, double normal_impedance, const std::string& name = "end") {
+    // Edge 1 of a box is its right side and edge 3 its left.
+    const int edge = left ? 3 : 4 * (bar.count - 1) + 1;
+    bar.s.model.viscous_boundaries.push_back({name, {{edge, 0, 1}}, normal_impedance, 0, dda::Hold::both});
+}
+
+/// Velocity pulse that comes back from the end of a bar, over the one that went there, with its sign.
+struct Returned {
+    double coefficient = 0;
+    double contact_frequency_step = 0;
+};
+Returned reflected(double end_impedance) {
+    Bar bar(100, 0.1, dda::Plane::stress);
+    add_viscous_end(bar, false, end_impedance);
+    bar.push({1e6, 0}, raised_cosine(1e-3));
+    Simulation sim(bar.s);
+    const Seismogram record(sim, {49}, 0);
+    EXPECT_EQ(sim.run(wave_stage(9e-3, 2e-5)).status, dda::RunStatus::completed);
+    double incident = 0;
+    double back = 0;
+    for (std::size_t k = 0; k < record.times.size(); ++k) {
+        // The pulse passes the middle at 2.5 to 3.5 ms, and again at 7.5 to 8.5 ms.
+        const double v = record.values[0][k];
+        double& largest = record.times[k] < 5.5e-3 ? incident : back;
+        if (std::abs(v) > std::abs(largest)) largest = v;
+    }
+    const dda::Energy& e = sim.state.energy;
+    EXPECT_LT(std::abs(e.residual()), 1e-3 * e.external_work);
+    const double coefficient = back / incident;
+    // What did not come back was taken by the dashpots.
+    EXPECT_NEAR(e.boundary_loss / e.external_work, 1 - coefficient * coefficient, 0.02);
+    return {coefficient, sim.contact_frequency_step()};
+}
+
+// V32. Dashpots of the bar's impedance swallow the pulse; others throw back (Zb - Z)/(Zb + Z) of its stress,
+// and of its velocity the same with the other sign. Within 3 % of the incident pulse.
+TEST(ViscousBoundary, SwallowsWavesOfItsOwnImpedance) {
+    const Returned r = reflected(impedance);
+    Case("V32", "dashpots of the bar's impedance", "required")
+        .contact_frequency_step(r.contact_frequency_step)
+        .expect_below("reflected over incident", "1", r.coefficient, 0.03);
+}
+TEST(ViscousBoundary, ReflectsByTheMismatchOfImpedance) {
+    for (const double ratio : {0.25, 0.5, 2.0, 4.0}) {
+        const double expected = (ratio - 1) / (ratio + 1);
+        const Returned r = reflected(ratio * impedance);
+        char set_up[40];
+        std::snprintf(set_up, sizeof set_up, "dashpots of %g times the bar's", ratio);
+        // The velocity comes back with the sign opposite to the stress.
+        Case("V32", set_up, "required")
+            .contact_frequency_step(r.contact_frequency_step)
+            .expect("R", "1", -r.coefficient, expected, absolute(0.03));
+    }
+}
+
+/// A bar without ends whose left boundary lets a pulse in; the middle joint may be soft.
+struct EndlessBar {
+    static constexpr int count = 60;
+    std::vector<double> times;
+    std::vector<double> before;  ///< velocity left of the middle joint, m/s
+    std::vector<double> behind;
+    double contact_frequency_step = 0;
+
+    explicit EndlessBar(double middle_stiffness) {
+        Bar bar(count, 1, dda::Plane::stress);
+        add_viscous_end(bar, true, impedance, "left");
+        add_viscous_end(bar, false, impedance, "right");
+        if (middle_stiffness > 0) {
+            bar.s.model.joint_materials.push_back(elastic_joint(middle_stiffness, middle_stiffness));
+            const auto mark = [&](int edge) {
+                bar.s.model.topology.joint_material[static_cast<std::size_t>(edge)] = 1;
+            };
+            mark(4 * (count / 2 - 1) + 1);
+            mark(4 * (count / 2) + 3);
+        }
+        Simulation sim(bar.s);
+        const Seismogram record(sim, {9, count - 10}, 0);
+        dda::Stage stage = wave_stage(0.12, 1e-4);
+        stage.incident_waves.push_back({"left", raised_cosine(0.01), dda::TimeTable({0, 1}, {0, 0})});
+        EXPECT_EQ(sim.run(stage).status, dda::RunStatus::completed);
+        times = record.times;
+        before = record.values[0];
+        behind = record.values[1];
+        contact_frequency_step = sim.contact_frequency_step();
+    }
+};
+
+/// Size of the Fourier integral of a velocity at a frequency, Hz.
+double spectrum(const std::vector<double>& times, const std::vector<double>& values, double frequency) {
+    std::complex<double> sum = 0;
+    for (std::size_t k = 0; k < times.size(); ++k)
+        sum += values[k] * std::polar(1.0, -2 * std::numbers::pi * frequency * times[k]);
+    return std::abs(sum);
+}
+
+// What comes in through a boundary is the wave that was asked for: its velocity, not twice or half of it.
+TEST(ViscousBoundary, LetsTheIncidentWaveIn) {
+    const EndlessBar bar(0);
+    double largest = 0;
+    for (const double v : bar.behind) largest = std::max(largest, v);
+    Case("V32", "incident wave of 1 m/s through dashpots", "dispersion of a pulse of 20 blocks")
+        .contact_frequency_step(bar.contact_frequency_step)
+        .expect("velocity that arrives", "m/s", largest, 1, relative(0.01));
+}
+
+// V33. A linear joint of stiffness k lets T = 1/sqrt(1 + (z w/2k)^2) of a wave pass and throws back R =
+// sqrt(1 - T^2): 0.7071 both at 50 Hz for k = z w/2 = 7.854e8 Pa/m. The spectra of one pulse give all
+// frequencies; beside a bar without the joint, so that its dispersion cancels.
+TEST(LinearJoint, PassesAndReflectsByItsStiffness) {
+    const double k = impedance * 2 * std::numbers::pi * 50 / 2;
+    EXPECT_NEAR(k, 7.854e8, 1e5);
+    const EndlessBar whole(0);
+    const EndlessBar jointed(k);
+    std::vector<double> back = jointed.before;
+    for (std::size_t i = 0; i < back.size(); ++i) back[i] -= whole.before[i];
+    for (const double frequency : {25.0, 50.0, 75.0}) {
+        const double transmission = 1 / std::hypot(1, frequency / 50);
+        const double reflection = std::sqrt(1 - transmission * transmission);
+        const double t = spectrum(jointed.times, jointed.behind, frequency) /
+                         spectrum(whole.times, whole.behind, frequency);
+        const double r =
+            spectrum(jointed.times, back, frequency) / spectrum(whole.times, whole.before, frequency);
+        char set_up[40];
+        std::snprintf(set_up, sizeof set_up, "%g Hz, k = 7.854e8 Pa/m", frequency);
+        const Case row = Case("V33", set_up, "waves of 27 to 80 blocks")
+                             .contact_frequency_step(jointed.contact_frequency_step);
+        row.expect("T", "1", t, transmission, relative(0.01));
+        row.expect("R", "1", r, reflection, relative(0.01));
+    }
+}
+
+}  // namespace
