@@ -59,6 +59,24 @@ TEST(Elasticity, SimpleShear) {
     sheared.expect("τ_xy", "Pa", sim.stress(0)[2], 1e5, relative(1e-3));
 }
 
+// V05 once more, under pressure on the faces in place of forces on the corners: the two must be the same
+// load.
+TEST(Elasticity, PressureOnFacesCompressesAsForcesOnCornersDo) {
+    Scene s;
+    s.model.plane = dda::Plane::stress;
+    s.model.gravity.setZero();
+    s.box({0, 0}, 1, 1);
+    dda::LineLoad load;
+    for (const int edge : {0, 2}) load.faces.push_back({{edge, 0, 1}, 1e6, 1e6, {0, 0}, {0, 0}});
+    s.model.loads.push_back(load);
+    Simulation sim(s);
+    ASSERT_EQ(sim.settle().status, dda::RunStatus::completed);
+    Case("V05", "plane stress, pressure on two faces", "change of the square's own size, 1e-4")
+        .contact_frequency_step(sim.contact_frequency_step())
+        .expect("eps_y", "1", strains(sim)[1], -1e-4, relative(1e-3));
+    EXPECT_NEAR(strains(sim)[0], 2.5e-5, 1e-3 * 2.5e-5);
+}
+
 // V02, V03. W over two springs, and the virial stress of self-weight: sigma_y = -rho g h / 2, sigma_x = 0. In
 // ten seconds nothing drifts.
 TEST(BlockAtRest, PenetratesByItsWeightAndStays) {

@@ -62,7 +62,7 @@ TEST(ViscousBoundary, ReflectsByTheMismatchOfImpedance) {
     for (const double ratio : {0.25, 0.5, 2.0, 4.0}) {
         const double expected = (ratio - 1) / (ratio + 1);
         const Returned r = reflected(ratio * impedance);
-        char set_up[40];
+        char set_up[80];
         std::snprintf(set_up, sizeof set_up, "dashpots of %g times the bar's", ratio);
         // The velocity comes back with the sign opposite to the stress.
         Case("V32", set_up, "required")
@@ -138,7 +138,7 @@ TEST(LinearJoint, PassesAndReflectsByItsStiffness) {
                          spectrum(whole.times, whole.behind, frequency);
         const double r =
             spectrum(jointed.times, back, frequency) / spectrum(whole.times, whole.before, frequency);
-        char set_up[40];
+        char set_up[80];
         std::snprintf(set_up, sizeof set_up, "%g Hz, k = 7.854e8 Pa/m", frequency);
         const Case row = Case("V33", set_up, "waves of 27 to 80 blocks")
                              .contact_frequency_step(jointed.contact_frequency_step);

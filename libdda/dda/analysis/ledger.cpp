@@ -2,6 +2,8 @@
 
 #include <Eigen/LU>
 
+#include "dda/terms/loads.hpp"
+
 namespace dda {
 
 namespace {
@@ -151,6 +153,7 @@ void Ledger::record_constraints(const StepWork& step, Energy& energy) const {
 }
 
 void Ledger::record_blocks(const StepWork& step, Energy& energy) const {
+    const std::vector<Vec6> loads = load_forces(model_, rows_, step.blocks, step.mid, step.time);
     for (std::size_t row = 0; row < rows_.block_of.size(); ++row) {
         const int block = rows_.block_of[row];
         const auto b = static_cast<std::size_t>(block);
@@ -162,8 +165,7 @@ void Ledger::record_blocks(const StepWork& step, Energy& energy) const {
         energy.damping_loss += elastic_work *
                                retardation_time(model_.material_of(block), step.blocks.moments[b]) /
                                step.newmark.dt;
-        if (!model_.loads.empty())
-            energy.external_work += load_on_block(model_, block, step.blocks, step.mid, step.time).dot(d);
+        energy.external_work += loads[row].dot(d);
 
         const Mat6 mass = mass_matrix(step.blocks.mass[b], step.blocks.moments[b]);
         const Vec6& v0 = step.blocks.velocity[b];

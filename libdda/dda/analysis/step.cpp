@@ -7,6 +7,7 @@
 #include "dda/contact/candidates.hpp"
 #include "dda/contact/detect.hpp"
 #include "dda/contact/transfer.hpp"
+#include "dda/terms/loads.hpp"
 
 namespace dda {
 
@@ -49,15 +50,7 @@ double stiffest_spring(std::span<const ContactSprings> springs) {
 /// Acceleration that stands for "the weight" when forces are compared with it, m/s2: gravity, or the
 /// strongest load where it is stronger, or 1 where there is neither.
 double reference_acceleration(const Model& model, const BlockSystem& blocks) {
-    double largest = model.gravity.norm();
-    for (const Load& load : model.loads) {
-        if (const auto* point = std::get_if<PointLoad>(&load)) {
-            const int block = model.material_points[static_cast<std::size_t>(point->point)].block;
-            largest = std::max(largest, point->force.norm() / blocks.mass[static_cast<std::size_t>(block)]);
-        } else {
-            largest = std::max(largest, std::get<BodyLoad>(load).acceleration.norm());
-        }
-    }
+    const double largest = std::max(model.gravity.norm(), strongest_load(model, blocks));
     return largest > 0 ? largest : 1.0;
 }
 

@@ -6,6 +6,8 @@
 #include "blockgen/base/read_file.hpp"
 #include "blockgen/base/text.hpp"
 #include "dda/io/find_block.hpp"
+#include "dda/io/read_face_loads.hpp"
+#include "dda/io/read_materials.hpp"
 #include "dda/io/read_mesh.hpp"
 #include "dda/io/two_columns.hpp"
 
@@ -67,11 +69,6 @@ int read_point(const ConfigTable& table, Model& model) {
     return add_material_point(model, block_at(table, point, model), point);
 }
 
-TimeTable read_history(const ConfigTable& table, InputFiles& files) {
-    const auto history = table.optional_table("history");
-    return history ? read_time_table(*history, Dimension::none, files) : TimeTable{};
-}
-
 // One key and one reader per load of the list in load.hpp; a load without them does not compile.
 
 constexpr const char* load_key(std::type_identity<PointLoad>) {
@@ -90,6 +87,31 @@ BodyLoad read_load(std::type_identity<BodyLoad>, const ConfigTable& table, Model
     const bool one_block = table.has("block") || table.has("at");
     return {one_block ? read_block(table, model) : -1,
             vector_of(table.pair("acceleration", Dimension::acceleration)), read_history(table, files)};
+}
+
+constexpr const char* load_key(std::type_identity<LineLoad>) {
+    return "line_load";
+}
+LineLoad read_load(std::type_identity<LineLoad>, const ConfigTable& table, Model& model, InputFiles& files) {
+    return read_line_load(table, model, files);
+}
+
+constexpr const char* load_key(std::type_identity<JointWater>) {
+    return "joint_water";
+}
+JointWater read_load(std::type_identity<JointWater>, const ConfigTable& table, Model& model,
+                     InputFiles& files) {
+    return {read_wetted_faces(table, model, false), positive(table, "pressure", Dimension::stress),
+            read_history(table, files)};
+}
+
+constexpr const char* load_key(std::type_identity<HeadWater>) {
+    return "head_water";
+}
+HeadWater read_load(std::type_identity<HeadWater>, const ConfigTable& table, Model& model,
+                    InputFiles& files) {
+    return {read_wetted_faces(table, model, true), read_head(table, model),
+            positive(table, "unit_weight", Dimension::none, water_unit_weight), read_history(table, files)};
 }
 
 template <class... Loads>
@@ -138,6 +160,11 @@ TimeTable checked_times(const std::vector<double>& times, const std::vector<doub
 }
 
 }  // namespace
+
+TimeTable read_history(const ConfigTable& table, InputFiles& files) {
+    const auto history = table.optional_table("history");
+    return history ? read_time_table(*history, Dimension::none, files) : TimeTable{};
+}
 
 int read_block(const ConfigTable& table, const Model& model) {
     if (table.has("block")) return block_index(table, model);

@@ -11,13 +11,15 @@ namespace dda {
 /// Files that a model file refers to, in the order of reading.
 using InputFiles = std::vector<std::filesystem::path>;
 
-/// Adds [[point_load]], [[body_load]], [[fixed_point]] and [[initial_velocity]] to a model whose blocks are
-/// known.
+/// Adds the loads, [[fixed_point]] and [[initial_velocity]] to a model whose blocks are known.
 /// @throws InputError for a point in no block, an unknown measured point, a block index out of range.
 void read_loads(const blockgen::ConfigTable& run, Model& model, InputFiles& files);
 
 /// The block named by `block = index` or `at = [x, y]` in a table.
 int read_block(const blockgen::ConfigTable& table, const Model& model);
+
+/// The table `history` of a load: a factor over time, 1 when absent.
+TimeTable read_history(const blockgen::ConfigTable& table, InputFiles& files);
 
 /// A table of values over time: { file = ... } with two columns, or { times = [...], values = [...] }; times
 /// strictly increasing, otherwise free.

@@ -101,6 +101,7 @@ void add_mesh(const blockgen::BlockMesh& mesh, const std::string& mesh_file,
     model.origin = origin_of(mesh);
     add_blocks(mesh, resolve(mesh.block_materials, model.block_materials, "block_material", mesh_file),
                resolve(mesh.joint_materials, model.joint_materials, "joint_material", mesh_file), model);
+    for (const blockgen::Joint& joint : mesh.joints) model.joint_sets.push_back(joint.set);
     for (const blockgen::MeasuredPoint& point : mesh.measured_points)
         model.measured_points.push_back(
             {point.name, add_material_point(model, point.block, vector_of(point.position) - model.origin)});

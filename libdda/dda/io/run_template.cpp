@@ -53,6 +53,24 @@ friction_angle = "35 deg"
 # [[body_load]]                    # an acceleration added to gravity, on all blocks or on the one at a point
 # acceleration = ["0.1 g", 0]
 
+# [[line_load]]                    # on the free faces along a line
+# along = [[0, 0], [120, 0]]
+# tolerance = 0.001                # m, of a face from the line
+# pressure = "100 kPa"             # into the rock
+# pressure_end = "100 kPa"         # at the line's end, linear between; default: pressure
+# traction = [0, 0]                # Pa, in fixed directions
+# traction_end = [0, 0]            # default: traction
+
+# [[joint_water]]                  # one pressure in joints, on both faces
+# pressure = "20 kPa"
+# joint_material = "joint"         # default: all joints
+# region = [[0, 0], [120, 0], [120, 70], [0, 70]]   # default: everywhere
+
+# [[head_water]]                   # still water below a line, in joints and on free faces
+# head = [[0, 20], [60, 35], [120, 50]]
+# unit_weight = 9810               # N/m3
+# free_faces = true
+
 # [[viscous_boundary]]             # free faces behind which the rock goes on: they swallow waves
 # name = "below"
 # along = [[0, 0], [120, 0]]       # the faces on this line

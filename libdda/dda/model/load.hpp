@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dda/base/types.hpp"
+#include "dda/model/face.hpp"
 #include "dda/model/time_table.hpp"
 
 namespace dda {
@@ -30,8 +31,38 @@ struct BodyLoad {
     TimeTable history;
 };
 
+/// A part of a face under a load that varies linearly along it, from `from` to `to` of the face.
+struct LoadedFace {
+    FacePart face;
+    double pressure_from = 0;           ///< Pa, into the rock positive; turns with the face
+    double pressure_to = 0;             ///< Pa
+    Vec2 traction_from = Vec2::Zero();  ///< Pa, in fixed directions
+    Vec2 traction_to = Vec2::Zero();    ///< Pa
+};
+
+/// A load along a line of faces, times its history.
+struct LineLoad {
+    std::vector<LoadedFace> faces;
+    TimeTable history;
+};
+
+/// Water under the same pressure everywhere in some joints, on both faces of each, times its history.
+struct JointWater {
+    std::vector<int> edges;  ///< the wetted faces, by their first corners
+    double pressure = 0;     ///< Pa
+    TimeTable history;
+};
+
+/// Still water below a head line: where a wetted face lies below it, pressure grows with the depth.
+struct HeadWater {
+    std::vector<int> edges;  ///< the wetted faces, by their first corners
+    std::vector<Vec2> head;  ///< m, x increasing; linear between its points, level beyond its ends
+    double unit_weight = 0;  ///< N/m3, of the water
+    TimeTable history;       ///< factor on the pressure
+};
+
 /// The list of loads: a new load is one struct here, one file in dda/terms and one word in this list.
-using Load = std::variant<PointLoad, BodyLoad>;
+using Load = std::variant<PointLoad, BodyLoad, LineLoad, JointWater, HeadWater>;
 
 /// A material point held by springs in x and y at where it was (Shi's fixed point).
 struct FixedPoint {

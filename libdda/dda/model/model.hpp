@@ -54,7 +54,8 @@ struct Model {
 
     std::vector<BlockMaterial> block_materials;
     std::vector<JointMaterial> joint_materials;
-    int default_joint_material = 0;  ///< for contacts of free faces
+    std::vector<std::string> joint_sets;  ///< per joint id of the block file, the name of its set or trace
+    int default_joint_material = 0;       ///< for contacts of free faces
 
     Plane plane = Plane::strain;
     Vec2 gravity = {0, -9.81};       ///< m/s2

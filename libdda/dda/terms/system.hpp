@@ -65,12 +65,7 @@ void add_elasticity(const Model& model, const RowMap& rows, const BlockSystem& b
 /// material's damping ratio in the block's softest strain mode, of frequency sqrt(E area / (rho max(I_xx,
 /// I_yy))).
 double retardation_time(const BlockMaterial& material, const AreaMoments& moments);
-void add_loads(const Model& model, const RowMap& rows, const BlockSystem& blocks, const MidStep& mid,
-               const StepTimes& times, BaseSystem& base);
 void add_fixed_points(const Model& model, const RowMap& rows, const BlockSystem& blocks, const MidStep& mid,
                       BaseSystem& base);
-
-/// The force of all loads but gravity on one block's unknowns at an instant; for the energy ledger.
-Vec6 load_on_block(const Model& model, int block, const BlockSystem& blocks, const MidStep& mid, double time);
 
 }  // namespace dda

@@ -83,7 +83,6 @@ TEST_F(ReadBoundaries, TheEchoReadsBackToTheSame) {
     EXPECT_EQ(second.model.viscous_boundaries[0].faces[0].from, 0.25);
     EXPECT_EQ(second.stages[0].incident_waves.at(0).x.values(),
               first.stages[0].incident_waves.at(0).x.values());
-    EXPECT_EQ(second.effective, first.effective);
 }
 
 TEST_F(ReadBoundaries, BadInputIsOneLineWithItsPlace) {

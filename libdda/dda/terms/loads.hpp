@@ -1,0 +1,35 @@
+#pragma once
+
+#include <functional>
+
+#include "dda/terms/face_points.hpp"
+#include "dda/terms/system.hpp"
+
+namespace dda {
+
+/// The force of all loads but gravity on the unknowns of each row's block, N (and N m) per metre.
+/// @param time s, since the start of the run.
+std::vector<Vec6> load_forces(const Model& model, const RowMap& rows, const BlockSystem& blocks,
+                              const MidStep& mid, double time);
+
+/// Adds gravity and all loads.
+void add_loads(const Model& model, const RowMap& rows, const BlockSystem& blocks, const MidStep& mid,
+               const StepTimes& times, BaseSystem& base);
+
+/// The largest acceleration that a single load, its history at 1, could give a block that it acts on, m/s2: a
+/// measure for what counts as balanced. Of a load on faces, the sum of all it pushes with, whatever the
+/// directions.
+double strongest_load(const Model& model, const BlockSystem& blocks);
+
+/// What is called with a face's points and the traction on the rock there, Pa.
+using TractionVisit = std::function<void(const FacePoint& point, const Vec2& traction)>;
+
+/// The tractions of the loads that act on faces, Eqs. (48)-(50), their histories at 1.
+void visit_tractions(const Model& model, const MidStep& mid, const LineLoad& load,
+                     const TractionVisit& visit);
+void visit_tractions(const Model& model, const MidStep& mid, const JointWater& load,
+                     const TractionVisit& visit);
+void visit_tractions(const Model& model, const MidStep& mid, const HeadWater& load,
+                     const TractionVisit& visit);
+
+}  // namespace dda

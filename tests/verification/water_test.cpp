@@ -1,0 +1,119 @@
+// Water in joints and around blocks.
+
+#include <gtest/gtest.h>
+
+#include "support/record.hpp"
+#include "support/scene.hpp"
+
+namespace {
+
+using namespace scene;
+using namespace verification;
+
+constexpr double water_weight = 9810;  // N/m3
+
+/// All edges of a block of four corners.
+std::vector<int> edges_of(int block) {
+    return {4 * block, 4 * block + 1, 4 * block + 2, 4 * block + 3};
+}
+
+// V43. W = 49050 N on 2 m of a plane of 30 degrees, phi = 40: sliding begins where W sin psi = (W cos psi - p
+// L) tan phi, at p = (W/L) (cos psi - sin psi / tan phi) = 6625.4 Pa. The pressure rises by 1 % of that in
+// 0.1 s; at that rate an acceleration of jerk 0.24 m/s3 needs 0.03 s for the micrometre that counts as
+// sliding.
+TEST(WaterUplift, LetsABlockSlideAtItsCriticalPressure) {
+    const double psi = radians(30);
+    const Vec2 along(std::cos(psi), std::sin(psi));
+    Scene s;
+    s.friction(40);
+    s.box(-5 * along - dda::perpendicular(along), 12, 1, dda::Motion::fixed, psi);
+    const int block = s.box({0, 0}, 2, 1, dda::Motion::free, psi);
+    const double critical = 49050.0 / 2 * (std::cos(psi) - std::sin(psi) / std::tan(radians(40)));
+    EXPECT_NEAR(critical, 6625.4, 0.1);
+    Simulation dry(s);
+    ASSERT_EQ(dry.settle().status, dda::RunStatus::completed);
+    const double start = dry.state.time;
+    s.model.loads.push_back(
+        dda::JointWater{{4 * block}, critical, dda::TimeTable({start, start + 11}, {0, 1.1})});
+    Simulation wet(s);
+    wet.state = dry.state;
+    wet.stages = dry.stages;
+    double slid_at = 0;
+    wet.each_step = [&](const dda::State& state, const dda::StepReport&) {
+        if (slid_at == 0 && -wet.moved(block).dot(along) > 1e-6)
+            slid_at = critical * (state.time - start) / 10;
+    };
+    ASSERT_EQ(wet.shake(11, 5e-3).status, dda::RunStatus::completed);
+    Case("V43", "pressure rising by 1 % of its critical value in 0.1 s", "time to slide a micrometre")
+        .contact_frequency_step(wet.contact_frequency_step())
+        .expect("p_crit", "Pa", slid_at, 6625.4, relative(0.01));
+    // Uplift does work on a block that it lifts by no more than a penetration.
+    EXPECT_LT(std::abs(wet.state.energy.residual()), 1e-3 * wet.state.energy.friction_loss);
+}
+
+// A block surrounded by water sinks with g (1 - rho_w/rho): Shi's integration is exact for it, but for the
+// mid-step position of a pressure that grows with depth, which makes no net force.
+TEST(Buoyancy, EqualsTheWeightOfTheDisplacedWater) {
+    Scene s;
+    const int block = s.box({0, 0}, 1, 1, dda::Motion::free, radians(20));
+    s.model.loads.push_back(dda::HeadWater{edges_of(block), {{0, 10}}, water_weight, {}});
+    Simulation sim(s);
+    ASSERT_EQ(sim.shake(0.5, 1e-3).status, dda::RunStatus::completed);
+    const double a = g - water_weight / 2500;
+    // Water squeezes the block, by a strain of 1e-5, and that much smaller is what it displaces.
+    EXPECT_NEAR(sim.velocity(block)[1], -a * 0.5, 1e-4 * a * 0.5);
+    EXPECT_NEAR(sim.velocity(block)[0], 0, 1e-8);
+    EXPECT_NEAR(sim.velocity(block)[2], 0, 1e-6);
+}
+
+// Three blocks upon each other under still water: each joint bears the buoyant weight above it, although the
+// water stands in the joints as well; the stress in a block is that of rock and water together at its
+// centroid.
+TEST(Buoyancy, LeavesTheEffectiveWeightToTheJoints) {
+    Scene s;
+    s.model.block_materials[0].poissons_ratio = 0;
+    s.box({-1, -1}, 3, 1, dda::Motion::fixed);
+    std::vector<int> edges;
+    for (int k = 0; k < 3; ++k) {
+        for (const int edge : edges_of(s.box({0, double(k)}, 1, 1))) edges.push_back(edge);
+    }
+    s.model.loads.push_back(dda::HeadWater{edges, {{-1, 5}, {2, 5}}, water_weight, {}});
+    Simulation sim(s);
+    ASSERT_EQ(sim.settle().status, dda::RunStatus::completed);
+    std::vector<double> borne(3, 0);
+    for (const dda::Contact& contact : sim.state.contacts.contacts)
+        borne[static_cast<std::size_t>(std::max(contact.corner_block, contact.edge_block) - 1)] +=
+            contact.normal_force;
+    const double buoyant = 2500 * g - water_weight;
+    for (int k = 0; k < 3; ++k) {
+        EXPECT_NEAR(borne[static_cast<std::size_t>(k)], (3 - k) * buoyant, 1e-3 * buoyant);
+        const double depth = 4.5 - k;
+        const double total = 2500 * g * (2.5 - k) + 2 * water_weight;
+        EXPECT_NEAR(sim.stress(k + 1)[1], -total, 1e-3 * total) << "rock and 2 m of water upon it";
+        EXPECT_NEAR(sim.stress(k + 1)[0], -water_weight * depth, 1e-3 * water_weight * depth);
+    }
+}
+
+// A light block floats with rho/rho_w of its height in the water, and heaves about that with omega^2 = g
+// rho_w / (rho h).
+TEST(Buoyancy, MakesALightBlockHeave) {
+    Scene s;
+    s.model.block_materials[0].density = 400;
+    const int block = s.box({0, -0.45}, 2, 1);
+    s.model.loads.push_back(dda::HeadWater{edges_of(block), {{0, 0}}, water_weight, {}});
+    Simulation sim(s);
+    std::vector<double> crossings;
+    double before = 0;
+    sim.each_step = [&](const dda::State& state, const dda::StepReport& report) {
+        const double now = sim.moved(block).y() - 0.05;
+        if (before * now < 0) crossings.push_back(state.time - report.step * now / (now - before));
+        before = now;
+    };
+    ASSERT_EQ(sim.shake(2.5, 1e-3).status, dda::RunStatus::completed);
+    ASSERT_GE(crossings.size(), 3u);
+    const double period = 2 * std::numbers::pi * std::sqrt(400 * 1 / (1000 * g));
+    // The pressure is that of mid-step, which neither damps nor drives; it is late by half a step of 1270.
+    EXPECT_NEAR(crossings[2] - crossings[0], period, 1e-3 * period);
+}
+
+}  // namespace
