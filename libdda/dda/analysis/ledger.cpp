@@ -34,10 +34,11 @@ double spring_energy(double force, double stiffness) {
     return force * force / (2 * stiffness);
 }
 
+/// An augmented contact does not give way, so it stores nothing.
 double contact_energy(const Model& model, const std::vector<Contact>& contacts) {
     double sum = 0;
     for (const Contact& contact : contacts) {
-        if (contact.state == ContactState::open) continue;
+        if (contact.state == ContactState::open || model.augments(contact.joint_material)) continue;
         const JointMaterial& material = model.joint_material_at(contact.joint_material);
         sum += spring_energy(contact.normal_force,
                              material.normal_spring(model.normal_penalty, contact.length)) +
@@ -109,10 +110,14 @@ void Ledger::record_contacts(const StepWork& step, Energy& energy) const {
         const Contact& before = step.before[k];
         const JudgedContact& after = step.result.contacts[k];
         const ContactSprings& s = step.springs[k];
+        const bool stores = !model_.augments(before.joint_material);
+        const auto stored = [&](double force, double stiffness) {
+            return stores ? spring_energy(force, stiffness) : 0;
+        };
         const bool was_closed = before.state != ContactState::open;
         const bool is_closed = after.state != ContactState::open;
-        const double stored_normal = was_closed ? spring_energy(before.normal_force, s.normal_stiffness) : 0;
-        const double stored_shear = was_closed ? spring_energy(before.shear_force, s.shear_stiffness) : 0;
+        const double stored_normal = was_closed ? stored(before.normal_force, s.normal_stiffness) : 0;
+        const double stored_shear = was_closed ? stored(before.shear_force, s.shear_stiffness) : 0;
         if (!is_closed) {
             // An opened contact bears nothing at the step's end: its compression is lost to the integration,
             // the rest snaps free.
@@ -122,9 +127,9 @@ void Ledger::record_contacts(const StepWork& step, Energy& energy) const {
         }
         const double opening = s.rows.measure(s.normal, step.result.displacement);
         record_spring(-after.normal_force * opening, 0, stored_normal,
-                      spring_energy(after.normal_force, s.normal_stiffness), energy);
+                      stored(after.normal_force, s.normal_stiffness), energy);
         record_spring(after.shear_force * after.displacement, after.shear_force * after.slip, stored_shear,
-                      spring_energy(after.shear_force, s.shear_stiffness), energy);
+                      stored(after.shear_force, s.shear_stiffness), energy);
         energy.external_work += after.shear_force * s.shear.known - after.normal_force * s.normal.known;
     }
 }

@@ -18,6 +18,10 @@ constexpr int following_iterations = 16;
 constexpr int friction_iterations = 12;
 constexpr int friction_memory = 6;
 
+/// Augmentations of the contact forces in a step; what is left of the penetration then is for the next step.
+constexpr int largest_augmentations = 60;
+constexpr int augmentation_memory = 10;
+
 class Iteration {
   public:
     Iteration(const StepProblem& problem, const BlockPattern& pattern, LinearSolver& solver,
@@ -29,8 +33,11 @@ class Iteration {
     OpenCloseResult run() {
         OpenCloseResult result;
         bool changed = true;
+        int began = 0;  // the iterations before the last augmentation
+        int augmentations = 0;
+        AndersonMixing shifting(augmentation_memory);
         AndersonMixing mixing(friction_memory);
-        while (result.iterations < p_.control.iteration_limit) {
+        while (result.iterations - began < p_.control.iteration_limit) {
             if (changed) {
                 assemble();
                 ++result.factorizations;
@@ -40,7 +47,7 @@ class Iteration {
                 }
             }
             ++result.iterations;
-            const bool follow = result.iterations <= following_iterations;
+            const bool follow = result.iterations - began <= following_iterations;
             const std::vector<Vec6> target = follow ? solve_with_friction() : solve_as_held();
             const bool full_step = advance_towards(target, result.iterations == 1);
 
@@ -50,12 +57,17 @@ class Iteration {
                 trials_.choose_lines();
                 trials_.update_bounds();
                 if (is_at_minimum(result, full_step) && !trials_.tear()) {
-                    result.converged = true;
-                    break;
+                    result.converged = augmentations == largest_augmentations || !trials_.augment(shifting);
+                    if (result.converged) break;
+                    ++augmentations;
+                    began = result.iterations;
+                    mixing = AndersonMixing(friction_memory);
+                } else if (!follow) {
+                    trials_.set_shear_bounds(mixing.next(held, trials_.shear_bounds()));
                 }
-                if (!follow) trials_.set_shear_bounds(mixing.next(held, trials_.shear_bounds()));
             }
             changed = trials_.choose_springs();
+            if (changed) shifting = AndersonMixing(augmentation_memory);
         }
         finish(result);
         return result;

@@ -193,7 +193,7 @@ ContactSet TimeStepper::contacts_at(const State& state, double reach) const {
         // The force follows from the geometry, also where the contact took over from another line.
         const double force =
             -model_.joint_material_at(c.joint_material).normal_spring(model_.normal_penalty, c.length) *
-            c.gap;
+            (c.gap - c.rest_gap);
         c.normal_force = c.state != ContactState::open && (force > 0 || c.bonded) ? force : 0;
         // A corner enters through a line that it was outside of: one that is open and behind the line belongs
         // elsewhere. At a pair of corners two nearly parallel lines may change places, and differ by their
@@ -329,6 +329,7 @@ State TimeStepper::updated(const Stage& stage, const State& state, const Step& s
         contact.tangent = geometry.tangent;
         contact.gap = geometry.gap;
         contact.state = judged.state;
+        contact.rest_gap = judged.rest_gap;
         contact.normal_force = judged.normal_force;
         contact.shear_force = judged.shear_force;
         contact.slip += judged.slip;

@@ -29,6 +29,7 @@ struct StepProblem {
 struct JudgedContact {
     ContactState state = ContactState::open;
     double gap = 0;           ///< m
+    double rest_gap = 0;      ///< m, see Contact
     double normal_force = 0;  ///< N per metre
     double shear_force = 0;   ///< N per metre
     double displacement = 0;  ///< tangential, of the step, m

@@ -28,6 +28,8 @@ TrialContacts::Trial TrialContacts::started(std::size_t k) const {
     Trial trial;
     trial.may_close = !contact.held_back;
     trial.gap_offset = contact.gap;
+    trial.rest_gap = contact.rest_gap;
+    trial.shear_origin = contact.shear_force;
     const bool was_closed = contact.state != ContactState::open;
     trial.pressed = trial.may_close && (was_closed || (contact.gap < 0 && contact.group < 0));
     trial.locked = trial.pressed && contact.state != ContactState::sliding;
@@ -49,9 +51,8 @@ Strength TrialContacts::bounds_of(const Contact& contact, double normal_force) c
 
 Forces TrialContacts::linear_forces(std::size_t k, double opening, double shearing) const {
     const Trial& trial = trials_[k];
-    const ContactSprings& s = p_.springs[k];
-    return {trial.pressed ? -s.normal_stiffness * (trial.gap_offset + opening) : 0,
-            trial.locked ? p_.contacts[k].shear_force + s.shear_stiffness * shearing : trial.held_force};
+    return {trial.pressed ? elastic_normal(k, opening) : 0,
+            trial.locked ? elastic_shear(k, shearing) : trial.held_force};
 }
 
 double TrialContacts::linear_bolt_force(std::size_t k, double elongation) const {
@@ -64,19 +65,22 @@ double TrialContacts::linear_bolt_force(std::size_t k, double elongation) const 
 Forces TrialContacts::law_forces(std::size_t k, double opening, double shearing) const {
     const Trial& trial = trials_[k];
     if (!trial.may_close) return {};
-    const ContactSprings& s = p_.springs[k];
-    const double normal = -s.normal_stiffness * (trial.gap_offset + opening);
-    const double elastic = p_.contacts[k].shear_force + s.shear_stiffness * shearing;
+    const double normal = elastic_normal(k, opening);
     return {is_bonded(k) ? normal : std::max(normal, 0.0),
-            std::clamp(elastic, -trial.bounds.backward, trial.bounds.forward)};
+            std::clamp(elastic_shear(k, shearing), -trial.bounds.backward, trial.bounds.forward)};
 }
 
 Forces TrialContacts::present_forces(std::size_t k) const {
     return law_forces(k, trials_[k].opening, trials_[k].shearing);
 }
 
-double TrialContacts::elastic_shear(std::size_t k) const {
-    return p_.contacts[k].shear_force + p_.springs[k].shear_stiffness * trials_[k].shearing;
+double TrialContacts::elastic_normal(std::size_t k, double opening) const {
+    const Trial& trial = trials_[k];
+    return -p_.springs[k].normal_stiffness * (trial.gap_offset + opening - trial.rest_gap);
+}
+
+double TrialContacts::elastic_shear(std::size_t k, double shearing) const {
+    return trials_[k].shear_origin + p_.springs[k].shear_stiffness * shearing;
 }
 
 double TrialContacts::law_bolt_force(std::size_t k, double elongation) const {
@@ -103,7 +107,7 @@ void TrialContacts::bound_by_held_force(std::size_t k) {
 double TrialContacts::bound_at(std::size_t k, std::span<const Vec6> d) const {
     const ContactSprings& s = p_.springs[k];
     const Contact& contact = p_.contacts[k];
-    const double normal = -s.normal_stiffness * (trials_[k].gap_offset + s.rows.measure(s.normal, d));
+    const double normal = elastic_normal(k, s.rows.measure(s.normal, d));
     if (normal <= 0 && !is_bonded(k)) return 0;
     const Strength bounds = bounds_of(contact, normal);
     return trials_[k].forward ? bounds.forward : -bounds.backward;
@@ -217,12 +221,43 @@ bool TrialContacts::tear() {
     return any;
 }
 
+bool TrialContacts::augment(AndersonMixing& mixing) {
+    const double tolerance = p_.model.penetration_tolerance;
+    std::vector<std::size_t> augmented;
+    bool any = false;
+    for (std::size_t k = 0; k < trials_.size(); ++k) {
+        const Trial& trial = trials_[k];
+        if (!p_.model.augments(p_.contacts[k].joint_material)) continue;
+        augmented.push_back(k);
+        any = any || (trial.pressed && -gap(k) > tolerance) ||
+              (trial.locked && std::abs(trial.shearing) > tolerance);
+    }
+    if (!any) return false;
+    Eigen::VectorXd shift(2 * static_cast<Eigen::Index>(augmented.size()));
+    Eigen::VectorXd force(shift.size());
+    Eigen::Index row = 0;
+    for (const std::size_t k : augmented) {
+        const Forces forces = present_forces(k);
+        shift[row] = trials_[k].rest_gap * p_.springs[k].normal_stiffness;
+        force[row++] = forces.normal;
+        shift[row] = trials_[k].shear_origin;
+        force[row++] = forces.shear;
+    }
+    const Eigen::VectorXd next = mixing.next(shift, force);
+    row = 0;
+    for (const std::size_t k : augmented) {
+        trials_[k].rest_gap = std::max(next[row++], 0.0) / p_.springs[k].normal_stiffness;
+        trials_[k].shear_origin = next[row++];
+    }
+    return true;
+}
+
 bool TrialContacts::choose_springs() {
     bool changed = false;
     for (std::size_t k = 0; k < trials_.size(); ++k) {
         Trial& trial = trials_[k];
         const Forces law = present_forces(k);
-        const double elastic = elastic_shear(k);
+        const double elastic = elastic_shear(k, trial.shearing);
         const bool pressed = trial.may_close && (law.normal > 0 || is_bonded(k));
         const bool locked = trial.may_close && within(elastic, trial.bounds);
         changed = changed || pressed != trial.pressed || locked != trial.locked;
@@ -246,12 +281,13 @@ JudgedContact TrialContacts::judged(std::size_t k) const {
     const Forces forces = present_forces(k);
     JudgedContact judged;
     judged.gap = gap(k);
+    judged.rest_gap = forces.normal > 0 ? trial.rest_gap : 0;
     judged.normal_force = forces.normal;
     judged.shear_force = forces.shear;
     judged.displacement = trial.shearing;
     judged.torn = trial.torn;
     if (forces.normal > 0 || (is_bonded(k) && trial.may_close)) {
-        const double elastic = elastic_shear(k);
+        const double elastic = elastic_shear(k, trial.shearing);
         judged.state = within(elastic, trial.bounds) ? ContactState::locked : ContactState::sliding;
         judged.slip = (elastic - forces.shear) / p_.springs[k].shear_stiffness;
     }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "dda/analysis/step_problem.hpp"
+#include "dda/linear/anderson.hpp"
 
 namespace dda {
 
@@ -71,6 +72,12 @@ class TrialContacts {
     /// Opens, for the rest of the step, the bonded contacts whose tension exceeds the strength. @return
     /// whether there were any.
     bool tear();
+    /// Where forces are augmented (theory, sec. 5): if a contact is deeper than the model's tolerance, or a
+    /// stuck one has moved by more, shifts the springs so that they bear the present forces at no
+    /// displacement.
+    /// The fixed point of these shifts is found by `mixing`. @return whether it did; never without
+    /// augmentation.
+    bool augment(AndersonMixing& mixing);
     /// Sets the linear system's springs to the judged states. @return whether its matrix changes.
     bool choose_springs();
 
@@ -79,12 +86,14 @@ class TrialContacts {
 
   private:
     struct Trial {
-        bool pressed = false;   ///< has its normal spring in the linear system
-        bool locked = false;    ///< has its shear spring in the linear system
-        double held_force = 0;  ///< shear force in the linear system when not locked, N per metre
-        bool forward = true;    ///< the direction it slides in
-        Strength bounds;        ///< that the shear force is clipped to
-        double gap_offset = 0;  ///< m, gap less the linear measure of the present displacement
+        bool pressed = false;     ///< has its normal spring in the linear system
+        bool locked = false;      ///< has its shear spring in the linear system
+        double held_force = 0;    ///< shear force in the linear system when not locked, N per metre
+        bool forward = true;      ///< the direction it slides in
+        Strength bounds;          ///< that the shear force is clipped to
+        double rest_gap = 0;      ///< m, where the normal spring bears nothing
+        double shear_origin = 0;  ///< shear force at the step's start, or as augmented since, N per metre
+        double gap_offset = 0;    ///< m, gap less the linear measure of the present displacement
         bool torn = false;
         bool may_close = true;
         double opening = 0;   ///< linear measure of the normal displacement, m
@@ -96,7 +105,9 @@ class TrialContacts {
     Strength bounds_of(const Contact& contact, double normal_force) const;
     bool is_bonded(std::size_t k) const { return p_.contacts[k].bonded && !trials_[k].torn; }
     double gap(std::size_t k) const { return trials_[k].gap_offset + trials_[k].opening; }
-    double elastic_shear(std::size_t k) const;
+    /// The normal spring's force, tension negative, and the shear spring's, before the laws have their say.
+    double elastic_normal(std::size_t k, double opening) const;
+    double elastic_shear(std::size_t k, double shearing) const;
     Forces present_forces(std::size_t k) const;
 
     const StepProblem& p_;

@@ -17,6 +17,7 @@ auto sort_key(const Contact& c) {
 void hand_over(const Contact& from, Contact& to) {
     to.state = from.state;
     to.normal_force = from.normal_force;
+    to.rest_gap = from.rest_gap;
     to.shear_force = from.shear_force;
     to.slip = from.slip;
     to.bonded = from.bonded;

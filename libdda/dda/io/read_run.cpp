@@ -46,6 +46,7 @@ void read_analysis(const ConfigTable& analysis, Model& model) {
         positive(analysis, "strength_reduction", Dimension::none, model.strength_reduction);
     model.normal_penalty = positive(analysis, "normal_penalty", Dimension::stiffness,
                                     penalty_over_modulus * largest_modulus(model));
+    model.penetration_tolerance = not_negative(analysis, "penetration_tolerance", Dimension::length, 0);
     model.shear_penalty = positive(analysis, "shear_penalty", Dimension::stiffness, model.normal_penalty);
     model.fixed_point_penalty =
         positive(analysis, "fixed_point_penalty", Dimension::stiffness, model.normal_penalty);

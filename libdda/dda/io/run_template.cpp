@@ -40,6 +40,7 @@ friction_angle = "35 deg"
 # plane = "strain"                 # or "stress"
 # gravity = [0, -9.81]             # m/s2
 # normal_penalty = "50 GPa"        # N/m per metre per contact; default: 10 times the largest Young's modulus
+# penetration_tolerance = 0        # m; positive: contact forces are augmented until corners are no deeper than this
 # shear_penalty = "50 GPa"         # default: normal_penalty
 # fixed_point_penalty = "50 GPa"   # default: normal_penalty
 # strength_reduction = 1           # joints' cohesion, tan(friction angle), tensile strength are divided by this

@@ -58,10 +58,13 @@ struct Model {
     int default_joint_material = 0;       ///< for contacts of free faces
 
     Plane plane = Plane::strain;
-    Vec2 gravity = {0, -9.81};       ///< m/s2
-    double strength_reduction = 1;   ///< joints' shear and tensile strengths are divided by this
-    double normal_penalty = 0;       ///< N/m per metre of thickness per contact
-    double shear_penalty = 0;        ///< likewise
+    Vec2 gravity = {0, -9.81};      ///< m/s2
+    double strength_reduction = 1;  ///< joints' shear and tensile strengths are divided by this
+    double normal_penalty = 0;      ///< N/m per metre of thickness per contact
+    double shear_penalty = 0;       ///< likewise
+    /// m; positive: contact forces are augmented until corners are no deeper in an edge, and stuck ones no
+    /// farther along it, than this. 0: forces are the penalties' alone.
+    double penetration_tolerance = 0;
     double fixed_point_penalty = 0;  ///< N/m per metre of thickness
 
     std::vector<MaterialPoint> material_points;  ///< of loads, fixed points, bolts and measured points
@@ -75,6 +78,11 @@ struct Model {
     int block_count() const { return topology.block_count(); }
     const JointMaterial& joint_material_at(int index) const {
         return joint_materials[static_cast<std::size_t>(index)];
+    }
+    /// Whether the contacts of a joint material are augmented: where their springs are penalties and not a
+    /// stiffness of the joint itself.
+    bool augments(int material) const {
+        return penetration_tolerance > 0 && joint_material_at(material).normal_stiffness == 0;
     }
     const BlockMaterial& material_of(int block) const {
         return block_materials[static_cast<std::size_t>(block_material[static_cast<std::size_t>(block)])];

@@ -1,0 +1,112 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "support/walls.hpp"
+
+namespace {
+
+using namespace scene;
+
+constexpr double tolerance = 1e-9;  // m
+
+double largest_penetration(const dda::State& state) {
+    double deepest = 0;
+    for (const dda::Contact& c : state.contacts.contacts)
+        if (c.state != dda::ContactState::open) deepest = std::max(deepest, -c.gap);
+    return deepest;
+}
+
+double normal_force_on(const dda::State& state, int block) {
+    double sum = 0;
+    for (const dda::Contact& c : state.contacts.contacts)
+        if (c.corner_block == block) sum += c.normal_force;
+    return sum;
+}
+
+struct Settled {
+    std::vector<dda::Vec3> stress;
+    std::vector<Vec2> moved;
+    std::size_t steps = 0;
+};
+
+/// A wall pulled aside, with a penalty in multiples of E. Friction so high that nothing slips: else the
+/// forces at rest would depend on which contact slipped first.
+Settled settled(double penalty_over_e, double penetration_tolerance) {
+    Scene s = running_bond_wall(4, 4, penalty_over_e);
+    s.model.penetration_tolerance = penetration_tolerance;
+    s.model.gravity = {2, -9.81};
+    s.friction(80);
+    Simulation sim(s);
+    EXPECT_EQ(sim.settle(.005, 1e-7).status, dda::RunStatus::completed);
+    Settled result;
+    result.steps = sim.reports.size();
+    for (int b = 1; b < sim.model.block_count(); ++b) {
+        result.stress.push_back(sim.stress(b));
+        result.moved.push_back(sim.moved(b));
+    }
+    if (penetration_tolerance > 0) {
+        EXPECT_LE(largest_penetration(sim.state), penetration_tolerance);
+    }
+    return result;
+}
+
+// Between blocks with the same forces but 100 times stiffer springs.
+TEST(AugmentedContact, AWallMovesTheSameWhateverThePenalty) {
+    const Settled soft = settled(1, tolerance);
+    const Settled stiff = settled(100, tolerance);
+    double moved = 0;
+    double difference = 0;
+    for (std::size_t b = 0; b < soft.moved.size(); ++b) {
+        moved = std::max(moved, soft.moved[b].norm());
+        difference = std::max(difference, (soft.moved[b] - stiff.moved[b]).norm());
+    }
+    const double drift = 4 * tolerance * static_cast<double>(soft.steps + stiff.steps);
+    EXPECT_LT(difference, drift)
+        << "m; in four rows one on the other stuck contacts may move by the tolerance per step";
+    EXPECT_LT(drift, .02 * moved) << "m";
+    EXPECT_GT(moved, 1e-6) << "m: it is the rock that gives way";
+    const Settled plain = settled(1, 0);
+    double without = 0;
+    for (std::size_t b = 0; b < plain.moved.size(); ++b)
+        without = std::max(without, (plain.moved[b] - stiff.moved[b]).norm());
+    EXPECT_GT(without, 1e-6) << "m: a penalty of 1 E alone gives way by as much as the rock";
+}
+
+TEST(AugmentedContact, BearsTheWeightAtNoPenetration) {
+    for (const double penalty : {1e10, 1e12}) {
+        Scene s;
+        s.model.normal_penalty = s.model.shear_penalty = penalty;
+        s.model.penetration_tolerance = tolerance;
+        s.box({-1, -1}, 3, 1, dda::Motion::fixed);
+        s.box({0, 0}, 1, 1);
+        Simulation sim(s);
+        ASSERT_EQ(sim.settle(.005, 1e-9).status, dda::RunStatus::completed);
+        EXPECT_LE(largest_penetration(sim.state), tolerance);
+        EXPECT_NEAR(normal_force_on(sim.state, 1), 2500 * g, 1e-5 * 2500 * g) << "to the force tolerance";
+        ASSERT_EQ(sim.shake(2, .002).status, dda::RunStatus::completed);
+        EXPECT_LT(sim.moved(1).norm(), 1e-8) << "m: and stays";
+        EXPECT_LT(std::abs(sim.state.energy.residual()), 1e-6);
+    }
+}
+
+TEST(AugmentedContact, SlidesByTheClosedForm) {
+    Scene s;
+    s.friction(20);
+    s.model.penetration_tolerance = tolerance;
+    const double psi = radians(30);
+    const Vec2 along(std::cos(psi), std::sin(psi));
+    s.box({0, 0}, 20, 1, dda::Motion::fixed, psi);
+    const int block = s.box(15 * along + dda::perpendicular(along), 2, 1, dda::Motion::free, psi);
+    Simulation sim(s);
+    ASSERT_EQ(sim.shake(1, .002).status, dda::RunStatus::completed);
+    const double a = g * (std::sin(psi) - std::cos(psi) * std::tan(radians(20)));
+    EXPECT_NEAR(sim.moved(block).norm(), a / 2, 1e-3 * a / 2) << "m; as the plain contact in V08";
+    EXPECT_LT(largest_penetration(sim.state), 1e-7);
+    const dda::Energy& e = sim.state.energy;
+    const double drop = 2500 * 2 * a / 2 * g * std::sin(psi);
+    EXPECT_NEAR(e.friction_loss, 2500 * 2 * g * std::cos(psi) * std::tan(radians(20)) * a / 2, 2e-3 * drop);
+    EXPECT_LT(std::abs(e.residual()), 1e-6 * drop);
+}
+
+}  // namespace
