@@ -135,7 +135,6 @@ inline void SlidingBlock::run(double duration, double step) {
     Simulation sim(s);
     sim.state = settled.state;
     sim.velocity(0)[0] = base_speed;
-    sim.state.time = 0;  // histories of loads count from the start of the run
     sim.restart_ledger();
     const Vec2 downhill(std::cos(radians(psi)), -std::sin(radians(psi)));
     track = {{0}, {0}};

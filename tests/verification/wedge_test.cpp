@@ -149,7 +149,6 @@ TEST_P(RoofWedge, BearsWhatTheSqueezeLeaves) {
         dda::PointLoad{point_of_load, {0, -2 * side}, dda::TimeTable({0, ramp}, {0, .5})});
     Simulation pull(pulled);
     pull.state = sim.state;
-    pull.state.time = 0;
     double largest = 0;
     pull.each_step = [&](const dda::State& state, const dda::StepReport&) {
         const Joint face = between(state, wedge, left);

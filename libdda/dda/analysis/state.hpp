@@ -15,6 +15,7 @@ namespace dda {
 struct State {
     double time = 0;               ///< s since the start of the run
     double stage_time = 0;         ///< s since the start of the stage
+    double dynamic_time = 0;       ///< s of the run's dynamic stages so far: the clock of load histories
     double next_step = 0;          ///< s, the step to try next; 0: the stage's own
     std::int64_t step_count = 0;   ///< since the start of the run
     std::int64_t stage_steps = 0;  ///< since the start of the stage

@@ -39,6 +39,11 @@ double velocity_kept(const Stage& stage) {
     return stage.kind == StageKind::static_equilibrium ? 0.0 : stage.dynamic_coefficient;
 }
 
+/// The instant whose loads act at a step's end, s: a static stage's steps are no time.
+double load_time(const Stage& stage, const State& state, double dt) {
+    return state.dynamic_time + (stage.kind == StageKind::dynamic ? dt : 0);
+}
+
 /// Of the contacts' springs, N/m per metre; 0 without contacts.
 double stiffest_spring(std::span<const ContactSprings> springs) {
     double stiffest = 0;
@@ -211,7 +216,7 @@ void TimeStepper::assemble_base(const Stage& stage, const State& state, Step& st
     step.base.load.assign(count, Vec6::Zero());
     add_inertia(rows_, state.blocks, step.newmark, stage.mass_damping, step.base);
     add_elasticity(model_, rows_, state.blocks, step.dt, step.base);
-    add_loads(model_, rows_, state.blocks, step.mid, {step.dt, state.time + step.dt}, step.base);
+    add_loads(model_, rows_, state.blocks, step.mid, {step.dt, load_time(stage, state, step.dt)}, step.base);
     add_fixed_points(model_, rows_, state.blocks, step.mid, step.base);
     add_boundaries(step.boundaries, rows_, state.blocks, step.newmark, step.base);
 }
@@ -285,6 +290,7 @@ State TimeStepper::updated(const Stage& stage, const State& state, const Step& s
                            const OpenCloseResult& result, std::span<const Vec6> displacement) const {
     State after = state;
     after.time += step.dt;
+    after.dynamic_time = load_time(stage, state, step.dt);
     after.stage_time += step.dt;
     ++after.step_count;
     after.contacts = step.contacts;
@@ -342,9 +348,10 @@ State TimeStepper::updated(const Stage& stage, const State& state, const Step& s
                     .tensile > 0;
     }
 
-    const StepWork work{
-        state.blocks,    step.mid, step.contacts.contacts, step.springs,       step.bolts, state.bolt_force,
-        step.boundaries, result,   step.newmark,           stage.mass_damping, kept,       after.time};
+    const StepWork work{state.blocks,       step.mid,   step.contacts.contacts,
+                        step.springs,       step.bolts, state.bolt_force,
+                        step.boundaries,    result,     step.newmark,
+                        stage.mass_damping, kept,       after.dynamic_time};
     after.energy.released +=
         ledger_.stored_in(state.contacts.contacts) - ledger_.stored_in(step.contacts.contacts);
     after.energy.numerical_loss += straining_loss;

@@ -140,7 +140,8 @@ void blocks(Walker& walker, B& value) {
 template <class Walker, class C>
 void contact(Walker& walker, C& value) {
     auto& [corner, edge, corner_block, edge_block, kind, joint_material, joint, group, held_back, length,
-           point, normal, tangent, gap, rest_gap, state, normal_force, shear_force, slip, bonded, history] = value;
+           point, normal, tangent, gap, rest_gap, state, normal_force, shear_force, slip, bonded, history] =
+        value;
     integers(walker, corner, edge, corner_block, edge_block, kind, joint_material, joint, group, held_back,
              state, bonded);
     reals(walker, length, gap, rest_gap, normal_force, shear_force, slip);
@@ -171,9 +172,9 @@ void energy(Walker& walker, E& value) {
 
 template <class Walker, class S>
 void state(Walker& walker, S& value) {
-    auto& [time, stage_time, next_step, step_count, stage_steps, all_blocks, contact_set, displacement_origin,
-           centroid_origin, bolt_force, boundary_reactions, ledger] = value;
-    reals(walker, time, stage_time, next_step);
+    auto& [time, stage_time, dynamic_time, next_step, step_count, stage_steps, all_blocks, contact_set,
+           displacement_origin, centroid_origin, bolt_force, boundary_reactions, ledger] = value;
+    reals(walker, time, stage_time, dynamic_time, next_step);
     integers(walker, step_count, stage_steps);
     blocks(walker, all_blocks);
     contacts(walker, contact_set);

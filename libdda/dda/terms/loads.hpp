@@ -8,7 +8,7 @@
 namespace dda {
 
 /// The force of all loads but gravity on the unknowns of each row's block, N (and N m) per metre.
-/// @param time s, since the start of the run.
+/// @param time s, of the run's dynamic stages.
 std::vector<Vec6> load_forces(const Model& model, const RowMap& rows, const BlockSystem& blocks,
                               const MidStep& mid, double time);
 

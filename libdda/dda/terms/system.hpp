@@ -27,7 +27,7 @@ struct BaseSystem {
 /// The instant a step leads to.
 struct StepTimes {
     double dt = 0;   ///< s
-    double end = 0;  ///< s since the start of the run
+    double end = 0;  ///< s of the run's dynamic stages: the clock of load histories
 };
 
 /// Newmark's relations for one step, Eqs. (14)-(16): with a displacement d over dt

@@ -95,6 +95,20 @@ TEST(Run, EndsAtTheStagesDurationWhateverTheStep) {
     }
 }
 
+TEST(Run, LoadHistoriesCountTheTimeOfDynamicStages) {
+    Scene s;
+    s.model.gravity.setZero();
+    s.box({0, 0}, 1, 1);
+    s.model.loads.push_back(dda::BodyLoad{-1, {1, 0}, dda::TimeTable({0, .1, .2}, {0, 0, 1})});
+    Simulation sim(s);
+    ASSERT_EQ(sim.settle(.5, 1e-6).status, dda::RunStatus::completed);
+    ASSERT_EQ(sim.shake(.1, .01).status, dda::RunStatus::completed);
+    EXPECT_EQ(sim.velocity(0)[0], 0) << "the history still stands at zero";
+    ASSERT_EQ(sim.shake(.1, .01).status, dda::RunStatus::completed);
+    EXPECT_NEAR(sim.velocity(0)[0], .01 * (.1 + .2 + .3 + .4 + .5 + .6 + .7 + .8 + .9 + 1), 1e-12)
+        << "m/s, dt times the ramp at the steps' ends";
+}
+
 TEST(Run, WithoutAFreeBlockTimePasses) {
     Scene s;
     s.box({0, 0}, 1, 1, dda::Motion::fixed);
