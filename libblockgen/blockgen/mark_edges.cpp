@@ -1,6 +1,7 @@
 #include "blockgen/mark_edges.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "blockgen/base/text.hpp"
 
@@ -27,6 +28,7 @@ const std::string& contact_material(const NodedEdges& noded, std::size_t edge, c
     }
     if (giver) return giver->joint_material;
     const Point p = noded.frame.place(noded.vertices[static_cast<std::size_t>(noded.edges[edge].first)]);
+    if (at_fault == nullptr) throw std::logic_error("an edge that parts block materials is no region's");
     throw InputError(at_fault->place,
                      "region '" + at_fault->name + "' parts two block materials at (" + shortest_text(p.x) +
                          ", " + shortest_text(p.y) + ") where no joint runs",

@@ -46,7 +46,7 @@ std::string help_text(const po::options_description& options) {
 
 std::string path_or_empty(const po::variables_map& given, const char* name) {
     if (!given.count(name)) return {};
-    const auto path = given[name].as<std::string>();
+    auto path = given[name].as<std::string>();
     if (path.empty()) throw UsageError(std::string("--") + name + " is empty; expected a file name");
     return path;
 }

@@ -43,9 +43,7 @@ Curve scaled(const std::vector<double>& times, const std::vector<double>& values
 
 Curve spectrum_curve(const dda::Accelerogram& record) {
     Curve curve;
-    for (double period = 0.02; period <= 4.0; period += 0.02) {
-        curve.x.push_back(period);
-    }
+    for (int k = 1; k <= 200; ++k) curve.x.push_back(0.02 * k);
     for (const dda::SpectralOrdinate& ordinate : dda::response_spectrum(record, curve.x, 0.05)) {
         curve.y.push_back(ordinate.absolute_acceleration / standard_gravity);
     }

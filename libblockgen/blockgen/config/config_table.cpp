@@ -100,7 +100,7 @@ Value node_of(ConfigTable::Impl& view, std::string_view key, const std::string& 
 
 /// A key that holds a value, which is kept for the echo.
 Value value_of(ConfigTable::Impl& view, std::string_view key, const std::string& expected) {
-    const Value value = node_of(view, key, expected);
+    Value value = node_of(view, key, expected);
     view.record({std::string(key), inline_text(value.node), {}, false, false, {}});
     return value;
 }
@@ -109,7 +109,7 @@ Value value_of(ConfigTable::Impl& view, std::string_view key, const std::string&
 
 ConfigTable ConfigTable::from_file(const std::filesystem::path& path,
                                    const std::vector<std::string>& overrides) {
-    const ConfigTable table = from_text(read_text_file(path), path.string(), overrides);
+    ConfigTable table = from_text(read_text_file(path), path.string(), overrides);
     table.impl_->folder = std::filesystem::absolute(path).parent_path();
     return table;
 }
@@ -185,7 +185,7 @@ std::string ConfigTable::string(std::string_view key, std::string_view fallback)
 
 std::string ConfigTable::choice(std::string_view key, const std::vector<std::string>& choices) const {
     const Value value = value_of(*impl_, key, "one of " + listed(choices));
-    const std::string word = string_of(value);
+    std::string word = string_of(value);
     if (std::find(choices.begin(), choices.end(), word) != choices.end()) return word;
     const std::optional<std::string> nearest = nearest_word(word, choices);
     value.fail("\"" + word + "\"" + (nearest ? "; did you mean \"" + *nearest + "\"?" : std::string()),
@@ -303,7 +303,7 @@ std::filesystem::path ConfigTable::file_path(std::string_view key) const {
     if (text.empty()) value.fail("empty", "the path of a file");
     const bool from_override = value.place.line == 0;
     const auto folder = from_override ? std::filesystem::current_path() : impl_->folder;
-    const std::filesystem::path file = (folder / text).lexically_normal();
+    std::filesystem::path file = (folder / text).lexically_normal();
     const auto same = [&](const Impl::Entry& entry) { return entry.key == key; };
     std::find_if(impl_->entries.begin(), impl_->entries.end(), same)->file = file;
     return file;

@@ -18,7 +18,7 @@ const std::string cell_data_offsets = steps + "CellDataOffsets/";
 /// Rows of the small per-frame datasets that are stored together: 4 kB of int64.
 constexpr std::size_t step_chunk = 512;
 /// Room for HDF5's own bookkeeping of one frame, bytes: a few B-tree nodes and headers per dataset.
-constexpr std::size_t bookkeeping = 256 * 1024;
+constexpr std::size_t bookkeeping = 1 << 18;
 
 const char* const step_integers[] = {"PartOffsets", "NumberOfParts", "PointOffsets", "CellOffsets",
                                      "ConnectivityIdOffsets"};
