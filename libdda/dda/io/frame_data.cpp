@@ -25,16 +25,26 @@ Vec2 principal(const Vec3& stress) {
     return {mean + radius, mean - radius};
 }
 
-/// The end of a contact's share of its joint: the share runs from the corner along the edge, towards the
-/// farther end of it.
+/// The end of a contact's share of its joint: the share runs from the corner along that of its block's faces
+/// that lies along the edge, and not past the edge's ends.
 Vec2 share_end(const BlockSystem& blocks, const Topology& topology, const Contact& contact) {
-    const Vec2& corner = blocks.vertices[static_cast<std::size_t>(contact.corner)];
-    const Vec2& a = blocks.vertices[static_cast<std::size_t>(contact.edge)];
-    const Vec2& b =
-        blocks.vertices[static_cast<std::size_t>(topology.next[static_cast<std::size_t>(contact.edge)])];
-    const double ahead = (b - corner).dot(contact.tangent);
-    const double behind = (corner - a).dot(contact.tangent);
-    return corner + (ahead > behind ? contact.length : -contact.length) * contact.tangent;
+    const auto along = [&](int corner) {
+        const Vec2& from = blocks.vertices[static_cast<std::size_t>(contact.corner)];
+        return (blocks.vertices[static_cast<std::size_t>(corner)] - from).dot(contact.tangent);
+    };
+    const auto corner = static_cast<std::size_t>(contact.corner);
+    const Vec2& from = blocks.vertices[corner];
+    const auto slope = [&](int other) {
+        return along(other) / (blocks.vertices[static_cast<std::size_t>(other)] - from).norm();
+    };
+    const double next = slope(topology.next[corner]);
+    const double previous = slope(topology.previous[corner]);
+    const double heading = std::abs(next) > std::abs(previous) ? next : previous;
+    const double first = along(contact.edge);
+    const double last = along(topology.next[static_cast<std::size_t>(contact.edge)]);
+    const double end =
+        std::clamp(std::copysign(contact.length, heading), std::min(first, 0.0), std::max(last, 0.0));
+    return from + end * contact.tangent;
 }
 
 /// Faces that lie side by side are shown also when they do not touch: they are the open joints.
