@@ -53,7 +53,7 @@ class TrialContacts {
     /// Takes measures and true gaps at a displacement; the linear measure of the gap is kept exact there.
     void move_to(std::span<const Vec6> d);
     /// Of a group of vertex-vertex lines only the one with the largest gap, the last that is crossed, may
-    /// close.
+    /// close; the gap of a line along a face that the corner is in already counts from there.
     void choose_lines();
     /// The largest movement between the forces of the linear system and those of the law, N per metre.
     struct ForceChange {
@@ -86,11 +86,13 @@ class TrialContacts {
 
   private:
     struct Trial {
-        bool pressed = false;     ///< has its normal spring in the linear system
-        bool locked = false;      ///< has its shear spring in the linear system
-        double held_force = 0;    ///< shear force in the linear system when not locked, N per metre
-        bool forward = true;      ///< the direction it slides in
-        Strength bounds;          ///< that the shear force is clipped to
+        bool pressed = false;   ///< has its normal spring in the linear system
+        bool locked = false;    ///< has its shear spring in the linear system
+        double held_force = 0;  ///< shear force in the linear system when not locked, N per metre
+        bool forward = true;    ///< the direction it slides in
+        Strength bounds;        ///< that the shear force is clipped to
+        double known_depth =
+            0;  ///< m, of the line's pair of corners in faces along the line, at the step's start
         double rest_gap = 0;      ///< m, where the normal spring bears nothing
         double shear_origin = 0;  ///< shear force at the step's start, or as augmented since, N per metre
         double gap_offset = 0;    ///< m, gap less the linear measure of the present displacement
@@ -102,6 +104,7 @@ class TrialContacts {
     };
 
     Trial started(std::size_t k) const;
+    void find_known_depths();
     Strength bounds_of(const Contact& contact, double normal_force) const;
     bool is_bonded(std::size_t k) const { return p_.contacts[k].bonded && !trials_[k].torn; }
     double gap(std::size_t k) const { return trials_[k].gap_offset + trials_[k].opening; }
