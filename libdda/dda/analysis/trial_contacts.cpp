@@ -4,13 +4,11 @@
 #include <cmath>
 
 #include "dda/contact/detect.hpp"
+#include "dda/contact/known_depth.hpp"
 
 namespace dda {
 
 namespace {
-
-/// Cosine between the normals of two lines that count as one.
-const double along_the_line = std::sqrt(1 - parallel_tolerance * parallel_tolerance);
 
 /// Whether the joint bears an elastic shear force without slipping. Without strength nothing is locked.
 bool within(double force, const Strength& bounds) {
@@ -19,10 +17,12 @@ bool within(double force, const Strength& bounds) {
 
 }  // namespace
 
-TrialContacts::TrialContacts(const StepProblem& problem, const Crew& crew) : p_(problem), crew_(crew) {
+TrialContacts::TrialContacts(const StepProblem& problem, const Crew& crew)
+    : p_(problem),
+      crew_(crew),
+      known_depth_(known_depths(problem.model, problem.blocks.vertices, problem.contacts)) {
     trials_.reserve(p_.contacts.size());
     for (std::size_t k = 0; k < p_.contacts.size(); ++k) trials_.push_back(started(k));
-    find_known_depths();
     yielding_.assign(p_.bolts.size(), 0);
     elongation_.assign(p_.bolts.size(), 0);
 }
@@ -41,49 +41,6 @@ TrialContacts::Trial TrialContacts::started(std::size_t k) const {
     trial.held_force = contact.shear_force;
     trial.forward = contact.shear_force >= 0;
     return trial;
-}
-
-/// A corner that slides from one block's face onto its neighbour's is as deep in the second, when it gets
-/// there, as it was in the first. That depth is no reason to meet the neighbour's side.
-void TrialContacts::find_known_depths() {
-    std::vector<std::pair<int, std::size_t>> closed;  // corner, contact
-    for (std::size_t k = 0; k < p_.contacts.size(); ++k) {
-        const Contact& contact = p_.contacts[k];
-        if (contact.state != ContactState::open && contact.gap < 0) closed.emplace_back(contact.corner, k);
-    }
-    std::sort(closed.begin(), closed.end());
-    const std::vector<Vec2>& at = p_.blocks.vertices;
-    const auto distance = [&](int a, int b) {
-        return (at[static_cast<std::size_t>(a)] - at[static_cast<std::size_t>(b)]).norm();
-    };
-    std::vector<std::pair<int, int>> corners;  // group, corner
-    for (const Contact& contact : p_.contacts) {
-        if (contact.group < 0) continue;
-        const int end = p_.model.topology.next[static_cast<std::size_t>(contact.edge)];
-        const bool at_end = distance(contact.corner, end) < distance(contact.corner, contact.edge);
-        corners.emplace_back(contact.group, contact.corner);
-        corners.emplace_back(contact.group, at_end ? end : contact.edge);
-    }
-    std::sort(corners.begin(), corners.end());
-    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-    const auto block_of = [&](int corner) {
-        return p_.model.topology.block_of[static_cast<std::size_t>(corner)];
-    };
-    for (std::size_t k = 0; k < trials_.size(); ++k) {
-        const Contact& line = p_.contacts[k];
-        if (line.group < 0) continue;
-        auto entry = std::lower_bound(corners.begin(), corners.end(), std::pair{line.group, -1});
-        for (; entry != corners.end() && entry->first == line.group; ++entry) {
-            const int corner = entry->second;
-            const double side = block_of(corner) == line.corner_block ? 1 : -1;
-            auto other = std::lower_bound(closed.begin(), closed.end(), std::pair{corner, std::size_t{0}});
-            for (; other != closed.end() && other->first == corner; ++other) {
-                const Contact& contact = p_.contacts[other->second];
-                if (side * contact.normal.dot(line.normal) < along_the_line) continue;
-                trials_[k].known_depth = std::max(trials_[k].known_depth, -contact.gap);
-            }
-        }
-    }
 }
 
 Strength TrialContacts::bounds_of(const Contact& contact, double normal_force) const {
@@ -201,7 +158,7 @@ void TrialContacts::choose_lines() {
         const auto g = static_cast<std::size_t>(group);
         if (chosen_.size() <= g) chosen_.resize(g + 1, trials_.size());
         std::size_t& best = chosen_[g];
-        const auto entered = [&](std::size_t line) { return gap(line) + trials_[line].known_depth; };
+        const auto entered = [&](std::size_t line) { return gap(line) + known_depth_[line]; };
         if (best == trials_.size() || entered(k) > entered(best)) best = k;
     }
     for (std::size_t k = 0; k < trials_.size(); ++k) {

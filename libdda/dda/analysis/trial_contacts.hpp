@@ -86,13 +86,11 @@ class TrialContacts {
 
   private:
     struct Trial {
-        bool pressed = false;   ///< has its normal spring in the linear system
-        bool locked = false;    ///< has its shear spring in the linear system
-        double held_force = 0;  ///< shear force in the linear system when not locked, N per metre
-        bool forward = true;    ///< the direction it slides in
-        Strength bounds;        ///< that the shear force is clipped to
-        double known_depth =
-            0;  ///< m, of the line's pair of corners in faces along the line, at the step's start
+        bool pressed = false;     ///< has its normal spring in the linear system
+        bool locked = false;      ///< has its shear spring in the linear system
+        double held_force = 0;    ///< shear force in the linear system when not locked, N per metre
+        bool forward = true;      ///< the direction it slides in
+        Strength bounds;          ///< that the shear force is clipped to
         double rest_gap = 0;      ///< m, where the normal spring bears nothing
         double shear_origin = 0;  ///< shear force at the step's start, or as augmented since, N per metre
         double gap_offset = 0;    ///< m, gap less the linear measure of the present displacement
@@ -104,7 +102,6 @@ class TrialContacts {
     };
 
     Trial started(std::size_t k) const;
-    void find_known_depths();
     Strength bounds_of(const Contact& contact, double normal_force) const;
     bool is_bonded(std::size_t k) const { return p_.contacts[k].bonded && !trials_[k].torn; }
     double gap(std::size_t k) const { return trials_[k].gap_offset + trials_[k].opening; }
@@ -115,6 +112,7 @@ class TrialContacts {
 
     const StepProblem& p_;
     const Crew& crew_;
+    std::vector<double> known_depth_;  ///< per contact, m
     std::vector<Trial> trials_;
     std::vector<int> yielding_;        ///< per bolt: the sign of its yielding force, 0 when elastic
     std::vector<double> elongation_;   ///< per bolt, of the step, m
