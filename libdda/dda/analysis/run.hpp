@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -28,8 +29,8 @@ enum class RunStatus { completed, not_converged, not_settled, stopped };
 
 struct RunOutcome {
     RunStatus status = RunStatus::completed;
-    std::string message;     ///< one line: reason, time, worst contact
-    int worst_contact = -1;  ///< index into the state's contacts, when one is to blame
+    std::string message;                   ///< one line: reason, time, worst contact
+    std::optional<Contact> worst_contact;  ///< at the refused step's start, when one is to blame
 };
 
 /// What came of one trial of a strength reduction.

@@ -20,8 +20,8 @@ std::string describe(const Model& model, const StepAttempt& attempt) {
         default:
             break;
     }
-    if (attempt.worst_contact < 0) return "the open-close iteration does not settle";
-    const Contact& contact = attempt.state.contacts.contacts[static_cast<std::size_t>(attempt.worst_contact)];
+    if (!attempt.worst_contact) return "the open-close iteration does not settle";
+    const Contact& contact = *attempt.worst_contact;
     std::snprintf(text, sizeof text,
                   "the open-close iteration does not settle; worst contact: block %d on block %d at (%.6g, "
                   "%.6g), joint material %s",
@@ -106,7 +106,7 @@ RunOutcome run_stage(const Model& model, const Stage& stage, TimeStepper& steppe
         const bool settled = to_rest && attempt.report.unbalanced_force <= stage.tolerance;
         if (settled) come_to_rest(state);
         if (!observer.step_done(model, state, stage, attempt.report))
-            return {RunStatus::stopped, "stopped as asked", -1};
+            return {RunStatus::stopped, "stopped as asked", {}};
         if (settled) break;
         if (to_rest && state.stage_steps >= stage.step_limit) {
             char text[160];
@@ -114,7 +114,7 @@ RunOutcome run_stage(const Model& model, const Stage& stage, TimeStepper& steppe
                 text, sizeof text,
                 "stage '%s' does not settle: after %d steps the unbalanced force is %.3g of the weight",
                 stage.name.c_str(), stage.step_limit, attempt.report.unbalanced_force);
-            return {RunStatus::not_settled, text, -1};
+            return {RunStatus::not_settled, text, {}};
         }
     }
     return {};

@@ -112,8 +112,9 @@ StepAttempt TimeStepper::advance(const Stage& stage, const State& state, double 
         attempt.report.factorizations += result.factorizations;
         if (!result.converged) {
             attempt.rejection = result.singular ? Rejection::singular : Rejection::not_converged;
-            attempt.worst_contact = result.worst_contact;
-            attempt.state.contacts = step.contacts;
+            if (result.worst_contact >= 0)
+                attempt.worst_contact =
+                    step.contacts.contacts[static_cast<std::size_t>(result.worst_contact)];
             return attempt;
         }
         const std::vector<Vec6> displacement = all_displacements(step, result);

@@ -2,7 +2,6 @@
 
 #include <memory>
 #include <optional>
-#include <string>
 
 #include "dda/analysis/base_motion.hpp"
 #include "dda/analysis/ledger.hpp"
@@ -20,9 +19,9 @@ enum class Rejection { none, not_converged, singular, moved_too_far };
 /// What came of one attempt at a step.
 struct StepAttempt {
     Rejection rejection = Rejection::none;
-    std::string reason;      ///< one line, when rejected
-    int worst_contact = -1;  ///< index into the trial's contacts
-    State state;             ///< the state at the step's end, when accepted
+    std::optional<Contact>
+        worst_contact;  ///< when it did not converge: whose force moved most, at the step's start
+    State state;        ///< the state at the step's end, when accepted
     StepReport report;
 };
 

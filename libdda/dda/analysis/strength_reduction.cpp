@@ -109,7 +109,7 @@ class Search {
 RunOutcome find_factor_of_safety(const Model& model, const Stage& stage, State& state, RunObserver& observer,
                                  int threads) {
     Search search(model, stage, state, observer, threads);
-    if (!search.run()) return {RunStatus::stopped, "stopped as asked", -1};
+    if (!search.run()) return {RunStatus::stopped, "stopped as asked", {}};
     if (search.mechanism()) observer.mechanism_found(model, *search.mechanism(), stage);
     state.time = search.clock();
     return {};

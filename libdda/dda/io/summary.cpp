@@ -102,9 +102,7 @@ Json factor_of_safety(const std::vector<ReductionTrial>& trials) {
     return {{"stands", stands}, {"fails", fails}, {"trials", list}};
 }
 
-Json worst_contact(const Model& model, const State& state, int index) {
-    if (index < 0 || static_cast<std::size_t>(index) >= state.contacts.contacts.size()) return nullptr;
-    const Contact& contact = state.contacts.contacts[static_cast<std::size_t>(index)];
+Json contact_json(const Model& model, const Contact& contact) {
     return {{"corner_block", contact.corner_block},
             {"edge_block", contact.edge_block},
             {"at", pair(contact.point + model.origin)},
@@ -129,8 +127,7 @@ std::string summary_text(const Model& model, const std::vector<Stage>& stages, c
     Json json;
     json["status"] = status_name(outcome.status);
     json["message"] = outcome.message;
-    if (outcome.status == RunStatus::not_converged)
-        json["worst_contact"] = worst_contact(model, state, outcome.worst_contact);
+    if (outcome.worst_contact) json["worst_contact"] = contact_json(model, *outcome.worst_contact);
     json["stage"] = stages[static_cast<std::size_t>(results.state().stage)].name;
     json["time"] = state.time;
     json["steps"] = state.step_count;
