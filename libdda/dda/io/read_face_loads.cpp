@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "blockgen/base/text.hpp"
+#include "blockgen/mesh/polygon.hpp"
 #include "dda/io/find_faces.hpp"
 
 namespace dda {
@@ -11,18 +12,6 @@ using blockgen::ConfigTable;
 using blockgen::Dimension;
 
 namespace {
-
-/// Even-odd rule.
-bool is_inside(const std::vector<Vec2>& polygon, const Vec2& point) {
-    bool inside = false;
-    for (std::size_t k = 0; k < polygon.size(); ++k) {
-        const Vec2& a = polygon[k];
-        const Vec2& b = polygon[(k + 1) % polygon.size()];
-        if ((a.y() > point.y()) == (b.y() > point.y())) continue;
-        if (a.x() + (point.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()) > point.x()) inside = !inside;
-    }
-    return inside;
-}
 
 void check_known(const ConfigTable& table, const char* key, const std::vector<std::string>& names,
                  const std::string& name) {
@@ -48,7 +37,7 @@ class Wetting {
         }
         if (table.has("region")) {
             for (const auto& [x, y] : table.pairs("region", Dimension::length))
-                region_.push_back(Vec2(x, y) - model.origin);
+                region_.push_back({x - model.origin.x(), y - model.origin.y()});
             if (region_.size() < 3)
                 table.fail("region", "'region' in [" + table.path() + "] is no polygon",
                            "three points or more");
@@ -60,7 +49,8 @@ class Wetting {
         const Topology& topology = model_.topology;
         if (model_.motion[static_cast<std::size_t>(topology.block_of[edge])] != Motion::free) return false;
         const Vec2& next = model_.vertices[static_cast<std::size_t>(topology.next[edge])];
-        if (!region_.empty() && !is_inside(region_, (model_.vertices[edge] + next) / 2)) return false;
+        const Vec2 middle = (model_.vertices[edge] + next) / 2;
+        if (!region_.empty() && blockgen::side_of_ring(region_, {middle.x(), middle.y()}) < 0) return false;
         const int material = topology.joint_material[edge];
         if (material < 0) return free_faces_;
         if (!material_.empty() && model_.joint_material_at(material).name != material_) return false;
@@ -72,7 +62,7 @@ class Wetting {
     const Model& model_;
     std::string material_;
     std::string set_;
-    std::vector<Vec2> region_;  ///< m, in the model's coordinates
+    blockgen::Ring region_;  ///< m, in the model's coordinates
     bool free_faces_ = false;
 };
 
