@@ -3,15 +3,8 @@
 #   blockgen_test.sh PROGRAM
 set -eu
 program=$1
-folder=$(mktemp -d)
-trap 'chmod -R u+w "$folder"; rm -rf "$folder" "$folder.err" "$folder.now"' EXIT
-cd "$folder"
-
-fail() {
-    echo "FAILED: $*" >&2
-    exit 1
-}
-
+# shellcheck source=tests/cli/common.sh
+. "$(dirname "$0")/common.sh"
 list() {
     find . ! -name before.txt | sort >"$1"
 }
@@ -74,11 +67,7 @@ list before.txt
 refused() {
     expected=$1
     shift
-    code=0
-    "$program" "$@" >/dev/null 2>"$folder.err" || code=$?
-    [ "$code" -eq 2 ] || fail "exit code $code of: $*"
-    [ "$(wc -l <"$folder.err")" -eq 1 ] || fail "not one line from: $*: $(cat "$folder.err")"
-    grep -q -- "$expected" "$folder.err" || fail "no '$expected' in: $(cat "$folder.err")"
+    run_refused "$expected" "$program" "$@"
     list "$folder.now"
     cmp -s "$folder.now" before.txt || fail "a file appeared or vanished after: $*"
     [ "$(cat slope.blocks)" = old ] || fail "slope.blocks was touched by: $*"

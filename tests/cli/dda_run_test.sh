@@ -4,15 +4,8 @@
 set -eu
 run=$1/dda-run
 plot=$1/dda-plot
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
-
-fail() {
-    echo "FAILED: $*" >&2
-    exit 1
-}
-
+# shellcheck source=tests/cli/common.sh
+. "$(dirname "$0")/common.sh"
 cat >two.blocks <<'BLOCKS'
 ddablk 1
 counts provenance 0 block_materials 1 joint_materials 1 joints 1 vertices 8 blocks 2 rings 2 corners 10 measured_points 1 bolts 0
@@ -65,13 +58,8 @@ refused() {
     expected=$1
     sed "$2" run.toml >bad.toml
     shift 2
-    code=0
-    "$run" bad.toml -o results "$@" >out.txt 2>err.txt || code=$?
-    [ "$code" -eq 2 ] || fail "exit code $code for '$expected': $(cat err.txt)"
-    [ "$(wc -l <err.txt)" -eq 1 ] || fail "not one line: $(cat err.txt)"
-    grep -q -e "$expected" err.txt || fail "no '$expected' in: $(cat err.txt)"
-    [ ! -s out.txt ] || fail "printed to the standard output: $(cat out.txt)"
-    rm -f bad.toml out.txt err.txt
+    run_refused "$expected" "$run" bad.toml -o results "$@"
+    rm -f bad.toml
     [ "$(ls)" = "$present" ] || fail "files touched by '$expected': $(ls)"
 }
 present=$(ls)

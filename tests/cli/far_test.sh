@@ -3,15 +3,8 @@
 #   far_test.sh BIN_FOLDER
 set -eu
 bin=$1
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
-
-fail() {
-    echo "FAILED: $*" >&2
-    exit 1
-}
-
+# shellcheck source=tests/cli/common.sh
+. "$(dirname "$0")/common.sh"
 # wedge X Y: two blocks on a prescribed base, the model's middle at (X, Y), a whole number of metres.
 wedge() {
     awk -v x="$1" -v y="$2" 'function p(a, b) { return sprintf("[%.10g, %.10g]", a + x, b + y) }

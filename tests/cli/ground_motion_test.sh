@@ -4,15 +4,8 @@
 set -eu
 program=$1
 records=$2
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
-
-fail() {
-    echo "FAILED: $*" >&2
-    exit 1
-}
-
+# shellcheck source=tests/cli/common.sh
+. "$(dirname "$0")/common.sh"
 "$program" synthesise --seed 2 -o again.at2 --spectrum again.csv >measures.txt
 cmp again.at2 "$records/artificial-m6.5.at2" || fail "the shipped record is not the recipe's"
 cmp again.csv "$records/artificial-m6.5-spectrum.csv" || fail "the shipped spectrum is not the record's"
@@ -22,12 +15,7 @@ rm -- *
 refused() {
     expected=$1
     shift
-    code=0
-    "$program" "$@" >out.txt 2>err.txt || code=$?
-    [ "$code" -eq 2 ] || fail "exit code $code of: $*"
-    [ "$(wc -l <err.txt)" -eq 1 ] || fail "not one line from: $*"
-    grep -q -- "$expected" err.txt || fail "no '$expected' in: $(cat err.txt)"
-    rm -f out.txt err.txt
+    run_refused "$expected" "$program" "$@"
     [ -z "$(ls)" ] || fail "left behind by $*: $(ls)"
 }
 refused "synthesise" synthesize -o a.at2

@@ -5,16 +5,11 @@
 set -eu
 bin=$1
 data=$2
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
+# shellcheck source=tests/cli/common.sh
+. "$(dirname "$0")/common.sh"
 cp -r "$data/incline" "$data/rules.mk" "$folder"
 cd "$folder/incline"
 rm -rf out pictures slope.blocks*
-
-fail() {
-    echo "FAILED: $*" >&2
-    exit 1
-}
 
 run() {
     make --no-print-directory BIN="$bin" run "$@" >log 2>&1 || { cat log >&2; fail "make run $*"; }

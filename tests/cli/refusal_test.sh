@@ -4,15 +4,8 @@
 #   refusal_test.sh BIN_FOLDER
 set -eu
 bin=$1
-folder=$(mktemp -d)
-trap 'rm -rf "$folder" "$folder.before" "$folder.after" "$folder.err" "$folder.out"' EXIT
-cd "$folder"
-
-fail() {
-    echo "FAILED: $*" >&2
-    exit 1
-}
-
+# shellcheck source=tests/cli/common.sh
+. "$(dirname "$0")/common.sh"
 cat >slope.toml <<'MODEL'
 [domain]
 outline_file = "outline.csv"
@@ -64,12 +57,7 @@ refused() {
     program=$2
     shift 2
     listing >"$folder.before"
-    code=0
-    "$bin/$program" "$@" >"$folder.out" 2>"$folder.err" || code=$?
-    [ "$code" -eq 2 ] || fail "exit code $code of: $program $*: $(cat "$folder.err")"
-    [ "$(wc -l <"$folder.err")" -eq 1 ] || fail "not one line from: $program $*: $(cat "$folder.err")"
-    grep -q -e "$expected" "$folder.err" || fail "no '$expected' in: $(cat "$folder.err")"
-    [ ! -s "$folder.out" ] || fail "printed to the standard output by: $program $*"
+    run_refused "$expected" "$bin/$program" "$@"
     listing >"$folder.after"
     cmp -s "$folder.before" "$folder.after" || fail "$program $* touched: $(diff "$folder.before" "$folder.after")"
 }

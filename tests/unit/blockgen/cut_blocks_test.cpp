@@ -372,7 +372,9 @@ std::filesystem::path maps() {
 }
 
 TEST(CutBlocks, AnOutcropMapFillsItsArea) {
-    if (maps().empty()) GTEST_SKIP() << "set DDA_SHARED to the folder that holds joint-maps";
+    if (maps().empty())
+        GTEST_SKIP() << "real joint maps are others' data, which the project may not carry; set DDA_SHARED "
+                        "to the folder that holds joint-maps";
     SlopeModel model;
     model.block_material = "rock";
     model.outline = read_outline_file(maps() / "KB11_area.geojson")[0];

@@ -2,13 +2,11 @@
 #include <gtest/gtest.h>
 
 #include "dda/io/find_faces.hpp"
-#include "dda/io/read_run.hpp"
-#include "support.hpp"
+#include "model_text_test.hpp"
 
 namespace dda {
 namespace {
 
-using io_test::error_of;
 using ::testing::HasSubstr;
 
 const char* const model_text = R"(blocks = "two.blocks"
@@ -37,19 +35,9 @@ boundary = "top"
 x = { times = [0, 1], values = ["1 cm/s", 0], scale = 2 }
 )";
 
-class ReadBoundaries : public ::testing::Test {
+class ReadBoundaries : public io_test::ModelTextTest {
   protected:
-    void SetUp() override { blockgen::write_block_file(folder / "two.blocks", io_test::two_block_mesh()); }
-    RunInput read(const std::string& text) { return read_run(folder.write("run.toml", text)); }
-    std::string error_with(const std::string& before, const std::string& after) {
-        std::string text = model_text;
-        const std::size_t at = text.find(before);
-        EXPECT_NE(at, std::string::npos) << before;
-        text.replace(at, before.size(), after);
-        const std::string error = error_of([&] { read(text); });
-        return error.substr(error.find("run.toml"));
-    }
-    io_test::Folder folder;
+    ReadBoundaries() : ModelTextTest(model_text) {}
 };
 
 TEST_F(ReadBoundaries, EveryKeyArrives) {

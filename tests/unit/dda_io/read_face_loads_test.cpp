@@ -3,13 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "dda/io/read_run.hpp"
-#include "support.hpp"
+#include "model_text_test.hpp"
 
 namespace dda {
 namespace {
 
-using io_test::error_of;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
@@ -45,22 +43,9 @@ kind = "dynamic"
 duration = 1
 )";
 
-class ReadFaceLoads : public ::testing::Test {
+class ReadFaceLoads : public io_test::ModelTextTest {
   protected:
-    void SetUp() override { blockgen::write_block_file(folder / "two.blocks", io_test::two_block_mesh()); }
-    RunInput read(const std::string& text) { return read_run(folder.write("run.toml", text)); }
-    static std::string changed(const std::string& before, const std::string& after) {
-        std::string text = model_text;
-        const std::size_t at = text.find(before);
-        EXPECT_NE(at, std::string::npos) << before;
-        return text.replace(at, before.size(), after);
-    }
-    std::string error_with(const std::string& before, const std::string& after) {
-        const std::string error = error_of([&] { read(changed(before, after)); });
-        const std::size_t at = error.find("run.toml");
-        return at == std::string::npos ? error : error.substr(at);
-    }
-    io_test::Folder folder;
+    ReadFaceLoads() : ModelTextTest(model_text) {}
 };
 
 // The block that can move has its corners 6 to 9 at (1, 1), (3, 1), (3, 2), (1, 2); its bottom is the joint.

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "blockgen/base/read_file.hpp"
-#include "support.hpp"
+#include "model_text_test.hpp"
 
 namespace dda {
 namespace {
@@ -73,28 +73,11 @@ frames = 10
 
 namespace fs = std::filesystem;
 
-class ReadRun : public ::testing::Test {
+class ReadRun : public io_test::ModelTextTest {
   protected:
-    void SetUp() override {
-        blockgen::write_block_file(folder / "two.blocks", io_test::two_block_mesh());
+    ReadRun() : ModelTextTest(full_model) {
         folder.write("r.csv", "time (s),acceleration (m/s2)\n0,0\n0.01,1\n0.02,-3\n0.03,1\n0.04,0\n");
     }
-    RunInput read(const std::string& text, RunReadOptions options = {}) {
-        return read_run(folder.write("run.toml", text), options);
-    }
-    /// The error of the full model with `before` replaced, without the folder's name.
-    std::string error_with(const std::string& before, const std::string& after) {
-        std::string text = full_model;
-        const std::size_t at = text.find(before);
-        EXPECT_NE(at, std::string::npos) << before;
-        text.replace(at, before.size(), after);
-        std::string error = error_of([&] { read(text); });
-        const std::string prefix = folder.path().string() + "/";
-        for (std::size_t found; (found = error.find(prefix)) != std::string::npos;)
-            error.erase(found, prefix.size());
-        return error;
-    }
-    io_test::Folder folder;
 };
 
 void expect_same_model(const RunInput& a, const RunInput& b) {

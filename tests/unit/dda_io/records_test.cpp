@@ -163,7 +163,9 @@ class RealRecords : public ::testing::TestWithParam<Expected> {};
 
 TEST_P(RealRecords, HaveTheirPublishedPeak) {
     const auto folder = io_test::real_records();
-    if (!folder) GTEST_SKIP() << "the real records are not beside the sources (set DDA_SHARED)";
+    if (!folder)
+        GTEST_SKIP() << "real records are others' data, which the project may not carry; set DDA_SHARED to "
+                        "the folder that holds records";
     const Expected& expected = GetParam();
     const Record record = read_record(*folder / expected.file);
     EXPECT_EQ(record.values.size(), expected.count);
