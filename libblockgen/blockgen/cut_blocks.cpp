@@ -11,6 +11,7 @@
 #include "blockgen/disjoint_sets.hpp"
 #include "blockgen/mark_edges.hpp"
 #include "blockgen/mesh/check_mesh.hpp"
+#include "blockgen/mesh/polygon.hpp"
 #include "blockgen/sample_joints.hpp"
 #include "blockgen/straighten.hpp"
 
@@ -38,7 +39,7 @@ class Cutter {
     Cutter(const SlopeModel& model, const std::vector<Trace>& traces, const CutOptions& options)
         : model_(model),
           traces_(traces),
-          table_(model, traces),
+          table_(model),
           noded_(node(options)),
           subdivision_(arrange(noded_)),
           faces_(classify_faces(noded_, subdivision_, model, table_)),
@@ -58,6 +59,7 @@ class Cutter {
         check(result.mesh);
         fill_report(result);
         prove_area(result.report);
+        add_network(result.report);
         if (options.verify) verify(result.report);
         return result;
     }
@@ -171,6 +173,18 @@ class Cutter {
         report.verified = true;
     }
 
+    void add_network(CutReport& report) const {
+        NetworkReport network =
+            measure_network(noded_, subdivision_, faces_, model_, traces_, table_, report.domain_area);
+        report.joints = std::move(network.joints);
+        report.nodes = network.nodes;
+        report.warnings.insert(report.warnings.end(), network.warnings.begin(), network.warnings.end());
+        for (const Tunnel& tunnel : model_.tunnels)
+            if (lies_apart(tunnel.outline, model_.outline))
+                report.warnings.push_back("tunnel '" + tunnel.name +
+                                          "' lies outside the outline and takes nothing away");
+    }
+
     void fill_report(CutResult& result) const {
         CutReport& report = result.report;
         const BlockMesh& mesh = result.mesh;
@@ -187,7 +201,6 @@ class Cutter {
             report.slivers += 4 * std::numbers::pi * block_area(mesh, b) < 0.02 * perimeter * perimeter;
         }
         count_islands(report);
-        balance_joints(report);
     }
 
     void count_islands(CutReport& report) const {
@@ -204,40 +217,6 @@ class Cutter {
                     "one block encloses others at (" + shortest_text(p.x) + ", " + shortest_text(p.y) + ")",
                     "joints that reach the rim, or islands = \"keep\"");
             }
-    }
-
-    void balance_joints(CutReport& report) const {
-        std::vector<std::size_t> row;
-        for (const Trace& trace : traces_) {
-            const auto is_it = [&](const JointBalance& b) { return b.name == trace.name; };
-            auto found = std::find_if(report.joints.rbegin(), report.joints.rend(), is_it);
-            if (found == report.joints.rend()) {
-                report.joints.push_back({trace.name});
-                found = report.joints.rbegin();
-            }
-            ++found->traces;
-            row.push_back(static_cast<std::size_t>(report.joints.rend() - found) - 1);
-        }
-        for (std::size_t e = 0; e < noded_.edges.size(); ++e) {
-            const GridPoint &a = start(2 * e), &b = start(2 * e + 1);
-            const double length = noded_.frame.step *
-                                  std::hypot(static_cast<double>(b.x - a.x), static_cast<double>(b.y - a.y));
-            std::int32_t last = -1;
-            for (const EdgeSource& s : noded_.sources_of(e)) {
-                if (!table_.is_joint(s.source) || s.source == last) continue;
-                last = s.source;
-                JointBalance& balance =
-                    report.joints[row[static_cast<std::size_t>(s.source - table_.first_joint)]];
-                const std::int32_t left = block_of(2 * e), right = block_of(2 * e + 1);
-                const bool rock_left = left != FaceBlocks::outside, rock_right = right != FaceBlocks::outside;
-                if (rock_left != rock_right)
-                    balance.on_boundary += length;
-                else if (!rock_left)
-                    balance.outside += length;
-                else
-                    (left == right ? balance.pruned : balance.retained) += length;
-            }
-        }
     }
 
     const SlopeModel& model_;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "blockgen/input/slope_model.hpp"
+#include "blockgen/joint_balance.hpp"
 #include "blockgen/mesh/block_mesh.hpp"
 #include "blockgen/mesh/measures.hpp"
 
@@ -13,17 +14,6 @@ namespace blockgen {
 struct CutOptions {
     std::size_t max_blocks = 1'000'000;
     bool verify = false;  ///< recut with exact construction and compare
-};
-
-/// Where the length of the joints of one set, or of traces of one name, went, m. Overlapping joints each
-/// count.
-struct JointBalance {
-    std::string name;
-    std::size_t traces = 0;
-    double retained = 0;     ///< between two blocks
-    double pruned = 0;       ///< ends in rock, or encloses nothing
-    double on_boundary = 0;  ///< along the outline, a hole or a tunnel, where the free face wins
-    double outside = 0;      ///< beyond the rock
 };
 
 /// What cutting did, for the user.
@@ -42,6 +32,7 @@ struct CutReport {
     bool verified = false;     ///< an arrangement with exact construction agreed
     SizeSummary sizes;
     std::vector<JointBalance> joints;  ///< in the order of the model: traces, then sets
+    NodeCounts nodes;
     std::vector<std::string> warnings;
 };
 

@@ -18,7 +18,7 @@ void add_ring(std::vector<SourceSegment>& segments, const Ring& ring, std::int32
 
 }  // namespace
 
-SourceTable::SourceTable(const SlopeModel& model, const std::vector<Trace>&) {
+SourceTable::SourceTable(const SlopeModel& model) {
     first_region = first_hole + static_cast<std::int32_t>(model.holes.size());
     first_tunnel = first_region + static_cast<std::int32_t>(model.regions.size());
     first_joint = first_tunnel + static_cast<std::int32_t>(model.tunnels.size());

@@ -11,7 +11,7 @@ namespace blockgen {
 /// The numbers of everything that makes edges: the outline, the holes, the regions, the tunnels, then the
 /// joints.
 struct SourceTable {
-    SourceTable(const SlopeModel& model, const std::vector<Trace>& traces);
+    explicit SourceTable(const SlopeModel& model);
 
     std::int32_t first_hole = 1;
     std::int32_t first_region = 1;

@@ -106,8 +106,11 @@ void read_outline(const ConfigTable& domain, SlopeModel& model) {
         const std::string what = (r == 0 ? "the outline" : "hole " + std::to_string(r)) +
                                  (in_file && r < rings_in_file ? " in " + model.files.back().string() : "");
         if (const std::string fault = fault_of(rings[r]); !fault.empty())
-            domain.fail(r == 0 || in_file ? key : "holes", what + ": " + fault, ring_expected);
+            domain.fail(r < rings_in_file ? key : "holes", what + ": " + fault, ring_expected);
         make_counter_clockwise(rings[r]);
+        if (r > 0 && lies_apart(rings[r], rings[0]))
+            domain.fail(r < rings_in_file ? key : "holes", what + " lies outside the outline",
+                        "a hole that takes rock away");
     }
     model.outline = rings.front();
     model.holes.assign(rings.begin() + 1, rings.end());

@@ -19,6 +19,9 @@ double twice_signed_area(std::span<const Point> ring);
 /// Whether a point lies inside (+1), on (0) or outside (-1) a ring, by the even-odd rule. Exact.
 int side_of_ring(std::span<const Point> ring, const Point& point);
 
+/// Whether two simple rings enclose no common area.
+bool lies_apart(std::span<const Point> ring, std::span<const Point> other);
+
 /// Two edges of a set of rings that meet where they must not: edge k of ring r joins its corners k and k + 1.
 struct RingFault {
     std::size_t first_ring = 0, first_edge = 0;

@@ -1,0 +1,247 @@
+#include "blockgen/joint_balance.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <unordered_map>
+
+namespace blockgen {
+
+namespace {
+
+double length_of(const Trace& trace) {
+    double length = 0;
+    for (std::size_t k = 0; k + 1 < trace.points.size(); ++k)
+        length +=
+            std::hypot(trace.points[k + 1].x - trace.points[k].x, trace.points[k + 1].y - trace.points[k].y);
+    return length;
+}
+
+/// The point half way along.
+Point middle_of(const Trace& trace) {
+    double left = length_of(trace) / 2;
+    for (std::size_t k = 0; k + 1 < trace.points.size(); ++k) {
+        const Point &a = trace.points[k], &b = trace.points[k + 1];
+        const double length = std::hypot(b.x - a.x, b.y - a.y);
+        if (left <= length && length > 0)
+            return {a.x + left / length * (b.x - a.x), a.y + left / length * (b.y - a.y)};
+        left -= length;
+    }
+    return trace.points.back();
+}
+
+bool is_in_rock(const SlopeModel& model, const Point& p) {
+    if (side_of_ring(model.outline, p) < 0) return false;
+    for (const Ring& hole : model.holes)
+        if (side_of_ring(hole, p) > 0) return false;
+    for (const Tunnel& tunnel : model.tunnels)
+        if (side_of_ring(tunnel.outline, p) > 0) return false;
+    return true;
+}
+
+/// Sums of length over directions, of which the mean direction and the spread across it follow. Directions of
+/// joints are axes: angles count twice.
+struct AxialSums {
+    double length = 0, cosine = 0, sine = 0;
+
+    void add(double dx, double dy) {
+        const double l = std::hypot(dx, dy), angle = 2 * std::atan2(dy, dx);
+        length += l;
+        cosine += l * std::cos(angle);
+        sine += l * std::sin(angle);
+    }
+    double mean_direction() const { return std::atan2(sine, cosine) / 2; }
+};
+
+/// What became of the length of one trace.
+struct TraceFate {
+    double retained = 0, pruned = 0, on_boundary = 0, outside = 0;
+    std::size_t edges = 0;
+    double in_rock() const { return retained + pruned; }
+    double inside_box() const { return in_rock() + on_boundary + outside; }
+};
+
+class NetworkMeasure {
+  public:
+    NetworkMeasure(const NodedEdges& noded, const Subdivision& subdivision, const FaceBlocks& faces,
+                   const SlopeModel& model, const std::vector<Trace>& traces, const SourceTable& table)
+        : noded_(noded),
+          subdivision_(subdivision),
+          faces_(faces),
+          model_(model),
+          traces_(traces),
+          table_(table),
+          fates_(traces.size()) {
+        assign_rows();
+    }
+
+    NetworkReport run(double rock_area) {
+        add_edges();
+        for (std::size_t t = 0; t < traces_.size(); ++t) add_trace(t);
+        for (std::size_t r = 0; r < report_.joints.size(); ++r) {
+            JointBalance& b = report_.joints[r];
+            b.p10 = across_[r] / rock_area;
+            b.p20 /= rock_area;
+            b.p21 = (b.retained + b.pruned) / rock_area;
+        }
+        count_nodes();
+        warn();
+        return std::move(report_);
+    }
+
+  private:
+    void assign_rows() {
+        std::unordered_map<std::string, std::size_t> row_of_name;
+        for (const Trace& trace : traces_) {
+            const auto [found, is_new] = row_of_name.emplace(trace.name, report_.joints.size());
+            if (is_new) report_.joints.push_back({trace.name});
+            row_.push_back(found->second);
+        }
+        sums_.resize(report_.joints.size());
+        across_.resize(report_.joints.size());
+    }
+
+    bool is_rock(std::size_t half_edge) const { return block_of(half_edge) != FaceBlocks::outside; }
+    std::int32_t block_of(std::size_t half_edge) const {
+        return faces_.block[static_cast<std::size_t>(subdivision_.face[half_edge])];
+    }
+    Point vector_of(std::size_t e) const {
+        const GridPoint& a = noded_.vertices[static_cast<std::size_t>(noded_.edges[e].first)];
+        const GridPoint& b = noded_.vertices[static_cast<std::size_t>(noded_.edges[e].second)];
+        return {noded_.frame.step * static_cast<double>(b.x - a.x),
+                noded_.frame.step * static_cast<double>(b.y - a.y)};
+    }
+
+    template <class Visit>
+    void for_each_joint_of(std::size_t edge, const Visit& visit) const {
+        std::int32_t last = -1;
+        for (const EdgeSource& s : noded_.sources_of(edge)) {  // sorted by source
+            if (!table_.is_joint(s.source) || s.source == last) continue;
+            last = s.source;
+            visit(static_cast<std::size_t>(s.source - table_.first_joint));
+        }
+    }
+
+    void add_edges() {
+        for (std::size_t e = 0; e < noded_.edges.size(); ++e)
+            for_each_joint_of(e, [&](std::size_t t) { add_edge(e, t); });
+        for (std::size_t e = 0; e < noded_.edges.size(); ++e)
+            for_each_joint_of(e, [&](std::size_t t) {
+                if (!is_rock(2 * e) || !is_rock(2 * e + 1)) return;
+                const Point v = vector_of(e);
+                const double mean = sums_[row_[t]].mean_direction();
+                across_[row_[t]] += std::abs(v.x * std::cos(mean) + v.y * std::sin(mean));
+            });
+    }
+
+    void add_edge(std::size_t e, std::size_t t) {
+        const Point v = vector_of(e);
+        const double length = std::hypot(v.x, v.y);
+        const bool left = is_rock(2 * e), right = is_rock(2 * e + 1);
+        TraceFate& fate = fates_[t];
+        ++fate.edges;
+        if (left != right)
+            fate.on_boundary += length;
+        else if (!left)
+            fate.outside += length;
+        else
+            (block_of(2 * e) == block_of(2 * e + 1) ? fate.pruned : fate.retained) += length;
+        if (left && right) sums_[row_[t]].add(v.x, v.y);
+    }
+
+    void add_trace(std::size_t t) {
+        TraceFate& fate = fates_[t];
+        JointBalance& b = report_.joints[row_[t]];
+        const double input = length_of(traces_[t]);
+        // Every piece may be longer or shorter by what its two ends moved; a trace that runs back over itself
+        // counts once.
+        const double slack =
+            2 * noded_.largest_snap * static_cast<double>(fate.edges + traces_[t].points.size()) +
+            1e-9 * input;
+        if (fate.inside_box() > input + slack)
+            throw std::logic_error("joint '" + traces_[t].name + "' grew when it was noded");
+        ++b.traces;
+        b.input += input;
+        b.retained += fate.retained;
+        b.pruned += fate.pruned;
+        b.on_boundary += fate.on_boundary;
+        // What was clipped away beyond the domain's box belongs here too.
+        b.outside += std::max(fate.outside, input - fate.in_rock() - fate.on_boundary);
+        b.p20 += is_in_rock(model_, middle_of(traces_[t]));
+    }
+
+    void count_nodes() {
+        std::vector<unsigned char> branches(noded_.vertices.size(), 0), at_face(noded_.vertices.size(), 0);
+        for (std::size_t e = 0; e < noded_.edges.size(); ++e) {
+            const auto sources = noded_.sources_of(e);
+            const bool is_joint = std::any_of(sources.begin(), sources.end(),
+                                              [&](const EdgeSource& s) { return table_.is_joint(s.source); });
+            for (const std::int32_t v : {noded_.edges[e].first, noded_.edges[e].second}) {
+                const auto i = static_cast<std::size_t>(v);
+                if (is_rock(2 * e) != is_rock(2 * e + 1)) at_face[i] = 1;
+                if (is_joint && is_rock(2 * e) && is_rock(2 * e + 1) && branches[i] < 255) ++branches[i];
+            }
+        }
+        NodeCounts& n = report_.nodes;
+        for (std::size_t v = 0; v < branches.size(); ++v) {
+            if (branches[v] == 0) continue;
+            if (at_face[v])
+                ++n.edge;
+            else if (branches[v] != 2)
+                ++(branches[v] == 1 ? n.i : branches[v] == 3 ? n.y : n.x);
+        }
+    }
+
+    /// Only traces that somebody drew: sampled sets fill the domain's box, so that some lie beside the rock.
+    void warn() {
+        struct Idle {
+            std::size_t points = 0, outside = 0, on_boundary = 0;
+        };
+        std::vector<Idle> idle(report_.joints.size());
+        for (std::size_t t = 0; t < std::min(traces_.size(), model_.traces.size()); ++t) {
+            const TraceFate& fate = fates_[t];
+            Idle& row = idle[row_[t]];
+            if (fate.in_rock() > 0) continue;
+            if (fate.on_boundary > 0)
+                ++row.on_boundary;
+            else
+                ++(length_of(traces_[t]) < noded_.frame.step ? row.points : row.outside);
+        }
+        for (std::size_t r = 0; r < idle.size(); ++r) {
+            say(r, idle[r].points, "has no length on this grid and is dropped",
+                "have no length on this grid and are dropped");
+            say(r, idle[r].outside, "lies outside the rock and is dropped",
+                "lie outside the rock and are dropped");
+            say(r, idle[r].on_boundary, "runs along a free face only, which stays free",
+                "run along a free face only, which stays free");
+        }
+    }
+
+    void say(std::size_t row, std::size_t count, const std::string& one, const std::string& many) {
+        if (count > 0)
+            report_.warnings.push_back(std::to_string(count) + (count == 1 ? " trace" : " traces") + " of '" +
+                                       report_.joints[row].name + "' " + (count == 1 ? one : many));
+    }
+
+    const NodedEdges& noded_;
+    const Subdivision& subdivision_;
+    const FaceBlocks& faces_;
+    const SlopeModel& model_;
+    const std::vector<Trace>& traces_;
+    const SourceTable& table_;
+    std::vector<TraceFate> fates_;
+    std::vector<std::size_t> row_;
+    std::vector<AxialSums> sums_;
+    std::vector<double> across_;  ///< per row: length projected on the mean direction
+    NetworkReport report_;
+};
+
+}  // namespace
+
+NetworkReport measure_network(const NodedEdges& noded, const Subdivision& subdivision,
+                              const FaceBlocks& faces, const SlopeModel& model,
+                              const std::vector<Trace>& traces, const SourceTable& table, double rock_area) {
+    return NetworkMeasure(noded, subdivision, faces, model, traces, table).run(rock_area);
+}
+
+}  // namespace blockgen
