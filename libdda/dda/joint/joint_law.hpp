@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -9,7 +10,9 @@
 
 namespace dda {
 
-/// The list of joint laws: a new law is one file in this folder and one word here.
+/// The list of joint laws: a new law is one file in this folder and one word here. A law must have `fresh`,
+/// `strength` and `advance`; it may have a `strength` that looks at the displacement being tried, and
+/// `strength_slope`, `dilation`, `shear_stiffness` and `record`. The functions below find out which.
 using JointLaw = std::variant<MohrCoulomb, Elastic>;
 
 namespace detail {
@@ -22,10 +25,22 @@ using JointHistory = decltype(detail::histories_of(std::declval<JointLaw>()));
 /// The history of a joint that has not moved yet. @param intact false for a contact between faces that met
 /// later: it bears neither cohesion nor tension.
 JointHistory fresh_history(const JointLaw& law, bool intact);
-/// What the joint can bear now. @param normal_force N per metre, compression positive; @param length m.
-Strength strength(const JointLaw& law, const JointHistory& history, double normal_force, double length);
+/// What the joint can bear now, or at the end of the displacement tried. @param normal_force N per metre,
+/// compression positive; @param length m.
+Strength strength(const JointLaw& law, const JointHistory& history, double normal_force, double length,
+                  const ShearTrial& trial = {});
 /// The history after an accepted step.
 JointHistory advance(const JointLaw& law, const JointHistory& history, const ContactMotion& motion);
+
+/// Derivative of the strengths of a joint at rest with respect to the normal force, dimensionless, if the law
+/// offers it.
+std::optional<Strength> strength_slope(const JointLaw& law, const JointHistory& history, double normal_force,
+                                       double length);
+/// m, by which shearing has moved the faces apart: the rest gap of the normal spring. 0 for laws without.
+double dilation(const JointLaw& law, const JointHistory& history);
+/// N/m per metre, the stiffness of the shear spring that the law prescribes to a contact; 0: none.
+double shear_stiffness(const JointLaw& law, const JointHistory& history, double normal_force, double length);
+JointRecord record(const JointLaw& law, const JointHistory& history);
 
 /// A joint material of the model file: its law and, where given, springs of its own.
 struct JointMaterial {
@@ -47,9 +62,12 @@ struct JointMaterial {
         if (normal_stiffness > 0) return normal_stiffness * std::max(length, corner_length);
         return normal_penalty > 0 ? normal_penalty : analysis_value;
     }
-    double shear_spring(double analysis_value, double length) const {
+    /// @param of_law what `dda::shear_stiffness` says: it goes behind the material's and before the
+    /// analysis'.
+    double shear_spring(double analysis_value, double length, double of_law = 0) const {
         if (shear_stiffness > 0) return shear_stiffness * std::max(length, corner_length);
-        return shear_penalty > 0 ? shear_penalty : analysis_value;
+        if (shear_penalty > 0) return shear_penalty;
+        return of_law > 0 ? of_law : analysis_value;
     }
 };
 

@@ -16,6 +16,16 @@ Strength MohrCoulomb::strength(const History& history, double normal_force, doub
     return {shear, shear, tensile_strength * length};
 }
 
+Strength MohrCoulomb::strength_slope(const History& history, double normal_force, double length) const {
+    if (history.broken) {
+        const double slope = normal_force > 0 ? std::tan(residual_friction_angle) : 0;
+        return {slope, slope, 0};
+    }
+    const double friction = std::tan(friction_angle);
+    const double slope = normal_force * friction + cohesion * length > 0 ? friction : 0;
+    return {slope, slope, 0};
+}
+
 MohrCoulomb::History MohrCoulomb::advance(const History& history, const ContactMotion& motion) const {
     return {history.broken || motion.opened || motion.slip != 0};
 }

@@ -28,6 +28,8 @@ struct MohrCoulomb {
     /// @param normal_force N per metre, compression positive; @param length m, the contact's share of the
     /// joint.
     Strength strength(const History& history, double normal_force, double length) const;
+    /// tan(phi) where the joint is pressed or its cohesion holds, 0 where nothing does.
+    Strength strength_slope(const History& history, double normal_force, double length) const;
     /// The history after an accepted step.
     History advance(const History& history, const ContactMotion& motion) const;
 };

@@ -64,31 +64,6 @@ TEST(MohrCoulomb, SmoothJointBearsNoShear) {
     EXPECT_EQ(smooth.strength(smooth.fresh(true), 1e9, 1).forward, 0);
 }
 
-// What every law of the list must keep.
-TEST(JointLaws, NeverNegativeAndGrowingWithTheNormalForce) {
-    for (const dda::JointLaw& law : {dda::JointLaw(rough), dda::JointLaw(plain)}) {
-        for (const bool intact : {true, false}) {
-            const dda::JointHistory history = dda::fresh_history(law, intact);
-            double last = 0;
-            for (const double normal : {-1e6, -10.0, -1e-12, 0.0, 1e-12, 1.0, 10.0, 1e6, 1e12}) {
-                const Strength s = dda::strength(law, history, normal, 1);
-                EXPECT_GE(s.forward, last);
-                EXPECT_GE(s.backward, 0);
-                EXPECT_GE(s.tensile, 0);
-                last = s.forward;
-            }
-        }
-    }
-}
-
-TEST(JointLaws, HistoryBelongsToItsLaw) {
-    const dda::JointLaw law(rough);
-    const dda::JointHistory broken =
-        dda::advance(law, dda::fresh_history(law, true), {1e-3, 1e-3, 1, 1, false});
-    EXPECT_EQ(broken.index(), law.index());
-    EXPECT_TRUE(std::get<MohrCoulomb::History>(broken).broken);
-}
-
 TEST(JointMaterial, OwnPenaltyGoesBeforeTheAnalysis) {
     const dda::JointMaterial common{"common", plain, 0, 0};
     const dda::JointMaterial stiff{"stiff", plain, 7e9, 3e9};

@@ -1,0 +1,245 @@
+// What every law of the list must keep, whatever it says about rock. The laws are taken from the list itself.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "dda/joint/shear_step.hpp"
+#include "specimens.hpp"
+
+namespace {
+
+using dda::ContactMotion;
+using dda::JointHistory;
+using dda::JointLaw;
+using dda::JointLoad;
+using dda::JointRecord;
+using dda::ShearedJoint;
+using dda::Strength;
+
+constexpr JointLoad usual{1e5, 0.1, 8e7};
+constexpr double forces[] = {-1e12, -10.0, -1e-12, 0.0, 1e-12, 1.0, 10.0, 1e3, 1e5, 1e6, 1e7, 1e12};
+
+/// Displacements of a joint shaken to and fro by up to a few millimetres, some steps far, some hardly at all.
+std::vector<double> random_path(unsigned seed) {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> size(0, 1);
+    std::vector<double> path;
+    for (int k = 0; k < 200; ++k) path.push_back(1e-3 * size(random) * std::pow(10.0, -(k % 4)));
+    return path;
+}
+
+std::vector<ShearedJoint> sheared(const JointLaw& law, const std::vector<double>& path,
+                                  const JointLoad& load = usual) {
+    ShearedJoint joint{dda::fresh_history(law, true)};
+    std::vector<ShearedJoint> states = {joint};
+    for (const double displacement : path) {
+        joint = dda::shear(law, joint, displacement, load);
+        states.push_back(joint);
+    }
+    return states;
+}
+
+void expect_equal(const Strength& a, const Strength& b) {
+    EXPECT_EQ(a.forward, b.forward);
+    EXPECT_EQ(a.backward, b.backward);
+    EXPECT_EQ(a.tensile, b.tensile);
+}
+
+/// Whether the strength drops at the first slip, however small: then the force at the end of the step in
+/// which that happens is the peak, and depends on the step by nature. The history does not.
+bool is_brittle(const JointLaw& law) {
+    const auto* joint = std::get_if<dda::MohrCoulomb>(&law);
+    return joint && !joint->fresh(true).broken;
+}
+
+/// What anyone can learn from a history: its record and its strengths. The tolerances are the rounding of a
+/// path of some hundred steps and millimetres.
+void expect_alike(const JointLaw& law, const ShearedJoint& a, const ShearedJoint& b) {
+    const JointRecord ra = dda::record(law, a.history), rb = dda::record(law, b.history);
+    EXPECT_EQ(ra.stage, rb.stage);
+    EXPECT_EQ(ra.reversals, rb.reversals);
+    EXPECT_EQ(ra.cycle, rb.cycle);
+    EXPECT_NEAR(ra.mobilised_ratio, rb.mobilised_ratio, 1e-9);
+    EXPECT_NEAR(ra.dilation, rb.dilation, 1e-12);
+    if (!is_brittle(law)) {
+        EXPECT_NEAR(a.shear_force, b.shear_force, 1e-9 * usual.normal_force);
+        EXPECT_NEAR(a.slip, b.slip, 1e-12);
+    }
+    const Strength sa = dda::strength(law, a.history, usual.normal_force, usual.length);
+    const Strength sb = dda::strength(law, b.history, usual.normal_force, usual.length);
+    if (std::isinf(sa.forward)) return expect_equal(sa, sb);
+    EXPECT_NEAR(sa.forward, sb.forward, 1e-9 * usual.normal_force);
+    EXPECT_NEAR(sa.backward, sb.backward, 1e-9 * usual.normal_force);
+    EXPECT_NEAR(sa.tensile, sb.tensile, 1e-9 * usual.normal_force);
+}
+
+template <class Law>
+class JointLawConformance : public testing::Test {
+  protected:
+    std::vector<JointLaw> laws() const {
+        std::vector<JointLaw> all;
+        for (const Law& law : joint_tests::specimens(std::type_identity<Law>{})) all.emplace_back(law);
+        return all;
+    }
+};
+
+template <class List>
+struct AsTypes;
+template <class... Laws>
+struct AsTypes<std::variant<Laws...>> {
+    using type = testing::Types<Laws...>;
+};
+struct NameOfLaw {
+    template <class Law>
+    static std::string GetName(int) {
+        return Law::name;
+    }
+};
+TYPED_TEST_SUITE(JointLawConformance, AsTypes<JointLaw>::type, NameOfLaw);
+
+TYPED_TEST(JointLawConformance, StrengthIsNeverNegativeAndGrowsWithTheNormalForce) {
+    for (const JointLaw& law : this->laws()) {
+        for (const ShearedJoint& joint : sheared(law, random_path(1))) {
+            Strength last{};
+            for (const double normal : forces) {
+                const Strength s = dda::strength(law, joint.history, normal, usual.length);
+                EXPECT_GE(s.forward, last.forward) << normal;
+                EXPECT_GE(s.backward, last.backward) << normal;
+                EXPECT_GE(s.tensile, 0) << normal;
+                last = s;
+            }
+        }
+    }
+}
+
+TYPED_TEST(JointLawConformance, DegenerateContactsHaveAStrengthToo) {
+    for (const JointLaw& law : this->laws()) {
+        for (const ShearedJoint& joint : sheared(law, {2e-3, -1e-3})) {
+            for (const double length : {0.0, 1e-300, 1e-12, 1.0, 1e12}) {
+                for (const double normal : forces) {
+                    for (const double displacement : {-1.0, -1e-12, 0.0, 1e-12, 1.0}) {
+                        const Strength s =
+                            dda::strength(law, joint.history, normal, length, {displacement, 0, 1e8});
+                        EXPECT_FALSE(std::isnan(s.forward) || std::isnan(s.backward))
+                            << normal << ' ' << length;
+                        EXPECT_GE(std::min({s.forward, s.backward, s.tensile}), 0) << normal << ' ' << length;
+                        const JointHistory after = dda::advance(
+                            law, joint.history, {displacement, displacement, normal, length, false, 0, 1e8});
+                        EXPECT_TRUE(std::isfinite(dda::record(law, after).dilation))
+                            << normal << ' ' << length;
+                    }
+                }
+            }
+        }
+    }
+}
+
+TYPED_TEST(JointLawConformance, FrictionDoesNoWork) {
+    for (const JointLaw& law : this->laws()) {
+        for (unsigned seed = 1; seed <= 5; ++seed) {
+            std::mt19937 random(seed);
+            std::uniform_real_distribution<double> share(-0.2, 2);
+            ShearedJoint joint{dda::fresh_history(law, true)};
+            for (const double displacement : random_path(seed)) {
+                const JointLoad load{usual.normal_force * share(random), usual.length, usual.stiffness};
+                const ShearedJoint next = dda::shear(law, joint, displacement, load);
+                ASSERT_GE(next.shear_force * (next.slip - joint.slip), 0);
+                ASSERT_TRUE(std::isfinite(next.shear_force));
+                joint = next;
+            }
+        }
+    }
+}
+
+// The slope is exact; the difference quotient of a smooth function with a relative step of 1e-5 has an error
+// of 1e-10 and rounding of 1e-11.
+TYPED_TEST(JointLawConformance, SlopeIsTheDerivativeOfTheStrength) {
+    for (const JointLaw& law : this->laws()) {
+        for (const ShearedJoint& joint : sheared(law, random_path(2))) {
+            for (const double normal : {-1e5, 1e4, 1.1e5, 1.3e6}) {
+                const auto slope = dda::strength_slope(law, joint.history, normal, usual.length);
+                if (!slope) continue;
+                const double step = 1e-5 * std::abs(normal);
+                const Strength above = dda::strength(law, joint.history, normal + step, usual.length);
+                const Strength below = dda::strength(law, joint.history, normal - step, usual.length);
+                EXPECT_NEAR(slope->forward, (above.forward - below.forward) / (2 * step), 1e-8) << normal;
+                EXPECT_NEAR(slope->backward, (above.backward - below.backward) / (2 * step), 1e-8) << normal;
+            }
+        }
+    }
+}
+
+// Swapping the roles of the two blocks turns the tangent with them, so the joint sees the same displacements.
+// What is left to ask is that a fresh joint prefers no direction of the tangent.
+TYPED_TEST(JointLawConformance, AFreshJointIsSymmetric) {
+    for (const JointLaw& law : this->laws()) {
+        const std::vector<double> path = random_path(3);
+        std::vector<double> mirrored;
+        for (const double displacement : path) mirrored.push_back(-displacement);
+        const auto there = sheared(law, path), here = sheared(law, mirrored);
+        for (std::size_t k = 0; k < there.size(); ++k) {
+            EXPECT_EQ(there[k].shear_force, -here[k].shear_force);
+            const JointRecord a = dda::record(law, there[k].history), b = dda::record(law, here[k].history);
+            EXPECT_EQ(a.stage, b.stage);
+            EXPECT_EQ(a.dilation, b.dilation);
+            EXPECT_EQ(a.mobilised_ratio, b.mobilised_ratio);
+            const Strength s = dda::strength(law, there[k].history, usual.normal_force, usual.length);
+            const Strength t = dda::strength(law, here[k].history, usual.normal_force, usual.length);
+            EXPECT_EQ(s.forward, t.backward);
+            EXPECT_EQ(s.backward, t.forward);
+        }
+    }
+}
+
+TYPED_TEST(JointLawConformance, HistoryDoesNotDependOnHowAPathIsSubdivided) {
+    for (const JointLaw& law : this->laws()) {
+        for (unsigned seed = 1; seed <= 3; ++seed) {
+            const std::vector<double> path = random_path(seed);
+            std::vector<double> divided;
+            for (const double displacement : path)
+                for (const double part : {0.37, 0.5, 0.13}) divided.push_back(part * displacement);
+            const auto coarse = sheared(law, path), fine = sheared(law, divided);
+            for (std::size_t k = 0; k < coarse.size(); ++k) {
+                expect_alike(law, coarse[k], fine[3 * k]);
+                if (testing::Test::HasFailure()) FAIL() << "seed " << seed << ", displacement " << k;
+            }
+        }
+    }
+}
+
+TYPED_TEST(JointLawConformance, TrialsLeaveNoTrace) {
+    for (const JointLaw& law : this->laws()) {
+        for (const ShearedJoint& joint : sheared(law, random_path(4))) {
+            const JointHistory before = joint.history;
+            const Strength at_rest = dda::strength(law, joint.history, usual.normal_force, usual.length);
+            for (const double displacement : {5e-3, -5e-3, 0.0}) {
+                dda::strength(law, joint.history, 3e5, usual.length, {displacement, joint.shear_force, 8e7});
+                dda::shear(law, joint, displacement, usual);
+            }
+            EXPECT_TRUE(joint.history == before);
+            expect_equal(dda::strength(law, joint.history, usual.normal_force, usual.length), at_rest);
+        }
+    }
+}
+
+TYPED_TEST(JointLawConformance, HistoryBelongsToItsLawAndIsPlainData) {
+    static_assert(std::is_trivially_copyable_v<typename TypeParam::History>);
+    for (const JointLaw& law : this->laws())
+        for (const ShearedJoint& joint : sheared(law, random_path(5)))
+            EXPECT_EQ(joint.history.index(), law.index());
+}
+
+// A joint at rest under a changing force, as in a static stage, does not wear.
+TYPED_TEST(JointLawConformance, RestChangesNothing) {
+    for (const JointLaw& law : this->laws()) {
+        ShearedJoint joint = dda::shear(law, {dda::fresh_history(law, true)}, 0, usual);
+        const JointHistory before = joint.history;
+        for (int k = 0; k < 10; ++k)
+            joint = dda::shear(law, joint, 0, {usual.normal_force * (k + 1), 0.1, 8e7});
+        EXPECT_TRUE(joint.history == before);
+    }
+}
+
+}  // namespace
