@@ -9,6 +9,7 @@
 #include "blockgen/choose_blocks.hpp"
 #include "blockgen/detail/arrange.hpp"
 #include "blockgen/disjoint_sets.hpp"
+#include "blockgen/island_cuts.hpp"
 #include "blockgen/mark_edges.hpp"
 #include "blockgen/mesh/check_mesh.hpp"
 #include "blockgen/mesh/polygon.hpp"
@@ -42,13 +43,9 @@ class Cutter {
           table_(model),
           noded_(node(options)),
           subdivision_(arrange(noded_)),
-          faces_(classify_faces(noded_, subdivision_, model, table_)),
+          faces_(faces_by_policy()),
           boundary_(noded_, subdivision_, faces_),
-          edges_(mark_edges(noded_, subdivision_, faces_, boundary_, model, traces, table_)) {
-        if (faces_.material.empty())
-            throw InputError(model.domain_place, "no rock is left",
-                             "a domain larger than its holes and tunnels");
-    }
+          edges_(mark_edges(noded_, subdivision_, faces_, boundary_, model, traces, table_)) {}
 
     CutResult cut(const CutOptions& options) {
         blocks_ = block_rings(noded_, subdivision_, faces_, boundary_);
@@ -83,6 +80,22 @@ class Cutter {
         const std::size_t faces = bounded_faces(noded);
         if (faces > options.max_blocks) fail_too_many(model_, static_cast<double>(faces), options.max_blocks);
         return noded;
+    }
+
+    /// The faces' blocks after small ones are joined and islands filled, as the model wants.
+    FaceBlocks faces_by_policy() {
+        FaceBlocks faces = classify_faces(noded_, subdivision_, model_, table_);
+        if (faces.material.empty())
+            throw InputError(model_.domain_place, "no rock is left",
+                             "a domain larger than its holes and tunnels");
+        if (model_.small_blocks.policy != SmallPolicy::keep)
+            merge_small_blocks(faces, noded_, subdivision_, model_, table_, merges_);
+        if (model_.islands == IslandPolicy::fill) {
+            const BlockBoundary boundary(noded_, subdivision_, faces);
+            fill_islands(faces, block_rings(noded_, subdivision_, faces, boundary), noded_, subdivision_,
+                         model_, merges_);
+        }
+        return faces;
     }
 
     std::int32_t block_of(std::size_t half_edge) const {
@@ -189,6 +202,7 @@ class Cutter {
         CutReport& report = result.report;
         const BlockMesh& mesh = result.mesh;
         report.blocks = mesh.block_count();
+        report.merges = merges_;
         report.noding_rounds = noded_.rounds;
         report.largest_snap = noded_.largest_snap;
         report.merged_vertices = static_cast<std::size_t>(std::count(removed_.begin(), removed_.end(), 1));
@@ -198,7 +212,8 @@ class Cutter {
         report.sizes = size_summary(mesh);
         for (std::size_t b = 0; b < mesh.block_count(); ++b) {
             const double perimeter = block_perimeter(mesh, b);
-            report.slivers += 4 * std::numbers::pi * block_area(mesh, b) < 0.02 * perimeter * perimeter;
+            report.slivers += 4 * std::numbers::pi * block_area(mesh, b) <
+                              model_.small_blocks.below_roundness * perimeter * perimeter;
         }
         count_islands(report);
     }
@@ -207,15 +222,15 @@ class Cutter {
         for (const RingBlock& block : blocks_)
             for (std::size_t r = 1; r < block.rings.size(); ++r) {
                 ++report.holes;
-                const auto h = static_cast<std::size_t>(block.rings[r][0]);
-                if (block_of(h ^ 1u) == FaceBlocks::outside) continue;
+                if (!encloses_rock(block.rings[r], subdivision_, faces_)) continue;
                 ++report.islands;
                 if (model_.islands != IslandPolicy::error) continue;
+                const auto h = static_cast<std::size_t>(block.rings[r][0]);
                 const Point p = noded_.frame.place(start(h));
                 throw InputError(
                     model_.domain_place,
                     "one block encloses others at (" + shortest_text(p.x) + ", " + shortest_text(p.y) + ")",
-                    "joints that reach the rim, or islands = \"keep\"");
+                    "joints that reach the rim, or islands = \"keep\", \"cut\" or \"fill\"");
             }
     }
 
@@ -224,6 +239,7 @@ class Cutter {
     SourceTable table_;
     NodedEdges noded_;
     Subdivision subdivision_;
+    MergeReport merges_;
     FaceBlocks faces_;
     BlockBoundary boundary_;
     EdgeMarks edges_;
@@ -243,7 +259,21 @@ std::vector<Trace> all_traces(const SlopeModel& model) {
 }
 
 CutResult cut_blocks(const SlopeModel& model, const std::vector<Trace>& traces, const CutOptions& options) {
-    return Cutter(model, traces, options).cut(options);
+    // A cut may open one block that another island lies in, which the next round finds.
+    constexpr int most_rounds = 20;
+    std::vector<Trace> all = traces;
+    for (int round = 0;; ++round) {
+        CutResult result = Cutter(model, all, options).cut(options);
+        result.report.island_cuts = all.size() - traces.size();
+        if (model.islands != IslandPolicy::cut || result.report.islands == 0) return result;
+        const std::vector<Trace> cuts = island_cuts(result.mesh);
+        if (cuts.empty() || round == most_rounds) {
+            result.report.warnings.push_back(std::to_string(result.report.islands) +
+                                             " islands could not be cut to their rim and are kept");
+            return result;
+        }
+        all.insert(all.end(), cuts.begin(), cuts.end());
+    }
 }
 
 }  // namespace blockgen

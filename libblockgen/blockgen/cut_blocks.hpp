@@ -6,6 +6,7 @@
 
 #include "blockgen/input/slope_model.hpp"
 #include "blockgen/joint_balance.hpp"
+#include "blockgen/merge_blocks.hpp"
 #include "blockgen/mesh/block_mesh.hpp"
 #include "blockgen/mesh/measures.hpp"
 
@@ -23,7 +24,9 @@ struct CutReport {
     std::size_t islands = 0;         ///< groups of blocks enclosed by one block
     std::size_t interior_edges = 0;  ///< shared by two blocks
     std::size_t boundary_edges = 0;
-    std::size_t slivers = 0;          ///< blocks whose 4 pi area / perimeter^2 is below 0.02
+    std::size_t slivers = 0;      ///< blocks whose roundness is below the wanted one, 0.02 by default
+    std::size_t island_cuts = 0;  ///< joints added to lead islands to the rim
+    MergeReport merges;
     std::size_t merged_vertices = 0;  ///< on straight edges where no third edge ends
     int noding_rounds = 0;
     double largest_snap = 0;   ///< m, upper bound

@@ -125,6 +125,27 @@ double read_grid(const ConfigTable& domain) {
     return grid;
 }
 
+IslandPolicy read_island_policy(const ConfigTable& domain) {
+    const std::string word = domain.choice("islands", {"keep", "cut", "fill", "error"}, "keep");
+    if (word == "cut") return IslandPolicy::cut;
+    if (word == "fill") return IslandPolicy::fill;
+    return word == "keep" ? IslandPolicy::keep : IslandPolicy::error;
+}
+
+SmallBlocks read_small_blocks(const ConfigTable& table) {
+    SmallBlocks small;
+    const std::string word = table.choice("policy", {"keep", "merge", "drop"});
+    if (word == "merge") small.policy = SmallPolicy::merge;
+    if (word == "drop") small.policy = SmallPolicy::drop;
+    small.below_area = table.checked(
+        "below_area", table.number("below_area", Dimension::none, small.below_area),
+        [](double a) { return a >= 0; }, "an area in m2 of zero or more");
+    small.below_roundness = table.checked(
+        "below_roundness", table.number("below_roundness", Dimension::none, small.below_roundness),
+        [](double r) { return r >= 0 && r < 0.6; }, "a number from 0 to below 0.6: a square has 0.785");
+    return small;
+}
+
 void check_extent(const ConfigTable& domain, const SlopeModel& model) {
     const std::string key = domain.has("grid") ? "grid" : domain.has("outline") ? "outline" : "outline_file";
     check_reach(domain, key, model.outline, model);
@@ -175,9 +196,10 @@ void read_domain(const ConfigTable& root, SlopeModel& model) {
     read_outline(domain, model);
     model.block_material = read_name(domain, "block_material");
     model.grid = read_grid(domain);
-    model.islands = domain.choice("islands", {"keep", "error"}, "keep") == "keep" ? IslandPolicy::keep
-                                                                                  : IslandPolicy::error;
+    model.islands = read_island_policy(domain);
     check_extent(domain, model);
+    if (const auto small = root.optional_table("small_blocks"))
+        model.small_blocks = read_small_blocks(*small);
 }
 
 void read_regions(const ConfigTable& root, SlopeModel& model) {

@@ -30,7 +30,12 @@ outline = [[0, 0], [120, 0], [120, 30], [60, 70], [0, 70]]
 # holes = [[[10, 10], [14, 10], [12, 14]]]
 block_material = "sandstone"
 # grid = 9.5367431640625e-7                # m, a power of two: joints that come nearer to each other are joined
-# islands = "keep"                         # or "error": rock enclosed by a block without any joint to its rim
+# islands = "keep"                         # blocks enclosed by one block; or "cut" to its rim, "fill", "error"
+
+# [small_blocks]
+# policy = "merge"                         # across the longest boundary; or "drop" the least joint's piece; "keep"
+# below_area = 0.01                        # m2
+# below_roundness = 0.02                   # 4 pi area / perimeter^2
 
 # [[region]]                               # overrides what lies below it, inside its polygon
 # name = "weathered"

@@ -72,8 +72,18 @@ struct BoltLine {
     SourcePlace place;
 };
 
-/// What to do with rock that no joint ties to the rock around it.
-enum class IslandPolicy { keep, error };
+/// What to do with blocks that another block encloses: let them fill a hole of it, prolong their joints to
+/// its rim, make them part of it, or refuse.
+enum class IslandPolicy { keep, cut, fill, error };
+
+/// What to do with blocks that are too small or too slender.
+enum class SmallPolicy { keep, merge, drop };
+
+struct SmallBlocks {
+    SmallPolicy policy = SmallPolicy::keep;
+    double below_area = 0;          ///< m2
+    double below_roundness = 0.02;  ///< 4 pi area / perimeter^2, in [0, 1); the measure of a sliver
+};
 
 /// A slope as its model file describes it: geometry only, checked, in SI units.
 struct SlopeModel {
@@ -83,6 +93,7 @@ struct SlopeModel {
     std::vector<Ring> holes;
     std::string block_material;
     IslandPolicy islands = IslandPolicy::keep;
+    SmallBlocks small_blocks;
     SourcePlace domain_place;
     std::vector<Region> regions;
     std::vector<Tunnel> tunnels;

@@ -1,0 +1,261 @@
+#include "blockgen/merge_blocks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
+
+#include "blockgen/base/text.hpp"
+#include "blockgen/disjoint_sets.hpp"
+
+namespace blockgen {
+
+namespace {
+
+const std::string& material_of(const FaceBlocks& faces, const SlopeModel& model, std::size_t block) {
+    const std::int32_t k = faces.material[block];
+    return k == 0 ? model.block_material : model.regions[static_cast<std::size_t>(k - 1)].block_material;
+}
+
+/// Numbers what is left without gaps, in the order of the smallest old number.
+void renumber(FaceBlocks& faces, DisjointSets& sets) {
+    std::vector<std::int32_t> number(faces.material.size(), FaceBlocks::outside);
+    std::vector<std::int32_t> materials;
+    for (std::size_t b = 0; b < number.size(); ++b) {
+        const std::size_t root = sets.root(b);  // the smallest, so met first
+        if (root == b) {
+            number[b] = static_cast<std::int32_t>(materials.size());
+            materials.push_back(faces.material[b]);
+        } else {
+            number[b] = number[root];
+        }
+    }
+    for (std::int32_t& block : faces.block)
+        if (block != FaceBlocks::outside) block = number[static_cast<std::size_t>(block)];
+    faces.material = std::move(materials);
+}
+
+/// One side of an edge between two blocks, or between a block and the outside.
+struct Side {
+    std::int32_t neighbour;
+    std::int32_t joint;  ///< the first of its joints, -1 when it has none
+    double length;       ///< grid steps
+};
+
+/// Blocks with their sides; blocks that were joined share both.
+class BlockGraph {
+  public:
+    BlockGraph(const FaceBlocks& faces, const NodedEdges& noded, const Subdivision& subdivision,
+               const SourceTable& table)
+        : sets_(faces.material.size()), twice_area_(faces.material.size()), sides_(faces.material.size()) {
+        for (std::size_t e = 0; e < noded.edges.size(); ++e) {
+            const std::int32_t left = faces.block[static_cast<std::size_t>(subdivision.face[2 * e])];
+            const std::int32_t right = faces.block[static_cast<std::size_t>(subdivision.face[2 * e + 1])];
+            if (left == right) continue;
+            const GridPoint& a = noded.vertices[static_cast<std::size_t>(noded.edges[e].first)];
+            const GridPoint& b = noded.vertices[static_cast<std::size_t>(noded.edges[e].second)];
+            const double length = std::hypot(static_cast<double>(b.x - a.x), static_cast<double>(b.y - a.y));
+            const Int128 area = twice_area({0, 0}, a, b);
+            const std::int32_t joint = first_joint(noded, e, table);
+            if (joint >= 0) length_of_joint_[joint] += length;
+            if (left != FaceBlocks::outside) add(left, area, {right, joint, length});
+            if (right != FaceBlocks::outside) add(right, -area, {left, joint, length});
+        }
+    }
+
+    std::size_t root(std::size_t block) { return sets_.root(block); }
+    Int128 twice_area_of(std::size_t root) const { return twice_area_[root]; }
+    double length_of_joint(std::int32_t joint) const { return length_of_joint_.at(joint); }
+
+    /// The sides of a root, those within it gone.
+    const std::vector<Side>& sides(std::size_t root) {
+        std::vector<Side>& sides = sides_[root];
+        std::erase_if(sides, [&](const Side& s) {
+            return s.neighbour != FaceBlocks::outside &&
+                   sets_.root(static_cast<std::size_t>(s.neighbour)) == root;
+        });
+        return sides;
+    }
+
+    /// 4 pi area over the square of the perimeter: 1 for a circle.
+    double roundness(std::size_t root) {
+        double perimeter = 0;
+        for (const Side& s : sides(root)) perimeter += s.length;
+        return 2 * std::numbers::pi * static_cast<double>(twice_area_[root]) / (perimeter * perimeter);
+    }
+
+    void join(std::size_t a, std::size_t b) {
+        a = sets_.root(a);
+        b = sets_.root(b);
+        if (!sets_.join(a, b)) return;
+        const std::size_t stays = std::min(a, b), goes = std::max(a, b);
+        twice_area_[stays] += twice_area_[goes];
+        if (sides_[stays].size() < sides_[goes].size()) sides_[stays].swap(sides_[goes]);
+        sides_[stays].insert(sides_[stays].end(), sides_[goes].begin(), sides_[goes].end());
+        sides_[goes] = {};
+    }
+
+    DisjointSets& sets() { return sets_; }
+
+  private:
+    static std::int32_t first_joint(const NodedEdges& noded, std::size_t edge, const SourceTable& table) {
+        for (const EdgeSource& s : noded.sources_of(edge))
+            if (table.is_joint(s.source)) return s.source - table.first_joint;
+        return -1;
+    }
+
+    void add(std::int32_t block, Int128 area, const Side& side) {
+        twice_area_[static_cast<std::size_t>(block)] += area;
+        sides_[static_cast<std::size_t>(block)].push_back(side);
+    }
+
+    DisjointSets sets_;
+    std::vector<Int128> twice_area_;
+    std::vector<std::vector<Side>> sides_;
+    std::map<std::int32_t, double> length_of_joint_;
+};
+
+class SmallBlockMerger {
+  public:
+    SmallBlockMerger(FaceBlocks& faces, const NodedEdges& noded, const Subdivision& subdivision,
+                     const SlopeModel& model, const SourceTable& table)
+        : faces_(faces),
+          model_(model),
+          graph_(faces, noded, subdivision, table),
+          cell_(noded.frame.step * noded.frame.step) {}
+
+    void run(MergeReport& report) {
+        std::set<std::pair<Int128, std::size_t>> small;
+        for (std::size_t b = 0; b < faces_.material.size(); ++b)
+            if (is_small(b)) small.emplace(graph_.twice_area_of(b), b);
+        report.small_blocks += small.size();
+        while (!small.empty()) {
+            const auto [twice_area, b] = *small.begin();
+            small.erase(small.begin());
+            // An entry of a block that has grown since is out of date; the grown one has its own.
+            if (graph_.root(b) != b || graph_.twice_area_of(b) != twice_area) continue;
+            const std::vector<std::size_t> partners = partners_of(b);
+            if (partners.empty()) {
+                ++report.kept_small;
+                continue;
+            }
+            for (const std::size_t partner : partners) graph_.join(b, partner);
+            report.merged_blocks += partners.size();
+            report.merged_area += static_cast<double>(twice_area) / 2 * cell_;
+            const std::size_t grown = graph_.root(b);
+            if (is_small(grown)) small.emplace(graph_.twice_area_of(grown), grown);
+        }
+        if (report.merged_blocks > 0) renumber(faces_, graph_.sets());
+    }
+
+  private:
+    bool is_small(std::size_t b) {
+        const SmallBlocks& wanted = model_.small_blocks;
+        return static_cast<double>(graph_.twice_area_of(b)) / 2 * cell_ < wanted.below_area ||
+               (wanted.below_roundness > 0 && graph_.roundness(b) < wanted.below_roundness);
+    }
+
+    bool may_join(const Side& side, std::size_t b) {
+        return side.neighbour != FaceBlocks::outside &&
+               material_of(faces_, model_, static_cast<std::size_t>(side.neighbour)) ==
+                   material_of(faces_, model_, b);
+    }
+
+    std::vector<std::size_t> partners_of(std::size_t b) {
+        return model_.small_blocks.policy == SmallPolicy::merge ? across_longest(b) : across_least_joint(b);
+    }
+
+    std::vector<std::size_t> across_longest(std::size_t b) {
+        std::map<std::size_t, double> common;
+        for (const Side& s : graph_.sides(b))
+            if (may_join(s, b)) common[graph_.root(static_cast<std::size_t>(s.neighbour))] += s.length;
+        const auto longest = std::max_element(
+            common.begin(), common.end(), [](const auto& x, const auto& y) { return x.second < y.second; });
+        if (longest == common.end()) return {};
+        return {longest->first};
+    }
+
+    std::vector<std::size_t> across_least_joint(std::size_t b) {
+        std::int32_t least = -1;
+        for (const Side& s : graph_.sides(b))
+            if (s.joint >= 0 && may_join(s, b) && (least < 0 || is_less(s.joint, least))) least = s.joint;
+        std::set<std::size_t> partners;
+        if (least < 0) return {};
+        for (const Side& s : graph_.sides(b))
+            if (s.joint == least && may_join(s, b))
+                partners.insert(graph_.root(static_cast<std::size_t>(s.neighbour)));
+        return {partners.begin(), partners.end()};
+    }
+
+    bool is_less(std::int32_t joint, std::int32_t other) const {
+        return std::pair(graph_.length_of_joint(joint), joint) <
+               std::pair(graph_.length_of_joint(other), other);
+    }
+
+    FaceBlocks& faces_;
+    const SlopeModel& model_;
+    BlockGraph graph_;
+    double cell_;
+};
+
+}  // namespace
+
+void merge_small_blocks(FaceBlocks& faces, const NodedEdges& noded, const Subdivision& subdivision,
+                        const SlopeModel& model, const SourceTable& table, MergeReport& report) {
+    SmallBlockMerger(faces, noded, subdivision, model, table).run(report);
+}
+
+bool encloses_rock(const std::vector<std::int32_t>& ring, const Subdivision& subdivision,
+                   const FaceBlocks& faces) {
+    return std::any_of(ring.begin(), ring.end(), [&](std::int32_t h) {
+        const std::int32_t face = subdivision.face[static_cast<std::size_t>(h) ^ 1u];
+        return faces.block[static_cast<std::size_t>(face)] != FaceBlocks::outside;
+    });
+}
+
+void fill_islands(FaceBlocks& faces, const std::vector<RingBlock>& blocks, const NodedEdges& noded,
+                  const Subdivision& subdivision, const SlopeModel& model, MergeReport& report) {
+    const auto block_of = [&](std::size_t h) {
+        return faces.block[static_cast<std::size_t>(subdivision.face[h])];
+    };
+    std::vector<std::vector<std::int32_t>> neighbours(faces.material.size());
+    for (std::size_t h = 0; h < subdivision.face.size(); ++h)
+        if (const std::int32_t b = block_of(h), n = block_of(h ^ 1u);
+            b != n && b != FaceBlocks::outside && n != FaceBlocks::outside)
+            neighbours[static_cast<std::size_t>(b)].push_back(n);
+
+    DisjointSets sets(faces.material.size());
+    for (const RingBlock& block : blocks)
+        for (std::size_t r = 1; r < block.rings.size(); ++r) {
+            // What lies in the hole has no neighbours beyond it but the block itself.
+            std::vector<std::int32_t> front;
+            for (const std::int32_t h : block.rings[r])
+                if (const std::int32_t n = block_of(static_cast<std::size_t>(h) ^ 1u);
+                    n != FaceBlocks::outside)
+                    front.push_back(n);
+            while (!front.empty()) {
+                const auto b = static_cast<std::size_t>(front.back());
+                front.pop_back();
+                const auto host = static_cast<std::size_t>(block.block);
+                if (sets.root(b) == sets.root(host)) continue;
+                if (material_of(faces, model, b) != material_of(faces, model, host)) {
+                    const GridPoint& at = noded.vertices[static_cast<std::size_t>(
+                        noded.edges[static_cast<std::size_t>(block.rings[r][0]) / 2].first)];
+                    const Point p = noded.frame.place(at);
+                    throw InputError(model.domain_place,
+                                     "a block of '" + material_of(faces, model, host) +
+                                         "' encloses others of '" + material_of(faces, model, b) +
+                                         "' near (" + shortest_text(p.x) + ", " + shortest_text(p.y) + ")",
+                                     "islands of one material to fill, or islands = \"keep\" or \"cut\"");
+                }
+                sets.join(b, host);
+                ++report.filled_islands;
+                for (const std::int32_t n : neighbours[b])
+                    if (n != block.block) front.push_back(n);
+            }
+        }
+    if (report.filled_islands > 0) renumber(faces, sets);
+}
+
+}  // namespace blockgen
