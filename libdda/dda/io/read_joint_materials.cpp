@@ -1,8 +1,8 @@
 #include <array>
-#include <numbers>
 #include <type_traits>
 #include <utility>
 
+#include "dda/io/read_joint_laws.hpp"
 #include "dda/io/read_materials.hpp"
 
 namespace dda {
@@ -11,31 +11,6 @@ using blockgen::ConfigTable;
 using blockgen::Dimension;
 
 namespace {
-
-double friction_angle(const ConfigTable& table, std::string_view key, double value) {
-    return table.checked(
-        key, value, [](double v) { return v >= 0 && v < std::numbers::pi / 2; },
-        "an angle from 0 up to 90 deg (without it)");
-}
-
-// One reader per law of the list in joint_law.hpp; a law without one does not compile.
-
-MohrCoulomb read_law(std::type_identity<MohrCoulomb>, const ConfigTable& table) {
-    MohrCoulomb law;
-    law.friction_angle =
-        friction_angle(table, "friction_angle", table.number("friction_angle", Dimension::angle));
-    law.cohesion = not_negative(table, "cohesion", Dimension::stress, 0);
-    law.tensile_strength = not_negative(table, "tensile_strength", Dimension::stress, 0);
-    law.residual_friction_angle =
-        friction_angle(table, "residual_friction_angle",
-                       table.number("residual_friction_angle", Dimension::angle, law.friction_angle));
-    law.residual_cohesion = not_negative(table, "residual_cohesion", Dimension::stress, 0);
-    return law;
-}
-
-Elastic read_law(std::type_identity<Elastic>, const ConfigTable&) {
-    return {};
-}
 
 /// The joint's own stiffness takes the place of the penalty; both together would be two answers.
 void read_stiffness(const ConfigTable& table, JointMaterial& material) {

@@ -31,6 +31,15 @@ friction_angle = "35 deg"
 # shear_stiffness = "40 GPa/m"     # default: normal_stiffness
 # corner_length = 0.01             # m, that a contact is given at least
 
+# [joint_material.rough]           # a rough joint that is sheared one way
+# law = "barton-bandis"
+# residual_friction_angle = "34.6 deg"
+# jrc = 12.8                       # joint roughness coefficient at peak, 0 to 20
+# jcs = "151 MPa"                  # strength of the joint's walls
+# peak_displacement = "1.25 mm"    # without it: peak roughness at once and for ever
+# mobilisation = "barton-1985"     # or [[0, 1], [1, 1], [2, 0.5]]: displacement over peak displacement, share of jrc
+# damage = 0                       # 1 to 2: the joint dilates; 0: it does not
+
 # [bolt_material.anchor]           # for bolts of the block file, per metre of section
 # axial_stiffness = "100 MN"       # EA over the spacing
 # pretension = 0                   # N

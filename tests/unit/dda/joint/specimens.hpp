@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "dda/joint/joint_law.hpp"
+#include "granite.hpp"
 
 namespace joint_tests {
 
@@ -16,6 +17,13 @@ inline std::vector<dda::MohrCoulomb> specimens(std::type_identity<dda::MohrCoulo
 
 inline std::vector<dda::Elastic> specimens(std::type_identity<dda::Elastic>) {
     return {{}};
+}
+
+inline std::vector<dda::BartonBandis> specimens(std::type_identity<dda::BartonBandis>) {
+    const dda::RoughnessTable softening = {{{0, 1}, {1, 1}, {2, 0.5}, {4, 0.3}}};
+    return {{granite_strength(), 0, {}, false, 0},
+            {granite_strength(), granite_peak, dda::barton_1985(), true, 1},
+            {marble_strength(), marble_peak, softening, false, 2}};
 }
 
 }  // namespace joint_tests

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "dda/joint/barton.hpp"
+#include "dda/joint/joint_types.hpp"
+#include "dda/joint/roughness_table.hpp"
+
+namespace dda {
+
+/// Barton-Bandis for shearing that does not turn back: Eq. (51) with the mobilised roughness of Eq. (53),
+/// read off at the largest distance from the origin so far. With a damage coefficient the joint dilates, Eq.
+/// (54). Source: Barton and Bandis (1982), Barton (1985). Limit: a joint that is sheared back keeps the
+/// strength and the dilation of the farthest point in both directions; a cyclic law knows better.
+struct BartonBandis {
+    static constexpr const char* name = "barton-bandis";
+
+    BartonStrength barton;
+    double peak_displacement = 0;  ///< m, at which peak roughness works; 0: it works at once and for ever
+    RoughnessTable mobilisation;   ///< unused without a peak displacement
+    bool from_zero_angle = false;  ///< the table's first entry is a total angle of zero, as in Barton (1985)
+    double damage = 0;             ///< M of Eq. (54), 1 to 2; 0: no dilation
+
+    struct History {
+        double position = 0;   ///< m, from where the joint was fresh
+        double furthest = 0;   ///< m, largest distance from there
+        double dilation = 0;   ///< m
+        double ratio = 0;      ///< mobilised over peak roughness
+        double stiffness = 0;  ///< N/m per metre, Eq. (52) when the joint was first pressed
+        friend bool operator==(const History&, const History&) = default;
+    };
+
+    History fresh(bool) const { return {}; }
+    Strength strength(const History& history, double normal_force, double length,
+                      const ShearTrial& trial) const;
+    Strength strength_slope(const History& history, double normal_force, double length) const;
+    /// Nothing changes while the joint is open.
+    History advance(const History& history, const ContactMotion& motion) const;
+    /// Eq. (52) at the first normal force; 0 without a peak displacement.
+    double shear_stiffness(const History& history, double normal_force, double length) const;
+    JointRecord record(const History& history) const;
+
+  private:
+    double angle(double distance, double roughness) const;
+    template <class Visit>
+    void visit_pieces(double from, double to, double roughness, Visit visit) const;
+    double strength_at(double furthest, double normal_force, double length) const;
+};
+
+}  // namespace dda

@@ -1,0 +1,100 @@
+#include "dda/joint/barton_bandis.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "granite.hpp"
+
+namespace {
+
+using dda::BartonBandis;
+using dda::ContactMotion;
+using joint_tests::granite_peak;
+
+constexpr double degree = 0.017453292519943295;
+constexpr double force = 1e5, length = 0.1;  // 1 MPa
+
+BartonBandis barton_1985_granite(double damage = 1) {
+    return {joint_tests::granite_strength(), granite_peak, dda::barton_1985(), true, damage};
+}
+BartonBandis::History after(const BartonBandis& law, double displacement) {
+    return law.advance(law.fresh(true), {displacement, displacement, force, length, false, 0, 0});
+}
+double stress_at(const BartonBandis& law, double x) {
+    return law.strength(after(law, x * granite_peak), force, length, {}).forward / length;
+}
+
+TEST(BartonBandis, WithoutAPeakDisplacementTheRoughnessStays) {
+    const BartonBandis law{joint_tests::granite_strength(), 0, {}, false, 0};
+    EXPECT_NEAR(law.strength(law.fresh(true), force, length, {}).forward, 1.92024e5, 0.5);
+    EXPECT_NEAR(law.strength(after(law, 1), force, length, {}).forward, 1.92024e5, 0.5);
+    EXPECT_EQ(law.shear_stiffness(law.fresh(true), force, length), 0);
+}
+
+// The curve of Barton (1985): nothing at 0, phi_r at 0.3, the peak at 1, then softening to phi_r at 100.
+TEST(BartonBandis, MobilisesRoughnessAsInBarton1985) {
+    const BartonBandis law = barton_1985_granite();
+    const auto tangent = [](double degrees) { return 1e6 * std::tan(degrees * degree); };
+    EXPECT_EQ(stress_at(law, 0), 0);
+    EXPECT_NEAR(stress_at(law, 0.15), tangent(34.6 / 2), 1);
+    EXPECT_NEAR(stress_at(law, 0.3), tangent(34.6), 1);
+    EXPECT_NEAR(stress_at(law, 0.6), tangent(34.6 + 0.75 * 27.89091), 20);
+    EXPECT_NEAR(stress_at(law, 1), 1.92024e6, 5);
+    EXPECT_NEAR(stress_at(law, 3), tangent(34.6 + 0.775 * 27.89091), 20);
+    EXPECT_NEAR(stress_at(law, 100), tangent(34.6), 1);
+    EXPECT_NEAR(stress_at(law, 1000), tangent(34.6), 1);
+}
+
+TEST(BartonBandis, WhatWasMobilisedStaysOnTheWayBack) {
+    const BartonBandis law = barton_1985_granite();
+    const auto there = after(law, 2 * granite_peak);
+    const auto back = law.advance(there, {0, -3 * granite_peak, force, length, false, 0, 0});
+    EXPECT_EQ(law.strength(back, force, length, {}).backward, law.strength(there, force, length, {}).forward);
+    EXPECT_EQ(back.dilation, there.dilation);
+}
+
+// A strength that has to be reached with a spring: at the peak the spring of Eq. (52) just arrives.
+TEST(BartonBandis, SpringReachesThePeakAtThePeakDisplacement) {
+    const BartonBandis law = barton_1985_granite();
+    const double k = law.shear_stiffness(law.fresh(true), force, length);
+    EXPECT_NEAR(k, 1.92024e5 / 1.25e-3, 1e3);
+    const auto pressed = law.advance(law.fresh(true), {0, 0, force, length, false, 0, k});
+    EXPECT_EQ(law.shear_stiffness(pressed, 3 * force, length), k) << "it stays what it was at first";
+}
+
+// Of the rising curve a spring softer than it sees only the end; the strength tried is what it can arrive at.
+TEST(BartonBandis, ATrialSeesTheStrengthOnTheWay) {
+    const BartonBandis law = barton_1985_granite();
+    const double far = 4 * granite_peak, k = 1e12;  // stiff: the force follows the curve down to x = 4
+    EXPECT_NEAR(law.strength(law.fresh(true), force, length, {far, 0, k}).forward / length, stress_at(law, 4),
+                1);
+    const auto inside = after(law, 0.5 * granite_peak);
+    const double soft = 1e7;  // slower than the curve rises
+    const auto s = law.strength(inside, force, length, {0.1 * granite_peak, 0, soft});
+    EXPECT_NEAR(s.forward, stress_at(law, 0.5) * length + soft * 0.1 * granite_peak, 1e-6);
+}
+
+// Dilation begins at x = 0.3. From there to 0.6 the angle rises from 0 to 0.75 i, then to i at 1.
+TEST(BartonBandis, DilatesByTheMobilisedRoughness) {
+    const double i = 27.89091 * degree;
+    const auto mean = [](double a, double b) {
+        return (std::log(std::cos(a)) - std::log(std::cos(b))) / (b - a);
+    };
+    const double expected = granite_peak * (0.3 * mean(0, 0.75 * i) + 0.4 * mean(0.75 * i, i));
+    EXPECT_NEAR(after(barton_1985_granite(), granite_peak).dilation, expected, 1e-9);
+    EXPECT_EQ(after(barton_1985_granite(), 0.3 * granite_peak).dilation, 0);
+    EXPECT_EQ(after(barton_1985_granite(0), granite_peak).dilation, 0);
+    const double half = granite_peak * (0.3 * mean(0, 0.375 * i) + 0.4 * mean(0.375 * i, 0.5 * i));
+    EXPECT_NEAR(after(barton_1985_granite(2), granite_peak).dilation, half, 1e-9) << "M = 2";
+}
+
+TEST(BartonBandis, AnOpenJointKeepsItsHistory) {
+    const BartonBandis law = barton_1985_granite();
+    const auto there = after(law, granite_peak);
+    EXPECT_TRUE(law.advance(there, {0, 1, 0, length, false, 0, 0}) == there);
+    EXPECT_TRUE(law.advance(there, {0, 1, -1e5, length, false, 0, 0}) == there);
+    EXPECT_EQ(law.strength(there, -1e5, length, {}).forward, 0);
+}
+
+}  // namespace
