@@ -13,7 +13,6 @@
 #include "blockgen/mark_edges.hpp"
 #include "blockgen/mesh/check_mesh.hpp"
 #include "blockgen/mesh/polygon.hpp"
-#include "blockgen/sample_joints.hpp"
 #include "blockgen/straighten.hpp"
 
 namespace blockgen {
@@ -250,13 +249,6 @@ class Cutter {
 };
 
 }  // namespace
-
-std::vector<Trace> all_traces(const SlopeModel& model) {
-    std::vector<Trace> traces = model.traces;
-    for (const JointSet& set : model.joint_sets)
-        for (Trace& trace : sample_joint_set(set, model)) traces.push_back(std::move(trace));
-    return traces;
-}
 
 CutResult cut_blocks(const SlopeModel& model, const std::vector<Trace>& traces, const CutOptions& options) {
     // A cut may open one block that another island lies in, which the next round finds.

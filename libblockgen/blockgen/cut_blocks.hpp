@@ -44,9 +44,6 @@ struct CutResult {
     CutReport report;
 };
 
-/// All joints of a model: its traces, then its sets as sampled.
-std::vector<Trace> all_traces(const SlopeModel& model);
-
 /// Cuts a slope by joints into blocks. Joints that end in rock are cut back to the last block corner; an edge
 /// between two materials separates blocks even without a joint. The blocks are numbered by their lowest-left
 /// vertex, so they do not depend on the order of the joints. @throws InputError for a model that cannot be

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <unordered_map>
 
+#include "blockgen/sampling/rock_measure.hpp"
+
 namespace blockgen {
 
 namespace {
@@ -80,9 +82,13 @@ class NetworkMeasure {
         for (std::size_t t = 0; t < traces_.size(); ++t) add_trace(t);
         for (std::size_t r = 0; r < report_.joints.size(); ++r) {
             JointBalance& b = report_.joints[r];
-            b.p10 = across_[r] / rock_area;
-            b.p20 /= rock_area;
-            b.p21 = (b.retained + b.pruned) / rock_area;
+            const JointSet* set = set_of(b.name);
+            const bool is_local = set != nullptr && !set->region.empty();
+            const double area = is_local ? RockMeasure(model_, set->region).area() : rock_area;
+            b.p10 = across_[r] / area;
+            b.p20 /= area;
+            b.p21 = (b.retained + b.pruned) / area;
+            if (set != nullptr) note_asked(*set, b);
         }
         count_nodes();
         warn();
@@ -99,6 +105,26 @@ class NetworkMeasure {
         }
         sums_.resize(report_.joints.size());
         across_.resize(report_.joints.size());
+    }
+
+    const JointSet* set_of(const std::string& name) const {
+        for (const JointSet& set : model_.joint_sets)
+            if (set.name == name) return &set;
+        return nullptr;
+    }
+
+    static void note_asked(const JointSet& set, JointBalance& b) {
+        using Measure = StopRule::Measure;
+        if (set.stop.measure == Measure::p10) b.p10_asked = set.stop.target;
+        if (set.stop.measure == Measure::p20) b.p20_asked = set.stop.target;
+        if (set.stop.measure == Measure::p21) b.p21_asked = set.stop.target;
+        if (set.stop.measure == Measure::count) b.count_asked = set.stop.target;
+        if (set.kind != SetKind::parallel) return;
+        b.p21_asked = 1 / set.spacing.mean_draw();
+        if (set.trace_length) {
+            const double open = set.trace_length->mean_draw();
+            b.p21_asked *= open / (open + set.gap->mean_draw());
+        }
     }
 
     bool is_rock(std::size_t half_edge) const { return block_of(half_edge) != FaceBlocks::outside; }

@@ -22,8 +22,10 @@ struct JointBalance {
     double p10 = 0;          ///< 1/m: joints met by a line across their mean direction
     double p20 = 0;          ///< 1/m2: traces, each counted at its middle
     double p21 = 0;          ///< m/m2: length in rock, retained and pruned, per area
-    double p20_asked = 0;    ///< 1/m2; 0 when nobody asked
+    double p10_asked = 0;    ///< 1/m; 0 when nobody asked, here and below
+    double p20_asked = 0;    ///< 1/m2
     double p21_asked = 0;    ///< m/m2
+    double count_asked = 0;
 };
 
 /// Nodes of the joints inside the rock by the number of branches that meet there (Sanderson and Nixon 2015):
@@ -38,8 +40,9 @@ struct NetworkReport {
     std::vector<std::string> warnings;  ///< given traces that make nothing, counted by name
 };
 
-/// Measures joints after noding. @param rock_area m2. @throws std::logic_error when a joint's length does not
-/// add up within what snapping may move.
+/// Measures joints after noding. Densities are those of all rock, or of the rock in the region of a set that
+/// has one. What is asked for follows from stop rule, spacing and persistence. @param rock_area m2. @throws
+/// std::logic_error when a joint's length does not add up within what snapping may move.
 NetworkReport measure_network(const NodedEdges& noded, const Subdivision& subdivision,
                               const FaceBlocks& faces, const SlopeModel& model,
                               const std::vector<Trace>& traces, const SourceTable& table, double rock_area);

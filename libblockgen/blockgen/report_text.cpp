@@ -8,7 +8,12 @@ namespace blockgen {
 std::string report_text(const CutReport& report) {
     using json = nlohmann::ordered_json;
     json joints = json::array();
-    for (const JointBalance& b : report.joints)
+    for (const JointBalance& b : report.joints) {
+        json asked = json::object();
+        if (b.p10_asked > 0) asked["p10_per_m"] = b.p10_asked;
+        if (b.p20_asked > 0) asked["p20_per_m2"] = b.p20_asked;
+        if (b.p21_asked > 0) asked["p21_m_per_m2"] = b.p21_asked;
+        if (b.count_asked > 0) asked["count"] = b.count_asked;
         joints.push_back({{"name", b.name},
                           {"traces", b.traces},
                           {"input_m", b.input},
@@ -18,7 +23,9 @@ std::string report_text(const CutReport& report) {
                           {"outside_m", b.outside},
                           {"p10_per_m", b.p10},
                           {"p20_per_m2", b.p20},
-                          {"p21_m_per_m2", b.p21}});
+                          {"p21_m_per_m2", b.p21},
+                          {"asked", asked}});
+    }
     const SizeSummary& s = report.sizes;
     const json root = {
         {"blocks", report.blocks},

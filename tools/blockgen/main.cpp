@@ -8,6 +8,7 @@
 #include "blockgen/input/read_slope_model.hpp"
 #include "blockgen/mesh/block_file.hpp"
 #include "blockgen/picture/block_picture.hpp"
+#include "blockgen/sample_joints.hpp"
 #include "options.hpp"
 #include "provenance.hpp"
 

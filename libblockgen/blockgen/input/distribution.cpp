@@ -1,7 +1,9 @@
 #include "blockgen/input/distribution.hpp"
 
 #include <algorithm>
+#include <boost/math/quadrature/tanh_sinh.hpp>
 #include <boost/math/special_functions/erf.hpp>
+#include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
 #include <numbers>
 
@@ -24,6 +26,19 @@ double log_mean(const Distribution& d) {
     return std::log(d.mean) - log_sd(d) * log_sd(d) / 2;
 }
 
+/// Weibull's and the gamma law's scale for a given mean.
+double weibull_scale(const Distribution& d) {
+    return d.mean / std::tgamma(1 + 1 / d.shape);
+}
+double gamma_shape(const Distribution& d) {
+    return (d.mean / d.sd) * (d.mean / d.sd);
+}
+
+/// The integral of x^(power - 1) from a to b, up to the factor a^power; b may be infinite for power < 0.
+double power_integral(double power, double a, double b) {
+    return power == 0 ? std::log(b / a) : (std::pow(b / a, power) - 1) / power;
+}
+
 /// The share of the untruncated law below x.
 double share_below(const Distribution& d, double x) {
     if (x == std::numeric_limits<double>::infinity()) return 1;
@@ -34,35 +49,68 @@ double share_below(const Distribution& d, double x) {
             return x > 0 ? normal_share((std::log(x) - log_mean(d)) / log_sd(d)) : 0;
         case Law::exponential:
             return x > 0 ? -std::expm1(-x / d.mean) : 0;
+        case Law::weibull:
+            return x > 0 ? -std::expm1(-std::pow(x / weibull_scale(d), d.shape)) : 0;
+        case Law::gamma:
+            return x > 0 ? boost::math::gamma_p(gamma_shape(d), x * d.mean / (d.sd * d.sd)) : 0;
         default:
             return 0;
     }
 }
 
+/// A law of no spread.
+bool is_point(const Distribution& d) {
+    return d.sd == 0 && (d.law == Law::normal || d.law == Law::lognormal || d.law == Law::gamma);
+}
+
 }  // namespace
+
+double Distribution::untruncated_mean() const {
+    if (law == Law::uniform) return (min + max) / 2;
+    if (law != Law::power) return mean;
+    return min * power_integral(2 - shape, min, max) / power_integral(1 - shape, min, max);
+}
+
+double Distribution::mean_draw() const {
+    if (law == Law::constant || law == Law::uniform || law == Law::power) return untruncated_mean();
+    // The ends may be infinite, but not so that the integral is; the rule never asks for them.
+    boost::math::quadrature::tanh_sinh<double> rule;
+    return rule.integrate([this](double u) { return quantile(std::clamp(u, 0x1p-53, 1 - 0x1p-53)); }, 0.0,
+                          1.0);
+}
 
 double Distribution::quantile(double u) const {
     if (law == Law::constant) return mean;
     if (law == Law::uniform) return min + u * (max - min);
-    if (sd == 0 && law != Law::exponential) return std::clamp(mean, min, max);
+    if (law == Law::power) {
+        const double power = 1 - shape;
+        const double x = power == 0
+                             ? min * std::pow(max / min, u)
+                             : min * std::pow(1 + u * power * power_integral(power, min, max), 1 / power);
+        return std::clamp(x, min, max);
+    }
+    if (is_point(*this)) return std::clamp(mean, min, max);
     const double low = share_below(*this, min), high = share_below(*this, max);
-    const double share = low + u * (high - low);
+    const double share = std::min(low + u * (high - low), 1 - 0x1p-53);
     double value = 0;
     if (law == Law::normal) value = mean + sd * normal_quantile(share);
     if (law == Law::lognormal) value = std::exp(log_mean(*this) + log_sd(*this) * normal_quantile(share));
     if (law == Law::exponential) value = -mean * std::log1p(-share);
+    if (law == Law::weibull) value = weibull_scale(*this) * std::pow(-std::log1p(-share), 1 / shape);
+    if (law == Law::gamma) value = boost::math::gamma_p_inv(gamma_shape(*this), share) * sd * sd / mean;
     return std::clamp(value, min, max);
 }
 
 bool Distribution::has_weight() const {
-    if (law == Law::constant || law == Law::uniform) return true;
-    if (sd == 0 && law != Law::exponential) return min <= mean && mean <= max;
+    if (law == Law::constant || law == Law::uniform || law == Law::power) return true;
+    if (is_point(*this)) return min <= mean && mean <= max;
     return share_below(*this, max) - share_below(*this, min) > 1e-12;
 }
 
 double Distribution::infimum() const {
     if (law == Law::constant) return mean;
-    if (law == Law::lognormal || law == Law::exponential) return std::max(min, 0.0);
+    if (law == Law::lognormal || law == Law::exponential || law == Law::weibull || law == Law::gamma)
+        return std::max(min, 0.0);
     return min;
 }
 

@@ -5,21 +5,25 @@
 
 namespace blockgen {
 
-enum class Law { constant, uniform, normal, lognormal, exponential };
+enum class Law { constant, uniform, normal, lognormal, exponential, weibull, gamma, power };
 
 /// A distribution of a length or an angle, truncated to [min, max]. Mean and standard deviation are those of
-/// the law before truncation; a uniform law lies between min and max and needs neither.
+/// the law before truncation; a uniform law lies between min and max and needs neither, a power law has the
+/// density x^-shape between min > 0 and max.
 struct Distribution {
     Law law = Law::constant;
     double mean = 0;
     double sd = 0;
     double min = -std::numeric_limits<double>::infinity();
     double max = std::numeric_limits<double>::infinity();
+    double shape = 1;  ///< Weibull's shape, or the power law's exponent
 
     /// The value below which lies the share u, in (0, 1), of the truncated distribution.
     double quantile(double u) const;
-    /// Mean of the law before truncation.
-    double untruncated_mean() const { return law == Law::uniform ? (min + max) / 2 : mean; }
+    /// Mean of the law before truncation; of a power law, which has none, within its bounds.
+    double untruncated_mean() const;
+    /// Mean of the draws, by integration of the quantile.
+    double mean_draw() const;
     /// Whether more than 1e-12 of the law lies between min and max, so that quantile() means something.
     bool has_weight() const;
     /// The smallest value that a draw can return.

@@ -25,6 +25,8 @@ void read_regions(const ConfigTable& root, SlopeModel& model);
 void read_tunnels(const ConfigTable& root, SlopeModel& model);
 /// [[joint_set]] and [[traces]]
 void read_joints(const ConfigTable& root, SlopeModel& model);
+/// [[joint_set]], and [section] for sets that lie in space.
+void read_joint_sets(const ConfigTable& root, SlopeModel& model);
 /// [[fixed_block]], [[prescribed_block]], [[measured_point]] and [[bolt]]
 void read_marks(const ConfigTable& root, SlopeModel& model);
 

@@ -55,7 +55,8 @@ joint_material = "bedding"
 angle = "-25 deg"
 spacing = { law = "lognormal", mean = 3.0, sd = 0.6, min = 1.0, max = 8.0 }
 # Each of angle, spacing, trace_length and gap is a number, or one of the laws constant (value), uniform (min, max),
-# normal, lognormal (mean, sd), exponential (mean), truncated to [min, max].
+# normal, lognormal, gamma (mean, sd), exponential (mean), weibull (mean, shape), power (exponent, min, max), truncated
+# to [min, max].
 
 [[joint_set]]
 name = "cross joints"
@@ -66,6 +67,33 @@ trace_length = { law = "exponential", mean = 20, min = 2 }   # absent: each join
 gap = 1.0                                  # rock bridge; or persistence = 0.9
 # origin = [0, 0]                          # a point of one joint; absent: the seed places the set
 # region = "weathered"                     # only there
+
+# [section]
+# azimuth = "90 deg"                       # of the x axis, clockwise from north: for sets given as planes in space
+
+# [[joint_set]]                            # traces anywhere; or kind = "veneziano": lines anywhere, in traces and bridges
+# name = "random"
+# kind = "baecher"
+# dip = "60 deg"                           # instead of angle; or orientations = [["60 deg", "120 deg"]],
+# dip_direction = "120 deg"                # or orientation_file = "readings.csv" (dip,dip_direction in degrees)
+# fisher_k = 100                           # scatter of the planes; absent: none
+# trace_length = { law = "lognormal", mean = 6, sd = 3 }
+# p21 = 0.4                                # m/m2; or p20 (1/m2), p10 (1/m), count
+
+# [[joint_set]]
+# name = "cross"
+# kind = "cross-jointed"
+# ends_on = "bedding"
+# angle = "65 deg"
+# spacing = 3
+# termination = 1                          # probability of ending at a joint met
+# stagger = 0.5                            # of the spacing: how far aside the next piece may lie
+
+# [[joint_set]]
+# name = "columns"
+# kind = "voronoi"
+# count = 200
+# relaxation = 3
 
 # [[traces]]                               # joints one by one
 # joint_material = "fault"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "blockgen/base/input_error.hpp"
-#include "blockgen/input/distribution.hpp"
+#include "blockgen/input/orientation.hpp"
 #include "blockgen/mesh/polygon.hpp"
 
 namespace blockgen {
@@ -28,16 +28,45 @@ struct Tunnel {
     SourcePlace place;
 };
 
-/// Parallel joints, all lengths in m, angles in rad from the x axis, counter-clockwise positive.
+/// How the joints of a set lie to each other.
+enum class SetKind {
+    parallel,       ///< lines at given spacings, each of traces and rock bridges in turn
+    baecher,        ///< traces anywhere, independent of each other (Baecher, Lanney and Einstein 1977)
+    veneziano,      ///< lines anywhere, each of traces and rock bridges in turn (Veneziano 1978)
+    cross_jointed,  ///< lines at given spacings that may end where they meet joints of another set
+    voronoi         ///< edges of the cells that are nearest to points anywhere
+};
+
+/// When a set of joints that lie anywhere is complete.
+struct StopRule {
+    enum class Measure {
+        none,
+        p10,   ///< 1/m: joints met by a line across their mean direction
+        p20,   ///< 1/m2: traces with their middle in the rock, per area
+        p21,   ///< m/m2: length in the rock per area
+        count  ///< traces with their middle in the rock; lines that meet it; cells
+    };
+    Measure measure = Measure::none;
+    double target = 0;
+};
+
+/// A joint set, all lengths in m, angles in rad from the x axis, counter-clockwise positive. Which members
+/// count depends on the kind.
 struct JointSet {
     std::string name;
+    SetKind kind = SetKind::parallel;
     std::string joint_material;
-    Distribution angle;
-    Distribution spacing;
+    Orientation orientation;
+    Distribution spacing;                      ///< in the section, across the mean direction
     std::optional<Distribution> trace_length;  ///< absent: each joint crosses the whole domain
     std::optional<Distribution> gap;           ///< rock bridge between two traces of one line
     std::optional<Point> origin;               ///< a point of one joint; absent: the seed places the set
-    std::string region;                        ///< name of the region it is limited to; empty: everywhere
+    StopRule stop;
+    std::string ends_on;     ///< the set, or traces of a name, at which cross joints may end
+    double termination = 1;  ///< probability of ending there, in [0, 1]
+    double stagger = 0.5;    ///< a piece may lie aside of its line by up to this share of the spacing
+    int relaxation = 0;      ///< times that Voronoi cells are centred on their points again (Lloyd 1982)
+    std::string region;      ///< name of the region it is limited to; empty: everywhere
     SourcePlace place;
 };
 

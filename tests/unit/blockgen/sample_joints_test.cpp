@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "blockgen/mesh/block_file.hpp"
+#include "blockgen/sampling/draw_stream.hpp"
 #include "unit/blockgen/slopes.hpp"
 
 namespace blockgen {
@@ -93,7 +94,7 @@ TEST(DrawStream, GivesTheSameNumbersOnEveryPlatform) {
 JointSet parallel(double angle_degrees, double spacing) {
     JointSet set;
     set.name = set.joint_material = "set";
-    set.angle = constant_value(angle_degrees * std::numbers::pi / 180);
+    set.orientation.angle = constant_value(angle_degrees * std::numbers::pi / 180);
     set.spacing = constant_value(spacing);
     return set;
 }
@@ -185,11 +186,11 @@ TEST(SampleJoints, EditingOneSetLeavesTheOther) {
 }
 
 TEST(SampleJoints, TooManyLinesAreRefused) {
-    EXPECT_THROW(sample_joint_set(parallel(10, 0.01), rectangle(100, 100), 1000), InputError);
+    EXPECT_THROW(sample_joint_set(parallel(10, 0.01), rectangle(100, 100), {}, 1000), InputError);
     // Lines that lie outside cost as much time as those within.
     JointSet set = parallel(10, 0.01);
     set.origin = Point{1e9, 1e9};
-    EXPECT_THROW(sample_joint_set(set, rectangle(1, 1), 1000), InputError);
+    EXPECT_THROW(sample_joint_set(set, rectangle(1, 1), {}, 1000), InputError);
 }
 
 // Such lengths leave the position along the line where it was, without end.
@@ -198,7 +199,7 @@ TEST(SampleJoints, TooManyTracesAreRefused) {
         JointSet set = parallel(10, 50);
         set.trace_length = constant_value(length);
         set.gap = constant_value(gap);
-        EXPECT_THROW(sample_joint_set(set, rectangle(100, 100), 1000), InputError) << length;
+        EXPECT_THROW(sample_joint_set(set, rectangle(100, 100), {}, 1000), InputError) << length;
     }
 }
 

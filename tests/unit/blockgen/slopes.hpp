@@ -5,6 +5,7 @@
 #include "blockgen/config/config_table.hpp"
 #include "blockgen/cut_blocks.hpp"
 #include "blockgen/input/read_slope_model.hpp"
+#include "blockgen/sample_joints.hpp"
 
 namespace blockgen {
 

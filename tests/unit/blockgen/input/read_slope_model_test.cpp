@@ -67,7 +67,7 @@ TEST(ReadSlopeModel, ReadsEveryTable) {
     EXPECT_EQ(model.grid, 0x1p-20);
     EXPECT_EQ(model.regions[0].block_material, "soil");
     EXPECT_EQ(model.tunnels[0].outline.size(), 32u);
-    EXPECT_NEAR(model.joint_sets[0].angle.mean, -25 * std::numbers::pi / 180, 1e-15);
+    EXPECT_NEAR(model.joint_sets[0].orientation.angle.mean, -25 * std::numbers::pi / 180, 1e-15);
     EXPECT_EQ(model.joint_sets[0].spacing, (Distribution{Law::lognormal, 3, 0.6, 1, 8}));
     EXPECT_EQ(model.joint_sets[0].joint_material, "bedding");
     EXPECT_EQ(model.traces[0].points[1], (Point{2, 5}));
@@ -131,7 +131,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"[10, 4], [10, 5], [0, 5]]", "[10, 5], [10, 4], [0, 5]]", "9", "meet"},
         Fault{"\"circle\"", "\"cirkle\"", "11", "circle"}, Fault{"\"50 cm\"", "\"50 kg\"", "13", "radius"},
         Fault{"\"50 cm\"", "-1", "13", "positive"}, Fault{"\"-25 deg\"", "-25", "17", "deg"},
-        Fault{"\"parallel\"", "\"voronoi\"", "16", "parallel"},
+        Fault{"\"parallel\"", "\"voronoy\"", "16", "parallel"},
         Fault{"{ law = \"lognormal\", mean = 3.0, sd = 0.6, min = 1.0, max = 8.0 }", "-3", "18", "too small"},
         Fault{"{ law = \"lognormal\", mean = 3.0, sd = 0.6, min = 1.0, max = 8.0 }", "0", "18", "too small"},
         Fault{"{ law = \"lognormal\", mean = 3.0, sd = 0.6, min = 1.0, max = 8.0 }", "1e-7", "18",

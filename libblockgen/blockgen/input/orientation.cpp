@@ -1,0 +1,87 @@
+#include "blockgen/input/orientation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace blockgen {
+
+namespace {
+
+double trace_angle(const Pole& pole) {
+    return std::atan2(-pole.x, pole.up);
+}
+
+double dot(const Pole& a, const Pole& b) {
+    return a.x * b.x + a.up * b.up + a.out * b.out;
+}
+
+Pole scaled(const Pole& p, double factor) {
+    return {factor * p.x, factor * p.up, factor * p.out};
+}
+
+Pole sum(const Pole& a, const Pole& b) {
+    return {a.x + b.x, a.up + b.up, a.out + b.out};
+}
+
+Pole unit(const Pole& p) {
+    return scaled(p, 1 / std::sqrt(dot(p, p)));
+}
+
+/// The mean of axes, none of which has a direction of its own: the direction of the largest sum of squared
+/// projections, by power iteration from the first.
+Pole mean_pole(const std::vector<Pole>& poles) {
+    Pole mean = poles.front();
+    for (int round = 0; round < 200; ++round) {
+        Pole next{0, 0, 0};
+        for (const Pole& p : poles) next = sum(next, scaled(p, dot(p, mean)));
+        mean = unit(next);
+    }
+    return mean;
+}
+
+Pole fisher_pole(const Pole& mean, double k, double u, double v) {
+    const double cosine = std::clamp(1 + std::log1p(u * std::expm1(-2 * k)) / k, -1.0, 1.0);
+    const double sine = std::sqrt(1 - cosine * cosine), turn = 2 * std::numbers::pi * v;
+    // Two directions across the mean one, from the axis that it is farthest from.
+    const Pole axis = std::abs(mean.x) < 0.6 ? Pole{1, 0, 0} : Pole{0, 1, 0};
+    const Pole first = unit(sum(axis, scaled(mean, -dot(axis, mean))));
+    const Pole second{mean.up * first.out - mean.out * first.up, mean.out * first.x - mean.x * first.out,
+                      mean.x * first.up - mean.up * first.x};
+    return sum(scaled(mean, cosine),
+               sum(scaled(first, sine * std::cos(turn)), scaled(second, sine * std::sin(turn))));
+}
+
+}  // namespace
+
+Pole pole_of(double dip, double dip_direction, double azimuth) {
+    const double turn = dip_direction - azimuth;
+    return {std::sin(dip) * std::cos(turn), std::cos(dip), -std::sin(dip) * std::sin(turn)};
+}
+
+bool Orientation::is_spread() const {
+    return poles.empty() ? angle.law != Law::constant : poles.size() > 1 || fisher_k > 0;
+}
+
+double Orientation::mean_angle() const {
+    return poles.empty() ? angle.untruncated_mean() : trace_angle(mean_pole(poles));
+}
+
+double Orientation::spacing_factor() const {
+    if (poles.empty()) return 1;
+    const Pole mean = mean_pole(poles);
+    const double in_section = std::hypot(mean.x, mean.up);
+    return in_section > 1e-9 ? 1 / in_section : std::numeric_limits<double>::infinity();
+}
+
+double Orientation::draw(double u, double v) const {
+    if (poles.empty()) return angle.quantile(u);
+    if (poles.size() > 1) {
+        const auto row = static_cast<std::size_t>(u * static_cast<double>(poles.size()));
+        return trace_angle(poles[std::min(row, poles.size() - 1)]);
+    }
+    return trace_angle(fisher_k > 0 ? fisher_pole(poles[0], fisher_k, u, v) : poles[0]);
+}
+
+}  // namespace blockgen

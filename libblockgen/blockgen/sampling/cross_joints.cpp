@@ -1,0 +1,83 @@
+#include <algorithm>
+#include <cmath>
+
+#include "blockgen/sampling/set_sampler.hpp"
+#include "blockgen/sampling/trace_finder.hpp"
+
+namespace blockgen {
+
+namespace {
+
+/// Cuts lines into pieces where they meet other joints and lays each piece a little aside.
+class CrossJointSampler {
+  public:
+    CrossJointSampler(SetSampler& sampler, const std::vector<Trace>& others)
+        : sampler_(sampler), finder_(others, sampler.bounds()) {}
+
+    std::vector<Trace> run() {
+        for (const SetLine& line : spaced_lines(sampler_)) add_line(line);
+        return std::move(traces_);
+    }
+
+  private:
+    /// A line goes on through each joint that it meets with the probability 1 - termination. Between two ends
+    /// lies a piece.
+    void add_line(const SetLine& line) {
+        const std::vector<double> meetings = finder_.meetings(line.middle, line.u, line.low, line.high);
+        double from = line.low;
+        int passed = 0;
+        std::int64_t piece = 0;
+        for (std::size_t k = 0; k < meetings.size(); ++k) {
+            if (sampler_.draws().draw(draw_termination, line.number, k) > sampler_.set().termination) {
+                ++passed;
+                continue;
+            }
+            add_piece(line, piece++, from, meetings[k], passed);
+            from = meetings[k];
+            passed = 0;
+        }
+        add_piece(line, piece, from, line.high, passed);
+    }
+
+    /// The piece from `from` to `to`, moved aside: it runs from its middle both ways until it meets as many
+    /// joints as before, wherever they are there.
+    void add_piece(const SetLine& line, std::int64_t piece, double from, double to, int passed) {
+        sampler_.count_draw();
+        if (!(from < to)) return;
+        const double aside =
+            sampler_.set().spacing.untruncated_mean() * sampler_.set().stagger *
+            (2 * sampler_.draws().draw(draw_stagger, line.number, static_cast<std::uint64_t>(piece)) - 1);
+        // The middle of the first bed rather than of the piece, so that what lies aside is the same bed.
+        const double start = middle_of_first_bed(line, from, to);
+        const Point centre{line.middle.x + start * line.u.x - aside * line.u.y,
+                           line.middle.y + start * line.u.y + aside * line.u.x};
+        const auto inside = sampler_.bounds().clip(centre, line.u);
+        if (!inside || inside->first > 0 || inside->second < 0) return;
+        const std::vector<double> back = finder_.meetings(centre, line.u, inside->first, 0);
+        const std::vector<double> ahead = finder_.meetings(centre, line.u, 0, inside->second);
+        const double low = back.empty() ? inside->first : back.back();
+        const auto last = static_cast<std::size_t>(passed);
+        const double high = ahead.size() <= last ? inside->second : ahead[last];
+        traces_.push_back(sampler_.trace({centre.x + low * line.u.x, centre.y + low * line.u.y},
+                                         {centre.x + high * line.u.x, centre.y + high * line.u.y}));
+    }
+
+    double middle_of_first_bed(const SetLine& line, double from, double to) const {
+        const std::vector<double> within = finder_.meetings(line.middle, line.u, from, to);
+        const auto next =
+            std::upper_bound(within.begin(), within.end(), from + 1e-9 * std::max(1.0, sampler_.radius()));
+        return next == within.end() ? (from + to) / 2 : (from + *next) / 2;
+    }
+
+    SetSampler& sampler_;
+    TraceFinder finder_;
+    std::vector<Trace> traces_;
+};
+
+}  // namespace
+
+std::vector<Trace> sample_cross_joints(SetSampler& sampler, const std::vector<Trace>& others) {
+    return CrossJointSampler(sampler, others).run();
+}
+
+}  // namespace blockgen

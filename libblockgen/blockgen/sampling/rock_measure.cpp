@@ -1,0 +1,78 @@
+#include "blockgen/sampling/rock_measure.hpp"
+
+#include <cmath>
+
+#include "blockgen/classify_faces.hpp"
+#include "blockgen/clip_line.hpp"
+
+namespace blockgen {
+
+namespace {
+
+/// The area of the rock without joints, or within one region, from an arrangement of the outlines alone.
+double area_of(const SlopeModel& model, const Ring* region) {
+    SlopeModel bare;
+    bare.grid = model.grid;
+    bare.outline = model.outline;
+    bare.holes = model.holes;
+    bare.tunnels = model.tunnels;
+    if (region != nullptr) bare.regions.push_back({"region", "region", "", *region, {}});
+    const SourceTable table(bare);
+    const NodedEdges noded = node_joints(source_segments(bare, {}, table), bare.grid);
+    const Subdivision subdivision = arrange(noded);
+    const FaceBlocks faces = classify_faces(noded, subdivision, bare, table);
+    const auto counts = [&](std::size_t half_edge) {
+        const std::int32_t block = faces.block[static_cast<std::size_t>(subdivision.face[half_edge])];
+        return block != FaceBlocks::outside &&
+               (region == nullptr || faces.material[static_cast<std::size_t>(block)] == 1);
+    };
+    Int128 twice = 0;
+    for (std::size_t e = 0; e < noded.edges.size(); ++e)
+        twice += twice_area({0, 0}, noded.vertices[static_cast<std::size_t>(noded.edges[e].first)],
+                            noded.vertices[static_cast<std::size_t>(noded.edges[e].second)]) *
+                 (int{counts(2 * e)} - int{counts(2 * e + 1)});
+    return static_cast<double>(twice) / 2 * noded.frame.step * noded.frame.step;
+}
+
+double length_of(const std::vector<std::pair<Point, Point>>& pieces) {
+    double length = 0;
+    for (const auto& [a, b] : pieces) length += std::hypot(b.x - a.x, b.y - a.y);
+    return length;
+}
+
+}  // namespace
+
+RockMeasure::RockMeasure(const SlopeModel& model, const std::string& region) : model_(model) {
+    for (const Region& candidate : model.regions)
+        if (candidate.name == region) region_ = &candidate.polygon;
+    area_ = area_of(model, region_);
+}
+
+double RockMeasure::length_in(const Point& a, const Point& b) const {
+    double length = 0;
+    for (const auto& [c, d] : pieces_in_region(a, b))
+        for (const auto& [p, q] : clip_to_ring(c, d, model_.outline)) {
+            length += std::hypot(q.x - p.x, q.y - p.y);
+            for (const Ring& hole : model_.holes) length -= length_of(clip_to_ring(p, q, hole));
+            for (const Tunnel& tunnel : model_.tunnels)
+                length -= length_of(clip_to_ring(p, q, tunnel.outline));
+        }
+    return std::max(length, 0.0);
+}
+
+bool RockMeasure::holds(const Point& p) const {
+    if (region_ != nullptr && side_of_ring(*region_, p) < 0) return false;
+    if (side_of_ring(model_.outline, p) < 0) return false;
+    for (const Ring& hole : model_.holes)
+        if (side_of_ring(hole, p) > 0) return false;
+    for (const Tunnel& tunnel : model_.tunnels)
+        if (side_of_ring(tunnel.outline, p) > 0) return false;
+    return true;
+}
+
+std::vector<std::pair<Point, Point>> RockMeasure::pieces_in_region(const Point& a, const Point& b) const {
+    if (region_ == nullptr) return {{a, b}};
+    return clip_to_ring(a, b, *region_);
+}
+
+}  // namespace blockgen

@@ -1,0 +1,60 @@
+#include "blockgen/sampling/set_sampler.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace blockgen {
+
+namespace {
+
+Bounds bounds_of(const JointSet& set, const SlopeModel& model) {
+    for (const Region& region : model.regions)
+        if (region.name == set.region) return Bounds::of(region.polygon);
+    return Bounds::of(model.outline);
+}
+
+}  // namespace
+
+SetSampler::SetSampler(const JointSet& set, const SlopeModel& model, std::size_t most_draws)
+    : set_(set), draws_(model.seed, set.name), bounds_(bounds_of(set, model)), most_draws_(most_draws) {
+    centre_ = {(bounds_.low.x + bounds_.high.x) / 2, (bounds_.low.y + bounds_.high.y) / 2};
+    radius_ = std::hypot(bounds_.high.x - bounds_.low.x, bounds_.high.y - bounds_.low.y) / 2;
+}
+
+Point SetSampler::direction(std::int64_t line) const {
+    const double angle =
+        set_.orientation.draw(draws_.draw(draw_direction, line, 0), draws_.draw(draw_direction, line, 1));
+    return {std::cos(angle), std::sin(angle)};
+}
+
+Trace SetSampler::trace(const Point& a, const Point& b) const {
+    return {set_.name, set_.joint_material, {a, b}};
+}
+
+void SetSampler::add_traces(std::int64_t line, const Point& middle, const Point& u, double low, double high,
+                            std::vector<Trace>& traces) {
+    const auto add = [&](double from, double to) {
+        if (from < to)
+            traces.push_back(trace({middle.x + from * u.x, middle.y + from * u.y},
+                                   {middle.x + to * u.x, middle.y + to * u.y}));
+    };
+    if (!set_.trace_length) return add(low, high);
+    const double cycle = set_.trace_length->untruncated_mean() + set_.gap->untruncated_mean();
+    double t = low - (8 + draws_.draw(draw_start, line, 0)) * cycle;
+    for (std::uint64_t k = 0; t < high; ++k) {
+        count_draw();
+        const double end = t + set_.trace_length->quantile(draws_.draw(draw_trace, line, k));
+        add(std::max(t, low), std::min(end, high));
+        t = end + set_.gap->quantile(draws_.draw(draw_bridge, line, k));
+    }
+}
+
+void SetSampler::count_draw() {
+    if (++draw_count_ > most_draws_)
+        throw InputError(set_.place,
+                         "joint set '" + set_.name + "' needs more than " + std::to_string(most_draws_) +
+                             " lines and traces",
+                         "a wider spacing, longer traces or gaps, or an origin nearer to the domain");
+}
+
+}  // namespace blockgen

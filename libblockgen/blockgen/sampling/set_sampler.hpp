@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "blockgen/clip_line.hpp"
+#include "blockgen/input/slope_model.hpp"
+#include "blockgen/sampling/draw_stream.hpp"
+
+namespace blockgen {
+
+/// What every kind of set is sampled with: its draws, the box that it must fill, and a limit on the work.
+class SetSampler {
+  public:
+    /// The box is the domain's, or that of the set's region.
+    SetSampler(const JointSet& set, const SlopeModel& model, std::size_t most_draws);
+
+    const JointSet& set() const { return set_; }
+    const DrawStream& draws() const { return draws_; }
+    const Bounds& bounds() const { return bounds_; }
+    const Point& centre() const { return centre_; }
+    /// Half the diagonal of the box.
+    double radius() const { return radius_; }
+
+    /// The direction of joint `line`, a unit vector.
+    Point direction(std::int64_t line) const;
+    Trace trace(const Point& a, const Point& b) const;
+
+    /// Alternates trace and rock bridge along `middle` + t u from `low` to `high`, or makes one trace when
+    /// the set's joints are unlimited. The pattern starts some cycles before, where it has forgotten how.
+    void add_traces(std::int64_t line, const Point& middle, const Point& u, double low, double high,
+                    std::vector<Trace>& traces);
+
+    /// Counts a line or trace. @throws InputError beyond the limit.
+    void count_draw();
+
+  private:
+    const JointSet& set_;
+    DrawStream draws_;
+    Bounds bounds_;
+    std::size_t most_draws_;
+    std::size_t draw_count_ = 0;
+    Point centre_;
+    double radius_ = 0;
+};
+
+/// A line of a parallel or cross-jointed set: middle + t u for t in [low, high].
+struct SetLine {
+    std::int64_t number = 0;
+    Point middle, u;
+    double low = 0, high = 0;
+};
+
+/// The lines of a set at its spacings, measured across the set's mean direction from the origin to both
+/// sides, those that meet the box.
+std::vector<SetLine> spaced_lines(SetSampler& sampler);
+
+std::vector<Trace> sample_parallel(SetSampler& sampler);
+/// Traces and lines anywhere, until the stop rule is met as nearly as it can be. @param rock the area and the
+/// length of a trace that count for it.
+std::vector<Trace> sample_baecher(SetSampler& sampler, const class RockMeasure& rock);
+std::vector<Trace> sample_veneziano(SetSampler& sampler, const class RockMeasure& rock);
+/// @param others the traces at which the joints may end.
+std::vector<Trace> sample_cross_joints(SetSampler& sampler, const std::vector<Trace>& others);
+std::vector<Trace> sample_voronoi(SetSampler& sampler, const class RockMeasure& rock);
+
+}  // namespace blockgen

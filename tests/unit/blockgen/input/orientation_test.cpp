@@ -1,0 +1,119 @@
+#include "blockgen/input/orientation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <numbers>
+
+#include "blockgen/base/input_error.hpp"
+#include "blockgen/sampling/draw_stream.hpp"
+#include "unit/blockgen/slopes.hpp"
+#include "unit/blockgen/statistics.hpp"
+
+namespace blockgen {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+Orientation plane(double dip, double direction, double azimuth, double k = 0) {
+    return {{}, {pole_of(dip * degree, direction * degree, azimuth * degree)}, k};
+}
+
+TEST(Orientation, ApparentDipAndSpacing) {
+    // The worked example: tan(apparent dip) = tan 60 cos 30, and 2 / sqrt(1 - (n.t)^2) with n.t = sin 60
+    // sin 30.
+    const Orientation o = plane(60, 120, 90);
+    EXPECT_NEAR(o.mean_angle(), -56.3099 * degree, 1e-6);
+    EXPECT_NEAR(2 * o.spacing_factor(), 2.21880, 1e-5);
+    EXPECT_FALSE(o.is_spread());
+    EXPECT_EQ(o.draw(0.1, 0.9), o.mean_angle());
+}
+
+TEST(Orientation, DipsTowardsOrAgainstTheSection) {
+    EXPECT_NEAR(plane(30, 90, 90).mean_angle(), -30 * degree, 1e-12);  // down to the right
+    EXPECT_NEAR(plane(30, 270, 90).mean_angle(), 30 * degree, 1e-12);
+    EXPECT_NEAR(plane(30, 0, 90).mean_angle(), 0, 1e-12);  // strikes along the section
+    EXPECT_NEAR(plane(30, 0, 90).spacing_factor(), 1 / std::cos(30 * degree), 1e-12);
+    EXPECT_NEAR(std::abs(plane(90, 90, 90).mean_angle()), 90 * degree, 1e-12);
+    EXPECT_NEAR(plane(0, 12, 90).spacing_factor(), 1, 1e-12);
+    EXPECT_GT(plane(90, 0, 90).spacing_factor(), 1e9);  // the section's own plane
+}
+
+TEST(Orientation, FisherScatterAboutTheMean) {
+    // About a horizontal plane's pole the angle in the section follows from the pole: its projection on the
+    // vertical plane. The angle from the mean follows Fisher's law: P(theta) = (1 - exp(K (cos theta - 1))) /
+    // (1 - exp(-2 K)).
+    const double k = 30;
+    const Orientation o = plane(0, 0, 90, k);
+    EXPECT_TRUE(o.is_spread());
+    const DrawStream stream(5, "fisher");
+    std::vector<double> cosines;
+    double sum = 0;
+    constexpr int n = 10000;
+    for (int i = 0; i < n; ++i) {
+        // With v = 0 the pole turns within the section, so that the joint's angle is the angle from the mean.
+        const double u = stream.draw(0, i, 0);
+        cosines.push_back(std::cos(o.draw(u, 0)));
+        sum += o.draw(u, stream.draw(0, i, 1));
+    }
+    EXPECT_LT(ks_distance(cosines,
+                          [&](double c) {
+                              return (std::exp(k * (c - 1)) - std::exp(-2 * k)) / (1 - std::exp(-2 * k));
+                          }),
+              ks_limit(n));
+    // In the section the angles scatter by about 1 / sqrt(K).
+    EXPECT_NEAR(sum / n, 0, 3 / std::sqrt(k * n));
+}
+
+TEST(Orientation, BootstrapDrawsEachMeasuredPlaneAsOften) {
+    const Orientation o{{}, {pole_of(0.3, 1.5, 1.57), pole_of(0.5, 1.5, 1.57), pole_of(0.7, 1.5, 1.57)}, 0};
+    EXPECT_TRUE(o.is_spread());
+    const DrawStream stream(5, "bootstrap");
+    int count = 0;
+    constexpr int n = 10000;
+    for (int i = 0; i < n; ++i)
+        count += o.draw(stream.draw(0, i, 0), 0.5) == Orientation{{}, {o.poles[1]}, 0}.mean_angle();
+    EXPECT_NEAR(count, n / 3.0, 3 * std::sqrt(n * 2.0 / 9));
+    EXPECT_NEAR(o.mean_angle(), Orientation({{}, {o.poles[1]}, 0}).mean_angle(), 1e-6);
+}
+
+const std::string head =
+    "[domain]\noutline = [[0, 0], [20, 0], [20, 10], [0, 10]]\nblock_material = \"rock\"\n"
+    "[section]\nazimuth = \"90 deg\"\n[[joint_set]]\nname = \"a\"\nspacing = 2\n";
+
+TEST(Orientation, KeysOfTheModelFile) {
+    const JointSet set =
+        slope(head + "dip = \"60 deg\"\ndip_direction = \"120 deg\"\nfisher_k = 50\n").joint_sets[0];
+    EXPECT_NEAR(set.spacing.mean, 2.21880, 1e-5);
+    EXPECT_EQ(set.orientation.fisher_k, 50);
+    EXPECT_EQ(slope(head + "orientations = [[\"60 deg\", \"120 deg\"], [\"55 deg\", \"2 rad\"]]\n")
+                  .joint_sets[0]
+                  .orientation.poles.size(),
+              2u);
+    for (const char* bad :
+         {"dip = \"60 deg\"", "dip = \"100 deg\"\ndip_direction = \"0 deg\"",
+          "dip = \"60 deg\"\ndip_direction = \"0 deg\"\nangle = \"1 deg\"",
+          "dip = \"90 deg\"\ndip_direction = \"0 deg\"",
+          "dip = \"60 deg\"\ndip_direction = \"120 deg\"\nfisher_k = 0", "orientations = []",
+          "orientation_file = \"no-such.csv\"", "angle = \"1 deg\"\nfisher_k = 3"})
+        EXPECT_THROW(slope(head + bad + "\n"), InputError) << bad;
+    std::string without = head;
+    without.erase(without.find("[section]"), without.find("[[joint_set]]") - without.find("[section]"));
+    EXPECT_THROW(slope(without + "dip = \"60 deg\"\ndip_direction = \"120 deg\"\n"), InputError);
+}
+
+TEST(Orientation, MeasuredPlanesFromAFile) {
+    const std::string path = testing::TempDir() + "planes.csv";
+    std::ofstream(path) << "dip_direction,dip\n120,60\n118,57\n";
+    const SlopeModel model = slope(head + "orientation_file = \"" + path + "\"\n");
+    ASSERT_EQ(model.joint_sets[0].orientation.poles.size(), 2u);
+    EXPECT_NEAR(Orientation({{}, {model.joint_sets[0].orientation.poles[0]}, 0}).mean_angle(),
+                -56.3099 * degree, 1e-6);
+    EXPECT_EQ(model.files.size(), 1u);
+    std::ofstream(path) << "dip,dip_direction\n120,60\n";
+    EXPECT_THROW(slope(head + "orientation_file = \"" + path + "\"\n"), InputError);
+}
+
+}  // namespace
+}  // namespace blockgen

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace blockgen {
+
+/// Kolmogorov and Smirnov's distance between values and a distribution function.
+template <class Share>
+double ks_distance(std::vector<double> values, const Share& share) {
+    std::sort(values.begin(), values.end());
+    double largest = 0;
+    const auto n = static_cast<double>(values.size());
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        const double f = share(values[k]);
+        largest = std::max({largest, std::abs(f - static_cast<double>(k) / n),
+                            std::abs(f - static_cast<double>(k + 1) / n)});
+    }
+    return largest;
+}
+
+/// The distance that a sample of this size exceeds once in a thousand times.
+inline double ks_limit(std::size_t n) {
+    return 1.95 / std::sqrt(static_cast<double>(n));
+}
+
+}  // namespace blockgen
