@@ -22,6 +22,12 @@ class BucketGrid {
     }
     /// The bucket that holds a point; points outside count to the nearest.
     std::size_t bucket_of(const GridPoint& p) const;
+    /// The bucket below another one is this many before it.
+    std::int64_t columns() const { return columns_; }
+    /// The height of a bucket's lower side.
+    double bottom_of(std::size_t bucket) const {
+        return low_y_ + width_ * static_cast<double>(static_cast<std::int64_t>(bucket) / columns_);
+    }
 
   private:
     template <class Visit>

@@ -14,6 +14,7 @@
 #include "blockgen/mesh/check_mesh.hpp"
 #include "blockgen/mesh/polygon.hpp"
 #include "blockgen/straighten.hpp"
+#include "blockgen/walk_faces.hpp"
 
 namespace blockgen {
 
@@ -26,6 +27,13 @@ std::size_t bounded_faces(const NodedEdges& noded) {
     for (const auto& [a, b] : noded.edges)
         components -= sets.join(static_cast<std::size_t>(a), static_cast<std::size_t>(b));
     return noded.edges.size() + components - noded.vertices.size();
+}
+
+/// CGAL's arrangement sweeps the plane and so checks the edges once more. Where that would take most of the
+/// time, faces are walked instead; the areas are proved in both cases, and --verify sweeps anyway.
+Subdivision subdivide(const NodedEdges& noded) {
+    constexpr std::size_t most_swept_edges = 100'000;
+    return noded.edges.size() <= most_swept_edges ? arrange(noded) : walk_faces(noded);
 }
 
 [[noreturn]] void fail_too_many(const SlopeModel& model, double count, std::size_t limit) {
@@ -41,7 +49,7 @@ class Cutter {
           traces_(traces),
           table_(model),
           noded_(node(options)),
-          subdivision_(arrange(noded_)),
+          subdivision_(subdivide(noded_)),
           faces_(faces_by_policy()),
           boundary_(noded_, subdivision_, faces_),
           edges_(mark_edges(noded_, subdivision_, faces_, boundary_, model, traces, table_)) {}

@@ -18,17 +18,20 @@ Int128 floor_division(Int128 numerator, Int128 denominator) {
 /// The cell of a point of the fine grid.
 GridPoint cell_of(const GridPoint& p, std::int64_t fineness) {
     const auto cell = [fineness](std::int64_t x) {
-        return static_cast<std::int64_t>(floor_division(x + fineness / 2, fineness));
+        const std::int64_t shifted = x + fineness / 2;
+        return shifted >= 0 ? shifted / fineness : -((-shifted + fineness - 1) / fineness);
     };
     return {cell(p.x), cell(p.y)};
 }
 
-/// The cell that holds the common point of two segments that are not parallel; nothing when they do not meet.
+/// The cell that holds the common point of two segments that are not parallel; nothing when they do not meet,
+/// or in a common end, which is hot anyway.
 /// The point is a + t (b - a) with t = ((c - a) x (d - c)) / ((b - a) x (d - c)).
 std::optional<GridPoint> crossing_cell(const FineSegment& s, const FineSegment& t, std::int64_t fineness) {
     if (std::max(s.a.x, s.b.x) < std::min(t.a.x, t.b.x) || std::max(t.a.x, t.b.x) < std::min(s.a.x, s.b.x) ||
         std::max(s.a.y, s.b.y) < std::min(t.a.y, t.b.y) || std::max(t.a.y, t.b.y) < std::min(s.a.y, s.b.y))
         return std::nullopt;
+    if (s.a == t.a || s.b == t.b || s.a == t.b || s.b == t.a) return std::nullopt;
     const Int128 ux = s.b.x - s.a.x, uy = s.b.y - s.a.y, vx = t.b.x - t.a.x, vy = t.b.y - t.a.y;
     const Int128 wx = t.a.x - s.a.x, wy = t.a.y - s.a.y;
     Int128 denominator = ux * vy - uy * vx;
@@ -76,10 +79,13 @@ struct CellHash {
 std::vector<GridPoint> hot_cells(std::span<const FineSegment> segments, const BucketGrid& grid,
                                  std::int64_t fineness) {
     std::vector<GridPoint> cells;
+    cells.reserve(3 * segments.size());
     for (const FineSegment& s : segments) {
-        cells.push_back(cell_of(s.a, fineness));
-        cells.push_back(cell_of(s.b, fineness));
+        // Sorted segments come with their first ends in order, many of them several times.
+        const GridPoint first = cell_of(s.a, fineness);
+        if (cells.empty() || cells.back() != first) cells.push_back(first);
     }
+    for (const FineSegment& s : segments) cells.push_back(cell_of(s.b, fineness));
     for (std::size_t bucket = 0; bucket < grid.bucket_count(); ++bucket) {
         const auto near = grid.segments_of(bucket);
         for (std::size_t i = 0; i < near.size(); ++i)
@@ -93,8 +99,27 @@ std::vector<GridPoint> hot_cells(std::span<const FineSegment> segments, const Bu
     return cells;
 }
 
-/// For each hot cell the cell that stands for it: itself, or a neighbour that came first.
+/// Which cells of a sorted list touch another one, by its side or its corner.
+std::vector<char> touching(std::span<const GridPoint> cells) {
+    std::vector<char> touches(cells.size(), 0);
+    std::size_t other = 0;
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+        const auto mark = [&](std::size_t j) { touches[k] = touches[j] = 1; };
+        if (k + 1 < cells.size() && cells[k + 1].x == cells[k].x && cells[k + 1].y == cells[k].y + 1)
+            mark(k + 1);
+        const GridPoint lowest{cells[k].x + 1, cells[k].y - 1};
+        while (other < cells.size() && cells[other] < lowest) ++other;
+        for (std::size_t j = other; j < cells.size() && cells[j].x == lowest.x && cells[j].y <= lowest.y + 2;
+             ++j)
+            mark(j);
+    }
+    return touches;
+}
+
+/// For each hot cell the cell that stands for it: itself, or a neighbour that came first. The anchors are
+/// hot.
 std::vector<GridPoint> representatives(std::span<const GridPoint> cells, std::span<const GridPoint> anchors) {
+    const std::vector<char> touches = touching(cells);
     std::unordered_map<GridPoint, char, CellHash> chosen;
     const auto choose = [&chosen](const GridPoint& cell) {
         for (std::int64_t dx = -1; dx <= 1; ++dx)
@@ -106,7 +131,8 @@ std::vector<GridPoint> representatives(std::span<const GridPoint> cells, std::sp
     for (const GridPoint& anchor : anchors) choose(anchor);
     std::vector<GridPoint> result;
     result.reserve(cells.size());
-    for (const GridPoint& cell : cells) result.push_back(chosen.contains(cell) ? cell : choose(cell));
+    for (std::size_t k = 0; k < cells.size(); ++k)
+        result.push_back(!touches[k] || chosen.contains(cells[k]) ? cells[k] : choose(cells[k]));
     return result;
 }
 

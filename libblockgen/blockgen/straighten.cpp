@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <numeric>
 
 namespace blockgen {
 
@@ -31,17 +31,19 @@ class Straightener {
             std::vector<char> out(noded_.vertices.size(), 0);
             std::vector<std::pair<std::int32_t, std::int32_t>> edges;
             std::vector<std::size_t> chain_of_edge;
+            bool changed = false;
             for (std::size_t c = 0; c < chains_.size(); ++c) {
                 const std::vector<std::int32_t>& all = chains_[c].vertices;
                 const std::vector<std::int32_t> kept = kept_vertices(chains_[c]);
                 for (std::size_t k = 1; k + 1 < all.size(); ++k) out[static_cast<std::size_t>(all[k])] = 1;
                 for (const std::int32_t v : kept) out[static_cast<std::size_t>(v)] = 0;
+                changed = changed || kept.size() < all.size();
                 for (std::size_t k = 0; k + 1 < kept.size(); ++k) {
                     edges.push_back(std::minmax({kept[k], kept[k + 1]}));
                     chain_of_edge.push_back(c);
                 }
             }
-            if (!restore_unclean(edges, chain_of_edge)) return out;
+            if (!changed || !restore_unclean(edges, chain_of_edge)) return out;
         }
     }
 
@@ -148,11 +150,12 @@ class Straightener {
             any = any || !chain.is_restored;
             chain.is_restored = true;
         };
-        std::map<std::pair<std::int32_t, std::int32_t>, std::size_t> first_with;
-        for (std::size_t e = 0; e < edges.size(); ++e) {
-            const auto [found, is_new] = first_with.emplace(edges[e], e);
-            if (!is_new) restore(e), restore(found->second);
-        }
+        std::vector<std::size_t> order(edges.size());
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        std::sort(order.begin(), order.end(),
+                  [&](std::size_t e, std::size_t f) { return edges[e] < edges[f]; });
+        for (std::size_t k = 1; k < order.size(); ++k)
+            if (edges[order[k]] == edges[order[k - 1]]) restore(order[k]), restore(order[k - 1]);
         for (const std::size_t e : unclean_edges(noded_.vertices, edges)) restore(e);
         return any;
     }
