@@ -226,16 +226,22 @@ bool TrialContacts::tear() {
     return any;
 }
 
+bool TrialContacts::is_off(std::size_t k, double tolerance) const {
+    const Trial& trial = trials_[k];
+    const Forces forces = present_forces(k);
+    if (forces.normal > 0 && std::abs(gap(k)) > tolerance) return true;
+    if (trial.locked) return std::abs(trial.shearing) > tolerance;
+    return forces.shear != 0 && std::copysign(1.0, forces.shear) * trial.shearing < -tolerance;
+}
+
 bool TrialContacts::augment(AndersonMixing& mixing) {
     const double tolerance = p_.model.penetration_tolerance;
     std::vector<std::size_t> augmented;
     bool any = false;
     for (std::size_t k = 0; k < trials_.size(); ++k) {
-        const Trial& trial = trials_[k];
         if (!p_.model.augments(p_.contacts[k].joint_material)) continue;
         augmented.push_back(k);
-        any = any || (trial.pressed && -gap(k) > tolerance) ||
-              (trial.locked && std::abs(trial.shearing) > tolerance);
+        any = any || is_off(k, tolerance);
     }
     if (!any) return false;
     Eigen::VectorXd shift(2 * static_cast<Eigen::Index>(augmented.size()));
@@ -281,6 +287,13 @@ bool TrialContacts::choose_springs() {
     return changed;
 }
 
+double TrialContacts::slip(std::size_t k, double elastic, double force) const {
+    if (!p_.model.augments(p_.contacts[k].joint_material))
+        return (elastic - force) / p_.springs[k].shear_stiffness;
+    if (elastic == force) return 0;
+    return force >= 0 ? std::max(trials_[k].shearing, 0.0) : std::min(trials_[k].shearing, 0.0);
+}
+
 JudgedContact TrialContacts::judged(std::size_t k) const {
     const Trial& trial = trials_[k];
     const Forces forces = present_forces(k);
@@ -294,7 +307,7 @@ JudgedContact TrialContacts::judged(std::size_t k) const {
     if (forces.normal > 0 || (is_bonded(k) && trial.may_close)) {
         const double elastic = elastic_shear(k, trial.shearing);
         judged.state = within(elastic, trial.bounds) ? ContactState::locked : ContactState::sliding;
-        judged.slip = (elastic - forces.shear) / p_.springs[k].shear_stiffness;
+        judged.slip = slip(k, elastic, forces.shear);
     }
     return judged;
 }

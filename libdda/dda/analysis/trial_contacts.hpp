@@ -72,11 +72,9 @@ class TrialContacts {
     /// Opens, for the rest of the step, the bonded contacts whose tension exceeds the strength. @return
     /// whether there were any.
     bool tear();
-    /// Where forces are augmented (theory, sec. 5): if a contact is deeper than the model's tolerance, or a
-    /// stuck one has moved by more, shifts the springs so that they bear the present forces at no
-    /// displacement.
-    /// The fixed point of these shifts is found by `mixing`. @return whether it did; never without
-    /// augmentation.
+    /// Where forces are augmented (theory, sec. 5): if a contact is not as a rigid one would be, within the
+    /// model's tolerance, shifts the springs so that they bear the present forces at no displacement. The
+    /// fixed point of these shifts is found by `mixing`. @return whether it did; never without augmentation.
     bool augment(AndersonMixing& mixing);
     /// Sets the linear system's springs to the judged states. @return whether its matrix changes.
     bool choose_springs();
@@ -109,6 +107,11 @@ class TrialContacts {
     double elastic_normal(std::size_t k, double opening) const;
     double elastic_shear(std::size_t k, double shearing) const;
     Forces present_forces(std::size_t k) const;
+    /// Whether an augmented contact bears a force without touching, is too deep, moves though it is stuck, or
+    /// slides against its shear force, by more than `tolerance`, m.
+    bool is_off(std::size_t k, double tolerance) const;
+    /// The plastic part of the step's shear displacement, m; all of it where the contact gives no way.
+    double slip(std::size_t k, double elastic, double force) const;
 
     const StepProblem& p_;
     const Crew& crew_;
