@@ -140,8 +140,11 @@ void Ledger::record_constraints(const StepWork& step, Energy& energy) const {
         const double elongation = bolt.rows.measure(bolt.elongation, step.result.displacement);
         const double before = step.bolt_force[k];
         const double after = step.result.bolt_force[k];
-        record_spring(after * elongation, after * (elongation - (after - before) / bolt.stiffness),
-                      spring_energy(before, bolt.stiffness), spring_energy(after, bolt.stiffness), energy);
+        // In this form exactly zero below the yield force, where the other would be the rounding of a tension
+        // over a small stiffness.
+        const double yielded = (before + bolt.stiffness * elongation - after) / bolt.stiffness;
+        record_spring(after * elongation, after * yielded, spring_energy(before, bolt.stiffness),
+                      spring_energy(after, bolt.stiffness), energy);
         energy.external_work += after * bolt.elongation.known;
     }
     for (const FixedPoint& fixed : model_.fixed_points) {

@@ -54,6 +54,16 @@ TEST(Bolt, YieldsAtItsYieldForce) {
     EXPECT_LT(std::abs(sim.state.energy.residual()), 1e-6 * weight);
 }
 
+// Nor does a bolt that is all but slack in stiffness: its tension's rounding over that is no elongation.
+TEST(Bolt, BelowItsYieldForceDissipatesNothing) {
+    Hung h(0, 1e4);
+    h.s.model.bolts[0].axial_stiffness = 1e-3;
+    Simulation sim(h.s);
+    ASSERT_EQ(sim.shake(.1, 1e-3).status, dda::RunStatus::completed);
+    EXPECT_LT(sim.moved(h.block).y(), -.01);
+    EXPECT_EQ(sim.state.energy.friction_loss, 0);
+}
+
 TEST(FixedPoints, GiveByTheForceOverTheirStiffness) {
     Scene s;
     const int block = s.box({0, 0}, 1, 1);
