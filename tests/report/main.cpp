@@ -83,6 +83,7 @@ int check_report(const fs::path& recorded, const fs::path& docs) {
     const std::vector<Row> fresh = recorded_rows(recorded);
     const std::vector<Row> committed = read_rows((docs / "verification.tsv").string());
     std::vector<std::string> faults = differences(committed, fresh);
+    for (const std::string& fault : missing_balances(fresh)) faults.push_back(fault);
     for (const Row& row : fresh) {
         if (row.verdict == Verdict::fails)
             faults.push_back(row.id + ", " + row.set_up + ", " + row.quantity + ": outside");

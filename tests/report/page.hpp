@@ -21,6 +21,9 @@ std::vector<Row> in_order(std::vector<Row> rows);
 /// The report as Markdown: a summary with a line for each case of the catalogue, then each case's table.
 std::string page(const std::vector<Row>& rows, const std::vector<PictureLink>& pictures);
 
+/// The dynamic cases that have rows but no energy balance, one line each.
+std::vector<std::string> missing_balances(const std::vector<Row>& rows);
+
 /// What differs between a committed report and a new run, one line each: rows that are missing or new, and
 /// rows whose verdict, expectation or tolerance has changed. The results' digits may differ by machine and
 /// are not compared.

@@ -10,6 +10,7 @@ struct CatalogueCase {
     std::string_view id;
     std::string_view title;
     std::string_view basis;  ///< the equation or source that the expected value comes from
+    bool dynamic = true;     ///< whether its tests move blocks in time, and owe an energy balance
 };
 
 /// Every case that the report must list, in its order. A test names its id; a case without a row shows as

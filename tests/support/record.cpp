@@ -145,6 +145,12 @@ void Case::inform(const std::string& quantity, const std::string& unit, double o
     append(made);
 }
 
+void Case::inform(const std::string& quantity, const std::string& unit, double ours) const {
+    Row made = row(quantity, unit);
+    made.ours = to_text(ours);
+    append(made);
+}
+
 void Case::expect_miss(const std::string& quantity, const std::string& unit, double ours, double expected,
                        Tolerance tolerance, const std::string& why, const char* file, int line) const {
     Row made = compared(quantity, unit, ours, expected, tolerance);

@@ -48,6 +48,8 @@ class Case {
                         const char* file = __builtin_FILE(), int line = __builtin_LINE()) const;
     /// A number that is reported beside its reference and not judged.
     void inform(const std::string& quantity, const std::string& unit, double ours, double reference) const;
+    /// A number that is reported and has nothing to be compared with.
+    void inform(const std::string& quantity, const std::string& unit, double ours) const;
     /// A number known to be outside its tolerance: the row says so, with `why`. Fails when it has come
     /// within, so that the list of misses cannot outlive its cause.
     void expect_miss(const std::string& quantity, const std::string& unit, double ours, double expected,

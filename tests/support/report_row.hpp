@@ -26,6 +26,11 @@ struct Row {
     std::string reason;  ///< of the tolerance; of the miss
 };
 
+/// Quantities of the energy balance, all over the energy exchanged; the report has a table for them.
+inline constexpr const char* energy_residual = "energy residual";
+inline constexpr const char* friction_work = "least work of friction in a step";
+inline constexpr const char* integration_loss = "lost by the time integration";
+
 std::string to_text(double value);
 std::string to_text(ToleranceKind kind);
 std::string to_text(Verdict verdict);

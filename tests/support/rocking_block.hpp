@@ -94,7 +94,7 @@ struct RockingBlock {
     std::vector<double> impacts;       ///< s, when the raised corner comes down
     std::vector<double> impact_speed;  ///< rad/s, in the step before
     double frequency_step = 0;
-    double residual = 0;  ///< of the energy ledger, over the weight times the height
+    std::optional<EnergyWatch> energy;
 
     /// Lets the block go, tilted by `angle0` about its left corner, settled on that corner by a force that is
     /// then taken away; or, untilted, shakes it.
@@ -121,8 +121,7 @@ struct RockingBlock {
         sim.each_step = [&](const dda::State& state, const dda::StepReport&) { observe(state); };
         ASSERT_EQ(sim.run(stage).status, dda::RunStatus::completed);
         frequency_step = sim.contact_frequency_step();
-        const dda::Energy& e = sim.state.energy;
-        residual = std::abs(e.residual()) / (2500 * width * height * g * height);
+        energy = sim.energy;
     }
     /// Largest angle, rad.
     double largest_angle() const {

@@ -4,11 +4,13 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "dda/analysis/run.hpp"
 #include "dda/analysis/step.hpp"
+#include "support/energy_watch.hpp"
 
 namespace scene {
 
@@ -103,9 +105,17 @@ class Simulation : public dda::RunObserver {
         return run(stage);
     }
 
+    /// The energy of dynamic stages in a row is watched as one.
+    void stage_begins(const dda::Model&, const dda::State& s, const dda::Stage& stage, int) override {
+        if (stage.kind == dda::StageKind::static_equilibrium)
+            energy.reset();
+        else if (!energy)
+            energy.emplace(s.energy);
+    }
     bool step_done(const dda::Model&, const dda::State& s, const dda::Stage&,
                    const dda::StepReport& report) override {
         reports.push_back(report);
+        if (energy) energy->look(s.energy);
         if (each_step) each_step(s, report);
         return true;
     }
@@ -115,6 +125,7 @@ class Simulation : public dda::RunObserver {
         state.energy = {};
         dda::Ledger(model, dda::RowMap(model.motion)).take_stock(state, state.energy);
         state.energy.initial_stores = state.energy.stores();
+        energy.reset();
     }
     Vec2 moved(int block) const {
         const auto b = static_cast<std::size_t>(block);
@@ -141,6 +152,7 @@ class Simulation : public dda::RunObserver {
     int threads;
     std::vector<dda::Stage> stages;  ///< run so far
     std::vector<dda::StepReport> reports;
+    std::optional<EnergyWatch> energy;  ///< of the last dynamic stages
     std::function<void(const dda::State&, const dda::StepReport&)> each_step;
 
   private:

@@ -7,6 +7,7 @@
 #include <functional>
 #include <vector>
 
+#include "support/energy_balance.hpp"
 #include "support/record.hpp"
 #include "support/scene.hpp"
 
@@ -84,10 +85,9 @@ struct SlidingBlock {
     double fastest = 0;   ///< m/s, relative to the base
     double started = -1;  ///< s, when it first moved faster than 1 mm/s
     double frequency_step = 0;
-    double residual = 0;  ///< of the energy ledger, over the energy exchanged
 
-    /// Runs the engine for `duration` in steps of `step`, s.
-    void run(double duration, double step);
+    /// Runs the engine for `duration` in steps of `step`, s; records the case's energy balance.
+    void run(const std::string& id, const std::string& set_up, double duration, double step);
 
   private:
     Scene scene(double friction_degrees) const;
@@ -117,7 +117,8 @@ inline dda::TimeTable SlidingBlock::table(double duration, double sign) const {
     return {times, values};
 }
 
-inline void SlidingBlock::run(double duration, double step) {
+inline void SlidingBlock::run(const std::string& id, const std::string& set_up, double duration,
+                              double step) {
     const Scene glued = scene(80);
     Simulation settled(glued);
     ASSERT_EQ(settled.settle().status, dda::RunStatus::completed);
@@ -154,8 +155,7 @@ inline void SlidingBlock::run(double duration, double step) {
     };
     ASSERT_EQ(sim.run(stage).status, dda::RunStatus::completed);
     frequency_step = sim.contact_frequency_step();
-    const dda::Energy& e = sim.state.energy;
-    residual = std::abs(e.residual()) / std::max(e.friction_loss + e.kinetic, 1.0);
+    verification::expect_energy_balance(id, set_up, sim);
 }
 
 }  // namespace scene

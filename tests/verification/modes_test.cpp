@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "support/energy_balance.hpp"
+#include "support/penalty_series.hpp"
 #include "support/record.hpp"
 #include "support/scene.hpp"
 
@@ -18,10 +20,12 @@ struct Release {
     double gravity = g;
     double density = 2500;
     double step = 4e-5;
+    ContactSetting setting = {5};
 
     double toe = 0;       ///< m, downhill, of the lower corner
     double rotation = 0;  ///< rad, clockwise
     double frequency_step = 0;
+    std::optional<EnergyWatch> energy{};
 
     /// Runs until the block has turned by `angle` or `duration` is over.
     void run(double duration, double angle) {
@@ -30,6 +34,7 @@ struct Release {
         const auto scene = [&](double friction) {
             Scene s;
             s.friction(friction);
+            setting.apply(s);
             s.model.block_materials[0].density = density;
             s.box(-out - 20 * width * along, 40 * width, 1, dda::Motion::fixed, -radians(psi));
             s.box({0, 0}, width, height, dda::Motion::free, -radians(psi));
@@ -57,6 +62,7 @@ struct Release {
             toe = (sim.state.blocks.vertices[5] - start).dot(along);
         }
         frequency_step = sim.contact_frequency_step();
+        energy = sim.energy;
     }
     /// Movements above 1 mm and 1 mrad count: at rest the block moves by micrometres.
     std::string mode() const {
@@ -80,12 +86,19 @@ class Modes : public testing::TestWithParam<ModeCase> {};
 // slides away under itself: that takes tan(phi) < b/h. Between tan(phi) = b/h and phi_c of V20 it does both.
 TEST_P(Modes, AreThoseOfStatics) {
     const ModeCase& c = GetParam();
-    Release block{40, c.phi, 10, c.height, 10, 2000};
-    block.step = 2e-4;
-    block.run(.5, .2);
-    Case mode("V19", "height " + to_text(c.height) + " m, φ = " + to_text(c.phi) + "°", "exact");
-    mode.contact_frequency_step(block.frequency_step);
-    mode.expect_outcome("mode", block.mode(), c.mode);
+    for (const ContactSetting& setting : {ContactSetting{5}, ContactSetting{1}, ContactSetting{100},
+                                          ContactSetting{1, 1e-8}, ContactSetting{100, 1e-8}}) {
+        Release block{40, c.phi, 10, c.height, 10, 2000};
+        block.step = 2e-4;
+        block.setting = setting;
+        block.run(.5, .2);
+        const std::string set_up =
+            "height " + to_text(c.height) + " m, φ = " + to_text(c.phi) + "°, " + setting.name();
+        expect_energy_balance("V19", set_up, *block.energy, block.frequency_step);
+        Case mode("V19", set_up, "exact");
+        mode.contact_frequency_step(block.frequency_step);
+        mode.expect_outcome("mode", block.mode(), c.mode);
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Catalogue, Modes,
@@ -113,9 +126,10 @@ TEST_P(ToeFriction, DecidesWhetherATopplingBlockSlides) {
         Release block{psi, critical + offset, 1, 1 / k};
         block.run(.5, 3e-3);
         ASSERT_GT(block.rotation, 3e-3);
-        Case boundary("V20",
-                      "ψ = " + to_text(psi) + "°, b/h = " + to_text(k) + ", φ = φ_c " +
-                          (offset < 0 ? "-" : "+") + " 0.3°",
+        const std::string set_up = "ψ = " + to_text(psi) + "°, b/h = " + to_text(k) + ", φ = φ_c " +
+                                   (offset < 0 ? "-" : "+") + " 0.3°";
+        expect_energy_balance("V20", set_up, *block.energy, block.frequency_step);
+        Case boundary("V20", set_up,
                       "required; the outcome is read at 3 mrad, before the turn changes the forces");
         boundary.contact_frequency_step(block.frequency_step);
         boundary.expect_outcome("toe", block.toe > .05 * block.rotation ? "slides" : "stays",

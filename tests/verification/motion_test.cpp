@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 
 #include "support/case_name.hpp"
+#include "support/energy_balance.hpp"
 #include "support/record.hpp"
 #include "support/scene.hpp"
 
@@ -26,6 +27,7 @@ TEST(FreeFall, IsExact) {
     fall.expect("v(1 s)", "m/s", sim.velocity(block)[1], -g, absolute(1e-9));
     fall.expect_below("stress, of 25 kPa that gravity could make", "Pa", sim.stress(block).norm(), 1e-3);
     fall.expect_below("x(1 s)", "m", sim.moved(block).x(), 1e-12);
+    expect_energy_balance("V01", "1 m square, 1 s", sim);
 }
 
 // V28. Ten turns at 2 pi rad/s, dt = 1 ms: with the exact rotation area, kinetic energy and stress stay;
@@ -36,6 +38,7 @@ TEST(SpinningBlock, NeitherGrowsNorSlows) {
     const int block = s.box({-0.5, -0.5}, 1, 1);
     Simulation sim(s);
     sim.velocity(block)[2] = 2 * std::numbers::pi;
+    sim.restart_ledger();
     dda::Stage stage;
     stage.name = "spin";
     stage.duration = 10;
@@ -44,8 +47,9 @@ TEST(SpinningBlock, NeitherGrowsNorSlows) {
     ASSERT_EQ(sim.run(stage).status, dda::RunStatus::completed);
     const double inertia = 2500.0 / 6;
     const double kinetic = inertia * 2 * std::numbers::pi * std::numbers::pi;
-    const Case spin("V28", "ten turns at one a second, steps of 1 ms",
-                    "required; linearised, the area would be 1.484");
+    const std::string set_up = "ten turns at one a second, steps of 1 ms";
+    expect_energy_balance("V28", set_up, sim);
+    const Case spin("V28", set_up, "required; linearised, the area would be 1.484");
     spin.expect("area", "m²", sim.state.blocks.moments[0].area, 1, absolute(1e-6));
     spin.expect("kinetic energy", "J/m", sim.state.energy.kinetic, kinetic, relative(1e-6));
     spin.expect("angle", "rad", sim.state.blocks.rotation[0], 20 * std::numbers::pi, absolute(1e-6));
@@ -82,6 +86,7 @@ TEST_P(Oscillator, DecaysAsTheAmplificationMatrixSays) {
     s.model.fixed_point_penalty = 2500 * frequency * frequency;
     Simulation sim(s);
     sim.velocity(block)[0] = 1e-4;
+    sim.restart_ledger();
     std::vector<double> x = {0};
     sim.each_step = [&](const dda::State& state, const dda::StepReport&) {
         x.push_back(state.blocks.moments[0].centroid.x());
@@ -101,6 +106,7 @@ TEST_P(Oscillator, DecaysAsTheAmplificationMatrixSays) {
     const double determinant = -(right[1] * normal(0, 0) - right[0] * normal(0, 1)) / det;
     const Amplification exact(w_dt);
     const std::string set_up = "ω Δt = " + to_text(w_dt);
+    expect_energy_balance("V27", set_up, sim);
     const Case matrix("V27", set_up, "the recurrence of the positions is exact: rounding is left");
     matrix.expect("trace", "", trace, exact.trace, absolute(1e-8));
     matrix.expect("determinant", "", determinant, exact.determinant, absolute(1e-8));
@@ -119,7 +125,7 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& tested) { return case_name("w_dt " + case_number(tested.param.w_dt)); });
 
 /// Position at t = 1 s under a unit acceleration sin(w t) or cos(w t), less the exact one.
-double driven_error(bool cosine, double w, double dt) {
+double driven_error(const std::string& id, bool cosine, double w, double dt) {
     Scene s;
     s.model.gravity.setZero();
     const int block = s.box({-0.5, -0.5}, 1, 1);
@@ -139,6 +145,8 @@ double driven_error(bool cosine, double w, double dt) {
     stage.control.step = dt;
     stage.control.displacement_ratio = 1;
     EXPECT_EQ(sim.run(stage).status, dda::RunStatus::completed);
+    expect_energy_balance(id, std::string(cosine ? "cosine" : "sine") + " load, Δt = " + to_text(dt) + " s",
+                          sim);
     return sim.moved(block).x() - (cosine ? (1 - std::cos(w)) / (w * w) : 1 / w);
 }
 
@@ -147,10 +155,10 @@ double driven_error(bool cosine, double w, double dt) {
 // shows second order: by Euler and Maclaurin -dt^2 w/12.
 TEST(IntegratorOrder, IsFirstOrderAndSecondForLoadsThatStartAtZero) {
     const double w = 2 * std::numbers::pi;
-    const double sine[] = {driven_error(false, w, 0.01), driven_error(false, w, 0.005),
-                           driven_error(false, w, 0.0025)};
-    const double cosine[] = {driven_error(true, w, 0.01), driven_error(true, w, 0.005),
-                             driven_error(true, w, 0.0025)};
+    const double sine[] = {driven_error("V50", false, w, 0.01), driven_error("V50", false, w, 0.005),
+                           driven_error("V50", false, w, 0.0025)};
+    const double cosine[] = {driven_error("V50", true, w, 0.01), driven_error("V50", true, w, 0.005),
+                             driven_error("V50", true, w, 0.0025)};
     const double steps[] = {.01, .005, .0025};
     for (const int k : {0, 1}) {
         const Case order("V50", "Δt = " + to_text(steps[k]) + " s halved", "required");
@@ -171,7 +179,7 @@ TEST(IntegratorOrder, IsFirstOrderAndSecondForLoadsThatStartAtZero) {
 TEST(PointLoad, FollowsItsHistory) {
     const double w = 4 * std::numbers::pi;
     Case("V44", "F = 10 kN sin 4πt on 2500 kg", "required at a step of 1 ms")
-        .expect("x(1 s)", "m", 4 * (driven_error(false, w, 1e-3) + 1 / w), .318310, relative(1e-3));
+        .expect("x(1 s)", "m", 4 * (driven_error("V44", false, w, 1e-3) + 1 / w), .318310, relative(1e-3));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/energy_balance.hpp"
 #include "support/record.hpp"
 #include "support/scene.hpp"
 #include "support/threshold.hpp"
@@ -24,11 +25,13 @@ class Slab {
         sim.state = glued.state;
         EXPECT_EQ(sim.shake(1, 1e-3).status, dda::RunStatus::completed);
         frequency_step = sim.contact_frequency_step();
+        energy = sim.energy;
         double moved = 0;
         for (int b = 1; b <= 5; ++b) moved = std::max(moved, sim.moved(b).norm());
         return moved < 1e-3;
     }
     double frequency_step = 0;
+    std::optional<EnergyWatch> energy;  ///< of the last run
 
   private:
     Scene scene(double phi) const {
@@ -57,8 +60,9 @@ TEST(InfiniteSlope, FailsAtTheFrictionOfLimitEquilibrium) {
         ASSERT_TRUE(slab.holds(critical + 1));
         const double found =
             threshold(critical - 1, critical + 1, 6, [&](double phi) { return slab.holds(phi); });
-        Case slope("V40", "ψ = 20°, 2 m thick, c = " + to_text(cohesion) + " Pa",
-                   "required; found by halving to 0.03°");
+        const std::string set_up = "ψ = 20°, 2 m thick, c = " + to_text(cohesion) + " Pa";
+        expect_energy_balance("V40", set_up, *slab.energy, slab.frequency_step);
+        Case slope("V40", set_up, "required; found by halving to 0.03°");
         slope.contact_frequency_step(slab.frequency_step);
         slope.expect("φ for FS = 1", "°", found, critical, absolute(.2));
     }

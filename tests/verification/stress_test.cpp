@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/penalty_series.hpp"
 #include "support/record.hpp"
 #include "support/scene.hpp"
 
@@ -97,6 +98,29 @@ TEST(BlockAtRest, PenetratesByItsWeightAndStays) {
     rest.expect_below("drift in 10 s", "m", sim.moved(block).norm(), 1e-6);
 }
 
+// V02, V03. The stress is that of the weight whatever keeps the block up; how deep it sinks is the penalty's.
+TEST(BlockAtRest, SinksByThePenaltyAndBearsTheSameStress) {
+    const auto settled = [](const ContactSetting& setting) {
+        Scene s;
+        setting.apply(s);
+        s.box({-1, -1}, 3, 1, dda::Motion::fixed);
+        s.box({0, 0}, 1, 1);
+        Simulation sim(s);
+        EXPECT_EQ(sim.settle().status, dda::RunStatus::completed);
+        return sim;
+    };
+    for (const ContactSetting& setting : settings(1e-9)) {
+        const Simulation sim = settled(setting);
+        Case stress("V03", setting.name(), "settled to 1e-9 of the weight; strains of 1e-6 move the sides");
+        stress.contact_frequency_step(sim.contact_frequency_step());
+        stress.expect("σ_y", "Pa", sim.stress(1)[1], -12262.5, relative(1e-5));
+        stress.expect("σ_x", "Pa", sim.stress(1)[0], 0, absolute(.1));
+    }
+    expect_first_order(
+        "V02", "1 m square on a fixed base", "height of its base", {1e-9, 1e-9, 1.001 * 12262.5 / 10e9},
+        [&](const ContactSetting& setting) { return settled(setting).state.blocks.vertices[4].y(); });
+}
+
 // V04. In a smooth column the k-th block from the top carries k - 1/2 blocks.
 TEST(Column, StressGrowsWithDepth) {
     Scene s;
@@ -110,6 +134,32 @@ TEST(Column, StressGrowsWithDepth) {
             .contact_frequency_step(sim.contact_frequency_step())
             .expect("σ_y", "Pa", sim.stress(11 - k)[1], expected, relative(.01));
     }
+}
+
+// V04. Ten joints give way below the top, each by what it bears over the penalty.
+TEST(Column, SinksByThePenaltyAndBearsTheSameStress) {
+    const auto settled = [](const ContactSetting& setting) {
+        Scene s;
+        setting.apply(s);
+        s.box({-1, -1}, 3, 1, dda::Motion::fixed);
+        for (int k = 0; k < 10; ++k) s.box({0, double(k)}, 1, 1);
+        Simulation sim(s);
+        EXPECT_EQ(sim.settle().status, dda::RunStatus::completed);
+        return sim;
+    };
+    for (const ContactSetting& setting : settings(1e-9)) {
+        const Simulation sim = settled(setting);
+        Case stress("V04", setting.name(),
+                    "settled to 1e-9 of the weight; strains of 2e-5 move sides and heights");
+        stress.contact_frequency_step(sim.contact_frequency_step());
+        for (const int k : {1, 5, 10})
+            stress.expect("σ_y in block " + std::to_string(k) + " from the top", "Pa", sim.stress(11 - k)[1],
+                          -2500 * g * (k - .5), relative(1e-4));
+    }
+    expect_first_order("V04", "smooth column", "sinking of its top",
+                       {1e-9, 1e-8, 1.001 * 55 * 12262.5 / 10e9}, [&](const ContactSetting& setting) {
+                           return -settled(setting).state.blocks.vertices[4 * 10 + 2].y() + 10;
+                       });
 }
 
 // V07. n blocks on n joints of stiffness k = 1e12 Pa/m: 1/E_eff = 1/E + 1/(k h), pushed as pulled. What is
@@ -135,6 +185,30 @@ TEST(Chain, IsAsSoftAsBlocksAndJointsInSeries) {
             .contact_frequency_step(sim.contact_frequency_step())
             .expect("E_eff", "Pa", stress * n / lengthening, 9.901e9, relative(1e-3));
     }
+}
+
+// V07. What the joints add to the blocks' compliance, 1/E_eff - 1/E = 1/(k h), is of the first order in 1/k.
+// A load of 10 kPa strains the blocks by 1e-6, which is the error of their share, a thousandth of what the
+// stiffest joints add.
+TEST(Chain, IsSofterByTheFirstOrderInTheJointsGive) {
+    std::vector<double> added;
+    for (const double k : {1e11, 1e12, 1e13}) {
+        Scene s;
+        s.model.plane = dda::Plane::stress;
+        s.model.gravity.setZero();
+        s.model.joint_materials[0] = elastic_joint(k, 1e4);
+        s.box({-1, -1}, 3, 1, dda::Motion::fixed);
+        for (int n = 0; n < 5; ++n) s.box({0, double(n)}, 1, 1);
+        for (const double x : {0.0, 1.0})
+            s.model.loads.push_back(dda::PointLoad{s.material_point(5, {x, 5}), {0, -5e3}, {}});
+        Simulation sim(s);
+        ASSERT_EQ(sim.settle().status, dda::RunStatus::completed);
+        added.push_back((5 - sim.state.blocks.points[0].y()) / 5 / 1e4 - 1 / 10e9);
+        Case("V07", "five blocks, k = " + to_text(k) + " Pa/m, 10 kPa", "strains of 1e-6 of the blocks' own")
+            .expect("1/E_eff - 1/E", "1/Pa", added.back(), 1 / k, relative(2e-3));
+    }
+    Case("V07", "five blocks, k = 1e11 to 1e13 Pa/m", "as each of the three within 0.2 %")
+        .expect("order of 1/E_eff - 1/E in 1/k", "", std::log10(added[0] / added[2]) / 2, 1, absolute(1e-3));
 }
 
 }  // namespace

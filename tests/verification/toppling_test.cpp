@@ -4,6 +4,8 @@
 
 #include <array>
 
+#include "support/energy_balance.hpp"
+#include "support/penalty_series.hpp"
 #include "support/record.hpp"
 #include "support/scene.hpp"
 #include "support/threshold.hpp"
@@ -56,7 +58,8 @@ double critical_friction() {
 class Slope {
   public:
     /// @param tension N, constant, of a horizontal bolt from the middle of block 1 into the slope.
-    explicit Slope(double tension = 0) : tension_(tension) {
+    explicit Slope(double tension = 0, const ContactSetting& setting = {.5})
+        : tension_(tension), setting_(setting) {
         Simulation sim(scene(70));
         EXPECT_EQ(sim.settle().status, dda::RunStatus::completed);
         glued_ = sim.state;
@@ -77,6 +80,7 @@ class Slope {
         sim.state = glued_;
         EXPECT_EQ(sim.shake(duration, 2.5e-4).status, dda::RunStatus::completed);
         frequency_step = sim.contact_frequency_step();
+        energy = sim.energy;
         moved = speed = 0;
         for (int n = 1; n <= count; ++n) {
             moved = std::max(moved, sim.moved(block(n)).norm());
@@ -98,6 +102,7 @@ class Slope {
     std::array<double, count + 1> force{};  ///< of the last run, as in LimitEquilibrium
     std::array<double, count + 1> shear{};  ///< on the same faces
     double frequency_step = 0;
+    std::optional<EnergyWatch> energy;  ///< of the last run
 
   private:
     static int block(int n) { return count + n - 1; }
@@ -107,6 +112,7 @@ class Slope {
         s.friction(phi);
         s.model.block_materials[0].density = weight / g;
         s.model.block_materials[0].youngs_modulus = 1e11;  // the limit equilibrium's blocks are rigid
+        setting_.apply(s);
         const double psi = radians(dip);
         const Vec2 up(std::cos(psi), std::sin(psi));
         const Vec2 out = dda::perpendicular(up);
@@ -124,6 +130,7 @@ class Slope {
         return s;
     }
     double tension_;
+    ContactSetting setting_;
     dda::State glued_;
 };
 
@@ -148,6 +155,8 @@ TEST(LongToppling, FailsAtTheFrictionOfGoodmanAndBray) {
     Case forces("V21", "sixteen blocks, 0.1° above the limit found",
                 "required of the table; blocks 14 to 16 stand by themselves");
     forces.contact_frequency_step(slope.frequency_step);
+    expect_energy_balance("V21", "sixteen blocks, 0.1° above the limit found", *slope.energy,
+                          slope.frequency_step);
     const std::string indeterminate =
         "Blocks 1 to 3 slide together, so nothing makes the friction on the faces between them full, as the "
         "limit "
@@ -185,6 +194,32 @@ TEST(LongToppling, FailsAtTheFrictionOfGoodmanAndBray) {
                    "lower face of block", "normal force, kN", {limit_forces, engine_forces});
 }
 
+// V21. The friction at the limit, and the forces between the toppling blocks there, whatever keeps the blocks
+// apart.
+TEST(LongToppling, FailsAtTheSameFrictionForAnyPenalty) {
+    const double critical = critical_friction();
+    const LimitEquilibrium expected(.7855);
+    for (const ContactSetting& setting : settings(1e-7)) {
+        Slope slope(0, setting);
+        const std::string set_up = "sixteen blocks, " + setting.name();
+        const double found =
+            threshold(critical - 1, critical + 1, 4, [&](double phi) { return slope.holds(phi); });
+        Case limit("V21", set_up, "required; found by halving to 0.13°");
+        limit.contact_frequency_step(slope.frequency_step);
+        limit.expect("φ at the limit", "°", found, critical, absolute(1));
+        EXPECT_TRUE(slope.holds(found + .1));
+        Case forces("V21", set_up + ", 0.1° above the limit found", "required of the table");
+        forces.contact_frequency_step(slope.frequency_step);
+        expect_energy_balance("V21", set_up + ", 0.1° above the limit found", *slope.energy,
+                              slope.frequency_step);
+        for (int n = 13; n >= 4; --n) {
+            const auto k = static_cast<std::size_t>(n);
+            forces.expect("force below block " + std::to_string(n), "kN", slope.force[k] / 1e3,
+                          expected.force[k] / 1e3, relative(.05));
+        }
+    }
+}
+
 // V21. At tan(phi) = 0.65 the slope needs support. A horizontal bolt of tension T in block 1, which slides,
 // bears T (cos psi + mu sin psi) = P (1 - mu^2) + W (sin psi - mu cos psi), P the force from block 2 at full
 // friction.
@@ -198,10 +233,12 @@ TEST(LongToppling, IsHeldByTheBoltOfGoodmanAndBray) {
     EXPECT_NEAR(expected, 2013e3, 1e3);
     const double phi = std::atan(mu) * 180 / std::numbers::pi;
     double frequency_step = 0;
+    std::optional<EnergyWatch> energy;
     const auto holds = [&](double share) {
         Slope slope(share * expected);
         const bool held = slope.stops(phi);
         frequency_step = slope.frequency_step;
+        energy = slope.energy;
         return held;
     };
     ASSERT_FALSE(holds(.9));
@@ -210,6 +247,7 @@ TEST(LongToppling, IsHeldByTheBoltOfGoodmanAndBray) {
     Case bolt("V21", "horizontal bolt in block 1, tan φ = 0.65",
               "required of the table; found by halving to 2.5 %");
     bolt.contact_frequency_step(frequency_step);
+    expect_energy_balance("V21", "horizontal bolt in block 1, tan φ = 0.65", *energy, frequency_step);
     bolt.expect("tension at the limit", "kN", found / 1e3, expected / 1e3, relative(.05));
 }
 

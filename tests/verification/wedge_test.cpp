@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "support/energy_balance.hpp"
+#include "support/penalty_series.hpp"
 #include "support/record.hpp"
 #include "support/scene.hpp"
 
@@ -67,35 +69,89 @@ TEST(Notch, PressesAsTheFrictionLeaves) {
     }
 }
 
+// V45. Between springs of any penalty the notch bears the same forces; without friction the wedge sinks by a
+// penetration over sin a. With friction the forces are those of full slip, which a wedge reaches by sinking:
+// with contacts that give no way, by sinking as it is squeezed.
+TEST(Notch, PressesAlikeForAnyPenalty) {
+    const double a = radians(30);
+    for (const double phi : {0., 15.}) {
+        const auto settled = [&](const ContactSetting& setting) {
+            WedgeScene s(a, dda::Motion::fixed);
+            s.friction(phi);
+            setting.apply(s);
+            Simulation sim(s);
+            EXPECT_EQ(sim.settle().status, dda::RunStatus::completed);
+            return sim;
+        };
+        const std::string friction = "half-angle 30°, φ = " + to_text(phi) + "°";
+        const double expected = std::cos(radians(phi)) / (2 * std::sin(a + radians(phi)));
+        for (const ContactSetting& setting : settings(1e-9)) {
+            const Simulation sim = settled(setting);
+            const double weight = sim.state.blocks.mass[0] * g;
+            Case notch("V45", friction + ", " + setting.name(), "settled to 1e-9 of the weight");
+            notch.contact_frequency_step(sim.contact_frequency_step());
+            notch.expect("N/W on the left face", "", between(sim.state, 0, 1).normal / weight, expected,
+                         relative(1e-4));
+            notch.expect("N/W on the right face", "", between(sim.state, 0, 2).normal / weight, expected,
+                         relative(1e-4));
+        }
+        if (phi > 0) continue;
+        const double weight = settled({1}).state.blocks.mass[0] * g;
+        expect_first_order("V45", friction, "sinking of the wedge",
+                           {1e-9, 1e-9 / std::sin(a), weight / 10e9 / std::sin(a)},
+                           [&](const ContactSetting& setting) { return -settled(setting).moved(0).y(); });
+    }
+}
+
 // V46. A force P drives a weightless wedge between two blocks that stand on a smooth floor against smooth
 // walls: each half of P and the side force S are the parts of a contact force inclined at a + phi, S =
 // P/2/tan(a + phi).
-TEST(SplittingWedge, PushesTheBlocksApart) {
-    const double push = 1e5;
-    WedgeScene s(radians(20), dda::Motion::free);
-    s.model.gravity.setZero();
-    s.model.joint_materials.push_back({"wedge", Scene::mohr_coulomb(15), 0, 0});
-    const std::vector<int>& corners = s.model.topology.block_corners;
-    const auto w = static_cast<std::size_t>(s.wedge);
-    for (int e = corners[w]; e < corners[w + 1]; ++e)
-        s.model.topology.joint_material[static_cast<std::size_t>(e)] = 1;
-    s.box({-5, -1.5}, 10, 1, dda::Motion::fixed);
-    const int left_wall = s.box({-4, -.5}, 1, 3, dda::Motion::fixed);
-    const int right_wall = s.box({3, -.5}, 1, 3, dda::Motion::fixed);
-    s.model.loads.push_back(dda::PointLoad{s.material_point(s.wedge, {0, 1}), {0, -push}, {}});
+struct SplittingScene : WedgeScene {
+    static constexpr double push = 1e5;  // N
+    int left_wall, right_wall;
+
+    SplittingScene() : WedgeScene(radians(20), dda::Motion::free) {
+        model.gravity.setZero();
+        model.joint_materials.push_back({"wedge", Scene::mohr_coulomb(15), 0, 0});
+        const std::vector<int>& corners = model.topology.block_corners;
+        const auto w = static_cast<std::size_t>(wedge);
+        for (int e = corners[w]; e < corners[w + 1]; ++e)
+            model.topology.joint_material[static_cast<std::size_t>(e)] = 1;
+        box({-5, -1.5}, 10, 1, dda::Motion::fixed);
+        left_wall = box({-4, -.5}, 1, 3, dda::Motion::fixed);
+        right_wall = box({3, -.5}, 1, 3, dda::Motion::fixed);
+        model.loads.push_back(dda::PointLoad{material_point(wedge, {0, 1}), {0, -push}, {}});
+    }
+};
+
+void expect_split(const std::string& set_up, const SplittingScene& s, Tolerance tolerance, bool all_slip) {
     Simulation sim(s);
     ASSERT_EQ(sim.settle().status, dda::RunStatus::completed);
-    const double expected = push / 2 / std::tan(radians(35));
+    const double expected = s.push / 2 / std::tan(radians(35));
     EXPECT_NEAR(expected, 71407, 1);
-    Case split("V46", "P = 100 kN, half-angle 20°, φ = 15°", "required; settled to 1e-9 of the load");
+    Case split("V46", set_up, "required; settled to 1e-9 of the load");
     split.contact_frequency_step(sim.contact_frequency_step());
-    split.expect("force on the left wall", "N", between(sim.state, s.left, left_wall).normal, expected,
-                 relative(.02));
-    split.expect("force on the right wall", "N", between(sim.state, s.right, right_wall).normal, expected,
-                 relative(.02));
+    split.expect("force on the left wall", "N", between(sim.state, s.left, s.left_wall).normal, expected,
+                 tolerance);
+    split.expect("force on the right wall", "N", between(sim.state, s.right, s.right_wall).normal, expected,
+                 tolerance);
+    if (!all_slip) return;
     const Joint face = between(sim.state, s.wedge, s.left);
     split.expect_outcome("contacts of the wedge", face.sliding == face.touching ? "all slip" : "some stick",
                          "all slip");
+}
+
+TEST(SplittingWedge, PushesTheBlocksApart) {
+    expect_split("P = 100 kN, half-angle 20°, φ = 15°", SplittingScene(), relative(.02), true);
+}
+
+// At the forces of full slip, but with stiff springs one contact of a face stops just short of it.
+TEST(SplittingWedge, PushesAlikeForAnyPenalty) {
+    for (const ContactSetting& setting : settings(1e-9)) {
+        SplittingScene s;
+        setting.apply(s);
+        expect_split("P = 100 kN, half-angle 20°, φ = 15°, " + setting.name(), s, relative(1e-3), false);
+    }
 }
 
 struct RoofCase {
@@ -163,6 +219,7 @@ TEST_P(RoofWedge, BearsWhatTheSqueezeLeaves) {
               "required; the load's increments are 0.0005 of 2 H0");
     roof.contact_frequency_step(pull.contact_frequency_step());
     roof.expect("p_l/(2 H0)", "", largest, c.expected, relative(.03));
+    expect_energy_balance("V47", std::string("α = 20°, φ = 40°, ") + c.name, pull);
 }
 
 INSTANTIATE_TEST_SUITE_P(Catalogue, RoofWedge,

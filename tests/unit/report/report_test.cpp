@@ -140,6 +140,31 @@ TEST(Page, ListsEveryCaseAndSaysWhichIsMissing) {
     EXPECT_NE(with_miss.find("Misses: why"), std::string::npos);
 }
 
+TEST(Page, TellsEnergyInATableOfItsOwn) {
+    Row residual = passing("V10", energy_residual);
+    residual.ours = "2e-05";
+    residual.kind = ToleranceKind::below;
+    Row friction = passing("V10", friction_work);
+    friction.ours = "0";
+    Row loss = passing("V10", integration_loss);
+    loss.ours = "0.25";
+    loss.verdict = Verdict::informs;
+    const std::string text = page({passing("V10", "s"), residual, friction, loss}, {});
+    EXPECT_NE(text.find("| [V10](#V10) | a | 2e-05 | 0 | 0.25 | within |"), std::string::npos) << text;
+    EXPECT_EQ(text.find(std::string("| a | ") + energy_residual), std::string::npos);
+    friction.verdict = Verdict::fails;
+    EXPECT_NE(page({residual, friction, loss}, {}).find("| 0.25 | **outside** |"), std::string::npos);
+}
+
+TEST(Balances, AreMissedWhereACaseMoves) {
+    const Row statics = passing("V02", "p");
+    const Row moves = passing("V10", "s");
+    Row balance = passing("V10", energy_residual);
+    EXPECT_TRUE(missing_balances({statics}).empty());
+    EXPECT_TRUE(missing_balances({statics, moves, balance}).empty());
+    EXPECT_EQ(missing_balances({statics, moves}).size(), 1u);
+}
+
 TEST_F(Report, PicturesReadBackAsTheyWereRecorded) {
     record_picture("V14", "slip", "Slip", "time, s", "slip, m",
                    {{"closed form", {0, 1}, {0, 2}}, {"engine", {0, 1, 2}, {0, 1, 3}}});
