@@ -26,6 +26,10 @@ constexpr float unconstrained = 0, prescribed = 2, state_open = 0, state_sliding
 
 const blockgen::Colour sliding_colour{0.84, 0.37, 0.0};
 const blockgen::Colour open_colour{0.0, 0.45, 0.70};
+const blockgen::Colour worst_colour{0.80, 0.0, 0.25};
+constexpr double caption_height = 18;
+/// Of the picture of one contact: its half-width over the size of the smaller of the contact's blocks.
+constexpr double surroundings = 2;
 
 struct Vector {
     double x = 0, y = 0;
@@ -146,6 +150,35 @@ void draw_contact_key(blockgen::Canvas& canvas, double right) {
     canvas.text({right - 50, y}, "open joint", {8.5});
 }
 
+void draw_worst_contact(blockgen::Canvas& canvas, const blockgen::Axes& axes, const dda::GridFrame& frame,
+                        const dda::BlamedContact& worst) {
+    for (const int block : {worst.corner_block, worst.edge_block}) {
+        const blockgen::Ring ring = axes.to_page(cell_points(frame, static_cast<std::size_t>(block)));
+        canvas.polygon(std::span(&ring, 1), std::nullopt, blockgen::Stroke{worst_colour, 1.4});
+    }
+    canvas.circle(axes.to_page({worst.at.x(), worst.at.y()}), 7, std::nullopt,
+                  blockgen::Stroke{worst_colour, 2.2});
+}
+
+void draw_worst_caption(blockgen::Canvas& canvas, const Layout& layout, const dda::BlamedContact& worst) {
+    const double y = layout.page_height - 8;
+    canvas.circle({layout.header_left + 6, y - 3}, 4.5, std::nullopt, blockgen::Stroke{worst_colour, 1.8});
+    canvas.text({layout.header_left + 16, y},
+                "worst contact: block " + std::to_string(worst.corner_block) + " on block " +
+                    std::to_string(worst.edge_block) + ", " + worst.joint_material,
+                {8.5});
+}
+
+/// The longer side of a block's box, m.
+double size_of(const dda::GridFrame& frame, std::size_t block) {
+    const std::vector<blockgen::Point> points = cell_points(frame, block);
+    const auto [west, east] =
+        std::minmax_element(points.begin(), points.end(), [](auto& p, auto& q) { return p.x < q.x; });
+    const auto [low, high] =
+        std::minmax_element(points.begin(), points.end(), [](auto& p, auto& q) { return p.y < q.y; });
+    return std::max(east->x - west->x, high->y - low->y);
+}
+
 }  // namespace
 
 RunFrames::RunFrames(const std::filesystem::path& folder) {
@@ -200,15 +233,39 @@ PictureScale common_scale(const RunFrames& run, const std::vector<std::int64_t>&
     return scale;
 }
 
-blockgen::Canvas draw_frame(const RunFrames& run, std::int64_t index, const PictureScale& scale) {
-    const Layout layout(scale.right - scale.left, scale.top - scale.bottom);
+PictureScale close_to(const dda::BlamedContact& contact, const RunFrames& run, std::int64_t index,
+                      PictureScale scale) {
+    const dda::GridFrame frame = run.blocks(index);
+    const auto corner = static_cast<std::size_t>(contact.corner_block);
+    const auto edge = static_cast<std::size_t>(contact.edge_block);
+    if (std::max(corner, edge) >= frame.cells.count())
+        throw blockgen::InputError({run.name() + ".vtkhdf"}, "has no block of the worst contact",
+                                   "the frames of the run whose summary.json names it");
+    const double reach = surroundings * std::min(size_of(frame, corner), size_of(frame, edge));
+    scale.left = std::max(scale.left, contact.at.x() - reach);
+    scale.right = std::min(scale.right, contact.at.x() + reach);
+    scale.bottom = std::max(scale.bottom, contact.at.y() - reach);
+    scale.top = std::min(scale.top, contact.at.y() + reach);
+    if (!(scale.left < scale.right) || !(scale.bottom < scale.top))
+        throw blockgen::InputError({run.name() + ".vtkhdf"}, "is nowhere near the worst contact",
+                                   "the frames of the run whose summary.json names it");
+    return scale;
+}
+
+blockgen::Canvas draw_frame(const RunFrames& run, std::int64_t index, const PictureScale& scale,
+                            const std::optional<dda::BlamedContact>& worst) {
+    Layout layout(scale.right - scale.left, scale.top - scale.bottom);
+    if (worst) layout.page_height += caption_height;
     blockgen::Canvas canvas(layout.page_width, layout.page_height);
     const blockgen::Axes axes(layout.upper_left, layout.lower_right, {scale.left, scale.right},
                               {scale.bottom, scale.top});
     canvas.clip(axes.upper_left(), axes.lower_right());
-    draw_blocks(canvas, axes, run.blocks(index), scale.largest);
+    const dda::GridFrame blocks = run.blocks(index);
+    draw_blocks(canvas, axes, blocks, scale.largest);
     draw_contacts(canvas, axes, run.contacts(index));
+    if (worst) draw_worst_contact(canvas, axes, blocks, *worst);
     canvas.unclip();
+    if (worst) draw_worst_caption(canvas, layout, *worst);
     axes.draw(canvas, "x (m)", "y (m)");
     const ColourBar bar{scale.relative_to_base ? "displacement from the base" : "displacement", scale.largest,
                         scale.farthest};

@@ -2,8 +2,10 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "blockgen/picture/canvas.hpp"
+#include "dda/io/read_summary.hpp"
 #include "dda/io/vtkhdf_file.hpp"
 
 /// The frames of a run: its blocks and its contacts.
@@ -41,6 +43,12 @@ struct PictureScale {
 PictureScale common_scale(const RunFrames& run, const std::vector<std::int64_t>& frames,
                           std::optional<double> largest = std::nullopt);
 
+/// The same scale over the neighbourhood of a contact only: about the smaller of its two blocks.
+/// @throws blockgen::InputError when the frame has no such blocks.
+PictureScale close_to(const dda::BlamedContact& contact, const RunFrames& run, std::int64_t index,
+                      PictureScale scale);
+
 /// Blocks coloured by the magnitude of their displacement, sliding contacts and open joints marked, the time
-/// in the title.
-blockgen::Canvas draw_frame(const RunFrames& run, std::int64_t index, const PictureScale& scale);
+/// in the title. @param worst is ringed, its blocks have heavy outlines, and a line below names them.
+blockgen::Canvas draw_frame(const RunFrames& run, std::int64_t index, const PictureScale& scale,
+                            const std::optional<dda::BlamedContact>& worst = std::nullopt);

@@ -29,6 +29,10 @@ po::options_description visible_options() {
         "area "
         "in every frame drawn)");
     add("history", "draw the history only, or with --frames too");
+    add("worst-contact",
+        "draw what the run did not get past, at its end: the contact that summary.json names, ringed, and "
+        "its "
+        "surroundings (without options it is drawn where there is one)");
     add("format", po::value<std::string>()->default_value("png")->value_name("EXT"), "png, svg or pdf");
     add("output,o", po::value<std::string>()->value_name("FOLDER"),
         "where the pictures go (default: the result folder)");
@@ -95,6 +99,36 @@ void draw_frames(const RunFrames& run, const std::vector<std::int64_t>& numbers,
     }
 }
 
+/// The contact to draw: none where none is asked for, or none is named and all there is was asked for.
+std::optional<dda::BlamedContact> chosen_contact(const fs::path& folder, bool asked, bool all) {
+    const fs::path summary = folder / "summary.json";
+    if (!asked && !(all && fs::exists(summary))) return std::nullopt;
+    std::optional<dda::BlamedContact> worst = dda::read_worst_contact(summary);
+    if (asked && !worst)
+        throw blockgen::InputError({summary.string()}, "names no worst contact",
+                                   "a run that ended for want of convergence");
+    return worst;
+}
+
+/// Two views of the last frame: the whole with the contact ringed, and its surroundings.
+struct WorstContactViews {
+    dda::BlamedContact contact;
+    std::int64_t frame;
+    PictureScale whole, near;
+
+    WorstContactViews(const RunFrames& run, dda::BlamedContact blamed, std::optional<double> largest)
+        : contact(std::move(blamed)),
+          frame(chosen_frames(run, "last").front()),
+          whole(common_scale(run, {frame}, largest)),
+          near(close_to(contact, run, frame, whole)) {}
+
+    void draw(const RunFrames& run, const fs::path& output, const std::string& extension) const {
+        const std::string stem = run.name() + ".worst-contact";
+        draw_frame(run, frame, whole, contact).write(output / (stem + "." + extension));
+        draw_frame(run, frame, near, contact).write(output / (stem + "-near." + extension));
+    }
+};
+
 std::optional<double> largest_of(const po::variables_map& values) {
     if (!values.count("largest")) return std::nullopt;
     const double largest = values["largest"].as<double>();
@@ -117,7 +151,8 @@ int plot(const po::variables_map& values) {
         throw blockgen::InputError({"dda-plot"}, "--format is '" + extension + "'", "png, svg or pdf");
     if (output.empty()) throw blockgen::InputError({"dda-plot"}, "--output is empty", "a folder");
     blockgen::check_output_folder(output);
-    const bool all = !values.count("frames") && !values.count("history");
+    const bool worst_only = values.count("worst-contact");
+    const bool all = !values.count("frames") && !values.count("history") && !worst_only;
     const RunFrames run(folder);
     // Everything is read and chosen before the first picture is written.
     std::optional<HistoryTable> history;
@@ -127,8 +162,11 @@ int plot(const po::variables_map& values) {
         frames = chosen_frames(
             run, values.count("frames") ? values["frames"].as<std::string>() : "first,middle,last");
     const std::optional<double> largest = largest_of(values);
+    std::optional<WorstContactViews> worst;
+    if (const auto contact = chosen_contact(folder, worst_only, all)) worst.emplace(run, *contact, largest);
     blockgen::make_output_folder(output);
     if (!frames.empty()) draw_frames(run, frames, output, extension, largest);
+    if (worst) worst->draw(run, output, extension);
     if (history) draw_history(*history).write(output / (run.name() + ".history." + extension));
     return 0;
 }
