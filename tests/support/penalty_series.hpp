@@ -40,14 +40,28 @@ using Answer = std::function<double(const ContactSetting&)>;
 /// known.
 struct PenaltySeries {
     double order = 0;
-    double limit = 0;  ///< extrapolated at first order from the last two
+    double limit = 0;                                    ///< extrapolated at first order from the last two
+    std::vector<double> penalty = {1e1, 1e2, 1e3, 1e4};  ///< over E
+    std::vector<double> answer;
 
     explicit PenaltySeries(const Answer& of) {
-        std::vector<double> answer;
-        for (const double penalty : {1e1, 1e2, 1e3, 1e4}) answer.push_back(of({penalty}));
+        for (const double p : penalty) answer.push_back(of({p}));
         // Least squares over three points one decade apart need the outer two only.
         order = std::log10((answer[0] - answer[1]) / (answer[2] - answer[3])) / 2;
         limit = answer[3] + (answer[3] - answer[2]) / 9;
+    }
+    /// Distance from the limit against the penalty, beside the first order through its last point.
+    void draw(const std::string& id, const std::string& quantity) const {
+        Curve line{"first order", {}, {}};
+        Curve engine{"engine", {}, {}};
+        for (std::size_t k = 0; k < penalty.size(); ++k) {
+            line.x.push_back(std::log10(penalty[k]));
+            line.y.push_back(std::log10(std::abs(answer[3] - limit)) + 4 - line.x.back());
+            engine.x.push_back(line.x.back());
+            engine.y.push_back(std::log10(std::abs(answer[k] - limit)));
+        }
+        record_picture(id, "penalty", id + ": " + quantity + ", its error by the contacts' give",
+                       "log₁₀ of penalty over E", "log₁₀ of the error in m", {line, engine});
     }
 };
 
@@ -63,6 +77,7 @@ struct Give {
 inline void expect_first_order(const std::string& id, const std::string& set_up, const std::string& quantity,
                                const Give& give, const Answer& of) {
     const PenaltySeries series(of);
+    series.draw(id, quantity);
     Case(id, set_up + ", penalties of 10 to 10 000 E",
          "an exact first order but for the share of forces among contacts, which changes with the penalty")
         .expect("order of " + quantity + " in 1/penalty", "", series.order, 1, absolute(.02));

@@ -202,6 +202,21 @@ class ShearBox {
         frequency_step = sim.contact_frequency_step();
         expect_energy_balance("V35", set_up, sim);
     }
+    /// Shear stress against displacement, beside springs, peak and residual strength.
+    void draw() const {
+        Curve engine{"engine", {}, {}};
+        Curve law{"springs, c + σ tan φ, σ tan φ", {}, {}};
+        const double peak = .1 + std::tan(radians(30));
+        for (std::size_t k = 0; k < moved.size(); ++k) {
+            engine.x.push_back(1e6 * moved[k]);
+            engine.y.push_back(shear_force[k] / 1e6);
+            const double elastic = stiffness_ * moved[k] / 1e6;
+            law.x.push_back(1e6 * moved[k]);
+            law.y.push_back(elastic < peak ? elastic : peak - .1);
+        }
+        record_picture("V35", "shear", "V35: direct shear under 1 MPa", "displacement of the lower half, µm",
+                       "shear stress, MPa", {law, engine});
+    }
     std::vector<double> moved;        ///< m, of the lower half
     std::vector<double> shear_force;  ///< N, at the same instants
     double frequency_step = 0;
@@ -226,6 +241,7 @@ TEST(DirectShear, ReachesPeakAndResidualStrength) {
         strength.contact_frequency_step(box.frequency_step);
         strength.expect("peak", "MPa", peak / 1e6, .6774, relative(.005));
         strength.expect("residual", "MPa", box.shear_force.back() / 1e6, .5774, relative(.005));
+        if (setting.penalty_over_e == 5) box.draw();
     }
 }
 

@@ -67,6 +67,25 @@ struct Amplification {
     double amplitude_per_cycle() const { return std::pow(determinant, std::numbers::pi / angle()); }
 };
 
+/// Positions of an oscillator beside the envelope and the frequency that the matrix gives it.
+void draw_decay(const std::vector<double>& x, const Amplification& exact, double frequency, double dt) {
+    Curve engine{"engine", {}, {}};
+    for (std::size_t k = 0; k < x.size(); ++k) {
+        engine.x.push_back(frequency * dt * static_cast<double>(k));
+        engine.y.push_back(x[k] * 1e6);
+    }
+    Curve matrix{"amplification matrix", {}, {}};
+    const double scale =
+        x[1] * 1e6 / (std::sqrt(exact.determinant) * std::sin(exact.angle()));  // through the first two
+    for (int k = 0; k <= 400; ++k) {
+        const double steps = static_cast<double>(x.size() - 1) * k / 400;
+        matrix.x.push_back(frequency * dt * steps);
+        matrix.y.push_back(scale * std::pow(exact.determinant, steps / 2) * std::sin(exact.angle() * steps));
+    }
+    record_picture("V27", "decay", "V27: oscillator in steps of ω Δt = 0.2", "ω t", "displacement, µm",
+                   {matrix, engine});
+}
+
 struct OscillatorCase {
     double w_dt, amplitude, period_ratio;
 };
@@ -92,7 +111,7 @@ TEST_P(Oscillator, DecaysAsTheAmplificationMatrixSays) {
         x.push_back(state.blocks.moments[0].centroid.x());
     };
     const double dt = w_dt / frequency;
-    ASSERT_EQ(sim.shake(20 * dt, dt).status, dda::RunStatus::completed);
+    ASSERT_EQ(sim.shake((w_dt == .2 ? 100 : 20) * dt, dt).status, dda::RunStatus::completed);
     // Least squares for (trace, -determinant) over all triples.
     Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
     Vec2 right = Vec2::Zero();
@@ -105,6 +124,7 @@ TEST_P(Oscillator, DecaysAsTheAmplificationMatrixSays) {
     const double trace = (right[0] * normal(1, 1) - right[1] * normal(0, 1)) / det;
     const double determinant = -(right[1] * normal(0, 0) - right[0] * normal(0, 1)) / det;
     const Amplification exact(w_dt);
+    if (w_dt == .2) draw_decay(x, exact, frequency, dt);
     const std::string set_up = "ω Δt = " + to_text(w_dt);
     expect_energy_balance("V27", set_up, sim);
     const Case matrix("V27", set_up, "the recurrence of the positions is exact: rounding is left");
@@ -125,7 +145,8 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& tested) { return case_name("w_dt " + case_number(tested.param.w_dt)); });
 
 /// Position at t = 1 s under a unit acceleration sin(w t) or cos(w t), less the exact one.
-double driven_error(const std::string& id, bool cosine, double w, double dt) {
+/// @param track takes the position at every step, if given.
+double driven_error(const std::string& id, bool cosine, double w, double dt, Curve* track = nullptr) {
     Scene s;
     s.model.gravity.setZero();
     const int block = s.box({-0.5, -0.5}, 1, 1);
@@ -139,6 +160,11 @@ double driven_error(const std::string& id, bool cosine, double w, double dt) {
     s.model.loads.push_back(
         dda::PointLoad{s.material_point(block, {0, 0}), {2500, 0}, dda::TimeTable(times, values)});
     Simulation sim(s);
+    sim.each_step = [&](const dda::State& state, const dda::StepReport&) {
+        if (track == nullptr) return;
+        track->x.push_back(state.time);
+        track->y.push_back(sim.moved(block).x());
+    };
     dda::Stage stage;
     stage.name = "drive";
     stage.duration = 1;
@@ -148,6 +174,24 @@ double driven_error(const std::string& id, bool cosine, double w, double dt) {
     expect_energy_balance(id, std::string(cosine ? "cosine" : "sine") + " load, Δt = " + to_text(dt) + " s",
                           sim);
     return sim.moved(block).x() - (cosine ? (1 - std::cos(w)) / (w * w) : 1 / w);
+}
+
+/// Errors against the step, both as powers of ten, beside the first terms of their series.
+void draw_orders(const double (&steps)[3], const double (&sine)[3], const double (&cosine)[3], double w) {
+    Curve curves[] = {{"Δt² ω/12", {}, {}},
+                      {"engine, sine load", {}, {}},
+                      {"engine, cosine load", {}, {}},
+                      {"Δt/2", {}, {}}};
+    for (int k = 0; k < 3; ++k) {
+        const double values[] = {steps[k] * steps[k] * w / 12, std::abs(sine[k]), std::abs(cosine[k]),
+                                 steps[k] / 2};
+        for (int c = 0; c < 4; ++c) {
+            curves[c].x.push_back(std::log10(steps[k]));
+            curves[c].y.push_back(std::log10(values[c]));
+        }
+    }
+    record_picture("V50", "order", "V50: error of x(1 s) against the step", "log₁₀ of the step in s",
+                   "log₁₀ of the error in m", {curves[0], curves[1], curves[3], curves[2]});
 }
 
 // V50. The integration is of first order: the cosine load starts at its peak, and evaluating it at the ends
@@ -165,6 +209,7 @@ TEST(IntegratorOrder, IsFirstOrderAndSecondForLoadsThatStartAtZero) {
         order.expect("order, sine load", "", std::log2(sine[k] / sine[k + 1]), 2.0, absolute(.1));
         order.expect("order, cosine load", "", std::log2(cosine[k] / cosine[k + 1]), 1.0, absolute(.1));
     }
+    draw_orders(steps, sine, cosine, w);
     const double expected_cosine[] = {-5.0e-3, -2.5e-3, -1.25e-3};
     const double expected_sine[] = {5.24e-5, 1.31e-5, 3.27e-6};
     for (const int k : {0, 1, 2}) {
@@ -178,8 +223,14 @@ TEST(IntegratorOrder, IsFirstOrderAndSecondForLoadsThatStartAtZero) {
 // V44. F = 1e4 sin(4 pi t) on 2500 kg: x(1) = 1/pi, v(1) = 0.
 TEST(PointLoad, FollowsItsHistory) {
     const double w = 4 * std::numbers::pi;
+    Curve engine{"engine", {}, {}};
+    const double error = driven_error("V44", false, w, 1e-3, &engine);
     Case("V44", "F = 10 kN sin 4πt on 2500 kg", "required at a step of 1 ms")
-        .expect("x(1 s)", "m", 4 * (driven_error("V44", false, w, 1e-3) + 1 / w), .318310, relative(1e-3));
+        .expect("x(1 s)", "m", 4 * (error + 1 / w), .318310, relative(1e-3));
+    Curve closed{"4 (t - sin(ω t)/ω)/ω", engine.x, {}};
+    for (double& x : engine.y) x *= 4;
+    for (const double t : closed.x) closed.y.push_back(4 * (t - std::sin(w * t) / w) / w);
+    record_picture("V44", "position", "V44: 10 kN sin 4πt on 2500 kg", "time, s", "x, m", {closed, engine});
 }
 
 }  // namespace

@@ -119,6 +119,25 @@ bool engine_overturns(const PulseCase& c, double amplitude, RockingBlock& block)
     return block.largest_angle() > 1;
 }
 
+/// The angle under a pulse that does not overturn, beside Housner's.
+void draw_pulse(const PulseCase& c, double amplitude, const RockingBlock& block) {
+    if (c.frequency != 1) return;
+    const HousnerBlock::Motion reference =
+        HousnerBlock(c.width, c.height)
+            .release(
+                0,
+                [&](double t) {
+                    return t * c.frequency > 1 ? 0 : amplitude * g * std::sin(2 * pi * c.frequency * t);
+                },
+                1 / c.frequency + 3);
+    const std::string size = to_text(c.width) + " m x " + to_text(c.height) + " m";
+    record_picture("V25", to_text(c.width) + "x" + to_text(c.height),
+                   "V25: " + size + ", one sine of 1 Hz and " + to_text(amplitude) + " g", "time, s",
+                   "angle, rad",
+                   {{"Housner, e = 1 - 3/2 sin²α", reference.time, reference.angle},
+                    {"engine", block.time, block.angle}});
+}
+
 // V25. The amplitudes from 0.94 of the expected one are tried upward in steps of 2 % until the block falls
 // over: overturning is not monotonic, and by first is meant the lowest. A block on the edge of falling takes
 // about 10/p, and the runs end 3 s after the pulse.
@@ -126,6 +145,8 @@ TEST_P(LongOverturning, TakesTheAmplitudeOfHousnersBlock) {
     const PulseCase& c = GetParam();
     RockingBlock block;
     double first = .94;
+    engine_overturns(c, first * c.amplitude, block);
+    draw_pulse(c, first * c.amplitude, block);
     while (first < 1.1 && !engine_overturns(c, first * c.amplitude, block)) first += .02;
     const std::string set_up =
         to_text(c.width) + " m x " + to_text(c.height) + " m, " + to_text(c.frequency) + " Hz";

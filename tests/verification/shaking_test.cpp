@@ -120,6 +120,8 @@ TEST(BodyForce, MovesTheBlockAsTheBaseDoes) {
     for (const double t : {1., 2., 3., 4., 5.})
         same.expect("s(" + to_text(t) + " s), body force against base", "m", forced.track.at(t),
                     based.track.at(t), relative(.01));
+    record_picture("V17", "slip", "V17: motion of V14 given to the base and as a body force", "time, s",
+                   "slip, m", {based.track.curve("moving base"), forced.track.curve("body force")});
 }
 
 struct YieldCase {

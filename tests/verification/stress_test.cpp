@@ -128,12 +128,20 @@ TEST(Column, StressGrowsWithDepth) {
     for (int k = 0; k < 10; ++k) s.box({0, double(k)}, 1, 1);
     Simulation sim(s);
     ASSERT_EQ(sim.settle().status, dda::RunStatus::completed);
+    Curve statics{"ρ g (k - 1/2)", {}, {}};
+    Curve engine{"engine", {}, {}};
     for (int k = 1; k <= 10; ++k) {
         const double expected = -2500 * g * (k - 0.5);
+        statics.x.push_back(k);
+        statics.y.push_back(-expected / 1e3);
+        engine.x.push_back(k);
+        engine.y.push_back(-sim.stress(11 - k)[1] / 1e3);
         Case("V04", "block " + std::to_string(k) + " from the top", "required; settled to 1e-9 of the weight")
             .contact_frequency_step(sim.contact_frequency_step())
             .expect("σ_y", "Pa", sim.stress(11 - k)[1], expected, relative(.01));
     }
+    record_picture("V04", "stress", "V04: vertical stress in a column", "block from the top",
+                   "compression, kPa", {statics, engine});
 }
 
 // V04. Ten joints give way below the top, each by what it bears over the penalty.

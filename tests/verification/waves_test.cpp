@@ -111,8 +111,11 @@ TEST(FixedFreeBar, SwingsAtItsFirstFrequency) {
     sim.restart_ledger();
     std::vector<double> crossings;
     double before = 0;
+    Curve engine{"engine", {}, {}};
     sim.each_step = [&](const dda::State& state, const dda::StepReport& report) {
         const double now = state.blocks.velocity[count - 1][0];
+        engine.x.push_back(1e3 * state.stage_time);
+        engine.y.push_back(now);
         if (before * now < 0) crossings.push_back(state.stage_time - report.step * now / (now - before));
         before = now;
     };
@@ -123,6 +126,12 @@ TEST(FixedFreeBar, SwingsAtItsFirstFrequency) {
         .contact_frequency_step(sim.contact_frequency_step())
         .expect("f1", "Hz", frequency, 25, relative(2e-3));
     expect_energy_balance("V34", "20 m of 0.5 m blocks", sim);
+    Curve mode{"first mode of 25 Hz", engine.x, {}};
+    for (const double t : mode.x)
+        mode.y.push_back(.1 * std::sin(k * (count - .5) * bar.block_length) *
+                         std::cos(2 * std::numbers::pi * 25e-3 * t));
+    record_picture("V34", "velocity", "V34: velocity of the free end's block", "time, ms", "velocity, m/s",
+                   {mode, engine});
 }
 
 }  // namespace
