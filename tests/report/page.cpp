@@ -144,10 +144,11 @@ void write_misses(std::ostream& out, const std::vector<Row>& rows) {
 /// One line for each set-up that has an energy balance, instead of three in its case's table.
 void write_energy(std::ostream& out, const std::vector<Row>& rows) {
     if (std::none_of(rows.begin(), rows.end(), is_energy)) return;
-    out << "\n## Energy\n\nOf every dynamic case, as shares of the energy exchanged: the largest change of "
-           "any "
-           "one account of the\nledger ([theory](theory.md), sec. 8) since the dynamic stage began. The "
-           "residual is what the ledger does not explain\nat the worst instant, and must be below 1e-3; "
+    out << "\n## Energy\n\nOf every dynamic case, as shares of the energy exchanged: the largest kinetic "
+           "energy or "
+           "change of another account of\nthe ledger ([theory](theory.md), sec. 8) since the dynamic stage "
+           "began. The residual is what the ledger does not explain\nat the worst instant, and must be below "
+           "1e-3; "
            "friction must not give energy back in any step, beyond rounding.\nThe loss by the time "
            "integration is Eq. (40) of the theory, no error of the balance.\n\n"
            "| id | set-up | residual | least work of friction in a step | lost by the time integration | "
