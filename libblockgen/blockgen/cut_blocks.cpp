@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
 #include "blockgen/base/text.hpp"
@@ -217,12 +216,12 @@ class Cutter {
             ++(mark == EdgeMark{} ? report.boundary_edges : report.interior_edges);
         report.interior_edges /= 2;
         report.sizes = size_summary(mesh);
-        for (std::size_t b = 0; b < mesh.block_count(); ++b) {
-            const double perimeter = block_perimeter(mesh, b);
-            report.slivers += 4 * std::numbers::pi * block_area(mesh, b) <
-                              model_.small_blocks.below_roundness * perimeter * perimeter;
-        }
+        report.shapes = shape_summary(mesh);
+        for (std::size_t b = 0; b < mesh.block_count(); ++b)
+            report.slivers += block_roundness(mesh, b) < model_.small_blocks.below_roundness;
         count_islands(report);
+        if (model_.kinematics)
+            report.kinematics = screen_blocks(mesh, *model_.kinematics, model_.outline, model_.grid);
     }
 
     void count_islands(CutReport& report) const {

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "blockgen/input/slope_model.hpp"
 #include "blockgen/joint_balance.hpp"
+#include "blockgen/kinematics.hpp"
 #include "blockgen/merge_blocks.hpp"
 #include "blockgen/mesh/block_mesh.hpp"
 #include "blockgen/mesh/measures.hpp"
@@ -34,8 +36,10 @@ struct CutReport {
     bool area_proved = false;  ///< the blocks' areas sum up to it as integers
     bool verified = false;     ///< an arrangement with exact construction agreed
     SizeSummary sizes;
+    ShapeSummary shapes;
     std::vector<JointBalance> joints;  ///< in the order of the model: traces, then sets
     NodeCounts nodes;
+    std::optional<KinematicReport> kinematics;  ///< when the model asks for it
     std::vector<std::string> warnings;
 };
 
@@ -53,5 +57,9 @@ CutResult cut_blocks(const SlopeModel& model, const std::vector<Trace>& traces,
 
 /// The report as JSON, ready to be written.
 std::string report_text(const CutReport& report);
+/// The same as tables to be read.
+std::string report_tables(const CutReport& report);
+/// A block's mode in a word or three.
+const char* word_of(BlockMode mode);
 
 }  // namespace blockgen

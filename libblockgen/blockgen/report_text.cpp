@@ -1,9 +1,54 @@
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "blockgen/cut_blocks.hpp"
 
 namespace blockgen {
+
+const char* word_of(BlockMode mode) {
+    switch (mode) {
+        case BlockMode::enclosed:
+            return "enclosed";
+        case BlockMode::tapered:
+            return "tapered";
+        case BlockMode::stable:
+            return "stable";
+        case BlockMode::falling:
+            return "falling";
+        case BlockMode::sliding:
+            return "sliding";
+        case BlockMode::sliding_two_faces:
+            return "sliding on two faces";
+    }
+    return "";
+}
+
+namespace {
+
+nlohmann::ordered_json deciles_json(const Deciles& d) {
+    return {{"p10", d.p10}, {"p50", d.p50}, {"p90", d.p90}};
+}
+
+nlohmann::ordered_json kinematics_json(const KinematicReport& report) {
+    using json = nlohmann::ordered_json;
+    json counts = json::object(), blocks = json::array();
+    for (const BlockMode mode : {BlockMode::enclosed, BlockMode::tapered, BlockMode::stable,
+                                 BlockMode::falling, BlockMode::sliding, BlockMode::sliding_two_faces})
+        counts[word_of(mode)] = std::count(report.mode.begin(), report.mode.end(), mode);
+    for (const KeyBlock& b : report.blocks) {
+        json row = {{"block", b.block},
+                    {"mode", word_of(b.mode)},
+                    {"factor_of_safety", b.factor_of_safety},
+                    {"direction", {b.direction.x, b.direction.y}},
+                    {"area_m2", b.area}};
+        if (b.joint >= 0) row["joint"] = b.joint;
+        blocks.push_back(std::move(row));
+    }
+    return {{"counts", counts}, {"blocks", blocks}};
+}
+
+}  // namespace
 
 std::string report_text(const CutReport& report) {
     using json = nlohmann::ordered_json;
@@ -27,7 +72,7 @@ std::string report_text(const CutReport& report) {
                           {"asked", asked}});
     }
     const SizeSummary& s = report.sizes;
-    const json root = {
+    json root = {
         {"blocks", report.blocks},
         {"holes", report.holes},
         {"islands", report.islands},
@@ -46,12 +91,16 @@ std::string report_text(const CutReport& report) {
           {"d50", s.d50},
           {"d90", s.d90},
           {"largest", s.largest_area}}},
+        {"roundness", deciles_json(report.shapes.roundness)},
+        {"aspect", deciles_json(report.shapes.aspect)},
+        {"mean_corners", report.shapes.mean_corners},
         {"smallest_edge_m", s.smallest_edge},
         {"smallest_angle_deg", s.smallest_angle * 180 / std::numbers::pi},
         {"joints", joints},
         {"nodes",
          {{"i", report.nodes.i}, {"y", report.nodes.y}, {"x", report.nodes.x}, {"edge", report.nodes.edge}}},
         {"warnings", report.warnings}};
+    if (report.kinematics) root["kinematics"] = kinematics_json(*report.kinematics);
     return root.dump(2) + "\n";
 }
 

@@ -58,6 +58,11 @@ cmp p.svg again.svg || fail 'not the same picture'
 grep -v '^provenance' slope.blocks >a.txt
 grep -v '^provenance' echo.blocks >b.txt
 cmp a.txt b.txt || fail 'the echoed model makes other blocks'
+"$program" slope.toml -o k.blocks --set 'kinematics.friction_angle="30 deg"' --kinematic-picture k.svg \
+    --size-picture s.svg --report k.txt >out.txt
+grep -q 'which the blocks fill exactly' k.txt || fail 'no tables in the report'
+[ -s k.svg ] || fail 'no kinematic picture'
+[ -s s.svg ] || fail 'no picture of the sizes'
 "$program" --version | grep -q '^blockgen [0-9]' || fail version
 "$program" --help | grep -q -- --max-blocks || fail help
 
@@ -86,6 +91,8 @@ refused 'slope.toml:2.*--max-blocks' slope.toml --max-blocks 10
 refused 'no-such.toml' no-such.toml
 refused 'no such folder' slope.toml -o nowhere/slope.blocks
 refused 'new.gif' slope.toml --picture new.gif
+refused 'friction_angle' slope.toml --kinematic-picture new.svg
+refused 'new.gif' slope.toml --size-picture new.gif
 refused 'model file' slope.toml -o slope.toml
 refused 'different names' slope.toml --report slope.blocks
 refused 'pictur' slope.toml --pictur new.svg

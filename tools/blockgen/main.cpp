@@ -8,6 +8,7 @@
 #include "blockgen/input/read_slope_model.hpp"
 #include "blockgen/mesh/block_file.hpp"
 #include "blockgen/picture/block_picture.hpp"
+#include "blockgen/picture/size_picture.hpp"
 #include "blockgen/sample_joints.hpp"
 #include "options.hpp"
 #include "provenance.hpp"
@@ -25,9 +26,37 @@ ConfigTable read_config(const Options& options) {
     return ConfigTable::from_file(options.model, overrides);
 }
 
+/// Blocks that would move in warm colours, those that only friction holds in a pale one.
+BlockLayer kinematic_layer(const KinematicReport& report) {
+    BlockLayer layer;
+    layer.title = "First movement";
+    layer.entries = {{"falls", {0.78, 0.13, 0.13}},
+                     {"slides", {0.93, 0.49, 0.19}},
+                     {"held by friction", {0.98, 0.85, 0.45}},
+                     {"removable, stable", {0.62, 0.80, 0.62}},
+                     {"tapered", {0.64, 0.74, 0.86}}};
+    layer.entry_of_block.assign(report.mode.size(), -1);
+    for (std::size_t b = 0; b < report.mode.size(); ++b) {
+        if (report.mode[b] == BlockMode::stable) layer.entry_of_block[b] = 3;
+        if (report.mode[b] == BlockMode::tapered) layer.entry_of_block[b] = 4;
+    }
+    for (const KeyBlock& key : report.blocks)
+        layer.entry_of_block[static_cast<std::size_t>(key.block)] = key.mode == BlockMode::falling ? 0
+                                                                    : key.factor_of_safety < 1     ? 1
+                                                                                                   : 2;
+    return layer;
+}
+
+void write_report(const std::filesystem::path& path, const CutReport& report) {
+    write_file_atomically(path, path.extension() == ".txt" ? report_tables(report) : report_text(report));
+}
+
 void write_results(const Options& options, const SlopeModel& model, const CutResult& result) {
     if (!options.picture.empty()) draw_blocks(result.mesh).write(options.picture);
-    if (!options.report.empty()) write_file_atomically(options.report, report_text(result.report));
+    if (!options.size_picture.empty()) draw_sizes(result.mesh).write(options.size_picture);
+    if (!options.kinematic_picture.empty())
+        draw_blocks(result.mesh, kinematic_layer(*result.report.kinematics)).write(options.kinematic_picture);
+    if (!options.report.empty()) write_report(options.report, result.report);
     if (!options.depfile.empty()) write_file_atomically(options.depfile, make_rule(options, model));
     write_block_file(options.output, result.mesh);
 }
@@ -45,6 +74,9 @@ int run(const Options& options) {
     const SlopeModel model = read_slope_model(config);
     if (options.print_config) return print(config.effective_text());
     check_outputs(options, model);
+    if (!options.kinematic_picture.empty() && !model.kinematics)
+        config.fail("kinematics", "--kinematic-picture without [kinematics]",
+                    "[kinematics] with a friction_angle");
 
     CutResult result = cut_blocks(model, all_traces(model), {options.max_blocks, options.verify});
     result.mesh.provenance = provenance(model, config);

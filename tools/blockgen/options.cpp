@@ -22,8 +22,11 @@ po::options_description visible_options() {
     add("set", po::value<std::vector<std::string>>()->composing()->value_name("KEY=VALUE"),
         "override a value of the model, e.g. joint_set[0].spacing=2; may be repeated");
     add("picture", po::value<std::string>()->value_name("FILE"), "draw the blocks; .svg, .png or .pdf");
+    add("size-picture", po::value<std::string>()->value_name("FILE"), "draw the distribution of block areas");
+    add("kinematic-picture", po::value<std::string>()->value_name("FILE"),
+        "draw the blocks coloured by how they would begin to move; needs [kinematics]");
     add("report", po::value<std::string>()->value_name("FILE"),
-        "write what was cut, and the block sizes, as JSON");
+        "write what was cut, and the block sizes, as JSON, or as tables to a name that ends in .txt");
     add("depfile", po::value<std::string>()->value_name("FILE"),
         "write a Make rule that names every file read");
     add("verify", "recut with exact construction and compare");
@@ -51,9 +54,9 @@ std::string path_or_empty(const po::variables_map& given, const char* name) {
     return path;
 }
 
-void check_picture(const Options& options) {
-    if (!options.picture.empty() && !blockgen::picture_format(options.picture))
-        throw UsageError("--picture " + options.picture.string() +
+void check_picture(const char* option, const std::filesystem::path& picture) {
+    if (!picture.empty() && !blockgen::picture_format(picture))
+        throw UsageError(option + (" " + picture.string()) +
                          ": expected a name that ends in .svg, .png or .pdf");
 }
 
@@ -74,7 +77,11 @@ Options read_options(const po::variables_map& given) {
     options.max_blocks = static_cast<std::size_t>(most);
     options.verify = given.count("verify") > 0;
     options.print_config = given.count("print-config") > 0;
-    check_picture(options);
+    options.size_picture = path_or_empty(given, "size-picture");
+    options.kinematic_picture = path_or_empty(given, "kinematic-picture");
+    check_picture("--picture", options.picture);
+    check_picture("--size-picture", options.size_picture);
+    check_picture("--kinematic-picture", options.kinematic_picture);
     return options;
 }
 

@@ -15,7 +15,7 @@ struct Options {
     std::filesystem::path output;
     std::optional<std::int64_t> seed;
     std::vector<std::string> overrides;
-    std::filesystem::path picture, report, depfile;
+    std::filesystem::path picture, size_picture, kinematic_picture, report, depfile;
     bool verify = false;
     bool print_config = false;
     std::size_t max_blocks = 1'000'000;

@@ -18,6 +18,18 @@ BlockSelector read_selector(const ConfigTable& table, bool prescribed) {
     return selector;
 }
 
+KinematicScreen read_kinematics(const ConfigTable& table) {
+    KinematicScreen screen;
+    screen.friction_angle = table.checked(
+        "friction_angle", table.number("friction_angle", Dimension::angle),
+        [](double a) { return a >= 0 && a < 1.55; }, "a friction angle from 0 to 88 deg");
+    if (table.has("fixed_sides")) screen.fixed_sides = table.strings("fixed_sides");
+    for (const std::string& side : screen.fixed_sides)
+        if (side != "bottom" && side != "top" && side != "left" && side != "right")
+            table.fail("fixed_sides", "there is no side '" + side + "'", "bottom, top, left or right");
+    return screen;
+}
+
 }  // namespace
 
 void read_marks(const ConfigTable& root, SlopeModel& model) {
@@ -25,6 +37,7 @@ void read_marks(const ConfigTable& root, SlopeModel& model) {
         model.selectors.push_back(read_selector(table, false));
     for (const ConfigTable& table : root.array_of_tables("prescribed_block"))
         model.selectors.push_back(read_selector(table, true));
+    if (const auto table = root.optional_table("kinematics")) model.kinematics = read_kinematics(*table);
     for (const ConfigTable& table : root.array_of_tables("measured_point")) {
         model.measured_points.push_back(
             {read_name(table, "name"), point_of(table.pair("at", Dimension::length)), table.place("at")});

@@ -27,7 +27,7 @@ void read_tunnels(const ConfigTable& root, SlopeModel& model);
 void read_joints(const ConfigTable& root, SlopeModel& model);
 /// [[joint_set]], and [section] for sets that lie in space.
 void read_joint_sets(const ConfigTable& root, SlopeModel& model);
-/// [[fixed_block]], [[prescribed_block]], [[measured_point]] and [[bolt]]
+/// [[fixed_block]], [[prescribed_block]], [kinematics], [[measured_point]] and [[bolt]]
 void read_marks(const ConfigTable& root, SlopeModel& model);
 
 }  // namespace blockgen

@@ -106,6 +106,10 @@ side = "bottom"                            # or at = [x, y], or inside = polygon
 # name = "base"
 # at = [60, 2]
 
+# [kinematics]                             # screen for removable blocks, in the report and --kinematic-picture
+# friction_angle = "30 deg"
+# fixed_sides = ["bottom", "left", "right"]
+
 [[measured_point]]
 name = "crest"
 at = [59, 69]

@@ -114,6 +114,12 @@ struct SmallBlocks {
     double below_roundness = 0.02;  ///< 4 pi area / perimeter^2, in [0, 1); the measure of a sliver
 };
 
+/// What the kinematic screen needs to know.
+struct KinematicScreen {
+    double friction_angle = 0;  ///< rad, of all joints
+    std::vector<std::string> fixed_sides = {"bottom", "left", "right"};
+};
+
 /// A slope as its model file describes it: geometry only, checked, in SI units.
 struct SlopeModel {
     std::uint64_t seed = 0;
@@ -131,6 +137,7 @@ struct SlopeModel {
     std::vector<BlockSelector> selectors;
     std::vector<NamedPoint> measured_points;
     std::vector<BoltLine> bolts;
+    std::optional<KinematicScreen> kinematics;
     std::vector<std::filesystem::path> files;  ///< read besides the model file itself
 };
 

@@ -71,6 +71,51 @@ double block_perimeter(const BlockMesh& mesh, std::size_t block) {
     return length;
 }
 
+double block_roundness(const BlockMesh& mesh, std::size_t block) {
+    const double perimeter = block_perimeter(mesh, block);
+    return 4 * std::numbers::pi * block_area(mesh, block) / (perimeter * perimeter);
+}
+
+double block_aspect(const BlockMesh& mesh, std::size_t block) {
+    const Point c = block_centroid(mesh, block);
+    double xx = 0, yy = 0, xy = 0;
+    for (std::size_t r = 0; r < mesh.ring_count(block); ++r) {
+        const Ring ring = ring_points(mesh, block, r);
+        for (std::size_t k = 0; k < ring.size(); ++k) {
+            const double ax = ring[k].x - c.x, ay = ring[k].y - c.y;
+            const double bx = ring[(k + 1) % ring.size()].x - c.x, by = ring[(k + 1) % ring.size()].y - c.y;
+            const double cross = ax * by - ay * bx;
+            xx += cross * (ax * ax + ax * bx + bx * bx);
+            yy += cross * (ay * ay + ay * by + by * by);
+            xy += cross * (2 * ax * ay + ax * by + bx * ay + 2 * bx * by) / 2;
+        }
+    }
+    const double mean = (xx + yy) / 2, spread = std::hypot((xx - yy) / 2, xy);
+    return std::sqrt(std::max(mean - spread, 0.0) / (mean + spread));
+}
+
+ShapeSummary shape_summary(const BlockMesh& mesh) {
+    ShapeSummary summary;
+    const std::size_t n = mesh.block_count();
+    if (n == 0) return summary;
+    std::vector<double> roundness, aspect;
+    for (std::size_t b = 0; b < n; ++b) {
+        roundness.push_back(block_roundness(mesh, b));
+        aspect.push_back(block_aspect(mesh, b));
+    }
+    const auto deciles = [n](std::vector<double>& values) {
+        std::sort(values.begin(), values.end());
+        const auto at = [&](double share) {
+            return values[std::min(n - 1, static_cast<std::size_t>(share * static_cast<double>(n)))];
+        };
+        return Deciles{at(0.1), at(0.5), at(0.9)};
+    };
+    summary.roundness = deciles(roundness);
+    summary.aspect = deciles(aspect);
+    summary.mean_corners = static_cast<double>(mesh.corners.size()) / static_cast<double>(n);
+    return summary;
+}
+
 SizeSummary size_summary(const BlockMesh& mesh) {
     SizeSummary summary;
     if (mesh.block_count() == 0) return summary;

@@ -19,6 +19,27 @@ Point block_centroid(const BlockMesh& mesh, std::size_t block);
 /// Length of a block's rings, outer and holes, m.
 double block_perimeter(const BlockMesh& mesh, std::size_t block);
 
+/// 4 pi area / perimeter^2: 1 for a circle, 0.785 for a square, near 0 for a sliver.
+double block_roundness(const BlockMesh& mesh, std::size_t block);
+
+/// Width over length: the root of the smaller over the larger principal second moment of area about the
+/// centroid, 1 for a square or a circle.
+double block_aspect(const BlockMesh& mesh, std::size_t block);
+
+/// Values that a tenth, half and nine tenths of the blocks, by number, do not exceed.
+struct Deciles {
+    double p10 = 0, p50 = 0, p90 = 0;
+};
+
+/// Shapes of all blocks of a mesh.
+struct ShapeSummary {
+    Deciles roundness;
+    Deciles aspect;
+    double mean_corners = 0;  ///< of a block
+};
+
+ShapeSummary shape_summary(const BlockMesh& mesh);
+
 /// Sizes of all blocks of a mesh; zeros when it has none.
 struct SizeSummary {
     double area = 0;            ///< of all blocks, m2

@@ -58,8 +58,9 @@ std::vector<std::size_t> shades_of(const BlockMesh& mesh) {
 
 class BlockPicture {
   public:
-    BlockPicture(const BlockMesh& mesh, const Extent& extent, double height)
+    BlockPicture(const BlockMesh& mesh, const BlockLayer& layer, const Extent& extent, double height)
         : mesh_(mesh),
+          layer_(layer),
           canvas_(page_width, height),
           axes_(
               Axes::of_equal_scale({left, top}, {page_width - right, height - bottom}, extent.x, extent.y)) {
@@ -89,8 +90,10 @@ class BlockPicture {
     void fill_blocks() {
         const std::vector<std::size_t> shades = shades_of(mesh_);
         for (std::size_t b = 0; b < mesh_.block_count(); ++b) {
+            const std::int32_t entry = layer_.entries.empty() ? -1 : layer_.entry_of_block[b];
+            const Colour rock = rock_colour(static_cast<std::size_t>(mesh_.block_material[b]));
             const Colour fill =
-                shaded(rock_colour(static_cast<std::size_t>(mesh_.block_material[b])), shades[b]);
+                entry < 0 ? shaded(rock, shades[b]) : layer_.entries[static_cast<std::size_t>(entry)].colour;
             const std::vector<Ring> rings = page_rings(b);
             canvas_.polygon(rings, fill, Stroke{fill, 0.3});
             if (mesh_.motion[b] == BlockMotion::fixed)
@@ -167,6 +170,10 @@ class BlockPicture {
             return std::find(mesh_.motion.begin(), mesh_.motion.end(), m) != mesh_.motion.end();
         };
         y = draw_legend(canvas_, {x, y}, mesh_.block_materials.size() == 1 ? "Rock" : "Rocks", rocks);
+        std::vector<LegendEntry> colours;
+        for (const BlockLayer::Entry& entry : layer_.entries)
+            colours.push_back({entry.text, entry.colour, Stroke{grey, 0.6}});
+        if (!colours.empty()) y = draw_legend(canvas_, {x, y}, layer_.title, colours);
         if (!lines.empty()) y = draw_legend(canvas_, {x, y}, "Joints", lines);
         if (has(BlockMotion::fixed)) y = draw_hatched(x, y, "fixed block", fixed_hatch, std::numbers::pi / 4);
         if (has(BlockMotion::prescribed))
@@ -201,6 +208,7 @@ class BlockPicture {
     inline static const Colour contact_colour{0.45, 0.36, 0.26};
 
     const BlockMesh& mesh_;
+    const BlockLayer& layer_;
     Canvas canvas_;
     Axes axes_;
     std::vector<std::string> sets_;
@@ -208,12 +216,12 @@ class BlockPicture {
 
 }  // namespace
 
-Canvas draw_blocks(const BlockMesh& mesh) {
+Canvas draw_blocks(const BlockMesh& mesh, const BlockLayer& layer) {
     if (mesh.vertices.empty()) return Canvas(page_width, 200);
     const Extent extent = extent_of(mesh);
     const double scale = (page_width - left - right) / (extent.x.high - extent.x.low);
     const double height = std::clamp(scale * (extent.y.high - extent.y.low), 230.0, 900.0) + top + bottom;
-    return BlockPicture(mesh, extent, height).draw();
+    return BlockPicture(mesh, layer, extent, height).draw();
 }
 
 }  // namespace blockgen

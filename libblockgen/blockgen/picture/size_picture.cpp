@@ -1,0 +1,107 @@
+#include "blockgen/picture/size_picture.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "blockgen/mesh/measures.hpp"
+#include "blockgen/picture/axes.hpp"
+
+namespace blockgen {
+
+namespace {
+
+constexpr double page_width = 560, page_height = 380;
+constexpr Point upper_left{62, 24}, lower_right{536, 318};
+
+std::vector<double> sorted_areas(const BlockMesh& mesh) {
+    std::vector<double> areas;
+    for (std::size_t b = 0; b < mesh.block_count(); ++b) areas.push_back(block_area(mesh, b));
+    std::sort(areas.begin(), areas.end());
+    return areas;
+}
+
+/// Whole powers of ten round the sizes, at least two.
+Range decades(const std::vector<double>& areas) {
+    const double low = std::floor(std::log10(areas.front())), high = std::ceil(std::log10(areas.back()));
+    return high > low ? Range{low, high} : Range{low - 1, high + 1};
+}
+
+/// A staircase through the sorted sizes; no two points nearer to each other than a fifth of a point.
+std::vector<Point> staircase(const std::vector<double>& areas, const Axes& axes, bool by_area) {
+    double total = 0, sum = 0;
+    for (const double area : areas) total += by_area ? area : 1;
+    std::vector<Point> line = {axes.to_page({std::log10(areas.front()), 0})};
+    for (const double area : areas) {
+        sum += by_area ? area : 1;
+        const Point p = axes.to_page({std::log10(area), 100 * sum / total});
+        if (std::abs(p.x - line.back().x) + std::abs(p.y - line.back().y) < 0.2 && area < areas.back())
+            continue;
+        line.push_back({p.x, line.back().y});
+        line.push_back(p);
+    }
+    return line;
+}
+
+std::string size_text(double area) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g m\u00b2", area);
+    return text;
+}
+
+void draw_decades(Canvas& canvas, const Range& range, const Axes& axes) {
+    const int step = std::max(1, static_cast<int>((range.high - range.low) / 8) + 1);
+    for (int k = static_cast<int>(range.low); k <= static_cast<int>(range.high); ++k) {
+        const double x = axes.to_page({static_cast<double>(k), 0}).x;
+        canvas.polyline(std::vector<Point>{{x, lower_right.y}, {x, lower_right.y + 4}}, {grey, 0.6});
+        if ((k - static_cast<int>(range.low)) % step != 0) continue;
+        char text[32];
+        std::snprintf(text, sizeof text, "%g", std::pow(10.0, k));
+        canvas.text({x, lower_right.y + 14}, text, {9, black, Anchor::middle, Anchor::middle});
+    }
+}
+
+void draw_shares(Canvas& canvas, const Axes& axes, const Range& range) {
+    for (int share = 0; share <= 100; share += 20) {
+        const double y = axes.to_page({range.low, static_cast<double>(share)}).y;
+        canvas.polyline(std::vector<Point>{{upper_left.x, y}, {lower_right.x, y}}, {pale_grey, 0.5});
+        canvas.text({upper_left.x - 6, y}, std::to_string(share) + " %",
+                    {9, black, Anchor::end, Anchor::middle});
+    }
+}
+
+}  // namespace
+
+Canvas draw_sizes(const BlockMesh& mesh) {
+    Canvas canvas(page_width, page_height);
+    if (mesh.block_count() == 0) return canvas;
+    const std::vector<double> areas = sorted_areas(mesh);
+    const Range range = decades(areas);
+    const Axes axes(upper_left, lower_right, range, {0, 100});
+    draw_shares(canvas, axes, range);
+    draw_decades(canvas, range, axes);
+    canvas.polyline(staircase(areas, axes, false), {line_colour(1), 1.4});
+    canvas.polyline(staircase(areas, axes, true), {line_colour(0), 1.8});
+    const SizeSummary sizes = size_summary(mesh);
+    for (const auto& [name, size, share] :
+         {std::tuple("D10", sizes.d10, 10.0), std::tuple("D50", sizes.d50, 50.0),
+          std::tuple("D90", sizes.d90, 90.0)}) {
+        const Point p = axes.to_page({std::log10(size), share});
+        canvas.polyline(std::vector<Point>{{p.x, lower_right.y}, p}, {grey, 0.7, {3, 2}});
+        TextStyle style{9, black, Anchor::end, Anchor::middle};
+        style.halo = white;
+        canvas.text({p.x - 5, p.y - 7}, std::string(name) + " " + size_text(size), style);
+    }
+    canvas.polygon(
+        std::vector<Ring>{
+            {upper_left, {lower_right.x, upper_left.y}, lower_right, {upper_left.x, lower_right.y}}},
+        std::nullopt, Stroke{grey, 0.8});
+    canvas.text({(upper_left.x + lower_right.x) / 2, lower_right.y + 34}, "block area (m\u00b2)",
+                {10, black, Anchor::middle, Anchor::middle});
+    draw_legend(canvas, {upper_left.x + 12, upper_left.y + 10}, "Blocks up to this size hold",
+                {{"this share of the area", {}, Stroke{line_colour(0), 1.8}, true},
+                 {"this share of their number", {}, Stroke{line_colour(1), 1.4}, true}});
+    return canvas;
+}
+
+}  // namespace blockgen

@@ -1,0 +1,110 @@
+#include <algorithm>
+#include <cstdarg>
+#include <cstdio>
+#include <numbers>
+
+#include "blockgen/cut_blocks.hpp"
+
+namespace blockgen {
+
+namespace {
+
+/// Lines of text, formatted as printf does.
+class Page {
+  public:
+    __attribute__((format(printf, 2, 3))) void line(const char* format, ...) {
+        char text[512];
+        va_list values;
+        va_start(values, format);
+        std::vsnprintf(text, sizeof text, format, values);
+        va_end(values);
+        text_ += text;
+        text_ += '\n';
+    }
+    const std::string& text() const { return text_; }
+
+  private:
+    std::string text_;
+};
+
+/// A name padded to a column; longer ones keep their letters.
+std::string padded(const std::string& name) {
+    return name + std::string(name.size() < 20 ? 20 - name.size() : 1, ' ');
+}
+
+std::string asked(double value) {
+    if (value == 0) return "-";
+    char text[32];
+    std::snprintf(text, sizeof text, "%.4g", value);
+    return text;
+}
+
+void blocks_table(Page& page, const CutReport& r) {
+    page.line("Blocks");
+    page.line("  number                    %zu", r.blocks);
+    page.line("  rock                      %.9g m2, %s", r.domain_area,
+              r.area_proved ? "which the blocks fill exactly" : "not proved");
+    if (r.verified) page.line("  exact construction        agrees");
+    page.line("  D10, D50, D90 by area     %.4g, %.4g, %.4g m2", r.sizes.d10, r.sizes.d50, r.sizes.d90);
+    page.line("  smallest, largest         %.4g, %.4g m2", r.sizes.smallest_area, r.sizes.largest_area);
+    page.line("  roundness P10, P50, P90   %.3f, %.3f, %.3f", r.shapes.roundness.p10, r.shapes.roundness.p50,
+              r.shapes.roundness.p90);
+    page.line("  width/length P10 to P90   %.3f, %.3f, %.3f", r.shapes.aspect.p10, r.shapes.aspect.p50,
+              r.shapes.aspect.p90);
+    page.line("  corners of a block        %.2f", r.shapes.mean_corners);
+    page.line("  smallest edge             %.4g m", r.sizes.smallest_edge);
+    page.line("  smallest angle            %.4g deg", r.sizes.smallest_angle * 180 / std::numbers::pi);
+    page.line("  slivers                   %zu", r.slivers);
+    page.line("  largest snap              %.3g m", r.largest_snap);
+}
+
+void changes_table(Page& page, const CutReport& r) {
+    page.line("\nChanges");
+    page.line("  straight vertices taken out   %zu", r.merged_vertices);
+    page.line("  small blocks found, merged    %zu, %zu (%.4g m2)", r.merges.small_blocks,
+              r.merges.merged_blocks, r.merges.merged_area);
+    page.line("  small blocks kept             %zu", r.merges.kept_small);
+    page.line("  islands kept, cuts, filled    %zu, %zu, %zu", r.islands, r.island_cuts,
+              r.merges.filled_islands);
+}
+
+void joints_table(Page& page, const CutReport& r) {
+    page.line("\nJoints (m)            traces      input   retained     pruned   free face    outside");
+    for (const JointBalance& b : r.joints)
+        page.line("  %s%6zu %10.2f %10.2f %10.2f  %10.2f %10.2f", padded(b.name).c_str(), b.traces, b.input,
+                  b.retained, b.pruned, b.on_boundary, b.outside);
+    page.line("\nDensities             P10 1/m    asked     P20 1/m2    asked     P21 1/m    asked");
+    for (const JointBalance& b : r.joints)
+        page.line("  %s%7.4g %8s   %10.4g %8s   %9.4g %8s", padded(b.name).c_str(), b.p10,
+                  asked(b.p10_asked).c_str(), b.p20, asked(b.p20_asked).c_str(), b.p21,
+                  asked(b.p21_asked).c_str());
+    page.line("\nNodes: %zu tips (I), %zu abutments (Y), %zu crossings (X), %zu at free faces", r.nodes.i,
+              r.nodes.y, r.nodes.x, r.nodes.edge);
+}
+
+void kinematics_table(Page& page, const KinematicReport& k) {
+    page.line("\nKinematics");
+    for (const BlockMode mode : {BlockMode::enclosed, BlockMode::tapered, BlockMode::stable,
+                                 BlockMode::falling, BlockMode::sliding, BlockMode::sliding_two_faces})
+        page.line("  %s%6td", padded(word_of(mode)).c_str(), std::count(k.mode.begin(), k.mode.end(), mode));
+    if (k.blocks.empty()) return;
+    page.line("  block   mode                      safety    area m2");
+    for (const KeyBlock& b : k.blocks)
+        page.line("  %5d   %s %10.3f %10.4g", b.block, (padded(word_of(b.mode)) + "  ").c_str(),
+                  b.factor_of_safety, b.area);
+}
+
+}  // namespace
+
+std::string report_tables(const CutReport& report) {
+    Page page;
+    blocks_table(page, report);
+    changes_table(page, report);
+    joints_table(page, report);
+    if (report.kinematics) kinematics_table(page, *report.kinematics);
+    if (!report.warnings.empty()) page.line("\nWarnings");
+    for (const std::string& warning : report.warnings) page.line("  %s", warning.c_str());
+    return page.text();
+}
+
+}  // namespace blockgen

@@ -1,0 +1,50 @@
+#include "blockgen/mesh/measures.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace blockgen {
+namespace {
+
+/// One block with the given corners, turned and far from the origin.
+BlockMesh block(const Ring& corners) {
+    BlockMesh mesh;
+    mesh.begin_block(0);
+    std::vector<std::int32_t> ring;
+    for (const Point& p : corners) {
+        ring.push_back(static_cast<std::int32_t>(ring.size()));
+        mesh.vertices.push_back({466000 + 0.8 * p.x - 0.6 * p.y, 6691582 + 0.6 * p.x + 0.8 * p.y});
+    }
+    mesh.add_ring(ring, std::vector<EdgeMark>(corners.size()));
+    return mesh;
+}
+
+TEST(Measures, RoundnessAndAspectOfKnownShapes) {
+    const BlockMesh square = block({{0, 0}, {2, 0}, {2, 2}, {0, 2}});
+    EXPECT_NEAR(block_roundness(square, 0), std::numbers::pi / 4, 1e-7);
+    EXPECT_NEAR(block_aspect(square, 0), 1, 1e-7);
+    const BlockMesh plank = block({{0, 0}, {5, 0}, {5, 1}, {0, 1}});
+    EXPECT_NEAR(block_aspect(plank, 0), 0.2, 1e-7);
+    EXPECT_NEAR(block_roundness(plank, 0), 4 * std::numbers::pi * 5 / 144, 1e-7);
+    // Second moments of a right triangle of unit sides about its centroid: 1/36, and across them -1/72.
+    const BlockMesh triangle = block({{0, 0}, {1, 0}, {0, 1}});
+    EXPECT_NEAR(block_aspect(triangle, 0), std::sqrt((1.0 / 36 - 1.0 / 72) / (1.0 / 36 + 1.0 / 72)), 1e-7);
+}
+
+TEST(Measures, ShapesOfAllBlocks) {
+    EXPECT_EQ(shape_summary(BlockMesh{}).mean_corners, 0);
+    BlockMesh mesh = block({{0, 0}, {2, 0}, {2, 2}, {0, 2}});
+    const std::vector<std::int32_t> half = {0, 1, 2};
+    mesh.begin_block(0);
+    mesh.add_ring(half, std::vector<EdgeMark>(3));
+    const ShapeSummary shapes = shape_summary(mesh);
+    EXPECT_EQ(shapes.mean_corners, 3.5);
+    EXPECT_NEAR(shapes.roundness.p90, std::numbers::pi / 4, 1e-7);
+    EXPECT_LT(shapes.roundness.p10, shapes.roundness.p90);
+    EXPECT_NEAR(shapes.aspect.p90, 1, 1e-7);
+}
+
+}  // namespace
+}  // namespace blockgen
