@@ -155,5 +155,7 @@ for blocks in 0 1 8 64 800 1200; do
     grep -q '^exit code 1$' "$folder.out" || fail "on a disk of $blocks blocks: $(cat "$folder.out")"
     grep -q 'cannot be written: File too large' "$folder.out" || fail "said: $(cat "$folder.out")"
 done
+# There is room for the summary where there is none for a frame.
+grep -q '"status": "not written"' full/summary.json || fail "no summary of a run that could not be written"
 "$bin/dda-plot" full -o pictures || fail "what stood before the disk was full cannot be drawn"
 echo "refusals touch nothing"

@@ -9,6 +9,7 @@
 #include "blockgen/base/atomic_file.hpp"
 #include "blockgen/base/input_error.hpp"
 #include "blockgen/base/output_check.hpp"
+#include "blockgen/base/output_error.hpp"
 #include "blockgen/base/sha256.hpp"
 #include "dda/io/read_run.hpp"
 #include "dda/io/results.hpp"
@@ -83,8 +84,12 @@ std::string depfile_text(const fs::path& summary, const std::vector<fs::path>& f
 
 void say_plan(const dda::RunInput& input, const fs::path& folder) {
     const double megabytes = dda::predicted_bytes(input.model, input.stages, input.output) / 1e6;
-    std::fprintf(stderr, "dda-run: %d blocks, %zu stages, about %.2g MB of frames into %s\n",
-                 input.model.block_count(), input.stages.size(), megabytes, folder.string().c_str());
+    const double settling = dda::largest_settling_bytes(input.model, input.stages, input.output) / 1e6;
+    char more[80] = "";
+    if (settling > 0)
+        std::snprintf(more, sizeof more, ", up to %.2g MB more while static stages settle,", settling);
+    std::fprintf(stderr, "dda-run: %d blocks, %zu stages, about %.2g MB of frames%s into %s\n",
+                 input.model.block_count(), input.stages.size(), megabytes, more, folder.string().c_str());
 }
 
 ExitCode exit_code_of(const dda::RunOutcome& outcome) {
@@ -131,6 +136,25 @@ void say_outcome(const dda::RunOutcome& outcome, const dda::State& state, double
         std::fprintf(stderr, "dda-run: %s; results so far are in %s\n", outcome.message.c_str(), where);
 }
 
+/// A run whose results cannot be written ends there; the summary, which is small, says so.
+dda::RunOutcome run_as_far_as_written(const dda::RunInput& input, dda::State& state, dda::Results& results,
+                                      const dda::RunOptions& options) {
+    try {
+        return dda::run(input.model, input.stages, state, results, options);
+    } catch (const blockgen::OutputError& error) {
+        return {dda::RunStatus::not_written, error.what(), {}};
+    }
+}
+
+/// Where nothing can be written any more, what the run has to say is why.
+void write_summary(const fs::path& path, const dda::RunOutcome& outcome, const std::string& text) {
+    try {
+        blockgen::write_file_atomically(path, text);
+    } catch (const blockgen::OutputError&) {
+        if (outcome.status != dda::RunStatus::not_written) throw;
+    }
+}
+
 }  // namespace
 
 ExitCode simulate(const CommandLine& line, const std::string& version) {
@@ -161,12 +185,11 @@ ExitCode simulate(const CommandLine& line, const std::string& version) {
     dda::State state = checkpoint ? checkpoint->state : dda::initial_state(input.model);
     const dda::RunOptions options{line.threads, checkpoint ? checkpoint->results.stage : 0,
                                   checkpoint.has_value()};
-    const dda::RunOutcome outcome = dda::run(input.model, input.stages, state, results, options);
+    const dda::RunOutcome outcome = run_as_far_as_written(input, state, results, options);
     progress.clear();
 
-    blockgen::write_file_atomically(
-        line.output / "summary.json",
-        dda::summary_text(input.model, input.stages, state, outcome, results, version, files));
+    write_summary(line.output / "summary.json", outcome,
+                  dda::summary_text(input.model, input.stages, state, outcome, results, version, files));
     say_factor_of_safety(results.state().trials);
     say_outcome(outcome, state, results.wall_time(), line.output);
     return exit_code_of(outcome);

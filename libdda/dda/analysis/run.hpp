@@ -25,7 +25,8 @@ struct StepReport {
     double contact_frequency_step = 0;  ///< omega_contact * dt, the largest of sqrt(k_n / m_block) * dt
 };
 
-enum class RunStatus { completed, not_converged, not_settled, stopped };
+/// `not_written`: the results could not be kept, which is the observer's to find out.
+enum class RunStatus { completed, not_converged, not_settled, stopped, not_written };
 
 struct RunOutcome {
     RunStatus status = RunStatus::completed;

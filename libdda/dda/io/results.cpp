@@ -179,18 +179,36 @@ void Results::stage_fails(const Model&, const State& state, const Stage& stage, 
     keep_frame(state);
 }
 
-double predicted_bytes(const Model& model, const std::vector<Stage>& stages, const OutputSpec& output) {
+namespace {
+
+double bytes_per_frame(const Model& model) {
     constexpr double compressed = 0.6;  // of the floats of the blocks, shuffled and deflated
     const double bytes_per_corner = model.origin.isZero(0) ? 3 * 4 : 3 * 8;  // coordinates
     constexpr double bytes_per_block = 14 * 4;                               // quantities of a block
     constexpr double bytes_per_contact = 90;  // coordinates, cell and quantities
     constexpr double contacts_per_block = 4;  // of a jointed mass
-    const double frames = (dynamic_duration(stages, stages.size()) > 0 ? output.frames : 0) + 1.0 +
-                          static_cast<double>(stages.size());
     const double blocks =
         bytes_per_corner * static_cast<double>(model.vertices.size()) + model.block_count() * bytes_per_block;
     const double contacts = model.block_count() * contacts_per_block * bytes_per_contact;
-    return frames * (compressed * blocks + contacts);
+    return compressed * blocks + contacts;
+}
+
+}  // namespace
+
+double predicted_bytes(const Model& model, const std::vector<Stage>& stages, const OutputSpec& output) {
+    const double frames = (dynamic_duration(stages, stages.size()) > 0 ? output.frames : 0) + 1.0 +
+                          static_cast<double>(stages.size());
+    return frames * bytes_per_frame(model);
+}
+
+double largest_settling_bytes(const Model& model, const std::vector<Stage>& stages,
+                              const OutputSpec& output) {
+    if (output.static_frame_interval == 0) return 0;
+    double frames = 0;
+    for (const Stage& stage : stages)
+        if (stage.kind == StageKind::static_equilibrium && !stage.strength_reduction)
+            frames += std::floor(static_cast<double>(stage.step_limit) / output.static_frame_interval);
+    return frames * bytes_per_frame(model);
 }
 
 }  // namespace dda

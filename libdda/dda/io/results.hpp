@@ -88,7 +88,11 @@ class Results : public RunObserver {
     Clock::time_point last_checkpoint_;
 };
 
-/// The size that the frames of a run will take on disk, bytes: an estimate, good to a factor of two.
+/// The size that the frames of a run will take on disk, bytes, but for those within static stages: an
+/// estimate, good to a factor of two.
 double predicted_bytes(const Model& model, const std::vector<Stage>& stages, const OutputSpec& output);
+/// What the frames within static stages add if every one of these takes all the steps it may: by how many
+/// steps it settles is not known before.
+double largest_settling_bytes(const Model& model, const std::vector<Stage>& stages, const OutputSpec& output);
 
 }  // namespace dda

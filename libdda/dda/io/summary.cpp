@@ -20,6 +20,8 @@ const char* status_name(RunStatus status) {
             return "not converged";
         case RunStatus::not_settled:
             return "not settled";
+        case RunStatus::not_written:
+            return "not written";
         default:
             return "stopped";
     }

@@ -184,6 +184,15 @@ TEST_F(ResultsTest, AStageThatFailsLeavesItsLastState) {
     EXPECT_LT(settlement(frames, 1), -1e-8) << "the block has sunk into its base";
 }
 
+TEST_F(ResultsTest, FramesOfStaticStagesAreForetoldByTheirStepLimit) {
+    EXPECT_EQ(largest_settling_bytes(input.model, input.stages, input.output), 0);
+    const double frames = 2 + static_cast<double>(input.stages.size()) - 1 + input.output.frames;
+    const double one = predicted_bytes(input.model, input.stages, input.output) / frames;
+    input.output.static_frame_interval = 7;
+    input.stages[0].step_limit = 100;
+    EXPECT_NEAR(largest_settling_bytes(input.model, input.stages, input.output), 14 * one, 1e-9 * one);
+}
+
 TEST_F(ResultsTest, AStaticStageKeepsFramesWhenAsked) {
     for (const int interval : {1, 2, 3}) {
         const std::string name = "every" + std::to_string(interval);
