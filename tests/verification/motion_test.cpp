@@ -178,20 +178,20 @@ double driven_error(const std::string& id, bool cosine, double w, double dt, Cur
 
 /// Errors against the step, both as powers of ten, beside the first terms of their series.
 void draw_orders(const double (&steps)[3], const double (&sine)[3], const double (&cosine)[3], double w) {
-    Curve curves[] = {{"Δt² ω/12", {}, {}},
-                      {"engine, sine load", {}, {}},
-                      {"engine, cosine load", {}, {}},
-                      {"Δt/2", {}, {}}};
+    Curve curves[] = {{"Δt² ω/12", {}, {}}, {"engine", {}, {}}, {"Δt/2", {}, {}}, {"engine", {}, {}}};
     for (int k = 0; k < 3; ++k) {
-        const double values[] = {steps[k] * steps[k] * w / 12, std::abs(sine[k]), std::abs(cosine[k]),
-                                 steps[k] / 2};
+        const double values[] = {steps[k] * steps[k] * w / 12, std::abs(sine[k]), steps[k] / 2,
+                                 std::abs(cosine[k])};
         for (int c = 0; c < 4; ++c) {
             curves[c].x.push_back(std::log10(steps[k]));
             curves[c].y.push_back(std::log10(values[c]));
         }
     }
-    record_picture("V50", "order", "V50: error of x(1 s) against the step", "log₁₀ of the step in s",
-                   "log₁₀ of the error in m", {curves[0], curves[1], curves[3], curves[2]});
+    const std::string title = "V50: error of x(1 s) against the step, ";
+    record_picture("V50", "sine", title + "sine load", "log₁₀ of the step in s", "log₁₀ of the error in m",
+                   {curves[0], curves[1]});
+    record_picture("V50", "cosine", title + "cosine load", "log₁₀ of the step in s",
+                   "log₁₀ of the error in m", {curves[2], curves[3]});
 }
 
 // V50. The integration is of first order: the cosine load starts at its peak, and evaluating it at the ends

@@ -148,7 +148,7 @@ TEST(LinearJoint, PassesAndReflectsByItsStiffness) {
         row.expect("T", "1", t, transmission, relative(0.01));
         row.expect("R", "1", r, reflection, relative(0.01));
     }
-    Curve curves[] = {{"1/sqrt(1 + (z ω/2k)²)", {}, {}}, {"engine, T", {}, {}}, {"engine, R", {}, {}}};
+    Curve curves[] = {{"1/sqrt(1 + (z ω/2k)²)", {}, {}}, {"engine", {}, {}}, {"engine", {}, {}}};
     for (double frequency = 5; frequency <= 100; frequency += 2.5) {
         for (Curve& curve : curves) curve.x.push_back(frequency);
         curves[0].y.push_back(1 / std::hypot(1, frequency / 50));
@@ -157,10 +157,13 @@ TEST(LinearJoint, PassesAndReflectsByItsStiffness) {
         curves[2].y.push_back(spectrum(jointed.times, back, frequency) /
                               spectrum(whole.times, whole.before, frequency));
     }
-    Curve reflection{"its R", curves[0].x, {}};
+    Curve reflection{"1/sqrt(1 + (2k/z ω)²)", curves[0].x, {}};
     for (const double t : curves[0].y) reflection.y.push_back(std::sqrt(1 - t * t));
-    record_picture("V33", "spectrum", "V33: one pulse through a joint of k = 7.854e8 Pa/m", "frequency, Hz",
-                   "share of the velocity", {curves[0], curves[1], reflection, curves[2]});
+    const std::string joint = " one joint of k = 7.854e8 Pa/m";
+    record_picture("V33", "transmission", "V33: passing" + joint, "frequency, Hz", "T",
+                   {curves[0], curves[1]});
+    record_picture("V33", "reflection", "V33: coming back from" + joint, "frequency, Hz", "R",
+                   {reflection, curves[2]});
 }
 
 // V33. What a stiff joint throws back, R = x/sqrt(1 + x^2) with x = z w/2k, is of the first order in its give
