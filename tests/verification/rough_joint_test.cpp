@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "dda/joint/shear_test.hpp"
 #include "support/case_name.hpp"
+#include "support/cyclic_joints.hpp"
 #include "support/record.hpp"
 #include "support/scene.hpp"
 
@@ -78,5 +80,79 @@ INSTANTIATE_TEST_SUITE_P(Granite, BartonShear,
                          testing::Values(BartonCase{0.5, 1.1414}, BartonCase{1, 1.9202},
                                          BartonCase{2, 3.2814}, BartonCase{5, 6.7680}),
                          barton_name);
+
+// V37 and V38, the law by itself: it is driven along the path without blocks.
+
+struct Quarter {
+    double stress;    ///< MPa
+    double dilation;  ///< mm
+};
+
+dda::ShearTest shear_test(const dda::JointLaw& law, double normal_stress, std::vector<double> path) {
+    dda::ShearTest test;
+    test.material.law = law;
+    test.length = 0.1;
+    test.normal_stress = normal_stress;
+    test.path = std::move(path);
+    test.increment = 1;
+    return test;
+}
+
+void expect_two_cycles(const std::string& rock, const dda::JointLaw& law, double normal_stress, double peak,
+                       const std::vector<Quarter>& expected) {
+    Case quarters("V37", rock + ", law alone, ±15 mm",
+                  "0.05 % of the peak and half a digit of the reference; 0.2 µm and likewise");
+    const double a = 0.015;
+    const auto rows = dda::run_shear_test(shear_test(law, normal_stress, {a, 0, -a, 0, a, 0, -a, 0}));
+    ASSERT_EQ(rows.size(), expected.size() + 1);
+    for (std::size_t k = 0; k < expected.size(); ++k) {
+        const std::string at = " after quarter " + std::to_string(k + 1);
+        quarters.expect("stress" + at, "MPa", rows[k + 1].shear_stress / 1e6, expected[k].stress,
+                        absolute(5e-4 * peak + 5e-5));
+        quarters.expect("dilation" + at, "mm", rows[k + 1].dilation * 1e3, expected[k].dilation,
+                        absolute(7e-4));
+    }
+}
+
+TEST(CyclicShear, GraniteAlone) {
+    expect_two_cycles("granite", joint_tests::granite(), 1e6, 1.9202,
+                      {{.8036, 2.207},
+                       {-.4336, -.018},
+                       {-.8306, 2.036},
+                       {.4337, -.309},
+                       {.9314, 1.805},
+                       {-.4453, -.426},
+                       {-.9314, 1.449},
+                       {.4929, -.757}});
+}
+
+TEST(CyclicShear, MarbleAlone) {
+    expect_two_cycles("marble", joint_tests::marble(), 0.5e6, 1.1306,
+                      {{.4691, 2.840},
+                       {-.3949, -.186},
+                       {-.5297, 2.492},
+                       {.3569, -.339},
+                       {.4691, 1.973},
+                       {-.3949, -.293},
+                       {-.5562, 2.346},
+                       {.3569, -.647}});
+}
+
+// V38. Granite out to 5 mm, back to 3, out to 5: between ratios of 0.3 and -0.3 all is straight. And out
+// to 2.5 mm, back to 0.9, out to 2: the strength is that of x = 2, not of x = 1.6.
+TEST(CyclicShear, PartialReversals) {
+    const double i = radians(12.8 * std::log10(151.));
+    const auto stress = [&](double ratio) { return std::tan(radians(34.6) + ratio * i); };
+    const double locked = (stress(.3) + stress(-.3)) / (stress(1) / 1.25);  // mm
+    const auto rows = dda::run_shear_test(shear_test(joint_tests::granite(), 1e6, {5e-3, 3e-3, 5e-3}));
+    Case closed("V38", "granite, law alone, 5 to 3 to 5 mm", "rounding");
+    closed.expect("stress at 3 mm", "MPa", rows[2].shear_stress / 1e6, -stress(-.3), relative(1e-9));
+    closed.expect("stress at 5 mm", "MPa", rows[3].shear_stress / 1e6, stress(.3), relative(1e-9));
+    closed.expect("contraction", "mm", (rows[1].dilation - rows[2].dilation) * 1e3,
+                  locked * std::tan(.3 * i) + (2 - locked) * std::tan(.3 * i), relative(1e-9));
+    Case worn("V38", "granite, law alone, 2.5 to 0.9 to 2 mm", "digits of the reference");
+    const auto again = dda::run_shear_test(shear_test(joint_tests::granite(), 1e6, {2.5e-3, 0.9e-3, 2e-3}));
+    worn.expect("stress at 2 mm", "MPa", again[3].shear_stress / 1e6, 1.132, absolute(5e-4));
+}
 
 }  // namespace

@@ -13,6 +13,7 @@ namespace dda {
 MohrCoulomb read_law(std::type_identity<MohrCoulomb>, const blockgen::ConfigTable& table);
 Elastic read_law(std::type_identity<Elastic>, const blockgen::ConfigTable& table);
 BartonBandis read_law(std::type_identity<BartonBandis>, const blockgen::ConfigTable& table);
+CyclicBartonBandis read_law(std::type_identity<CyclicBartonBandis>, const blockgen::ConfigTable& table);
 
 /// The angle of a key, rad. @throws InputError outside [0, 90 deg).
 double read_friction_angle(const blockgen::ConfigTable& table, std::string_view key);

@@ -40,6 +40,21 @@ friction_angle = "35 deg"
 # mobilisation = "barton-1985"     # or [[0, 1], [1, 1], [2, 0.5]]: displacement over peak displacement, share of jrc
 # damage = 0                       # 1 to 2: the joint dilates; 0: it does not
 
+# [joint_material.worn]            # a rough joint that is sheared to and fro
+# law = "cyclic-barton-bandis"     # residual_friction_angle, jrc, jcs, damage as above
+# residual_friction_angle = "1 deg"
+# jrc = 3.98
+# jcs = "80 MPa"
+# peak_displacement = 0.164
+# wear = [[0, 1], [1, 1], [2, 0.9], [20, 0.2]]   # share of jrc by displacement over peak displacement, both ways; or
+#                                  [[joint_material.worn.cycle]] with a table for each branch: see the formats
+# reversal_factor = 1              # on the ratios, for each change of the slip direction
+# min_slip = 1e-4                  # m, of slip the other way that counts as a change
+# heal = false                     # roughness worn off in an excursion is there again on the way out
+# asymmetric = false               # roughness works against forward motion only
+# floor_dilation = false           # the faces never come closer than at first
+# contact_length = 0               # m, for the stress; 0: the contact's present length
+
 # [bolt_material.anchor]           # for bolts of the block file, per metre of section
 # axial_stiffness = "100 MN"       # EA over the spacing
 # pretension = 0                   # N

@@ -12,12 +12,20 @@ double mean_tangent(double first, double last) {
     return std::abs(half) < 1e-8 ? tangent : std::atanh(tangent * std::tan(half)) / half;
 }
 
+namespace {
+
+/// Of a piece; what is shorter is rounding. A piece that begins at a limit must not be cut there again.
+constexpr double smallest_share = 1e-12;
+
+}  // namespace
+
 AnglePiece within_limits(const AnglePiece& piece, double lowest, double highest) {
     AnglePiece part = {piece.length, std::clamp(piece.first, lowest, highest),
                        std::clamp(piece.last, lowest, highest)};
     const auto cut_at = [&](double limit) {
         const double share = (limit - piece.first) / (piece.last - piece.first);
-        if (share <= 0 || share >= 1 || share * piece.length >= part.length) return;
+        if (share < smallest_share || share > 1 - smallest_share || share * piece.length >= part.length)
+            return;
         part.length = share * piece.length;
         part.last = limit;
     };

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "dda/joint/barton_bandis.hpp"
+#include "dda/joint/cyclic_barton_bandis.hpp"
 #include "dda/joint/elastic.hpp"
 #include "dda/joint/mohr_coulomb.hpp"
 
@@ -14,7 +15,7 @@ namespace dda {
 /// The list of joint laws: a new law is one file in this folder and one word here. A law must have `fresh`,
 /// `strength` and `advance`; it may have a `strength` that looks at the displacement being tried, and
 /// `strength_slope`, `dilation`, `shear_stiffness` and `record`. The functions below find out which.
-using JointLaw = std::variant<MohrCoulomb, Elastic, BartonBandis>;
+using JointLaw = std::variant<MohrCoulomb, Elastic, BartonBandis, CyclicBartonBandis>;
 
 namespace detail {
 template <class... Laws>

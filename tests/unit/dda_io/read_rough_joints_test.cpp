@@ -82,5 +82,103 @@ TEST_F(ReadRoughJoints, BadTablesAreRefused) {
     EXPECT_THAT(error_of_table("\"barton-1986\""), HasSubstr("barton-1985"));
 }
 
+// --- the cyclic joint
+
+const std::string cyclic_text = R"(blocks = "two.blocks"
+[block_material.rock]
+density = 2600
+youngs_modulus = "5 GPa"
+poissons_ratio = 0.25
+[joint_material.bedding]
+law = "cyclic-barton-bandis"
+residual_friction_angle = "34.6 deg"
+jrc = 12.8
+jcs = "151 MPa"
+peak_displacement = "1.25 mm"
+damage = 1
+[[joint_material.bedding.cycle]]
+forward_advance = [[0, 0], [1, 1], [2, 0.5]]
+forward_return = [[0, -0.4], [2, -0.3]]
+backward_advance = [[1, 0.5], [4, 0.4]]
+backward_return = [[1, -0.4], [4, -0.3]]
+[[stage]]
+name = "settle"
+kind = "static"
+)";
+
+class ReadCyclicJoint : public io_test::ModelTextTest {
+  protected:
+    ReadCyclicJoint() : ModelTextTest(cyclic_text) {}
+    CyclicBartonBandis cyclic(const std::string& text) const {
+        return std::get<CyclicBartonBandis>(read(text).model.joint_materials[0].law);
+    }
+    std::string with(const std::string& line) const { return changed("damage = 1", "damage = 1\n" + line); }
+    std::string error_with_line(const std::string& line) const {
+        return error_with("damage = 1", "damage = 1\n" + line);
+    }
+};
+
+TEST_F(ReadCyclicJoint, ComesInWithItsTablesAndDefaults) {
+    const CyclicBartonBandis law = cyclic(cyclic_text);
+    ASSERT_EQ(law.cycles.size(), 1u);
+    EXPECT_EQ(law.cycles[0].forward_advance, (RoughnessTable{{{0, 0}, {1, 1}, {2, 0.5}}}));
+    EXPECT_EQ(law.cycles[0].backward_advance, (RoughnessTable{{{0, -0.4}, {1, 0.5}, {4, 0.4}}})) << "bridged";
+    EXPECT_EQ(law.cycles[0].backward_return, (RoughnessTable{{{1, -0.4}, {4, -0.3}}}));
+    EXPECT_EQ(law.peak_displacement, 1.25e-3);
+    EXPECT_EQ(law.min_slip, 1e-4);
+    EXPECT_EQ(law.reversal_factor, 1);
+    EXPECT_EQ(law.further_cycle_factor, 1);
+    EXPECT_EQ(law.contact_length, 0);
+    EXPECT_FALSE(law.heal || law.both_ways || law.asymmetric || law.floor_dilation);
+}
+
+TEST_F(ReadCyclicJoint, OptionsComeIn) {
+    EXPECT_EQ(cyclic(with("bridge = \"clamp\"")).cycles[0].backward_advance,
+              (RoughnessTable{{{1, 0.5}, {4, 0.4}}}));
+    EXPECT_TRUE(cyclic(with("heal = true")).heal);
+    EXPECT_TRUE(cyclic(with("floor_dilation = true")).floor_dilation);
+    EXPECT_EQ(cyclic(with("min_slip = \"1 mm\"")).min_slip, 1e-3);
+    EXPECT_EQ(cyclic(with("reversal_factor = 0.9")).reversal_factor, 0.9);
+    EXPECT_EQ(cyclic(with("further_cycle_factor = 0.8")).further_cycle_factor, 0.8);
+    EXPECT_EQ(cyclic(with("contact_length = 25.1")).contact_length, 25.1);
+}
+
+TEST_F(ReadCyclicJoint, OneTableOfWearStandsForAllBranches) {
+    std::string text = cyclic_text;
+    const std::size_t from = text.find("[[joint_material"), to = text.find("[[stage]]");
+    text.replace(from, to - from, "wear = [[0, 1], [20, -0.2]]\nasymmetric = true\n");
+    const CyclicBartonBandis law = cyclic(text);
+    const RoughnessTable wear = {{{0, 1}, {20, 0.2}}};
+    ASSERT_EQ(law.cycles.size(), 1u);
+    EXPECT_EQ(law.cycles[0].forward_return, wear);
+    EXPECT_EQ(law.cycles[0].backward_advance, wear);
+    EXPECT_TRUE(law.both_ways && law.asymmetric);
+}
+
+TEST_F(ReadCyclicJoint, WhatItReadIsEchoedAndReadsBack) {
+    const RunInput input = read(with("reversal_factor = 0.9"));
+    const auto& first = std::get<CyclicBartonBandis>(input.model.joint_materials[0].law);
+    const CyclicBartonBandis again = cyclic(input.effective);
+    EXPECT_EQ(again.cycles[0].backward_advance, first.cycles[0].backward_advance);
+    EXPECT_EQ(again.reversal_factor, 0.9);
+    EXPECT_EQ(again.barton.residual_friction_angle, first.barton.residual_friction_angle);
+}
+
+TEST_F(ReadCyclicJoint, BadValuesAreRefused) {
+    EXPECT_THAT(error_with("\"1.25 mm\"", "0"), HasSubstr("'peak_displacement'"));
+    EXPECT_THAT(error_with("peak_displacement = \"1.25 mm\"\n", ""), HasSubstr("peak_displacement"));
+    EXPECT_THAT(error_with_line("reversal_factor = 1.1"), HasSubstr("expected a factor from 0 to 1"));
+    EXPECT_THAT(error_with_line("further_cycle_factor = -0.1"), HasSubstr("expected a factor from 0 to 1"));
+    EXPECT_THAT(error_with_line("min_slip = -1"), HasSubstr("zero or a positive number"));
+    EXPECT_THAT(error_with_line("contact_length = -1"), HasSubstr("zero or a positive number"));
+    EXPECT_THAT(error_with_line("bridge = \"clmp\""), HasSubstr("clamp"));
+    EXPECT_THAT(error_with_line("heal = 1"), HasSubstr("heal"));
+    EXPECT_THAT(error_with_line("asymmetric = true"), HasSubstr("unknown key 'asymmetric'")) << "needs wear";
+    EXPECT_THAT(error_with_line("wear = [[0, 1]]"), HasSubstr("cycle")) << "one of the two";
+    EXPECT_THAT(error_with("[[0, -0.4], [2, -0.3]]", "[[2, -0.4], [1, -0.3]]"),
+                HasSubstr("'forward_return' in [joint_material.bedding.cycle[0]] has the entry [1, -0.3]"));
+    EXPECT_THAT(error_with("backward_return = [[1, -0.4], [4, -0.3]]", ""), HasSubstr("backward_return"));
+}
+
 }  // namespace
 }  // namespace dda

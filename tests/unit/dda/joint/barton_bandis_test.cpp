@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "granite.hpp"
+#include "support/cyclic_joints.hpp"
 
 namespace {
 

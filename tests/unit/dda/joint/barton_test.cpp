@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "granite.hpp"
+#include "support/cyclic_joints.hpp"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "dda/joint/joint_law.hpp"
-#include "granite.hpp"
+#include "support/cyclic_joints.hpp"
 
 namespace joint_tests {
 
@@ -24,6 +24,19 @@ inline std::vector<dda::BartonBandis> specimens(std::type_identity<dda::BartonBa
     return {{granite_strength(), 0, {}, false, 0},
             {granite_strength(), granite_peak, dda::barton_1985(), true, 1},
             {marble_strength(), marble_peak, softening, false, 2}};
+}
+
+inline std::vector<dda::CyclicBartonBandis> specimens(std::type_identity<dda::CyclicBartonBandis>) {
+    dda::CyclicBartonBandis healing = granite(), floored = marble(), lopsided = sliding_plane();
+    healing.heal = true;
+    healing.further_cycle_factor = 0.8;
+    floored.floor_dilation = true;
+    floored.reversal_factor = 0.95;
+    floored.damage = 2;
+    lopsided.peak_displacement = 1e-3;
+    lopsided.asymmetric = true;
+    lopsided.min_slip = 0;
+    return {granite(), marble(), sliding_plane(), healing, floored, lopsided};
 }
 
 }  // namespace joint_tests

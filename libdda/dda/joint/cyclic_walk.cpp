@@ -1,0 +1,404 @@
+#include "dda/joint/cyclic_walk.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace dda {
+
+namespace {
+
+using Law = CyclicBartonBandis;
+
+constexpr double nowhere = std::numeric_limits<double>::infinity();
+
+int sign_of(double value) {
+    return value > 0 ? 1 : value < 0 ? -1 : 0;
+}
+
+AnglePiece part_of(const AnglePiece& piece, double from, double to) {
+    return {to - from, piece.angle_at(from), to == piece.length ? piece.last : piece.angle_at(to)};
+}
+
+/// Where on a piece the bound N tan(angle) begins to grow faster than the spring: its length if nowhere. The
+/// slope N angle' / cos² grows along the piece where the angle does.
+double outrun(const AnglePiece& piece, double normal_force, double stiffness) {
+    if (!(piece.last > piece.first)) return piece.length;
+    const double turn = (piece.last - piece.first) / piece.length;
+    const double square = normal_force * turn / stiffness;
+    if (square >= 1) return 0;
+    return std::clamp((std::acos(std::sqrt(square)) - piece.first) / turn, 0.0, piece.length);
+}
+
+/// Where a shear force that starts below the bound and climbs with the spring meets it; infinity if nowhere.
+/// Force minus bound is concave up to where the bound outruns the spring, so Newton's steps from the left
+/// approach the root from the left.
+double meeting(double force, const AnglePiece& piece, double normal_force, double stiffness) {
+    const double last = outrun(piece, normal_force, stiffness);
+    const auto short_of = [&](double along) {
+        return normal_force * std::tan(piece.angle_at(along)) - force - stiffness * along;
+    };
+    if (short_of(last) > 0) return nowhere;
+    const double turn = piece.length > 0 ? (piece.last - piece.first) / piece.length : 0;
+    double along = 0;
+    for (int k = 0; k < 100; ++k) {
+        const double cosine = std::cos(piece.angle_at(along));
+        const double slope = stiffness - normal_force * turn / (cosine * cosine);
+        const double gap = short_of(along);
+        if (!(gap > 0) || !(slope > 0)) break;
+        const double next = along + gap / slope;
+        if (next >= last) return last;
+        if (next <= along) break;
+        along = next;
+    }
+    return along;
+}
+
+}  // namespace
+
+CyclicWalk::CyclicWalk(const Law& law, const Law::History& history, double normal_force, double length,
+                       double stiffness, double shear_force)
+    : law_(law),
+      history_(history),
+      normal_force_(normal_force),
+      stiffness_(stiffness),
+      roughness_(law.barton.roughness_angle(normal_force, law.stressed_length(length))),
+      force_(shear_force) {}
+
+void CyclicWalk::go(double displacement) {
+    target_ = history_.position + displacement;
+    if (displacement != 0) direction_ = displacement > 0 ? 1 : -1;
+    while (history_.position != target_) {
+        const Place here = place(direction_);
+        const bool stays = here.away || sign_of(target_) == sign_of(history_.position);
+        const Piece next = piece(here, stays ? std::abs(target_) : 0);
+        const double done = cross(here, next);
+        const double distance = here.distance + (here.away ? done : -done);
+        const bool whole = done == next.bound.length && next.whole;
+        // A part too short to change the position would be walked for ever.
+        const bool stuck = done > 0 && distance == here.distance;
+        if (done > 0) arrive(here, whole || stuck ? next.end : distance);
+    }
+    finish();
+}
+
+void CyclicWalk::go_as_told(double displacement, double slip) {
+    told_ = true;
+    told_share_ = displacement != 0 ? std::abs(slip / displacement) : 0;
+    go(displacement);
+}
+
+// --- where the joint is
+
+CyclicWalk::Place CyclicWalk::place(int direction) const {
+    // Before the first slip both sides are the forward one.
+    const int forward =
+        is_fresh() ? (history_.position != 0 ? sign_of(history_.position) : direction) : history_.forward;
+    const double position = forward * history_.position;
+    const int motion = forward * direction;
+    const int side = position > 0 || (position == 0 && motion > 0) ? 1 : -1;
+    return {std::abs(position), side, side == motion};
+}
+
+double CyclicWalk::furthest(int side) const {
+    return side > 0 ? history_.furthest_forward : history_.furthest_backward;
+}
+
+const Law::Cycle& CyclicWalk::cycle() const {
+    const auto last = static_cast<std::int32_t>(law_.cycles.size());
+    return law_.cycles[static_cast<std::size_t>(std::min(history_.cycle, last) - 1)];
+}
+
+/// Wear by reversals and by cycles beyond those given.
+double CyclicWalk::factor() const {
+    const int further = history_.cycle - static_cast<int>(law_.cycles.size());
+    double wear = 1;
+    if (law_.reversal_factor != 1) wear *= std::pow(law_.reversal_factor, history_.reversals);
+    if (law_.further_cycle_factor != 1 && further > 0) wear *= std::pow(law_.further_cycle_factor, further);
+    return wear;
+}
+
+// --- roughness
+
+const RoughnessTable& CyclicWalk::roughness_table(const Place& place) const {
+    const Law::Cycle& tables = cycle();
+    if (place.side > 0) return place.away ? tables.forward_advance : tables.forward_return;
+    return place.away ? tables.backward_advance : tables.backward_return;
+}
+
+/// A joint that has never slipped bears its advance strength on the way back too.
+const RoughnessTable& CyclicWalk::bound_table(const Place& place) const {
+    return is_fresh() ? cycle().forward_advance : roughness_table(place);
+}
+
+/// On the first way out the joint is locked up to the peak, and the table counts from there.
+bool CyclicWalk::first_rise(const Place& place, double distance) const {
+    return history_.cycle == 1 && place.side > 0 && (place.away || is_fresh()) &&
+           distance < law_.peak_displacement;
+}
+
+/// Roughness worn off further out in this cycle is not there again, unless the joint heals.
+double CyclicWalk::capped(const Place& place, double ratio, double cap) const {
+    return law_.heal || !place.away || place.distance >= furthest(place.side) ? ratio : std::min(ratio, cap);
+}
+
+double CyclicWalk::advance_ratio(const Place& place) const {
+    const RoughnessTable& table = roughness_table({place.distance, place.side, true});
+    return capped({place.distance, place.side, true}, table.ratio(place.distance / law_.peak_displacement),
+                  table.ratio(furthest(place.side) / law_.peak_displacement));
+}
+
+double CyclicWalk::bound_ratio(int direction) const {
+    const Place here = place(direction);
+    const RoughnessTable& table = bound_table(here);
+    const auto ratio = [&](double distance) {
+        return first_rise(here, distance) ? 1 : table.ratio(distance / law_.peak_displacement);
+    };
+    return factor() * capped(here, ratio(here.distance), ratio(furthest(here.side)));
+}
+
+double CyclicWalk::bound(int direction) const {
+    const double opposing = law_.barton.residual_friction_angle + bound_ratio(direction) * roughness_;
+    return normal_force_ *
+           std::tan(std::clamp(resisting(direction, opposing), 0.0, BartonStrength::largest_angle));
+}
+
+/// The angle that resists motion in a direction, from phi_r + ratio i: where only forward motion climbs the
+/// roughness, backward motion goes down it.
+double CyclicWalk::resisting(int direction, double angle) const {
+    const bool downwards = law_.asymmetric && !is_fresh() && direction != history_.forward;
+    return downwards ? std::abs(2 * law_.barton.residual_friction_angle - angle) : angle;
+}
+
+// --- pieces of the way
+
+/// The nearest distance ahead at which a table bends, a cap ends, or the origin lies.
+double CyclicWalk::next_knot(const Place& place) const {
+    double nearest = place.away ? nowhere : 0;
+    const auto offer = [&](double distance) {
+        if (place.away && distance > place.distance) nearest = std::min(nearest, distance);
+        if (!place.away && distance < place.distance) nearest = std::max(nearest, distance);
+    };
+    for (const RoughnessTable* table : {&roughness_table(place), &bound_table(place)})
+        for (const RoughnessTable::Entry& entry : table->entries) offer(entry.x * law_.peak_displacement);
+    if (history_.cycle == 1) offer(law_.peak_displacement);
+    if (place.away) offer(furthest(place.side));
+    return nearest;
+}
+
+/// Total angle on the way to `end`, no farther than it is even.
+AnglePiece CyclicWalk::bound_angles(const Place& place, double end) const {
+    const double friction = law_.barton.residual_friction_angle, wear = factor();
+    const RoughnessTable& table = bound_table(place);
+    const bool rising = first_rise(place, (place.distance + end) / 2);
+    const auto angle = [&](double distance) {
+        return friction + wear * (rising ? 1 : table.ratio(distance / law_.peak_displacement)) * roughness_;
+    };
+    double highest = BartonStrength::largest_angle;
+    if (!law_.heal && place.away && place.distance < furthest(place.side)) {
+        const double worn = furthest(place.side);
+        const double ratio = first_rise(place, worn) ? 1 : table.ratio(worn / law_.peak_displacement);
+        highest = std::clamp(friction + wear * ratio * roughness_, 0.0, highest);
+    }
+    AnglePiece piece =
+        within_limits({std::abs(end - place.distance), angle(place.distance), angle(end)}, 0, highest);
+    const double first = resisting(direction_, piece.first), last = resisting(direction_, piece.last);
+    if (first == piece.first && last == piece.last) return piece;
+    const double kink = 2 * friction;  // where roughness carries the joint and friction turns round
+    if ((piece.first < kink) != (piece.last < kink) && piece.first != kink) {
+        const AnglePiece part =
+            within_limits(piece, std::min(piece.first, kink), std::max(piece.first, kink));
+        if (part.length < piece.length) return {part.length, first, 0};
+    }
+    return {piece.length, first, last};
+}
+
+/// Dilation angle of a mobilised ratio, wear included: Eq. (54) within the limits of the total angle.
+double CyclicWalk::dilation_angle(double ratio) const {
+    const double friction = law_.barton.residual_friction_angle;
+    return (law_.barton.total_angle(roughness_, ratio) - friction) / law_.damage;
+}
+
+/// Dilation angle on the way to `end`, no farther than it is even and keeps its sign.
+AnglePiece CyclicWalk::dilation_angles(const Place& place, double end) const {
+    const double length = std::abs(end - place.distance);
+    if (law_.damage == 0) return {length, 0, 0};
+    const double friction = law_.barton.residual_friction_angle, wear = factor();
+    const RoughnessTable& table = roughness_table(place);
+    const double towards = law_.both_ways && !place.away ? -1 : 1;
+    const auto angle = [&](double distance) {
+        return friction + towards * wear * table.ratio(distance / law_.peak_displacement) * roughness_;
+    };
+    double highest = BartonStrength::largest_angle;
+    if (!law_.heal && place.away && place.distance < furthest(place.side))
+        highest = std::clamp(angle(furthest(place.side)), 0.0, highest);
+    AnglePiece piece = within_limits({length, angle(place.distance), angle(end)}, 0, highest);
+    if ((piece.first - friction) * (piece.last - friction) < 0)
+        piece = piece.first < friction ? within_limits(piece, piece.first, friction)
+                                       : within_limits(piece, friction, piece.first);
+    return {piece.length, (piece.first - friction) / law_.damage, (piece.last - friction) / law_.damage};
+}
+
+CyclicWalk::Piece CyclicWalk::piece(const Place& place, double target) const {
+    const double knot = next_knot(place);
+    Piece made;
+    made.end = place.away ? std::min(knot, target) : std::max(knot, target);
+    const double length = std::abs(made.end - place.distance);
+    made.bound = bound_angles(place, made.end);
+    made.open = dilation_angles(place, made.end);
+    const double even = std::min(made.bound.length, made.open.length);
+    made.whole = even == length;
+    made.bound = part_of(made.bound, 0, even);
+    made.open = part_of(made.open, 0, even);
+    made.unloading = law_.damage == 0 ? 0 : dilation_angle(factor() * history_.unloading_ratio);
+    return made;
+}
+
+// --- phases
+
+/// Walks a piece as far as nothing changes the laws on the way. @return m, how far.
+double CyclicWalk::cross(const Place& place, const Piece& piece) {
+    const double length = piece.bound.length;
+    if (told_) {
+        if (told_share_ > 0 && begin_slip(place, direction_)) return 0;
+        move(place, piece, 0, length, told_share_ > 0);
+        count_slip(direction_, length * told_share_);
+        return length;
+    }
+    double along = 0;
+    bool below = direction_ * force_ < normal_force_ * std::tan(piece.bound.first);
+    while (along < length) {
+        const AnglePiece rest = part_of(piece.bound, along, length);
+        if (below || outrun(rest, normal_force_, stiffness_) == 0) {
+            const double met =
+                below ? meeting(direction_ * force_, rest, normal_force_, stiffness_) : nowhere;
+            const double locked = std::min(met, rest.length);
+            move(place, piece, along, along + locked, false);
+            force_ += direction_ * stiffness_ * locked;
+            along = met < rest.length ? along + locked : length;
+            below = false;
+        } else {
+            bool interrupted = false;
+            along = slide(place, piece, along, interrupted);
+            if (interrupted) return along;
+        }
+    }
+    return length;
+}
+
+/// Slides along a piece until the bound outruns the spring, or until the slip changes the laws.
+double CyclicWalk::slide(const Place& place, const Piece& piece, double along, bool& interrupted) {
+    const AnglePiece rest = part_of(piece.bound, along, piece.bound.length);
+    const double bound = normal_force_ * std::tan(rest.first);
+    const double drop = (direction_ * force_ - bound) / stiffness_;
+    interrupted = begin_slip(place, direction_);
+    if (interrupted) return along;
+    force_ = direction_ * bound;
+    interrupted = count_slip(direction_, std::max(drop, 0.0));
+    if (interrupted) return along;
+    double end = outrun(rest, normal_force_, stiffness_);
+    const bool opposite = history_.slip_direction == -direction_;
+    if (opposite) {
+        // The slip left until it counts as a reversal is a force left to a joint that had not slipped.
+        const double left = law_.min_slip - history_.reverse_slip;
+        const double turned = meeting(bound - stiffness_ * left, rest, normal_force_, stiffness_);
+        interrupted = turned < end;
+        end = std::min(end, turned);
+    }
+    const double after = normal_force_ * std::tan(rest.angle_at(end));
+    move(place, piece, along, along + end, true);
+    force_ = direction_ * after;
+    const double slip = end - (after - bound) / stiffness_;
+    if (interrupted)
+        turn_round();
+    else
+        count_slip(direction_, std::max(slip, 0.0));
+    return end == rest.length ? piece.bound.length : along + end;
+}
+
+/// The faces' movement apart on a part of a piece.
+void CyclicWalk::move(const Place& place, const Piece& piece, double from, double to, bool sliding) {
+    history_.sliding = sliding;
+    last_side_ = place.side;
+    last_away_ = place.away;
+    history_.stage = static_cast<std::int32_t>(
+        static_cast<int>(place.side > 0 ? JointStage::forward_advance : JointStage::backward_advance) +
+        (place.away ? 0
+         : sliding  ? 2
+                    : 1));
+    if (law_.damage == 0) return;
+    const bool unloading = !place.away && !sliding;
+    const AnglePiece open = part_of(piece.open, from, to);
+    const double rate = unloading ? -std::tan(piece.unloading) : mean_tangent(open.first, open.last);
+    history_.dilation += (to - from) * rate;
+    if (law_.floor_dilation) history_.dilation = std::max(history_.dilation, 0.0);
+}
+
+/// @return whether the joint's origin or its forward direction has changed by its first slip.
+bool CyclicWalk::begin_slip(const Place& place, int direction) {
+    slipped_ = true;
+    if (!is_fresh()) return false;
+    history_.forward = direction;
+    if (place.away) return false;
+    // It was pulled the other way when it was made, and slips before it has come back: it starts from here.
+    target_ -= history_.position;
+    history_.position = 0;
+    history_.furthest_forward = 0;
+    return true;
+}
+
+/// @return whether the slip counts as a reversal.
+bool CyclicWalk::count_slip(int direction, double amount) {
+    if (!(amount > 0)) return false;
+    if (history_.slip_direction == 0) history_.slip_direction = direction;
+    if (history_.slip_direction == direction) {
+        history_.reverse_slip = 0;
+        return false;
+    }
+    history_.reverse_slip += amount;
+    if (!(history_.reverse_slip > law_.min_slip)) return false;
+    turn_round();
+    return true;
+}
+
+void CyclicWalk::turn_round() {
+    ++history_.reversals;
+    history_.slip_direction = -history_.slip_direction;
+    history_.reverse_slip = 0;
+}
+
+void CyclicWalk::arrive(const Place& place, double distance) {
+    history_.position = distance == 0 ? 0 : (place.away ? direction_ : -direction_) * distance;
+    if (place.away) {
+        double& reached = place.side > 0 ? history_.furthest_forward : history_.furthest_backward;
+        reached = std::max(reached, distance);
+        return;
+    }
+    if (distance != 0) return;
+    if (is_fresh()) history_.furthest_forward = 0;
+    if (place.side < 0 && history_.furthest_backward >= law_.peak_displacement) {
+        ++history_.cycle;
+        history_.furthest_forward = history_.furthest_backward = 0;
+    }
+}
+
+/// A bound that has come down on a force at rest makes it slip; then what the history tells is put down.
+void CyclicWalk::finish() {
+    for (const int direction : {1, -1}) {
+        if (told_) break;
+        const double excess = direction * force_ - bound(direction);
+        if (!(excess > 1e-14 * std::abs(force_))) continue;
+        begin_slip(place(direction), direction);
+        force_ = direction * bound(direction);
+        count_slip(direction, excess / stiffness_);
+    }
+    if (last_side_ == 0) return;
+    const Place there = {std::abs(history_.position), last_side_, last_away_};
+    if (last_away_) history_.unloading_ratio = advance_ratio(there);
+    const bool returning = !last_away_ && history_.sliding != 0;
+    history_.mobilised_ratio =
+        factor() * (returning ? roughness_table(there).ratio(there.distance / law_.peak_displacement)
+                              : history_.unloading_ratio);
+}
+
+}  // namespace dda

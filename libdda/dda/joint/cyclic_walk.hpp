@@ -1,0 +1,84 @@
+#pragma once
+
+#include "dda/joint/angle_piece.hpp"
+#include "dda/joint/cyclic_barton_bandis.hpp"
+
+namespace dda {
+
+/// What a displacement does to a cyclic joint under a constant normal force. The way is walked in pieces on
+/// which strength and dilation angle are smooth, and each piece in phases, locked or sliding, that are solved
+/// in closed form or to rounding: the outcome does not depend on how a path is cut into displacements.
+class CyclicWalk {
+  public:
+    /// @param normal_force N per metre, positive; @param stiffness N/m per metre, of the shear spring.
+    CyclicWalk(const CyclicBartonBandis& law, const CyclicBartonBandis::History& history, double normal_force,
+               double length, double stiffness, double shear_force);
+
+    /// Displaces the joint by so many metres.
+    void go(double displacement);
+    /// The same without a spring: all of the way is locked or sliding. @param slip m, its plastic part.
+    void go_as_told(double displacement, double slip);
+
+    const CyclicBartonBandis::History& history() const { return history_; }
+    double shear_force() const { return force_; }
+    bool slipped() const { return slipped_; }
+    /// Mobilised ratio that bounds motion in the direction +1 or -1 from here, reversals and cycles included.
+    double bound_ratio(int direction) const;
+    /// Largest shear force against motion in that direction from here, N per metre.
+    double bound(int direction) const;
+
+  private:
+    struct Place {
+        double distance;  ///< m, from the origin
+        int side;         ///< of the origin: 1 forward, -1 backward
+        bool away;        ///< moving away from the origin
+    };
+    struct Piece {
+        double end;        ///< m, distance from the origin where it ends
+        bool whole;        ///< it ends there, and not before, where an angle meets a limit
+        AnglePiece bound;  ///< total angle that bounds the shear force
+        AnglePiece open;   ///< dilation angle while advancing or sliding back
+        double unloading;  ///< dilation angle while unloading
+    };
+
+    Place place(int direction) const;
+    bool is_fresh() const { return history_.forward == 0; }
+    double factor() const;
+    const CyclicBartonBandis::Cycle& cycle() const;
+    const RoughnessTable& roughness_table(const Place& place) const;
+    const RoughnessTable& bound_table(const Place& place) const;
+    double furthest(int side) const;
+    bool first_rise(const Place& place, double distance) const;
+    double capped(const Place& place, double ratio, double cap) const;
+    double advance_ratio(const Place& place) const;
+    double resisting(int direction, double angle) const;
+    double next_knot(const Place& place) const;
+    AnglePiece bound_angles(const Place& place, double end) const;
+    AnglePiece dilation_angles(const Place& place, double end) const;
+    double dilation_angle(double ratio) const;
+    Piece piece(const Place& place, double target) const;
+    double cross(const Place& place, const Piece& piece);
+    double slide(const Place& place, const Piece& piece, double along, bool& interrupted);
+    void move(const Place& place, const Piece& piece, double from, double to, bool sliding);
+    bool begin_slip(const Place& place, int direction);
+    bool count_slip(int direction, double amount);
+    void turn_round();
+    void arrive(const Place& place, double distance);
+    void finish();
+
+    const CyclicBartonBandis& law_;
+    CyclicBartonBandis::History history_;
+    double normal_force_;
+    double stiffness_;
+    double roughness_;   ///< rad, i of Eq. (51)
+    double force_;       ///< N per metre
+    double target_ = 0;  ///< m, position to be reached
+    int direction_ = 1;  ///< of motion
+    bool slipped_ = false;
+    bool told_ = false;      ///< whether the joint slides is told, not found
+    double told_share_ = 0;  ///< plastic slip over displacement where it is
+    int last_side_ = 0;      ///< where it moved last, 0 if it did not
+    bool last_away_ = false;
+};
+
+}  // namespace dda

@@ -1,0 +1,109 @@
+#include "dda/joint/shear_test.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dda/joint/shear_step.hpp"
+
+namespace dda {
+
+namespace {
+
+/// m by which the joint gives normal to itself, per Pa: of its own, and of what holds it.
+double compliance(const ShearTest& test) {
+    const double own = test.material.normal_stiffness > 0 ? 1 / test.material.normal_stiffness : 0;
+    return test.boundary == NormalBoundary::constant_stiffness ? own + 1 / test.boundary_stiffness : own;
+}
+
+class Specimen {
+  public:
+    explicit Specimen(const ShearTest& test)
+        : test_(test), stiffness_(shear_stiffness(test) * test.length), normal_stress_(test.normal_stress) {
+        joint_ = shear(law(), {fresh_history(law(), true)}, 0, load(normal_stress_));
+    }
+
+    /// Shears it to a displacement from the start.
+    void go_to(double displacement) {
+        const double way = displacement - at_;
+        if (test_.boundary != NormalBoundary::constant_stress) normal_stress_ = equilibrium(way);
+        joint_ = after(way, normal_stress_);
+        at_ += way;
+    }
+
+    ShearTestRow row() const {
+        const JointRecord told = record(law(), joint_.history);
+        return {at_,
+                joint_.shear_force / test_.length,
+                normal_stress_,
+                told.dilation,
+                joint_.slip,
+                joint_.sliding,
+                told};
+    }
+
+  private:
+    const JointLaw& law() const { return test_.material.law; }
+    JointLoad load(double normal_stress) const {
+        return {normal_stress * test_.length, test_.length, stiffness_};
+    }
+    ShearedJoint after(double way, double normal_stress) const {
+        return shear(law(), joint_, way, load(normal_stress));
+    }
+
+    /// The normal stress in which dilation and what resists it agree, Eq. (61), or 0 if they part: by secants
+    /// inside a bracket.
+    double equilibrium(double way) const {
+        const double give = compliance(test_);
+        const auto excess = [&](double stress) {
+            return (stress - test_.normal_stress) * give - dilation(law(), after(way, stress).history);
+        };
+        double low = 0, below = excess(low);
+        if (below >= 0) return 0;
+        double high = std::max(2 * normal_stress_, test_.normal_stress), above = excess(high);
+        while (above < 0) {
+            high *= 2;
+            above = excess(high);
+        }
+        for (int k = 0; k < 200 && high - low > 1e-13 * high; ++k) {
+            double guess = high - above * (high - low) / (above - below);
+            if (k % 3 == 2 || !(guess > low && guess < high)) guess = (low + high) / 2;
+            const double value = excess(guess);
+            (value < 0 ? low : high) = guess;
+            (value < 0 ? below : above) = value;
+        }
+        return (low + high) / 2;
+    }
+
+    const ShearTest& test_;
+    double stiffness_;  ///< N/m per metre
+    double normal_stress_;
+    double at_ = 0;
+    ShearedJoint joint_;
+};
+
+}  // namespace
+
+double shear_stiffness(const ShearTest& test) {
+    const JointLaw& law = test.material.law;
+    const double of_law =
+        shear_stiffness(law, fresh_history(law, true), test.normal_stress * test.length, test.length);
+    return test.material.shear_spring(0, test.length, of_law) / test.length;
+}
+
+std::vector<ShearTestRow> run_shear_test(const ShearTest& test) {
+    Specimen specimen(test);
+    std::vector<ShearTestRow> rows = {specimen.row()};
+    double from = 0;
+    for (const double to : test.path) {
+        const auto parts = static_cast<int>(std::ceil(std::abs(to - from) / test.increment * (1 - 1e-12)));
+        for (int part = 1; part <= parts; ++part) {
+            const double share = static_cast<double>(part) / parts;
+            specimen.go_to(part == parts ? to : from + (to - from) * share);
+            rows.push_back(specimen.row());
+        }
+        from = to;
+    }
+    return rows;
+}
+
+}  // namespace dda

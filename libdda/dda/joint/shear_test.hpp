@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include "dda/joint/joint_law.hpp"
+
+namespace dda {
+
+/// What holds the joint's faces together in a shear test.
+enum class NormalBoundary { constant_stress, constant_stiffness, constant_volume };
+
+/// A direct shear test of one joint, without blocks: what a laboratory does with a specimen.
+struct ShearTest {
+    JointMaterial material;
+    double length = 0;         ///< m, of the joint, positive
+    double normal_stress = 0;  ///< Pa, at the start, compression positive
+    NormalBoundary boundary = NormalBoundary::constant_stress;
+    double boundary_stiffness = 0;  ///< Pa/m, by which a constant stiffness resists dilation
+    std::vector<double> path;       ///< m, displacements to be visited in turn; it starts at 0
+    double increment = 0;           ///< m, the longest between two rows, positive
+};
+
+struct ShearTestRow {
+    double displacement = 0;   ///< m
+    double shear_stress = 0;   ///< Pa, over the whole length, resists motion in the positive direction
+    double normal_stress = 0;  ///< Pa, compression positive
+    double dilation = 0;       ///< m
+    double slip = 0;           ///< m, plastic
+    bool sliding = false;
+    JointRecord record;
+};
+
+/// Pa/m, of the shear spring in the test: the material's, or else the law's at the first normal stress; 0 if
+/// neither says.
+double shear_stiffness(const ShearTest& test);
+
+/// The rows of a test, from the start at zero displacement. Under constant stress they do not depend on the
+/// increment. Otherwise the normal stress of a row is in equilibrium with its dilation, Eq. (61), and acts
+/// over the increment that led there. @pre shear_stiffness(test) > 0, and a joint that can be compressed if
+/// the volume is constant.
+std::vector<ShearTestRow> run_shear_test(const ShearTest& test);
+
+}  // namespace dda

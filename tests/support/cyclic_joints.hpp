@@ -1,0 +1,64 @@
+#pragma once
+
+#include "dda/joint/barton_bandis.hpp"
+#include "dda/joint/cyclic_barton_bandis.hpp"
+
+namespace joint_tests {
+
+/// The granite joint of Ma et al. (2017), Table 3, and the marble one.
+inline dda::BartonStrength granite_strength() {
+    return {12.8, 151e6, 34.6 * 0.017453292519943295};
+}
+inline dda::BartonStrength marble_strength() {
+    return {12.9, 72e6, 38.3 * 0.017453292519943295};
+}
+constexpr double granite_peak = 1.25e-3, marble_peak = 0.3e-3;  ///< m
+
+/// Both joints as in Tables 4 to 7, the backward advance continued from the forward return.
+inline dda::CyclicBartonBandis granite() {
+    dda::CyclicBartonBandis law;
+    law.barton = granite_strength();
+    law.peak_displacement = granite_peak;
+    law.damage = 1;
+    law.cycles = {
+        {{{{0, 0}, {1, 1}, {2, 0.5}, {4, 0.3}, {8, 0.15}, {20, 0.15}}},
+         {{{0, -0.4}, {1, -0.38}, {2, -0.3}, {4, -0.3}, {8, -0.3}, {20, -0.3}}},
+         {{{0, -0.4}, {1, 0.5}, {2, 0.45}, {4, 0.4}, {8, 0.2}, {20, 0.15}}},
+         {{{1, -0.4}, {2, -0.4}, {4, -0.3}, {8, -0.3}, {20, -0.3}}}},
+        {{{{0, 0}, {1, 0.3}, {2, 0.3}, {4, 0.3}, {8, 0.3}, {20, 0.3}}},
+         {{{0, -0.38}, {1, -0.3}, {2, -0.3}, {4, -0.3}, {8, -0.3}, {20, -0.3}}},
+         {{{0, -0.38}, {1, 0.1}, {2, 0.3}, {4, 0.3}, {8, 0.3}, {20, 0.3}}},
+         {{{1, -0.3}, {2, -0.3}, {4, -0.3}, {8, -0.3}, {20, -0.3}}}},
+    };
+    return law;
+}
+inline dda::CyclicBartonBandis marble() {
+    dda::CyclicBartonBandis law;
+    law.barton = marble_strength();
+    law.peak_displacement = marble_peak;
+    law.damage = 1;
+    law.cycles = {
+        {{{{0, 0}, {1, 1}, {2, 0.8}, {4, 0.7}, {8, 0.6}, {20, 0.35}, {80, 0}}},
+         {{{0, 0}, {1, -0.1}, {2, -0.3}, {4, -0.55}, {8, -0.45}, {20, -0.45}, {80, -0.26}}},
+         {{{0, 0}, {1, 0.2}, {2, 0.3}, {4, 0.55}, {8, 0.5}, {20, 0.35}, {80, 0.25}}},
+         {{{1, -0.1}, {2, -0.2}, {4, -0.4}, {8, -0.4}, {20, -0.4}, {80, -0.4}}}},
+        {{{{0, 0.11}, {1, 0.2}, {2, 0.25}, {4, 0.5}, {8, 0.45}, {20, 0.35}, {80, 0}}},
+         {{{0, 0}, {1, -0.1}, {2, -0.1}, {4, -0.2}, {8, -0.35}, {20, -0.35}, {80, -0.25}}},
+         {{{0, 0}, {1, 0}, {2, 0.1}, {4, 0.3}, {8, 0.4}, {20, 0.4}, {80, 0.3}}},
+         {{{1, -0.1}, {2, -0.1}, {4, -0.2}, {8, -0.4}, {20, -0.45}, {80, -0.45}}}},
+    };
+    return law;
+}
+/// J2 of Tables 9 and 10, with the factor of 0.9 per reversal.
+inline dda::CyclicBartonBandis sliding_plane() {
+    dda::CyclicBartonBandis law;
+    law.barton = {3.98, 80e6, 1 * 0.017453292519943295};
+    law.peak_displacement = 0.164;
+    const dda::RoughnessTable wear = {{{0, 1}, {1, 1}, {2, 0.9}, {4, 0.7}, {8, 0.5}, {20, 0.2}}};
+    law.cycles = {{wear, wear, wear, wear}};
+    law.reversal_factor = 0.9;
+    law.both_ways = true;
+    return law;
+}
+
+}  // namespace joint_tests
