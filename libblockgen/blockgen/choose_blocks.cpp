@@ -62,6 +62,7 @@ std::int32_t block_near(const BlockMesh& mesh, const SlopeModel& model, const Bl
     if (distance > reach)
         throw InputError(selector.place, "no block holds the point " + text_of(*selector.at),
                          "a point inside the rock");
+    if (distance <= 2 * model.grid) return nearest;
     char metres[32];
     std::snprintf(metres, sizeof metres, "%.3g", distance);
     warnings.push_back(selector.place.text() + ": the point " + text_of(*selector.at) +
@@ -84,21 +85,32 @@ bool lies_along(const BlockMesh& mesh, std::size_t block, const std::string& sid
     return false;
 }
 
+/// Whether a segment has a piece within a block, or along its rim.
+bool runs_through(const BlockMesh& mesh, std::size_t block, const Point& a, const Point& b) {
+    for (const auto& [p, q] : clip_to_ring(a, b, ring_points(mesh, block, 0))) {
+        const Point middle{(p.x + q.x) / 2, (p.y + q.y) / 2};
+        if (holds(mesh, block, middle)) return true;
+    }
+    return false;
+}
+
 std::vector<std::int32_t> chosen(const BlockMesh& mesh, const SlopeModel& model,
                                  const BlockSelector& selector, std::vector<std::string>& warnings) {
     if (selector.at) return {block_near(mesh, model, selector, warnings)};
     std::vector<std::int32_t> blocks;
     const Bounds bounds = Bounds::of(model.outline);
     for (std::size_t b = 0; b < mesh.block_count(); ++b) {
-        const bool is_chosen = selector.side.empty()
-                                   ? side_of_ring(selector.inside, block_centroid(mesh, b)) >= 0
-                                   : lies_along(mesh, b, selector.side, bounds, 4 * model.grid);
+        const bool is_chosen =
+            !selector.along.empty() ? runs_through(mesh, b, selector.along[0], selector.along[1])
+            : selector.side.empty() ? side_of_ring(selector.inside, block_centroid(mesh, b)) >= 0
+                                    : lies_along(mesh, b, selector.side, bounds, 4 * model.grid);
         if (is_chosen) blocks.push_back(static_cast<std::int32_t>(b));
     }
     if (blocks.empty())
         throw InputError(selector.place, "no block is chosen",
-                         selector.side.empty() ? "a polygon that holds the centroid of a block"
-                                               : "a side that a block lies along");
+                         !selector.along.empty() ? "a line that runs through a block"
+                         : selector.side.empty() ? "a polygon that holds the centroid of a block"
+                                                 : "a side that a block lies along");
     return blocks;
 }
 
@@ -118,7 +130,31 @@ std::int32_t block_at(const BlockMesh& mesh, const Point& p) {
     return -1;
 }
 
+static void apply_material_lines(BlockMesh& mesh, const SlopeModel& model) {
+    if (model.material_lines.empty()) return;
+    std::vector<std::string> names = mesh.block_materials;
+    for (const MaterialLine& line : model.material_lines) {
+        const auto found = std::find(names.begin(), names.end(), line.block_material);
+        const auto material = static_cast<std::int32_t>(found - names.begin());
+        if (found == names.end()) names.push_back(line.block_material);
+        for (std::size_t b = 0; b < mesh.block_count(); ++b)
+            if (runs_through(mesh, b, line.from, line.to)) mesh.block_material[b] = material;
+    }
+    // Only names that a block bears enter the file.
+    std::vector<std::int32_t> number(names.size(), -1);
+    mesh.block_materials.clear();
+    for (std::int32_t& material : mesh.block_material) {
+        std::int32_t& n = number[static_cast<std::size_t>(material)];
+        if (n < 0) {
+            n = static_cast<std::int32_t>(mesh.block_materials.size());
+            mesh.block_materials.push_back(names[static_cast<std::size_t>(material)]);
+        }
+        material = n;
+    }
+}
+
 void choose_blocks(BlockMesh& mesh, const SlopeModel& model, std::vector<std::string>& warnings) {
+    apply_material_lines(mesh, model);
     for (const BlockSelector& selector : model.selectors) {
         const BlockMotion motion = selector.prescribed ? BlockMotion::prescribed : BlockMotion::fixed;
         for (const std::int32_t block : chosen(mesh, model, selector, warnings)) {

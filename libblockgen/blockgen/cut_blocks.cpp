@@ -58,6 +58,7 @@ class Cutter {
         removed_ = straight_vertices(noded_, subdivision_, faces_, boundary_, edges_.marks);
         CutResult result;
         fill_mesh(result.mesh);
+        result.report.warnings = model_.notes;
         choose_blocks(result.mesh, model_, result.report.warnings);
         check(result.mesh);
         fill_report(result);

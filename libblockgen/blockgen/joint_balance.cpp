@@ -229,7 +229,7 @@ class NetworkMeasure {
             Idle& row = idle[row_[t]];
             if (fate.in_rock() > 0) continue;
             if (fate.on_boundary > 0)
-                ++row.on_boundary;
+                row.on_boundary += !model_.outline_of_traces;
             else
                 ++(length_of(traces_[t]) < noded_.frame.step ? row.points : row.outside);
         }

@@ -29,6 +29,7 @@ set(private_packages
     "toml(\\+\\+|plusplus)|libblockgen/blockgen/config"
     "cairo|libblockgen/blockgen/picture"
     "(hdf5|H5[A-Za-z]*)\\.h|libdda/dda/io"
+    "(gdal|cpl_[a-z]*|ogr_[a-z_]*)\\.h|libblockgen/blockgen/input"
     "nlohmann/|libdda/dda/io libblockgen/blockgen/input libblockgen/blockgen"
     "(suitesparse/)?(cholmod|SuiteSparse_config|amd|camd|ccolamd|metis)\\.h|libdda/dda/linear")
 

@@ -4,13 +4,14 @@
 #include <cctype>
 
 #include "blockgen/input/csv_table.hpp"
+#include "blockgen/input/gdal_file.hpp"
 #include "blockgen/input/geojson.hpp"
 
 namespace blockgen {
 
 namespace {
 
-enum class FileKind { csv, geojson };
+enum class FileKind { csv, geojson, gdal };
 
 FileKind kind_of(const std::filesystem::path& path) {
     std::string extension = path.extension().string();
@@ -18,7 +19,9 @@ FileKind kind_of(const std::filesystem::path& path) {
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     if (extension == ".csv" || extension == ".txt") return FileKind::csv;
     if (extension == ".geojson" || extension == ".json") return FileKind::geojson;
-    throw InputError({path.string()}, "'" + extension + "' is no known geometry format", ".csv or .geojson");
+    if (extension == ".dxf" || extension == ".shp" || extension == ".gpkg") return FileKind::gdal;
+    throw InputError({path.string()}, "'" + extension + "' is no known geometry format",
+                     ".csv, .geojson, .dxf, .shp or .gpkg");
 }
 
 void open_ring(Ring& ring) {
@@ -31,6 +34,8 @@ std::vector<Ring> read_outline_file(const std::filesystem::path& path) {
     std::vector<Ring> rings;
     if (kind_of(path) == FileKind::geojson) {
         rings = read_geojson_polygon(path);
+    } else if (kind_of(path) == FileKind::gdal) {
+        rings = read_gdal_polygon(path);
     } else {
         const CsvTable table = read_csv(path, {"x", "y"}, {});
         rings.emplace_back();
@@ -47,6 +52,11 @@ std::vector<Trace> read_trace_file(const std::filesystem::path& path, const std:
         for (GeoJsonLine& line : read_geojson_lines(path))
             traces.push_back({name, line.joint_material.empty() ? joint_material : line.joint_material,
                               std::move(line.points)});
+    } else if (kind_of(path) == FileKind::gdal) {
+        for (GdalLine& line : read_gdal_lines(path)) {
+            const std::string& own = line.joint_material.empty() ? joint_material : line.joint_material;
+            traces.push_back({name, own.empty() ? line.layer : own, std::move(line.points)});
+        }
     } else {
         const CsvTable table = read_csv(path, {"x1", "y1", "x2", "y2"}, {"joint_material"});
         for (const CsvRow& row : table.rows)

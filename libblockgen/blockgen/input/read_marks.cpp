@@ -9,9 +9,16 @@ BlockSelector read_selector(const ConfigTable& table, bool prescribed) {
     selector.place = table.place();
     selector.prescribed = prescribed;
     selector.name = prescribed ? read_name(table, "name") : table.string("name", "");
-    const int given = int{table.has("at")} + int{table.has("inside")} + int{table.has("side")};
+    const int given =
+        int{table.has("at")} + int{table.has("inside")} + int{table.has("along")} + int{table.has("side")};
     if (given != 1)
-        table.fail("at", "a block is chosen by one of at, inside and side", "exactly one of them");
+        table.fail("at", "a block is chosen by one of at, inside, along and side", "exactly one of them");
+    if (table.has("along")) {
+        for (const auto& pair : table.pairs("along", Dimension::length))
+            selector.along.push_back(point_of(pair));
+        if (selector.along.size() != 2 || selector.along[0] == selector.along[1])
+            table.fail("along", "a line is not two different points", "[[x1, y1], [x2, y2]]");
+    }
     if (table.has("at")) selector.at = point_of(table.pair("at", Dimension::length));
     if (table.has("inside")) selector.inside = read_ring(table, "inside");
     if (table.has("side")) selector.side = table.choice("side", {"bottom", "top", "left", "right"});

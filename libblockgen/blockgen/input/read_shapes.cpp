@@ -147,7 +147,10 @@ SmallBlocks read_small_blocks(const ConfigTable& table) {
 }
 
 void check_extent(const ConfigTable& domain, const SlopeModel& model) {
-    const std::string key = domain.has("grid") ? "grid" : domain.has("outline") ? "outline" : "outline_file";
+    const std::string key = domain.has("grid")       ? "grid"
+                            : domain.has("geo_file") ? "geo_file"
+                            : domain.has("outline")  ? "outline"
+                                                     : "outline_file";
     check_reach(domain, key, model.outline, model);
     const Bounds bounds = Bounds::of(model.outline);
     if (std::min(bounds.high.x - bounds.low.x, bounds.high.y - bounds.low.y) < 16 * model.grid)
@@ -193,9 +196,15 @@ Ring read_ring(const ConfigTable& table, std::string_view key) {
 void read_domain(const ConfigTable& root, SlopeModel& model) {
     const ConfigTable domain = root.table("domain");
     model.domain_place = domain.place();
-    read_outline(domain, model);
-    model.block_material = read_name(domain, "block_material");
     model.grid = read_grid(domain);
+    if (domain.has("geo_file")) {
+        for (const char* key : {"outline", "outline_file", "holes"})
+            if (domain.has(key)) domain.fail(key, "an outline beside the lines of geo_file", "one of them");
+        read_geo_domain(domain, model);
+    } else {
+        read_outline(domain, model);
+    }
+    model.block_material = read_name(domain, "block_material");
     model.islands = read_island_policy(domain);
     check_extent(domain, model);
     if (const auto small = root.optional_table("small_blocks"))

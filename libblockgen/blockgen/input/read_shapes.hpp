@@ -19,6 +19,8 @@ void check_reach(const ConfigTable& table, std::string_view key, const Ring& poi
 
 /// [domain]: outline, holes, block material, grid, policies; and the files it names.
 void read_domain(const ConfigTable& root, SlopeModel& model);
+/// domain.geo_file: everything that a geometry file of Shi's holds. The grid must be known.
+void read_geo_domain(const ConfigTable& domain, SlopeModel& model);
 /// [[region]]
 void read_regions(const ConfigTable& root, SlopeModel& model);
 /// [[tunnel]]

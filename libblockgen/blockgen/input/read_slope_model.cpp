@@ -27,6 +27,7 @@ seed = 42                                  # of all random draws; the same seed 
 [domain]
 outline = [[0, 0], [120, 0], [120, 30], [60, 70], [0, 70]]
 # outline_file = "profile.csv"             # instead of outline: columns x,y; or a GeoJSON file with one Polygon
+# geo_file = "old.geo"                     # instead: a line file of Shi's programs
 # holes = [[[10, 10], [14, 10], [12, 14]]]
 block_material = "sandstone"
 # grid = 9.5367431640625e-7                # m, a power of two: joints that come nearer to each other are joined
@@ -97,7 +98,7 @@ gap = 1.0                                  # rock bridge; or persistence = 0.9
 
 # [[traces]]                               # joints one by one
 # joint_material = "fault"
-# points = [[10, 0], [40, 70]]             # or file = "faults.csv" (x1,y1,x2,y2[,joint_material]) or "faults.geojson"
+# points = [[10, 0], [40, 70]]             # or file = "faults.csv" (x1,y1,x2,y2[,joint_material]), .geojson, .dxf, ...
 
 [[fixed_block]]
 side = "bottom"                            # or at = [x, y], or inside = polygon

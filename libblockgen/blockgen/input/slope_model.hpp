@@ -77,12 +77,13 @@ struct Trace {
     std::vector<Point> points;
 };
 
-/// Which blocks are meant: the one that holds a point, those whose centroid lies in a polygon, or those along
-/// a side of the domain's bounding box. Exactly one is given.
+/// Which blocks are meant: the one that holds a point, those whose centroid lies in a polygon, those that a
+/// line runs through, or those along a side of the domain's bounding box. Exactly one is given.
 struct BlockSelector {
     std::optional<Point> at;
     Ring inside;
-    std::string side;  ///< bottom, top, left or right
+    std::vector<Point> along;  ///< two points, or none
+    std::string side;          ///< bottom, top, left or right
     bool prescribed = false;
     std::string name;
     SourcePlace place;
@@ -97,6 +98,13 @@ struct NamedPoint {
 struct BoltLine {
     std::string name;
     std::string material;
+    Point from, to;
+    SourcePlace place;
+};
+
+/// Gives the blocks that a line runs through a material of their own.
+struct MaterialLine {
+    std::string block_material;
     Point from, to;
     SourcePlace place;
 };
@@ -137,6 +145,9 @@ struct SlopeModel {
     std::vector<BlockSelector> selectors;
     std::vector<NamedPoint> measured_points;
     std::vector<BoltLine> bolts;
+    std::vector<MaterialLine> material_lines;
+    bool outline_of_traces = false;  ///< the outline follows from traces, so that some run along it
+    std::vector<std::string> notes;  ///< warnings from the reading
     std::optional<KinematicScreen> kinematics;
     std::vector<std::filesystem::path> files;  ///< read besides the model file itself
 };

@@ -194,7 +194,7 @@ TEST_F(GeometryFile, CsvFaultsAreNamedWithTheirPlace) {
                 HasSubstr("c.csv:2:9: a name is not UTF-8"));
     EXPECT_THAT(error_of(write("d.csv", "x1,y1,x2,y2\n0,0,1\n")), HasSubstr("d.csv:2"));
     EXPECT_THAT(error_of(write("e.csv", "x1,y1,x2,y2\n")), HasSubstr("no trace"));
-    EXPECT_THAT(error_of(write("f.dxf", "0")), HasSubstr("geometry format"));
+    EXPECT_THAT(error_of(write("f.xyz", "0")), HasSubstr("geometry format"));
     EXPECT_THAT(error_of("no-such.csv"), HasSubstr("no-such.csv: cannot be read"));
 }
 

@@ -1,0 +1,162 @@
+#include "blockgen/input/gdal_file.hpp"
+
+#include "blockgen/base/input_error.hpp"
+#include "blockgen/base/magnitude.hpp"
+
+#ifdef BLOCKGEN_HAS_GDAL
+#include <cpl_error.h>
+#include <gdal.h>
+#include <ogr_api.h>
+#include <ogr_srs_api.h>
+
+#include <functional>
+#include <memory>
+#endif
+
+namespace blockgen {
+
+#ifdef BLOCKGEN_HAS_GDAL
+
+namespace {
+
+/// GDAL writes to the standard error unless told not to.
+class Quiet {
+  public:
+    Quiet() { CPLPushErrorHandler(CPLQuietErrorHandler); }
+    ~Quiet() { CPLPopErrorHandler(); }
+    Quiet(const Quiet&) = delete;
+    Quiet& operator=(const Quiet&) = delete;
+};
+
+using Dataset = std::unique_ptr<void, decltype(&GDALClose)>;
+using Feature = std::unique_ptr<std::remove_pointer_t<OGRFeatureH>, decltype(&OGR_F_Destroy)>;
+using Geometry = std::unique_ptr<std::remove_pointer_t<OGRGeometryH>, decltype(&OGR_G_DestroyGeometry)>;
+
+class GdalReader {
+  public:
+    explicit GdalReader(const std::filesystem::path& path) : place_{path.string()} {
+        GDALAllRegister();
+        std::error_code ignored;
+        if (!std::filesystem::exists(path, ignored)) throw InputError(place_, "cannot be read", "a file");
+        dataset_ = Dataset(
+            GDALOpenEx(place_.file.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, nullptr, nullptr, nullptr),
+            &GDALClose);
+        if (!dataset_)
+            throw InputError(place_, "GDAL cannot read this", "a vector file such as DXF or GeoPackage");
+    }
+
+    /// Calls visit(geometry, feature, layer name) for each feature that has one, curves made straight.
+    template <class Visit>
+    void visit_features(const Visit& visit) {
+        for (int k = 0; k < GDALDatasetGetLayerCount(dataset_.get()); ++k) {
+            OGRLayerH layer = GDALDatasetGetLayer(dataset_.get(), k);
+            OGRSpatialReferenceH system = OGR_L_GetSpatialRef(layer);
+            if (system != nullptr && OSRIsGeographic(system))
+                throw InputError(place_, "the coordinates are degrees",
+                                 "metres: a projected reference system");
+            OGR_L_ResetReading(layer);
+            while (const Feature feature{OGR_L_GetNextFeature(layer), &OGR_F_Destroy}) {
+                OGRGeometryH shape = OGR_F_GetGeometryRef(feature.get());
+                if (shape == nullptr) continue;
+                const Geometry straight{OGR_G_GetLinearGeometry(shape, 0, nullptr), &OGR_G_DestroyGeometry};
+                if (straight) visit(straight.get(), feature.get(), std::string(OGR_L_GetName(layer)));
+            }
+        }
+    }
+
+    /// Calls visit(points) for each line and ring of a geometry.
+    void visit_lines(OGRGeometryH shape, const std::function<void(std::vector<Point>)>& visit) const {
+        const OGRwkbGeometryType type = wkbFlatten(OGR_G_GetGeometryType(shape));
+        if (type == wkbLineString || type == wkbLinearRing) {
+            std::vector<Point> points;
+            for (int k = 0; k < OGR_G_GetPointCount(shape); ++k) {
+                points.push_back({OGR_G_GetX(shape, k), OGR_G_GetY(shape, k)});
+                if (!is_usable(points.back().x) || !is_usable(points.back().y))
+                    throw InputError(place_, "a coordinate is too large", "coordinates in metres");
+            }
+            if (points.size() >= 2) visit(std::move(points));
+            return;
+        }
+        for (int k = 0; k < OGR_G_GetGeometryCount(shape); ++k)
+            visit_lines(OGR_G_GetGeometryRef(shape, k), visit);
+    }
+
+    const SourcePlace& place() const { return place_; }
+
+  private:
+    Quiet quiet_;
+    SourcePlace place_;
+    Dataset dataset_{nullptr, &GDALClose};
+};
+
+std::string field_of(OGRFeatureH feature, const char* name) {
+    const int index = OGR_F_GetFieldIndex(feature, name);
+    if (index < 0 || !OGR_F_IsFieldSetAndNotNull(feature, index)) return {};
+    return OGR_F_GetFieldAsString(feature, index);
+}
+
+}  // namespace
+
+bool has_gdal() {
+    return true;
+}
+
+std::vector<GdalLine> read_gdal_lines(const std::filesystem::path& path) {
+    GdalReader reader(path);
+    std::vector<GdalLine> lines;
+    reader.visit_features([&](OGRGeometryH shape, OGRFeatureH feature, const std::string& layer) {
+        const std::string drawn_on = field_of(feature, "Layer");
+        const std::string material = field_of(feature, "joint_material");
+        reader.visit_lines(shape, [&](std::vector<Point> points) {
+            lines.push_back({material, drawn_on.empty() ? layer : drawn_on, std::move(points)});
+        });
+    });
+    return lines;
+}
+
+std::vector<Ring> read_gdal_polygon(const std::filesystem::path& path) {
+    GdalReader reader(path);
+    std::vector<Ring> rings;
+    int shapes = 0;
+    reader.visit_features([&](OGRGeometryH shape, OGRFeatureH, const std::string&) {
+        std::size_t before = rings.size();
+        reader.visit_lines(shape, [&](std::vector<Point> points) {
+            if (!(points.front() == points.back()))
+                throw InputError(reader.place(), "a line that is not closed", "one single polygon");
+            rings.push_back(std::move(points));
+        });
+        shapes += rings.size() > before;
+        const OGRwkbGeometryType type = wkbFlatten(OGR_G_GetGeometryType(shape));
+        if (type == wkbMultiPolygon && OGR_G_GetGeometryCount(shape) > 1) ++shapes;
+    });
+    if (shapes != 1)
+        throw InputError(reader.place(), std::to_string(shapes) + " polygons", "one single polygon");
+    return rings;
+}
+
+#else
+
+namespace {
+
+[[noreturn]] void fail(const std::filesystem::path& path) {
+    throw InputError({path.string()}, "this blockgen was built without GDAL, which reads such files",
+                     ".csv or .geojson");
+}
+
+}  // namespace
+
+bool has_gdal() {
+    return false;
+}
+
+std::vector<GdalLine> read_gdal_lines(const std::filesystem::path& path) {
+    fail(path);
+}
+
+std::vector<Ring> read_gdal_polygon(const std::filesystem::path& path) {
+    fail(path);
+}
+
+#endif
+
+}  // namespace blockgen
