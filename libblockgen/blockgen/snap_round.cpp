@@ -159,31 +159,42 @@ SnappedChains snap_round(std::span<const FineSegment> segments, std::int64_t fin
                          std::span<const GridPoint> anchors) {
     const BucketGrid grid(segments, fineness);
     const std::vector<GridPoint> cells = hot_cells(segments, grid, fineness);
-    const std::vector<GridPoint> stand_ins = join_adjacent ? representatives(cells, anchors) : cells;
+    const std::vector<GridPoint> joined =
+        join_adjacent ? representatives(cells, anchors) : std::vector<GridPoint>();
+    const std::vector<GridPoint>& stand_ins = join_adjacent ? joined : cells;
     std::vector<Hit> hits = find_hits(segments, cells, grid, fineness);
 
-    const auto distance_along = [&](const Hit& hit) {
-        const FineSegment& s = segments[static_cast<std::size_t>(hit.segment)];
-        const GridPoint& cell = cells[static_cast<std::size_t>(hit.cell)];
+    const auto distance_along = [fineness](const FineSegment& s, const GridPoint& cell) {
         return static_cast<Int128>(cell.x * fineness - s.a.x) * (s.b.x - s.a.x) +
                static_cast<Int128>(cell.y * fineness - s.a.y) * (s.b.y - s.a.y);
     };
+    // The hits of each segment together, by counting.
     std::vector<std::int64_t> next(segments.size() + 1, 0);
     for (const Hit& hit : hits) ++next[static_cast<std::size_t>(hit.segment) + 1];
     for (std::size_t k = 0; k < segments.size(); ++k) next[k + 1] += next[k];
-    std::vector<std::pair<Int128, std::int32_t>> ordered(hits.size());
-    std::vector<std::int64_t> fill(next.begin(), next.end() - 1);
-    for (const Hit& hit : hits)
-        ordered[static_cast<std::size_t>(fill[static_cast<std::size_t>(hit.segment)]++)] = {
-            distance_along(hit), hit.cell};
+    std::vector<std::int32_t> hit_cells(hits.size());
+    {
+        std::vector<std::int64_t> fill(next.begin(), next.end() - 1);
+        for (const Hit& hit : hits)
+            hit_cells[static_cast<std::size_t>(fill[static_cast<std::size_t>(hit.segment)]++)] = hit.cell;
+    }
+    hits = {};
 
     SnappedChains chains;
+    chains.first.reserve(segments.size() + 1);
+    chains.cells.reserve(hit_cells.size());
+    std::vector<std::pair<Int128, std::int32_t>> ordered;
     for (std::size_t k = 0; k < segments.size(); ++k) {
-        std::sort(ordered.begin() + next[k], ordered.begin() + next[k + 1]);
+        ordered.clear();
         for (std::int64_t i = next[k]; i < next[k + 1]; ++i) {
-            const GridPoint& cell =
-                stand_ins[static_cast<std::size_t>(ordered[static_cast<std::size_t>(i)].second)];
-            if (i == next[k] || chains.cells.back() != cell) chains.cells.push_back(cell);
+            const std::int32_t cell = hit_cells[static_cast<std::size_t>(i)];
+            ordered.emplace_back(distance_along(segments[k], cells[static_cast<std::size_t>(cell)]), cell);
+        }
+        std::sort(ordered.begin(), ordered.end());
+        const std::size_t start = chains.cells.size();
+        for (const auto& [distance, c] : ordered) {
+            const GridPoint& cell = stand_ins[static_cast<std::size_t>(c)];
+            if (chains.cells.size() == start || chains.cells.back() != cell) chains.cells.push_back(cell);
         }
         chains.first.push_back(static_cast<std::int64_t>(chains.cells.size()));
     }

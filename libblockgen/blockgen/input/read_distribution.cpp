@@ -39,6 +39,11 @@ void read_moments(const ConfigTable& table, Dimension dimension, Distribution& d
         d.sd = table.checked(
             "sd", table.number("sd", dimension), [](double x) { return x >= 0; },
             "a standard deviation of zero or more");
+    // Beyond, the incomplete gamma function has no quantile in double precision.
+    if (d.law == Law::gamma)
+        table.checked(
+            "sd", d.sd, [&d](double sd) { return sd >= 1e-3 * d.mean && sd <= 30 * d.mean; },
+            "a standard deviation from a thousandth to 30 times the mean");
     if (d.law == Law::weibull)
         d.shape = table.checked(
             "shape", table.number("shape"), [](double x) { return x >= 0.1 && x <= 1000; },

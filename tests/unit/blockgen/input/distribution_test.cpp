@@ -55,6 +55,21 @@ TEST(Distribution, GammaOfWholeShapeIsASumOfExponentials) {
     EXPECT_NEAR(d.mean_draw(), 2, 1e-6);
 }
 
+TEST(Distribution, GammaHasAQuantileInAllItsRange) {
+    for (const double sd : {1e-3, 0.01, 0.3, 5.0, 30.0}) {
+        const Distribution d{Law::gamma, 1, sd};
+        double last = 0;
+        for (const double u : {0x1p-53, 1e-6, 0.1, 0.5, 0.9, 1 - 1e-6, 1 - 0x1p-53}) {
+            EXPECT_GE(d.quantile(u), last) << sd << ' ' << u;
+            last = d.quantile(u);
+        }
+        EXPECT_NEAR(d.mean_draw(), 1, 1e-3) << sd;
+        const Distribution truncated{Law::gamma, 1, sd, 1, 1.001};
+        EXPECT_GE(truncated.quantile(0.5), 1);
+        EXPECT_LE(truncated.quantile(0.5), 1.001);
+    }
+}
+
 TEST(Distribution, PowerLaw) {
     for (const double a : {0.0, 1.0, 2.0, 2.5, 4.0}) {
         const Distribution d = power(a, 0.5, 20);
@@ -105,7 +120,8 @@ TEST(Distribution, KeysOfTheModelFile) {
     for (const char* bad :
          {"{ law = \"weibull\", mean = 2 }", "{ law = \"weibull\", mean = 2, shape = 0 }",
           "{ law = \"weibull\", mean = -2, shape = 1 }", "{ law = \"gamma\", mean = 0, sd = 1 }",
-          "{ law = \"gamma\", mean = 2 }", "{ law = \"power\", exponent = 2, min = 0, max = 9 }",
+          "{ law = \"gamma\", mean = 2 }", "{ law = \"gamma\", mean = 2, sd = 1e-4 }",
+          "{ law = \"gamma\", mean = 2, sd = 100 }", "{ law = \"power\", exponent = 2, min = 0, max = 9 }",
           "{ law = \"power\", exponent = 2, min = 1 }", "{ law = \"power\", exponent = 2, min = 3, max = 1 }",
           "{ law = \"power\", exponent = 200, min = 1, max = 2 }", "{ law = \"levy\", mean = 1 }"})
         EXPECT_THROW(slope(head + bad + "\n"), InputError) << bad;

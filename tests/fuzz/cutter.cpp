@@ -1,0 +1,138 @@
+// Cuts slopes made of random numbers, near-coincident on purpose, until the time is up. Every cut is proved,
+// swept with exact construction, checked as a mesh and read back from its block file; what fails is named by
+// its seed.
+//   fuzz_cutter SECONDS [FIRST_SEED]        fuzz_cutter --seeds FILE replays seeds, one a line
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <random>
+#include <string>
+
+#include "blockgen/base/input_error.hpp"
+#include "blockgen/cut_blocks.hpp"
+#include "blockgen/mesh/block_file.hpp"
+#include "blockgen/walk_faces.hpp"
+
+namespace {
+
+using namespace blockgen;
+
+class RandomSlope {
+  public:
+    explicit RandomSlope(unsigned long seed) : random_(seed) {}
+
+    SlopeModel model() {
+        SlopeModel m;
+        m.block_material = "rock";
+        m.grid = std::ldexp(1.0, -pick(21));
+        const Point corner = pick(4) == 0 ? Point{466000, 6691582} : Point{0, 0};
+        shift_ = corner;
+        m.outline = {at(0, 0), at(4, 0), at(4, pick(2) == 0 ? 4 : 2.5), at(2, 4), at(0, 4)};
+        if (pick(3) == 0) m.holes.push_back(box(1 + share(), 1 + share(), 0.3 + share()));
+        for (int k = pick(3); k > 0; --k) m.tunnels.push_back({"t", box(4 * share(), 4 * share(), 1), {}});
+        if (pick(3) == 0)
+            m.regions.push_back({"r", "soil", "contact", box(4 * share() - 1, 4 * share() - 1, 2), {}});
+        m.islands = static_cast<IslandPolicy>(pick(3));
+        m.small_blocks = {static_cast<SmallPolicy>(pick(3)), 0.3 * share() * share(), 0.02};
+        const int joints = 1 + pick(60);
+        for (int k = 0; k < joints; ++k) add_joint(m);
+        return m;
+    }
+
+  private:
+    int pick(int n) { return static_cast<int>(random_() % static_cast<unsigned>(n)); }
+    double share() { return static_cast<double>(random_()) * 0x1p-32; }
+    double hair() { return (share() - 0.5) * std::pow(10.0, -2 - pick(14)); }
+    Point at(double x, double y) const { return {shift_.x + x, shift_.y + y}; }
+    Ring box(double x, double y, double size) {
+        return {at(x, y), at(x + size, y), at(x + size, y + size), at(x, y + size)};
+    }
+    Point anywhere() {
+        const double x = pick(3) == 0 ? pick(5) : 6 * share() - 1;
+        const double y = pick(3) == 0 ? pick(5) : 6 * share() - 1;
+        return at(x, y);
+    }
+    static Point between(const Point& a, const Point& b, double t) {
+        return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
+    }
+
+    /// Anywhere, through a common point, along an older one, or ending on it, each but for a hair.
+    void add_joint(SlopeModel& m) {
+        Point a = anywhere(), b = anywhere();
+        if (!m.traces.empty()) {
+            const auto& old =
+                m.traces[static_cast<std::size_t>(pick(static_cast<int>(m.traces.size())))].points;
+            const Point &p = old[0], &q = old[1];
+            const int kind = pick(6);
+            if (kind == 0) a = between(p, q, share());
+            if (kind == 1) a = between(p, q, -0.5), b = between(p, q, 1.5 * share());
+            if (kind == 2) a = p, b = q;
+            if (kind == 3) a = at(2, 2), b = between(a, b, 0.7);
+            if (kind == 4) a = m.outline[static_cast<std::size_t>(pick(5))];
+        }
+        a = {a.x + hair(), a.y + hair()};
+        b = {b.x + hair(), b.y + hair()};
+        m.traces.push_back({"set " + std::to_string(pick(3)), "joint", {a, b}});
+    }
+
+    std::mt19937 random_;
+    Point shift_;
+};
+
+unsigned long refused = 0;
+
+/// @return what is wrong; empty when nothing is.
+std::string fault_of(unsigned long seed) {
+    try {
+        const SlopeModel model = RandomSlope(seed).model();
+        CutOptions options;
+        options.verify = true;
+        const CutResult result = cut_blocks(model, model.traces, options);
+        if (!result.report.area_proved || !result.report.verified) return "not proved";
+        const SourceTable table(model);
+        const NodedEdges noded = node_joints(source_segments(model, model.traces, table), model.grid);
+        const ExactCut swept = summary_of(noded, arrange(noded)),
+                       walked = summary_of(noded, walk_faces(noded));
+        if (swept.twice_areas != walked.twice_areas || swept.adjacency != walked.adjacency)
+            return "the walk and the sweep disagree";
+        if (!(parse_block_file(block_file_text(result.mesh), "file") == result.mesh))
+            return "the block file reads back otherwise";
+    } catch (const InputError&) {
+        ++refused;  // as an island of another material may be
+    } catch (const std::exception& error) {
+        return error.what();
+    }
+    return {};
+}
+
+bool passes(unsigned long seed) {
+    const std::string fault = fault_of(seed);
+    if (!fault.empty()) std::printf("seed %lu: %s\n", seed, fault.c_str());
+    return fault.empty();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc < 2) {
+        std::fputs("fuzz_cutter SECONDS [FIRST_SEED] | --seeds FILE\n", stderr);
+        return 2;
+    }
+    bool good = true;
+    if (std::strcmp(argv[1], "--seeds") == 0 && argc == 3) {
+        std::ifstream file(argv[2]);
+        int count = 0;
+        for (unsigned long seed = 0; file >> seed; ++count) good = passes(seed) && good;
+        std::printf("%d seeds\n", count);
+        return good && count > 0 ? 0 : 1;
+    }
+    const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(std::atof(argv[1]));
+    unsigned long seed = argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 1;
+    const unsigned long first = seed;
+    for (; std::chrono::steady_clock::now() < end; ++seed) good = passes(seed) && good;
+    std::printf("%lu slopes, %lu of them refused\n", seed - first, refused);
+    return good ? 0 : 1;
+}

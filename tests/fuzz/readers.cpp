@@ -1,0 +1,191 @@
+// Feeds damaged files to the readers of slope models, block files, Shi's line files, CSV and GeoJSON: bytes
+// changed, pieces cut out, doubled or swapped. Each must be read, or refused by InputError.
+//   fuzz_readers SECONDS [FIRST_SEED]        fuzz_readers --seeds FILE replays seeds, one a line
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <functional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "blockgen/base/input_error.hpp"
+#include "blockgen/cut_blocks.hpp"
+#include "blockgen/input/geo_file.hpp"
+#include "blockgen/input/geometry_file.hpp"
+#include "blockgen/input/read_slope_model.hpp"
+#include "blockgen/mesh/block_file.hpp"
+#include "blockgen/sample_joints.hpp"
+
+namespace {
+
+using namespace blockgen;
+
+const char* model_text = R"(seed = 3
+[domain]
+outline = [[0, 0], [12, 0], [12, 8], [0, 8]]
+holes = [[[1, 1], [2, 1], [2, 2]]]
+block_material = "rock"
+islands = "fill"
+[small_blocks]
+policy = "merge"
+below_area = 0.1
+[section]
+azimuth = "90 deg"
+[kinematics]
+friction_angle = "30 deg"
+[[region]]
+name = "top"
+block_material = "soil"
+joint_material = "contact"
+polygon = [[0, 6], [12, 6], [12, 9], [0, 9]]
+[[tunnel]]
+shape = "horseshoe"
+floor = [6, 2]
+width = 2
+height = "2 m"
+[[joint_set]]
+name = "bedding"
+angle = "-25 deg"
+spacing = { law = "lognormal", mean = 2.0, sd = 0.6, min = 1.0, max = 8.0 }
+[[joint_set]]
+name = "cross"
+kind = "cross-jointed"
+ends_on = "bedding"
+dip = "70 deg"
+dip_direction = "80 deg"
+fisher_k = 50
+spacing = 2
+[[joint_set]]
+name = "random"
+kind = "baecher"
+angle = { law = "uniform", min = "0 deg", max = "90 deg" }
+trace_length = { law = "gamma", mean = 3, sd = 1 }
+p21 = 0.2
+[[traces]]
+joint_material = "fault"
+points = [[0, 1], [12, 7]]
+[[fixed_block]]
+side = "bottom"
+[[measured_point]]
+name = "crest"
+at = [6, 5.5]
+)";
+
+const char* geo_text =
+    "0.01\n5 0\n1\n1\n1\n0\n1\n1\n0 0 6 0 1\n6 0 6 4 1\n6 4 0 4 1\n0 4 0 0 1\n-1 1 7 1 2\n0.5 0.5 5.5 0.5 7\n"
+    "0.5 3.5 5.5 3.5 1e6 2e5 0\n1 0.4 5 0.4\n1 3.5\n3.5 2.5\n";
+
+const char* csv_text = "x1,y1,x2,y2,joint_material\n0,0,3,4,\"fault\"\n# a comment\n1e0,-2.5,3,4,\n";
+
+const char* json_text =
+    R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{"joint_material":"a"},)"
+    R"("geometry":{"type":"MultiLineString","coordinates":[[[0,0],[1,2.5]],[[1,1],[2,2],[3,1e1]]]}}]})";
+
+class Damage {
+  public:
+    explicit Damage(unsigned long seed) : random_(seed) {}
+
+    std::size_t pick(std::size_t n) { return n == 0 ? 0 : random_() % n; }
+
+    std::string of(std::string text) {
+        static const std::vector<std::string> words = {
+            "-1", "0", "1e308", "nan", "inf",          "\"",  "[", "]",
+            "{",  "}", "\n",    "=",   "999999999999", "deg", ",", "#"};
+        for (std::size_t k = 1 + pick(6); k > 0; --k) {
+            const std::size_t at = pick(text.size()),
+                              length = pick(std::min<std::size_t>(40, text.size() - at)),
+                              other = pick(text.size());
+            switch (pick(6)) {
+                case 0:
+                    if (!text.empty()) text[at] = static_cast<char>(random_() & 255u);
+                    break;
+                case 1:
+                    text.erase(at, length);
+                    break;
+                case 2:
+                    text.insert(other, text.substr(at, length));
+                    break;
+                case 3:
+                    text.resize(at);
+                    break;
+                default:
+                    text.replace(at, pick(4), words[pick(words.size())]);
+            }
+        }
+        return text;
+    }
+
+  private:
+    std::mt19937 random_;
+};
+
+std::string cut_text() {
+    static const std::string text = [] {
+        const SlopeModel model = read_slope_model(ConfigTable::from_text(model_text, "slope.toml"));
+        return block_file_text(cut_blocks(model, all_traces(model)).mesh);
+    }();
+    return text;
+}
+
+const std::string& written(const std::string& text, const char* extension) {
+    static std::string path;
+    path = "/tmp/fuzz_readers." + std::to_string(getpid()) + extension;
+    std::ofstream(path, std::ios::binary) << text;
+    return path;
+}
+
+unsigned long refused = 0;
+
+bool passes(unsigned long seed) {
+    Damage damage(seed);
+    const std::vector<std::function<void()>> readers = {
+        [&] {
+            const SlopeModel model =
+                read_slope_model(ConfigTable::from_text(damage.of(model_text), "slope.toml"));
+            CutOptions options;
+            options.max_blocks = 2000;
+            cut_blocks(model, all_traces(model), options);
+        },
+        [&] { parse_block_file(damage.of(cut_text()), "file.blocks"); },
+        [&] { read_geo_file(written(damage.of(geo_text), ".geo")); },
+        [&] { read_trace_file(written(damage.of(csv_text), ".csv"), "name", "joint"); },
+        [&] { read_trace_file(written(damage.of(json_text), ".json"), "name", "joint"); }};
+    try {
+        readers[seed % readers.size()]();
+    } catch (const InputError&) {
+        ++refused;
+    } catch (const std::exception& error) {
+        std::printf("seed %lu: %s\n", seed, error.what());
+        return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc < 2) {
+        std::fputs("fuzz_readers SECONDS [FIRST_SEED] | --seeds FILE\n", stderr);
+        return 2;
+    }
+    bool good = true;
+    if (std::strcmp(argv[1], "--seeds") == 0 && argc == 3) {
+        std::ifstream file(argv[2]);
+        int count = 0;
+        for (unsigned long seed = 0; file >> seed; ++count) good = passes(seed) && good;
+        std::printf("%d seeds\n", count);
+        return good && count > 0 ? 0 : 1;
+    }
+    const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(std::atof(argv[1]));
+    unsigned long seed = argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 1;
+    const unsigned long first = seed;
+    for (; std::chrono::steady_clock::now() < end; ++seed) good = passes(seed) && good;
+    for (const char* extension : {".geo", ".csv", ".json"}) std::remove(written("", extension).c_str());
+    std::printf("%lu files, %lu of them refused\n", seed - first, refused);
+    return good ? 0 : 1;
+}
