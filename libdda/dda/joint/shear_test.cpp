@@ -90,19 +90,39 @@ double shear_stiffness(const ShearTest& test) {
     return test.material.shear_spring(0, test.length, of_law) / test.length;
 }
 
-std::vector<ShearTestRow> run_shear_test(const ShearTest& test) {
+namespace {
+
+/// Goes along the path and shows `each` the specimen after every increment, and whether it is at a point of
+/// the path.
+template <class Each>
+void follow(const ShearTest& test, Each each) {
     Specimen specimen(test);
-    std::vector<ShearTestRow> rows = {specimen.row()};
     double from = 0;
     for (const double to : test.path) {
-        const auto parts = static_cast<int>(std::ceil(std::abs(to - from) / test.increment * (1 - 1e-12)));
+        const auto parts =
+            std::max(static_cast<int>(std::ceil(std::abs(to - from) / test.increment * (1 - 1e-12))), 1);
         for (int part = 1; part <= parts; ++part) {
             const double share = static_cast<double>(part) / parts;
             specimen.go_to(part == parts ? to : from + (to - from) * share);
-            rows.push_back(specimen.row());
+            each(specimen, part == parts);
         }
         from = to;
     }
+}
+
+}  // namespace
+
+std::vector<ShearTestRow> run_shear_test(const ShearTest& test) {
+    std::vector<ShearTestRow> rows = {Specimen(test).row()};
+    follow(test, [&](const Specimen& specimen, bool) { rows.push_back(specimen.row()); });
+    return rows;
+}
+
+std::vector<ShearTestRow> shear_test_at_path(const ShearTest& test) {
+    std::vector<ShearTestRow> rows;
+    follow(test, [&](const Specimen& specimen, bool at_point) {
+        if (at_point) rows.push_back(specimen.row());
+    });
     return rows;
 }
 

@@ -40,4 +40,7 @@ double shear_stiffness(const ShearTest& test);
 /// the volume is constant.
 std::vector<ShearTestRow> run_shear_test(const ShearTest& test);
 
+/// The rows at the points of the path only, one for each.
+std::vector<ShearTestRow> shear_test_at_path(const ShearTest& test);
+
 }  // namespace dda

@@ -1,0 +1,144 @@
+#include <algorithm>
+#include <boost/program_options.hpp>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <iostream>
+#include <optional>
+
+#include "blockgen/base/atomic_file.hpp"
+#include "blockgen/base/input_error.hpp"
+#include "blockgen/base/output_check.hpp"
+#include "blockgen/base/output_error.hpp"
+#include "dda/io/read_shear_test.hpp"
+#include "dda/io/shear_table.hpp"
+#include "shear_picture.hpp"
+
+namespace po = boost::program_options;
+
+namespace {
+
+po::options_description visible_options() {
+    po::options_description options("Options");
+    auto add = options.add_options();
+    add("output,o", po::value<std::string>()->value_name("FILE"), "the rows, CSV");
+    add("picture", po::value<std::string>()->value_name("FILE"), "also draw them: SVG, PNG or PDF");
+    add("compare", po::value<std::string>()->value_name("LAB.csv"),
+        "measured points to draw beside, and to print the misfit of");
+    add("set", po::value<std::vector<std::string>>()->composing()->value_name("KEY=VALUE"),
+        "changes a key of the model file; may stand several times");
+    add("template", "print a commented model file and stop");
+    add("version", "print the version and stop");
+    add("help,h", "print this text and stop");
+    return options;
+}
+
+po::variables_map parse(int argc, char** argv) {
+    po::options_description all;
+    all.add(visible_options()).add_options()("file", po::value<std::vector<std::string>>());
+    po::positional_options_description positional;
+    positional.add("file", -1);
+    const int style = po::command_line_style::default_style & ~po::command_line_style::allow_guessing;
+    po::variables_map values;
+    try {
+        po::store(po::command_line_parser(argc, argv).options(all).positional(positional).style(style).run(),
+                  values);
+    } catch (const po::error& error) {
+        throw blockgen::InputError({"joint-shear"}, error.what(), "the options that --help lists");
+    }
+    return values;
+}
+
+std::string text_of(const po::variables_map& values, const char* key) {
+    return values.count(key) ? values[key].as<std::string>() : std::string{};
+}
+
+void print_misfit(const char* name, const std::optional<dda::Misfit>& misfit, double factor,
+                  const char* unit) {
+    if (!misfit) return;
+    std::printf("misfit of %s: rms %.4g %s, largest %.4g %s at %.4g mm\n", name,
+                misfit->root_mean_square * factor, unit, misfit->largest * factor, unit, misfit->at * 1e3);
+}
+
+void print_summary(const dda::ShearTestInput& input, const std::vector<dda::ShearTestRow>& rows) {
+    const auto by_stress = [](const dda::ShearTestRow& a, const dda::ShearTestRow& b) {
+        return std::abs(a.shear_stress) < std::abs(b.shear_stress);
+    };
+    const dda::ShearTestRow& peak = *std::max_element(rows.begin(), rows.end(), by_stress);
+    std::printf(
+        "%s: %zu rows; largest shear stress %.5g MPa at %.4g mm; at the end %.5g MPa, dilation %.4g mm\n",
+        input.material.c_str(), rows.size(), std::abs(peak.shear_stress) / 1e6, peak.displacement * 1e3,
+        rows.back().shear_stress / 1e6, rows.back().dilation * 1e3);
+}
+
+int run(const po::variables_map& values) {
+    const auto files =
+        values.count("file") ? values["file"].as<std::vector<std::string>>() : std::vector<std::string>{};
+    if (files.size() != 1)
+        throw blockgen::InputError({"joint-shear"}, std::to_string(files.size()) + " model files are given",
+                                   "one: joint-shear TEST.toml -o ROWS.csv [options]");
+    const std::string output = text_of(values, "output"), picture = text_of(values, "picture");
+    const std::string measured_file = text_of(values, "compare");
+    if (output.empty())
+        throw blockgen::InputError({"joint-shear"}, "--output is missing", "--output ROWS.csv");
+    if (!picture.empty() && !blockgen::picture_format(picture))
+        throw blockgen::InputError({"joint-shear"}, "--picture is '" + picture + "'",
+                                   "a name that ends in .svg, .png or .pdf");
+    const dda::ShearTestInput input =
+        dda::read_shear_test(files.front(), values.count("set") ? values["set"].as<std::vector<std::string>>()
+                                                                : std::vector<std::string>{});
+    std::vector<std::filesystem::path> read = input.files;
+    std::optional<dda::ShearTable> measured;
+    if (values.count("compare")) {
+        measured = dda::read_shear_table(measured_file);
+        read.emplace_back(measured_file);
+    }
+    for (const std::string& result : {output, picture})
+        if (!result.empty()) blockgen::check_output(result, read);
+    blockgen::check_distinct({output, picture});
+
+    const std::vector<dda::ShearTestRow> rows = dda::run_shear_test(input.test);
+    blockgen::write_file_atomically(output, dda::shear_rows_csv(rows));
+    print_summary(input, rows);
+    if (measured) {
+        const dda::Comparison comparison = dda::compare(input.test, *measured);
+        print_misfit("shear stress", comparison.shear_stress, 1e-6, "MPa");
+        print_misfit("dilation", comparison.dilation, 1e3, "mm");
+        print_misfit("normal stress", comparison.normal_stress, 1e-6, "MPa");
+    }
+    if (!picture.empty()) draw_shear_test(input, rows, measured).write(picture);
+    return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        const po::variables_map values = parse(argc, argv);
+        if (values.count("help")) {
+            std::cout
+                << "joint-shear TEST.toml -o ROWS.csv [options]\nShears one joint along a path, without "
+                   "blocks, to try a joint law or to fit it to a laboratory test.\n\n"
+                << visible_options();
+            return 0;
+        }
+        if (values.count("version")) {
+            std::puts("joint-shear " ROCKSLOPE_VERSION);
+            return 0;
+        }
+        if (values.count("template")) {
+            std::cout << dda::shear_test_template();
+            return 0;
+        }
+        return run(values);
+    } catch (const blockgen::InputError& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return 2;
+    } catch (const blockgen::OutputError& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return 2;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return 1;
+    }
+}
