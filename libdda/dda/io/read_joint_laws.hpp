@@ -14,6 +14,11 @@ MohrCoulomb read_law(std::type_identity<MohrCoulomb>, const blockgen::ConfigTabl
 Elastic read_law(std::type_identity<Elastic>, const blockgen::ConfigTable& table);
 BartonBandis read_law(std::type_identity<BartonBandis>, const blockgen::ConfigTable& table);
 CyclicBartonBandis read_law(std::type_identity<CyclicBartonBandis>, const blockgen::ConfigTable& table);
+Weakening read_law(std::type_identity<Weakening>, const blockgen::ConfigTable& table);
+Bilinear read_law(std::type_identity<Bilinear>, const blockgen::ConfigTable& table);
+Plesha read_law(std::type_identity<Plesha>, const blockgen::ConfigTable& table);
+TwoOrderAsperities read_law(std::type_identity<TwoOrderAsperities>, const blockgen::ConfigTable& table);
+StressedAsperities read_law(std::type_identity<StressedAsperities>, const blockgen::ConfigTable& table);
 
 /// The angle of a key, rad. @throws InputError outside [0, 90 deg).
 double read_friction_angle(const blockgen::ConfigTable& table, std::string_view key);

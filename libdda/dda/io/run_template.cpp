@@ -55,6 +55,21 @@ friction_angle = "35 deg"
 # floor_dilation = false           # the faces never come closer than at first
 # contact_length = 0               # m, for the stress; 0: the contact's present length
 
+# [joint_material.weakening]       # strength falls with slip, whichever way
+# law = "weakening"
+# friction_angle = "35 deg"
+# residual_friction_angle = "20 deg"   # default: friction_angle
+# cohesion = 0
+# residual_cohesion = 0
+# weakening_slip = "5 mm"          # over which it falls
+# weakening = "linear"             # or "exponential"
+
+# [joint_material.toothed]         # other laws of rough joints: "two-order-asperities", "stressed-asperities", "bilinear"
+# law = "plesha"
+# friction_angle = "30 deg"        # of the flat surface
+# asperity_angle = "15 deg"        # of the fresh teeth
+# wear = 0                         # m2/J, of that angle by plastic work
+
 # [bolt_material.anchor]           # for bolts of the block file, per metre of section
 # axial_stiffness = "100 MN"       # EA over the spacing
 # pretension = 0                   # N

@@ -6,16 +6,22 @@
 #include <variant>
 
 #include "dda/joint/barton_bandis.hpp"
+#include "dda/joint/bilinear.hpp"
 #include "dda/joint/cyclic_barton_bandis.hpp"
 #include "dda/joint/elastic.hpp"
 #include "dda/joint/mohr_coulomb.hpp"
+#include "dda/joint/plesha.hpp"
+#include "dda/joint/stressed_asperities.hpp"
+#include "dda/joint/two_order_asperities.hpp"
+#include "dda/joint/weakening.hpp"
 
 namespace dda {
 
 /// The list of joint laws: a new law is one file in this folder and one word here. A law must have `fresh`,
 /// `strength` and `advance`; it may have a `strength` that looks at the displacement being tried, and
 /// `strength_slope`, `dilation`, `shear_stiffness` and `record`. The functions below find out which.
-using JointLaw = std::variant<MohrCoulomb, Elastic, BartonBandis, CyclicBartonBandis>;
+using JointLaw = std::variant<MohrCoulomb, Elastic, BartonBandis, CyclicBartonBandis, Weakening, Bilinear,
+                              Plesha, TwoOrderAsperities, StressedAsperities>;
 
 namespace detail {
 template <class... Laws>

@@ -180,5 +180,81 @@ TEST_F(ReadCyclicJoint, BadValuesAreRefused) {
     EXPECT_THAT(error_with("backward_return = [[1, -0.4], [4, -0.3]]", ""), HasSubstr("backward_return"));
 }
 
+// --- weakening and asperities: the law's table is put in the place of another
+
+class ReadWornJoints : public io_test::ModelTextTest {
+  protected:
+    ReadWornJoints() : ModelTextTest(model_text) {}
+    std::string with_law(const std::string& lines) const {
+        std::string text = model_text;
+        const std::size_t from = text.find("law ="), to = text.find("[[stage]]");
+        return text.replace(from, to - from, lines);
+    }
+    template <class Law>
+    Law law(const std::string& lines) const {
+        return std::get<Law>(read(with_law(lines)).model.joint_materials[0].law);
+    }
+    std::string error(const std::string& lines) const {
+        return io_test::error_of([&] { read(with_law(lines)); });
+    }
+};
+
+TEST_F(ReadWornJoints, WeakeningAndBilinear) {
+    const std::string text =
+        "law = \"weakening\"\nfriction_angle = \"0.5 rad\"\nresidual_friction_angle = "
+        "\"0.3 rad\"\ncohesion = 2e5\nresidual_cohesion = 1e4\nweakening_slip = \"5 mm\"\n";
+    const auto weakening = law<Weakening>(text + "weakening = \"exponential\"\n");
+    EXPECT_EQ(weakening.friction_angle, 0.5);
+    EXPECT_EQ(weakening.residual_friction_angle, 0.3);
+    EXPECT_EQ(weakening.cohesion, 2e5);
+    EXPECT_EQ(weakening.residual_cohesion, 1e4);
+    EXPECT_EQ(weakening.slip, 5e-3);
+    EXPECT_TRUE(weakening.exponential);
+    EXPECT_FALSE(law<Weakening>(text).exponential);
+    EXPECT_THAT(error(text + "weakening = \"cubic\"\n"), HasSubstr("exponential"));
+    const std::string start = "law = \"weakening\"\nfriction_angle = \"0.5 rad\"\n";
+    EXPECT_THAT(error(start), HasSubstr("weakening_slip"));
+    EXPECT_THAT(error(start + "weakening_slip = 0\n"), HasSubstr("expected a positive number"));
+    EXPECT_THAT(error(start + "weakening_slip = 1\nresidual_friction_angle = \"0.6 rad\"\n"),
+                HasSubstr("an angle up to 'friction_angle'"));
+    EXPECT_THAT(error(start + "weakening_slip = 1\nresidual_cohesion = 1\n"),
+                HasSubstr("a stress up to 'cohesion'"));
+    const auto teeth = law<Bilinear>(
+        "law = \"bilinear\"\nfriction_angle = \"0.8 rad\"\nresidual_friction_angle "
+        "= \"0.5 rad\"\ntransition_stress = \"2 MPa\"\n");
+    EXPECT_EQ(teeth.transition_stress, 2e6);
+    EXPECT_EQ(teeth.residual_friction_angle, 0.5);
+    EXPECT_THAT(error("law = \"bilinear\"\nfriction_angle = \"0.8 rad\"\ntransition_stress = -1\n"),
+                HasSubstr("zero or a positive number"));
+}
+
+TEST_F(ReadWornJoints, Asperities) {
+    const std::string friction = "friction_angle = \"0.5 rad\"\n";
+    const auto plesha =
+        law<Plesha>("law = \"plesha\"\n" + friction + "asperity_angle = \"0.2 rad\"\nwear = 1e-4\n");
+    EXPECT_EQ(plesha.asperity_angle, 0.2);
+    EXPECT_EQ(plesha.wear, 1e-4);
+    const auto two = law<TwoOrderAsperities>("law = \"two-order-asperities\"\n" + friction +
+                                             "waviness_angle = \"0.1 rad\"\nunevenness_angle = \"0.3 rad\"\n"
+                                             "waviness_wear = 1e-5\nunevenness_wear = 1e-3\n");
+    EXPECT_EQ(two.waviness_wear, 1e-5);
+    EXPECT_EQ(two.unevenness_angle, 0.3);
+    const auto stressed =
+        law<StressedAsperities>("law = \"stressed-asperities\"\n" + friction +
+                                "asperity_angle = \"0.2 rad\"\nwall_strength = \"50 MPa\"\n");
+    EXPECT_EQ(stressed.wall_strength, 50e6);
+    EXPECT_EQ(stressed.exponent, 1);
+    EXPECT_THAT(error("law = \"plesha\"\n" + friction + "asperity_angle = \"1.1 rad\"\n"),
+                HasSubstr("leaves the sum with friction below 90 deg"));
+    EXPECT_THAT(error("law = \"plesha\"\n" + friction + "asperity_angle = \"0.2 rad\"\nwear = -1\n"),
+                HasSubstr("zero or a positive number"));
+    EXPECT_THAT(error("law = \"two-order-asperities\"\n" + friction +
+                      "waviness_angle = \"0.6 rad\"\nunevenness_angle = \"0.6 rad\"\n"),
+                HasSubstr("'unevenness_angle'"));
+    EXPECT_THAT(error("law = \"stressed-asperities\"\n" + friction +
+                      "asperity_angle = \"0.2 rad\"\nwall_strength = 1e6\nexponent = 0\n"),
+                HasSubstr("'exponent'"));
+}
+
 }  // namespace
 }  // namespace dda

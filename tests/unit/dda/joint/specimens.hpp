@@ -39,4 +39,27 @@ inline std::vector<dda::CyclicBartonBandis> specimens(std::type_identity<dda::Cy
     return {granite(), marble(), sliding_plane(), healing, floored, lopsided};
 }
 
+inline std::vector<dda::Weakening> specimens(std::type_identity<dda::Weakening>) {
+    return {{35 * degree, 20 * degree, 2e5, 1e4, 5e-3, false},
+            {40 * degree, 25 * degree, 0, 0, 1e-3, true},
+            {30 * degree, 30 * degree, 0, 0, 1e-3, true}};
+}
+
+inline std::vector<dda::Bilinear> specimens(std::type_identity<dda::Bilinear>) {
+    return {{50 * degree, 30 * degree, 2e6}, {50 * degree, 30 * degree, 0}};
+}
+
+inline std::vector<dda::Plesha> specimens(std::type_identity<dda::Plesha>) {
+    return {
+        {30 * degree, 15 * degree, 2e-4}, {30 * degree, 15 * degree, 0}, {20 * degree, 25 * degree, 1e-3}};
+}
+
+inline std::vector<dda::TwoOrderAsperities> specimens(std::type_identity<dda::TwoOrderAsperities>) {
+    return {{30 * degree, 8 * degree, 1e-5, 12 * degree, 1e-3}};
+}
+
+inline std::vector<dda::StressedAsperities> specimens(std::type_identity<dda::StressedAsperities>) {
+    return {{30 * degree, 15 * degree, 2e-4, 50e6, 1}, {30 * degree, 10 * degree, 1e-4, 100e6, 2}};
+}
+
 }  // namespace joint_tests

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+
+#include "dda/joint/joint_types.hpp"
+
+namespace dda {
+
+/// The rough surface of a joint whose asperities are worn down by the work of sliding, as it is under one
+/// normal stress: what the laws of Plesha (1987) and those after him share. Eq. (64): with the plastic work W
+/// per area
+///
+///     alpha(W) = sum over the orders of a exp(-c W),
+///     tau = sigma tan(phi + alpha) away from the origin, sigma tan(phi - alpha) back to it, not below 0,
+///     dW = tau dU,    d(dilation) = +- tan(alpha) dU,    with the plastic slip U.
+struct AsperitySurface {
+    struct Order {
+        double angle = 0;  ///< a, rad, not negative
+        double wear = 0;   ///< c, m2/J, not negative
+    };
+    double friction_angle = 0;  ///< phi, rad; with all angles below pi/2
+    std::array<Order, 2> orders;
+
+    /// rad. @param work J/m2.
+    double angle(double work) const;
+};
+
+/// What such a joint remembers.
+struct AsperityHistory {
+    double position = 0;  ///< m, from where it was fresh
+    double work = 0;      ///< W, J/m2
+    double dilation = 0;  ///< m
+    friend bool operator==(const AsperityHistory&, const AsperityHistory&) = default;
+};
+
+/// What the joint can bear at the end of a displacement.
+Strength asperity_strength(const AsperitySurface& surface, const AsperityHistory& history,
+                           double normal_force, double length, const ShearTrial& trial);
+/// Derivative with respect to the normal force, the surface held.
+Strength asperity_slope(const AsperitySurface& surface, const AsperityHistory& history, double normal_force);
+/// The history after a step; unchanged while the joint is open.
+AsperityHistory asperity_advance(const AsperitySurface& surface, const AsperityHistory& history,
+                                 const ContactMotion& motion);
+
+}  // namespace dda

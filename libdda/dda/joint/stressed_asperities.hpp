@@ -1,0 +1,51 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "dda/joint/asperity_wear.hpp"
+
+namespace dda {
+
+/// Asperities that decay with the plastic work and that are climbed the less the harder the joint is pressed,
+/// Eq. (65): the angle of Eq. (64), with one term, times (1 - sigma/sigma_c)^kappa, and nothing above
+/// sigma_c. Source: Jing et al. (1993) for the idea that the angle falls with normal stress and with work;
+/// the form and the exponent are not checked against the paper, nor is there its dependence on the direction
+/// in space. Limits: as for Plesha's; the strength falls with normal stress where the angle falls too fast.
+struct StressedAsperities {
+    static constexpr const char* name = "stressed-asperities";
+
+    double friction_angle = 0;  ///< phi of the flat surface, rad
+    double asperity_angle = 0;  ///< a at no stress, rad, not negative; with friction_angle below pi/2
+    double wear = 0;            ///< c, m2/J, not negative
+    double wall_strength = 0;   ///< sigma_c, Pa, positive
+    double exponent = 1;        ///< kappa, positive
+
+    struct History : AsperityHistory {
+        friend bool operator==(const History&, const History&) = default;
+    };
+
+    History fresh(bool) const { return {}; }
+    Strength strength(const History& history, double normal_force, double length,
+                      const ShearTrial& trial) const {
+        return asperity_strength(surface(normal_force, length), history, normal_force, length, trial);
+    }
+    History advance(const History& history, const ContactMotion& motion) const {
+        return {asperity_advance(surface(motion.normal_force, motion.length), history, motion)};
+    }
+    /// The ratio is of what work has left, without the part of the stress.
+    JointRecord record(const History& history) const {
+        return {JointStage::none, std::exp(-wear * history.work), history.dilation, 0, 0};
+    }
+
+  private:
+    AsperitySurface surface(double normal_force, double length) const {
+        // A bare corner has no stress that could be told: its asperities count as crushed.
+        const double used =
+            normal_force < wall_strength * length ? normal_force / (wall_strength * length) : 1;
+        const double left = std::pow(1 - std::max(used, 0.0), exponent);
+        return {friction_angle, {{{asperity_angle * left, wear}, {}}}};
+    }
+};
+
+}  // namespace dda

@@ -1,0 +1,65 @@
+#include "dda/joint/weakening.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace dda {
+
+Weakening::History Weakening::fresh(bool intact) const {
+    return {intact ? 0 : std::numeric_limits<double>::max()};
+}
+
+/// Of the way from peak to residual strength, what is still ahead.
+double Weakening::share_left(double u) const {
+    return exponential ? std::exp(-u / slip) : std::max(1 - u / slip, 0.0);
+}
+
+double Weakening::bound(double u, double normal_force, double length) const {
+    const double residual =
+        std::max(normal_force, 0.0) * std::tan(residual_friction_angle) + residual_cohesion * length;
+    const double peak = std::max(normal_force, 0.0) * std::tan(friction_angle) + cohesion * length;
+    return residual + (peak - residual) * share_left(u);
+}
+
+double Weakening::bound_slope(double u, double normal_force, double length) const {
+    const double lost =
+        bound(0, normal_force, length) - bound(std::numeric_limits<double>::max(), normal_force, length);
+    if (exponential) return -lost * share_left(u) / slip;
+    return u < slip ? -lost / slip : 0;
+}
+
+Strength Weakening::strength(const History& history, double normal_force, double length,
+                             const ShearTrial& trial) const {
+    const double now = bound(history.slip, normal_force, length);
+    const double elastic = std::abs(trial.shear_force + trial.stiffness * trial.displacement);
+    if (!(elastic > now) || !(trial.stiffness > 0)) return {now, now, 0};
+    // The slip u obeys k u + bound(U + u) = elastic force. The left side is convex and grows in the end, so
+    // it has one root, which Newton's steps from the far side approach without passing it.
+    const double least = bound(std::numeric_limits<double>::max(), normal_force, length);
+    double u = (elastic - least) / trial.stiffness;
+    for (int k = 0; k < 100; ++k) {
+        const double at = history.slip + u;
+        const double excess = trial.stiffness * u + bound(at, normal_force, length) - elastic;
+        const double slope = trial.stiffness + bound_slope(at, normal_force, length);
+        const double next = u - excess / slope;
+        if (!(excess > 0) || !(slope > 0) || !(next < u)) break;
+        u = next;
+    }
+    const double arriving = elastic - trial.stiffness * std::max(u, 0.0);
+    const bool forward = trial.shear_force + trial.stiffness * trial.displacement > 0;
+    return {forward ? arriving : now, forward ? now : arriving, 0};
+}
+
+Strength Weakening::strength_slope(const History& history, double normal_force, double) const {
+    if (!(normal_force > 0)) return {};
+    const double residual = std::tan(residual_friction_angle);
+    const double slope = residual + (std::tan(friction_angle) - residual) * share_left(history.slip);
+    return {slope, slope, 0};
+}
+
+Weakening::History Weakening::advance(const History& history, const ContactMotion& motion) const {
+    return {std::min(history.slip + std::abs(motion.slip), std::numeric_limits<double>::max())};
+}
+
+}  // namespace dda

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "dda/joint/joint_types.hpp"
+
+namespace dda {
+
+/// Cohesion and friction that fall with the slip, Eq. (62): both go from their peak to their residual value
+/// by the same share, linearly over a slip D or like exp(-U/D), with U the accumulated magnitude of the
+/// plastic slip. Sources: the idea is that of Wang et al. (2013) for cohesion and friction and of Sitar et
+/// al. (2005) for friction; the two curves here are not checked against the papers. Limits: no dependence on
+/// velocity or on the direction of slip; what has been lost does not come back. A joint that softens faster
+/// than its spring and its blocks unload is unstable, and its force then drops within a step.
+struct Weakening {
+    static constexpr const char* name = "weakening";
+
+    double friction_angle = 0;           ///< rad, in [0, pi/2)
+    double residual_friction_angle = 0;  ///< rad
+    double cohesion = 0;                 ///< Pa
+    double residual_cohesion = 0;        ///< Pa, at most the cohesion
+    double slip = 0;                     ///< D, m, positive
+    bool exponential = false;            ///< linear otherwise
+
+    struct History {
+        double slip = 0;  ///< U, m
+        friend bool operator==(const History&, const History&) = default;
+    };
+
+    /// @param intact false for faces that met later: they have their residual strength.
+    History fresh(bool intact) const;
+    Strength strength(const History& history, double normal_force, double length,
+                      const ShearTrial& trial) const;
+    Strength strength_slope(const History& history, double normal_force, double length) const;
+    History advance(const History& history, const ContactMotion& motion) const;
+
+  private:
+    double share_left(double slip) const;
+    double bound(double slip, double normal_force, double length) const;
+    double bound_slope(double slip, double normal_force, double length) const;
+};
+
+}  // namespace dda
