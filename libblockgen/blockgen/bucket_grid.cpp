@@ -57,8 +57,7 @@ std::int64_t BucketGrid::row(double y) const {
 }
 
 std::size_t BucketGrid::bucket_of(const GridPoint& p) const {
-    return static_cast<std::size_t>(row(static_cast<double>(p.y)) * columns_ +
-                                    column(static_cast<double>(p.x)));
+    return static_cast<std::size_t>(column(static_cast<double>(p.x)) * rows_ + row(static_cast<double>(p.y)));
 }
 
 template <class Visit>
@@ -77,7 +76,7 @@ void BucketGrid::for_each_bucket(const FineSegment& segment, const Visit& visit)
         const double to = bx > ax ? ay + slope * (std::clamp(right, ax, bx) - ax) : by;
         const std::int64_t top = row(std::max(from, to) + margin_);
         for (std::int64_t r = row(std::min(from, to) - margin_); r <= top; ++r)
-            visit(static_cast<std::size_t>(r * columns_ + c));
+            visit(static_cast<std::size_t>(c * rows_ + r));
     }
 }
 

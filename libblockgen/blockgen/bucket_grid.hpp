@@ -22,11 +22,12 @@ class BucketGrid {
     }
     /// The bucket that holds a point; points outside count to the nearest.
     std::size_t bucket_of(const GridPoint& p) const;
-    /// The bucket below another one is this many before it.
-    std::int64_t columns() const { return columns_; }
+    /// Buckets are numbered upwards, column after column, as sorted segments come: the one below another,
+    /// where its row is not 0, is the one before it.
+    std::int64_t row_of(std::size_t bucket) const { return static_cast<std::int64_t>(bucket) % rows_; }
     /// The height of a bucket's lower side.
     double bottom_of(std::size_t bucket) const {
-        return low_y_ + width_ * static_cast<double>(static_cast<std::int64_t>(bucket) / columns_);
+        return low_y_ + width_ * static_cast<double>(row_of(bucket));
     }
 
   private:

@@ -175,12 +175,24 @@ void fill_edges(NodedEdges& result, const std::vector<Piece>& pieces, const Line
     }
     std::sort(result.vertices.begin(), result.vertices.end());
     result.vertices.erase(std::unique(result.vertices.begin(), result.vertices.end()), result.vertices.end());
-    const auto index = [&](const GridPoint& p) {
-        return static_cast<std::int32_t>(std::lower_bound(result.vertices.begin(), result.vertices.end(), p) -
-                                         result.vertices.begin());
+    // Lines come sorted, and their second ends lie not far after the first: steps that double from there are
+    // faster than a search through all.
+    const auto index_from = [&](std::size_t start, const GridPoint& p) {
+        std::size_t step = 1;
+        while (start + step < result.vertices.size() && result.vertices[start + step] < p) step *= 2;
+        const auto first = result.vertices.begin() + static_cast<std::ptrdiff_t>(start + step / 2);
+        const auto last = result.vertices.begin() +
+                          static_cast<std::ptrdiff_t>(std::min(start + step + 1, result.vertices.size()));
+        return static_cast<std::size_t>(std::lower_bound(first, last, p) - result.vertices.begin());
     };
+    result.edges.reserve(lines.lines.size());
+    result.first_source.reserve(lines.lines.size() + 1);
+    result.sources.reserve(pieces.size());
+    std::size_t first = 0;
     for (std::size_t k = 0; k < lines.lines.size(); ++k) {
-        result.edges.emplace_back(index(lines.lines[k].a), index(lines.lines[k].b));
+        while (result.vertices[first] != lines.lines[k].a) ++first;
+        result.edges.emplace_back(static_cast<std::int32_t>(first),
+                                  static_cast<std::int32_t>(index_from(first, lines.lines[k].b)));
         for (std::size_t p = lines.first[k]; p < lines.first[k + 1]; ++p)
             result.sources.push_back(pieces[p].source);
         result.first_source.push_back(static_cast<std::int32_t>(result.sources.size()));

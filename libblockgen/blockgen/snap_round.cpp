@@ -1,6 +1,7 @@
 #include "blockgen/snap_round.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <unordered_map>
 
@@ -46,6 +47,16 @@ std::optional<GridPoint> crossing_cell(const FineSegment& s, const FineSegment& 
     return GridPoint{cell(s.a.x, ux), cell(s.a.y, uy)};
 }
 
+/// Whether the line a-b is farther from a cell's middle than any corner of the cell is, by doubles that leave
+/// room for their rounding.
+bool misses_for_sure(const GridPoint& a, const GridPoint& b, const GridPoint& cell, std::int64_t fineness) {
+    const auto dx = static_cast<double>(b.x - a.x), dy = static_cast<double>(b.y - a.y);
+    const double first = static_cast<double>(cell.x * fineness - a.x) * dy;
+    const double second = static_cast<double>(cell.y * fineness - a.y) * dx;
+    const double reach = (std::abs(dx) + std::abs(dy)) * static_cast<double>(fineness) / 2;
+    return std::abs(first - second) > reach * (1 + 1e-12) + 1e-14 * (std::abs(first) + std::abs(second));
+}
+
 /// Whether a closed segment meets the half-open square of a cell.
 bool passes_through(const FineSegment& segment, const GridPoint& cell, std::int64_t fineness) {
     const std::int64_t half = fineness / 2;
@@ -56,6 +67,11 @@ bool passes_through(const FineSegment& segment, const GridPoint& cell, std::int6
     const std::int64_t low_y = std::min(a.y, b.y), high_y = std::max(a.y, b.y);
     if (b.x < left || a.x >= right || high_y < bottom || low_y >= top) return false;
     if (a.x == b.x || low_y == high_y) return true;
+    const auto holds = [&](const GridPoint& p) {
+        return p.x >= left && p.x < right && p.y >= bottom && p.y < top;
+    };
+    if (holds(a) || holds(b)) return true;
+    if (misses_for_sure(a, b, cell, fineness)) return false;
 
     const int lower_left = side_of(a, b, {left, bottom}), lower_right = side_of(a, b, {right, bottom});
     const int upper_left = side_of(a, b, {left, top}), upper_right = side_of(a, b, {right, top});

@@ -108,9 +108,8 @@ class FaceWalk {
     std::int32_t edge_below(std::size_t v, const std::vector<FineSegment>& lines, const BucketGrid& grid) {
         const GridPoint& p = noded_.vertices[v];
         std::int32_t best = -1;
-        for (std::int64_t bucket = static_cast<std::int64_t>(grid.bucket_of(p)); bucket >= 0;
-             bucket -= grid.columns()) {
-            for (const std::int32_t e : grid.segments_of(static_cast<std::size_t>(bucket))) {
+        for (std::size_t bucket = grid.bucket_of(p);; --bucket) {
+            for (const std::int32_t e : grid.segments_of(bucket)) {
                 const FineSegment& s = lines[static_cast<std::size_t>(e)];
                 if (!(s.a.x <= p.x && p.x < s.b.x) || side_of(s.a, s.b, p) <= 0) continue;
                 if (parts_.root(static_cast<std::size_t>(noded_.edges[static_cast<std::size_t>(e)].first)) ==
@@ -119,9 +118,9 @@ class FaceWalk {
                 if (best < 0 || is_above(s, lines[static_cast<std::size_t>(best)], p.x)) best = e;
             }
             // What comes in lower buckets cannot be above an edge that already crosses p.x within this one.
-            if (best >= 0 && grid.bottom_of(static_cast<std::size_t>(bucket)) <=
-                                 height(lines[static_cast<std::size_t>(best)], p.x))
-                break;
+            const bool is_found =
+                best >= 0 && grid.bottom_of(bucket) <= height(lines[static_cast<std::size_t>(best)], p.x);
+            if (is_found || grid.row_of(bucket) == 0) break;
         }
         return best;
     }

@@ -122,7 +122,8 @@ void read_bridges(const ConfigTable& table, JointSet& set) {
         set.kind == SetKind::veneziano && gap > 0 ? Distribution{Law::exponential, gap} : constant_value(gap);
 }
 
-StopRule read_stop(const ConfigTable& table, std::vector<std::pair<std::string, StopRule::Measure>> words) {
+StopRule read_stop(const ConfigTable& table,
+                   const std::vector<std::pair<std::string, StopRule::Measure>>& words) {
     StopRule stop;
     std::string names;
     for (const auto& [word, measure] : words) {
