@@ -1,0 +1,130 @@
+#pragma once
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <span>
+#include <vector>
+
+#include "dda/model/model.hpp"
+
+namespace scene {
+
+/// How much of two blocks is in the same place: a measure that knows nothing of contacts.
+struct Overlap {
+    int first = 0;
+    int second = 0;
+    double area = 0;  ///< m2
+};
+
+namespace detail {
+
+struct Side {
+    dda::Vec2 left;
+    dda::Vec2 right;
+    double sign = 0;  ///< +1 where the rock is below the side
+};
+
+inline dda::Vec2 at(std::span<const dda::Vec2> vertices, int corner) {
+    return vertices[static_cast<std::size_t>(corner)];
+}
+
+inline std::vector<Side> sides_of(const dda::Topology& topology, std::span<const dda::Vec2> vertices,
+                                  int block) {
+    std::vector<Side> sides;
+    const auto b = static_cast<std::size_t>(block);
+    for (int k = topology.block_corners[b]; k < topology.block_corners[b + 1]; ++k) {
+        const dda::Vec2 from = at(vertices, k);
+        const dda::Vec2 to = at(vertices, topology.next[static_cast<std::size_t>(k)]);
+        if (from.x() < to.x()) sides.push_back({from, to, -1});
+        if (from.x() > to.x()) sides.push_back({to, from, 1});
+    }
+    return sides;
+}
+
+/// The integral over their common range of the lower of two sides, as heights over `base`.
+inline double area_below_both(const Side& a, const Side& b, double base) {
+    const double from = std::max(a.left.x(), b.left.x());
+    const double to = std::min(a.right.x(), b.right.x());
+    if (to <= from) return 0;
+    const auto height = [&](const Side& s, double x) {
+        const double share = (x - s.left.x()) / (s.right.x() - s.left.x());
+        return s.left.y() + share * (s.right.y() - s.left.y()) - base;
+    };
+    const double a0 = height(a, from), a1 = height(a, to);
+    const double b0 = height(b, from), b1 = height(b, to);
+    const double d0 = a0 - b0, d1 = a1 - b1;
+    if (d0 * d1 >= 0) return (to - from) * (d0 + d1 < 0 ? a0 + a1 : b0 + b1) / 2;
+    const double crossing = d0 / (d0 - d1);  // share of the range up to where the sides cross
+    const double height_there = a0 + crossing * (a1 - a0);
+    const double before = (d0 < 0 ? a0 : b0) + height_there;
+    const double after = (d1 < 0 ? a1 : b1) + height_there;
+    return (to - from) * (crossing * before + (1 - crossing) * after) / 2;
+}
+
+}  // namespace detail
+
+/// The area that two blocks have in common, m2; any simple polygons with holes. A block is the sum over its
+/// sides of what lies below them, counted against where the rock is above the side; so the common area is the
+/// sum over all pairs of sides of what lies below both. Exact but for rounding of the size of the blocks'
+/// area times 1e-16.
+inline double overlap_area(const dda::Topology& topology, std::span<const dda::Vec2> vertices, int first,
+                           int second) {
+    const auto a = detail::sides_of(topology, vertices, first);
+    const auto b = detail::sides_of(topology, vertices, second);
+    double base = std::numeric_limits<double>::infinity();
+    for (const auto* sides : {&a, &b}) {
+        for (const auto& side : *sides) base = std::min({base, side.left.y(), side.right.y()});
+    }
+    double area = 0;
+    for (const auto& side : a) {
+        for (const auto& other : b)
+            area += side.sign * other.sign * detail::area_below_both(side, other, base);
+    }
+    return area;
+}
+
+/// The overlaps of all blocks whose bounding boxes meet, by sweeping over x.
+inline std::vector<Overlap> overlaps(const dda::Topology& topology, std::span<const dda::Vec2> vertices) {
+    struct Box {
+        dda::Vec2 low, high;
+    };
+    std::vector<Box> boxes;
+    for (std::size_t b = 0; b + 1 < topology.block_corners.size(); ++b) {
+        Box box{detail::at(vertices, topology.block_corners[b]),
+                detail::at(vertices, topology.block_corners[b])};
+        for (int k = topology.block_corners[b]; k < topology.block_corners[b + 1]; ++k) {
+            box.low = box.low.cwiseMin(detail::at(vertices, k));
+            box.high = box.high.cwiseMax(detail::at(vertices, k));
+        }
+        boxes.push_back(box);
+    }
+    std::vector<std::size_t> order(boxes.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(),
+              [&](std::size_t a, std::size_t b) { return boxes[a].low.x() < boxes[b].low.x(); });
+    std::vector<Overlap> found;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const Box& a = boxes[order[i]];
+        for (std::size_t j = i + 1; j < order.size() && boxes[order[j]].low.x() < a.high.x(); ++j) {
+            const Box& b = boxes[order[j]];
+            if (b.low.y() >= a.high.y() || a.low.y() >= b.high.y()) continue;
+            const int first = static_cast<int>(std::min(order[i], order[j]));
+            const int second = static_cast<int>(std::max(order[i], order[j]));
+            found.push_back({first, second, overlap_area(topology, vertices, first, second)});
+        }
+    }
+    return found;
+}
+
+inline double perimeter(const dda::Topology& topology, std::span<const dda::Vec2> vertices, int block) {
+    double sum = 0;
+    const auto b = static_cast<std::size_t>(block);
+    for (int k = topology.block_corners[b]; k < topology.block_corners[b + 1]; ++k) {
+        sum += (detail::at(vertices, topology.next[static_cast<std::size_t>(k)]) - detail::at(vertices, k))
+                   .norm();
+    }
+    return sum;
+}
+
+}  // namespace scene
