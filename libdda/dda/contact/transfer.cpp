@@ -14,6 +14,10 @@ auto sort_key(const Contact& c) {
     return std::tuple(c.corner_block, c.edge_block, c.corner, c.edge);
 }
 
+/// How much deeper than its donor a contact may be, beyond twice that depth, as a share of the way that
+/// contacts move: rounding, and the strain of a step.
+constexpr double same_depth = 1e-8;
+
 void hand_over(const Contact& from, Contact& to) {
     to.state = from.state;
     to.normal_force = from.normal_force;
@@ -88,9 +92,9 @@ void transfer_contacts(const Model& model, std::span<const Contact> old, double 
             const Contact* donor = entry->second;
             const double distance = (donor->point - contact.point).norm();
             if (distance > least || !same_line(*donor, contact)) continue;
-            // The same line has the same gap: a contact as deep as another's face is wide would come with
-            // energy from nowhere.
+            // The same line has the same gap, and a deeper contact would come with energy from nowhere.
             if (std::abs(donor->gap - contact.gap) > parallel_tolerance * moved) continue;
+            if (contact.gap < 2 * std::min(donor->gap, 0.0) - same_depth * moved) continue;
             if (std::find(given.begin(), given.end(), donor) != given.end()) continue;
             if (nearest == nullptr || distance < least) {
                 least = distance;
