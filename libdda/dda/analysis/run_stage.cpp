@@ -22,6 +22,13 @@ std::string describe(const Model& model, const StepAttempt& attempt) {
     }
     if (!attempt.worst_contact) return "the open-close iteration does not settle";
     const Contact& contact = *attempt.worst_contact;
+    if (attempt.rejection == Rejection::intruded) {
+        std::snprintf(text, sizeof text,
+                      "a corner of block %d gets %.3g m into block %d at (%.6g, %.6g) unseen",
+                      contact.corner_block, -contact.gap, contact.edge_block,
+                      contact.point.x() + model.origin.x(), contact.point.y() + model.origin.y());
+        return text;
+    }
     std::snprintf(text, sizeof text,
                   "the open-close iteration does not settle; worst contact: block %d on block %d at (%.6g, "
                   "%.6g), joint material %s",

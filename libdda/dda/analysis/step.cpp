@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "dda/analysis/unexpected_turn.hpp"
 #include "dda/contact/candidates.hpp"
 #include "dda/contact/detect.hpp"
 #include "dda/contact/transfer.hpp"
@@ -16,8 +17,18 @@ namespace {
 /// Candidates are kept while nothing has moved half of what their distance exceeds the reach by. As a share
 /// of the median edge: normally 0.1 to 0.5; more finds candidates less often, and finds more of them.
 constexpr double skin_share = 0.25;
-/// A detection that turns out too short-sighted for the displacements found is repeated with a longer reach.
-constexpr int detection_attempts = 4;
+/// A look at a step that turns out too short-sighted for the displacements found is repeated with a longer
+/// reach, one that missed a corner with that corner, one that mistook the rotations with those found.
+constexpr int look_limit = 8;
+/// Of them, those that may be spent on the rotations: each makes what is left of the mistake smaller by about
+/// the rotation, rad.
+constexpr int turn_limit = 3;
+/// Depth to which a corner without a contact may be in another block, as a share of the median edge. Far
+/// below any penetration that matters, far above rounding.
+constexpr double unseen_depth = 1e-9;
+/// Depth to which a corner may clip another block and be out again within a step, likewise: arcs are looked
+/// at as straight ways, and strain moves the corners of a joint by less than this.
+constexpr double clipped_depth = 1e-5;
 
 double extent(std::span<const Vec2> vertices, int axis) {
     double low = std::numeric_limits<double>::infinity();
@@ -72,6 +83,14 @@ double keep_angular_momentum(double mass, const AreaMoments& before, const Vec6&
 
 }  // namespace
 
+struct TimeStepper::Look {
+    double reach = 0;  ///< m, within which corner and edge may meet in the step
+    std::vector<CornerEdge>
+        entering;                 ///< sorted pairs known to meet though they could not touch at the start
+    std::vector<Vec6> predicted;  ///< per block, displacement of the whole step; fixes arms and normals
+    int turns = 0;                ///< how often that was corrected
+};
+
 struct TimeStepper::Step {
     double dt = 0;
     Newmark newmark;
@@ -92,21 +111,14 @@ TimeStepper::TimeStepper(const Model& model, int threads)
       half_height_(extent(model.vertices, 1) / 2),
       rounding_(8 * std::numeric_limits<double>::epsilon() * largest_coordinate(model.vertices)),
       solver_(make_cholmod_solver()) {
-    std::vector<double> lengths;
-    for (std::size_t k = 0; k < model.vertices.size(); ++k) {
-        lengths.push_back(
-            (model.vertices[static_cast<std::size_t>(model.topology.next[k])] - model.vertices[k]).norm());
-    }
-    std::nth_element(lengths.begin(), lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2),
-                     lengths.end());
-    edge_length_ = lengths[lengths.size() / 2];
+    edge_length_ = median_edge_length(model.topology, model.vertices);
 }
 
 StepAttempt TimeStepper::advance(const Stage& stage, const State& state, double dt) {
     StepAttempt attempt;
-    double reach = first_reach(state, dt);
-    for (int look = 0; look < detection_attempts; ++look) {
-        const Step step = prepare(stage, state, dt, reach);
+    Look look = first_look(stage, state, dt);
+    for (int k = 0; k < look_limit; ++k) {
+        const Step step = prepare(stage, state, dt, look);
         const OpenCloseResult result = solve(stage, state, step);
         attempt.report.iterations += result.iterations;
         attempt.report.factorizations += result.factorizations;
@@ -124,21 +136,42 @@ StepAttempt TimeStepper::advance(const Stage& stage, const State& state, double 
             attempt.report.largest_displacement = moved;
             return attempt;
         }
-        if (2 * moved > reach) {
-            reach = 2.5 * moved;
+        if (2 * moved > look.reach) {
+            look.reach = 2.5 * moved;
+            continue;
+        }
+        if (look.turns < turn_limit &&
+            turned_unexpectedly(look.predicted, displacement, step.springs, step.contacts.contacts, result,
+                                state.energy.kinetic)) {
+            look.predicted = displacement;
+            ++look.turns;
             continue;
         }
         const int iterations = attempt.report.iterations;
         const int factorizations = attempt.report.factorizations;
         attempt.state = updated(stage, state, step, result, displacement);
+        const std::vector<Intrusion> unseen = intrusions(state, attempt.state);
+        if (!unseen.empty()) {
+            attempt.rejection = Rejection::intruded;
+            attempt.worst_contact = deepest_as_contact(model_, attempt.state.blocks.vertices, unseen);
+            if (may_be_stopped(unseen) && add_pairs(unseen, look.entering)) continue;
+            return attempt;
+        }
+        attempt.rejection = Rejection::none;
         attempt.report = report(step, attempt.state, result);
         attempt.report.iterations = iterations;
         attempt.report.factorizations = factorizations;
         attempt.report.largest_displacement = moved;
         return attempt;
     }
-    attempt.rejection = Rejection::moved_too_far;
+    if (look.entering.empty()) attempt.rejection = Rejection::moved_too_far;
     return attempt;
+}
+
+std::vector<Intrusion> TimeStepper::intrusions(const State& before, const State& after) const {
+    return find_intrusions(model_, before.blocks.vertices, after.blocks.vertices, after.contacts.candidates,
+                           after.contacts.contacts, unseen_depth * edge_length_, clipped_depth * edge_length_,
+                           crew_);
 }
 
 double TimeStepper::first_reach(const State& state, double dt) const {
@@ -153,17 +186,23 @@ double TimeStepper::first_reach(const State& state, double dt) const {
     return 3 * speed + 2 * model_.gravity.norm() * dt * dt + 4 * deepest + 1e-4 * edge_length_;
 }
 
-TimeStepper::Step TimeStepper::prepare(const Stage& stage, const State& state, double dt, double reach) {
+TimeStepper::Look TimeStepper::first_look(const Stage& stage, const State& state, double dt) const {
+    Look look;
+    look.reach = first_reach(state, dt);
+    look.predicted = prescribe_motion(model_, stage, state.blocks, dt, state.stage_time + dt).displacement;
+    for (const int b : rows_.block_of) {
+        look.predicted[static_cast<std::size_t>(b)] = dt * state.blocks.velocity[static_cast<std::size_t>(b)];
+    }
+    return look;
+}
+
+TimeStepper::Step TimeStepper::prepare(const Stage& stage, const State& state, double dt, const Look& look) {
     Step step;
     step.dt = dt;
     step.newmark = {stage.newmark_beta, stage.newmark_gamma, dt};
     step.prescribed = prescribe_motion(model_, stage, state.blocks, dt, state.stage_time + dt);
-    std::vector<Vec6> predicted = step.prescribed.displacement;
-    for (const int b : rows_.block_of) {
-        predicted[static_cast<std::size_t>(b)] = dt * state.blocks.velocity[static_cast<std::size_t>(b)];
-    }
-    step.mid = predict_mid_step(model_, state.blocks, predicted);
-    step.contacts = contacts_at(state, reach);
+    step.mid = predict_mid_step(model_, state.blocks, look.predicted);
+    step.contacts = contacts_at(state, look);
     step.springs =
         contact_springs(model_, rows_, step.mid, step.prescribed.displacement, step.contacts.contacts, crew_);
     step.bolts = bolt_springs(model_, rows_, step.mid, step.prescribed.displacement);
@@ -173,7 +212,8 @@ TimeStepper::Step TimeStepper::prepare(const Stage& stage, const State& state, d
     return step;
 }
 
-ContactSet TimeStepper::contacts_at(const State& state, double reach) const {
+ContactSet TimeStepper::contacts_at(const State& state, const Look& look) const {
+    const double reach = look.reach;
     const std::vector<Vec2>& vertices = state.blocks.vertices;
     ContactSet set;
     double moved = std::numeric_limits<double>::infinity();
@@ -193,7 +233,7 @@ ContactSet TimeStepper::contacts_at(const State& state, double reach) const {
         set.reference = vertices;
     }
     const std::vector<Contact>& old = state.contacts.contacts;
-    set.contacts = detect_contacts(model_, vertices, set.candidates, reach, old, crew_);
+    set.contacts = detect_contacts(model_, vertices, set.candidates, reach, old, look.entering, crew_);
     transfer_contacts(model_, old, reach, state.step_count == 0, set.contacts);
     for (Contact& c : set.contacts) {
         // The force follows from the geometry, also where the contact took over from another line.
@@ -202,11 +242,11 @@ ContactSet TimeStepper::contacts_at(const State& state, double reach) const {
             (c.gap - c.rest_gap);
         c.normal_force = c.state != ContactState::open && (force > 0 || c.bonded) ? force : 0;
         // A corner enters through a line that it was outside of: one that is open and behind the line belongs
-        // elsewhere. At a pair of corners two nearly parallel lines may change places, and differ by their
-        // angle.
-        const double behind =
-            c.group >= 0 || c.kind != ContactKind::vertex_edge ? parallel_tolerance * reach : 0;
-        if (c.state == ContactState::open && c.gap < -(behind + rounding_)) c.held_back = true;
+        // elsewhere.
+        const double behind = unseen_depth * edge_length_;
+        const bool enters =
+            std::binary_search(look.entering.begin(), look.entering.end(), CornerEdge{c.corner, c.edge});
+        if (c.state == ContactState::open && c.gap < -(behind + rounding_) && !enters) c.held_back = true;
     }
     return set;
 }

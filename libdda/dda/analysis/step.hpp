@@ -9,19 +9,21 @@
 #include "dda/analysis/run.hpp"
 #include "dda/analysis/state.hpp"
 #include "dda/base/parallel.hpp"
+#include "dda/contact/intrusion.hpp"
 #include "dda/linear/linear_solver.hpp"
 #include "dda/terms/system.hpp"
 
 namespace dda {
 
-enum class Rejection { none, not_converged, singular, moved_too_far };
+enum class Rejection { none, not_converged, singular, moved_too_far, intruded };
 
 /// What came of one attempt at a step.
 struct StepAttempt {
     Rejection rejection = Rejection::none;
-    std::optional<Contact>
-        worst_contact;  ///< when it did not converge: whose force moved most, at the step's start
-    State state;        ///< the state at the step's end, when accepted
+    /// When it did not converge: whose force moved most, at the step's start. When intruded: the corner that
+    /// is deepest in another block, at its end.
+    std::optional<Contact> worst_contact;
+    State state;  ///< the state at the step's end, when accepted
     StepReport report;
 };
 
@@ -38,12 +40,17 @@ class TimeStepper {
   private:
     /// Everything a step is computed from, once for all its iterations.
     struct Step;
+    /// What a look at the step takes for granted, and a further one corrects.
+    struct Look;
 
+    Look first_look(const Stage& stage, const State& state, double dt) const;
     /// How far apart a corner and an edge may be and still meet within the step, m.
     double first_reach(const State& state, double dt) const;
-    Step prepare(const Stage& stage, const State& state, double dt, double reach);
+    Step prepare(const Stage& stage, const State& state, double dt, const Look& look);
     /// The contacts at the state's positions, with what the state's contacts carried.
-    ContactSet contacts_at(const State& state, double reach) const;
+    ContactSet contacts_at(const State& state, const Look& look) const;
+    /// Corners that got into another block in a step without a contact.
+    std::vector<Intrusion> intrusions(const State& before, const State& after) const;
     void assemble_base(const Stage& stage, const State& state, Step& step) const;
     void analyze_pattern(const ContactSet& contacts);
     OpenCloseResult solve(const Stage& stage, const State& state, const Step& step);

@@ -70,6 +70,8 @@ class EdgeGrid {
     std::vector<std::pair<std::uint64_t, int>> entries_;
 };
 
+}  // namespace
+
 double median_edge_length(const Topology& topology, std::span<const Vec2> vertices) {
     std::vector<double> lengths;
     lengths.reserve(vertices.size());
@@ -80,8 +82,6 @@ double median_edge_length(const Topology& topology, std::span<const Vec2> vertic
     std::nth_element(lengths.begin(), middle, lengths.end());
     return *middle;
 }
-
-}  // namespace
 
 double distance_to_segment(const Vec2& point, const Vec2& first, const Vec2& second) {
     const Vec2 along = second - first;

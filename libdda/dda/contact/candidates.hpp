@@ -14,6 +14,9 @@ namespace dda {
 /// which can touch no edge.
 std::vector<CornerEdge> find_candidates(const Model& model, std::span<const Vec2> vertices, double distance);
 
+/// The length that lengths of a model are compared with, m: the median of its edges'.
+double median_edge_length(const Topology& topology, std::span<const Vec2> vertices);
+
 /// Distance of a point from a segment, m.
 double distance_to_segment(const Vec2& point, const Vec2& first, const Vec2& second);
 

@@ -27,11 +27,20 @@ struct Entry {
 /// would never come to rest.
 constexpr double end_slack = 1e-6;
 
+/// How far the gaps of two nearly parallel lines at a pair of corners may differ and still be those of one
+/// line, as a share of the reach.
+constexpr double same_line = 1e-6;
+
 class Detector {
   public:
     Detector(const Model& model, std::span<const Vec2> vertices, double reach,
-             std::span<const Contact> previous)
-        : model_(model), topology_(model.topology), vertices_(vertices), reach_(reach), previous_(previous) {}
+             std::span<const Contact> previous, std::span<const CornerEdge> entering)
+        : model_(model),
+          topology_(model.topology),
+          vertices_(vertices),
+          reach_(reach),
+          previous_(previous),
+          entering_(entering) {}
 
     /// Fills the entry for a candidate. @return whether it is a contact at all.
     bool examine(const CornerEdge& candidate, Entry& entry) const {
@@ -44,8 +53,15 @@ class Detector {
         contact.corner_block = topology_.block_of[index(corner)];
         contact.edge_block = topology_.block_of[index(edge)];
         const Contact* old = find_previous(contact);
-        if (old == nullptr && distance_to_segment(vertex, at(edge), at(next(edge))) > reach_) return false;
-        if (!on_outer_side(corner, geometry.normal)) return false;
+        const bool enters = std::binary_search(entering_.begin(), entering_.end(), candidate);
+        if (!enters) {
+            if (old == nullptr && distance_to_segment(vertex, at(edge), at(next(edge))) > reach_)
+                return false;
+            // What bears force keeps the corner out until it opens or slides off the edge.
+            const bool bears = old != nullptr && old->state != ContactState::open &&
+                               geometry.inside() >= -end_slack * geometry.length;
+            if (!bears && !faces_outwards(topology_, vertices_, corner, geometry.normal)) return false;
+        }
 
         contact.point = vertex;
         contact.normal = geometry.normal;
@@ -57,7 +73,7 @@ class Detector {
         entry.holds = old != nullptr && old->state != ContactState::open &&
                       entry.inside >= -end_slack * geometry.length;
         const int end = geometry.along < geometry.length / 2 ? edge : next(edge);
-        entry.partner = (vertex - at(end)).norm() <= reach_ && !is_reflex(end) ? end : -1;
+        entry.partner = !enters && (vertex - at(end)).norm() <= reach_ && !is_reflex(end) ? end : -1;
         return true;
     }
 
@@ -106,17 +122,6 @@ class Detector {
         return found != previous_.end() && sort_key(*found) == sort_key(contact) ? &*found : nullptr;
     }
 
-    /// Whether the rock at a corner lies on the outer side of a line with the given normal: both its edges,
-    /// and the side they enclose, which decides for a straight corner.
-    bool on_outer_side(int corner, const Vec2& normal) const {
-        const Vec2 leaving = (at(next(corner)) - at(corner)).normalized();
-        const Vec2 arriving = (at(previous(corner)) - at(corner)).normalized();
-        if (leaving.dot(normal) < -parallel_tolerance || arriving.dot(normal) < -parallel_tolerance)
-            return false;
-        return perpendicular(leaving - arriving).dot(normal) > 0 ||
-               (leaving + arriving).dot(normal) > parallel_tolerance;
-    }
-
     bool is_reflex(int corner) const {
         const Vec2 arriving = at(corner) - at(previous(corner));
         const Vec2 leaving = at(next(corner)) - at(corner);
@@ -133,10 +138,13 @@ class Detector {
         return model_.default_joint_material;
     }
 
-    /// Whether `a` is to stand for its line rather than `b`: the one that holds, then the one whose corner
-    /// projects farther inside; a tie, as where two corners coincide, goes to the earlier.
+    /// Whether `a` is to stand for its line rather than `b`: the one that holds; then the one with the larger
+    /// gap, since the blocks are apart as long as one of them is open; where they are the same line, the one
+    /// whose corner projects farther inside; a tie, as where two corners coincide, goes to the earlier.
     bool better(const Entry& a, const Entry& b) const {
         if (a.holds != b.holds) return a.holds;
+        const double ahead = a.contact.gap - b.contact.gap;
+        if (std::abs(ahead) > same_line * reach_) return ahead > 0;
         return a.inside > b.inside + 1e-9 * reach_;
     }
 
@@ -176,6 +184,7 @@ class Detector {
     std::span<const Vec2> vertices_;
     double reach_;
     std::span<const Contact> previous_;
+    std::span<const CornerEdge> entering_;
 };
 
 }  // namespace
@@ -191,10 +200,22 @@ CornerEdgeGeometry corner_edge_geometry(const Vec2& corner, const Vec2& first, c
     return geometry;
 }
 
+bool faces_outwards(const Topology& topology, std::span<const Vec2> vertices, int corner,
+                    const Vec2& normal) {
+    const auto k = static_cast<std::size_t>(corner);
+    const auto at = [&](int c) { return vertices[static_cast<std::size_t>(c)]; };
+    const Vec2 leaving = (at(topology.next[k]) - at(corner)).normalized();
+    const Vec2 arriving = (at(topology.previous[k]) - at(corner)).normalized();
+    if (leaving.dot(normal) < -parallel_tolerance || arriving.dot(normal) < -parallel_tolerance) return false;
+    return perpendicular(leaving - arriving).dot(normal) > 0 ||
+           (leaving + arriving).dot(normal) > parallel_tolerance;
+}
+
 std::vector<Contact> detect_contacts(const Model& model, std::span<const Vec2> vertices,
                                      std::span<const CornerEdge> candidates, double reach,
-                                     std::span<const Contact> previous, const Crew& crew) {
-    const Detector detector(model, vertices, reach, previous);
+                                     std::span<const Contact> previous, std::span<const CornerEdge> entering,
+                                     const Crew& crew) {
+    const Detector detector(model, vertices, reach, previous, entering);
     std::vector<Entry> examined(candidates.size());
     std::vector<char> accepted(candidates.size(), 0);
     crew.for_ranges(candidates.size(), [&](std::size_t begin, std::size_t end) {

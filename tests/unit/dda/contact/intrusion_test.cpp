@@ -1,0 +1,128 @@
+#include "dda/contact/intrusion.hpp"
+
+#include <gtest/gtest.h>
+
+#include "dda/contact/candidates.hpp"
+#include "support/scene.hpp"
+
+namespace {
+
+using namespace scene;
+using dda::Contact;
+using dda::Intrusion;
+
+constexpr double slack = 1e-9;
+constexpr double clipped = 1e-5;
+
+/// A plate 2 cm thick, its upper face y = 0 edge 2; a block above it moves as told, corner by corner.
+class Intrusions : public testing::Test {
+  protected:
+    Intrusions() {
+        s.block({{{-1, -.02}, {1, -.02}, {1, 0}, {-1, 0}}});
+        s.block({{{0, .1}, {.2, .3}, {-.2, .3}}});
+    }
+    std::vector<Intrusion> after(const std::vector<Vec2>& block, const std::vector<Contact>& contacts = {}) {
+        std::vector<Vec2> moved = s.model.vertices;
+        std::copy(block.begin(), block.end(), moved.begin() + 4);
+        const auto candidates = dda::find_candidates(s.model, s.model.vertices, 1);
+        return dda::find_intrusions(s.model, s.model.vertices, moved, candidates, contacts, slack, clipped,
+                                    dda::Crew(1));
+    }
+    /// A closed contact of corner 4 with the plate's upper face.
+    static Contact contact(double depth) {
+        Contact c;
+        c.corner = 4;
+        c.edge = 2;
+        c.corner_block = 1;
+        c.edge_block = 0;
+        c.gap = -depth;
+        c.state = dda::ContactState::locked;
+        return c;
+    }
+    Scene s;
+};
+
+TEST_F(Intrusions, NoneWhereTheCornerStaysOutside) {
+    EXPECT_TRUE(after({{0, 1e-12}, {.2, .2}, {-.2, .2}}).empty());
+    EXPECT_TRUE(after({{0, -.5 * slack}, {.2, .2}, {-.2, .2}}).empty()) << "by rounding";
+}
+
+TEST_F(Intrusions, ACornerWithoutAContactIsFoundWithItsEdgeAndDepth) {
+    const auto found = after({{.1, -.005}, {.3, .2}, {-.1, .2}});
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].pair, (dda::CornerEdge{4, 2}));
+    EXPECT_NEAR(found[0].depth, .005, 1e-15);
+    EXPECT_FALSE(found[0].through);
+}
+
+TEST_F(Intrusions, AClosedContactAccountsForTwiceItsDepth) {
+    const std::vector<Vec2> dipped = {{0, -.001}, {.2, .2}, {-.2, .2}};
+    EXPECT_TRUE(after(dipped, {contact(.001)}).empty());
+    EXPECT_TRUE(after(dipped, {contact(.0006)}).empty());
+    EXPECT_EQ(after(dipped, {contact(.0004)}).size(), 1U);
+    Contact open = contact(.001);
+    open.state = dda::ContactState::open;
+    EXPECT_EQ(after(dipped, {open}).size(), 1U);
+}
+
+TEST_F(Intrusions, AContactAccountsForNoOtherCorner) {
+    const auto found = after({{0, -.001}, {.2, -.001}, {0, .2}}, {contact(.001)});
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].pair.corner, 5);
+}
+
+TEST_F(Intrusions, ACornerThatIsOutAgainWentThrough) {
+    const auto found = after({{0, -.5}, {.2, .2}, {-.2, .2}});
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_TRUE(found[0].through);
+    EXPECT_EQ(found[0].pair, (dda::CornerEdge{4, 2})) << "what it came in through";
+    EXPECT_NEAR(found[0].depth, .01, 1e-15) << "half-way through the plate";
+}
+
+TEST_F(Intrusions, ACornerMayClipAnotherByLittle) {
+    // Corner 4 goes past the plate's upper right corner (1, 0), from above it to beside it.
+    const auto past = [&](double clip) {
+        s.model.vertices[4] = {1 - clip, clip};
+        s.model.vertices[5] = {1.5, .5};
+        s.model.vertices[6] = {1, .5};
+        return after({{1 + clip, -3 * clip}, {1.5, .5}, {1, .5}});
+    };
+    EXPECT_TRUE(past(clipped / 10).empty());
+    const auto found = past(.001);
+    ASSERT_EQ(found.size(), 2U) << "each corner went through the other's block";
+    EXPECT_TRUE(found[0].through);
+    EXPECT_TRUE(found[1].through);
+}
+
+TEST_F(Intrusions, ACornerThatWasInsideCameInThroughNothing) {
+    s.model.vertices[4] = {0, -.001};
+    EXPECT_TRUE(after({{0, -.002}, {.2, .2}, {-.2, .2}}).empty());
+}
+
+TEST_F(Intrusions, OfTwoEdgesCrossedTheCornerCameInThroughTheOneItCanTouch) {
+    // It crosses the lines of both the upper and the right face; at the end its rock lies to the right.
+    s.model.vertices[4] = {1.01, .0005};
+    s.model.vertices[5] = {1.5, -.005};
+    s.model.vertices[6] = {1.5, .005};
+    const auto found = after({{.99, -.005}, {1.5, -.01}, {1.5, 0}});
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].pair, (dda::CornerEdge{4, 1}));
+}
+
+TEST_F(Intrusions, AWallOfAHoleIsLikeAnyOther) {
+    Scene holed;
+    holed.block({{{-2, -2}, {2, -2}, {2, 2}, {-2, 2}}, {{-1, -1}, {-1, 1}, {1, 1}, {1, -1}}});
+    holed.box({-.5, -.5}, 1, 1);
+    std::vector<Vec2> moved = holed.model.vertices;
+    for (std::size_t k = 8; k < 12; ++k) moved[k] += Vec2(.6, 0);
+    const auto candidates = dda::find_candidates(holed.model, holed.model.vertices, 1);
+    const auto found = dda::find_intrusions(holed.model, holed.model.vertices, moved, candidates, {}, slack,
+                                            clipped, dda::Crew(1));
+    ASSERT_EQ(found.size(), 2U) << "both right corners";
+    for (const Intrusion& intrusion : found) {
+        EXPECT_NEAR(intrusion.depth, .1, 1e-15);
+        EXPECT_EQ(intrusion.pair.edge, 6) << "the hole's right side";
+    }
+}
+
+}  // namespace
