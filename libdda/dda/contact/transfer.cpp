@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 #include "dda/contact/detect.hpp"
@@ -57,6 +58,55 @@ void start_fresh(const Model& model, bool first_step, Contact& contact) {
         intact && contact.length > 0 && strength(law, contact.history, 0, contact.length).tensile > 0;
 }
 
+constexpr std::size_t nobody = std::numeric_limits<std::size_t>::max();
+
+/// The old contacts that are no longer, by either of their blocks, so that a new one looks at the few that
+/// could be its own.
+class Estate {
+  public:
+    Estate(std::span<const Contact* const> donors, double moved) : moved_(moved) {
+        for (const Contact* donor : donors) {
+            by_block_.emplace_back(donor->corner_block, donor);
+            by_block_.emplace_back(donor->edge_block, donor);
+        }
+        std::sort(by_block_.begin(), by_block_.end());
+    }
+
+    /// The nearest on the contact's line, of the same two blocks or of others, that has not given yet; null
+    /// if there is none.
+    const Contact* nearest(const Contact& contact, bool same_blocks,
+                           std::span<const Contact* const> given) const {
+        const Contact* nearest = nullptr;
+        double least = moved_;
+        auto entry = std::lower_bound(by_block_.begin(), by_block_.end(),
+                                      std::pair<int, const Contact*>{contact.corner_block, nullptr});
+        for (; entry != by_block_.end() && entry->first == contact.corner_block; ++entry) {
+            const Contact* donor = entry->second;
+            const bool same = std::minmax(donor->corner_block, donor->edge_block) ==
+                              std::minmax(contact.corner_block, contact.edge_block);
+            const double distance = (donor->point - contact.point).norm();
+            if (same != same_blocks || distance > least || !may_give(*donor, contact)) continue;
+            if (std::find(given.begin(), given.end(), donor) != given.end()) continue;
+            if (nearest == nullptr || distance < least) {
+                least = distance;
+                nearest = donor;
+            }
+        }
+        return nearest;
+    }
+
+  private:
+    /// The same line has the same gap, and a deeper contact would come with energy from nowhere.
+    bool may_give(const Contact& donor, const Contact& contact) const {
+        return same_line(donor, contact) &&
+               std::abs(donor.gap - contact.gap) <= parallel_tolerance * moved_ &&
+               contact.gap >= 2 * std::min(donor.gap, 0.0) - same_depth * moved_;
+    }
+
+    double moved_;
+    std::vector<std::pair<int, const Contact*>> by_block_;
+};
+
 }  // namespace
 
 void transfer_contacts(const Model& model, std::span<const Contact> old, double moved, bool first_step,
@@ -74,38 +124,28 @@ void transfer_contacts(const Model& model, std::span<const Contact> old, double 
     }
     while (from != old.end()) donors.push_back(&*from++);
 
-    // Donors by either block, so that an orphan looks at the few that could be its own.
-    std::vector<std::pair<int, const Contact*>> by_block;
-    for (const Contact* donor : donors) {
-        by_block.emplace_back(donor->corner_block, donor);
-        by_block.emplace_back(donor->edge_block, donor);
-    }
-    std::sort(by_block.begin(), by_block.end());
+    for (const std::size_t k : orphans) start_fresh(model, first_step, contacts[k]);
+    const Estate estate(donors, moved);
     std::vector<const Contact*> given;
+    // A line that two blocks share goes to their own contacts first, to a neighbour's after them.
+    for (const bool same_blocks : {true, false}) {
+        for (std::size_t& k : orphans) {
+            if (k == nobody) continue;
+            const Contact* donor = estate.nearest(contacts[k], same_blocks, given);
+            if (donor == nullptr) continue;
+            hand_over(*donor, contacts[k]);
+            given.push_back(donor);
+            k = nobody;
+        }
+    }
+    // Where a corner slid on to a neighbour's face and the end of the overlap it left has a corner of its
+    // own, one contact becomes two: the second bears as much pressure as its depth says, and no shear.
     for (const std::size_t k : orphans) {
-        Contact& contact = contacts[k];
-        const Contact* nearest = nullptr;
-        double least = moved;
-        auto entry = std::lower_bound(by_block.begin(), by_block.end(),
-                                      std::pair<int, const Contact*>{contact.corner_block, nullptr});
-        for (; entry != by_block.end() && entry->first == contact.corner_block; ++entry) {
-            const Contact* donor = entry->second;
-            const double distance = (donor->point - contact.point).norm();
-            if (distance > least || !same_line(*donor, contact)) continue;
-            // The same line has the same gap, and a deeper contact would come with energy from nowhere.
-            if (std::abs(donor->gap - contact.gap) > parallel_tolerance * moved) continue;
-            if (contact.gap < 2 * std::min(donor->gap, 0.0) - same_depth * moved) continue;
-            if (std::find(given.begin(), given.end(), donor) != given.end()) continue;
-            if (nearest == nullptr || distance < least) {
-                least = distance;
-                nearest = donor;
-            }
-        }
-        start_fresh(model, first_step, contact);
-        if (nearest != nullptr) {
-            hand_over(*nearest, contact);
-            given.push_back(nearest);
-        }
+        if (k == nobody) continue;
+        const Contact* donor = estate.nearest(contacts[k], true, {});
+        if (donor == nullptr || donor->state == ContactState::open) continue;
+        contacts[k].state = donor->state;
+        contacts[k].history = donor->history;
     }
 }
 
