@@ -75,7 +75,10 @@ class Flight {
             look(state, report);
         };
     }
-    void fly() { EXPECT_EQ(sim_.run(stage_).status, dda::RunStatus::completed) << sim_.state.time; }
+    void fly() {
+        const dda::RunOutcome outcome = sim_.run(stage_);
+        EXPECT_EQ(outcome.status, dda::RunStatus::completed) << outcome.message;
+    }
 
   private:
     static Vec2 momentum(const dda::State& state) {

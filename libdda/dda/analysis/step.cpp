@@ -150,7 +150,7 @@ StepAttempt TimeStepper::advance(const Stage& stage, const State& state, double 
         const int iterations = attempt.report.iterations;
         const int factorizations = attempt.report.factorizations;
         attempt.state = updated(stage, state, step, result, displacement);
-        const std::vector<Intrusion> unseen = intrusions(state, attempt.state);
+        const std::vector<Intrusion> unseen = intrusions(state, attempt.state, look.reach);
         if (!unseen.empty()) {
             attempt.rejection = Rejection::intruded;
             attempt.worst_contact = deepest_as_contact(model_, attempt.state.blocks.vertices, unseen);
@@ -168,10 +168,10 @@ StepAttempt TimeStepper::advance(const Stage& stage, const State& state, double 
     return attempt;
 }
 
-std::vector<Intrusion> TimeStepper::intrusions(const State& before, const State& after) const {
+std::vector<Intrusion> TimeStepper::intrusions(const State& before, const State& after, double reach) const {
     return find_intrusions(model_, before.blocks.vertices, after.blocks.vertices, after.contacts.candidates,
-                           after.contacts.contacts, unseen_depth * edge_length_, clipped_depth * edge_length_,
-                           crew_);
+                           after.contacts.contacts, reach, unseen_depth * edge_length_,
+                           clipped_depth * edge_length_, crew_);
 }
 
 double TimeStepper::first_reach(const State& state, double dt) const {
@@ -235,17 +235,21 @@ ContactSet TimeStepper::contacts_at(const State& state, const Look& look) const 
     const std::vector<Contact>& old = state.contacts.contacts;
     set.contacts = detect_contacts(model_, vertices, set.candidates, reach, old, look.entering, crew_);
     transfer_contacts(model_, old, reach, state.step_count == 0, set.contacts);
+    const CornerDepths borne(model_.topology, vertices, set.contacts);
     for (Contact& c : set.contacts) {
+        const bool enters =
+            std::binary_search(look.entering.begin(), look.entering.end(), CornerEdge{c.corner, c.edge});
+        // What has been inside without a contact is kept from getting deeper, and gains no energy.
+        if (enters && c.state == ContactState::open) c.rest_gap = std::min(c.gap, 0.0);
         // The force follows from the geometry, also where the contact took over from another line.
         const double force =
             -model_.joint_material_at(c.joint_material).normal_spring(model_.normal_penalty, c.length) *
             (c.gap - c.rest_gap);
         c.normal_force = c.state != ContactState::open && (force > 0 || c.bonded) ? force : 0;
         // A corner enters through a line that it was outside of: one that is open and behind the line belongs
-        // elsewhere.
-        const double behind = unseen_depth * edge_length_;
-        const bool enters =
-            std::binary_search(look.entering.begin(), look.entering.end(), CornerEdge{c.corner, c.edge});
+        // elsewhere. Sliding on to a neighbour's face it is as far behind that as it is in the face it
+        // leaves.
+        const double behind = unseen_depth * edge_length_ + 2 * borne.of(c);
         if (c.state == ContactState::open && c.gap < -(behind + rounding_) && !enters) c.held_back = true;
     }
     return set;

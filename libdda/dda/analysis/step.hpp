@@ -50,7 +50,7 @@ class TimeStepper {
     /// The contacts at the state's positions, with what the state's contacts carried.
     ContactSet contacts_at(const State& state, const Look& look) const;
     /// Corners that got into another block in a step without a contact.
-    std::vector<Intrusion> intrusions(const State& before, const State& after) const;
+    std::vector<Intrusion> intrusions(const State& before, const State& after, double reach) const;
     void assemble_base(const Stage& stage, const State& state, Step& step) const;
     void analyze_pattern(const ContactSet& contacts);
     OpenCloseResult solve(const Stage& stage, const State& state, const Step& step);

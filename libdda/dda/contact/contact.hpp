@@ -35,7 +35,8 @@ struct Contact {
     Vec2 tangent = Vec2::Zero();
     double gap = 0;  ///< distance of the corner from the edge line, m; negative: penetration
 
-    double rest_gap = 0;  ///< m, at which the normal spring bears nothing; not 0 only where it is augmented
+    double rest_gap = 0;  ///< m, at which the normal spring bears nothing: above 0 where it is augmented,
+                          ///< below where the corner was inside before it had a contact
 
     ContactState state = ContactState::open;
     double normal_force = 0;  ///< compression positive: pushes the corner's block along `normal`

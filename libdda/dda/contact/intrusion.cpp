@@ -23,13 +23,14 @@ struct Crossing {
 
 class Search {
   public:
-    Search(const Topology& topology, std::span<const Vec2> before, std::span<const Vec2> after)
-        : topology_(topology), before_(before), after_(after) {}
+    Search(const Topology& topology, std::span<const Vec2> before, std::span<const Vec2> after, double reach)
+        : topology_(topology), before_(before), after_(after), reach_(reach) {}
 
     /// Whether the corner got deeper than `allowed` into the block, or than `clipped` through it.
     bool intrudes(Encounter encounter, double allowed, double clipped, Intrusion& found) const {
-        found.depth = depth(encounter, 1);
-        const bool inside = found.depth > allowed;
+        const Place end = place(encounter, 1);
+        found.depth = end.depth;
+        const bool inside = found.depth > allowed && found.depth < reach_;
         double first_in = 2;
         double last_out = -1;
         std::pair entrance(false, -1.0);  // one that it could touch, then the latest
@@ -46,10 +47,14 @@ class Search {
                 found.pair = pair;
             });
         }
-        if (inside) return entrance.second >= 0;
+        if (inside && entrance.second < 0) {
+            found.pair = end.nearest;
+            return found.depth > place(encounter, 0).depth + allowed;
+        }
+        if (inside) return true;
         if (first_in >= last_out) return false;
         found.through = true;
-        found.depth = depth(encounter, (first_in + last_out) / 2);
+        found.depth = place(encounter, (first_in + last_out) / 2).depth;
         return found.depth > std::max(allowed, clipped);
     }
 
@@ -61,14 +66,20 @@ class Search {
         return before_[index(corner)] + time * (after_[index(corner)] - before_[index(corner)]);
     }
 
-    /// How deep the corner is inside the block after a share of the step, m; zero outside. Inside and outside
-    /// are told apart at the nearest point of the surface: on an edge by its side, at a corner by whether
-    /// that is a reflex one.
-    double depth(Encounter encounter, double time) const {
+    struct Place {
+        double depth = 0;    ///< m, inside the block; zero outside
+        CornerEdge nearest;  ///< the edge that it is nearest to
+    };
+
+    /// Where the corner is after a share of the step. Inside and outside are told apart at the nearest point
+    /// of the surface: on an edge by its side, at a corner by whether that is a reflex one.
+    Place place(Encounter encounter, double time) const {
+        Place place;
         const Vec2 corner = at(encounter.front().corner, time);
         double least = std::numeric_limits<double>::infinity();
         bool inside = false;
-        for (const auto& [k, edge] : encounter) {
+        for (const CornerEdge& pair : encounter) {
+            const int edge = pair.edge;
             const Vec2 first = at(edge, time);
             const Vec2 along = at(next(edge), time) - first;
             const double share = (corner - first).dot(along) / along.squaredNorm();
@@ -76,10 +87,12 @@ class Search {
             const double square = (corner - first - clamped * along).squaredNorm();
             if (square >= least) continue;
             least = square;
+            place.nearest = pair;
             inside = share == clamped ? cross(along, corner - first) > 0
                                       : is_reflex(share < 0 ? edge : next(edge), time);
         }
-        return inside ? std::sqrt(least) : 0;
+        if (inside) place.depth = std::sqrt(least);
+        return place;
     }
 
     bool is_reflex(int corner, double time) const {
@@ -122,6 +135,7 @@ class Search {
     const Topology& topology_;
     std::span<const Vec2> before_;
     std::span<const Vec2> after_;
+    double reach_;
 };
 
 /// The depth in a block that closed contacts account for, by (corner, block): of the contact's corner, and of
@@ -135,7 +149,7 @@ class KnownDepths {
             const double to_first = (contact.point - vertices[static_cast<std::size_t>(contact.edge)]).norm();
             const double to_second = (contact.point - vertices[static_cast<std::size_t>(second)]).norm();
             const int partner = to_first < to_second ? contact.edge : second;
-            const double depth = contact.rest_gap - contact.gap;
+            const double depth = std::max(-contact.gap, contact.rest_gap - contact.gap);
             note({contact.corner, contact.edge_block}, depth);
             note({partner, contact.corner_block}, depth);
         }
@@ -157,8 +171,8 @@ class KnownDepths {
 
 std::vector<Intrusion> find_intrusions(const Model& model, std::span<const Vec2> before,
                                        std::span<const Vec2> after, std::span<const CornerEdge> candidates,
-                                       std::span<const Contact> contacts, double slack, double clipped,
-                                       const Crew& crew) {
+                                       std::span<const Contact> contacts, double reach, double slack,
+                                       double clipped, const Crew& crew) {
     const Topology& topology = model.topology;
     const auto block_of = [&](int corner) { return topology.block_of[static_cast<std::size_t>(corner)]; };
     const KnownDepths known(topology, after, contacts);
@@ -173,7 +187,7 @@ std::vector<Intrusion> find_intrusions(const Model& model, std::span<const Vec2>
         k = end;
     }
 
-    const Search search(topology, before, after);
+    const Search search(topology, before, after, reach);
     std::vector<Intrusion> found(encounters.size());
     std::vector<char> intrudes(encounters.size(), 0);
     crew.for_ranges(encounters.size(), [&](std::size_t begin, std::size_t end) {

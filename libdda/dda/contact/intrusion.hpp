@@ -23,15 +23,16 @@ struct Intrusion {
 /// block.
 ///
 /// All points are taken to move straight. Where the corner crosses several edges inwards it came in through
-/// the last that it could touch at the step's end. A corner that was inside before the step came through
-/// none, and is no intrusion of this step.
-/// @param candidates sorted; corners farther than their distance from an edge are not seen.
+/// the last that it could touch at the step's end. A corner that was inside before the step came in through
+/// none; if it is deeper now, it is told with the nearest edge. One that is outside again counts from
+/// `clipped` on: ways that are really arcs cut corners off.
+/// @param candidates sorted, and complete up to the distance `reach`; deeper corners are not looked at.
 /// @param contacts of the step, with gaps and states at its end.
 /// @return sorted by pair, one for each corner and block that it got into.
 std::vector<Intrusion> find_intrusions(const Model& model, std::span<const Vec2> before,
                                        std::span<const Vec2> after, std::span<const CornerEdge> candidates,
-                                       std::span<const Contact> contacts, double slack, double clipped,
-                                       const Crew& crew);
+                                       std::span<const Contact> contacts, double reach, double slack,
+                                       double clipped, const Crew& crew);
 
 /// The deepest intrusion, told as a contact: blocks, point and gap.
 Contact deepest_as_contact(const Model& model, std::span<const Vec2> vertices,

@@ -58,6 +58,10 @@ void start_fresh(const Model& model, bool first_step, Contact& contact) {
         intact && contact.length > 0 && strength(law, contact.history, 0, contact.length).tensile > 0;
 }
 
+bool same_blocks(const Contact& a, const Contact& b) {
+    return std::minmax(a.corner_block, a.edge_block) == std::minmax(b.corner_block, b.edge_block);
+}
+
 constexpr std::size_t nobody = std::numeric_limits<std::size_t>::max();
 
 /// The old contacts that are no longer, by either of their blocks, so that a new one looks at the few that
@@ -74,18 +78,16 @@ class Estate {
 
     /// The nearest on the contact's line, of the same two blocks or of others, that has not given yet; null
     /// if there is none.
-    const Contact* nearest(const Contact& contact, bool same_blocks,
-                           std::span<const Contact* const> given) const {
+    const Contact* nearest(const Contact& contact, bool same, std::span<const Contact* const> given) const {
         const Contact* nearest = nullptr;
         double least = moved_;
         auto entry = std::lower_bound(by_block_.begin(), by_block_.end(),
                                       std::pair<int, const Contact*>{contact.corner_block, nullptr});
         for (; entry != by_block_.end() && entry->first == contact.corner_block; ++entry) {
             const Contact* donor = entry->second;
-            const bool same = std::minmax(donor->corner_block, donor->edge_block) ==
-                              std::minmax(contact.corner_block, contact.edge_block);
             const double distance = (donor->point - contact.point).norm();
-            if (same != same_blocks || distance > least || !may_give(*donor, contact)) continue;
+            if (same_blocks(*donor, contact) != same || distance > least || !may_give(*donor, contact))
+                continue;
             if (std::find(given.begin(), given.end(), donor) != given.end()) continue;
             if (nearest == nullptr || distance < least) {
                 least = distance;
@@ -127,26 +129,60 @@ void transfer_contacts(const Model& model, std::span<const Contact> old, double 
     for (const std::size_t k : orphans) start_fresh(model, first_step, contacts[k]);
     const Estate estate(donors, moved);
     std::vector<const Contact*> given;
+    std::vector<std::size_t> heirs;  // who each was given to
     // A line that two blocks share goes to their own contacts first, to a neighbour's after them.
-    for (const bool same_blocks : {true, false}) {
+    for (const bool same : {true, false}) {
         for (std::size_t& k : orphans) {
             if (k == nobody) continue;
-            const Contact* donor = estate.nearest(contacts[k], same_blocks, given);
+            const Contact* donor = estate.nearest(contacts[k], same, given);
             if (donor == nullptr) continue;
             hand_over(*donor, contacts[k]);
             given.push_back(donor);
+            heirs.push_back(k);
             k = nobody;
         }
     }
-    // Where a corner slid on to a neighbour's face and the end of the overlap it left has a corner of its
-    // own, one contact becomes two: the second bears as much pressure as its depth says, and no shear.
+    // Where a corner slides on to a neighbour's face and the end of the overlap that it leaves has a corner
+    // of its own, one contact becomes two: the second bears what pressure its depth says, and no shear.
     for (const std::size_t k : orphans) {
         if (k == nobody) continue;
-        const Contact* donor = estate.nearest(contacts[k], true, {});
-        if (donor == nullptr || donor->state == ContactState::open) continue;
-        contacts[k].state = donor->state;
-        contacts[k].history = donor->history;
+        std::vector<const Contact*> spent;
+        for (std::size_t h = 0; h < heirs.size(); ++h) {
+            if (same_blocks(contacts[heirs[h]], contacts[k])) spent.push_back(given[h]);
+        }
+        for (const bool same : {true, false}) {
+            const Contact* donor = estate.nearest(contacts[k], same, spent);
+            if (donor == nullptr || donor->state == ContactState::open) continue;
+            contacts[k].state = donor->state;
+            contacts[k].history = donor->history;
+            break;
+        }
     }
+}
+
+CornerDepths::CornerDepths(const Topology& topology, std::span<const Vec2> vertices,
+                           std::span<const Contact> contacts)
+    : topology_(topology), vertices_(vertices), depth_(vertices.size(), 0.0) {
+    for (const Contact& contact : contacts) {
+        if (contact.state == ContactState::open) continue;
+        for (const int corner : {contact.corner, nearer_end(contact)}) {
+            double& depth = depth_[static_cast<std::size_t>(corner)];
+            depth = std::max(depth, -contact.gap);
+        }
+    }
+}
+
+double CornerDepths::of(const Contact& contact) const {
+    return std::max(depth_[static_cast<std::size_t>(contact.corner)],
+                    depth_[static_cast<std::size_t>(nearer_end(contact))]);
+}
+
+int CornerDepths::nearer_end(const Contact& contact) const {
+    const auto distance = [&](int corner) {
+        return (contact.point - vertices_[static_cast<std::size_t>(corner)]).squaredNorm();
+    };
+    const int second = topology_.next[static_cast<std::size_t>(contact.edge)];
+    return distance(contact.edge) < distance(second) ? contact.edge : second;
 }
 
 }  // namespace dda

@@ -25,7 +25,7 @@ class Intrusions : public testing::Test {
         std::vector<Vec2> moved = s.model.vertices;
         std::copy(block.begin(), block.end(), moved.begin() + 4);
         const auto candidates = dda::find_candidates(s.model, s.model.vertices, 1);
-        return dda::find_intrusions(s.model, s.model.vertices, moved, candidates, contacts, slack, clipped,
+        return dda::find_intrusions(s.model, s.model.vertices, moved, candidates, contacts, 1, slack, clipped,
                                     dda::Crew(1));
     }
     /// A closed contact of corner 4 with the plate's upper face.
@@ -94,9 +94,13 @@ TEST_F(Intrusions, ACornerMayClipAnotherByLittle) {
     EXPECT_TRUE(found[1].through);
 }
 
-TEST_F(Intrusions, ACornerThatWasInsideCameInThroughNothing) {
+TEST_F(Intrusions, ACornerThatWasInsideMayNotGetDeeper) {
     s.model.vertices[4] = {0, -.001};
-    EXPECT_TRUE(after({{0, -.002}, {.2, .2}, {-.2, .2}}).empty());
+    EXPECT_TRUE(after({{.1, -.001}, {.3, .2}, {-.1, .2}}).empty());
+    EXPECT_TRUE(after({{0, -.0005}, {.2, .2}, {-.2, .2}}).empty());
+    const auto found = after({{0, -.002}, {.2, .2}, {-.2, .2}});
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].pair, (dda::CornerEdge{4, 2})) << "the nearest edge";
 }
 
 TEST_F(Intrusions, OfTwoEdgesCrossedTheCornerCameInThroughTheOneItCanTouch) {
@@ -116,8 +120,8 @@ TEST_F(Intrusions, AWallOfAHoleIsLikeAnyOther) {
     std::vector<Vec2> moved = holed.model.vertices;
     for (std::size_t k = 8; k < 12; ++k) moved[k] += Vec2(.6, 0);
     const auto candidates = dda::find_candidates(holed.model, holed.model.vertices, 1);
-    const auto found = dda::find_intrusions(holed.model, holed.model.vertices, moved, candidates, {}, slack,
-                                            clipped, dda::Crew(1));
+    const auto found = dda::find_intrusions(holed.model, holed.model.vertices, moved, candidates, {}, 1,
+                                            slack, clipped, dda::Crew(1));
     ASSERT_EQ(found.size(), 2U) << "both right corners";
     for (const Intrusion& intrusion : found) {
         EXPECT_NEAR(intrusion.depth, .1, 1e-15);

@@ -111,6 +111,26 @@ TEST_F(Transfer, OneContactHandsOverOnceAndToTheNearest) {
     EXPECT_EQ((contacts[0].state != ContactState::open) + (contacts[1].state != ContactState::open), 1);
 }
 
+// The corner slides on to a neighbour's face, while the end of the overlap that it leaves has a corner of its
+// own: what was one contact is two.
+TEST_F(Transfer, OneContactBecomesTwoWhereAnotherBlockTakesItsCornerOver) {
+    std::vector<Contact> contacts = {contact(0, 1, 3, 5, {.02, 0}, -up), contact(1, 2, 4, 9, {.01, 0}, up)};
+    dda::transfer_contacts(s.model, std::vector{old}, .1, false, contacts);
+    expect_carried(contacts[0]);
+    EXPECT_EQ(contacts[1].state, ContactState::sliding) << "it bears the pressure of its depth";
+    EXPECT_EQ(contacts[1].shear_force, 0);
+    EXPECT_EQ(contacts[1].slip, 0);
+}
+
+TEST_F(Transfer, NotToADeeperContact) {
+    old.gap = -1e-6;
+    Contact deeper = contact(1, 0, 4, 3, {.05, 0}, up);
+    deeper.gap = -1.9e-6;
+    expect_carried(moved_to(deeper));
+    deeper.gap = -3e-6;
+    expect_fresh(moved_to(deeper));
+}
+
 TEST_F(Transfer, InTheFirstStepFacesThatTouchAreIntactAndLocked) {
     s.model.joint_materials[0].law = Scene::mohr_coulomb(30, 1e5, 1e4);
     const auto fresh = [&](double gap, bool first_step) {

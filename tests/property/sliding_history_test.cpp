@@ -1,0 +1,50 @@
+// A contact's history goes with it: over collinear edges, a redundant vertex, a neighbour's face.
+
+#include <gtest/gtest.h>
+
+#include "support/scene.hpp"
+
+namespace {
+
+using namespace scene;
+
+/// A block of 1 m slides at 0.5 m/s over a floor whose upper face is y = 0, friction 30 degrees, and is kept
+/// going by a body force as large as friction. Its friction force must not jump, and nothing is released.
+void expect_smooth_slide(Scene s, int slider) {
+    s.friction(30);
+    const double weight = 2500 * g;
+    const double friction = weight * std::tan(radians(30));
+    s.model.gravity = {g * std::tan(radians(30)), -g};
+    Simulation sim(s);
+    ASSERT_EQ(sim.settle(.005, 1e-7).status, dda::RunStatus::completed);
+    sim.velocity(slider)[0] = .5;
+    sim.restart_ledger();
+    double least = 1e300;
+    double most = 0;
+    int steps = 0;
+    sim.each_step = [&](const dda::State& state, const dda::StepReport&) {
+        double shear = 0;
+        for (const dda::Contact& c : state.contacts.contacts) {
+            if (c.corner_block != slider && c.edge_block != slider) continue;
+            const double sign = c.corner_block == slider ? 1 : -1;
+            shear += sign * c.shear_force * c.tangent.x();
+        }
+        if (++steps < 20) return;  // the start from rest
+        least = std::min(least, shear);
+        most = std::max(most, shear);
+    };
+    ASSERT_EQ(sim.shake(2, .002).status, dda::RunStatus::completed);
+    EXPECT_NEAR(sim.moved(slider).x(), 1, .01);
+    // What the blocks' elastic strain moves: stresses of 2e4 Pa in rock of 1e10.
+    EXPECT_NEAR(least, friction, .01 * friction);
+    EXPECT_NEAR(most, friction, .01 * friction);
+    EXPECT_LT(std::abs(sim.state.energy.released), 1e-6 * sim.state.energy.friction_loss);
+}
+
+TEST(SlidingHistory, OverCollinearEdgesOfOneBlock) {
+    Scene s;
+    s.block({{{-1, -1}, {4, -1}, {4, 0}, {2.6, 0}, {1.3, 0}, {.55, 0}, {-1, 0}}}, dda::Motion::fixed);
+    expect_smooth_slide(s, s.box({0, 0}, 1, 1));
+}
+
+}  // namespace
