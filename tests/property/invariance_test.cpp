@@ -85,8 +85,9 @@ using Contacts = std::map<std::pair<Name, Name>, Told>;
 Contacts contacts_of(const Shapes& shapes, const Change& change, double reach) {
     const Scene s = built(shapes, change);
     const auto candidates = dda::find_candidates(s.model, s.model.vertices, 2 * reach * change.metre);
-    const auto found = dda::detect_contacts(s.model, s.model.vertices, candidates, reach * change.metre, {},
-                                            {}, dda::Crew(1));
+    const auto found = dda::detect_contacts(
+        s.model, {s.model.vertices, s.model.vertices, reach * change.metre, 1e-9 * change.metre}, candidates,
+        dda::Crew(1));
     const auto name = [&](int corner) -> Name {
         const int block = s.model.topology.block_of[static_cast<std::size_t>(corner)];
         const auto b = static_cast<std::size_t>(block);

@@ -26,8 +26,8 @@ constexpr int turn_limit = 3;
 /// Depth to which a corner without a contact may be in another block, as a share of the median edge. Far
 /// below any penetration that matters, far above rounding.
 constexpr double unseen_depth = 1e-9;
-/// Depth to which a corner may clip another block and be out again within a step, likewise: arcs are looked
-/// at as straight ways, and strain moves the corners of a joint by less than this.
+/// Depth to which a corner may clip another block and be out again within a step, likewise: far above what
+/// arcs and parabolas differ by, and strain moves the corners of a joint by less than this.
 constexpr double clipped_depth = 1e-5;
 
 double extent(std::span<const Vec2> vertices, int axis) {
@@ -83,12 +83,31 @@ double keep_angular_momentum(double mass, const AreaMoments& before, const Vec6&
 
 }  // namespace
 
+/// What contacts did in another look at the step; where the iteration starts from.
+struct TimeStepper::Guess {
+    std::vector<Contact> contacts;  ///< sorted, as found by detect_contacts
+    std::vector<JudgedContact> judged;
+
+    /// Per contact of another look; null for those that were not there.
+    std::vector<const JudgedContact*> of(std::span<const Contact> others) const {
+        std::vector<const JudgedContact*> found(others.size(), nullptr);
+        std::size_t k = 0;
+        for (std::size_t other = 0; other < others.size(); ++other) {
+            while (k < contacts.size() && comes_before(contacts[k], others[other])) ++k;
+            if (k < contacts.size() && !comes_before(others[other], contacts[k])) found[other] = &judged[k];
+        }
+        return found;
+    }
+};
+
 struct TimeStepper::Look {
-    double reach = 0;  ///< m, within which corner and edge may meet in the step
-    std::vector<CornerEdge>
-        entering;                 ///< sorted pairs known to meet though they could not touch at the start
+    double reach = 0;                ///< m, within which corner and edge may meet in the step
+    std::vector<CornerEdge> missed;  ///< sorted pairs that met without a contact
+    /// Of them, those that did so again: known to meet though they could not touch at the start.
+    std::vector<CornerEdge> entering;
     std::vector<Vec6> predicted;  ///< per block, displacement of the whole step; fixes arms and normals
     int turns = 0;                ///< how often that was corrected
+    Guess guess;                  ///< what the look before found
 };
 
 struct TimeStepper::Step {
@@ -119,7 +138,7 @@ StepAttempt TimeStepper::advance(const Stage& stage, const State& state, double 
     Look look = first_look(stage, state, dt);
     for (int k = 0; k < look_limit; ++k) {
         const Step step = prepare(stage, state, dt, look);
-        const OpenCloseResult result = solve(stage, state, step);
+        OpenCloseResult result = solve(stage, state, step, look.guess);
         attempt.report.iterations += result.iterations;
         attempt.report.factorizations += result.factorizations;
         if (!result.converged) {
@@ -144,18 +163,24 @@ StepAttempt TimeStepper::advance(const Stage& stage, const State& state, double 
             turned_unexpectedly(look.predicted, displacement, step.springs, step.contacts.contacts, result,
                                 state.energy.kinetic)) {
             look.predicted = displacement;
+            look.guess = {step.contacts.contacts, std::move(result.contacts)};
             ++look.turns;
             continue;
         }
         const int iterations = attempt.report.iterations;
         const int factorizations = attempt.report.factorizations;
         attempt.state = updated(stage, state, step, result, displacement);
-        const std::vector<Intrusion> unseen = intrusions(state, attempt.state, look.reach);
+        const std::vector<Intrusion> unseen = intrusions(state, attempt.state, displacement, look.reach);
         if (!unseen.empty()) {
             attempt.rejection = Rejection::intruded;
             attempt.worst_contact = deepest_as_contact(model_, attempt.state.blocks.vertices, unseen);
-            if (may_be_stopped(unseen) && add_pairs(unseen, look.entering)) continue;
-            return attempt;
+            if (!may_be_stopped(unseen)) return attempt;
+            // Once, another expectation of where blocks go may be enough to find the contact; then it is
+            // told.
+            if (!add_pairs(unseen, look.missed) && !add_pairs(unseen, look.entering)) return attempt;
+            look.predicted = displacement;
+            look.guess = {step.contacts.contacts, std::move(result.contacts)};
+            continue;
         }
         attempt.rejection = Rejection::none;
         attempt.report = report(step, attempt.state, result);
@@ -168,10 +193,12 @@ StepAttempt TimeStepper::advance(const Stage& stage, const State& state, double 
     return attempt;
 }
 
-std::vector<Intrusion> TimeStepper::intrusions(const State& before, const State& after, double reach) const {
-    return find_intrusions(model_, before.blocks.vertices, after.blocks.vertices, after.contacts.candidates,
-                           after.contacts.contacts, reach, unseen_depth * edge_length_,
-                           clipped_depth * edge_length_, crew_);
+std::vector<Intrusion> TimeStepper::intrusions(const State& before, const State& after,
+                                               std::span<const Vec6> displacement, double reach) const {
+    const MidStep mid = predict_mid_step(model_, before.blocks, displacement);
+    return find_intrusions(model_, {before.blocks.vertices, mid.vertices, after.blocks.vertices},
+                           after.contacts.candidates, after.contacts.contacts, reach,
+                           unseen_depth * edge_length_, clipped_depth * edge_length_, crew_);
 }
 
 double TimeStepper::first_reach(const State& state, double dt) const {
@@ -202,7 +229,7 @@ TimeStepper::Step TimeStepper::prepare(const Stage& stage, const State& state, d
     step.newmark = {stage.newmark_beta, stage.newmark_gamma, dt};
     step.prescribed = prescribe_motion(model_, stage, state.blocks, dt, state.stage_time + dt);
     step.mid = predict_mid_step(model_, state.blocks, look.predicted);
-    step.contacts = contacts_at(state, look);
+    step.contacts = contacts_at(state, step.mid, look);
     step.springs =
         contact_springs(model_, rows_, step.mid, step.prescribed.displacement, step.contacts.contacts, crew_);
     step.bolts = bolt_springs(model_, rows_, step.mid, step.prescribed.displacement);
@@ -212,8 +239,9 @@ TimeStepper::Step TimeStepper::prepare(const Stage& stage, const State& state, d
     return step;
 }
 
-ContactSet TimeStepper::contacts_at(const State& state, const Look& look) const {
+ContactSet TimeStepper::contacts_at(const State& state, const MidStep& mid, const Look& look) const {
     const double reach = look.reach;
+    const double rounding = unseen_depth * edge_length_ + rounding_;
     const std::vector<Vec2>& vertices = state.blocks.vertices;
     ContactSet set;
     double moved = std::numeric_limits<double>::infinity();
@@ -233,9 +261,9 @@ ContactSet TimeStepper::contacts_at(const State& state, const Look& look) const 
         set.reference = vertices;
     }
     const std::vector<Contact>& old = state.contacts.contacts;
-    set.contacts = detect_contacts(model_, vertices, set.candidates, reach, old, look.entering, crew_);
+    set.contacts = detect_contacts(model_, {vertices, mid.vertices, reach, rounding, old, look.entering},
+                                   set.candidates, crew_);
     transfer_contacts(model_, old, reach, state.step_count == 0, set.contacts);
-    const CornerDepths borne(model_.topology, vertices, set.contacts);
     for (Contact& c : set.contacts) {
         const bool enters =
             std::binary_search(look.entering.begin(), look.entering.end(), CornerEdge{c.corner, c.edge});
@@ -249,8 +277,8 @@ ContactSet TimeStepper::contacts_at(const State& state, const Look& look) const 
         // A corner enters through a line that it was outside of: one that is open and behind the line belongs
         // elsewhere. Sliding on to a neighbour's face it is as far behind that as it is in the face it
         // leaves.
-        const double behind = unseen_depth * edge_length_ + 2 * borne.of(c);
-        if (c.state == ContactState::open && c.gap < -(behind + rounding_) && !enters) c.held_back = true;
+        if (c.state == ContactState::open && c.gap < -(rounding + 2 * c.known_depth) && !enters)
+            c.held_back = true;
     }
     return set;
 }
@@ -288,7 +316,8 @@ void TimeStepper::analyze_pattern(const ContactSet& contacts) {
     solver_->analyze(pattern_);
 }
 
-OpenCloseResult TimeStepper::solve(const Stage& stage, const State& state, const Step& step) {
+OpenCloseResult TimeStepper::solve(const Stage& stage, const State& state, const Step& step,
+                                   const Guess& guess) {
     if (rows_.count() == 0) {
         OpenCloseResult nothing;
         nothing.converged = true;
@@ -296,6 +325,7 @@ OpenCloseResult TimeStepper::solve(const Stage& stage, const State& state, const
         return nothing;
     }
     analyze_pattern(step.contacts);
+    const std::vector<const JudgedContact*> first = guess.of(step.contacts.contacts);
     const StepProblem problem{model_,
                               stage.control,
                               rows_,
@@ -303,6 +333,7 @@ OpenCloseResult TimeStepper::solve(const Stage& stage, const State& state, const
                               state.blocks,
                               step.prescribed.displacement,
                               step.contacts.contacts,
+                              first,
                               step.springs,
                               step.bolts,
                               state.bolt_force,

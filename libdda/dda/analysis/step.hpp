@@ -42,18 +42,20 @@ class TimeStepper {
     struct Step;
     /// What a look at the step takes for granted, and a further one corrects.
     struct Look;
+    struct Guess;
 
     Look first_look(const Stage& stage, const State& state, double dt) const;
     /// How far apart a corner and an edge may be and still meet within the step, m.
     double first_reach(const State& state, double dt) const;
     Step prepare(const Stage& stage, const State& state, double dt, const Look& look);
     /// The contacts at the state's positions, with what the state's contacts carried.
-    ContactSet contacts_at(const State& state, const Look& look) const;
+    ContactSet contacts_at(const State& state, const MidStep& mid, const Look& look) const;
     /// Corners that got into another block in a step without a contact.
-    std::vector<Intrusion> intrusions(const State& before, const State& after, double reach) const;
+    std::vector<Intrusion> intrusions(const State& before, const State& after,
+                                      std::span<const Vec6> displacement, double reach) const;
     void assemble_base(const Stage& stage, const State& state, Step& step) const;
     void analyze_pattern(const ContactSet& contacts);
-    OpenCloseResult solve(const Stage& stage, const State& state, const Step& step);
+    OpenCloseResult solve(const Stage& stage, const State& state, const Step& step, const Guess& guess);
     std::vector<Vec6> all_displacements(const Step& step, const OpenCloseResult& result) const;
     double largest_displacement(const State& state, std::span<const Vec6> displacement) const;
     State updated(const Stage& stage, const State& state, const Step& step, const OpenCloseResult& result,

@@ -10,21 +10,6 @@
 
 namespace dda {
 
-/// One step's equations: everything that the open-close iteration may read and does not change.
-struct StepProblem {
-    const Model& model;
-    const StepControl& control;
-    const RowMap& rows;
-    const BaseSystem& base;
-    const BlockSystem& blocks;          ///< at the start of the step
-    std::span<const Vec6> prescribed;   ///< per block, known displacements
-    std::span<const Contact> contacts;  ///< at the start of the step
-    std::span<const ContactSprings> springs;
-    std::span<const BoltSpring> bolts;
-    std::span<const double> bolt_force;  ///< at the start of the step, N per metre
-    double smallest_force = 0;           ///< N per metre, below which force differences are rounding
-};
-
 /// What a contact does at the end of a step.
 struct JudgedContact {
     ContactState state = ContactState::open;
@@ -35,6 +20,23 @@ struct JudgedContact {
     double displacement = 0;  ///< tangential, of the step, m
     double slip = 0;          ///< plastic part of it, m
     bool torn = false;        ///< bonded at the start, opened in this step
+};
+
+/// One step's equations: everything that the open-close iteration may read and does not change.
+struct StepProblem {
+    const Model& model;
+    const StepControl& control;
+    const RowMap& rows;
+    const BaseSystem& base;
+    const BlockSystem& blocks;          ///< at the start of the step
+    std::span<const Vec6> prescribed;   ///< per block, known displacements
+    std::span<const Contact> contacts;  ///< at the start of the step
+    /// Per contact: what another look at the step found, null where there was none. A place to start from.
+    std::span<const JudgedContact* const> guess;
+    std::span<const ContactSprings> springs;
+    std::span<const BoltSpring> bolts;
+    std::span<const double> bolt_force;  ///< at the start of the step, N per metre
+    double smallest_force = 0;           ///< N per metre, below which force differences are rounding
 };
 
 }  // namespace dda

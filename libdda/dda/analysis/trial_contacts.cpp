@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "dda/contact/detect.hpp"
-#include "dda/contact/known_depth.hpp"
 
 namespace dda {
 
@@ -17,10 +16,7 @@ bool within(double force, const Strength& bounds) {
 
 }  // namespace
 
-TrialContacts::TrialContacts(const StepProblem& problem, const Crew& crew)
-    : p_(problem),
-      crew_(crew),
-      known_depth_(known_depths(problem.model, problem.blocks.vertices, problem.contacts)) {
+TrialContacts::TrialContacts(const StepProblem& problem, const Crew& crew) : p_(problem), crew_(crew) {
     trials_.reserve(p_.contacts.size());
     for (std::size_t k = 0; k < p_.contacts.size(); ++k) trials_.push_back(started(k));
     yielding_.assign(p_.bolts.size(), 0);
@@ -40,6 +36,13 @@ TrialContacts::Trial TrialContacts::started(std::size_t k) const {
     if (trial.pressed) trial.bounds = bounds_of(contact, contact.normal_force);
     trial.held_force = contact.shear_force;
     trial.forward = contact.shear_force >= 0;
+    if (const JudgedContact* guess = p_.guess[k]; guess != nullptr && trial.may_close) {
+        trial.pressed = guess->state != ContactState::open;
+        trial.locked = guess->state == ContactState::locked;
+        trial.held_force = guess->shear_force;
+        trial.forward = guess->shear_force >= 0;
+        trial.bounds = bounds_of(contact, guess->normal_force);
+    }
     return trial;
 }
 
@@ -158,13 +161,14 @@ void TrialContacts::choose_lines() {
         const auto g = static_cast<std::size_t>(group);
         if (chosen_.size() <= g) chosen_.resize(g + 1, trials_.size());
         std::size_t& best = chosen_[g];
-        const auto entered = [&](std::size_t line) { return gap(line) + known_depth_[line]; };
+        const auto entered = [&](std::size_t line) { return gap(line) + p_.contacts[line].known_depth; };
         if (best == trials_.size() || entered(k) > entered(best)) best = k;
     }
     for (std::size_t k = 0; k < trials_.size(); ++k) {
         const int group = p_.contacts[k].group;
         if (group >= 0 && !p_.contacts[k].held_back)
-            trials_[k].may_close = chosen_[static_cast<std::size_t>(group)] == k;
+            trials_[k].may_close =
+                p_.contacts[chosen_[static_cast<std::size_t>(group)]].line == p_.contacts[k].line;
     }
 }
 

@@ -115,7 +115,6 @@ class TrialContacts {
 
     const StepProblem& p_;
     const Crew& crew_;
-    std::vector<double> known_depth_;  ///< per contact, m
     std::vector<Trial> trials_;
     std::vector<int> yielding_;        ///< per bolt: the sign of its yielding force, 0 when elastic
     std::vector<double> elongation_;   ///< per bolt, of the step, m

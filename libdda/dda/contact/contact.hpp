@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -25,10 +26,13 @@ struct Contact {
     ContactKind kind = ContactKind::vertex_edge;
     int joint_material = 0;
     int joint = -1;  ///< the joint's id, or -1 between faces that are no joint's
-    int group =
-        -1;  ///< vertex-vertex: contacts of one group share a pair of corners, and at most one of them closes
+    int group = -1;  ///< vertex-vertex: contacts of one group share a pair of corners, and at most one line
+                     ///< of them closes
+    int line = 0;    ///< in the group: both ends of a short overlap have the same
     bool held_back = false;  ///< another line of its group carries force: this one cannot close in this step
-    double length = 0;       ///< m, share of the joint for cohesion and stress; 0 for a bare vertex
+    double known_depth =
+        0;              ///< m, of its corners in faces along its line, borne by contacts when it was found
+    double length = 0;  ///< m, share of the joint for cohesion and stress; 0 for a bare vertex
 
     Vec2 point = Vec2::Zero();  ///< the corner's position at the state's time, m
     Vec2 normal = Vec2::Zero();
@@ -46,6 +50,12 @@ struct Contact {
     bool bonded = false;      ///< the joint bears tension here
     JointHistory history;
 };
+
+/// The order of a list of contacts: by blocks, then by corner and edge.
+inline bool comes_before(const Contact& a, const Contact& b) {
+    return std::tie(a.corner_block, a.edge_block, a.corner, a.edge) <
+           std::tie(b.corner_block, b.edge_block, b.corner, b.edge);
+}
 
 /// A corner and an edge of another block that may meet before anything has moved half the skin.
 struct CornerEdge {

@@ -2,24 +2,28 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 #include "dda/contact/candidates.hpp"
+#include "dda/contact/known_depth.hpp"
 
 namespace dda {
 
 namespace {
 
-auto sort_key(const Contact& c) {
-    return std::tuple(c.corner_block, c.edge_block, c.corner, c.edge);
-}
-
 /// A contact in the making: what selection among a group needs besides the contact.
 struct Entry {
     Contact contact;
-    double inside = 0;   ///< m, projection inside the ends
-    int partner = -1;    ///< the edge's end that the corner is near, or -1
-    bool holds = false;  ///< it carried force at the end of the last step, and its corner is on its edge
+    double inside = 0;    ///< m, projection inside the ends where the corner is expected to go
+    int partner = -1;     ///< the edge's end that the corner is near, or -1
+    bool holds = false;   ///< it carried force at the end of the last step, and its corner is on its edge
+    bool stays = false;   ///< and is expected to stay on it
+    bool behind = false;  ///< open, and its corner is behind it: it did not come in here
+};
+
+/// Entries of one pair of corners whose normals are parallel.
+struct Line {
+    const Entry* best = nullptr;
+    bool holds = false;
 };
 
 /// How far past its edge's end a corner may be and still be on it, as a share of the edge: the ends of two
@@ -27,20 +31,13 @@ struct Entry {
 /// would never come to rest.
 constexpr double end_slack = 1e-6;
 
-/// How far the gaps of two nearly parallel lines at a pair of corners may differ and still be those of one
-/// line, as a share of the reach.
-constexpr double same_line = 1e-6;
-
 class Detector {
   public:
-    Detector(const Model& model, std::span<const Vec2> vertices, double reach,
-             std::span<const Contact> previous, std::span<const CornerEdge> entering)
+    Detector(const Model& model, const Detection& detection)
         : model_(model),
           topology_(model.topology),
-          vertices_(vertices),
-          reach_(reach),
-          previous_(previous),
-          entering_(entering) {}
+          d_(detection),
+          known_(model.topology, d_.vertices, d_.previous, d_.reach) {}
 
     /// Fills the entry for a candidate. @return whether it is a contact at all.
     bool examine(const CornerEdge& candidate, Entry& entry) const {
@@ -53,14 +50,14 @@ class Detector {
         contact.corner_block = topology_.block_of[index(corner)];
         contact.edge_block = topology_.block_of[index(edge)];
         const Contact* old = find_previous(contact);
-        const bool enters = std::binary_search(entering_.begin(), entering_.end(), candidate);
+        const bool enters = std::binary_search(d_.entering.begin(), d_.entering.end(), candidate);
         if (!enters) {
-            if (old == nullptr && distance_to_segment(vertex, at(edge), at(next(edge))) > reach_)
+            if (old == nullptr && distance_to_segment(vertex, at(edge), at(next(edge))) > d_.reach)
                 return false;
             // What bears force keeps the corner out until it opens or slides off the edge.
             const bool bears = old != nullptr && old->state != ContactState::open &&
                                geometry.inside() >= -end_slack * geometry.length;
-            if (!bears && !faces_outwards(topology_, vertices_, corner, geometry.normal)) return false;
+            if (!bears && !faces_outwards(topology_, d_.vertices, corner, geometry.normal)) return false;
         }
 
         contact.point = vertex;
@@ -69,57 +66,72 @@ class Detector {
         contact.gap = geometry.gap;
         contact.joint_material = joint_material_of(corner, edge);
         contact.joint = topology_.joint[index(edge)];
-        entry.inside = geometry.inside();
-        entry.holds = old != nullptr && old->state != ContactState::open &&
-                      entry.inside >= -end_slack * geometry.length;
         const int end = geometry.along < geometry.length / 2 ? edge : next(edge);
-        entry.partner = !enters && (vertex - at(end)).norm() <= reach_ && !is_reflex(end) ? end : -1;
+        const bool closed = old != nullptr && old->state != ContactState::open;
+        contact.known_depth =
+            std::max(known_.along(corner, geometry.normal), known_.along(end, -geometry.normal));
+        entry.inside = corner_edge_geometry(expected(corner), expected(edge), expected(next(edge))).inside();
+        entry.holds = closed && geometry.inside() >= -end_slack * geometry.length;
+        entry.stays = entry.holds && entry.inside >= -end_slack * geometry.length;
+        entry.behind = !closed && !enters && contact.gap < -(d_.rounding + 2 * contact.known_depth);
+        entry.partner = !enters && (vertex - at(end)).norm() <= d_.reach && !is_reflex(end) ? end : -1;
         return true;
     }
 
-    /// The contacts of one pair of corners: one for each distinct line, with a common group.
+    /// The contacts of one pair of corners, with a common group where they have more than one line: one for
+    /// each line, or one for each corner where both are in the other's face.
     void resolve_group(std::span<Entry> members, int group, std::vector<Contact>& out) const {
-        const std::size_t first = out.size();
-        std::vector<const Entry*> lines;
+        std::vector<Line> lines;
         for (const Entry& entry : members) {
-            const auto same = std::find_if(lines.begin(), lines.end(), [&](const Entry* line) {
-                return std::abs(cross(line->contact.normal, entry.contact.normal)) < parallel_tolerance;
+            const auto same = std::find_if(lines.begin(), lines.end(), [&](const Line& line) {
+                return std::abs(cross(line.best->contact.normal, entry.contact.normal)) < parallel_tolerance;
             });
-            if (same == lines.end()) {
-                lines.push_back(&entry);
-            } else if (better(entry, **same)) {
-                *same = &entry;
+            Line& line = same == lines.end() ? lines.emplace_back() : *same;
+            if (line.best == nullptr || better(entry, *line.best)) line.best = &entry;
+            line.holds = line.holds || entry.holds;
+        }
+        const auto holder =
+            std::find_if(lines.begin(), lines.end(), [](const Line& line) { return line.holds; });
+        for (std::size_t k = 0; k < lines.size(); ++k) {
+            const Line& line = lines[k];
+            std::vector<Contact> contacts{line.best->contact};
+            const Entry* other = overlaps(*line.best) ? other_corner(members, *line.best) : nullptr;
+            if (other == nullptr) {
+                contacts[0].length =
+                    shared_length(contacts[0].corner, line.best->partner, contacts[0].tangent);
+            } else {
+                contacts.push_back(other->contact);
+                for (Contact& contact : contacts) contact.length = overlap_length(contact);
+            }
+            for (Contact& contact : contacts) {
+                contact.kind = contact.length > 0 ? ContactKind::edge_edge : ContactKind::vertex_vertex;
+                if (lines.size() > 1) contact.group = group;
+                contact.line = static_cast<int>(k);
+                // A line that holds keeps the group, however deep: the others cannot close.
+                contact.held_back = holder != lines.end() && &*holder != &line;
+                out.push_back(contact);
             }
         }
-        for (const Entry* line : lines) {
-            Contact contact = line->contact;
-            contact.group = lines.size() > 1 ? group : -1;
-            contact.length = shared_length(contact.corner, line->partner, contact.tangent);
-            contact.kind = contact.length > 0 ? ContactKind::edge_edge : ContactKind::vertex_vertex;
-            out.push_back(contact);
-        }
-        keep_what_carries(lines, std::span(out).subspan(first));
     }
 
     void resolve_single(const Entry& entry, std::vector<Contact>& out) const {
         Contact contact = entry.contact;
-        for (const int a : {contact.corner, previous(contact.corner)})
-            contact.length += half_overlap(a, contact.edge);
+        contact.length = overlap_length(contact);
         contact.kind = contact.length > 0 ? ContactKind::edge_edge : ContactKind::vertex_edge;
         out.push_back(contact);
     }
 
   private:
     static std::size_t index(int k) { return static_cast<std::size_t>(k); }
-    const Vec2& at(int corner) const { return vertices_[index(corner)]; }
+    const Vec2& at(int corner) const { return d_.vertices[index(corner)]; }
+    /// Where a corner is expected at the step's end.
+    Vec2 expected(int corner) const { return 2 * d_.half_way[index(corner)] - at(corner); }
     int next(int corner) const { return topology_.next[index(corner)]; }
     int previous(int corner) const { return topology_.previous[index(corner)]; }
 
     const Contact* find_previous(const Contact& contact) const {
-        const auto found =
-            std::lower_bound(previous_.begin(), previous_.end(), contact,
-                             [](const Contact& a, const Contact& b) { return sort_key(a) < sort_key(b); });
-        return found != previous_.end() && sort_key(*found) == sort_key(contact) ? &*found : nullptr;
+        const auto found = std::lower_bound(d_.previous.begin(), d_.previous.end(), contact, comes_before);
+        return found != d_.previous.end() && !comes_before(contact, *found) ? &*found : nullptr;
     }
 
     bool is_reflex(int corner) const {
@@ -138,22 +150,39 @@ class Detector {
         return model_.default_joint_material;
     }
 
-    /// Whether `a` is to stand for its line rather than `b`: the one that holds; then the one with the larger
-    /// gap, since the blocks are apart as long as one of them is open; where they are the same line, the one
-    /// whose corner projects farther inside; a tie, as where two corners coincide, goes to the earlier.
+    /// Whether `a` is to stand for its line rather than `b`: of two faces along each other only the corner
+    /// that ends within the other face can touch it. One that is behind did not come in there; one that holds
+    /// stays while it can; a tie, as where two corners coincide, goes to the earlier.
     bool better(const Entry& a, const Entry& b) const {
-        if (a.holds != b.holds) return a.holds;
-        const double ahead = a.contact.gap - b.contact.gap;
-        if (std::abs(ahead) > same_line * reach_) return ahead > 0;
-        return a.inside > b.inside + 1e-9 * reach_;
+        if (a.behind != b.behind) return b.behind;
+        if (a.stays != b.stays) return a.stays;
+        return a.inside > b.inside + 1e-9 * d_.reach;
     }
 
-    /// A line that holds keeps the group, however deep: the others cannot close.
-    static void keep_what_carries(std::span<const Entry* const> lines, std::span<Contact> contacts) {
-        const auto holder =
-            std::find_if(lines.begin(), lines.end(), [](const Entry* line) { return line->holds; });
-        if (holder == lines.end()) return;
-        for (std::size_t k = 0; k < lines.size(); ++k) contacts[k].held_back = lines[k] != *holder;
+    /// Whether the corner is expected to be well within its edge's ends, and did not come there from behind.
+    bool overlaps(const Entry& entry) const {
+        const double length = (at(next(entry.contact.edge)) - at(entry.contact.edge)).norm();
+        return !entry.behind && entry.inside > end_slack * length;
+    }
+
+    /// Where two faces overlap by less than the reach both ends of the overlap are at one pair of corners:
+    /// the entry on the same line that overlaps and is of the other corner; null if there is none.
+    const Entry* other_corner(std::span<const Entry> members, const Entry& best) const {
+        const Entry* other = nullptr;
+        for (const Entry& entry : members) {
+            if (entry.contact.corner == best.contact.corner || !overlaps(entry) ||
+                entry.contact.normal.dot(best.contact.normal) > 0 ||
+                std::abs(cross(best.contact.normal, entry.contact.normal)) >= parallel_tolerance)
+                continue;
+            if (other == nullptr || better(entry, *other)) other = &entry;
+        }
+        return other;
+    }
+
+    /// The half overlaps of the corner's faces with its edge, m.
+    double overlap_length(const Contact& contact) const {
+        return half_overlap(contact.corner, contact.edge) +
+               half_overlap(previous(contact.corner), contact.edge);
     }
 
     /// Half the length over which two faces lie on each other, m: zero unless they run against each other.
@@ -181,10 +210,8 @@ class Detector {
 
     const Model& model_;
     const Topology& topology_;
-    std::span<const Vec2> vertices_;
-    double reach_;
-    std::span<const Contact> previous_;
-    std::span<const CornerEdge> entering_;
+    const Detection& d_;
+    KnownDepths known_;
 };
 
 }  // namespace
@@ -211,11 +238,9 @@ bool faces_outwards(const Topology& topology, std::span<const Vec2> vertices, in
            (leaving + arriving).dot(normal) > parallel_tolerance;
 }
 
-std::vector<Contact> detect_contacts(const Model& model, std::span<const Vec2> vertices,
-                                     std::span<const CornerEdge> candidates, double reach,
-                                     std::span<const Contact> previous, std::span<const CornerEdge> entering,
-                                     const Crew& crew) {
-    const Detector detector(model, vertices, reach, previous, entering);
+std::vector<Contact> detect_contacts(const Model& model, const Detection& at,
+                                     std::span<const CornerEdge> candidates, const Crew& crew) {
+    const Detector detector(model, at);
     std::vector<Entry> examined(candidates.size());
     std::vector<char> accepted(candidates.size(), 0);
     crew.for_ranges(candidates.size(), [&](std::size_t begin, std::size_t end) {
@@ -243,8 +268,7 @@ std::vector<Contact> detect_contacts(const Model& model, std::span<const Vec2> v
             members.push_back(examined[grouped[k].second]);
         detector.resolve_group(members, group, contacts);
     }
-    std::sort(contacts.begin(), contacts.end(),
-              [](const Contact& a, const Contact& b) { return sort_key(a) < sort_key(b); });
+    std::sort(contacts.begin(), contacts.end(), comes_before);
     return contacts;
 }
 

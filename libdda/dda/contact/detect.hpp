@@ -30,16 +30,24 @@ CornerEdgeGeometry corner_edge_geometry(const Vec2& corner, const Vec2& first, c
 /// edges, and the side they enclose, which decides for a straight corner.
 bool faces_outwards(const Topology& topology, std::span<const Vec2> vertices, int corner, const Vec2& normal);
 
+/// What contacts are detected from.
+struct Detection {
+    std::span<const Vec2> vertices;          ///< per corner, m
+    std::span<const Vec2> half_way;          ///< where they are expected half-way through the step
+    double reach = 0;                        ///< m, how far apart a corner and an edge may be and still meet
+    double rounding = 0;                     ///< m, depth behind a line that means nothing
+    std::span<const Contact> previous = {};  ///< sorted, at the same instant
+    /// Sorted pairs known to meet in this step though they could not touch at these positions: they become
+    /// contacts of their own, in no group.
+    std::span<const CornerEdge> entering = {};
+};
+
 /// The contacts among the candidates at the given positions: corners at most `reach` from an edge that they
 /// can touch, that is, with both their edges on its outer side. Corners near an end of the edge are
 /// vertex-vertex contacts, in groups: Shi's first-entrance rule lets the line that is crossed last carry the
 /// contact. An edge-edge contact comes out as one contact at each end of the overlap. Contacts of `previous`
 /// stay while they are candidates. States, forces and histories are the caller's (transfer_contacts).
-/// @param entering sorted pairs known to meet in this step though they could not touch at these positions:
-/// contacts of their own, in no group.
-std::vector<Contact> detect_contacts(const Model& model, std::span<const Vec2> vertices,
-                                     std::span<const CornerEdge> candidates, double reach,
-                                     std::span<const Contact> previous, std::span<const CornerEdge> entering,
-                                     const Crew& crew);
+std::vector<Contact> detect_contacts(const Model& model, const Detection& at,
+                                     std::span<const CornerEdge> candidates, const Crew& crew);
 
 }  // namespace dda

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <utility>
 
 #include "dda/contact/detect.hpp"
+#include "dda/contact/known_depth.hpp"
 
 namespace dda {
 
@@ -23,8 +23,8 @@ struct Crossing {
 
 class Search {
   public:
-    Search(const Topology& topology, std::span<const Vec2> before, std::span<const Vec2> after, double reach)
-        : topology_(topology), before_(before), after_(after), reach_(reach) {}
+    Search(const Topology& topology, const Ways& ways, double reach)
+        : topology_(topology), ways_(ways), reach_(reach) {}
 
     /// Whether the corner got deeper than `allowed` into the block, or than `clipped` through it.
     bool intrudes(Encounter encounter, double allowed, double clipped, Intrusion& found) const {
@@ -33,9 +33,12 @@ class Search {
         const bool inside = found.depth > allowed && found.depth < reach_;
         double first_in = 2;
         double last_out = -1;
+        bool passed = false;              // in by one edge and out by another
         std::pair entrance(false, -1.0);  // one that it could touch, then the latest
         for (const CornerEdge& pair : encounter) {
+            int inwards = 0;
             for_crossings(pair, allowed, [&](const Crossing& crossing) {
+                inwards += crossing.inwards ? 1 : -1;
                 if (!crossing.inwards) {
                     last_out = std::max(last_out, crossing.time);
                     return;
@@ -46,13 +49,14 @@ class Search {
                 entrance = candidate;
                 found.pair = pair;
             });
+            passed = passed || inwards != 0;
         }
         if (inside && entrance.second < 0) {
             found.pair = end.nearest;
             return found.depth > place(encounter, 0).depth + allowed;
         }
         if (inside) return true;
-        if (first_in >= last_out) return false;
+        if (!passed || first_in >= last_out) return false;
         found.through = true;
         found.depth = place(encounter, (first_in + last_out) / 2).depth;
         return found.depth > std::max(allowed, clipped);
@@ -61,9 +65,12 @@ class Search {
   private:
     static std::size_t index(int k) { return static_cast<std::size_t>(k); }
     int next(int corner) const { return topology_.next[index(corner)]; }
-    /// A corner's place after a share of the step.
+    const Vec2& before(int corner) const { return ways_.before[index(corner)]; }
+    const Vec2& after(int corner) const { return ways_.after[index(corner)]; }
+    /// A corner's place after a share of the step, on the parabola through its three places.
     Vec2 at(int corner, double time) const {
-        return before_[index(corner)] + time * (after_[index(corner)] - before_[index(corner)]);
+        const Vec2 sag = ways_.half_way[index(corner)] - (before(corner) + after(corner)) / 2;
+        return before(corner) + time * (after(corner) - before(corner)) + 4 * time * (1 - time) * sag;
     }
 
     struct Place {
@@ -105,10 +112,10 @@ class Search {
     /// no deeper than `allowed` before the step is taken to be on the edge.
     template <class Visit>
     void for_crossings(const CornerEdge& pair, double allowed, const Visit& visit) const {
-        const Vec2 arm = at(pair.corner, 0) - at(pair.edge, 0);
-        const Vec2 along = at(next(pair.edge), 0) - at(pair.edge, 0);
-        const Vec2 arm_rate = at(pair.corner, 1) - at(pair.edge, 1) - arm;
-        const Vec2 along_rate = at(next(pair.edge), 1) - at(pair.edge, 1) - along;
+        const Vec2 arm = before(pair.corner) - before(pair.edge);
+        const Vec2 along = before(next(pair.edge)) - before(pair.edge);
+        const Vec2 arm_rate = after(pair.corner) - after(pair.edge) - arm;
+        const Vec2 along_rate = after(next(pair.edge)) - after(pair.edge) - along;
         const double a = cross(along_rate, arm_rate);
         const double b = cross(along, arm_rate) + cross(along_rate, arm);
         double c = cross(along, arm);
@@ -126,56 +133,25 @@ class Search {
     }
 
     bool could_touch(const CornerEdge& pair) const {
-        const Vec2 normal = corner_edge_geometry(after_[index(pair.corner)], after_[index(pair.edge)],
-                                                 after_[index(next(pair.edge))])
-                                .normal;
-        return faces_outwards(topology_, after_, pair.corner, normal);
+        const Vec2 normal =
+            corner_edge_geometry(after(pair.corner), after(pair.edge), after(next(pair.edge))).normal;
+        return faces_outwards(topology_, ways_.after, pair.corner, normal);
     }
 
     const Topology& topology_;
-    std::span<const Vec2> before_;
-    std::span<const Vec2> after_;
+    const Ways& ways_;
     double reach_;
-};
-
-/// The depth in a block that closed contacts account for, by (corner, block): of the contact's corner, and of
-/// the end of its edge that the corner is near, since only one contact stands for two corners on each other.
-class KnownDepths {
-  public:
-    KnownDepths(const Topology& topology, std::span<const Vec2> vertices, std::span<const Contact> contacts) {
-        for (const Contact& contact : contacts) {
-            if (contact.state == ContactState::open) continue;
-            const int second = topology.next[static_cast<std::size_t>(contact.edge)];
-            const double to_first = (contact.point - vertices[static_cast<std::size_t>(contact.edge)]).norm();
-            const double to_second = (contact.point - vertices[static_cast<std::size_t>(second)]).norm();
-            const int partner = to_first < to_second ? contact.edge : second;
-            const double depth = std::max(-contact.gap, contact.rest_gap - contact.gap);
-            note({contact.corner, contact.edge_block}, depth);
-            note({partner, contact.corner_block}, depth);
-        }
-    }
-    double of(int corner, int block) const {
-        const auto found = depths_.find({corner, block});
-        return found == depths_.end() ? 0 : found->second;
-    }
-
-  private:
-    void note(const std::pair<int, int>& key, double depth) {
-        double& known = depths_[key];
-        known = std::max(known, depth);
-    }
-    std::map<std::pair<int, int>, double> depths_;
 };
 
 }  // namespace
 
-std::vector<Intrusion> find_intrusions(const Model& model, std::span<const Vec2> before,
-                                       std::span<const Vec2> after, std::span<const CornerEdge> candidates,
+std::vector<Intrusion> find_intrusions(const Model& model, const Ways& ways,
+                                       std::span<const CornerEdge> candidates,
                                        std::span<const Contact> contacts, double reach, double slack,
                                        double clipped, const Crew& crew) {
     const Topology& topology = model.topology;
     const auto block_of = [&](int corner) { return topology.block_of[static_cast<std::size_t>(corner)]; };
-    const KnownDepths known(topology, after, contacts);
+    const KnownDepths known(topology, ways.after, contacts, reach);
 
     std::vector<Encounter> encounters;
     for (std::size_t k = 0; k < candidates.size();) {
@@ -187,13 +163,13 @@ std::vector<Intrusion> find_intrusions(const Model& model, std::span<const Vec2>
         k = end;
     }
 
-    const Search search(topology, before, after, reach);
+    const Search search(topology, ways, reach);
     std::vector<Intrusion> found(encounters.size());
     std::vector<char> intrudes(encounters.size(), 0);
     crew.for_ranges(encounters.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) {
             const auto& [corner, edge] = encounters[k].front();
-            const double allowed = slack + 2 * known.of(corner, block_of(edge));
+            const double allowed = slack + 2 * known.in_block(corner, block_of(edge));
             intrudes[k] = search.intrudes(encounters[k], allowed, clipped, found[k]) ? 1 : 0;
         }
     });

@@ -8,12 +8,34 @@
 
 namespace dda {
 
-/// How deep, m, each vertex-vertex line's pair of corners is in a face along that line already: 0 where it is
-/// in none, and for contacts of no group. A corner that slides from one block's face onto its neighbour's is
-/// as deep in the second, when it gets there, as it was in the first; that depth is no reason to meet the
-/// neighbour's side (theory, Eq. (28)).
-/// @param vertices, contacts at the same instant; the forces are those of the contacts' states.
-std::vector<double> known_depths(const Model& model, std::span<const Vec2> vertices,
-                                 std::span<const Contact> contacts);
+/// How deep corners are in what bears them. A closed contact tells it of its corner, and of the end of its
+/// edge where that is within reach of the corner: of two corners on each other only one has a contact.
+class KnownDepths {
+  public:
+    /// @param vertices, contacts at the same instant; @param reach m, see detect_contacts.
+    KnownDepths(const Topology& topology, std::span<const Vec2> vertices, std::span<const Contact> contacts,
+                double reach);
+
+    /// The depth, m, of a corner in faces that lie along a line with that normal, which points away from the
+    /// face's rock; 0 where nothing bears it. A corner that slides from one block's face onto its neighbour's
+    /// is as deep in the second, when it gets there, as it was in the first: that depth is no reason to think
+    /// that it came through another face.
+    double along(int corner, const Vec2& normal) const;
+    /// Likewise in a block, whatever the face. An augmented contact tells of what its spring gives, if that
+    /// is more.
+    double in_block(int corner, int block) const;
+
+  private:
+    struct Entry {
+        int corner = 0;
+        int block = 0;  ///< whose face bears it
+        Vec2 normal = Vec2::Zero();
+        double depth = 0;         ///< m
+        double spring_depth = 0;  ///< m, by which the contact's spring is compressed
+    };
+    std::span<const Entry> entries_of(int corner) const;
+
+    std::vector<Entry> entries_;  ///< by corner
+};
 
 }  // namespace dda

@@ -3,17 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tuple>
 
 #include "dda/contact/detect.hpp"
 
 namespace dda {
 
 namespace {
-
-auto sort_key(const Contact& c) {
-    return std::tuple(c.corner_block, c.edge_block, c.corner, c.edge);
-}
 
 /// How much deeper than its donor a contact may be, beyond twice that depth, as a share of the way that
 /// contacts move: rounding, and the strain of a step.
@@ -117,8 +112,8 @@ void transfer_contacts(const Model& model, std::span<const Contact> old, double 
     std::vector<const Contact*> donors;
     auto from = old.begin();
     for (std::size_t k = 0; k < contacts.size(); ++k) {
-        while (from != old.end() && sort_key(*from) < sort_key(contacts[k])) donors.push_back(&*from++);
-        if (from != old.end() && sort_key(*from) == sort_key(contacts[k])) {
+        while (from != old.end() && comes_before(*from, contacts[k])) donors.push_back(&*from++);
+        if (from != old.end() && !comes_before(contacts[k], *from)) {
             hand_over(*from++, contacts[k]);
         } else {
             orphans.push_back(k);
@@ -158,31 +153,6 @@ void transfer_contacts(const Model& model, std::span<const Contact> old, double 
             break;
         }
     }
-}
-
-CornerDepths::CornerDepths(const Topology& topology, std::span<const Vec2> vertices,
-                           std::span<const Contact> contacts)
-    : topology_(topology), vertices_(vertices), depth_(vertices.size(), 0.0) {
-    for (const Contact& contact : contacts) {
-        if (contact.state == ContactState::open) continue;
-        for (const int corner : {contact.corner, nearer_end(contact)}) {
-            double& depth = depth_[static_cast<std::size_t>(corner)];
-            depth = std::max(depth, -contact.gap);
-        }
-    }
-}
-
-double CornerDepths::of(const Contact& contact) const {
-    return std::max(depth_[static_cast<std::size_t>(contact.corner)],
-                    depth_[static_cast<std::size_t>(nearer_end(contact))]);
-}
-
-int CornerDepths::nearer_end(const Contact& contact) const {
-    const auto distance = [&](int corner) {
-        return (contact.point - vertices_[static_cast<std::size_t>(corner)]).squaredNorm();
-    };
-    const int second = topology_.next[static_cast<std::size_t>(contact.edge)];
-    return distance(contact.edge) < distance(second) ? contact.edge : second;
 }
 
 }  // namespace dda

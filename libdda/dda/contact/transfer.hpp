@@ -19,21 +19,4 @@ namespace dda {
 void transfer_contacts(const Model& model, std::span<const Contact> old, double moved, bool first_step,
                        std::vector<Contact>& contacts);
 
-/// How deep corners are in what bears them: each closed contact tells for its corner and for the end of its
-/// edge that is nearer.
-class CornerDepths {
-  public:
-    CornerDepths(const Topology& topology, std::span<const Vec2> vertices, std::span<const Contact> contacts);
-    /// The larger of the depths of a contact's corner and of the nearer end of its edge, m; 0 where nothing
-    /// bears them.
-    double of(const Contact& contact) const;
-
-  private:
-    int nearer_end(const Contact& contact) const;
-
-    const Topology& topology_;
-    std::span<const Vec2> vertices_;
-    std::vector<double> depth_;  ///< per corner
-};
-
 }  // namespace dda

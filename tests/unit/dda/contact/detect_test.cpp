@@ -13,7 +13,8 @@ using dda::ContactKind;
 
 std::vector<Contact> detect(const Scene& s, double reach = .01) {
     const auto candidates = dda::find_candidates(s.model, s.model.vertices, 2 * reach);
-    return dda::detect_contacts(s.model, s.model.vertices, candidates, reach, {}, {}, dda::Crew(1));
+    return dda::detect_contacts(s.model, {s.model.vertices, s.model.vertices, reach}, candidates,
+                                dda::Crew(1));
 }
 
 double total_length(const std::vector<Contact>& contacts) {

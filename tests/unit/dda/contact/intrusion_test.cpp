@@ -14,6 +14,16 @@ using dda::Intrusion;
 constexpr double slack = 1e-9;
 constexpr double clipped = 1e-5;
 
+/// All points move straight.
+std::vector<Intrusion> intrusions(const Scene& s, const std::vector<Vec2>& moved,
+                                  const std::vector<dda::CornerEdge>& candidates,
+                                  const std::vector<Contact>& contacts) {
+    std::vector<Vec2> half_way;
+    for (std::size_t k = 0; k < moved.size(); ++k) half_way.push_back((s.model.vertices[k] + moved[k]) / 2);
+    return dda::find_intrusions(s.model, {s.model.vertices, half_way, moved}, candidates, contacts, 1, slack,
+                                clipped, dda::Crew(1));
+}
+
 /// A plate 2 cm thick, its upper face y = 0 edge 2; a block above it moves as told, corner by corner.
 class Intrusions : public testing::Test {
   protected:
@@ -24,9 +34,7 @@ class Intrusions : public testing::Test {
     std::vector<Intrusion> after(const std::vector<Vec2>& block, const std::vector<Contact>& contacts = {}) {
         std::vector<Vec2> moved = s.model.vertices;
         std::copy(block.begin(), block.end(), moved.begin() + 4);
-        const auto candidates = dda::find_candidates(s.model, s.model.vertices, 1);
-        return dda::find_intrusions(s.model, s.model.vertices, moved, candidates, contacts, 1, slack, clipped,
-                                    dda::Crew(1));
+        return intrusions(s, moved, dda::find_candidates(s.model, s.model.vertices, 1), contacts);
     }
     /// A closed contact of corner 4 with the plate's upper face.
     static Contact contact(double depth) {
@@ -79,6 +87,25 @@ TEST_F(Intrusions, ACornerThatIsOutAgainWentThrough) {
     EXPECT_NEAR(found[0].depth, .01, 1e-15) << "half-way through the plate";
 }
 
+TEST_F(Intrusions, ACornerThatDipsInAndOutByOneEdgePassesNothing) {
+    // The plate's middle swings up past the corner and back: the plate turns as it slides.
+    s.model.vertices[0] = {-1, -.12};
+    s.model.vertices[3] = {-1, -.1};
+    s.model.vertices[4] = {.5, -.02};
+    s.model.vertices[5] = {.7, .2};
+    s.model.vertices[6] = {.3, .2};
+    std::vector<Vec2> moved = s.model.vertices;
+    moved[0] = {-1, -.02};
+    moved[3] = {-1, 0};
+    moved[1] = {1, -.12};
+    moved[2] = {1, -.1};
+    moved[4] = {-.5, -.02};
+    moved[5] = {-.3, .2};
+    moved[6] = {-.7, .2};
+    const auto candidates = dda::find_candidates(s.model, s.model.vertices, 1);
+    EXPECT_TRUE(intrusions(s, moved, candidates, {}).empty());
+}
+
 TEST_F(Intrusions, ACornerMayClipAnotherByLittle) {
     // Corner 4 goes past the plate's upper right corner (1, 0), from above it to beside it.
     const auto past = [&](double clip) {
@@ -120,8 +147,7 @@ TEST_F(Intrusions, AWallOfAHoleIsLikeAnyOther) {
     std::vector<Vec2> moved = holed.model.vertices;
     for (std::size_t k = 8; k < 12; ++k) moved[k] += Vec2(.6, 0);
     const auto candidates = dda::find_candidates(holed.model, holed.model.vertices, 1);
-    const auto found = dda::find_intrusions(holed.model, holed.model.vertices, moved, candidates, {}, 1,
-                                            slack, clipped, dda::Crew(1));
+    const auto found = intrusions(holed, moved, candidates, {});
     ASSERT_EQ(found.size(), 2U) << "both right corners";
     for (const Intrusion& intrusion : found) {
         EXPECT_NEAR(intrusion.depth, .1, 1e-15);
