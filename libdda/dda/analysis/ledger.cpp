@@ -39,10 +39,9 @@ double contact_energy(const Model& model, const std::vector<Contact>& contacts) 
     double sum = 0;
     for (const Contact& contact : contacts) {
         if (contact.state == ContactState::open || model.augments(contact.joint_material)) continue;
-        const JointMaterial& material = model.joint_material_at(contact.joint_material);
-        sum += spring_energy(contact.normal_force,
-                             material.normal_spring(model.normal_penalty, contact.length)) +
-               spring_energy(contact.shear_force, material.shear_spring(model.shear_penalty, contact.length));
+        sum +=
+            spring_energy(contact.normal_force, model.normal_spring(contact.joint_material, contact.length)) +
+            spring_energy(contact.shear_force, model.shear_spring(contact.joint_material, contact.length));
     }
     return sum;
 }

@@ -30,6 +30,12 @@ constexpr double unseen_depth = 1e-9;
 /// arcs and parabolas differ by, and strain moves the corners of a joint by less than this.
 constexpr double clipped_depth = 1e-5;
 
+/// s, in which a spring's gap of rest, where a contact came into being inside a face or took over another's
+/// force, falls by e. Springs that took their full depth at once would shake the blocks, and to and fro would
+/// pump energy into them; ones that never did would let a block sink deeper with every face that it slides on
+/// to. In a static stage nothing shakes, and springs take their depth at once.
+constexpr double rest_gap_time = 5;
+
 double extent(std::span<const Vec2> vertices, int axis) {
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
@@ -229,7 +235,7 @@ TimeStepper::Step TimeStepper::prepare(const Stage& stage, const State& state, d
     step.newmark = {stage.newmark_beta, stage.newmark_gamma, dt};
     step.prescribed = prescribe_motion(model_, stage, state.blocks, dt, state.stage_time + dt);
     step.mid = predict_mid_step(model_, state.blocks, look.predicted);
-    step.contacts = contacts_at(state, step.mid, look);
+    step.contacts = contacts_at(stage, state, dt, step.mid, look);
     step.springs =
         contact_springs(model_, rows_, step.mid, step.prescribed.displacement, step.contacts.contacts, crew_);
     step.bolts = bolt_springs(model_, rows_, step.mid, step.prescribed.displacement);
@@ -239,7 +245,8 @@ TimeStepper::Step TimeStepper::prepare(const Stage& stage, const State& state, d
     return step;
 }
 
-ContactSet TimeStepper::contacts_at(const State& state, const MidStep& mid, const Look& look) const {
+ContactSet TimeStepper::contacts_at(const Stage& stage, const State& state, double dt, const MidStep& mid,
+                                    const Look& look) const {
     const double reach = look.reach;
     const double rounding = unseen_depth * edge_length_ + rounding_;
     const std::vector<Vec2>& vertices = state.blocks.vertices;
@@ -264,15 +271,16 @@ ContactSet TimeStepper::contacts_at(const State& state, const MidStep& mid, cons
     set.contacts = detect_contacts(model_, {vertices, mid.vertices, reach, rounding, old, look.entering},
                                    set.candidates, crew_);
     transfer_contacts(model_, old, reach, state.step_count == 0, set.contacts);
+    const double kept_rest_gap = stage.kind == StageKind::dynamic ? std::exp(-dt / rest_gap_time) : 0;
     for (Contact& c : set.contacts) {
         const bool enters =
             std::binary_search(look.entering.begin(), look.entering.end(), CornerEdge{c.corner, c.edge});
-        // What has been inside without a contact is kept from getting deeper, and gains no energy.
-        if (enters && c.state == ContactState::open) c.rest_gap = std::min(c.gap, 0.0);
-        // The force follows from the geometry, also where the contact took over from another line.
-        const double force =
-            -model_.joint_material_at(c.joint_material).normal_spring(model_.normal_penalty, c.length) *
-            (c.gap - c.rest_gap);
+        // What is inside without a force is kept from getting deeper, and gains no energy.
+        if (c.state == ContactState::open)
+            c.rest_gap = std::min(c.gap, 0.0);
+        else if (!model_.augments(c.joint_material))
+            c.rest_gap *= kept_rest_gap;
+        const double force = -model_.normal_spring(c.joint_material, c.length) * (c.gap - c.rest_gap);
         c.normal_force = c.state != ContactState::open && (force > 0 || c.bonded) ? force : 0;
         // A corner enters through a line that it was outside of: one that is open and behind the line belongs
         // elsewhere. Sliding on to a neighbour's face it is as far behind that as it is in the face it

@@ -49,7 +49,8 @@ class TimeStepper {
     double first_reach(const State& state, double dt) const;
     Step prepare(const Stage& stage, const State& state, double dt, const Look& look);
     /// The contacts at the state's positions, with what the state's contacts carried.
-    ContactSet contacts_at(const State& state, const MidStep& mid, const Look& look) const;
+    ContactSet contacts_at(const Stage& stage, const State& state, double dt, const MidStep& mid,
+                           const Look& look) const;
     /// Corners that got into another block in a step without a contact.
     std::vector<Intrusion> intrusions(const State& before, const State& after,
                                       std::span<const Vec6> displacement, double reach) const;

@@ -161,7 +161,7 @@ void TrialContacts::choose_lines() {
         const auto g = static_cast<std::size_t>(group);
         if (chosen_.size() <= g) chosen_.resize(g + 1, trials_.size());
         std::size_t& best = chosen_[g];
-        const auto entered = [&](std::size_t line) { return gap(line) + p_.contacts[line].known_depth; };
+        const auto entered = [&](std::size_t line) { return gap(line) + 2 * p_.contacts[line].known_depth; };
         if (best == trials_.size() || entered(k) > entered(best)) best = k;
     }
     for (std::size_t k = 0; k < trials_.size(); ++k) {

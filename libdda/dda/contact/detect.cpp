@@ -31,6 +31,10 @@ struct Line {
 /// would never come to rest.
 constexpr double end_slack = 1e-6;
 
+/// How far two faces must overlap, as a share of the edge, for a second contact to come into being where the
+/// other end of the overlap has one: below that, slip to and fro would make and unmake it.
+constexpr double least_overlap = 1e-3;
+
 class Detector {
   public:
     Detector(const Model& model, const Detection& detection)
@@ -162,7 +166,7 @@ class Detector {
     /// Whether the corner is expected to be well within its edge's ends, and did not come there from behind.
     bool overlaps(const Entry& entry) const {
         const double length = (at(next(entry.contact.edge)) - at(entry.contact.edge)).norm();
-        return !entry.behind && entry.inside > end_slack * length;
+        return !entry.behind && entry.inside > (entry.stays ? end_slack : least_overlap) * length;
     }
 
     /// Where two faces overlap by less than the reach both ends of the overlap are at one pair of corners:

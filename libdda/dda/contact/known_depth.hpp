@@ -8,8 +8,9 @@
 
 namespace dda {
 
-/// How deep corners are in what bears them. A closed contact tells it of its corner, and of the end of its
-/// edge where that is within reach of the corner: of two corners on each other only one has a contact.
+/// How deep corners are in what bears them, or would if they got deeper. A contact tells it of its corner,
+/// and of the end of its edge where that is within reach of the corner: of two corners on each other only one
+/// has a contact.
 class KnownDepths {
   public:
     /// @param vertices, contacts at the same instant; @param reach m, see detect_contacts.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "dda/contact/detect.hpp"
 
@@ -23,6 +22,13 @@ void hand_over(const Contact& from, Contact& to) {
     to.bonded = from.bonded;
     to.history = from.history;
     to.joint = from.joint >= 0 ? from.joint : to.joint;
+}
+
+/// Lets a contact that took over from one of another depth bear the same force, without energy from nowhere.
+void keep_force(const Model& model, Contact& contact) {
+    if (contact.state == ContactState::open || model.augments(contact.joint_material)) return;
+    contact.rest_gap =
+        contact.gap + contact.normal_force / model.normal_spring(contact.joint_material, contact.length);
 }
 
 /// Whether an old contact lay on the line of a new one: the same faces, or the same with corner and edge in
@@ -53,11 +59,13 @@ void start_fresh(const Model& model, bool first_step, Contact& contact) {
         intact && contact.length > 0 && strength(law, contact.history, 0, contact.length).tensile > 0;
 }
 
-bool same_blocks(const Contact& a, const Contact& b) {
-    return std::minmax(a.corner_block, a.edge_block) == std::minmax(b.corner_block, b.edge_block);
+/// How an old contact is related to a new one: the nearer relation comes first.
+enum class Kin { same_corner, same_blocks, none };
+Kin relation(const Contact& a, const Contact& b) {
+    if (a.corner == b.corner) return Kin::same_corner;
+    const bool same = std::minmax(a.corner_block, a.edge_block) == std::minmax(b.corner_block, b.edge_block);
+    return same ? Kin::same_blocks : Kin::none;
 }
-
-constexpr std::size_t nobody = std::numeric_limits<std::size_t>::max();
 
 /// The old contacts that are no longer, by either of their blocks, so that a new one looks at the few that
 /// could be its own.
@@ -71,9 +79,8 @@ class Estate {
         std::sort(by_block_.begin(), by_block_.end());
     }
 
-    /// The nearest on the contact's line, of the same two blocks or of others, that has not given yet; null
-    /// if there is none.
-    const Contact* nearest(const Contact& contact, bool same, std::span<const Contact* const> given) const {
+    /// The nearest on the contact's line, so related, that has not given yet; null if there is none.
+    const Contact* nearest(const Contact& contact, Kin kin, std::span<const Contact* const> given) const {
         const Contact* nearest = nullptr;
         double least = moved_;
         auto entry = std::lower_bound(by_block_.begin(), by_block_.end(),
@@ -81,8 +88,7 @@ class Estate {
         for (; entry != by_block_.end() && entry->first == contact.corner_block; ++entry) {
             const Contact* donor = entry->second;
             const double distance = (donor->point - contact.point).norm();
-            if (same_blocks(*donor, contact) != same || distance > least || !may_give(*donor, contact))
-                continue;
+            if (relation(*donor, contact) != kin || distance > least || !may_give(*donor, contact)) continue;
             if (std::find(given.begin(), given.end(), donor) != given.end()) continue;
             if (nearest == nullptr || distance < least) {
                 least = distance;
@@ -104,51 +110,80 @@ class Estate {
     std::vector<std::pair<int, const Contact*>> by_block_;
 };
 
+/// The nearest closed contact of the same blocks on the same line, no farther than that; null if there is
+/// none.
+Contact* beside(const Contact& gone, std::span<Contact> contacts, double farthest) {
+    Contact* nearest = nullptr;
+    for (const auto& [corner_block, edge_block] :
+         {std::pair(gone.corner_block, gone.edge_block), std::pair(gone.edge_block, gone.corner_block)}) {
+        const auto first = std::partition_point(contacts.begin(), contacts.end(), [&](const Contact& c) {
+            return std::pair(c.corner_block, c.edge_block) < std::pair(corner_block, edge_block);
+        });
+        for (auto c = first;
+             c != contacts.end() && c->corner_block == corner_block && c->edge_block == edge_block; ++c) {
+            const double distance = (c->point - gone.point).norm();
+            if (c->state == ContactState::open || distance > farthest || !same_line(gone, *c)) continue;
+            farthest = distance;
+            nearest = &*c;
+        }
+    }
+    return nearest;
+}
+
 }  // namespace
 
 void transfer_contacts(const Model& model, std::span<const Contact> old, double moved, bool first_step,
                        std::vector<Contact>& contacts) {
-    std::vector<std::size_t> orphans;
+    std::vector<std::size_t> newcomers;
+    std::vector<std::size_t> heirs;  // that may take over: the newcomers and those that bear nothing
     std::vector<const Contact*> donors;
     auto from = old.begin();
     for (std::size_t k = 0; k < contacts.size(); ++k) {
         while (from != old.end() && comes_before(*from, contacts[k])) donors.push_back(&*from++);
         if (from != old.end() && !comes_before(contacts[k], *from)) {
-            hand_over(*from++, contacts[k]);
+            hand_over(*from, contacts[k]);
+            if (from->state == ContactState::open) heirs.push_back(k);
+            ++from;
         } else {
-            orphans.push_back(k);
+            start_fresh(model, first_step, contacts[k]);
+            newcomers.push_back(k);
+            heirs.push_back(k);
         }
     }
     while (from != old.end()) donors.push_back(&*from++);
 
-    for (const std::size_t k : orphans) start_fresh(model, first_step, contacts[k]);
     const Estate estate(donors, moved);
     std::vector<const Contact*> given;
-    std::vector<std::size_t> heirs;  // who each was given to
-    // A line that two blocks share goes to their own contacts first, to a neighbour's after them.
-    for (const bool same : {true, false}) {
-        for (std::size_t& k : orphans) {
-            if (k == nobody) continue;
-            const Contact* donor = estate.nearest(contacts[k], same, given);
+    // A corner takes what it bears with it on to the next face; what is left goes to the blocks' other
+    // contacts.
+    for (const Kin kin : {Kin::same_corner, Kin::same_blocks}) {
+        for (const std::size_t k : heirs) {
+            if (contacts[k].state != ContactState::open) continue;
+            const Contact* donor = estate.nearest(contacts[k], kin, given);
             if (donor == nullptr) continue;
             hand_over(*donor, contacts[k]);
+            keep_force(model, contacts[k]);
             given.push_back(donor);
-            heirs.push_back(k);
-            k = nobody;
         }
     }
+    // One that ends beside another of the two blocks leaves its force to that, as far as the other has sunk.
+    for (const Contact* donor : donors) {
+        if (donor->state == ContactState::open || std::find(given.begin(), given.end(), donor) != given.end())
+            continue;
+        Contact* other = beside(*donor, contacts, moved);
+        if (other == nullptr || model.augments(other->joint_material)) continue;
+        const double spring = model.normal_spring(other->joint_material, other->length);
+        other->rest_gap =
+            std::max(other->rest_gap, std::min(other->rest_gap + donor->normal_force / spring, 0.0));
+    }
     // Where a corner slides on to a neighbour's face and the end of the overlap that it leaves has a corner
-    // of its own, one contact becomes two: the second bears what pressure its depth says, and no shear.
-    for (const std::size_t k : orphans) {
-        if (k == nobody) continue;
-        std::vector<const Contact*> spent;
-        for (std::size_t h = 0; h < heirs.size(); ++h) {
-            if (same_blocks(contacts[heirs[h]], contacts[k])) spent.push_back(given[h]);
-        }
-        for (const bool same : {true, false}) {
-            const Contact* donor = estate.nearest(contacts[k], same, spent);
+    // of its own, one contact becomes two: the second knows the joint, and bears nothing until it gets
+    // deeper.
+    for (const std::size_t k : newcomers) {
+        if (contacts[k].state != ContactState::open) continue;
+        for (const Kin kin : {Kin::same_corner, Kin::same_blocks}) {
+            const Contact* donor = estate.nearest(contacts[k], kin, {});
             if (donor == nullptr || donor->state == ContactState::open) continue;
-            contacts[k].state = donor->state;
             contacts[k].history = donor->history;
             break;
         }

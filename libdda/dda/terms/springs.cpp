@@ -56,7 +56,6 @@ std::vector<ContactSprings> contact_springs(const Model& model, const RowMap& ro
     crew.for_ranges(contacts.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) {
             const Contact& contact = contacts[k];
-            const JointMaterial& material = model.joint_material_at(contact.joint_material);
             const Vec2& point = mid.vertices[static_cast<std::size_t>(contact.corner)];
             const Vec2& first = mid.vertices[static_cast<std::size_t>(contact.edge)];
             const Vec2& second = mid.vertices[static_cast<std::size_t>(
@@ -74,8 +73,8 @@ std::vector<ContactSprings> contact_springs(const Model& model, const RowMap& ro
                            rows.row_of[static_cast<std::size_t>(contact.edge_block)]};
             spring.normal = measure(geometry.normal);
             spring.shear = measure(geometry.tangent);
-            spring.normal_stiffness = material.normal_spring(model.normal_penalty, contact.length);
-            spring.shear_stiffness = material.shear_spring(model.shear_penalty, contact.length);
+            spring.normal_stiffness = model.normal_spring(contact.joint_material, contact.length);
+            spring.shear_stiffness = model.shear_spring(contact.joint_material, contact.length);
         }
     });
     return springs;

@@ -112,14 +112,27 @@ TEST_F(Transfer, OneContactHandsOverOnceAndToTheNearest) {
 }
 
 // The corner slides on to a neighbour's face, while the end of the overlap that it leaves has a corner of its
-// own: what was one contact is two.
-TEST_F(Transfer, OneContactBecomesTwoWhereAnotherBlockTakesItsCornerOver) {
-    std::vector<Contact> contacts = {contact(0, 1, 3, 5, {.02, 0}, -up), contact(1, 2, 4, 9, {.01, 0}, up)};
+// own: what was one contact is two, and the force stays with the corner.
+TEST_F(Transfer, TheCornerTakesItsForceOnToANeighboursFace) {
+    std::vector<Contact> contacts = {contact(0, 1, 3, 5, {.01, 0}, -up), contact(1, 2, 4, 9, {.02, 0}, up)};
     dda::transfer_contacts(s.model, std::vector{old}, .1, false, contacts);
+    expect_fresh(contacts[0]);
+    EXPECT_TRUE(std::get<dda::MohrCoulomb::History>(contacts[0].history).broken) << "it is the same joint";
+    expect_carried(contacts[1]);
+}
+
+TEST_F(Transfer, ACornerTakesItsForceToAContactThatWasThereAndBoreNothing) {
+    const Contact next = contact(1, 2, 4, 9, {.02, 0}, up);
+    std::vector<Contact> contacts = {next};
+    dda::transfer_contacts(s.model, std::vector{old, next}, .1, false, contacts);
     expect_carried(contacts[0]);
-    EXPECT_EQ(contacts[1].state, ContactState::sliding) << "it bears the pressure of its depth";
-    EXPECT_EQ(contacts[1].shear_force, 0);
-    EXPECT_EQ(contacts[1].slip, 0);
+}
+
+TEST_F(Transfer, TheForceStaysTheSameAtAnotherDepth) {
+    old.gap = -2e-9;  // 100 N over 5e10 N/m
+    Contact now = contact(1, 0, 4, 3, {.05, 0}, up);
+    now.gap = -3e-9;
+    EXPECT_NEAR(moved_to(now).rest_gap, -1e-9, 1e-20);
 }
 
 TEST_F(Transfer, NotToADeeperContact) {
