@@ -2,9 +2,11 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <bit>
 #include <cstdint>
+#include <filesystem>
 #include <fstream>
 
 #include "blockgen/base/input_error.hpp"
@@ -16,9 +18,12 @@ namespace {
 using testing::HasSubstr;
 
 std::string written(const std::string& name, const std::string& bytes) {
-    const std::string path = testing::TempDir() + name;
-    std::ofstream(path, std::ios::binary) << bytes;
-    return path;
+    // The tests of this file run at the same time, each in a process of its own.
+    const std::filesystem::path folder =
+        std::filesystem::path(testing::TempDir()) / ("gdal_file_" + std::to_string(::getpid()));
+    std::filesystem::create_directories(folder);
+    std::ofstream(folder / name, std::ios::binary) << bytes;
+    return folder / name;
 }
 
 /// A drawing with a line on layer "fault", a polyline of three corners on "bedding", a circle and a text.

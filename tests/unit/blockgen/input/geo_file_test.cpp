@@ -2,7 +2,9 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <filesystem>
 #include <fstream>
 
 #include "blockgen/base/input_error.hpp"
@@ -43,9 +45,12 @@ const char* wall = R"(0.01
 )";
 
 std::string written(const std::string& text) {
-    const std::string path = testing::TempDir() + "shi.geo";
-    std::ofstream(path) << text;
-    return path;
+    // The tests of this file run at the same time, each in a process of its own.
+    const std::filesystem::path folder =
+        std::filesystem::path(testing::TempDir()) / ("geo_file_" + std::to_string(::getpid()));
+    std::filesystem::create_directories(folder);
+    std::ofstream(folder / "shi.geo") << text;
+    return folder / "shi.geo";
 }
 
 TEST(GeoFile, HoldsWhatItsCountsSay) {
