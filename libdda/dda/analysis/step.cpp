@@ -4,19 +4,16 @@
 #include <cmath>
 #include <limits>
 
+#include "dda/analysis/advance_contacts.hpp"
 #include "dda/analysis/unexpected_turn.hpp"
 #include "dda/contact/candidates.hpp"
-#include "dda/contact/detect.hpp"
-#include "dda/contact/transfer.hpp"
+#include "dda/contact/find_contacts.hpp"
 #include "dda/terms/loads.hpp"
 
 namespace dda {
 
 namespace {
 
-/// Candidates are kept while nothing has moved half of what their distance exceeds the reach by. As a share
-/// of the median edge: normally 0.1 to 0.5; more finds candidates less often, and finds more of them.
-constexpr double skin_share = 0.25;
 /// A look at a step that turns out too short-sighted for the displacements found is repeated with a longer
 /// reach, one that missed a corner with that corner, one that mistook the rotations with those found.
 constexpr int look_limit = 8;
@@ -29,12 +26,6 @@ constexpr double unseen_depth = 1e-9;
 /// Depth to which a corner may clip another block and be out again within a step, likewise: far above what
 /// arcs and parabolas differ by, and strain moves the corners of a joint by less than this.
 constexpr double clipped_depth = 1e-5;
-
-/// s, in which a spring's gap of rest, where a contact came into being inside a face or took over another's
-/// force, falls by e. Springs that took their full depth at once would shake the blocks, and to and fro would
-/// pump energy into them; ones that never did would let a block sink deeper with every face that it slides on
-/// to. In a static stage nothing shakes, and springs take their depth at once.
-constexpr double rest_gap_time = 5;
 
 double extent(std::span<const Vec2> vertices, int axis) {
     double low = std::numeric_limits<double>::infinity();
@@ -61,21 +52,6 @@ double load_time(const Stage& stage, const State& state, double dt) {
     return state.dynamic_time + (stage.kind == StageKind::dynamic ? dt : 0);
 }
 
-/// Of the contacts' springs, N/m per metre; 0 without contacts.
-double stiffest_spring(std::span<const ContactSprings> springs) {
-    double stiffest = 0;
-    for (const ContactSprings& s : springs)
-        stiffest = std::max({stiffest, s.normal_stiffness, s.shear_stiffness});
-    return stiffest;
-}
-
-/// Acceleration that stands for "the weight" when forces are compared with it, m/s2: gravity, or the
-/// strongest load where it is stronger, or 1 where there is neither.
-double reference_acceleration(const Model& model, const BlockSystem& blocks) {
-    const double largest = std::max(model.gravity.norm(), strongest_load(model, blocks));
-    return largest > 0 ? largest : 1.0;
-}
-
 /// Straining changes a block's moments of inertia, and what stays is its angular momentum, not its rate of
 /// turning. Sets the rate. @return the kinetic energy that this takes, J per metre.
 double keep_angular_momentum(double mass, const AreaMoments& before, const Vec6& velocity_before,
@@ -88,33 +64,6 @@ double keep_angular_momentum(double mass, const AreaMoments& before, const Vec6&
 }
 
 }  // namespace
-
-/// What contacts did in another look at the step; where the iteration starts from.
-struct TimeStepper::Guess {
-    std::vector<Contact> contacts;  ///< sorted, as found by detect_contacts
-    std::vector<JudgedContact> judged;
-
-    /// Per contact of another look; null for those that were not there.
-    std::vector<const JudgedContact*> of(std::span<const Contact> others) const {
-        std::vector<const JudgedContact*> found(others.size(), nullptr);
-        std::size_t k = 0;
-        for (std::size_t other = 0; other < others.size(); ++other) {
-            while (k < contacts.size() && comes_before(contacts[k], others[other])) ++k;
-            if (k < contacts.size() && !comes_before(others[other], contacts[k])) found[other] = &judged[k];
-        }
-        return found;
-    }
-};
-
-struct TimeStepper::Look {
-    double reach = 0;                ///< m, within which corner and edge may meet in the step
-    std::vector<CornerEdge> missed;  ///< sorted pairs that met without a contact
-    /// Of them, those that did so again: known to meet though they could not touch at the start.
-    std::vector<CornerEdge> entering;
-    std::vector<Vec6> predicted;  ///< per block, displacement of the whole step; fixes arms and normals
-    int turns = 0;                ///< how often that was corrected
-    Guess guess;                  ///< what the look before found
-};
 
 struct TimeStepper::Step {
     double dt = 0;
@@ -141,61 +90,70 @@ TimeStepper::TimeStepper(const Model& model, int threads)
 
 StepAttempt TimeStepper::advance(const Stage& stage, const State& state, double dt) {
     StepAttempt attempt;
+    int iterations = 0;
+    int factorizations = 0;
     Look look = first_look(stage, state, dt);
-    for (int k = 0; k < look_limit; ++k) {
-        const Step step = prepare(stage, state, dt, look);
-        OpenCloseResult result = solve(stage, state, step, look.guess);
-        attempt.report.iterations += result.iterations;
-        attempt.report.factorizations += result.factorizations;
-        if (!result.converged) {
-            attempt.rejection = result.singular ? Rejection::singular : Rejection::not_converged;
-            if (result.worst_contact >= 0)
-                attempt.worst_contact =
-                    step.contacts.contacts[static_cast<std::size_t>(result.worst_contact)];
-            return attempt;
-        }
-        const std::vector<Vec6> displacement = all_displacements(step, result);
-        const double moved = largest_displacement(state, displacement);
-        if (moved > stage.control.displacement_ratio * half_height_) {
-            attempt.rejection = Rejection::moved_too_far;
-            attempt.report.largest_displacement = moved;
-            return attempt;
-        }
-        if (2 * moved > look.reach) {
-            look.reach = 2.5 * moved;
-            continue;
-        }
-        if (look.turns < turn_limit &&
-            turned_unexpectedly(look.predicted, displacement, step.springs, step.contacts.contacts, result,
-                                state.energy.kinetic)) {
-            look.predicted = displacement;
-            look.guess = {step.contacts.contacts, std::move(result.contacts)};
-            ++look.turns;
-            continue;
-        }
-        const int iterations = attempt.report.iterations;
-        const int factorizations = attempt.report.factorizations;
-        attempt.state = updated(stage, state, step, result, displacement);
-        const std::vector<Intrusion> unseen = intrusions(state, attempt.state, displacement, look.reach);
-        if (!unseen.empty()) {
-            attempt.rejection = Rejection::intruded;
-            attempt.worst_contact = deepest_as_contact(model_, attempt.state.blocks.vertices, unseen);
-            if (!may_be_stopped(unseen)) return attempt;
-            // Once, another expectation of where blocks go may be enough to find the contact; then it is
-            // told.
-            if (!add_pairs(unseen, look.missed) && !add_pairs(unseen, look.entering)) return attempt;
-            look.predicted = displacement;
-            look.guess = {step.contacts.contacts, std::move(result.contacts)};
-            continue;
-        }
-        attempt.rejection = Rejection::none;
-        attempt.report = report(step, attempt.state, result);
-        attempt.report.iterations = iterations;
-        attempt.report.factorizations = factorizations;
-        attempt.report.largest_displacement = moved;
+    for (int k = 0; k < look_limit && look.wanted; ++k) {
+        attempt = look_at_step(stage, state, dt, look);
+        iterations += attempt.report.iterations;
+        factorizations += attempt.report.factorizations;
+    }
+    attempt.report.iterations = iterations;
+    attempt.report.factorizations = factorizations;
+    return attempt;
+}
+
+StepAttempt TimeStepper::look_at_step(const Stage& stage, const State& state, double dt, Look& look) {
+    StepAttempt attempt;
+    look.wanted = false;
+    const Step step = prepare(stage, state, dt, look);
+    OpenCloseResult result = solve(stage, state, step, look.guess);
+    attempt.report.iterations = result.iterations;
+    attempt.report.factorizations = result.factorizations;
+    if (!result.converged) {
+        attempt.rejection = result.singular ? Rejection::singular : Rejection::not_converged;
+        if (result.worst_contact >= 0)
+            attempt.worst_contact = step.contacts.contacts[static_cast<std::size_t>(result.worst_contact)];
         return attempt;
     }
-    if (look.entering.empty()) attempt.rejection = Rejection::moved_too_far;
+    const std::vector<Vec6> displacement = all_displacements(step, result);
+    const double moved = largest_displacement(state, displacement);
+    attempt.report.largest_displacement = moved;
+    attempt.rejection = Rejection::moved_too_far;
+    if (moved > stage.control.displacement_ratio * half_height_) return attempt;
+    if (2 * moved > look.reach) {
+        look.reach = 2.5 * moved;
+        look.wanted = true;
+        return attempt;
+    }
+    const auto look_again = [&] {
+        look.predicted = displacement;
+        look.guess = {step.contacts.contacts, std::move(result.contacts)};
+        look.wanted = true;
+    };
+    if (look.turns < turn_limit &&
+        turned_unexpectedly(look.predicted, displacement, step.springs, step.contacts.contacts, result,
+                            state.energy.kinetic)) {
+        ++look.turns;
+        look_again();
+        return attempt;
+    }
+    attempt.state = updated(stage, state, step, result, displacement);
+    const std::vector<Intrusion> unseen = intrusions(state, attempt.state, displacement, look.reach);
+    if (!unseen.empty()) {
+        attempt.rejection = Rejection::intruded;
+        attempt.worst_contact = deepest_as_contact(model_, attempt.state.blocks.vertices, unseen);
+        // Once, another expectation of where blocks go may be enough to find the contact; then it is told.
+        if (may_be_stopped(unseen) && (add_pairs(unseen, look.missed) || add_pairs(unseen, look.entering)))
+            look_again();
+        return attempt;
+    }
+    attempt.rejection = Rejection::none;
+    const StepReport counts = attempt.report;
+    attempt.report = report_step(model_, rows_, attempt.state, step.dt, stiffest_spring(step.springs));
+    attempt.report.iterations = counts.iterations;
+    attempt.report.factorizations = counts.factorizations;
+    attempt.report.largest_displacement = moved;
     return attempt;
 }
 
@@ -219,7 +177,7 @@ double TimeStepper::first_reach(const State& state, double dt) const {
     return 3 * speed + 2 * model_.gravity.norm() * dt * dt + 4 * deepest + 1e-4 * edge_length_;
 }
 
-TimeStepper::Look TimeStepper::first_look(const Stage& stage, const State& state, double dt) const {
+Look TimeStepper::first_look(const Stage& stage, const State& state, double dt) const {
     Look look;
     look.reach = first_reach(state, dt);
     look.predicted = prescribe_motion(model_, stage, state.blocks, dt, state.stage_time + dt).displacement;
@@ -235,7 +193,12 @@ TimeStepper::Step TimeStepper::prepare(const Stage& stage, const State& state, d
     step.newmark = {stage.newmark_beta, stage.newmark_gamma, dt};
     step.prescribed = prescribe_motion(model_, stage, state.blocks, dt, state.stage_time + dt);
     step.mid = predict_mid_step(model_, state.blocks, look.predicted);
-    step.contacts = contacts_at(stage, state, dt, step.mid, look);
+    const double duration = stage.kind == StageKind::dynamic ? dt : 0;
+    step.contacts =
+        find_contacts(model_, state.contacts,
+                      {state.blocks.vertices, step.mid.vertices, look.entering, look.reach, edge_length_,
+                       unseen_depth * edge_length_ + rounding_, duration, state.step_count == 0},
+                      crew_);
     step.springs =
         contact_springs(model_, rows_, step.mid, step.prescribed.displacement, step.contacts.contacts, crew_);
     step.bolts = bolt_springs(model_, rows_, step.mid, step.prescribed.displacement);
@@ -243,52 +206,6 @@ TimeStepper::Step TimeStepper::prepare(const Stage& stage, const State& state, d
         boundary_terms(model_, rows_, step.mid, stage, state.stage_time + dt, state.boundary_reactions);
     assemble_base(stage, state, step);
     return step;
-}
-
-ContactSet TimeStepper::contacts_at(const Stage& stage, const State& state, double dt, const MidStep& mid,
-                                    const Look& look) const {
-    const double reach = look.reach;
-    const double rounding = unseen_depth * edge_length_ + rounding_;
-    const std::vector<Vec2>& vertices = state.blocks.vertices;
-    ContactSet set;
-    double moved = std::numeric_limits<double>::infinity();
-    if (state.contacts.reference.size() == vertices.size()) {
-        moved = 0;
-        for (std::size_t k = 0; k < vertices.size(); ++k) {
-            moved = std::max(moved, (vertices[k] - state.contacts.reference[k]).norm());
-        }
-    }
-    if (reach + 2 * moved <= state.contacts.candidate_distance) {
-        set.candidates = state.contacts.candidates;
-        set.candidate_distance = state.contacts.candidate_distance;
-        set.reference = state.contacts.reference;
-    } else {
-        set.candidate_distance = std::max(skin_share * edge_length_, 2 * reach);
-        set.candidates = find_candidates(model_, vertices, set.candidate_distance);
-        set.reference = vertices;
-    }
-    const std::vector<Contact>& old = state.contacts.contacts;
-    set.contacts = detect_contacts(model_, {vertices, mid.vertices, reach, rounding, old, look.entering},
-                                   set.candidates, crew_);
-    transfer_contacts(model_, old, reach, state.step_count == 0, set.contacts);
-    const double kept_rest_gap = stage.kind == StageKind::dynamic ? std::exp(-dt / rest_gap_time) : 0;
-    for (Contact& c : set.contacts) {
-        const bool enters =
-            std::binary_search(look.entering.begin(), look.entering.end(), CornerEdge{c.corner, c.edge});
-        // What is inside without a force is kept from getting deeper, and gains no energy.
-        if (c.state == ContactState::open)
-            c.rest_gap = std::min(c.gap, 0.0);
-        else if (!model_.augments(c.joint_material))
-            c.rest_gap *= kept_rest_gap;
-        const double force = -model_.normal_spring(c.joint_material, c.length) * (c.gap - c.rest_gap);
-        c.normal_force = c.state != ContactState::open && (force > 0 || c.bonded) ? force : 0;
-        // A corner enters through a line that it was outside of: one that is open and behind the line belongs
-        // elsewhere. Sliding on to a neighbour's face it is as far behind that as it is in the face it
-        // leaves.
-        if (c.state == ContactState::open && c.gap < -(rounding + 2 * c.known_depth) && !enters)
-            c.held_back = true;
-    }
-    return set;
 }
 
 void TimeStepper::assemble_base(const Stage& stage, const State& state, Step& step) const {
@@ -405,33 +322,7 @@ State TimeStepper::updated(const Stage& stage, const State& state, const Step& s
                                                 after.blocks.moments[b], after.blocks.velocity[b]);
     }
 
-    for (std::size_t k = 0; k < after.contacts.contacts.size(); ++k) {
-        Contact& contact = after.contacts.contacts[k];
-        const JudgedContact& judged = result.contacts[k];
-        const auto vertex = [&](int corner) {
-            return after.blocks.vertices[static_cast<std::size_t>(corner)];
-        };
-        const CornerEdgeGeometry geometry =
-            corner_edge_geometry(vertex(contact.corner), vertex(contact.edge),
-                                 vertex(model_.topology.next[static_cast<std::size_t>(contact.edge)]));
-        contact.point = vertex(contact.corner);
-        contact.normal = geometry.normal;
-        contact.tangent = geometry.tangent;
-        contact.gap = geometry.gap;
-        contact.state = judged.state;
-        contact.rest_gap = judged.rest_gap;
-        contact.normal_force = judged.normal_force;
-        contact.shear_force = judged.shear_force;
-        contact.slip += judged.slip;
-        contact.history = dda::advance(
-            model_.joint_material_at(contact.joint_material).law, contact.history,
-            {judged.slip, judged.displacement, judged.normal_force, contact.length, judged.torn});
-        contact.bonded =
-            contact.bonded && !judged.torn &&
-            strength(model_.joint_material_at(contact.joint_material).law, contact.history, 0, contact.length)
-                    .tensile > 0;
-    }
-
+    advance_contacts(model_, after.blocks.vertices, result.contacts, after.contacts.contacts);
     const StepWork work{state.blocks,       step.mid,   step.contacts.contacts,
                         step.springs,       step.bolts, state.bolt_force,
                         step.boundaries,    result,     step.newmark,
@@ -445,34 +336,6 @@ State TimeStepper::updated(const Stage& stage, const State& state, const Step& s
     ledger_.record_boundaries(work, after.energy);
     ledger_.take_stock(after, after.energy);
     return after;
-}
-
-StepReport TimeStepper::report(const Step& step, const State& after, const OpenCloseResult&) const {
-    StepReport report;
-    report.time = after.time;
-    report.step = step.dt;
-    for (const Contact& contact : after.contacts.contacts) {
-        ++(contact.state == ContactState::open      ? report.open
-           : contact.state == ContactState::sliding ? report.sliding
-                                                    : report.locked);
-        if (contact.state != ContactState::open)
-            report.largest_penetration = std::max(report.largest_penetration, -contact.gap);
-    }
-    const double g = reference_acceleration(model_, after.blocks);
-    double lightest = std::numeric_limits<double>::infinity();
-    for (const int block : rows_.block_of) {
-        const auto b = static_cast<std::size_t>(block);
-        const Vec6& a = after.blocks.acceleration[b];
-        const AreaMoments& m = after.blocks.moments[b];
-        const double gyration = std::sqrt((m.xx + m.yy) / m.area);
-        const double deforming =
-            a.tail<4>().cwiseAbs().maxCoeff() * gyration;  // of rotation and strains, at that radius
-        report.unbalanced_force = std::max({report.unbalanced_force, a.head<2>().norm() / g, deforming / g});
-        lightest = std::min(lightest, after.blocks.mass[b]);
-    }
-    if (rows_.count() > 0)
-        report.contact_frequency_step = std::sqrt(stiffest_spring(step.springs) / lightest) * step.dt;
-    return report;
 }
 
 }  // namespace dda

@@ -5,6 +5,7 @@
 
 #include "dda/analysis/base_motion.hpp"
 #include "dda/analysis/ledger.hpp"
+#include "dda/analysis/look.hpp"
 #include "dda/analysis/open_close_iteration.hpp"
 #include "dda/analysis/run.hpp"
 #include "dda/analysis/state.hpp"
@@ -40,17 +41,13 @@ class TimeStepper {
   private:
     /// Everything a step is computed from, once for all its iterations.
     struct Step;
-    /// What a look at the step takes for granted, and a further one corrects.
-    struct Look;
-    struct Guess;
 
+    /// Computes the step once. Corrects the look where that turned out wrong.
+    StepAttempt look_at_step(const Stage& stage, const State& state, double dt, Look& look);
     Look first_look(const Stage& stage, const State& state, double dt) const;
     /// How far apart a corner and an edge may be and still meet within the step, m.
     double first_reach(const State& state, double dt) const;
     Step prepare(const Stage& stage, const State& state, double dt, const Look& look);
-    /// The contacts at the state's positions, with what the state's contacts carried.
-    ContactSet contacts_at(const Stage& stage, const State& state, double dt, const MidStep& mid,
-                           const Look& look) const;
     /// Corners that got into another block in a step without a contact.
     std::vector<Intrusion> intrusions(const State& before, const State& after,
                                       std::span<const Vec6> displacement, double reach) const;
@@ -61,7 +58,6 @@ class TimeStepper {
     double largest_displacement(const State& state, std::span<const Vec6> displacement) const;
     State updated(const Stage& stage, const State& state, const Step& step, const OpenCloseResult& result,
                   std::span<const Vec6> displacement) const;
-    StepReport report(const Step& step, const State& after, const OpenCloseResult& result) const;
 
     const Model& model_;
     Crew crew_;

@@ -1,5 +1,7 @@
 #include "dda/terms/springs.hpp"
 
+#include <algorithm>
+
 #include "dda/contact/detect.hpp"
 
 namespace dda {
@@ -97,6 +99,13 @@ std::vector<BoltSpring> bolt_springs(const Model& model, const RowMap& rows, con
         springs.push_back(spring);
     }
     return springs;
+}
+
+double stiffest_spring(std::span<const ContactSprings> springs) {
+    double stiffest = 0;
+    for (const ContactSprings& s : springs)
+        stiffest = std::max({stiffest, s.normal_stiffness, s.shear_stiffness});
+    return stiffest;
 }
 
 }  // namespace dda

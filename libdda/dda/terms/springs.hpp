@@ -56,4 +56,7 @@ struct BoltSpring {
 std::vector<BoltSpring> bolt_springs(const Model& model, const RowMap& rows, const MidStep& mid,
                                      std::span<const Vec6> prescribed);
 
+/// The largest stiffness of contacts' springs, N/m per metre; 0 without contacts.
+double stiffest_spring(std::span<const ContactSprings> springs);
+
 }  // namespace dda

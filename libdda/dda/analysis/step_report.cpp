@@ -1,0 +1,54 @@
+#include "dda/analysis/step_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "dda/terms/loads.hpp"
+
+namespace dda {
+
+namespace {
+
+/// Acceleration that stands for "the weight" when forces are compared with it, m/s2: gravity, or the
+/// strongest load where it is stronger, or 1 where there is neither.
+double reference_acceleration(const Model& model, const BlockSystem& blocks) {
+    const double largest = std::max(model.gravity.norm(), strongest_load(model, blocks));
+    return largest > 0 ? largest : 1.0;
+}
+
+void count_contacts(const State& after, StepReport& report) {
+    for (const Contact& contact : after.contacts.contacts) {
+        ++(contact.state == ContactState::open      ? report.open
+           : contact.state == ContactState::sliding ? report.sliding
+                                                    : report.locked);
+        if (contact.state != ContactState::open)
+            report.largest_penetration = std::max(report.largest_penetration, -contact.gap);
+    }
+}
+
+}  // namespace
+
+StepReport report_step(const Model& model, const RowMap& rows, const State& after, double step,
+                       double stiffest) {
+    StepReport report;
+    report.time = after.time;
+    report.step = step;
+    count_contacts(after, report);
+    const double g = reference_acceleration(model, after.blocks);
+    double lightest = std::numeric_limits<double>::infinity();
+    for (const int block : rows.block_of) {
+        const auto b = static_cast<std::size_t>(block);
+        const Vec6& a = after.blocks.acceleration[b];
+        const AreaMoments& m = after.blocks.moments[b];
+        const double gyration = std::sqrt((m.xx + m.yy) / m.area);
+        const double deforming =
+            a.tail<4>().cwiseAbs().maxCoeff() * gyration;  // of rotation and strains, at that radius
+        report.unbalanced_force = std::max({report.unbalanced_force, a.head<2>().norm() / g, deforming / g});
+        lightest = std::min(lightest, after.blocks.mass[b]);
+    }
+    if (rows.count() > 0) report.contact_frequency_step = std::sqrt(stiffest / lightest) * step;
+    return report;
+}
+
+}  // namespace dda

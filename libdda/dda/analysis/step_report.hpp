@@ -1,0 +1,28 @@
+#pragma once
+
+#include "dda/analysis/state.hpp"
+#include "dda/model/model.hpp"
+#include "dda/terms/system.hpp"
+
+namespace dda {
+
+/// One accepted step, for the step log.
+struct StepReport {
+    double time = 0;     ///< s, at the end of the step
+    double step = 0;     ///< s
+    int iterations = 0;  ///< open-close iterations, all attempts
+    int factorizations = 0;
+    int cuts = 0;                           ///< attempts rejected before this one
+    int open = 0, sliding = 0, locked = 0;  ///< contacts by state
+    double largest_penetration = 0;         ///< m
+    double largest_displacement = 0;        ///< of a vertex in this step, m
+    double unbalanced_force = 0;  ///< largest over the blocks, of all six unknowns, over the block's weight
+    double contact_frequency_step = 0;  ///< omega_contact * dt, the largest of sqrt(k_n / m_block) * dt
+};
+
+/// What the state at a step's end tells of the step; its counts are the caller's.
+/// @param stiffest N/m per metre, of the contacts' springs.
+StepReport report_step(const Model& model, const RowMap& rows, const State& after, double step,
+                       double stiffest);
+
+}  // namespace dda
