@@ -23,8 +23,8 @@ constexpr int turn_limit = 3;
 /// Depth to which a corner without a contact may be in another block, as a share of the median edge. Far
 /// below any penetration that matters, far above rounding.
 constexpr double unseen_depth = 1e-9;
-/// Depth to which a corner may clip another block and be out again within a step, likewise: far above what
-/// arcs and parabolas differ by, and strain moves the corners of a joint by less than this.
+/// Depth to which a corner may clip another block and be out again within a step, likewise: arcs are looked
+/// at as straight ways, and strain moves the corners of a joint by less than this.
 constexpr double clipped_depth = 1e-5;
 
 double extent(std::span<const Vec2> vertices, int axis) {
@@ -139,7 +139,7 @@ StepAttempt TimeStepper::look_at_step(const Stage& stage, const State& state, do
         return attempt;
     }
     attempt.state = updated(stage, state, step, result, displacement);
-    const std::vector<Intrusion> unseen = intrusions(state, attempt.state, displacement, look.reach);
+    const std::vector<Intrusion> unseen = intrusions(state, attempt.state, look.reach);
     if (!unseen.empty()) {
         attempt.rejection = Rejection::intruded;
         attempt.worst_contact = deepest_as_contact(model_, attempt.state.blocks.vertices, unseen);
@@ -157,12 +157,10 @@ StepAttempt TimeStepper::look_at_step(const Stage& stage, const State& state, do
     return attempt;
 }
 
-std::vector<Intrusion> TimeStepper::intrusions(const State& before, const State& after,
-                                               std::span<const Vec6> displacement, double reach) const {
-    const MidStep mid = predict_mid_step(model_, before.blocks, displacement);
-    return find_intrusions(model_, {before.blocks.vertices, mid.vertices, after.blocks.vertices},
-                           after.contacts.candidates, after.contacts.contacts, reach,
-                           unseen_depth * edge_length_, clipped_depth * edge_length_, crew_);
+std::vector<Intrusion> TimeStepper::intrusions(const State& before, const State& after, double reach) const {
+    return find_intrusions(model_, before.blocks.vertices, after.blocks.vertices, after.contacts.candidates,
+                           after.contacts.contacts, reach, unseen_depth * edge_length_,
+                           clipped_depth * edge_length_, crew_);
 }
 
 double TimeStepper::first_reach(const State& state, double dt) const {

@@ -49,8 +49,7 @@ class TimeStepper {
     double first_reach(const State& state, double dt) const;
     Step prepare(const Stage& stage, const State& state, double dt, const Look& look);
     /// Corners that got into another block in a step without a contact.
-    std::vector<Intrusion> intrusions(const State& before, const State& after,
-                                      std::span<const Vec6> displacement, double reach) const;
+    std::vector<Intrusion> intrusions(const State& before, const State& after, double reach) const;
     void assemble_base(const Stage& stage, const State& state, Step& step) const;
     void analyze_pattern(const ContactSet& contacts);
     OpenCloseResult solve(const Stage& stage, const State& state, const Step& step, const Guess& guess);

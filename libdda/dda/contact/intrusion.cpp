@@ -23,8 +23,8 @@ struct Crossing {
 
 class Search {
   public:
-    Search(const Topology& topology, const Ways& ways, double reach)
-        : topology_(topology), ways_(ways), reach_(reach) {}
+    Search(const Topology& topology, std::span<const Vec2> before, std::span<const Vec2> after, double reach)
+        : topology_(topology), before_(before), after_(after), reach_(reach) {}
 
     /// Whether the corner got deeper than `allowed` into the block, or than `clipped` through it.
     bool intrudes(Encounter encounter, double allowed, double clipped, Intrusion& found) const {
@@ -65,12 +65,11 @@ class Search {
   private:
     static std::size_t index(int k) { return static_cast<std::size_t>(k); }
     int next(int corner) const { return topology_.next[index(corner)]; }
-    const Vec2& before(int corner) const { return ways_.before[index(corner)]; }
-    const Vec2& after(int corner) const { return ways_.after[index(corner)]; }
-    /// A corner's place after a share of the step, on the parabola through its three places.
+    const Vec2& before(int corner) const { return before_[index(corner)]; }
+    const Vec2& after(int corner) const { return after_[index(corner)]; }
+    /// A corner's place after a share of the step.
     Vec2 at(int corner, double time) const {
-        const Vec2 sag = ways_.half_way[index(corner)] - (before(corner) + after(corner)) / 2;
-        return before(corner) + time * (after(corner) - before(corner)) + 4 * time * (1 - time) * sag;
+        return before(corner) + time * (after(corner) - before(corner));
     }
 
     struct Place {
@@ -135,23 +134,24 @@ class Search {
     bool could_touch(const CornerEdge& pair) const {
         const Vec2 normal =
             corner_edge_geometry(after(pair.corner), after(pair.edge), after(next(pair.edge))).normal;
-        return faces_outwards(topology_, ways_.after, pair.corner, normal);
+        return faces_outwards(topology_, after_, pair.corner, normal);
     }
 
     const Topology& topology_;
-    const Ways& ways_;
+    std::span<const Vec2> before_;
+    std::span<const Vec2> after_;
     double reach_;
 };
 
 }  // namespace
 
-std::vector<Intrusion> find_intrusions(const Model& model, const Ways& ways,
-                                       std::span<const CornerEdge> candidates,
+std::vector<Intrusion> find_intrusions(const Model& model, std::span<const Vec2> before,
+                                       std::span<const Vec2> after, std::span<const CornerEdge> candidates,
                                        std::span<const Contact> contacts, double reach, double slack,
                                        double clipped, const Crew& crew) {
     const Topology& topology = model.topology;
     const auto block_of = [&](int corner) { return topology.block_of[static_cast<std::size_t>(corner)]; };
-    const KnownDepths known(topology, ways.after, contacts, reach);
+    const KnownDepths known(topology, after, contacts, reach);
 
     std::vector<Encounter> encounters;
     for (std::size_t k = 0; k < candidates.size();) {
@@ -163,7 +163,7 @@ std::vector<Intrusion> find_intrusions(const Model& model, const Ways& ways,
         k = end;
     }
 
-    const Search search(topology, ways, reach);
+    const Search search(topology, before, after, reach);
     std::vector<Intrusion> found(encounters.size());
     std::vector<char> intrudes(encounters.size(), 0);
     crew.for_ranges(encounters.size(), [&](std::size_t begin, std::size_t end) {

@@ -16,29 +16,22 @@ struct Intrusion {
     bool through = false;  ///< it came out again on another side within the step
 };
 
-/// Where corners are in a step, m: at its start, half-way and at its end.
-struct Ways {
-    std::span<const Vec2> before;
-    std::span<const Vec2> half_way;
-    std::span<const Vec2> after;
-};
-
 /// Looks for corners that got into another block in a step and that the step's contacts do not account for:
 /// deeper than twice the penetration of closed contacts of that corner or of one on it, plus `slack`.
 /// Contacts are chosen from where blocks are at the step's start; a block that turns by more than the slack
 /// of theory Eq. (27) in a step may come down on another corner than those, or pass its corner through a thin
 /// block.
 ///
-/// Crossings are looked for as if all points moved straight. Where the corner crosses several edges inwards
-/// it came in through the last that it could touch at the step's end. A corner that was inside before the
-/// step came in through none; if it is deeper now, it is told with the nearest edge. One that is outside
-/// again counts if it came out by another edge and was deeper than `clipped` between, on ways that bend
-/// through the half-way points; by the same edge it has passed nothing.
+/// All points are taken to move straight. Where the corner crosses several edges inwards it came in through
+/// the last that it could touch at the step's end. A corner that was inside before the step came in through
+/// none; if it is deeper now, it is told with the nearest edge. One that is outside again counts if it came
+/// out by another edge, from `clipped` on: ways that are really arcs cut corners off. By the same edge it has
+/// passed nothing.
 /// @param candidates sorted, and complete up to the distance `reach`; deeper corners are not looked at.
 /// @param contacts of the step, with gaps and states at its end.
 /// @return sorted by pair, one for each corner and block that it got into.
-std::vector<Intrusion> find_intrusions(const Model& model, const Ways& ways,
-                                       std::span<const CornerEdge> candidates,
+std::vector<Intrusion> find_intrusions(const Model& model, std::span<const Vec2> before,
+                                       std::span<const Vec2> after, std::span<const CornerEdge> candidates,
                                        std::span<const Contact> contacts, double reach, double slack,
                                        double clipped, const Crew& crew);
 

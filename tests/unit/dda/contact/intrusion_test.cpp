@@ -14,14 +14,11 @@ using dda::Intrusion;
 constexpr double slack = 1e-9;
 constexpr double clipped = 1e-5;
 
-/// All points move straight.
 std::vector<Intrusion> intrusions(const Scene& s, const std::vector<Vec2>& moved,
                                   const std::vector<dda::CornerEdge>& candidates,
                                   const std::vector<Contact>& contacts) {
-    std::vector<Vec2> half_way;
-    for (std::size_t k = 0; k < moved.size(); ++k) half_way.push_back((s.model.vertices[k] + moved[k]) / 2);
-    return dda::find_intrusions(s.model, {s.model.vertices, half_way, moved}, candidates, contacts, 1, slack,
-                                clipped, dda::Crew(1));
+    return dda::find_intrusions(s.model, s.model.vertices, moved, candidates, contacts, 1, slack, clipped,
+                                dda::Crew(1));
 }
 
 /// A plate 2 cm thick, its upper face y = 0 edge 2; a block above it moves as told, corner by corner.
