@@ -1,7 +1,7 @@
 #pragma once
 
 #include "blockgen/base/input_error.hpp"
-#include "dda/io/records.hpp"
+#include "dda/record/records.hpp"
 #include "dda/model/time_table.hpp"
 
 namespace dda {

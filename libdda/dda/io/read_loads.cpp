@@ -9,7 +9,7 @@
 #include "dda/io/read_face_loads.hpp"
 #include "dda/io/read_materials.hpp"
 #include "dda/io/read_mesh.hpp"
-#include "dda/io/two_columns.hpp"
+#include "dda/record/two_columns.hpp"
 
 namespace dda {
 

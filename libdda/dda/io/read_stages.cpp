@@ -57,6 +57,8 @@ Record read_axis_record(const ConfigTable& axis, InputFiles& files) {
         declaration.quantity =
             quantity_of_name(axis.choice("quantity", {"acceleration", "velocity", "displacement"}));
     if (axis.has("unit")) declaration.unit = axis.string("unit");
+    if (axis.has("format")) declaration.format = axis.choice("format", record_format_keys());
+    if (axis.has("channel")) declaration.channel = count(axis, "channel", 1);
     files.push_back(axis.file_path("file"));
     return read_record(files.back(), declaration);
 }

@@ -164,7 +164,7 @@ step = 0.005
 # [stage.base_motion]              # moves the prescribed block of that name; without block: all prescribed blocks
 # block = "base"
 # x = { file = "record.at2", scale = 1.0, baseline = "drift" }
-# y = { file = "up.csv", quantity = "acceleration", unit = "cm/s2" }
+# y = { file = "up.csv", format = "csv", channel = 1, quantity = "acceleration", unit = "cm/s2" }
 
 # [[stage.incident_wave]]          # comes in through a viscous boundary; without boundary: through all
 # boundary = "below"

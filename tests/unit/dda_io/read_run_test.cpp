@@ -235,6 +235,14 @@ TEST_F(ReadRun, BadInputIsOneLineWithItsPlace) {
     EXPECT_THAT(error_with("frames = 10", "history_interval = 1e-300"), HasSubstr("1e-9 s or more"));
 }
 
+TEST_F(ReadRun, ARecordIsReadAsItsKeysSay) {
+    EXPECT_EQ(error_with("scale = 2.0", "format = \"csv\", channel = 1"), "no error");
+    EXPECT_THAT(error_with("scale = 2.0", "format = \"knet\""), StartsWith("r.csv:1: the header has no"));
+    EXPECT_THAT(error_with("scale = 2.0", "format = \"k-net\""), HasSubstr("did you mean \"knet\"?"));
+    EXPECT_THAT(error_with("scale = 2.0", "channel = 0"), HasSubstr("expected a whole number from 1"));
+    EXPECT_THAT(error_with("scale = 2.0", "channel = 2"), StartsWith("r.csv: there is no channel 2"));
+}
+
 TEST_F(ReadRun, NumbersOutOfAllProportionAreRefused) {
     EXPECT_EQ(error_with("\"5 GPa\"", "1e31"),
               "run.toml:4:18: 'youngs_modulus' in [block_material.rock] is 1e+31, which is too large; "

@@ -3,18 +3,19 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <optional>
 #include <string>
 
-#include "blockgen/base/input_error.hpp"
 #include "blockgen/mesh/block_file.hpp"
+#include "support/error_of.hpp"
+#include "support/real_records.hpp"
 
 namespace io_test {
 
 namespace fs = std::filesystem;
+using ::error_of;
+using ::real_records;
 
 /// A folder of the test's own, removed at its end.
 class Folder {
@@ -39,28 +40,6 @@ class Folder {
   private:
     fs::path path_;
 };
-
-/// What an InputError says; "no error" when none was thrown.
-template <class Action>
-std::string error_of(const Action& action) {
-    try {
-        action();
-    } catch (const blockgen::InputError& error) {
-        return error.what();
-    }
-    return "no error";
-}
-
-/// The folder of real records, which are not part of the project: $DDA_SHARED/records or ../shared/records
-/// beside the sources.
-inline std::optional<fs::path> real_records() {
-    if (const char* shared = std::getenv("DDA_SHARED")) return fs::path(shared) / "records";
-    for (fs::path folder = fs::path(__FILE__).parent_path(); folder.has_relative_path();
-         folder = folder.parent_path())
-        if (fs::exists(folder.parent_path() / "shared" / "records"))
-            return folder.parent_path() / "shared" / "records";
-    return std::nullopt;
-}
 
 /// A free block of 2 m x 1 m with its lower left corner at (1, 1) on a prescribed base of 4 m x 1 m, sharing
 /// the vertices of their joint; a measured point at the block's top.

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "dda/io/record_lines.hpp"
-#include "dda/io/records.hpp"
+#include "dda/record/record_lines.hpp"
+#include "dda/record/records.hpp"
 
 namespace dda {
 

@@ -1,17 +1,13 @@
-#include "dda/io/records.hpp"
+#include "dda/record/records.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
-
-#include "support.hpp"
-#include "support/case_name.hpp"
+#include "support/error_of.hpp"
 
 namespace dda {
 namespace {
 
-using io_test::error_of;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
@@ -149,41 +145,37 @@ TEST(Records, UnknownContentIsRefused) {
     EXPECT_THAT(error_in(std::string("000001D \0\0", 10)), HasSubstr("binary file"));
 }
 
-struct Expected {
-    const char* file;
-    std::size_t count;
-    double dt;
-    double peak;       // in the file's unit
-    double peak_time;  // s
-    double unit;
-};
-
-/// The values to six digits that stand in the records' description.
-class RealRecords : public ::testing::TestWithParam<Expected> {};
-
-TEST_P(RealRecords, HaveTheirPublishedPeak) {
-    const auto folder = io_test::real_records();
-    if (!folder)
-        GTEST_SKIP() << "real records are others' data, which the project may not carry; set DDA_SHARED to "
-                        "the folder that holds records";
-    const Expected& expected = GetParam();
-    const Record record = read_record(*folder / expected.file);
-    EXPECT_EQ(record.values.size(), expected.count);
-    EXPECT_EQ(record.dt, expected.dt);
-    const auto largest = std::max_element(record.values.begin(), record.values.end(),
-                                          [](double a, double b) { return std::abs(a) < std::abs(b); });
-    EXPECT_NEAR(*largest / expected.unit, expected.peak, 1e-6 * std::abs(expected.peak));
-    EXPECT_NEAR(static_cast<double>(largest - record.values.begin()) * record.dt, expected.peak_time,
-                1.01 * record.dt);
+TEST(Records, MiniSeedIsRefusedWithTheWayOut) {
+    std::string header = "000001D ABCD 00HNENZ";
+    header.resize(512);
+    EXPECT_THAT(error_in(header), StartsWith("r: is miniSEED: raw counts"));
+    EXPECT_THAT(error_in(header), HasSubstr("write two columns"));
+    header.replace(0, 8, std::string("MS\x03\0\0\0\0\0", 8));
+    EXPECT_THAT(error_in(header), StartsWith("r: is miniSEED: raw counts"));
 }
 
-INSTANTIATE_TEST_SUITE_P(Peer, RealRecords,
-                         ::testing::Values(Expected{"RSN763_LOMAP_GIL067.AT2", 7999, 0.005, -0.3585328, 3.365,
-                                                    g},
-                                           Expected{"IELC180.AT2", 4000, 0.01, -0.3128806, 2.150, g},
-                                           Expected{"IELC180.DT2", 4000, 0.01, 13.3061, 4.160, 0.01},
-                                           Expected{"NIS090.AT2", 4096, 0.01, -0.5027490, 7.090, g}),
-                         [](const auto& tested) { return case_name(tested.param.file); });
+TEST(Records, ADeclaredFormatIsTaken) {
+    const std::string text = peer(in_g, "NPTS= 2, DT= .01 SEC", "1 2\n");
+    RecordDeclaration declaration;
+    declaration.format = "peer";
+    EXPECT_EQ(parse_record(text, "r", declaration).values.size(), 2u);
+    declaration.format = "knet";
+    EXPECT_EQ(error_in(text, declaration),
+              "r:1: the header has no 'Sampling Freq'; expected a K-NET header of 17 lines");
+    declaration.format = "at3";
+    EXPECT_THAT(error_in(text, declaration),
+                StartsWith("r: the format 'at3' is not known; expected peer, knet"));
+    // A heading of numbers is two columns of samples, unless it is declared otherwise.
+    declaration = {Quantity::acceleration, "g", "csv"};
+    EXPECT_EQ(parse_record("0 1\n1 2\n", "r", declaration).values.size(), 2u);
+}
+
+TEST(Records, AFormatOfOneChannelHasNoSecond) {
+    RecordDeclaration declaration;
+    declaration.channel = 2;
+    EXPECT_THAT(error_in(peer(in_g, "NPTS= 2, DT= .01 SEC", "1 2\n"), declaration),
+                StartsWith("r: there is no channel 2: a PEER (AT2, VT2, DT2) file holds one"));
+}
 
 }  // namespace
 }  // namespace dda

@@ -6,8 +6,8 @@
 
 #include "blockgen/base/magnitude.hpp"
 #include "blockgen/base/text.hpp"
-#include "dda/io/record_formats.hpp"
-#include "dda/io/two_columns.hpp"
+#include "dda/record/record_formats.hpp"
+#include "dda/record/two_columns.hpp"
 
 namespace dda {
 

@@ -1,9 +1,9 @@
-#include "dda/io/records.hpp"
+#include "dda/record/records.hpp"
 
 #include "blockgen/base/magnitude.hpp"
 #include "blockgen/base/read_file.hpp"
 #include "blockgen/base/text.hpp"
-#include "dda/io/record_formats.hpp"
+#include "dda/record/record_formats.hpp"
 
 namespace dda {
 
@@ -16,14 +16,23 @@ struct UnitRow {
 };
 
 constexpr UnitRow units[] = {
-    {Quantity::acceleration, "g", 9.80665},    {Quantity::acceleration, "m/s2", 1},
-    {Quantity::acceleration, "m/s/s", 1},      {Quantity::acceleration, "m/sec2", 1},
-    {Quantity::acceleration, "cm/s2", 1e-2},   {Quantity::acceleration, "cm/s/s", 1e-2},
-    {Quantity::acceleration, "cm/sec2", 1e-2}, {Quantity::acceleration, "mm/s2", 1e-3},
-    {Quantity::acceleration, "gal", 1e-2},     {Quantity::velocity, "m/s", 1},
-    {Quantity::velocity, "m/sec", 1},          {Quantity::velocity, "cm/s", 1e-2},
-    {Quantity::velocity, "cm/sec", 1e-2},      {Quantity::velocity, "mm/s", 1e-3},
-    {Quantity::displacement, "m", 1},          {Quantity::displacement, "cm", 1e-2},
+    {Quantity::acceleration, "g", 9.80665},
+    {Quantity::acceleration, "m/s2", 1},
+    {Quantity::acceleration, "m/s/s", 1},
+    {Quantity::acceleration, "m/sec2", 1},
+    {Quantity::acceleration, "cm/s2", 1e-2},
+    {Quantity::acceleration, "cm/s/s", 1e-2},
+    {Quantity::acceleration, "cm/sec2", 1e-2},
+    {Quantity::acceleration, "mm/s2", 1e-3},
+    {Quantity::acceleration, "gal", 1e-2},
+    {Quantity::acceleration, "cm/sec/sec", 1e-2},
+    {Quantity::velocity, "m/s", 1},
+    {Quantity::velocity, "m/sec", 1},
+    {Quantity::velocity, "cm/s", 1e-2},
+    {Quantity::velocity, "cm/sec", 1e-2},
+    {Quantity::velocity, "mm/s", 1e-3},
+    {Quantity::displacement, "m", 1},
+    {Quantity::displacement, "cm", 1e-2},
     {Quantity::displacement, "mm", 1e-3},
 };
 
@@ -38,8 +47,25 @@ std::string known_units(Quantity quantity) {
     return "a unit of " + quantity_name(quantity) + ": " + text;
 }
 
-bool looks_binary(std::string_view text) {
-    return text.substr(0, 4096).find('\0') != std::string_view::npos;
+const RecordFormat& declared_format(const std::string& key, const std::string& file_name) {
+    std::string known;
+    for (const RecordFormat& format : record_formats) {
+        if (key == format.key) return format;
+        known += (known.empty() ? "" : ", ") + std::string(format.key);
+    }
+    throw blockgen::InputError({file_name}, "the format '" + key + "' is not known", known);
+}
+
+const RecordFormat& recognised_format(const RecordLines& lines) {
+    std::string known;
+    for (const RecordFormat& format : record_formats) {
+        if (format.recognises(lines)) return format;
+        known += (known.empty() ? "" : ", ") + std::string(format.name);
+    }
+    const bool binary = lines.bytes().substr(0, 4096).find('\0') != std::string_view::npos;
+    throw blockgen::InputError(
+        {lines.file_name(), binary ? 0 : 1},
+        binary ? "is a binary file in no known record format" : "is in no known record format", known);
 }
 
 }  // namespace
@@ -105,15 +131,21 @@ void settle_units(Record& record, std::optional<Quantity> own_quantity, const st
 
 Record parse_record(std::string_view text, const std::string& file_name,
                     const RecordDeclaration& declaration) {
-    const std::string expected = "a PEER record (AT2, VT2, DT2) or two columns (time, value)";
-    if (looks_binary(text))
-        throw blockgen::InputError(
-            {file_name}, "is a binary file (miniSEED and SAC hold no units: convert to two columns)",
-            expected);
     const RecordLines lines(text, file_name);
-    for (const RecordFormat& format : record_formats)
-        if (format.recognises(lines)) return format.read(lines, declaration);
-    throw blockgen::InputError({file_name, 1}, "is in no known record format", expected);
+    const RecordFormat& format = declaration.format.empty() ? recognised_format(lines)
+                                                            : declared_format(declaration.format, file_name);
+    if (!format.stacks_channels && declaration.channel != 1)
+        throw blockgen::InputError({file_name},
+                                   "there is no channel " + std::to_string(declaration.channel) + ": a " +
+                                       format.name + " file holds one",
+                                   "no channel");
+    return format.read(lines, declaration);
+}
+
+std::vector<std::string> record_format_keys() {
+    std::vector<std::string> keys;
+    for (const RecordFormat& format : record_formats) keys.emplace_back(format.key);
+    return keys;
 }
 
 Record read_record(const std::filesystem::path& path, const RecordDeclaration& declaration) {

@@ -1,11 +1,12 @@
-#include "dda/io/record_lines.hpp"
+#include "dda/record/record_lines.hpp"
 
 #include <algorithm>
 #include <cctype>
 
 namespace dda {
 
-RecordLines::RecordLines(std::string_view text, std::string file_name) : file_name_(std::move(file_name)) {
+RecordLines::RecordLines(std::string_view text, std::string file_name)
+    : bytes_(text), file_name_(std::move(file_name)) {
     constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
     if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
     while (!text.empty()) {
@@ -17,8 +18,11 @@ RecordLines::RecordLines(std::string_view text, std::string file_name) : file_na
     }
 }
 
-void RecordLines::fail(std::size_t index, const std::string& what, const std::string& expected) const {
-    throw blockgen::InputError(place(index), what, expected);
+void RecordLines::fail(std::size_t index, const std::string& what, const std::string& expected,
+                       std::size_t column) const {
+    blockgen::SourcePlace where = place(index);
+    where.column = static_cast<int>(column);
+    throw blockgen::InputError(where, what, expected);
 }
 
 std::vector<std::string_view> words_of(std::string_view line, std::string_view separators) {
@@ -30,6 +34,12 @@ std::vector<std::string_view> words_of(std::string_view line, std::string_view s
         at = line.find_first_not_of(separators, end);
     }
     return words;
+}
+
+std::string_view trimmed(std::string_view text) {
+    const std::size_t start = text.find_first_not_of(" \t");
+    if (start == std::string_view::npos) return {};
+    return text.substr(start, text.find_last_not_of(" \t") - start + 1);
 }
 
 std::string lower_case(std::string_view text) {

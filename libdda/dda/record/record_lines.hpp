@@ -17,16 +17,24 @@ class RecordLines {
     std::size_t size() const { return lines_.size(); }
     std::string_view operator[](std::size_t index) const { return lines_[index]; }
     blockgen::SourcePlace place(std::size_t index) const { return {file_name_, static_cast<int>(index) + 1}; }
-    /// Throws at a line. `expected` completes "expected ...".
-    [[noreturn]] void fail(std::size_t index, const std::string& what, const std::string& expected) const;
+    /// The whole text as it came, for formats that are not made of lines.
+    std::string_view bytes() const { return bytes_; }
+    const std::string& file_name() const { return file_name_; }
+    /// Throws at a line, and a column counted from 1 where one is known. `expected` completes "expected ...".
+    [[noreturn]] void fail(std::size_t index, const std::string& what, const std::string& expected,
+                           std::size_t column = 0) const;
 
   private:
+    std::string_view bytes_;
     std::vector<std::string_view> lines_;
     std::string file_name_;
 };
 
 /// The words of a line between blanks, tabs and the other separators given.
 std::vector<std::string_view> words_of(std::string_view line, std::string_view separators = " \t");
+
+/// Without the blanks and tabs at both ends.
+std::string_view trimmed(std::string_view text);
 
 std::string lower_case(std::string_view text);
 

@@ -21,17 +21,21 @@ struct Record {
 /// What the model file says of a record. Formats that state quantity or unit themselves are checked against
 /// it.
 struct RecordDeclaration {
-    std::optional<Quantity> quantity;
-    std::string unit;  ///< "g", "cm/s2", ...; empty: the file's own
+    std::optional<Quantity> quantity = {};  ///< of a file that holds several: which; without it, acceleration
+    std::string unit = {};                  ///< "g", "cm/s2", ...; empty: the file's own
+    std::string format = {};                ///< one of record_format_keys(); empty: told from the content
+    int channel = 1;                        ///< which channel of a file that stacks several, from 1
 };
 
-/// Reads a record; the format is told from the content, never from the name: PEER AT2, VT2, DT2 in its three
-/// header variants, or two-column text (time, value).
-/// @throws InputError naming file and line: unreadable, unknown format, uneven steps, wrong count, not a
-/// finite number, neither file nor declaration says what the values are.
+/// Reads a record. The format is told from the content, never from the name, unless it is declared.
+/// @throws InputError naming file and line: unreadable, unknown format, truncated, uneven steps, wrong count,
+/// not a finite number, no such channel, neither file nor declaration says what the values are.
 Record read_record(const std::filesystem::path& path, const RecordDeclaration& declaration = {});
 Record parse_record(std::string_view text, const std::string& file_name,
                     const RecordDeclaration& declaration = {});
+
+/// The words by which a model file may name a format: "peer", "knet", ...
+std::vector<std::string> record_format_keys();
 
 /// The word of a quantity in model files and headings: "acceleration", "velocity", "displacement".
 std::string quantity_name(Quantity quantity);

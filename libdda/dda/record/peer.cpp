@@ -1,7 +1,8 @@
+#include <algorithm>
 #include <charconv>
 
 #include "blockgen/base/text.hpp"
-#include "dda/io/record_formats.hpp"
+#include "dda/record/record_formats.hpp"
 
 namespace dda {
 
@@ -79,6 +80,9 @@ bool is_peer(const RecordLines& lines) {
 }
 
 Record read_peer(const RecordLines& lines, const RecordDeclaration& declaration) {
+    if (!is_peer(lines))
+        lines.fail(std::min(kind_line, std::max<std::size_t>(lines.size(), 1) - 1), "there is no PEER header",
+                   "line 3 such as ACCELERATION TIME SERIES IN UNITS OF G");
     const auto sampling = sampling_of(lines[count_line]);
     if (!sampling)
         lines.fail(count_line, "no number of points and step",
