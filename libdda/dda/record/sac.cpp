@@ -14,7 +14,7 @@ namespace dda {
 
 namespace {
 
-constexpr std::size_t header_bytes = 632, footer_bytes = 22 * 8;
+constexpr std::size_t header_bytes = 632, footer_bytes = 176;
 // Words of the header, from 0.
 constexpr std::size_t step_word = 0, version_word = 76, points_word = 79, type_word = 85, even_word = 105;
 constexpr std::int32_t time_series = 1;  // IFTYPE
