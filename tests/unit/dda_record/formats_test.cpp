@@ -111,7 +111,7 @@ TEST(RecordFormats, SacInBothByteOrdersAndVersions) {
                 HasSubstr("660 bytes: it is cut off"));
     EXPECT_THAT(error_in(small_records::sac() + "more", declaration), HasSubstr("more than the header says"));
     std::string uneven = small_records::sac();
-    uneven[4 * 105] = 0;
+    uneven[std::size_t{4} * 105] = 0;
     EXPECT_THAT(error_in(uneven, declaration), HasSubstr("the time step is uneven"));
 }
 
