@@ -114,13 +114,12 @@ class Estate {
 /// none.
 Contact* beside(const Contact& gone, std::span<Contact> contacts, double farthest) {
     Contact* nearest = nullptr;
-    for (const auto& [corner_block, edge_block] :
+    for (const std::pair blocks :
          {std::pair(gone.corner_block, gone.edge_block), std::pair(gone.edge_block, gone.corner_block)}) {
-        const auto first = std::partition_point(contacts.begin(), contacts.end(), [&](const Contact& c) {
-            return std::pair(c.corner_block, c.edge_block) < std::pair(corner_block, edge_block);
-        });
-        for (auto c = first;
-             c != contacts.end() && c->corner_block == corner_block && c->edge_block == edge_block; ++c) {
+        const auto of = [](const Contact& c) { return std::pair(c.corner_block, c.edge_block); };
+        auto c = std::partition_point(contacts.begin(), contacts.end(),
+                                      [&](const Contact& other) { return of(other) < blocks; });
+        for (; c != contacts.end() && of(*c) == blocks; ++c) {
             const double distance = (c->point - gone.point).norm();
             if (c->state == ContactState::open || distance > farthest || !same_line(gone, *c)) continue;
             farthest = distance;

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "blockgen/base/input_error.hpp"
-#include "dda/record/records.hpp"
 #include "dda/model/time_table.hpp"
+#include "dda/record/records.hpp"
 
 namespace dda {
 
