@@ -114,7 +114,7 @@ class Estate {
 /// none.
 Contact* beside(const Contact& gone, std::span<Contact> contacts, double farthest) {
     Contact* nearest = nullptr;
-    for (const std::pair blocks :
+    for (const std::pair<int, int>& blocks :
          {std::pair(gone.corner_block, gone.edge_block), std::pair(gone.edge_block, gone.corner_block)}) {
         const auto of = [](const Contact& c) { return std::pair(c.corner_block, c.edge_block); };
         auto c = std::partition_point(contacts.begin(), contacts.end(),
