@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 
 #include "dda/contact/candidates.hpp"
@@ -78,6 +79,10 @@ struct Told {
     double length = 0;
     dda::ContactKind kind = dda::ContactKind::vertex_edge;
     bool grouped = false;
+    double edge = 0;    ///< m, the edge's length
+    double inside = 0;  ///< m, how far inside the edge's ends the corner is
+    Name end;           ///< the edge's end that is nearer
+    Vec2 normal{0, 0};  ///< as if the model had not been turned
 };
 using Contacts = std::map<std::pair<Name, Name>, Told>;
 
@@ -93,22 +98,68 @@ Contacts contacts_of(const Shapes& shapes, const Change& change, double reach) {
         const auto b = static_cast<std::size_t>(block);
         return {change.order.empty() ? b : change.order[b], corner - s.model.topology.block_corners[b]};
     };
+    const auto at = [&](int corner) { return s.model.vertices[static_cast<std::size_t>(corner)]; };
     Contacts contacts;
     for (const dda::Contact& c : found) {
-        contacts[{name(c.corner), name(c.edge)}] = {c.gap / change.metre, c.length / change.metre, c.kind,
-                                                    c.group >= 0};
+        const int next = s.model.topology.next[static_cast<std::size_t>(c.edge)];
+        const auto geometry = dda::corner_edge_geometry(at(c.corner), at(c.edge), at(next));
+        contacts[{name(c.corner), name(c.edge)}] = {
+            c.gap / change.metre,
+            c.length / change.metre,
+            c.kind,
+            c.group >= 0,
+            geometry.length / change.metre,
+            geometry.inside() / change.metre,
+            name(geometry.along < geometry.length / 2 ? c.edge : next),
+            placed(c.normal, -change.angle, Vec2(0, 0))};
     }
     return contacts;
 }
 
-void expect_same(const Contacts& one, const Contacts& other, double tolerance) {
-    ASSERT_EQ(one.size(), other.size());
-    for (auto a = one.begin(), b = other.begin(); a != one.end(); ++a, ++b) {
-        ASSERT_EQ(a->first, b->first) << "corner " << a->first.first.first << '.' << a->first.first.second;
-        EXPECT_NEAR(a->second.gap, b->second.gap, tolerance);
-        EXPECT_NEAR(a->second.length, b->second.length, tolerance);
-        EXPECT_EQ(a->second.kind, b->second.kind);
-        EXPECT_EQ(a->second.grouped, b->second.grouped);
+/// How many metres a gap may differ by where coordinates do by `rounding`: the corner by as much, and the
+/// line by as much at the edge's ends, in proportion to the distance beyond them.
+double gap_tolerance(const Told& told, double rounding) {
+    return rounding * (2 + 2 * std::max(0.0, -told.inside) / told.edge);
+}
+
+/// Half the overlaps of up to four pairs of faces, each with a corner at either end that is off by twice the
+/// rounding along the edge.
+double length_tolerance(double rounding) {
+    return 8 * rounding;
+}
+
+/// Whether two contacts are of one line at one pair of corners that are in the same place but for rounding:
+/// which of the corners stands for the line is then nobody's business.
+bool same_line_of_coinciding_corners(const Contacts::value_type& a, const Contacts::value_type& b,
+                                     double rounding) {
+    const auto corners = [](const Contacts::value_type& c) {
+        return std::minmax(c.first.first, c.second.end);
+    };
+    return corners(a) == corners(b) && std::abs(a.second.inside) <= 4 * rounding &&
+           std::abs(dda::cross(a.second.normal, b.second.normal)) <=
+               4 * rounding / std::min(a.second.edge, b.second.edge);
+}
+
+/// The same contacts, with lengths that differ no more than by what coordinates do times what that makes of
+/// it.
+void expect_same(const Contacts& one, const Contacts& other, double rounding) {
+    EXPECT_EQ(one.size(), other.size());
+    for (const auto& a : one) {
+        auto b = other.find(a.first);
+        if (b == other.end()) {
+            b = std::find_if(other.begin(), other.end(), [&](const auto& candidate) {
+                return same_line_of_coinciding_corners(a, candidate, rounding);
+            });
+        }
+        const auto& [corner, edge] = a.first;
+        ASSERT_NE(b, other.end()) << "corner " << corner.first << '.' << corner.second << ", edge "
+                                  << edge.first << '.' << edge.second << ", inside " << a.second.inside;
+        SCOPED_TRACE("corner " + std::to_string(corner.first) + '.' + std::to_string(corner.second) +
+                     ", edge " + std::to_string(edge.first) + '.' + std::to_string(edge.second));
+        EXPECT_NEAR(a.second.gap, b->second.gap, gap_tolerance(a.second, rounding));
+        EXPECT_NEAR(a.second.length, b->second.length, length_tolerance(rounding));
+        EXPECT_EQ(a.second.kind, b->second.kind);
+        EXPECT_EQ(a.second.grouped, b->second.grouped);
     }
 }
 
@@ -117,6 +168,8 @@ class Detection : public testing::TestWithParam<unsigned> {
     const Shapes shapes = scattered(GetParam());
     const double reach = Dice(GetParam() + 1000).magnitude(.003, .3);
     const Contacts plain = contacts_of(shapes, {}, reach);
+    /// Of coordinates up to 8 m, that are turned and scaled: a few units of their last place.
+    static constexpr double rounding = 8 * 4 * 2.2e-16;
 };
 
 TEST_P(Detection, FindsSomething) {
@@ -124,9 +177,39 @@ TEST_P(Detection, FindsSomething) {
 }
 
 TEST_P(Detection, DoesNotDependOnUnits) {
-    // A power of two changes no bit; a thousand rounds. Gaps of 1e-16 m may then differ by as much.
-    for (const double metre : {1024.0, 1000.0, .001})
-        expect_same(plain, contacts_of(shapes, {0, {0, 0}, metre, {}}, reach), 1e-13);
+    // A power of two changes no bit; a thousand rounds.
+    for (const double metre : {1024.0, 1000.0, .001}) {
+        SCOPED_TRACE(metre);
+        expect_same(plain, contacts_of(shapes, {0, {0, 0}, metre, {}}, reach), rounding);
+    }
+}
+
+TEST_P(Detection, DoesNotDependOnTheOrderOfTheBlocks) {
+    Dice dice(GetParam() + 2000);
+    Change change;
+    for (std::size_t k = 0; k < shapes.blocks.size(); ++k) change.order.push_back(k);
+    for (int k = 0; k < 5; ++k) {
+        for (std::size_t b = change.order.size(); b > 1; --b)
+            std::swap(change.order[b - 1], change.order[dice.one_of(static_cast<unsigned>(b))]);
+        expect_same(plain, contacts_of(shapes, change, reach), 0x1p-50);
+    }
+}
+
+TEST_P(Detection, DoesNotDependOnWhichWayTheModelIsTurned) {
+    Dice dice(GetParam() + 3000);
+    for (int k = 0; k < 5; ++k) {
+        const Vec2 shift(dice.between(-5, 5), dice.between(-5, 5));
+        expect_same(plain, contacts_of(shapes, {dice.between(0, 6), shift, 1, {}}, reach), 2 * rounding);
+    }
+}
+
+TEST_P(Detection, DoesNotDependOnWhereTheModelIs) {
+    // Coordinates of 1e6 m are rounded to the half of 2^-33 m, in x and in y.
+    const double far_rounding = 0x1p-33 / std::sqrt(2.0);
+    for (const Vec2& shift : {Vec2(1e6, 0), Vec2(-1e6, 1e6), Vec2(1e6 / 3, -1e6 / 7)}) {
+        SCOPED_TRACE(shift.transpose());
+        expect_same(plain, contacts_of(shapes, {0, shift, 1, {}}, reach), far_rounding);
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, Detection, testing::Range(1U, 21U), testing::PrintToStringParamName());

@@ -238,8 +238,7 @@ bool faces_outwards(const Topology& topology, std::span<const Vec2> vertices, in
     const Vec2 leaving = (at(topology.next[k]) - at(corner)).normalized();
     const Vec2 arriving = (at(topology.previous[k]) - at(corner)).normalized();
     if (leaving.dot(normal) < -parallel_tolerance || arriving.dot(normal) < -parallel_tolerance) return false;
-    return perpendicular(leaving - arriving).dot(normal) > 0 ||
-           (leaving + arriving).dot(normal) > parallel_tolerance;
+    return perpendicular(leaving - arriving).dot(normal) > 0;
 }
 
 std::vector<Contact> detect_contacts(const Model& model, const Detection& at,
