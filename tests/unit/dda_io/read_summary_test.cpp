@@ -2,17 +2,14 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-
 #include "blockgen/base/input_error.hpp"
+#include "support.hpp"
 
 namespace {
 
 std::optional<dda::BlamedContact> read(const std::string& text) {
-    const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "read_summary_test.json";
-    std::ofstream(path) << text;
-    return dda::read_worst_contact(path);
+    const io_test::Folder folder;
+    return dda::read_worst_contact(folder.write("summary.json", text));
 }
 
 TEST(ReadSummary, FindsTheContactToBlame) {
