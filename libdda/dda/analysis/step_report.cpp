@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "dda/contact/known_depth.hpp"
 #include "dda/terms/loads.hpp"
 
 namespace dda {
@@ -17,12 +18,12 @@ double reference_acceleration(const Model& model, const BlockSystem& blocks) {
     return largest > 0 ? largest : 1.0;
 }
 
-void count_contacts(const State& after, StepReport& report) {
+void count_contacts(const Topology& topology, const State& after, StepReport& report) {
     for (const Contact& contact : after.contacts.contacts) {
         ++(contact.state == ContactState::open      ? report.open
            : contact.state == ContactState::sliding ? report.sliding
                                                     : report.locked);
-        if (contact.state != ContactState::open)
+        if (stands_for_its_depth(topology, after.blocks.vertices, contact))
             report.largest_penetration = std::max(report.largest_penetration, -contact.gap);
     }
 }
@@ -34,7 +35,7 @@ StepReport report_step(const Model& model, const RowMap& rows, const State& afte
     StepReport report;
     report.time = after.time;
     report.step = step;
-    count_contacts(after, report);
+    count_contacts(model.topology, after, report);
     const double g = reference_acceleration(model, after.blocks);
     double lightest = std::numeric_limits<double>::infinity();
     for (const int block : rows.block_of) {

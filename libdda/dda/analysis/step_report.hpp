@@ -14,7 +14,7 @@ struct StepReport {
     int factorizations = 0;
     int cuts = 0;                           ///< attempts rejected before this one
     int open = 0, sliding = 0, locked = 0;  ///< contacts by state
-    double largest_penetration = 0;         ///< m
+    double largest_penetration = 0;         ///< m, of contacts that stand for their depth
     double largest_displacement = 0;        ///< of a vertex in this step, m
     double unbalanced_force = 0;  ///< largest over the blocks, of all six unknowns, over the block's weight
     double contact_frequency_step = 0;  ///< omega_contact * dt, the largest of sqrt(k_n / m_block) * dt

@@ -7,26 +7,21 @@
 
 namespace dda {
 
-namespace {
-
-/// Whether a contact stands for the depth that it is at: it bears force, or was let in that deep and bears
-/// what comes on top.
-bool stands_for_its_depth(const Contact& contact, const CornerEdgeGeometry& geometry) {
+bool stands_for_its_depth(const Topology& topology, std::span<const Vec2> vertices, const Contact& contact) {
     if (contact.state != ContactState::open) return true;
-    return !contact.held_back && geometry.inside() >= 0 && geometry.gap < 0 &&
-           -geometry.gap <= 2 * contact.known_depth;
+    if (contact.held_back || contact.known_depth == 0) return false;
+    const auto at = [&](int corner) -> const Vec2& { return vertices[static_cast<std::size_t>(corner)]; };
+    const CornerEdgeGeometry geometry = corner_edge_geometry(
+        at(contact.corner), at(contact.edge), at(topology.next[static_cast<std::size_t>(contact.edge)]));
+    return geometry.inside() >= 0 && geometry.gap < 0 && -geometry.gap <= 2 * contact.known_depth;
 }
-
-}  // namespace
 
 KnownDepths::KnownDepths(const Topology& topology, std::span<const Vec2> vertices,
                          std::span<const Contact> contacts, double reach) {
     const auto at = [&](int corner) -> const Vec2& { return vertices[static_cast<std::size_t>(corner)]; };
     for (const Contact& contact : contacts) {
+        if (!stands_for_its_depth(topology, vertices, contact)) continue;
         const int end = topology.next[static_cast<std::size_t>(contact.edge)];
-        if (!stands_for_its_depth(contact,
-                                  corner_edge_geometry(at(contact.corner), at(contact.edge), at(end))))
-            continue;
         const double depth = -contact.gap;
         const double spring_depth = contact.rest_gap - contact.gap;
         entries_.push_back({contact.corner, contact.edge_block, contact.normal, depth, spring_depth});

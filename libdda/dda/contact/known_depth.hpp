@@ -8,6 +8,11 @@
 
 namespace dda {
 
+/// Whether a contact stands for the depth that it is at: it bears force, or its corner was let on to the edge
+/// that deep (Contact::known_depth) and it bears what comes on top.
+/// @param vertices at the contact's instant.
+bool stands_for_its_depth(const Topology& topology, std::span<const Vec2> vertices, const Contact& contact);
+
 /// How deep corners are in what bears them, or would if they got deeper. A contact tells it of its corner,
 /// and of the end of its edge where that is within reach of the corner: of two corners on each other only one
 /// has a contact.
