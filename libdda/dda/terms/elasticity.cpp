@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cmath>
 
 #include "dda/terms/system.hpp"
@@ -6,7 +5,9 @@
 namespace dda {
 
 double retardation_time(const BlockMaterial& material, const AreaMoments& moments) {
-    const double longest = std::max(moments.xx, moments.yy) / moments.area;
+    const double largest_moment =
+        (moments.xx + moments.yy) / 2 + std::hypot((moments.xx - moments.yy) / 2, moments.xy);
+    const double longest = largest_moment / moments.area;
     const double frequency = std::sqrt(material.youngs_modulus / (material.density * longest));
     return 2 * material.damping_ratio / frequency;
 }

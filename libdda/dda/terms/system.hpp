@@ -62,8 +62,8 @@ void add_inertia(const RowMap& rows, const BlockSystem& blocks, const Newmark& n
 void add_elasticity(const Model& model, const RowMap& rows, const BlockSystem& blocks, double dt,
                     BaseSystem& base);
 /// Retardation time of a block's rock, s: viscous stress = time * elasticity * strain rate gives the
-/// material's damping ratio in the block's softest strain mode, of frequency sqrt(E area / (rho max(I_xx,
-/// I_yy))).
+/// material's damping ratio in the block's softest strain mode, of frequency sqrt(E area / (rho I)) with
+/// the larger principal moment I of the area, Eq. (18).
 double retardation_time(const BlockMaterial& material, const AreaMoments& moments);
 void add_fixed_points(const Model& model, const RowMap& rows, const BlockSystem& blocks, const MidStep& mid,
                       BaseSystem& base);
