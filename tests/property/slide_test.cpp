@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdio>
+
 #include "support/collapsing_slope.hpp"
 #include "support/overlap.hpp"
 
@@ -19,6 +21,8 @@ class Slide {
             look(state, report);
         };
     }
+    /// Prints a line each `period` of simulated time, s.
+    void tell_every(double period) { period_ = next_ = period; }
     void run(double duration) {
         const dda::RunOutcome outcome = sim_.shake(duration, .005);
         EXPECT_EQ(outcome.status, dda::RunStatus::completed) << outcome.message;
@@ -79,6 +83,20 @@ class Slide {
         momentum_ = now;
         area_change_ = std::max(area_change_, std::abs(unstrained_area(state) / first_area_ - 1));
         if (++steps_ % overlaps_every_ == 0) look_for_overlaps(state);
+        iterations_ += report.iterations;
+        cuts_ += report.cuts;
+        if (state.time >= next_) tell(state);
+    }
+
+    void tell(const dda::State& state) {
+        const dda::Energy& energy = state.energy;
+        std::printf(
+            "%5.2f s: %d steps, %.1f iterations each, %d cuts, penetration %.3g m, overlap %.3g m, "
+            "momentum %.2g of %.3g, area %.2g; kinetic %.3g J, friction %.4g J, residual %.2g J\n",
+            state.time, steps_, double(iterations_) / steps_, cuts_, deepest_, overlap_, unbalanced_, moved_,
+            area_change_, energy.kinetic, energy.friction_loss, energy.residual());
+        std::fflush(stdout);
+        next_ += period_;
     }
 
     void look_for_overlaps(const dda::State& state) {
@@ -94,14 +112,12 @@ class Slide {
     Vec2 unexplained_{0, 0};  ///< kg m/s, so far
     double first_area_ = 0;
     double deepest_ = 0, overlap_ = 0, area_change_ = 0, unbalanced_ = 0, moved_ = 0;
-    int steps_ = 0;
+    int steps_ = 0, cuts_ = 0;
+    long iterations_ = 0;
+    double period_ = 0, next_ = 1e9;  ///< s, of the lines that tell of the run
 };
 
-// 120 blocks slide down, break up and run out for 10 s.
-TEST(LongSlide, LosesNothingAndKeepsItsBooks) {
-    Slide slide(collapsing_slope(20, 6, 1), 1, 20);
-    slide.run(10);
-    EXPECT_GT(slide.mean_way(), 20) << "it has run out";
+void expect_nothing_lost(const Slide& slide) {
     EXPECT_LT(slide.deepest(), 1e-3) << "of blocks of 1 m";
     EXPECT_LT(slide.deepest_overlap(), slide.deepest()) << "no block is in another farther than contacts say";
     EXPECT_LT(slide.area_change(), 1e-6);
@@ -109,6 +125,24 @@ TEST(LongSlide, LosesNothingAndKeepsItsBooks) {
     // largest when a step has converged.
     EXPECT_LT(slide.momentum_change(), 1e-6 * slide.momentum_moved());
     EXPECT_GT(slide.lowest(), 0) << "nobody is below the plane";
+}
+
+// 120 blocks slide down, break up and run out for 10 s.
+TEST(LongSlide, LosesNothingAndKeepsItsBooks) {
+    Slide slide(collapsing_slope(20, 6, 1), 1, 20);
+    slide.run(10);
+    EXPECT_GT(slide.mean_way(), 20) << "it has run out";
+    expect_nothing_lost(slide);
+}
+
+// 1000 blocks for 30 s. It takes about an hour, so it is asked for by name:
+// property --gtest_also_run_disabled_tests --gtest_filter='*ThousandBlocks'
+TEST(LongSlide, DISABLED_ThousandBlocks) {
+    Slide slide(collapsing_slope(50, 20, 1), 1, 50);
+    slide.tell_every(.5);
+    slide.run(30);
+    EXPECT_GT(slide.mean_way(), 40) << "it has run out";
+    expect_nothing_lost(slide);
 }
 
 }  // namespace
