@@ -2,12 +2,8 @@
 // swept with exact construction, checked as a mesh and read back from its block file; what fails is named by
 // its seed.
 //   fuzz_cutter SECONDS [FIRST_SEED]        fuzz_cutter --seeds FILE replays seeds, one a line
-#include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <cstring>
-#include <fstream>
 #include <random>
 #include <string>
 
@@ -15,6 +11,7 @@
 #include "blockgen/cut_blocks.hpp"
 #include "blockgen/mesh/block_file.hpp"
 #include "blockgen/walk_faces.hpp"
+#include "fuzz/run_seeds.hpp"
 
 namespace {
 
@@ -117,22 +114,7 @@ bool passes(unsigned long seed) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc < 2) {
-        std::fputs("fuzz_cutter SECONDS [FIRST_SEED] | --seeds FILE\n", stderr);
-        return 2;
-    }
-    bool good = true;
-    if (std::strcmp(argv[1], "--seeds") == 0 && argc == 3) {
-        std::ifstream file(argv[2]);
-        int count = 0;
-        for (unsigned long seed = 0; file >> seed; ++count) good = passes(seed) && good;
-        std::printf("%d seeds\n", count);
-        return good && count > 0 ? 0 : 1;
-    }
-    const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(std::atof(argv[1]));
-    unsigned long seed = argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 1;
-    const unsigned long first = seed;
-    for (; std::chrono::steady_clock::now() < end; ++seed) good = passes(seed) && good;
-    std::printf("%lu slopes, %lu of them refused\n", seed - first, refused);
-    return good ? 0 : 1;
+    const int code = fuzz::run_seeds(argc, argv, passes);
+    std::printf("%lu of them refused\n", refused);
+    return code;
 }

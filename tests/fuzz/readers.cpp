@@ -3,13 +3,9 @@
 //   fuzz_readers SECONDS [FIRST_SEED]        fuzz_readers --seeds FILE replays seeds, one a line
 #include <unistd.h>
 
-#include <chrono>
 #include <cstdio>
-#include <cstdlib>
-#include <cstring>
 #include <fstream>
 #include <functional>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -20,6 +16,8 @@
 #include "blockgen/input/read_slope_model.hpp"
 #include "blockgen/mesh/block_file.hpp"
 #include "blockgen/sample_joints.hpp"
+#include "fuzz/damage.hpp"
+#include "fuzz/run_seeds.hpp"
 
 namespace {
 
@@ -86,44 +84,6 @@ const char* json_text =
     R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{"joint_material":"a"},)"
     R"("geometry":{"type":"MultiLineString","coordinates":[[[0,0],[1,2.5]],[[1,1],[2,2],[3,1e1]]]}}]})";
 
-class Damage {
-  public:
-    explicit Damage(unsigned long seed) : random_(seed) {}
-
-    std::size_t pick(std::size_t n) { return n == 0 ? 0 : random_() % n; }
-
-    std::string of(std::string text) {
-        static const std::vector<std::string> words = {
-            "-1", "0", "1e308", "nan", "inf",          "\"",  "[", "]",
-            "{",  "}", "\n",    "=",   "999999999999", "deg", ",", "#"};
-        for (std::size_t k = 1 + pick(6); k > 0; --k) {
-            const std::size_t at = pick(text.size()),
-                              length = pick(std::min<std::size_t>(40, text.size() - at)),
-                              other = pick(text.size());
-            switch (pick(6)) {
-                case 0:
-                    if (!text.empty()) text[at] = static_cast<char>(random_() & 255u);
-                    break;
-                case 1:
-                    text.erase(at, length);
-                    break;
-                case 2:
-                    text.insert(other, text.substr(at, length));
-                    break;
-                case 3:
-                    text.resize(at);
-                    break;
-                default:
-                    text.replace(at, pick(4), words[pick(words.size())]);
-            }
-        }
-        return text;
-    }
-
-  private:
-    std::mt19937 random_;
-};
-
 std::string cut_text() {
     static const std::string text = [] {
         const SlopeModel model = read_slope_model(ConfigTable::from_text(model_text, "slope.toml"));
@@ -142,7 +102,7 @@ const std::string& written(const std::string& text, const char* extension) {
 unsigned long refused = 0;
 
 bool passes(unsigned long seed) {
-    Damage damage(seed);
+    fuzz::Damage damage(seed);
     const std::vector<std::function<void()>> readers = {
         [&] {
             const SlopeModel model =
@@ -169,23 +129,8 @@ bool passes(unsigned long seed) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc < 2) {
-        std::fputs("fuzz_readers SECONDS [FIRST_SEED] | --seeds FILE\n", stderr);
-        return 2;
-    }
-    bool good = true;
-    if (std::strcmp(argv[1], "--seeds") == 0 && argc == 3) {
-        std::ifstream file(argv[2]);
-        int count = 0;
-        for (unsigned long seed = 0; file >> seed; ++count) good = passes(seed) && good;
-        std::printf("%d seeds\n", count);
-        return good && count > 0 ? 0 : 1;
-    }
-    const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(std::atof(argv[1]));
-    unsigned long seed = argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 1;
-    const unsigned long first = seed;
-    for (; std::chrono::steady_clock::now() < end; ++seed) good = passes(seed) && good;
+    const int code = fuzz::run_seeds(argc, argv, passes);
     for (const char* extension : {".geo", ".csv", ".json"}) std::remove(written("", extension).c_str());
-    std::printf("%lu files, %lu of them refused\n", seed - first, refused);
-    return good ? 0 : 1;
+    std::printf("%lu of them refused\n", refused);
+    return code;
 }

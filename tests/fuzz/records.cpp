@@ -1,0 +1,80 @@
+// Feeds damaged records of ground motion, in every format, to their readers: recognised from the content, and
+// by a declared format that may be the wrong one. Each must be read into a record that a base can follow, or
+// refused by InputError.
+//   fuzz_records SECONDS [FIRST_SEED]        fuzz_records --seeds FILE replays seeds, one a line
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "blockgen/base/input_error.hpp"
+#include "dda/record/records.hpp"
+#include "fuzz/damage.hpp"
+#include "fuzz/run_seeds.hpp"
+#include "unit/dda_record/small_records.hpp"
+
+namespace {
+
+unsigned long refused = 0;
+
+/// A second of miniSEED: a header that is recognised, and samples that are not read.
+std::string miniseed() {
+    std::string text = "000001D ABCD 00HNEXX";
+    return text + std::string(512 - text.size(), '\0');
+}
+
+std::vector<small_records::SmallRecord> starts() {
+    std::vector<small_records::SmallRecord> records = small_records::all();
+    records.push_back({"miniseed", miniseed()});
+    return records;
+}
+
+/// Mostly what fits the file, so that the damage is what decides; sometimes the word of another format or
+/// unit.
+dda::RecordDeclaration declaration_of(fuzz::Damage& damage, const std::string& format) {
+    static const std::vector<std::string> keys = dda::record_format_keys();
+    static const std::vector<std::string> units = {"g", "cm/s2", "m/s", "mm"};
+    dda::RecordDeclaration declaration;
+    if (format == "sac") declaration = {dda::Quantity::acceleration, "m/s2", ""};
+    if (damage.pick(3) == 0) declaration.format = format;
+    if (damage.pick(20) == 0) declaration.format = keys[damage.pick(keys.size())];
+    if (damage.pick(20) == 0) declaration.quantity = static_cast<dda::Quantity>(damage.pick(3));
+    if (damage.pick(20) == 0) declaration.unit = units[damage.pick(units.size())];
+    if (damage.pick(20) == 0) declaration.channel = 1 + static_cast<int>(damage.pick(3));
+    return declaration;
+}
+
+bool is_usable(const dda::Record& record) {
+    if (!(record.dt > 0) || record.values.size() < 2) return false;
+    for (const double value : record.values)
+        if (!std::isfinite(value)) return false;
+    return true;
+}
+
+bool passes(unsigned long seed) {
+    static const std::vector<small_records::SmallRecord> records = starts();
+    fuzz::Damage damage(seed);
+    const small_records::SmallRecord& start = records[seed % records.size()];
+    const dda::RecordDeclaration declaration = declaration_of(damage, start.format);
+    try {
+        const dda::Record record = dda::parse_record(damage.of(start.text), "record", declaration);
+        if (is_usable(record)) return true;
+        std::printf("seed %lu (%s): %zu samples at %g s, or one that is not finite\n", seed, start.format,
+                    record.values.size(), record.dt);
+        return false;
+    } catch (const blockgen::InputError&) {
+        ++refused;
+        return true;
+    } catch (const std::exception& error) {
+        std::printf("seed %lu (%s): %s\n", seed, start.format, error.what());
+        return false;
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const int code = fuzz::run_seeds(argc, argv, passes);
+    std::printf("%lu of them refused\n", refused);
+    return code;
+}
