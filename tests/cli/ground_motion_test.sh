@@ -26,3 +26,46 @@ refused "step" synthesise -o a.at2 --step 0
 refused "at2 or .csv" synthesise -o a.txt
 refused ".svg, .png or .pdf" synthesise -o a.at2 --picture a.gif
 refused "no/such/folder" synthesise -o no/such/folder/a.at2
+
+# What is done to a record: what is asked for is what is printed, and the file reads back the same.
+record=$records/artificial-m6.5.at2
+expect() {
+    expected=$1
+    shift
+    "$program" "$@" >measures.txt || fail "refused: $*"
+    grep -q -e "$expected" measures.txt || fail "no '$expected' from $*: $(cat measures.txt)"
+}
+expect 'peak acceleration 0.3500 g' show "$record" --spectrum spectrum.csv --picture record.svg
+cmp spectrum.csv "$records/artificial-m6.5-spectrum.csv" || fail "show gives another spectrum"
+expect 'peak acceleration 0.3500 g' convert "$record" -o same.csv
+expect 'samples 4001, step 0.005 s' show same.csv
+expect 'samples 4001' show "$record" --format peer
+expect 'peak acceleration 0.2000 g' scale "$record" -o scaled.at2 --peak 0.2
+expect 'peak acceleration 0.2000 g' show scaled.at2
+expect 'Arias intensity 2.500' scale "$record" -o scaled.at2 --arias 2.5
+expect 'samples 4001' scale "$record" -o scaled.at2 --ordinate 0.5 --period 0.5 --spectrum at.csv
+expect 'duration 5 s' trim "$record" -o part.at2 --from 2 --to 7
+expect 'samples 2001, step 0.01 s' resample "$record" -o coarse.at2 --step 0.01
+expect 'peak acceleration 0.3500 g' rotate "$record" scaled.at2 -o along.at2 --azimuth 30 --azimuth 120 --section 30
+expect 'samples 28001' correct "$record" -o pads.csv --mean 0 --trend 1 --taper 0.5 --high-pass 0.05 --order 4
+expect 'velocity [-0-9.]*e-1' correct "$record" -o moved.csv --shift 1 --shift 15
+rm -- *
+
+refused "columns\|sample\|time" show "$record" --format csv
+refused "is not known" show "$record" --format nonsense
+refused "0 records are given; expected 1" show
+refused "2 records are given; expected 1" convert a b -o a.at2
+refused "at2 or .csv" convert "$record"
+refused "overwrite" convert "$record" -o "$record"
+refused "exactly one" scale "$record" -o a.at2
+refused "exactly one" scale "$record" -o a.at2 --peak 1 --factor 2
+refused "go together" scale "$record" -o a.at2 --ordinate 1
+refused "peak must be positive" scale "$record" -o a.at2 --peak nan
+refused "later one" trim "$record" -o a.at2 --from 3 --to 2
+refused "step" resample "$record" -o a.at2
+refused "10000000 samples" resample "$record" -o a.at2 --step 0
+refused "azimuth twice" rotate "$record" "$record" -o a.at2 --azimuth 1 --section 2
+refused "off one line" rotate "$record" "$record" -o a.at2 --azimuth 1 --azimuth 181 --section 2
+refused "corner frequency" correct "$record" -o a.at2 --high-pass 200
+refused "shift twice" correct "$record" -o a.at2 --shift 1
+refused "damping" show "$record" --damping 1

@@ -4,14 +4,27 @@
 
 #include "blockgen/base/input_error.hpp"
 #include "blockgen/base/output_error.hpp"
+#include "change_commands.hpp"
 #include "synthesise_command.hpp"
 
 namespace {
 
-constexpr const char* usage =
-    "ground-motion SUBCOMMAND [options]\n"
-    "  synthesise   make an artificial accelerogram\n"
-    "ground-motion SUBCOMMAND --help tells the options.\n";
+std::string usage() {
+    std::string text =
+        "ground-motion SUBCOMMAND [options]\n"
+        "  synthesise   make an artificial accelerogram\n";
+    for (const ChangeCommand& command : change_commands()) {
+        const std::string name = command.name;
+        text += "  " + name + std::string(13 - name.size(), ' ') + command.purpose + "\n";
+    }
+    return text + "ground-motion SUBCOMMAND --help tells the options.\n";
+}
+
+std::string known_commands() {
+    std::string text = "synthesise";
+    for (const ChangeCommand& command : change_commands()) text += std::string(", ") + command.name;
+    return text;
+}
 
 int refuse(const std::string& message) {
     std::cerr << "ground-motion: " << message << '\n';
@@ -21,17 +34,18 @@ int refuse(const std::string& message) {
 int run(const std::vector<std::string>& arguments) {
     const std::string command = arguments.empty() ? "" : arguments.front();
     if (command == "--help" || command == "-h") {
-        std::cout << usage;
+        std::cout << usage();
         return 0;
     }
     if (command == "--version") {
         std::cout << "ground-motion " ROCKSLOPE_VERSION "\n";
         return 0;
     }
-    if (command != "synthesise") {
-        return refuse("unknown subcommand '" + command + "'; expected: synthesise");
-    }
-    return run_synthesise({arguments.begin() + 1, arguments.end()});
+    const std::vector<std::string> rest(arguments.begin() + (arguments.empty() ? 0 : 1), arguments.end());
+    if (command == "synthesise") return run_synthesise(rest);
+    for (const ChangeCommand& known : change_commands())
+        if (command == known.name) return known.run(rest);
+    return refuse("unknown subcommand '" + command + "'; expected: " + known_commands());
 }
 
 }  // namespace

@@ -64,16 +64,16 @@ Canvas record_picture(const dda::Accelerogram& record, const std::string& title)
     const std::vector<std::string> titles = {"acceleration (g)", "velocity (m/s)", "displacement (m)"};
 
     Canvas canvas(760, 640);
-    canvas.text({55, 22}, title, {.size = 11, .bold = true});
+    canvas.text({72, 22}, title, {.size = 11, .bold = true});
     for (std::size_t k = 0; k < curves.size(); ++k) {
         const double top = 38 + 195 * static_cast<double>(k);
-        const Axes axes({55, top}, {440, top + 165}, Range{0, record.duration()},
+        const Axes axes({72, top}, {445, top + 165}, Range{0, record.duration()},
                         Range{-reach(curves[k]), reach(curves[k])});
         axes.draw(canvas, k + 1 == curves.size() ? "time (s)" : "", titles[k], true);
         draw_curve(canvas, axes, curves[k], k);
     }
     const Curve spectrum = spectrum_curve(record);
-    const Axes axes({510, 38}, {740, 593}, Range{0, 4}, Range{0, reach(spectrum)});
+    const Axes axes({518, 38}, {740, 593}, Range{0, 4}, Range{0, reach(spectrum)});
     axes.draw(canvas, "period (s)", "absolute acceleration, 5 % damping (g)", true);
     draw_curve(canvas, axes, spectrum, 3);
     return canvas;

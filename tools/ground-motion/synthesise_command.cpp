@@ -10,10 +10,9 @@
 #include "blockgen/base/atomic_file.hpp"
 #include "blockgen/base/output_check.hpp"
 #include "blockgen/base/text.hpp"
-#include "dda/record/measures.hpp"
-#include "dda/record/record_text.hpp"
-#include "dda/record/response_spectrum.hpp"
 #include "dda/record/synthesise.hpp"
+#include "measures_text.hpp"
+#include "record_file.hpp"
 #include "record_picture.hpp"
 
 namespace po = boost::program_options;
@@ -70,35 +69,6 @@ std::string title(const Request& request) {
     return text.data();
 }
 
-std::string spectrum_text(const dda::Accelerogram& record) {
-    std::vector<double> periods;
-    for (int k = 0; k <= 60; ++k) {
-        periods.push_back(0.02 * std::pow(10.0, k / 24.0));
-    }
-    std::string text = "period (s),displacement (m),velocity (m/s),absolute acceleration (g)\n";
-    for (const dda::SpectralOrdinate& ordinate : dda::response_spectrum(record, periods, 0.05)) {
-        std::array<char, 96> line{};
-        std::snprintf(line.data(), line.size(), "%.4f,%.5f,%.5f,%.5f\n", ordinate.period,
-                      ordinate.displacement, ordinate.velocity,
-                      ordinate.absolute_acceleration / standard_gravity);
-        text += line.data();
-    }
-    return text;
-}
-
-void print_measures(const dda::Accelerogram& record) {
-    const dda::RecordMeasures measures = dda::measure(record);
-    std::printf("samples %zu, step %g s, duration %g s\n", record.values.size(), record.step,
-                record.duration());
-    std::printf("peak acceleration %.4f g, velocity %.4f m/s, displacement %.4f m\n",
-                measures.peak_acceleration / standard_gravity, measures.peak_velocity,
-                measures.peak_displacement);
-    std::printf("Arias intensity %.3f m/s, significant duration (5-95 %%) %.2f s\n", measures.arias_intensity,
-                measures.significant_duration);
-    std::printf("at the end: velocity %.1e m/s, displacement %.1e m\n", measures.final_velocity,
-                measures.final_displacement);
-}
-
 }  // namespace
 
 int run_synthesise(const std::vector<std::string>& arguments) {
@@ -111,15 +81,8 @@ int run_synthesise(const std::vector<std::string>& arguments) {
         std::cout << options;
         return 0;
     }
-    const std::string kind = request.output.extension().string();
-    if (kind != ".at2" && kind != ".AT2" && kind != ".csv") {
-        throw std::invalid_argument(
-            "--output names no record file; expected a name that ends in .at2 or .csv");
-    }
-    if (!request.picture.empty() && !blockgen::picture_format(request.picture)) {
-        throw std::invalid_argument(
-            "--picture names no picture file; expected a name that ends in .svg, .png or .pdf");
-    }
+    check_record_name(request.output);
+    if (!request.picture.empty()) check_picture_name(request.picture);
     for (const auto& path : {request.output, request.spectrum, request.picture})
         if (!path.empty()) blockgen::check_output(path, {});
     blockgen::check_distinct({request.output, request.spectrum, request.picture});
@@ -128,14 +91,13 @@ int run_synthesise(const std::vector<std::string>& arguments) {
     request.recipe.peak = request.peak_in_g * standard_gravity;
     request.recipe.envelope = dda::envelope_of_earthquake(request.magnitude, request.distance);
     const dda::Accelerogram record = dda::synthesise(request.recipe);
-    blockgen::write_file_atomically(request.output, kind == ".csv" ? dda::csv_text(record, title(request))
-                                                                   : dda::at2_text(record, title(request)));
+    write_record(request.output, record, title(request), "SYNTHETIC STRONG MOTION RECORD");
     if (!request.spectrum.empty()) {
-        blockgen::write_file_atomically(request.spectrum, spectrum_text(record));
+        blockgen::write_file_atomically(request.spectrum, spectrum_text(record, 0.05));
     }
     if (!request.picture.empty()) {
         record_picture(record, title(request)).write(request.picture);
     }
-    print_measures(record);
+    std::fputs(measures_text(record).c_str(), stdout);
     return 0;
 }

@@ -37,8 +37,11 @@ RecordMeasures measure(const Accelerogram& record) {
     measures.final_velocity = motion.velocity.back();
     measures.final_displacement = motion.displacement.back();
     measures.arias_intensity = std::numbers::pi / (2 * standard_gravity) * integral.back();
-    measures.significant_duration =
-        instant_of_share(integral, 0.95, record.step) - instant_of_share(integral, 0.05, record.step);
+    const auto since_five_percent = [&](double share) {
+        return instant_of_share(integral, share, record.step) - instant_of_share(integral, 0.05, record.step);
+    };
+    measures.significant_duration = since_five_percent(0.95);
+    measures.significant_duration_75 = since_five_percent(0.75);
     return measures;
 }
 

@@ -20,9 +20,8 @@ std::string formatted(const char* format, Values... values) {
 
 }  // namespace
 
-std::string at2_text(const Accelerogram& record, const std::string& title) {
-    std::string text =
-        "SYNTHETIC STRONG MOTION RECORD\n" + title + "\nACCELERATION TIME SERIES IN UNITS OF G\n";
+std::string at2_text(const Accelerogram& record, const std::string& title, const std::string& heading) {
+    std::string text = heading + "\n" + title + "\nACCELERATION TIME SERIES IN UNITS OF G\n";
     text += formatted("NPTS= %6zu, DT= %8.6f SEC,\n", record.values.size(), record.step);
     for (std::size_t k = 0; k < record.values.size(); ++k) {
         text += formatted("%15.7E", record.values[k] / standard_gravity);

@@ -30,6 +30,7 @@ TEST(Measures, OfASineAreItsIntegrals) {
     EXPECT_NEAR(measures.final_displacement, 4 * 3 / (2 * pi), 1e-4);
     EXPECT_NEAR(measures.arias_intensity, pi / (2 * 9.80665) * 9 * 4 / 2, 1e-4);
     EXPECT_NEAR(measures.significant_duration, 0.9 * 4, 0.1);
+    EXPECT_NEAR(measures.significant_duration_75, 0.7 * 4, 0.1);
 }
 
 TEST(Measures, OfASilentOrSingleSampleAreZero) {

@@ -1,0 +1,44 @@
+#include "measures_text.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+#include "dda/record/measures.hpp"
+#include "dda/record/response_spectrum.hpp"
+
+namespace {
+
+constexpr double standard_gravity = 9.80665;  // m/s2
+
+template <class... Values>
+std::string formatted(const char* format, Values... values) {
+    std::array<char, 160> buffer{};
+    std::snprintf(buffer.data(), buffer.size(), format, values...);
+    return buffer.data();
+}
+
+}  // namespace
+
+std::string measures_text(const dda::Accelerogram& record) {
+    const dda::RecordMeasures m = dda::measure(record);
+    return formatted("samples %zu, step %g s, duration %g s\n", record.values.size(), record.step,
+                     record.duration()) +
+           formatted("peak acceleration %.4f g, velocity %.4f m/s, displacement %.4f m\n",
+                     m.peak_acceleration / standard_gravity, m.peak_velocity, m.peak_displacement) +
+           formatted("Arias intensity %.3f m/s, significant duration (5-75 %%) %.2f s, (5-95 %%) %.2f s\n",
+                     m.arias_intensity, m.significant_duration_75, m.significant_duration) +
+           formatted("at the end: velocity %.1e m/s, displacement %.1e m\n", m.final_velocity,
+                     m.final_displacement);
+}
+
+std::string spectrum_text(const dda::Accelerogram& record, double damping) {
+    std::vector<double> periods;
+    for (int k = 0; k <= 60; ++k) periods.push_back(0.02 * std::pow(10.0, k / 24.0));
+    std::string text = "period (s),displacement (m),velocity (m/s),absolute acceleration (g)\n";
+    for (const dda::SpectralOrdinate& ordinate : dda::response_spectrum(record, periods, damping))
+        text += formatted("%.4f,%.5f,%.5f,%.5f\n", ordinate.period, ordinate.displacement, ordinate.velocity,
+                          ordinate.absolute_acceleration / standard_gravity);
+    return text;
+}
