@@ -1,0 +1,45 @@
+// Readers of records: a small file in each format, laid out as its provider does, whose ten values are known.
+// The providers' own records may not be carried here; a unit test reads them where they are at hand.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "dda/record/records.hpp"
+#include "support/record.hpp"
+#include "unit/dda_record/small_records.hpp"
+
+namespace {
+
+using namespace verification;
+
+double peak_of(const dda::Record& record) {
+    return *std::max_element(record.values.begin(), record.values.end(),
+                             [](double a, double b) { return std::abs(a) < std::abs(b); });
+}
+
+/// The files' values of largest magnitude in SI: -5.659 of g, cm/s2 or mm/s2; of K-NET ten counts of 3.92
+/// gal.
+double expected_peak(const std::string& format) {
+    if (format == "knet") return 100 * 3.92e-2;
+    if (format == "peer") return -5.659 * 9.80665;
+    if (format == "sac") return -5.659;
+    return format == "geonet" ? -5.659e-3 : -5.659e-2;
+}
+
+// V52. Number of samples, interval and peak, to 1e-6; SAC and SMC carry fewer digits than doubles.
+TEST(RecordReaders, ReturnSamplesIntervalAndPeak) {
+    for (const small_records::SmallRecord& small : small_records::all()) {
+        const std::string format = small.format;
+        dda::RecordDeclaration declaration;
+        if (format == "sac") declaration = {dda::Quantity::acceleration, "m/s2"};
+        const dda::Record record = dda::parse_record(small.text, format, declaration);
+        const Case reader("V52", "ten samples, " + format, "required");
+        reader.expect("samples", "", static_cast<double>(record.values.size()), 10, absolute(0));
+        reader.expect("interval", "s", record.dt, format == "knet" ? 0.01 : 0.02, relative(1e-6));
+        reader.expect("peak", "m/s²", peak_of(record), expected_peak(format), relative(1e-6));
+    }
+}
+
+}  // namespace
