@@ -69,3 +69,18 @@ refused "off one line" rotate "$record" "$record" -o a.at2 --azimuth 1 --azimuth
 refused "corner frequency" correct "$record" -o a.at2 --high-pass 200
 refused "shift twice" correct "$record" -o a.at2 --shift 1
 refused "damping" show "$record" --damping 1
+
+# Wavelets, and a record made to fit a spectrum.
+expect 'peak acceleration 0.2500 g' synthesise --kind sine --peak 0.25 --frequency 2 --cycles 6 -o sine.at2
+expect 'duration 3 s' show sine.at2
+expect 'duration 2 s' synthesise --kind ricker --peak 0.25 --frequency 2 -o ricker.at2
+printf 'period (s),acceleration (g)\n0.05,0.3\n0.15,0.6\n0.4,0.6\n2,0.12\n' >target.csv
+expect 'samples 4001' match "$record" -o matched.at2 --target target.csv 2>misfit.txt
+grep -q 'off the target by [0-4]\.. %' misfit.txt || fail "match is off: $(cat misfit.txt)"
+rm -- *
+refused "random, sine or ricker" synthesise -o a.at2 --kind square
+refused "between 2 and 10000" synthesise -o a.at2 --kind sine --cycles 1
+refused "cannot be read\|No such file" match "$record" -o a.at2 --target nowhere.csv
+printf 'period,value\n1,2\n2,3\n' >"$folder.csv"
+refused "names no acceleration" match "$record" -o a.at2 --target "$folder.csv"
+refused "overwrite" match "$record" -o "$folder.csv" --target "$folder.csv"

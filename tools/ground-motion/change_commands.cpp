@@ -9,6 +9,7 @@
 #include "blockgen/base/atomic_file.hpp"
 #include "blockgen/base/output_check.hpp"
 #include "dda/record/correct.hpp"
+#include "dda/record/match_spectrum.hpp"
 #include "dda/record/resample.hpp"
 #include "dda/record/rotate.hpp"
 #include "dda/record/scale.hpp"
@@ -80,8 +81,10 @@ void check(const Change& change, const Request& request) {
                                     std::to_string(change.inputs));
     if (change.writes) check_record_name(request.output);
     if (!request.picture.empty()) check_picture_name(request.picture);
+    std::vector<fs::path> read = request.inputs;
+    if (request.has("target")) read.push_back(request.values["target"].as<fs::path>());
     for (const auto& path : {request.output, request.spectrum, request.picture})
-        if (!path.empty()) blockgen::check_output(path, request.inputs);
+        if (!path.empty()) blockgen::check_output(path, read);
     blockgen::check_distinct({request.output, request.spectrum, request.picture});
     if (!(request.damping >= 0 && request.damping < 1))
         throw std::invalid_argument("damping must be at least 0 and below 1");
@@ -242,6 +245,28 @@ int run_correct(const std::vector<std::string>& arguments) {
     return perform(change, arguments);
 }
 
+int run_match(const std::vector<std::string>& arguments) {
+    Change change{
+        "match FILE -o FILE.at2|FILE.csv --target SPECTRUM.csv [options]\n"
+        "Changes the record until its response spectrum is the target"};
+    fs::path file;
+    int rounds = 0;
+    change.add_options = [&](po::options_description& options) {
+        auto add = options.add_options();
+        add("target", po::value(&file)->required(),
+            "two columns with the heading \"period (s),acceleration (g)\"");
+        add("rounds", po::value(&rounds)->default_value(8), "0 to 100; the best one is kept");
+    };
+    change.apply = [&](const Request& request, std::vector<dda::Accelerogram> records) {
+        const dda::SpectralMatch match =
+            dda::match_spectrum(records[0], dda::read_target_spectrum(file), request.damping, rounds);
+        std::fprintf(stderr, "off the target by %.1f %% in the mean, %.1f %% at most\n",
+                     100 * match.mean_misfit, 100 * match.largest_misfit);
+        return match.record;
+    };
+    return perform(change, arguments);
+}
+
 }  // namespace
 
 const std::vector<ChangeCommand>& change_commands() {
@@ -253,6 +278,7 @@ const std::vector<ChangeCommand>& change_commands() {
         {"resample", "give it another step", run_resample},
         {"rotate", "two horizontal components to the section's azimuth", run_rotate},
         {"correct", "take the drift out of a raw record", run_correct},
+        {"match", "change it until its response spectrum is a target", run_match},
     };
     return commands;
 }

@@ -11,6 +11,7 @@
 #include "blockgen/base/output_check.hpp"
 #include "blockgen/base/text.hpp"
 #include "dda/record/synthesise.hpp"
+#include "dda/record/wavelets.hpp"
 #include "measures_text.hpp"
 #include "record_file.hpp"
 #include "record_picture.hpp"
@@ -27,6 +28,9 @@ struct Request {
     double peak_in_g = 0.35;
     double magnitude = 6.5;
     double distance = 15;
+    std::string kind = "random";
+    double frequency = 2;
+    int cycles = 10;
     std::filesystem::path output;
     std::filesystem::path spectrum;
     std::filesystem::path picture;
@@ -46,6 +50,11 @@ po::options_description described(Request& request) {
     add("output,o", po::value(&request.output), "the record: PEER AT2 in g, or two-column CSV in m/s2");
     add("spectrum", po::value(&request.spectrum), "also write the 5 % response spectrum, CSV");
     add("picture", po::value(&request.picture), "also draw the record, SVG, PNG or PDF");
+    add("kind", po::value(&request.kind)->default_value("random"),
+        "random; sine (a burst) or ricker (a wavelet), which take --peak, --step, --frequency and --cycles "
+        "only");
+    add("frequency", option(request.frequency), "Hz, of a sine or a Ricker wavelet");
+    add("cycles", po::value(&request.cycles)->default_value(10), "of a sine");
     add("seed", option(request.seed), "chooses one record among those of the recipe");
     add("step", option(recipe.step), "s between samples");
     add("duration", option(recipe.duration), "s");
@@ -63,10 +72,26 @@ po::options_description described(Request& request) {
 
 std::string title(const Request& request) {
     std::array<char, 160> text{};
+    if (request.kind != "random") {
+        std::snprintf(text.data(), text.size(), "%s of %g Hz", request.kind.c_str(), request.frequency);
+        return text.data();
+    }
     std::snprintf(text.data(), text.size(), "artificial record, M %g at %g km, Kanai-Tajimi %g Hz, seed %llu",
                   request.magnitude, request.distance, request.recipe.spectrum.ground_frequency,
                   static_cast<unsigned long long>(request.recipe.seed));
     return text.data();
+}
+
+dda::Accelerogram made(Request& request) {
+    const double peak = request.peak_in_g * standard_gravity;
+    if (request.kind == "sine")
+        return dda::sine_burst(peak, request.frequency, request.cycles, request.recipe.step);
+    if (request.kind == "ricker") return dda::ricker(peak, request.frequency, request.recipe.step);
+    if (request.kind != "random") throw std::invalid_argument("--kind must be random, sine or ricker");
+    request.recipe.seed = static_cast<std::uint64_t>(request.seed);
+    request.recipe.peak = peak;
+    request.recipe.envelope = dda::envelope_of_earthquake(request.magnitude, request.distance);
+    return dda::synthesise(request.recipe);
 }
 
 }  // namespace
@@ -87,10 +112,7 @@ int run_synthesise(const std::vector<std::string>& arguments) {
         if (!path.empty()) blockgen::check_output(path, {});
     blockgen::check_distinct({request.output, request.spectrum, request.picture});
     if (request.seed < 0) throw std::invalid_argument("seed must not be negative");
-    request.recipe.seed = static_cast<std::uint64_t>(request.seed);
-    request.recipe.peak = request.peak_in_g * standard_gravity;
-    request.recipe.envelope = dda::envelope_of_earthquake(request.magnitude, request.distance);
-    const dda::Accelerogram record = dda::synthesise(request.recipe);
+    const dda::Accelerogram record = made(request);
     write_record(request.output, record, title(request), "SYNTHETIC STRONG MOTION RECORD");
     if (!request.spectrum.empty()) {
         blockgen::write_file_atomically(request.spectrum, spectrum_text(record, 0.05));

@@ -1,0 +1,123 @@
+#include "dda/record/match_spectrum.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <complex>
+#include <stdexcept>
+#include <unsupported/Eigen/FFT>
+
+#include "blockgen/base/read_file.hpp"
+#include "dda/record/baseline.hpp"
+#include "dda/record/record_lines.hpp"
+#include "dda/record/records.hpp"
+#include "dda/record/response_spectrum.hpp"
+#include "dda/record/two_columns.hpp"
+
+namespace dda {
+
+namespace {
+
+constexpr int compared_periods = 100;
+
+std::vector<double> periods_of(const TargetSpectrum& target) {
+    std::vector<double> periods;
+    const double ratio = target.periods.back() / target.periods.front();
+    for (int k = 0; k < compared_periods; ++k)
+        periods.push_back(target.periods.front() * std::pow(ratio, k / (compared_periods - 1.0)));
+    return periods;
+}
+
+/// Target over response, as a spectrum of factors.
+TargetSpectrum missing_factors(const Accelerogram& record, const TargetSpectrum& target, double damping) {
+    TargetSpectrum factors{periods_of(target), {}};
+    for (const SpectralOrdinate& ordinate : response_spectrum(record, factors.periods, damping)) {
+        if (!(ordinate.absolute_acceleration > 0))
+            throw std::invalid_argument("a record without motion cannot be matched to a spectrum");
+        factors.accelerations.push_back(target.at(ordinate.period) / ordinate.absolute_acceleration);
+    }
+    return factors;
+}
+
+SpectralMatch judged(const Accelerogram& record, const TargetSpectrum& factors) {
+    SpectralMatch match{record, 0, 0};
+    for (const double factor : factors.accelerations) {
+        const double misfit = std::abs(1 / factor - 1);
+        match.mean_misfit += misfit / compared_periods;
+        match.largest_misfit = std::max(match.largest_misfit, misfit);
+    }
+    return match;
+}
+
+/// Each Fourier amplitude times the factor of its period. Zeros behind the record keep its end out of its
+/// beginning.
+Accelerogram filtered(const Accelerogram& record, const TargetSpectrum& factors) {
+    std::vector<double> padded = record.values;
+    padded.resize(2 * std::bit_ceil(record.values.size()), 0.0);
+    std::vector<std::complex<double>> amplitudes;
+    Eigen::FFT<double> fft;
+    fft.fwd(amplitudes, padded);
+    const double length = static_cast<double>(padded.size()) * record.step;
+    const std::size_t count = padded.size();
+    for (std::size_t k = 0; k < count; ++k) {
+        const std::size_t harmonic = std::min(k, count - k);
+        amplitudes[k] *= harmonic == 0 ? 0 : factors.at(length / static_cast<double>(harmonic));
+    }
+    fft.inv(padded, amplitudes);
+    padded.resize(record.values.size());
+    padded.front() = padded.back() = 0;
+    return correct_baseline({record.step, std::move(padded)});
+}
+
+void check(const Accelerogram& record, const TargetSpectrum& target, double damping, int rounds) {
+    if (!(damping >= 0 && damping < 1)) throw std::invalid_argument("damping must be at least 0 and below 1");
+    if (rounds < 0 || rounds > 100) throw std::invalid_argument("rounds must be between 0 and 100");
+    if (record.values.size() < 4) throw std::invalid_argument("a match needs at least 4 samples");
+    if (target.periods.size() < 2 || target.periods.size() != target.accelerations.size() ||
+        !(target.periods.front() > 0))
+        throw std::invalid_argument("a target spectrum needs two points or more, and positive periods");
+}
+
+}  // namespace
+
+double TargetSpectrum::at(double period) const {
+    const auto next = std::upper_bound(periods.begin(), periods.end(), period);
+    if (next == periods.begin()) return accelerations.front();
+    if (next == periods.end()) return accelerations.back();
+    const auto k = static_cast<std::size_t>(next - periods.begin());
+    const double share = std::log(period / periods[k - 1]) / std::log(periods[k] / periods[k - 1]);
+    return accelerations[k - 1] * std::pow(accelerations[k] / accelerations[k - 1], share);
+}
+
+TargetSpectrum read_target_spectrum(const std::filesystem::path& path) {
+    const std::string text = blockgen::read_text_file(path);
+    const RecordLines lines(text, path.string());
+    TwoColumns columns = parse_two_columns(lines);
+    const auto factor = record_unit_factor(Quantity::acceleration, columns.heading.unit);
+    if (columns.heading.quantity != Quantity::acceleration || !factor)
+        lines.fail(0, "the heading names no acceleration and unit", "period (s),acceleration (g)");
+    for (std::size_t k = 0; k < columns.times.size(); ++k) {
+        if (!(columns.times[k] >= 1e-3 && columns.times[k] <= 1e3 && columns.values[k] > 0))
+            lines.fail(columns.lines[k], "is no ordinate of a spectrum",
+                       "a period of 0.001 to 1000 s and a positive acceleration");
+        columns.values[k] *= *factor;
+    }
+    return {std::move(columns.times), std::move(columns.values)};
+}
+
+SpectralMatch match_spectrum(const Accelerogram& record, const TargetSpectrum& target, double damping,
+                             int rounds) {
+    check(record, target, damping, rounds);
+    Accelerogram present = record;
+    TargetSpectrum factors = missing_factors(present, target, damping);
+    SpectralMatch best = judged(present, factors);
+    for (int round = 0; round < rounds; ++round) {
+        present = filtered(present, factors);
+        factors = missing_factors(present, target, damping);
+        const SpectralMatch match = judged(present, factors);
+        if (match.mean_misfit < best.mean_misfit) best = match;
+    }
+    return best;
+}
+
+}  // namespace dda
