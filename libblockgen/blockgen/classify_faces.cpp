@@ -65,16 +65,26 @@ Memberships flood(const NodedEdges& noded, const Subdivision& subdivision, const
 struct RockOfFace {
     bool is_rock = false;
     std::int32_t material = 0;
+    std::int32_t excavation = -1;
     int voids = 0;  ///< holes and tunnels that cover the face
 };
 
-RockOfFace rock_of(const Memberships& in, std::size_t face, const SourceTable& table) {
+RockOfFace rock_of(const Memberships& in, std::size_t face, const SlopeModel& model,
+                   const SourceTable& table) {
     RockOfFace rock;
     for (std::int32_t s = table.first_hole; s < table.first_region; ++s) rock.voids += in.test(face, s);
     for (std::int32_t s = table.first_tunnel; s < table.first_joint; ++s) rock.voids += in.test(face, s);
     rock.is_rock = in.test(face, 0) && rock.voids == 0;
-    for (std::int32_t s = table.first_region; s < table.first_tunnel; ++s)
+    for (std::int32_t s = table.first_region; s < table.first_excavation; ++s)
         if (in.test(face, s)) rock.material = s - table.first_region + 1;
+    const auto stage_of = [&](std::int32_t k) {
+        return model.excavations[static_cast<std::size_t>(k)].stage;
+    };
+    for (std::int32_t s = table.first_excavation; s < table.first_tunnel; ++s) {
+        const std::int32_t k = s - table.first_excavation;
+        if (in.test(face, s) && (rock.excavation < 0 || stage_of(k) < stage_of(rock.excavation)))
+            rock.excavation = k;
+    }
     return rock;
 }
 
@@ -84,25 +94,36 @@ bool has_joint(const NodedEdges& noded, std::size_t edge, const SourceTable& tab
                        [&](const EdgeSource& s) { return table.is_joint(s.source); });
 }
 
+const std::string& name_of(const SlopeModel& model, std::int32_t material) {
+    return material == 0 ? model.block_material
+                         : model.regions[static_cast<std::size_t>(material - 1)].block_material;
+}
+
 }  // namespace
+
+const std::string& material_of(const FaceBlocks& faces, const SlopeModel& model, std::size_t block) {
+    return name_of(model, faces.material[block]);
+}
+
+bool are_alike(const FaceBlocks& faces, const SlopeModel& model, std::size_t block, std::size_t other) {
+    return faces.excavation[block] == faces.excavation[other] &&
+           material_of(faces, model, block) == material_of(faces, model, other);
+}
 
 FaceBlocks classify_faces(const NodedEdges& noded, const Subdivision& subdivision, const SlopeModel& model,
                           const SourceTable& table) {
     const auto faces = static_cast<std::size_t>(subdivision.face_count);
     const Memberships in = flood(noded, subdivision, table);
     std::vector<RockOfFace> rock;
-    for (std::size_t f = 0; f < faces; ++f) rock.push_back(rock_of(in, f, table));
+    for (std::size_t f = 0; f < faces; ++f) rock.push_back(rock_of(in, f, model, table));
 
-    const auto name_of = [&](std::int32_t material) -> const std::string& {
-        return material == 0 ? model.block_material
-                             : model.regions[static_cast<std::size_t>(material - 1)].block_material;
-    };
     DisjointSets sets(faces);
     for (std::size_t e = 0; e < noded.edges.size(); ++e) {
         const auto f = static_cast<std::size_t>(subdivision.face[2 * e]),
                    g = static_cast<std::size_t>(subdivision.face[2 * e + 1]);
         if (!rock[f].is_rock || !rock[g].is_rock) continue;
-        if (!has_joint(noded, e, table) && name_of(rock[f].material) == name_of(rock[g].material))
+        if (!has_joint(noded, e, table) && rock[f].excavation == rock[g].excavation &&
+            name_of(model, rock[f].material) == name_of(model, rock[g].material))
             sets.join(f, g);
     }
 
@@ -116,6 +137,7 @@ FaceBlocks classify_faces(const NodedEdges& noded, const Subdivision& subdivisio
         if (block == FaceBlocks::outside) {
             block = static_cast<std::int32_t>(result.material.size());
             result.material.push_back(rock[f].material);
+            result.excavation.push_back(rock[f].excavation);
         }
         result.block[f] = block;
     }

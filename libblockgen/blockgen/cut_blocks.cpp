@@ -59,6 +59,7 @@ class Cutter {
         CutResult result;
         fill_mesh(result.mesh);
         result.report.warnings = model_.notes;
+        name_excavations(result);
         choose_blocks(result.mesh, model_, result.report.warnings);
         check(result.mesh);
         fill_report(result);
@@ -114,9 +115,7 @@ class Cutter {
 
     /// Only names that a block bears enter the file.
     std::int32_t material_index(BlockMesh& mesh, std::int32_t block) const {
-        const std::int32_t k = faces_.material[static_cast<std::size_t>(block)];
-        const std::string& name =
-            k == 0 ? model_.block_material : model_.regions[static_cast<std::size_t>(k - 1)].block_material;
+        const std::string& name = material_of(faces_, model_, static_cast<std::size_t>(block));
         const auto found = std::find(mesh.block_materials.begin(), mesh.block_materials.end(), name);
         if (found == mesh.block_materials.end()) {
             mesh.block_materials.push_back(name);
@@ -150,6 +149,21 @@ class Cutter {
                 mesh.add_ring(ring, marks);
                 twice_block_area_ += twice_ring_area(ring);
             }
+        }
+    }
+
+    /// Every excavation that takes rock out, in the order of the model.
+    void name_excavations(CutResult& result) const {
+        std::vector<ExcavatedBlocks> excavations;
+        for (const Excavation& e : model_.excavations) excavations.push_back({e.name, e.stage, {}});
+        for (std::size_t b = 0; b < blocks_.size(); ++b)
+            if (const std::int32_t k = faces_.excavation[static_cast<std::size_t>(blocks_[b].block)]; k >= 0)
+                excavations[static_cast<std::size_t>(k)].blocks.push_back(static_cast<std::int32_t>(b));
+        for (ExcavatedBlocks& e : excavations) {
+            if (e.blocks.empty())
+                result.report.warnings.push_back("excavation '" + e.name + "' takes no rock out");
+            else
+                result.mesh.excavations.push_back(std::move(e));
         }
     }
 
@@ -218,6 +232,11 @@ class Cutter {
         report.interior_edges /= 2;
         report.sizes = size_summary(mesh);
         report.shapes = shape_summary(mesh);
+        for (const ExcavatedBlocks& e : mesh.excavations) {
+            report.excavations.push_back({e.name, e.stage, e.blocks.size(), 0});
+            for (const std::int32_t b : e.blocks)
+                report.excavations.back().area += block_area(mesh, static_cast<std::size_t>(b));
+        }
         for (std::size_t b = 0; b < mesh.block_count(); ++b)
             report.slivers += block_roundness(mesh, b) < model_.small_blocks.below_roundness;
         count_islands(report);

@@ -19,6 +19,14 @@ struct CutOptions {
     bool verify = false;  ///< recut with exact construction and compare
 };
 
+/// Rock that a stage of the run takes out.
+struct ExcavationReport {
+    std::string name;
+    int stage = 1;
+    std::size_t blocks = 0;
+    double area = 0;  ///< m2
+};
+
 /// What cutting did, for the user.
 struct CutReport {
     std::size_t blocks = 0;
@@ -35,6 +43,7 @@ struct CutReport {
     double domain_area = 0;    ///< m2, of the rock after snapping, from its outline
     bool area_proved = false;  ///< the blocks' areas sum up to it as integers
     bool verified = false;     ///< an arrangement with exact construction agreed
+    std::vector<ExcavationReport> excavations;
     SizeSummary sizes;
     ShapeSummary shapes;
     std::vector<JointBalance> joints;  ///< in the order of the model: traces, then sets

@@ -16,30 +16,57 @@ std::int32_t index_of(std::vector<std::string>& names, const std::string& name) 
     return static_cast<std::int32_t>(names.size() - 1);
 }
 
-const std::string& contact_material(const NodedEdges& noded, std::size_t edge, const SlopeModel& model,
-                                    const SourceTable& table) {
-    const Region* at_fault = nullptr;
-    const Region* giver = nullptr;
-    for (const EdgeSource& s : noded.sources_of(edge)) {
-        if (!table.is_region(s.source)) continue;
-        const Region& region = model.regions[static_cast<std::size_t>(s.source - table.first_region)];
-        at_fault = &region;
-        if (!region.joint_material.empty()) giver = &region;
+/// What gives an edge without a joint its material: of the regions and excavations whose outline it is on,
+/// the last that names one, excavations after regions.
+class Outlines {
+  public:
+    Outlines(const NodedEdges& noded, const SlopeModel& model, const SourceTable& table)
+        : noded_(noded), model_(model), table_(table) {}
+
+    const std::string& joint_material(std::size_t edge) const {
+        const std::string* material = nullptr;
+        const Region* region = nullptr;
+        const Excavation* excavation = nullptr;
+        for (const EdgeSource& s : noded_.sources_of(edge)) {  // sorted by source
+            if (table_.is_region(s.source))
+                note(model_.regions[static_cast<std::size_t>(s.source - table_.first_region)], region,
+                     material);
+            if (table_.is_excavation(s.source))
+                note(model_.excavations[static_cast<std::size_t>(s.source - table_.first_excavation)],
+                     excavation, material);
+        }
+        if (material) return *material;
+        const Point p =
+            noded_.frame.place(noded_.vertices[static_cast<std::size_t>(noded_.edges[edge].first)]);
+        const std::string where =
+            " at (" + shortest_text(p.x) + ", " + shortest_text(p.y) + ") where no joint runs";
+        if (excavation)
+            throw InputError(excavation->place,
+                             "excavation '" + excavation->name + "' is cut out of the rock" + where,
+                             "joint_material, for its outline, beside the stage");
+        if (region == nullptr) throw std::logic_error("an edge that parts two rocks is no outline's");
+        throw InputError(region->place, "region '" + region->name + "' parts two block materials" + where,
+                         "joint_material in the [[region]]");
     }
-    if (giver) return giver->joint_material;
-    const Point p = noded.frame.place(noded.vertices[static_cast<std::size_t>(noded.edges[edge].first)]);
-    if (at_fault == nullptr) throw std::logic_error("an edge that parts block materials is no region's");
-    throw InputError(at_fault->place,
-                     "region '" + at_fault->name + "' parts two block materials at (" + shortest_text(p.x) +
-                         ", " + shortest_text(p.y) + ") where no joint runs",
-                     "joint_material in the [[region]]");
-}
+
+  private:
+    template <class Outline>
+    static void note(const Outline& outline, const Outline*& last, const std::string*& material) {
+        last = &outline;
+        if (!outline.joint_material.empty()) material = &outline.joint_material;
+    }
+
+    const NodedEdges& noded_;
+    const SlopeModel& model_;
+    const SourceTable& table_;
+};
 
 }  // namespace
 
 EdgeMarks mark_edges(const NodedEdges& noded, const Subdivision& subdivision, const FaceBlocks& faces,
                      const BlockBoundary& boundary, const SlopeModel& model, const std::vector<Trace>& traces,
                      const SourceTable& table) {
+    const Outlines outlines(noded, model, table);
     EdgeMarks result;
     result.marks.resize(noded.edges.size());
     std::vector<std::int32_t> joint_of_edge(noded.edges.size(), EdgeMark::no_joint);
@@ -68,7 +95,7 @@ EdgeMarks mark_edges(const NodedEdges& noded, const Subdivision& subdivision, co
         if (!parts_blocks(e)) continue;
         const std::int32_t joint = joint_of_edge[e];
         const std::string& material = joint == EdgeMark::no_joint
-                                          ? contact_material(noded, e, model, table)
+                                          ? outlines.joint_material(e)
                                           : traces[static_cast<std::size_t>(joint)].joint_material;
         result.marks[e] = {index_of(result.joint_materials, material),
                            joint == EdgeMark::no_joint ? joint : number[static_cast<std::size_t>(joint)]};

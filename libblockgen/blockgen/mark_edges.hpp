@@ -15,9 +15,9 @@ struct EdgeMarks {
     std::vector<Joint> joints;
 };
 
-/// Along an edge with several joints the first of `traces` gives the mark. Where only a change of material
-/// parts two blocks, the last region with a joint_material gives it. @throws InputError naming the region
-/// when it has none.
+/// Along an edge with several joints the first of `traces` gives the mark. Where only a change of material or
+/// an excavation's outline parts two blocks, the last of these with a joint_material gives it. @throws
+/// InputError naming the region or excavation when there is none.
 EdgeMarks mark_edges(const NodedEdges& noded, const Subdivision& subdivision, const FaceBlocks& faces,
                      const BlockBoundary& boundary, const SlopeModel& model, const std::vector<Trace>& traces,
                      const SourceTable& table);

@@ -13,20 +13,22 @@ namespace blockgen {
 
 namespace {
 
-const std::string& material_of(const FaceBlocks& faces, const SlopeModel& model, std::size_t block) {
-    const std::int32_t k = faces.material[block];
-    return k == 0 ? model.block_material : model.regions[static_cast<std::size_t>(k - 1)].block_material;
+std::string rock_text(const FaceBlocks& faces, const SlopeModel& model, std::size_t block) {
+    const std::int32_t k = faces.excavation[block];
+    return "'" + material_of(faces, model, block) + "'" +
+           (k < 0 ? "" : " in excavation '" + model.excavations[static_cast<std::size_t>(k)].name + "'");
 }
 
 /// Numbers what is left without gaps, in the order of the smallest old number.
 void renumber(FaceBlocks& faces, DisjointSets& sets) {
     std::vector<std::int32_t> number(faces.material.size(), FaceBlocks::outside);
-    std::vector<std::int32_t> materials;
+    std::vector<std::int32_t> materials, excavations;
     for (std::size_t b = 0; b < number.size(); ++b) {
         const std::size_t root = sets.root(b);  // the smallest, so met first
         if (root == b) {
             number[b] = static_cast<std::int32_t>(materials.size());
             materials.push_back(faces.material[b]);
+            excavations.push_back(faces.excavation[b]);
         } else {
             number[b] = number[root];
         }
@@ -34,6 +36,7 @@ void renumber(FaceBlocks& faces, DisjointSets& sets) {
     for (std::int32_t& block : faces.block)
         if (block != FaceBlocks::outside) block = number[static_cast<std::size_t>(block)];
     faces.material = std::move(materials);
+    faces.excavation = std::move(excavations);
 }
 
 /// One side of an edge between two blocks, or between a block and the outside.
@@ -158,8 +161,7 @@ class SmallBlockMerger {
 
     bool may_join(const Side& side, std::size_t b) {
         return side.neighbour != FaceBlocks::outside &&
-               material_of(faces_, model_, static_cast<std::size_t>(side.neighbour)) ==
-                   material_of(faces_, model_, b);
+               are_alike(faces_, model_, static_cast<std::size_t>(side.neighbour), b);
     }
 
     std::vector<std::size_t> partners_of(std::size_t b) {
@@ -239,15 +241,15 @@ void fill_islands(FaceBlocks& faces, const std::vector<RingBlock>& blocks, const
                 front.pop_back();
                 const auto host = static_cast<std::size_t>(block.block);
                 if (sets.root(b) == sets.root(host)) continue;
-                if (material_of(faces, model, b) != material_of(faces, model, host)) {
+                if (!are_alike(faces, model, b, host)) {
                     const GridPoint& at = noded.vertices[static_cast<std::size_t>(
                         noded.edges[static_cast<std::size_t>(block.rings[r][0]) / 2].first)];
                     const Point p = noded.frame.place(at);
                     throw InputError(model.domain_place,
-                                     "a block of '" + material_of(faces, model, host) +
-                                         "' encloses others of '" + material_of(faces, model, b) +
-                                         "' near (" + shortest_text(p.x) + ", " + shortest_text(p.y) + ")",
-                                     "islands of one material to fill, or islands = \"keep\" or \"cut\"");
+                                     "a block of " + rock_text(faces, model, host) + " encloses others of " +
+                                         rock_text(faces, model, b) + " near (" + shortest_text(p.x) + ", " +
+                                         shortest_text(p.y) + ")",
+                                     "islands of one rock to fill, or islands = \"keep\" or \"cut\"");
                 }
                 sets.join(b, host);
                 ++report.filled_islands;

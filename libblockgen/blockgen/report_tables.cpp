@@ -100,6 +100,9 @@ std::string report_tables(const CutReport& report) {
     Page page;
     blocks_table(page, report);
     changes_table(page, report);
+    if (!report.excavations.empty()) page.line("\nExcavations            stage  blocks    area m2");
+    for (const ExcavationReport& e : report.excavations)
+        page.line("  %s%7d %7zu %10.4g", padded(e.name).c_str(), e.stage, e.blocks, e.area);
     joints_table(page, report);
     if (report.kinematics) kinematics_table(page, *report.kinematics);
     if (!report.warnings.empty()) page.line("\nWarnings");

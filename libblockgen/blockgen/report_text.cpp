@@ -76,6 +76,13 @@ std::string report_text(const CutReport& report) {
         {"blocks", report.blocks},
         {"holes", report.holes},
         {"islands", report.islands},
+        {"island_cuts", report.island_cuts},
+        {"filled_islands", report.merges.filled_islands},
+        {"small_blocks",
+         {{"found", report.merges.small_blocks},
+          {"merged", report.merges.merged_blocks},
+          {"merged_area_m2", report.merges.merged_area},
+          {"kept", report.merges.kept_small}}},
         {"interior_edges", report.interior_edges},
         {"boundary_edges", report.boundary_edges},
         {"slivers", report.slivers},
@@ -99,7 +106,11 @@ std::string report_text(const CutReport& report) {
         {"joints", joints},
         {"nodes",
          {{"i", report.nodes.i}, {"y", report.nodes.y}, {"x", report.nodes.x}, {"edge", report.nodes.edge}}},
+        {"excavations", json::array()},
         {"warnings", report.warnings}};
+    for (const ExcavationReport& e : report.excavations)
+        root["excavations"].push_back(
+            {{"name", e.name}, {"stage", e.stage}, {"blocks", e.blocks}, {"area_m2", e.area}});
     if (report.kinematics) root["kinematics"] = kinematics_json(*report.kinematics);
     return root.dump(2) + "\n";
 }

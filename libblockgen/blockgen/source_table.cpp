@@ -20,7 +20,8 @@ void add_ring(std::vector<SourceSegment>& segments, const Ring& ring, std::int32
 
 SourceTable::SourceTable(const SlopeModel& model) {
     first_region = first_hole + static_cast<std::int32_t>(model.holes.size());
-    first_tunnel = first_region + static_cast<std::int32_t>(model.regions.size());
+    first_excavation = first_region + static_cast<std::int32_t>(model.regions.size());
+    first_tunnel = first_excavation + static_cast<std::int32_t>(model.excavations.size());
     first_joint = first_tunnel + static_cast<std::int32_t>(model.tunnels.size());
 }
 
@@ -32,6 +33,9 @@ std::vector<SourceSegment> source_segments(const SlopeModel& model, const std::v
         add_ring(segments, model.holes[k], table.first_hole + static_cast<std::int32_t>(k));
     for (std::size_t k = 0; k < model.regions.size(); ++k)
         add_ring(segments, model.regions[k].polygon, table.first_region + static_cast<std::int32_t>(k));
+    for (std::size_t k = 0; k < model.excavations.size(); ++k)
+        add_ring(segments, model.excavations[k].outline,
+                 table.first_excavation + static_cast<std::int32_t>(k));
     for (std::size_t k = 0; k < model.tunnels.size(); ++k)
         add_ring(segments, model.tunnels[k].outline, table.first_tunnel + static_cast<std::int32_t>(k));
 

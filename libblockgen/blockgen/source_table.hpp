@@ -8,18 +8,22 @@
 
 namespace blockgen {
 
-/// The numbers of everything that makes edges: the outline, the holes, the regions, the tunnels, then the
-/// joints.
+/// The numbers of everything that makes edges: the outline, the holes, the regions, the excavations, the
+/// tunnels, then the joints.
 struct SourceTable {
     explicit SourceTable(const SlopeModel& model);
 
     std::int32_t first_hole = 1;
     std::int32_t first_region = 1;
+    std::int32_t first_excavation = 1;
     std::int32_t first_tunnel = 1;
     std::int32_t first_joint = 1;
 
     bool is_joint(std::int32_t source) const { return source >= first_joint; }
-    bool is_region(std::int32_t source) const { return source >= first_region && source < first_tunnel; }
+    bool is_region(std::int32_t source) const { return source >= first_region && source < first_excavation; }
+    bool is_excavation(std::int32_t source) const {
+        return source >= first_excavation && source < first_tunnel;
+    }
 };
 
 /// Every outline as segments, and every joint as far as the domain's bounding box.

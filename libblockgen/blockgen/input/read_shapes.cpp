@@ -73,7 +73,7 @@ Ring horseshoe(const Point& floor, double width, double height, std::int64_t seg
     return ring;
 }
 
-Ring read_tunnel_outline(const ConfigTable& table) {
+Ring read_opening_shape(const ConfigTable& table) {
     const std::string shape = table.choice("shape", {"circle", "horseshoe", "polygon"});
     if (shape == "polygon") return read_ring(table, "polygon");
     const auto segments = table.integer("segments", 32);
@@ -86,6 +86,26 @@ Ring read_tunnel_outline(const ConfigTable& table) {
         "height", table.number("height", Dimension::length), [width](double h) { return h >= width / 2; },
         "at least half the width");
     return horseshoe(point_of(table.pair("floor", Dimension::length)), width, height, segments);
+}
+
+Ring read_opening(const ConfigTable& table, const SlopeModel& model) {
+    Ring outline = read_opening_shape(table);
+    check_reach(table, "shape", outline, model);
+    return outline;
+}
+
+Excavation read_excavation(const ConfigTable& table, const std::string& default_name,
+                           const SlopeModel& model) {
+    Excavation excavation;
+    excavation.place = table.place();
+    excavation.name = table.string("name", default_name);
+    const std::int64_t stage = table.integer("stage");
+    if (stage < 1 || stage > 1'000'000)
+        table.fail("stage", "stage " + std::to_string(stage) + " of a run", "a whole number from 1");
+    excavation.stage = static_cast<int>(stage);
+    if (table.has("joint_material")) excavation.joint_material = read_name(table, "joint_material");
+    excavation.outline = read_opening(table, model);
+    return excavation;
 }
 
 void read_outline(const ConfigTable& domain, SlopeModel& model) {
@@ -229,13 +249,22 @@ void read_regions(const ConfigTable& root, SlopeModel& model) {
 
 void read_tunnels(const ConfigTable& root, SlopeModel& model) {
     for (const ConfigTable& table : root.array_of_tables("tunnel")) {
+        if (table.has("stage")) {
+            model.excavations.push_back(read_excavation(
+                table, "tunnel " + std::to_string(model.tunnels.size() + model.excavations.size() + 1),
+                model));
+            continue;
+        }
         Tunnel tunnel;
         tunnel.place = table.place();
-        tunnel.name = table.string("name", "tunnel " + std::to_string(model.tunnels.size() + 1));
-        tunnel.outline = read_tunnel_outline(table);
-        check_reach(table, "shape", tunnel.outline, model);
+        tunnel.name = table.string(
+            "name", "tunnel " + std::to_string(model.tunnels.size() + model.excavations.size() + 1));
+        tunnel.outline = read_opening(table, model);
         model.tunnels.push_back(std::move(tunnel));
     }
+    for (const ConfigTable& table : root.array_of_tables("excavation"))
+        model.excavations.push_back(
+            read_excavation(table, "excavation " + std::to_string(model.excavations.size() + 1), model));
 }
 
 }  // namespace blockgen

@@ -23,7 +23,7 @@ void read_domain(const ConfigTable& root, SlopeModel& model);
 void read_geo_domain(const ConfigTable& domain, SlopeModel& model);
 /// [[region]]
 void read_regions(const ConfigTable& root, SlopeModel& model);
-/// [[tunnel]]
+/// [[tunnel]] and [[excavation]]
 void read_tunnels(const ConfigTable& root, SlopeModel& model);
 /// [[joint_set]] and [[traces]]
 void read_joints(const ConfigTable& root, SlopeModel& model);

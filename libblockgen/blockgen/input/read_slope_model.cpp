@@ -49,6 +49,13 @@ block_material = "sandstone"
 # centre = [40, 20]
 # radius = 3
 # segments = 32
+# stage = 2                                # absent: never was rock; else the run's stage that begins by taking it out
+
+# [[excavation]]                           # rock until then; shapes as of tunnels
+# stage = 2
+# joint_material = "bedding"               # along its outline where no joint runs
+# shape = "polygon"
+# polygon = [[100, 0], [120, 0], [120, 30], [100, 30]]
 
 [[joint_set]]
 name = "bedding"

@@ -28,6 +28,16 @@ struct Tunnel {
     SourcePlace place;
 };
 
+/// Rock that the run takes out when one of its stages begins. Until then it is rock like any other, cut along
+/// the outline.
+struct Excavation {
+    std::string name;
+    int stage = 1;  ///< of the run, counted from 1
+    Ring outline;
+    std::string joint_material;  ///< along its outline where no joint runs; may be empty
+    SourcePlace place;
+};
+
 /// How the joints of a set lie to each other.
 enum class SetKind {
     parallel,       ///< lines at given spacings, each of traces and rock bridges in turn
@@ -140,6 +150,7 @@ struct SlopeModel {
     SourcePlace domain_place;
     std::vector<Region> regions;
     std::vector<Tunnel> tunnels;
+    std::vector<Excavation> excavations;
     std::vector<JointSet> joint_sets;
     std::vector<Trace> traces;
     std::vector<BlockSelector> selectors;

@@ -8,8 +8,9 @@
 
 namespace blockgen {
 
-/// The version of the block file that this code writes, and the newest that it reads ("ddablk 1").
-inline constexpr int block_file_version = 1;
+/// The newest version of the block file that this code reads. A file is written in the lowest version that
+/// holds it: 1 without excavations, 2 with them.
+inline constexpr int block_file_version = 2;
 
 /// The text of a block file; numbers are written shortest-round-trip, so write, read, write gives the same
 /// bytes.

@@ -51,6 +51,14 @@ struct Bolt {
     friend bool operator==(const Bolt&, const Bolt&) = default;
 };
 
+/// Blocks that the run takes out when one of its stages begins.
+struct ExcavatedBlocks {
+    std::string name;
+    std::int32_t stage = 1;            ///< of the run, counted from 1
+    std::vector<std::int32_t> blocks;  ///< ascending; in no other excavation
+    friend bool operator==(const ExcavatedBlocks&, const ExcavatedBlocks&) = default;
+};
+
 /// A rock section cut into blocks: plain data, as the block file holds it.
 ///
 /// Vertices are shared by index, so neighbours agree to the last bit. Block b owns the rings
@@ -74,6 +82,7 @@ struct BlockMesh {
     std::vector<Joint> joints;
     std::vector<MeasuredPoint> measured_points;
     std::vector<Bolt> bolts;
+    std::vector<ExcavatedBlocks> excavations;
 
     std::vector<std::string> provenance;  ///< free text lines: program version, seed, hash of the input
 

@@ -1,5 +1,6 @@
 #include <charconv>
 #include <limits>
+#include <span>
 
 #include "blockgen/base/read_file.hpp"
 #include "blockgen/mesh/block_file.hpp"
@@ -12,7 +13,7 @@ namespace {
 /// What the counts line announces.
 struct Counts {
     std::int64_t provenance = 0, block_materials = 0, joint_materials = 0, joints = 0, vertices = 0;
-    std::int64_t blocks = 0, rings = 0, corners = 0, measured_points = 0, bolts = 0;
+    std::int64_t blocks = 0, rings = 0, corners = 0, measured_points = 0, bolts = 0, excavations = 0;
 };
 
 class BlockFileParser {
@@ -33,6 +34,7 @@ class BlockFileParser {
         check_total("corner", mesh_.corners.size(), counts_.corners);
         for (std::int64_t i = 0; i < counts_.measured_points; ++i) read_measured_point(i);
         for (std::int64_t i = 0; i < counts_.bolts; ++i) read_bolt(i);
+        for (std::int64_t i = 0; i < counts_.excavations; ++i) read_excavation(i);
         read_end();
         return std::move(mesh_);
     }
@@ -42,12 +44,12 @@ class BlockFileParser {
         const std::string expected = "'ddablk " + std::to_string(block_file_version) + "' on the first line";
         if (!scan_.next_line()) scan_.fail("the file is empty", expected);
         if (scan_.word(expected) != "ddablk") scan_.fail("this is not a block file", expected);
-        const std::int32_t version = scan_.index("a version", std::numeric_limits<std::int32_t>::max());
-        if (version > block_file_version)
-            scan_.fail("this block file is version " + std::to_string(version),
+        version_ = scan_.index("a version", std::numeric_limits<std::int32_t>::max());
+        if (version_ > block_file_version)
+            scan_.fail("this block file is version " + std::to_string(version_),
                        "at most version " + std::to_string(block_file_version) +
                            ", the newest this program reads; update the program");
-        if (version < 1) scan_.fail("there is no block file version 0", expected);
+        if (version_ < 1) scan_.fail("there is no block file version 0", expected);
         scan_.expect_line_end();
     }
 
@@ -63,9 +65,12 @@ class BlockFileParser {
             {"corners", &counts_.corners},
             {"measured_points", &counts_.measured_points},
             {"bolts", &counts_.bolts},
+            {"excavations", &counts_.excavations},
         };
+        constexpr std::size_t fields_of_version[] = {0, 10, 11};
         begin_record("counts", 0, 1);
-        for (const auto& [noun, count] : fields) {
+        for (const auto& [noun, count] :
+             std::span(fields).first(fields_of_version[static_cast<std::size_t>(version_)])) {
             if (scan_.word(noun) != noun) scan_.fail("unexpected word in the counts line", std::string(noun));
             *count = scan_.index("a count", std::numeric_limits<std::int32_t>::max());
             // Each counted thing takes two bytes at least, so a damaged count cannot ask for all memory.
@@ -208,6 +213,25 @@ class BlockFileParser {
         mesh_.bolts.push_back(std::move(bolt));
     }
 
+    void read_excavation(std::int64_t i) {
+        begin_record("excavation", i, counts_.excavations);
+        ExcavatedBlocks excavation;
+        excavation.name = scan_.name("a name");
+        excavation.stage = scan_.index("a stage", std::numeric_limits<std::int32_t>::max());
+        if (excavation.stage < 1) scan_.fail("there is no stage 0", "a stage, counted from 1");
+        is_excavated_.resize(mesh_.block_count());
+        while (!scan_.at_line_end()) {
+            const std::int32_t block = scan_.index("a block", counts_.blocks);
+            if (!excavation.blocks.empty() && block <= excavation.blocks.back())
+                scan_.fail("block " + std::to_string(block) + " is out of order", "ascending blocks");
+            if (is_excavated_[static_cast<std::size_t>(block)])
+                scan_.fail("block " + std::to_string(block) + " is taken out twice", "one excavation");
+            is_excavated_[static_cast<std::size_t>(block)] = true;
+            excavation.blocks.push_back(block);
+        }
+        mesh_.excavations.push_back(std::move(excavation));
+    }
+
     void check_total(std::string_view noun, std::size_t found, std::int64_t announced) const {
         if (static_cast<std::int64_t>(found) == announced) return;
         scan_.fail(std::to_string(found) + " " + std::string(noun) + "s in the file",
@@ -223,6 +247,8 @@ class BlockFileParser {
     RecordScanner scan_;
     Counts counts_;
     BlockMesh mesh_;
+    std::int32_t version_ = 0;
+    std::vector<bool> is_excavated_;
     std::vector<std::int32_t> ring_;
     std::vector<EdgeMark> marks_;
 };

@@ -60,7 +60,7 @@ void append_names(std::string& out, std::string_view noun, const std::vector<std
 
 void append_header(std::string& out, const BlockMesh& mesh) {
     out += "ddablk ";
-    append_number(out, block_file_version);
+    append_number(out, mesh.excavations.empty() ? 1 : 2);
     out += "\ncounts";
     append_count(out, "provenance", mesh.provenance.size());
     append_count(out, "block_materials", mesh.block_materials.size());
@@ -72,6 +72,7 @@ void append_header(std::string& out, const BlockMesh& mesh) {
     append_count(out, "corners", mesh.corners.size());
     append_count(out, "measured_points", mesh.measured_points.size());
     append_count(out, "bolts", mesh.bolts.size());
+    if (!mesh.excavations.empty()) append_count(out, "excavations", mesh.excavations.size());
     out += '\n';
 }
 
@@ -106,6 +107,16 @@ void append_bolt(std::string& out, const Bolt& bolt) {
     out += '\n';
 }
 
+void append_excavation(std::string& out, const ExcavatedBlocks& excavation) {
+    ((out += "excavation ") += quoted_name(excavation.name)) += ' ';
+    append_number(out, excavation.stage);
+    for (const std::int32_t block : excavation.blocks) {
+        out += ' ';
+        append_number(out, block);
+    }
+    out += '\n';
+}
+
 }  // namespace
 
 std::string block_file_text(const BlockMesh& mesh) {
@@ -129,6 +140,7 @@ std::string block_file_text(const BlockMesh& mesh) {
         out += '\n';
     }
     for (const Bolt& bolt : mesh.bolts) append_bolt(out, bolt);
+    for (const ExcavatedBlocks& excavation : mesh.excavations) append_excavation(out, excavation);
     return out += "end\n";
 }
 

@@ -61,11 +61,14 @@ class BlockPicture {
     BlockPicture(const BlockMesh& mesh, const BlockLayer& layer, const Extent& extent, double height)
         : mesh_(mesh),
           layer_(layer),
+          is_excavated_(mesh.block_count()),
           canvas_(page_width, height),
           axes_(
               Axes::of_equal_scale({left, top}, {page_width - right, height - bottom}, extent.x, extent.y)) {
         for (const Joint& joint : mesh.joints)
             if (std::find(sets_.begin(), sets_.end(), joint.set) == sets_.end()) sets_.push_back(joint.set);
+        for (const ExcavatedBlocks& excavation : mesh.excavations)
+            for (const std::int32_t b : excavation.blocks) is_excavated_[static_cast<std::size_t>(b)] = true;
     }
 
     Canvas draw() {
@@ -96,6 +99,7 @@ class BlockPicture {
                 entry < 0 ? shaded(rock, shades[b]) : layer_.entries[static_cast<std::size_t>(entry)].colour;
             const std::vector<Ring> rings = page_rings(b);
             canvas_.polygon(rings, fill, Stroke{fill, 0.3});
+            if (is_excavated_[b]) canvas_.hatch(rings, excavated_hatch, 5, 0);
             if (mesh_.motion[b] == BlockMotion::fixed)
                 canvas_.hatch(rings, fixed_hatch, 7, std::numbers::pi / 4);
             if (mesh_.motion[b] == BlockMotion::prescribed)
@@ -165,7 +169,10 @@ class BlockPicture {
             return m.joint == EdgeMark::no_joint && m.joint_material != EdgeMark::no_joint;
         };
         if (std::any_of(mesh_.edge_marks.begin(), mesh_.edge_marks.end(), is_contact))
-            lines.push_back({"contact of materials", {}, Stroke{contact_colour, 1.6}, true});
+            lines.push_back({mesh_.excavations.empty() ? "contact of materials" : "contact or cut",
+                             {},
+                             Stroke{contact_colour, 1.6},
+                             true});
         const auto has = [&](BlockMotion m) {
             return std::find(mesh_.motion.begin(), mesh_.motion.end(), m) != mesh_.motion.end();
         };
@@ -178,6 +185,8 @@ class BlockPicture {
         if (has(BlockMotion::fixed)) y = draw_hatched(x, y, "fixed block", fixed_hatch, std::numbers::pi / 4);
         if (has(BlockMotion::prescribed))
             y = draw_hatched(x, y, "prescribed block", prescribed_hatch, -std::numbers::pi / 4);
+        if (!mesh_.excavations.empty())
+            y = draw_hatched(x, y, "excavated in a stage", excavated_hatch, 0, rock_colour(0));
         if (!mesh_.measured_points.empty()) {
             canvas_.circle({x + 8, y + 5}, 3.2, point_colour, Stroke{white, 0.9});
             canvas_.text({x + 22, y + 5}, "measured point", {9, black, Anchor::start, Anchor::middle});
@@ -193,9 +202,10 @@ class BlockPicture {
         canvas_.text({x, y + 8}, count, {9, grey, Anchor::start, Anchor::end});
     }
 
-    double draw_hatched(double x, double y, const std::string& text, const Stroke& hatch, double angle) {
+    double draw_hatched(double x, double y, const std::string& text, const Stroke& hatch, double angle,
+                        const Colour& ground = white) {
         const std::vector<Ring> box = {{{x, y}, {x + 16, y}, {x + 16, y + 9}, {x, y + 9}}};
-        canvas_.polygon(box, white, Stroke{grey, 0.6});
+        canvas_.polygon(box, ground, Stroke{grey, 0.6});
         canvas_.hatch(box, hatch, 3.5, angle);
         canvas_.text({x + 22, y + 4.5}, text, {9, black, Anchor::start, Anchor::middle});
         return y + 15;
@@ -203,12 +213,14 @@ class BlockPicture {
 
     inline static const Stroke fixed_hatch{{0.25, 0.25, 0.28, 0.6}, 0.6};
     inline static const Stroke prescribed_hatch{{0.70, 0.10, 0.16, 0.6}, 0.7};
+    inline static const Stroke excavated_hatch{{1.0, 1.0, 1.0, 0.8}, 1.4};
     inline static const Stroke bolt_stroke{{0.12, 0.12, 0.40}, 1.5};
     inline static const Colour point_colour{0.80, 0.12, 0.15};
     inline static const Colour contact_colour{0.45, 0.36, 0.26};
 
     const BlockMesh& mesh_;
     const BlockLayer& layer_;
+    std::vector<bool> is_excavated_;  ///< per block
     Canvas canvas_;
     Axes axes_;
     std::vector<std::string> sets_;

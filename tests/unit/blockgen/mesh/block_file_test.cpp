@@ -102,10 +102,10 @@ TEST(BlockFile, EveryTruncationIsAnError) {
 }
 
 TEST(BlockFile, NewerVersionIsRefusedByName) {
-    const std::string error = error_of(replaced(two_blocks, "ddablk 1", "ddablk 2"));
+    const std::string error = error_of(replaced(two_blocks, "ddablk 1", "ddablk 3"));
     EXPECT_THAT(error, HasSubstr("slope.blocks:1:8"));
-    EXPECT_THAT(error, HasSubstr("version 2"));
-    EXPECT_THAT(error, HasSubstr("at most version 1"));
+    EXPECT_THAT(error, HasSubstr("version 3"));
+    EXPECT_THAT(error, HasSubstr("at most version 2"));
 }
 
 struct Damage {
