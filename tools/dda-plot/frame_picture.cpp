@@ -20,7 +20,7 @@ constexpr double least_standing_bar = 170;
 constexpr double lying_bar_length = 260;
 
 // The columns that a picture needs, and their places in the frames.
-const std::vector<std::string> block_columns = {"displacement", "motion"};
+const std::vector<std::string> block_columns = {"displacement", "motion", "block"};
 const std::vector<std::string> contact_columns = {"state"};
 constexpr float unconstrained = 0, prescribed = 2, state_open = 0, state_sliding = 1;
 
@@ -150,10 +150,20 @@ void draw_contact_key(blockgen::Canvas& canvas, double right) {
     canvas.text({right - 50, y}, "open joint", {8.5});
 }
 
+/// The cell of a block, by its number; none when the frame no longer has it.
+std::optional<std::size_t> cell_of(const dda::GridFrame& frame, int block) {
+    const auto& numbers = frame.columns[2];
+    const auto found = std::find(numbers.begin(), numbers.end(), static_cast<float>(block));
+    if (found == numbers.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - numbers.begin());
+}
+
 void draw_worst_contact(blockgen::Canvas& canvas, const blockgen::Axes& axes, const dda::GridFrame& frame,
                         const dda::BlamedContact& worst) {
     for (const int block : {worst.corner_block, worst.edge_block}) {
-        const blockgen::Ring ring = axes.to_page(cell_points(frame, static_cast<std::size_t>(block)));
+        const std::optional<std::size_t> cell = cell_of(frame, block);
+        if (!cell) continue;
+        const blockgen::Ring ring = axes.to_page(cell_points(frame, *cell));
         canvas.polygon(std::span(&ring, 1), std::nullopt, blockgen::Stroke{worst_colour, 1.4});
     }
     canvas.circle(axes.to_page({worst.at.x(), worst.at.y()}), 7, std::nullopt,
@@ -236,12 +246,12 @@ PictureScale common_scale(const RunFrames& run, const std::vector<std::int64_t>&
 PictureScale close_to(const dda::BlamedContact& contact, const RunFrames& run, std::int64_t index,
                       PictureScale scale) {
     const dda::GridFrame frame = run.blocks(index);
-    const auto corner = static_cast<std::size_t>(contact.corner_block);
-    const auto edge = static_cast<std::size_t>(contact.edge_block);
-    if (std::max(corner, edge) >= frame.cells.count())
+    const auto corner = cell_of(frame, contact.corner_block);
+    const auto edge = cell_of(frame, contact.edge_block);
+    if (!corner || !edge)
         throw blockgen::InputError({run.name() + ".vtkhdf"}, "has no block of the worst contact",
                                    "the frames of the run whose summary.json names it");
-    const double reach = surroundings * std::min(size_of(frame, corner), size_of(frame, edge));
+    const double reach = surroundings * std::min(size_of(frame, *corner), size_of(frame, *edge));
     scale.left = std::max(scale.left, contact.at.x() - reach);
     scale.right = std::min(scale.right, contact.at.x() + reach);
     scale.bottom = std::max(scale.bottom, contact.at.y() - reach);

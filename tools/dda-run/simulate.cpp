@@ -92,6 +92,14 @@ void say_plan(const dda::RunInput& input, const fs::path& folder) {
                  input.model.block_count(), input.stages.size(), megabytes, more, folder.string().c_str());
 }
 
+/// One geometry serves runs of fewer stages, too; what is never taken out is said.
+void say_what_stays(const dda::RunInput& input) {
+    for (const dda::Excavation& e : input.model.excavations)
+        if (static_cast<std::size_t>(e.stage) > input.stages.size())
+            std::fprintf(stderr, "dda-run: excavation '%s' stays: stage %d is not in this run of %zu\n",
+                         e.name.c_str(), e.stage, input.stages.size());
+}
+
 ExitCode exit_code_of(const dda::RunOutcome& outcome) {
     switch (outcome.status) {
         case dda::RunStatus::completed:
@@ -173,6 +181,7 @@ ExitCode simulate(const CommandLine& line, const std::string& version) {
         blockgen::write_file_atomically(*line.depfile,
                                         depfile_text(line.output / "summary.json", input.files));
     say_plan(input, line.output);
+    say_what_stays(input);
 
     ProgressLine progress;
     const fs::path stop_file = line.output / "stop";

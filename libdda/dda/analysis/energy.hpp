@@ -17,12 +17,15 @@ struct Energy {
     double numerical_loss = 0;  ///< dissipated by the end-of-step evaluation of forces, theory Eq. (40)
     double released = 0;        ///< spring energy lost when contacts open, tear or are replaced
     double boundary_loss = 0;   ///< taken by the dashpots of viscous boundaries: waves that left the model
+    double excavated = 0;       ///< stores of rock taken out, with its contacts; gravity's may be negative
     double external_work = 0;   ///< done by loads and by prescribed blocks
 
     double initial_stores = 0;
 
     double stores() const { return kinetic + strain + contact + constraint + gravity; }
-    double losses() const { return friction_loss + damping_loss + numerical_loss + released + boundary_loss; }
+    double losses() const {
+        return friction_loss + damping_loss + numerical_loss + released + boundary_loss + excavated;
+    }
     /// What the ledger does not explain, J.
     double residual() const { return stores() - initial_stores + losses() - external_work; }
 };

@@ -1,5 +1,6 @@
 #include "dda/analysis/run.hpp"
 
+#include "dda/analysis/excavate.hpp"
 #include "dda/analysis/run_stage.hpp"
 #include "dda/analysis/strength_reduction.hpp"
 
@@ -25,6 +26,20 @@ void count_anew_after(const Model& model, const Stage& stage, State& state) {
     }
 }
 
+/// The rock that is there, and what steps it.
+struct Present {
+    Present(const Model& whole, const State& state, int threads)
+        : rest(state.removed.empty() ? std::nullopt : std::optional(remaining(whole, state.removed))),
+          model(rest ? *rest : whole),
+          stepper(model, threads) {}
+    Present(const Present&) = delete;
+    Present& operator=(const Present&) = delete;
+
+    std::optional<Model> rest;
+    const Model& model;
+    TimeStepper stepper;
+};
+
 }  // namespace
 
 State initial_state(const Model& model) {
@@ -42,18 +57,21 @@ State initial_state(const Model& model) {
 
 RunOutcome run(const Model& model, std::span<const Stage> stages, State& state, RunObserver& observer,
                const RunOptions& options) {
-    TimeStepper stepper(model, options.threads);
+    std::optional<Present> present;
     bool resumed = options.resumed;
     for (std::size_t k = static_cast<std::size_t>(options.first_stage); k < stages.size(); ++k) {
         if (!resumed) {
             if (k > 0) count_anew_after(model, stages[k - 1], state);
             begin_stage(state);
+            if (excavate(model, static_cast<int>(k) + 1, state)) present.reset();
         }
         resumed = false;
+        if (!present) present.emplace(model, state, options.threads);
         observer.stage_begins(model, state, stages[k], static_cast<int>(k));
-        RunOutcome outcome = stages[k].strength_reduction
-                                 ? find_factor_of_safety(model, stages[k], state, observer, options.threads)
-                                 : run_stage(model, stages[k], stepper, state, observer);
+        RunOutcome outcome =
+            stages[k].strength_reduction
+                ? find_factor_of_safety(present->model, stages[k], state, observer, options.threads)
+                : run_stage(present->model, stages[k], present->stepper, state, observer);
         if (outcome.status == RunStatus::not_converged || outcome.status == RunStatus::not_settled)
             observer.stage_fails(model, state, stages[k], static_cast<int>(k));
         if (outcome.status != RunStatus::completed) return outcome;

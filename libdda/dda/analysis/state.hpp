@@ -26,6 +26,11 @@ struct State {
     std::vector<double> bolt_force;         ///< per bolt, N per metre, tension positive
     BoundaryReactions boundary_reactions;   ///< of viscous boundaries, N per metre
     Energy energy;
+    std::vector<std::uint8_t> removed;  ///< per block, 1 where it was taken out; empty while all are there
+
+    bool is_there(int block) const {
+        return removed.empty() || removed[static_cast<std::size_t>(block)] == 0;
+    }
 };
 
 }  // namespace dda

@@ -100,13 +100,19 @@ std::vector<CornerEdge> find_candidates(const Model& model, std::span<const Vec2
     const auto moves = [&](int block) {
         return model.motion[static_cast<std::size_t>(block)] == Motion::free;
     };
+    const auto is_removed = [&](int corner) {
+        const int block = topology.block_of[static_cast<std::size_t>(corner)];
+        return model.motion[static_cast<std::size_t>(block)] == Motion::removed;
+    };
 
     EdgeGrid grid(std::max(distance, median_edge_length(topology, vertices)), vertices[0]);
     for (int edge = 0; edge < topology.corner_count(); ++edge) {
+        if (is_removed(edge)) continue;
         grid.insert(edge, vertices[static_cast<std::size_t>(edge)], end_of(edge), distance);
     }
     grid.finish();
     for (int corner = 0; corner < topology.corner_count(); ++corner) {
+        if (is_removed(corner)) continue;
         const auto k = static_cast<std::size_t>(corner);
         const Vec2& vertex = vertices[k];
         const Vec2 arriving = vertex - vertices[static_cast<std::size_t>(topology.previous[k])];

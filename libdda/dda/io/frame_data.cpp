@@ -81,6 +81,35 @@ GridFrame block_frame(const Model& model, const State& state) {
     return frame;
 }
 
+GridFrame present_block_frame(const Model& model, const State& state, const GridCells& cells) {
+    const GridFrame all = block_frame(model, state);
+    GridFrame frame;
+    frame.time = all.time;
+    frame.columns.resize(all.columns.size());
+    const std::vector<GridColumn> columns = block_columns();
+    std::vector<std::int64_t> number(all.points.size() / 3, -1);
+    for (int block = 0; block < model.block_count(); ++block) {
+        if (!state.is_there(block)) continue;
+        const auto b = static_cast<std::size_t>(block);
+        std::vector<std::int64_t> ring;
+        for (auto k = static_cast<std::size_t>(cells.offsets[b]);
+             k < static_cast<std::size_t>(cells.offsets[b + 1]); ++k) {
+            const auto corner = static_cast<std::size_t>(cells.connectivity[k]);
+            if (number[corner] < 0) {
+                number[corner] = static_cast<std::int64_t>(frame.points.size() / 3);
+                for (std::size_t i = 0; i < 3; ++i) frame.points.push_back(all.points[3 * corner + i]);
+            }
+            ring.push_back(number[corner]);
+        }
+        frame.cells.add(ring, cells.types[b]);
+        for (std::size_t i = 0; i < columns.size(); ++i) {
+            const auto width = static_cast<std::size_t>(columns[i].width);
+            for (std::size_t j = 0; j < width; ++j) frame.columns[i].push_back(all.columns[i][b * width + j]);
+        }
+    }
+    return frame;
+}
+
 std::vector<GridColumn> contact_columns() {
     return {{"state", 1},        {"normal_stress", 1},  {"shear_stress", 1},
             {"normal_force", 1}, {"shear_force", 1},    {"slip", 1},

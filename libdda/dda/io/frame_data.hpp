@@ -14,6 +14,9 @@ std::vector<GridColumn> block_columns();
 /// rotation, id, material, and motion
 /// (0 free, 1 fixed, 2 prescribed).
 GridFrame block_frame(const Model& model, const State& state);
+/// The same of the blocks that are there, with their cells: of a run that takes blocks out. @param cells of
+/// all blocks.
+GridFrame present_block_frame(const Model& model, const State& state, const GridCells& cells);
 
 /// The quantities of a contact, in the order of contact_frame()'s columns.
 std::vector<GridColumn> contact_columns();

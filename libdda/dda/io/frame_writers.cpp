@@ -14,7 +14,7 @@ HdfType type_of_points(const Model& model) {
     return model.origin.isZero(0) ? HdfType::f4 : HdfType::f8;
 }
 
-using FrameOf = GridFrame (*)(const Model&, const State&);
+using FrameOf = std::function<GridFrame(const Model&, const State&)>;
 using MakeFile = std::function<VtkHdfFile(const std::filesystem::path&)>;
 
 std::vector<std::string> names_of(const std::vector<GridColumn>& columns) {
@@ -46,7 +46,7 @@ class FrameWriter : public ResultWriter {
     FrameWriter(const WriterContext& context, const std::string& extension,
                 const std::vector<GridColumn>& columns, const MakeFile& make, FrameOf frame_of)
         : model_(context.model),
-          frame_of_(frame_of),
+          frame_of_(std::move(frame_of)),
           file_(context.resume_from ? resumed_file(context.folder / (context.name + extension), make, columns,
                                                    *context.resume_from)
                                     : make(context.folder / (context.name + extension))) {}
@@ -60,9 +60,23 @@ class FrameWriter : public ResultWriter {
     VtkHdfFile file_;
 };
 
+/// Frames that bring the cells of the blocks that are there.
+std::unique_ptr<ResultWriter> make_changing_block_frames(const WriterContext& context) {
+    const MakeFile make = [&](const std::filesystem::path& path) {
+        return VtkHdfFile(path, block_columns(), type_of_points(context.model),
+                          static_cast<std::size_t>(context.model.block_count()));
+    };
+    return std::make_unique<FrameWriter>(
+        context, ".vtkhdf", block_columns(), make,
+        [cells = block_cells(context.model)](const Model& model, const State& state) {
+            return present_block_frame(model, state, cells);
+        });
+}
+
 }  // namespace
 
 std::unique_ptr<ResultWriter> make_block_frames(const WriterContext& context) {
+    if (!context.model.excavations.empty()) return make_changing_block_frames(context);
     const MakeFile make = [&](const std::filesystem::path& path) {
         return VtkHdfFile(path, block_columns(), type_of_points(context.model), block_cells(context.model),
                           context.model.vertices.size());

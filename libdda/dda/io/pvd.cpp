@@ -20,7 +20,8 @@ std::string array_text(const std::string& name, const std::string& type, int wid
 }
 
 /// One frame as a VTK XML unstructured grid, in text.
-std::string vtu_text(const GridFrame& frame, const GridCells& cells, const std::vector<GridColumn>& columns) {
+std::string vtu_text(const GridFrame& frame, const std::vector<GridColumn>& columns) {
+    const GridCells& cells = frame.cells;
     std::string text =
         "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" "
         "byte_order=\"LittleEndian\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"" +
@@ -51,14 +52,14 @@ class Pvd : public ResultWriter {
     }
 
     void frame(const State& state) override {
-        const GridFrame frame = block_frame(model_, state);
+        const GridFrame frame = present_block_frame(model_, state, cells_);
         for (const auto& column : frame.columns)
             for (const float value : column)
                 if (!std::isfinite(value))
                     throw blockgen::OutputError(folder_ / (name_ + ".pvd"),
                                                 "a value is not finite; the frame is not written");
         blockgen::write_file_atomically(folder_ / frame_name(times_.size()),
-                                        vtu_text(frame, cells_, block_columns()));
+                                        vtu_text(frame, block_columns()));
         times_.push_back(state.time);
         blockgen::write_file_atomically(folder_ / (name_ + ".pvd"), list_text());
     }

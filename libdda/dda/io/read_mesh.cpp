@@ -106,6 +106,9 @@ void add_mesh(const blockgen::BlockMesh& mesh, const std::string& mesh_file,
         model.measured_points.push_back(
             {point.name, add_material_point(model, point.block, vector_of(point.position) - model.origin)});
 
+    for (const blockgen::ExcavatedBlocks& e : mesh.excavations)
+        model.excavations.push_back({e.name, e.stage, {e.blocks.begin(), e.blocks.end()}});
+
     std::vector<std::string> wanted;
     for (const blockgen::Bolt& bolt : mesh.bolts) wanted.push_back(bolt.material);
     const std::vector<int> materials = resolve(wanted, bolt_materials, "bolt_material", mesh_file);

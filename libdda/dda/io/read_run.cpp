@@ -103,6 +103,23 @@ std::vector<std::string> with_blocks(const RunReadOptions& options) {
     return overrides;
 }
 
+/// Each stage must be left with something to move.
+void check_excavations(const Model& model, std::size_t stages, const std::filesystem::path& block_file) {
+    std::vector<Motion> motion = model.motion;
+    for (int stage = 1; stage <= static_cast<int>(stages); ++stage)
+        for (const Excavation& excavation : model.excavations) {
+            if (excavation.stage != stage) continue;
+            for (const int block : excavation.blocks)
+                motion[static_cast<std::size_t>(block)] = Motion::removed;
+            if (std::find(motion.begin(), motion.end(), Motion::free) == motion.end())
+                throw blockgen::InputError({block_file.string()},
+                                           "excavation '" + excavation.name +
+                                               "' leaves no block that is free to move in stage " +
+                                               std::to_string(stage),
+                                           "some rock in every stage");
+        }
+}
+
 }  // namespace
 
 RunInput read_run(const std::filesystem::path& run_file, const RunReadOptions& options) {
@@ -127,6 +144,7 @@ RunInput read_run(const std::filesystem::path& run_file, const RunReadOptions& o
     read_loads(run, model, input.files);
     read_boundaries(run, model);
     input.stages = read_stages(run, model, input.files);
+    check_excavations(model, input.stages.size(), block_file);
     input.output = read_output(run.table_or_empty("output"), run_file);
     run.finish();
     input.effective = "# The effective model: what was read, with every default.\n" +

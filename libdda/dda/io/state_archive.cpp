@@ -165,15 +165,15 @@ void contacts(Walker& walker, C& value) {
 template <class Walker, class E>
 void energy(Walker& walker, E& value) {
     auto& [kinetic, strain, contact_energy, constraint, gravity, friction_loss, damping_loss, numerical_loss,
-           released, boundary_loss, external_work, initial_stores] = value;
+           released, boundary_loss, excavated, external_work, initial_stores] = value;
     reals(walker, kinetic, strain, contact_energy, constraint, gravity, friction_loss, damping_loss,
-          numerical_loss, released, boundary_loss, external_work, initial_stores);
+          numerical_loss, released, boundary_loss, excavated, external_work, initial_stores);
 }
 
 template <class Walker, class S>
 void state(Walker& walker, S& value) {
     auto& [time, stage_time, dynamic_time, next_step, step_count, stage_steps, all_blocks, contact_set,
-           displacement_origin, centroid_origin, bolt_force, boundary_reactions, ledger] = value;
+           displacement_origin, centroid_origin, bolt_force, boundary_reactions, ledger, removed] = value;
     reals(walker, time, stage_time, dynamic_time, next_step);
     integers(walker, step_count, stage_steps);
     blocks(walker, all_blocks);
@@ -183,6 +183,8 @@ void state(Walker& walker, S& value) {
     all_reals(walker, bolt_force);
     all_components(walker, boundary_reactions);
     energy(walker, ledger);
+    walker.resize(removed);
+    for (auto& flag : removed) walker.integer(flag);
 }
 
 }  // namespace

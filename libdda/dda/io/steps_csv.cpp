@@ -28,6 +28,7 @@ constexpr const char* headings[] = {"time (s)",
                                     "numerical loss (J/m)",
                                     "released (J/m)",
                                     "boundary loss (J/m)",
+                                    "excavated (J/m)",
                                     "external work (J/m)",
                                     "residual (J/m)"};
 
@@ -53,7 +54,7 @@ class StepsCsv : public ResultWriter {
             row.number(value, "a figure of the step");
         for (const double value :
              {e.kinetic, e.strain, e.contact, e.constraint, e.gravity, e.friction_loss, e.damping_loss,
-              e.numerical_loss, e.released, e.boundary_loss, e.external_work, e.residual()})
+              e.numerical_loss, e.released, e.boundary_loss, e.excavated, e.external_work, e.residual()})
             row.number(value, "an energy");
         file_.append(row.line());
     }

@@ -55,7 +55,8 @@ Json farthest_block(const Model& model, const State& state) {
     for (int block = 0; block < model.block_count(); ++block) {
         const Vec2 moved =
             state.blocks.centroid(block) - state.centroid_origin[static_cast<std::size_t>(block)];
-        if (model.motion[static_cast<std::size_t>(block)] != Motion::free || moved.norm() <= distance)
+        if (model.motion[static_cast<std::size_t>(block)] != Motion::free || !state.is_there(block) ||
+            moved.norm() <= distance)
             continue;
         distance = moved.norm();
         farthest = block;
@@ -72,17 +73,12 @@ Json contact_counts(const State& state) {
 }
 
 Json energy_json(const Energy& e) {
-    return {{"kinetic", e.kinetic},
-            {"strain", e.strain},
-            {"contact", e.contact},
-            {"constraint", e.constraint},
-            {"gravity", e.gravity},
-            {"friction_loss", e.friction_loss},
-            {"damping_loss", e.damping_loss},
-            {"numerical_loss", e.numerical_loss},
-            {"released", e.released},
-            {"boundary_loss", e.boundary_loss},
-            {"external_work", e.external_work},
+    return {{"kinetic", e.kinetic},           {"strain", e.strain},
+            {"contact", e.contact},           {"constraint", e.constraint},
+            {"gravity", e.gravity},           {"friction_loss", e.friction_loss},
+            {"damping_loss", e.damping_loss}, {"numerical_loss", e.numerical_loss},
+            {"released", e.released},         {"boundary_loss", e.boundary_loss},
+            {"excavated", e.excavated},       {"external_work", e.external_work},
             {"residual", e.residual()}};
 }
 

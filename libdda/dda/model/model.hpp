@@ -11,7 +11,8 @@
 
 namespace dda {
 
-enum class Motion : std::uint8_t { free, fixed, prescribed };
+/// A block that an excavation has taken out is `removed`: its number stays, and nothing meets it.
+enum class Motion : std::uint8_t { free, fixed, prescribed, removed };
 
 /// The corners of all blocks, block after block and ring after ring; every block owns its corners, neighbours
 /// share none. Outer rings run counter-clockwise and holes clockwise: the rock is on the left of every edge.
@@ -38,6 +39,13 @@ struct Topology {
 struct MeasuredPointSpec {
     std::string name;
     int point = 0;  ///< index into Model::material_points
+};
+
+/// Blocks that are taken out when a stage begins.
+struct Excavation {
+    std::string name;
+    int stage = 1;  ///< of the run, counted from 1
+    std::vector<int> blocks;
 };
 
 /// What the user described, and nothing that changes during a run. SI units, per metre of thickness.
@@ -73,6 +81,7 @@ struct Model {
     std::vector<ViscousBoundary> viscous_boundaries;
     std::vector<BoltSpec> bolts;
     std::vector<MeasuredPointSpec> measured_points;
+    std::vector<Excavation> excavations;
     std::vector<Vec6> initial_velocity;  ///< per block, or empty
 
     int block_count() const { return topology.block_count(); }

@@ -1,0 +1,81 @@
+#include <gtest/gtest.h>
+
+#include "dda/analysis/excavate.hpp"
+#include "support/scene.hpp"
+
+namespace {
+
+using namespace scene;
+
+constexpr double weight = 2500 * g;  // N, of a box of 1 m x 1 m
+
+/// A fixed base, block 0, under a column of boxes of 1 m, blocks 1, 2, ...
+Scene column(int boxes) {
+    Scene s;
+    s.box({-1, -1}, 3, 1, dda::Motion::fixed);
+    for (int k = 0; k < boxes; ++k) s.box({0, static_cast<double>(k)}, 1, 1);
+    return s;
+}
+
+TEST(Excavation, StressBelowFallsToTheNewOverburden) {
+    Scene s = column(4);
+    s.model.excavations = {{"crest", 2, {4}}, {"next", 3, {3}}};
+    Simulation sim(s);
+    for (const int left : {4, 3, 2}) {
+        ASSERT_EQ(sim.settle().status, dda::RunStatus::completed);
+        // The column's constant-strain blocks bear half their own weight and all above them; the tolerance is
+        // that of the catalogue's column.
+        for (int k = 1; k <= left; ++k)
+            EXPECT_NEAR(sim.stress(k)[1], -weight * (left - k + 0.5), 0.01 * weight * (left - k + 0.5));
+        for (const dda::Contact& c : sim.state.contacts.contacts)
+            EXPECT_TRUE(c.corner_block <= left && c.edge_block <= left);
+        // What was taken out bears nothing and stays where it was.
+        for (int k = left + 1; k <= 4; ++k) EXPECT_EQ(sim.stress(k), dda::Vec3::Zero());
+    }
+}
+
+TEST(Excavation, BlockWithoutItsSupportFallsFreely) {
+    Scene s = column(2);
+    s.model.excavations = {{"support", 2, {1}}};
+    Simulation sim(s);
+    ASSERT_EQ(sim.settle().status, dda::RunStatus::completed);
+    ASSERT_EQ(sim.shake(0.3, 0.001).status, dda::RunStatus::completed);
+    // Constant acceleration is integrated exactly; 1e-9 m is the settled state's remaining motion and
+    // rounding.
+    EXPECT_NEAR(sim.moved(2).y(), -g * 0.3 * 0.3 / 2, 1e-9);
+    EXPECT_NEAR(sim.velocity(2)[1], -g * 0.3, 1e-8);
+    EXPECT_EQ(sim.moved(1), Vec2::Zero());
+}
+
+TEST(Excavation, LedgerAccountsForWhatLeaves) {
+    Scene s = column(3);
+    s.model.excavations = {{"crest", 2, {3}}};
+    Simulation sim(s);
+    sim.settle();
+    const double before = sim.state.energy.residual();
+    const double stores = sim.state.energy.stores();
+    ASSERT_TRUE(dda::excavate(sim.model, 2, sim.state));
+    EXPECT_NEAR(sim.state.energy.residual(), before, 1e-12 * std::abs(stores));
+    EXPECT_NE(sim.state.energy.excavated, 0);
+    EXPECT_FALSE(dda::excavate(sim.model, 2, sim.state)) << "it is gone already";
+}
+
+TEST(Excavation, BoltsAndFixedPointsGoWithTheirRock) {
+    Scene s = column(3);
+    const int first = s.material_point(1, {0.5, 0.5}), second = s.material_point(2, {0.5, 1.5}),
+              third = s.material_point(3, {0.5, 2.5});
+    s.model.bolts = {{"gone", second, third, 1e6, 1e3, 0}, {"kept", first, second, 1e6, 2e3, 0}};
+    s.model.fixed_points = {{third, true, false}, {first, true, false}};
+    s.model.excavations = {{"crest", 1, {3}}};
+    dda::State state = dda::initial_state(s.model);
+    ASSERT_TRUE(dda::excavate(s.model, 1, state));
+    EXPECT_EQ(state.bolt_force, std::vector<double>{2e3});
+    const dda::Model rest = dda::remaining(s.model, state.removed);
+    ASSERT_EQ(rest.bolts.size(), 1U);
+    EXPECT_EQ(rest.bolts[0].name, "kept");
+    ASSERT_EQ(rest.fixed_points.size(), 1U);
+    EXPECT_EQ(rest.fixed_points[0].point, first);
+    EXPECT_EQ(rest.motion[3], dda::Motion::removed);
+}
+
+}  // namespace
