@@ -84,3 +84,11 @@ refused "cannot be read\|No such file" match "$record" -o a.at2 --target nowhere
 printf 'period,value\n1,2\n2,3\n' >"$folder.csv"
 refused "names no acceleration" match "$record" -o a.at2 --target "$folder.csv"
 refused "overwrite" match "$record" -o "$folder.csv" --target "$folder.csv"
+
+# Newmark's block.
+expect 'yield acceleration 0.1763 g' slide "$record" --dip 20 --friction 30
+grep -q 'falling towards +x: slip 0\.[0-9]* m, first at' measures.txt || fail "no slip: $(cat measures.txt)"
+expect 'falling towards -x: no slip' slide "$record" --dip 20 --friction 50
+rm -- *
+refused "below 90 degrees" slide "$record" --dip -1 --friction 30
+refused "friction" slide "$record" --dip 20

@@ -1,15 +1,19 @@
 #include "change_commands.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <functional>
 #include <iostream>
 #include <limits>
+#include <numbers>
 #include <stdexcept>
 
 #include "blockgen/base/atomic_file.hpp"
 #include "blockgen/base/output_check.hpp"
 #include "dda/record/correct.hpp"
 #include "dda/record/match_spectrum.hpp"
+#include "dda/record/newmark_block.hpp"
 #include "dda/record/resample.hpp"
 #include "dda/record/rotate.hpp"
 #include "dda/record/scale.hpp"
@@ -267,6 +271,39 @@ int run_match(const std::vector<std::string>& arguments) {
     return perform(change, arguments);
 }
 
+std::string slide_text(const dda::Accelerogram& record, const dda::SlidingPlane& plane,
+                       const char* direction) {
+    const std::vector<double> slip = dda::newmark_slip(record, plane);
+    const auto first = std::find_if(slip.begin(), slip.end(), [](double s) { return s != 0; });
+    std::array<char, 160> text{};
+    if (first == slip.end()) return std::string("plane falling towards ") + direction + ": no slip\n";
+    std::snprintf(text.data(), text.size(), "plane falling towards %s: slip %.4f m, first at %.3f s\n",
+                  direction, slip.back(), static_cast<double>(first - slip.begin()) * record.step);
+    return text.data();
+}
+
+int run_slide(const std::vector<std::string>& arguments) {
+    Change change{
+        "slide FILE --dip DEGREES --friction DEGREES [options]\n"
+        "Newmark's estimate: how far a rigid block slides on a plane through the shaken ground"};
+    change.writes = false;
+    double dip = 0, friction = 0;
+    change.add_options = [&](po::options_description& options) {
+        auto add = options.add_options();
+        add("dip", po::value(&dip)->required(), "degrees, of the plane");
+        add("friction", po::value(&friction)->required(), "degrees, angle of friction");
+    };
+    change.apply = [&](const Request&, std::vector<dda::Accelerogram> records) {
+        const double degree = std::numbers::pi / 180;
+        const dda::SlidingPlane plane{dip * degree, friction * degree};
+        const std::string text =
+            slide_text(records[0], plane, "+x") + slide_text(dda::scaled(records[0], -1), plane, "-x");
+        std::printf("yield acceleration %.4f g\n%s", dda::yield_coefficient(plane), text.c_str());
+        return records[0];
+    };
+    return perform(change, arguments);
+}
+
 }  // namespace
 
 const std::vector<ChangeCommand>& change_commands() {
@@ -279,6 +316,7 @@ const std::vector<ChangeCommand>& change_commands() {
         {"rotate", "two horizontal components to the section's azimuth", run_rotate},
         {"correct", "take the drift out of a raw record", run_correct},
         {"match", "change it until its response spectrum is a target", run_match},
+        {"slide", "Newmark's estimate of a block's slip on a plane", run_slide},
     };
     return commands;
 }
