@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <stdexcept>
 
 #include "blockgen/base/text.hpp"
@@ -250,6 +251,7 @@ class Cutter {
                 ++report.holes;
                 if (!encloses_rock(block.rings[r], subdivision_, faces_)) continue;
                 ++report.islands;
+                if (model_.islands == IslandPolicy::keep) note_island(block.rings[r], report);
                 if (model_.islands != IslandPolicy::error) continue;
                 const auto h = static_cast<std::size_t>(block.rings[r][0]);
                 const Point p = noded_.frame.place(start(h));
@@ -258,6 +260,27 @@ class Cutter {
                     "one block encloses others at (" + shortest_text(p.x) + ", " + shortest_text(p.y) + ")",
                     "joints that reach the rim, or islands = \"keep\", \"cut\" or \"fill\"");
             }
+    }
+
+    /// Names the first islands that are kept; of the rest, the report's count tells.
+    void note_island(const std::vector<std::int32_t>& hole, CutReport& report) const {
+        constexpr std::size_t most_named = 5;
+        if (report.islands > most_named + 1) return;
+        if (report.islands == most_named + 1) {
+            report.warnings.push_back("further islands are kept: 'islands' in the report counts them");
+            return;
+        }
+        const GridPoint first = start(static_cast<std::size_t>(hole[0]));
+        Int128 twice = 0;
+        for (std::size_t k = 1; k + 1 < hole.size(); ++k)
+            twice -= twice_area(first, start(static_cast<std::size_t>(hole[k])),
+                                start(static_cast<std::size_t>(hole[k + 1])));
+        char area[32];
+        std::snprintf(area, sizeof area, "%.4g",
+                      static_cast<double>(twice) / 2 * noded_.frame.step * noded_.frame.step);
+        const Point p = noded_.frame.place(first);
+        report.warnings.push_back(std::string("an island of ") + area + " m2 at (" + shortest_text(p.x) +
+                                  ", " + shortest_text(p.y) + ") is kept within one block");
     }
 
     const SlopeModel& model_;

@@ -12,6 +12,7 @@
 namespace blockgen {
 namespace {
 
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -203,6 +204,16 @@ TEST(Hazards, AHoleOrTunnelAwayFromTheRockIsNoticed) {
     const SlopeModel model =
         slope(domain + "[[tunnel]]\nname = \"far\"\nshape = \"circle\"\ncentre = [9, 9]\nradius = 1\n");
     EXPECT_THAT(cut(model).report.warnings, ElementsAre(HasSubstr("tunnel 'far' lies outside the outline")));
+}
+
+TEST(Hazards, KeptIslandIsNamedWithPlaceAndArea) {
+    SlopeModel model = rectangle(10, 10);
+    add_trace(model, {{4, 4}, {6, 4}, {6, 7}, {4, 7}, {4, 4}});
+    const CutResult result = cut(model);
+    EXPECT_EQ(result.report.blocks, 2u);
+    EXPECT_EQ(result.report.islands, 1u);
+    EXPECT_THAT(result.report.warnings,
+                ElementsAre(AllOf(HasSubstr("island of 6 m2"), HasSubstr("is kept within one block"))));
 }
 
 }  // namespace
