@@ -30,6 +30,16 @@ Weakening read_law(std::type_identity<Weakening>, const ConfigTable& table) {
     return law;
 }
 
+VelocityWeakening read_law(std::type_identity<VelocityWeakening>, const ConfigTable& table) {
+    VelocityWeakening law;
+    law.friction_angle = read_friction_angle(table, "friction_angle");
+    law.residual_friction_angle = read_residual_angle(table, law.friction_angle);
+    law.speed = positive(table, "weakening_speed", Dimension::velocity);
+    if (table.choice("weakening", {"exponential", "logarithmic"}, "exponential") == "logarithmic")
+        law.rate = positive(table, "weakening_rate", Dimension::none);
+    return law;
+}
+
 Bilinear read_law(std::type_identity<Bilinear>, const ConfigTable& table) {
     Bilinear law;
     law.friction_angle = read_friction_angle(table, "friction_angle");

@@ -64,6 +64,14 @@ friction_angle = "35 deg"
 # weakening_slip = "5 mm"          # over which it falls
 # weakening = "linear"             # or "exponential"
 
+# [joint_material.racing]          # friction falls with the speed of slip and is back at rest
+# law = "velocity-weakening"
+# friction_angle = "35 deg"        # at rest
+# residual_friction_angle = "20 deg"   # the least; default: friction_angle
+# weakening_speed = "0.1 m/s"
+# weakening = "logarithmic"        # default: "exponential", without a weakening_rate
+# weakening_rate = 0.02            # tan(friction) lost each time 1 + v/weakening_speed grows e-fold
+
 # [joint_material.toothed]         # other laws of rough joints: "two-order-asperities", "stressed-asperities", "bilinear"
 # law = "plesha"
 # friction_angle = "30 deg"        # of the flat surface

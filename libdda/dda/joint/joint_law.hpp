@@ -13,6 +13,7 @@
 #include "dda/joint/plesha.hpp"
 #include "dda/joint/stressed_asperities.hpp"
 #include "dda/joint/two_order_asperities.hpp"
+#include "dda/joint/velocity_weakening.hpp"
 #include "dda/joint/weakening.hpp"
 
 namespace dda {
@@ -21,7 +22,7 @@ namespace dda {
 /// `strength` and `advance`; it may have a `strength` that looks at the displacement being tried, and
 /// `strength_slope`, `dilation`, `shear_stiffness` and `record`. The functions below find out which.
 using JointLaw = std::variant<MohrCoulomb, Elastic, BartonBandis, CyclicBartonBandis, Weakening, Bilinear,
-                              Plesha, TwoOrderAsperities, StressedAsperities>;
+                              Plesha, TwoOrderAsperities, StressedAsperities, VelocityWeakening>;
 
 namespace detail {
 template <class... Laws>

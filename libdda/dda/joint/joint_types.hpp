@@ -28,6 +28,7 @@ struct ContactMotion {
     bool opened = false;      ///< the contact was bonded and tore
     double shear_force = 0;   ///< at the start of the step, N per metre
     double stiffness = 0;     ///< of the shear spring, N/m per metre; 0: not told
+    double duration = 0;      ///< of the step, s; 0: not told, or a static step
 };
 
 /// Side of the origin on which a joint is, and how it moves there: away from the origin it advances; towards

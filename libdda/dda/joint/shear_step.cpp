@@ -14,9 +14,9 @@ ShearedJoint shear(const JointLaw& law, const ShearedJoint& joint, double displa
     const double slip = (elastic - after.shear_force) / load.stiffness;
     after.slip = joint.slip + slip;
     after.sliding = slip != 0;
-    after.history = advance(
-        law, joint.history,
-        {slip, displacement, load.normal_force, load.length, false, joint.shear_force, load.stiffness});
+    after.history = advance(law, joint.history,
+                            {slip, displacement, load.normal_force, load.length, false, joint.shear_force,
+                             load.stiffness, load.duration});
     return after;
 }
 

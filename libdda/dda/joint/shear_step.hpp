@@ -17,6 +17,7 @@ struct JointLoad {
     double normal_force = 0;  ///< N per metre, compression positive
     double length = 0;        ///< m
     double stiffness = 0;     ///< of the shear spring, N/m per metre, positive
+    double duration = 0;      ///< of the displacement, s; 0: static
 };
 
 /// The joint after a displacement (m, positive forward): the elastic predictor S + k s, clipped to the law's

@@ -228,6 +228,25 @@ TEST_F(ReadWornJoints, WeakeningAndBilinear) {
                 HasSubstr("zero or a positive number"));
 }
 
+TEST_F(ReadWornJoints, VelocityWeakens) {
+    const std::string start =
+        "law = \"velocity-weakening\"\nfriction_angle = \"0.5 rad\"\nresidual_friction_angle = \"0.3 rad\"\n";
+    const auto smooth = law<VelocityWeakening>(start + "weakening_speed = \"10 cm/s\"\n");
+    EXPECT_EQ(smooth.residual_friction_angle, 0.3);
+    EXPECT_EQ(smooth.speed, 0.1);
+    EXPECT_EQ(smooth.rate, 0);
+    const std::string logarithmic = start + "weakening_speed = 1e-3\nweakening = \"logarithmic\"\n";
+    EXPECT_EQ(law<VelocityWeakening>(logarithmic + "weakening_rate = 0.02\n").rate, 0.02);
+    EXPECT_THAT(error(start), HasSubstr("weakening_speed"));
+    EXPECT_THAT(error(start + "weakening_speed = 0\n"), HasSubstr("expected a positive number"));
+    EXPECT_THAT(error(start + "weakening_speed = 1\nweakening = \"linear\"\n"), HasSubstr("logarithmic"));
+    EXPECT_THAT(error(start + "weakening_speed = 1\nweakening_rate = 0.02\n"),
+                HasSubstr("unknown key 'weakening_rate'"))
+        << "the exponential has none";
+    EXPECT_THAT(error(logarithmic), HasSubstr("weakening_rate"));
+    EXPECT_THAT(error(logarithmic + "weakening_rate = -1\n"), HasSubstr("expected a positive number"));
+}
+
 TEST_F(ReadWornJoints, Asperities) {
     const std::string friction = "friction_angle = \"0.5 rad\"\n";
     const auto plesha =

@@ -62,4 +62,8 @@ inline std::vector<dda::StressedAsperities> specimens(std::type_identity<dda::St
     return {{30 * degree, 15 * degree, 2e-4, 50e6, 1}, {30 * degree, 10 * degree, 1e-4, 100e6, 2}};
 }
 
+inline std::vector<dda::VelocityWeakening> specimens(std::type_identity<dda::VelocityWeakening>) {
+    return {{35 * degree, 20 * degree, 0.1, 0}, {35 * degree, 20 * degree, 1e-3, 0.02}};
+}
+
 }  // namespace joint_tests

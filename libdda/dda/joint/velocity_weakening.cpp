@@ -1,0 +1,45 @@
+#include "dda/joint/velocity_weakening.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dda {
+
+namespace {
+constexpr double largest_speed = 1e30;  ///< m/s; beyond any, so that a history stays finite
+}
+
+double VelocityWeakening::friction(double v) const {
+    const double peak = std::tan(friction_angle);
+    if (v == 0) return peak;
+    const double least = std::tan(residual_friction_angle);
+    if (rate > 0) return std::max(peak - rate * std::log1p(v / speed), least);
+    return least + (peak - least) * std::exp(-v / speed);
+}
+
+Strength VelocityWeakening::strength(const History& history, double normal_force, double) const {
+    const double bound = std::max(normal_force, 0.0) * friction(history.speed);
+    return {bound, bound, 0};
+}
+
+Strength VelocityWeakening::strength_slope(const History& history, double normal_force, double) const {
+    if (!(normal_force > 0)) return {};
+    const double slope = friction(history.speed);
+    return {slope, slope, 0};
+}
+
+VelocityWeakening::History VelocityWeakening::advance(const History&, const ContactMotion& motion) const {
+    // The slip holds what the spring gives when the strength changes: far more than the faces move.
+    if (!(motion.duration > 0) || motion.slip == 0) return {};
+    return {std::min(std::abs(motion.displacement) / motion.duration, largest_speed)};
+}
+
+JointRecord VelocityWeakening::record(const History& history) const {
+    const double least = std::tan(residual_friction_angle);
+    const double range = std::tan(friction_angle) - least;
+    JointRecord told;
+    told.mobilised_ratio = range > 0 ? (friction(history.speed) - least) / range : 0;
+    return told;
+}
+
+}  // namespace dda
