@@ -19,17 +19,44 @@ constexpr double first_wear_in_a_step = 5e-3;
 /// Pa; a stress beyond any that a model can have, for contacts next to no length.
 constexpr double largest_stress = 1e30;
 
-/// A displacement of such a joint under one normal force.
+/// What the joint can bear, and what a slip changes.
+struct Bound {
+    double value = 0;      ///< N per metre
+    double slope = 0;      ///< of the value by the work, m
+    double asperity = 0;   ///< the angle of the asperities, rad
+    double work_rate = 0;  ///< J/m2 per m of slip
+};
+
+Bound bound_at(const AsperitySurface& surface, double work, bool away, double normal_force, double length) {
+    Bound bound;
+    double decay = 0;
+    for (const AsperitySurface::Order& order : surface.orders) {
+        if (order.angle == 0) continue;
+        const double left = order.angle * std::exp(-order.wear * work);
+        bound.asperity += left;
+        decay += order.wear * left;
+    }
+    const double angle = surface.friction_angle + (away ? bound.asperity : -bound.asperity);
+    if (!(angle > 0)) return bound;
+    const double tangent = std::tan(angle);
+    bound.value = normal_force * tangent;
+    bound.slope = normal_force * (1 + tangent * tangent) * (away ? -decay : decay);
+    bound.work_rate = length > 0 ? std::min(bound.value / length, largest_stress) : 0;  // a corner: no area
+    return bound;
+}
+
+/// A displacement of such a joint under one normal force. Dilation is left out unless it is asked for.
 class AsperityWalk {
   public:
     AsperityWalk(const AsperitySurface& surface, const AsperityHistory& history, double normal_force,
-                 double length, double stiffness, double shear_force)
+                 double length, double stiffness, double shear_force, bool dilates)
         : surface_(surface),
           history_(history),
           normal_force_(normal_force),
           length_(length),
           stiffness_(stiffness),
-          force_(shear_force) {}
+          force_(shear_force),
+          dilates_(dilates) {}
 
     void go(double displacement, double told_slip) {
         const double target = history_.position + displacement;
@@ -41,15 +68,11 @@ class AsperityWalk {
             history_.position = end;
         }
         if (!(stiffness_ > 0)) return;
-        for (const int direction : {1, -1}) {  // a strength that has come down on a force at rest
-            const double excess = direction * force_ - bound(direction);
-            if (!(excess > 1e-14 * std::abs(force_))) continue;
-            force_ = direction * bound(direction);
-            history_.work += work_rate(bound(direction)) * excess / stiffness_;
-        }
+        if (force_ != 0) settle(force_ > 0 ? 1 : -1);
     }
 
-    double bound(int direction) const { return bound_of(history_.work, history_.position * direction >= 0); }
+    /// The strength against slip in a direction, where the joint is now.
+    Bound bound(int direction) const { return bound_of(history_.work, history_.position * direction >= 0); }
     const AsperityHistory& history() const { return history_; }
     double shear_force() const { return force_; }
     bool slipped() const { return slipped_; }
@@ -60,32 +83,36 @@ class AsperityWalk {
         double dilation;
     };
 
-    double bound_of(double work, bool away) const {
-        const double asperity = surface_.angle(work);
-        const double angle = surface_.friction_angle + (away ? asperity : -asperity);
-        return normal_force_ * std::tan(std::max(angle, 0.0));
-    }
-    /// J/m2 per m of slip; a bare corner has no area to wear.
-    double work_rate(double shear_force) const {
-        return length_ > 0 ? std::min(shear_force / length_, largest_stress) : 0;
+    Bound bound_of(double work, bool away) const {
+        return bound_at(surface_, work, away, normal_force_, length_);
     }
 
-    Worn rate(const Worn& at, bool away) const {
-        const double slope = std::tan(surface_.angle(at.work));
-        return {work_rate(bound_of(at.work, away)), away ? slope : -slope};
+    /// A strength that has come down on a force at rest.
+    void settle(int direction) {
+        const Bound now = bound(direction);
+        const double excess = direction * force_ - now.value;
+        if (!(excess > 1e-14 * std::abs(force_))) return;
+        force_ = direction * now.value;
+        history_.work += now.work_rate * excess / stiffness_;
     }
-    /// Runge and Kutta's step of fourth order over a slip.
-    Worn after(const Worn& at, double slip, bool away) const {
-        const auto ahead = [&](const Worn& rates, double part) {
-            return Worn{at.work + part * rates.work, at.dilation + part * rates.dilation};
-        };
+
+    Worn rate(const Bound& at, bool away) const {
+        const double slope = dilates_ ? std::tan(at.asperity) : 0;
+        return {at.work_rate, away ? slope : -slope};
+    }
+    /// Runge and Kutta's step of fourth order over a slip. @param at the bound at its start.
+    Worn after(const Bound& at, double slip, bool away) const {
         const Worn first = rate(at, away);
-        const Worn second = rate(ahead(first, slip / 2), away);
-        const Worn third = rate(ahead(second, slip / 2), away);
-        const Worn fourth = rate(ahead(third, slip), away);
+        const auto ahead = [&](const Worn& rates, double part) {
+            return rate(bound_of(history_.work + part * rates.work, away), away);
+        };
+        const Worn second = ahead(first, slip / 2);
+        const Worn third = ahead(second, slip / 2);
+        const Worn fourth = ahead(third, slip);
         const auto mean = [](double a, double b, double c, double d) { return (a + 2 * b + 2 * c + d) / 6; };
-        return {at.work + slip * mean(first.work, second.work, third.work, fourth.work),
-                at.dilation + slip * mean(first.dilation, second.dilation, third.dilation, fourth.dilation)};
+        return {history_.work + slip * mean(first.work, second.work, third.work, fourth.work),
+                history_.dilation +
+                    slip * mean(first.dilation, second.dilation, third.dilation, fourth.dilation)};
     }
 
     /// The way on one side of the origin in one direction.
@@ -94,70 +121,81 @@ class AsperityWalk {
             if (told_sliding) slide_by(way, away);
             return;
         }
-        const double bound = bound_of(history_.work, away);
+        const Bound bound = bound_of(history_.work, away);
         const double force = direction_ * force_;
-        const double locked = std::clamp((bound - force) / stiffness_, 0.0, way);
-        if (locked == way && force + stiffness_ * way <= bound) {
+        const double locked = std::clamp((bound.value - force) / stiffness_, 0.0, way);
+        if (locked == way && force + stiffness_ * way <= bound.value) {
             force_ += direction_ * stiffness_ * way;
             return;
         }
-        slide_to(way - locked, std::max(bound, force), away);
+        slide_to(way - locked + (std::max(bound.value, force) - bound.value) / stiffness_, bound, away);
     }
 
     void slide_by(double slip, bool away) {
         slipped_ = true;
         while (slip > 0) {
-            const double step = std::min(slip, largest_step(away));
-            take(after(present(), step, away));
+            const Bound bound = bound_of(history_.work, away);
+            const double step = std::min(slip, largest_step(bound));
+            take(after(bound, step, away));
             slip -= step;
         }
     }
 
     /// Slides until the slip and what the spring gives with the strength, together, are the way. The spring
-    /// gives back where the joint weakens.
-    void slide_to(double way, double start, bool away) {
+    /// gives back where the joint weakens. @param bound at the start.
+    void slide_to(double way, Bound bound, bool away) {
         slipped_ = true;
-        double slip = 0;
-        const auto reached = [&](double more, const Worn& worn) {
-            return slip + more + (bound_of(worn.work, away) - start) / stiffness_;
-        };
         for (;;) {
-            const double missing = way - reached(0, present());
-            double step = largest_step(away);
-            if (missing > 0) step = std::min(step, 2 * missing);
-            const Worn next = after(present(), step, away);
-            if (reached(step, next) < way) {
-                take(next);
-                slip += step;
-                continue;
-            }
-            double low = 0, high = step;
-            for (int k = 0; k < 200 && high - low > 1e-16 * way; ++k) {
-                const double below = reached(low, after(present(), low, away)) - way;
-                const double above = reached(high, after(present(), high, away)) - way;
-                double middle = low - below * (high - low) / (above - below);
-                if (k % 3 == 2 || !(middle > low && middle < high)) middle = (low + high) / 2;
-                if (!(middle > low && middle < high)) break;
-                (reached(middle, after(present(), middle, away)) < way ? low : high) = middle;
-            }
-            take(after(present(), high, away));
-            break;
+            const double start = bound.value, most = largest_step(bound);
+            double slip = most;
+            const bool arrived = arrive(way, slip, bound, away);
+            if (arrived) break;
+            way -= slip + (bound.value - start) / stiffness_;
         }
-        force_ = direction_ * bound_of(history_.work, away);
+        force_ = direction_ * bound.value;
     }
 
-    double largest_step(bool away) const {
-        const double rate = work_rate(bound_of(history_.work, away));
+    /// Slides by so much that the way is made, or by all that is allowed. Newton's method in a bracket.
+    /// @param slip the most allowed, and then the slip; @param bound at the start, and then at the end;
+    /// @return whether the way is made.
+    bool arrive(double way, double& slip, Bound& bound, bool away) {
+        const Bound start = bound;
+        const double most = slip, rounding = 4e-16 * (way + start.value / stiffness_);
+        if (way <= rounding) return true;
+        double low = 0, high = most;
+        bool bracketed = false;
+        double guess = way / (1 + start.slope * start.work_rate / stiffness_);
+        Worn worn{};
+        for (int k = 0; k < 100; ++k) {
+            const bool inside = guess > low && guess < high;
+            if (!inside && bracketed && !(high - low > 1e-16 * high)) break;
+            slip = inside ? guess : bracketed ? (low + high) / 2 : most;
+            worn = after(start, slip, away);
+            bound = bound_of(worn.work, away);
+            const double excess = slip + (bound.value - start.value) / stiffness_ - way;
+            if (slip == most && excess < 0) {
+                take(worn);
+                return false;
+            }
+            if (std::abs(excess) <= rounding) break;
+            (excess < 0 ? low : high) = slip;
+            bracketed = bracketed || excess > 0;
+            guess = slip - excess / (1 + bound.slope * bound.work_rate / stiffness_);
+        }
+        take(worn);
+        return true;
+    }
+
+    double largest_step(const Bound& bound) const {
         double step = 1e300;
         for (const AsperitySurface::Order& order : surface_.orders) {
-            const double worn = order.wear * history_.work;
-            if (order.angle > 0 && order.wear * rate > 0 && worn < 40)
-                step = std::min(step, first_wear_in_a_step * std::exp(worn / 5) / (order.wear * rate));
+            const double wear = order.wear * bound.work_rate, worn = order.wear * history_.work;
+            if (order.angle > 0 && wear > 0 && worn < 40)
+                step = std::min(step, first_wear_in_a_step * std::exp(worn / 5) / wear);
         }
         return step;
     }
 
-    Worn present() const { return {history_.work, history_.dilation}; }
     void take(const Worn& worn) {
         history_.work = worn.work;
         history_.dilation = worn.dilation;
@@ -166,6 +204,7 @@ class AsperityWalk {
     const AsperitySurface& surface_;
     AsperityHistory history_;
     double normal_force_, length_, stiffness_, force_;
+    bool dilates_;
     int direction_ = 1;
     bool slipped_ = false;
 };
@@ -175,9 +214,9 @@ class AsperityWalk {
 Strength asperity_strength(const AsperitySurface& surface, const AsperityHistory& history,
                            double normal_force, double length, const ShearTrial& trial) {
     if (!(normal_force > 0)) return {};
-    AsperityWalk walk(surface, history, normal_force, length, trial.stiffness, trial.shear_force);
+    AsperityWalk walk(surface, history, normal_force, length, trial.stiffness, trial.shear_force, false);
     walk.go(trial.displacement, 0);
-    Strength strength = {walk.bound(1), walk.bound(-1), 0};
+    Strength strength = {walk.bound(1).value, walk.bound(-1).value, 0};
     // What slipped back to the origin arrives with less than the strength beyond it.
     if (walk.slipped()) {
         double& ahead = trial.displacement > 0 ? strength.forward : strength.backward;
@@ -188,10 +227,11 @@ Strength asperity_strength(const AsperitySurface& surface, const AsperityHistory
 
 Strength asperity_slope(const AsperitySurface& surface, const AsperityHistory& history, double normal_force) {
     if (!(normal_force > 0)) return {};
-    const double asperity = surface.angle(history.work);
     const auto slope = [&](int direction) {
         const bool away = history.position * direction >= 0;
-        return std::tan(std::max(surface.friction_angle + (away ? asperity : -asperity), 0.0));
+        const Bound bound = bound_at(surface, history.work, away, 1, 1);  // per N of normal force
+        const double turn = (away ? bound.asperity : -bound.asperity) * surface.slope * normal_force;
+        return bound.value > 0 ? bound.value + (1 + bound.value * bound.value) * turn : 0;
     };
     return {slope(1), slope(-1), 0};
 }
@@ -200,7 +240,7 @@ AsperityHistory asperity_advance(const AsperitySurface& surface, const AsperityH
                                  const ContactMotion& motion) {
     if (!(motion.normal_force > 0)) return history;
     AsperityWalk walk(surface, history, motion.normal_force, motion.length, motion.stiffness,
-                      motion.shear_force);
+                      motion.shear_force, true);
     walk.go(motion.displacement, motion.slip);
     return walk.history();
 }

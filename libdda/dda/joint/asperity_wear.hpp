@@ -20,6 +20,7 @@ struct AsperitySurface {
     };
     double friction_angle = 0;  ///< phi, rad; with all angles below pi/2
     std::array<Order, 2> orders;
+    double slope = 0;  ///< of the angles by the normal force, relative to them, m/N
 
     /// rad. @param work J/m2.
     double angle(double work) const;
@@ -36,10 +37,38 @@ struct AsperityHistory {
 /// What the joint can bear at the end of a displacement.
 Strength asperity_strength(const AsperitySurface& surface, const AsperityHistory& history,
                            double normal_force, double length, const ShearTrial& trial);
-/// Derivative with respect to the normal force, the surface held.
+/// Derivative with respect to the normal force, of a joint at rest.
 Strength asperity_slope(const AsperitySurface& surface, const AsperityHistory& history, double normal_force);
 /// The history after a step; unchanged while the joint is open.
 AsperityHistory asperity_advance(const AsperitySurface& surface, const AsperityHistory& history,
                                  const ContactMotion& motion);
+
+/// A joint law of such a surface. @tparam Asperities its parameters: an aggregate with a `name`, and
+/// `surface(normal_force, length)` that says how the surface is under a normal force (N per metre).
+template <class Asperities>
+struct AsperityLaw : Asperities {
+    struct History : AsperityHistory {
+        friend bool operator==(const History&, const History&) = default;
+    };
+
+    History fresh(bool) const { return {}; }
+    Strength strength(const History& history, double normal_force, double length,
+                      const ShearTrial& trial) const {
+        return asperity_strength(this->surface(normal_force, length), history, normal_force, length, trial);
+    }
+    Strength strength_slope(const History& history, double normal_force, double length) const {
+        return asperity_slope(this->surface(normal_force, length), history, normal_force);
+    }
+    History advance(const History& history, const ContactMotion& motion) const {
+        return {asperity_advance(this->surface(motion.normal_force, motion.length), history, motion)};
+    }
+    /// The mobilised ratio is what work has left of the angles, whatever the normal stress.
+    JointRecord record(const History& history) const {
+        const AsperitySurface unpressed = this->surface(0, 1);
+        const double whole = unpressed.angle(0);
+        return {JointStage::none, whole > 0 ? unpressed.angle(history.work) / whole : 0, history.dilation, 0,
+                0};
+    }
+};
 
 }  // namespace dda

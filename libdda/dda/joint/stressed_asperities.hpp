@@ -12,7 +12,7 @@ namespace dda {
 /// sigma_c. Source: Jing et al. (1993) for the idea that the angle falls with normal stress and with work;
 /// the form and the exponent are not checked against the paper, nor is there its dependence on the direction
 /// in space. Limits: as for Plesha's; the strength falls with normal stress where the angle falls too fast.
-struct StressedAsperities {
+struct StressedAsperitiesSurface {
     static constexpr const char* name = "stressed-asperities";
 
     double friction_angle = 0;  ///< phi of the flat surface, rad
@@ -21,31 +21,16 @@ struct StressedAsperities {
     double wall_strength = 0;   ///< sigma_c, Pa, positive
     double exponent = 1;        ///< kappa, positive
 
-    struct History : AsperityHistory {
-        friend bool operator==(const History&, const History&) = default;
-    };
-
-    History fresh(bool) const { return {}; }
-    Strength strength(const History& history, double normal_force, double length,
-                      const ShearTrial& trial) const {
-        return asperity_strength(surface(normal_force, length), history, normal_force, length, trial);
-    }
-    History advance(const History& history, const ContactMotion& motion) const {
-        return {asperity_advance(surface(motion.normal_force, motion.length), history, motion)};
-    }
-    /// The ratio is of what work has left, without the part of the stress.
-    JointRecord record(const History& history) const {
-        return {JointStage::none, std::exp(-wear * history.work), history.dilation, 0, 0};
-    }
-
-  private:
     AsperitySurface surface(double normal_force, double length) const {
         // A bare corner has no stress that could be told: its asperities count as crushed.
-        const double used =
-            normal_force < wall_strength * length ? normal_force / (wall_strength * length) : 1;
-        const double left = std::pow(1 - std::max(used, 0.0), exponent);
-        return {friction_angle, {{{asperity_angle * left, wear}, {}}}};
+        const double most = wall_strength * length;
+        if (!(normal_force < most)) return {friction_angle, {}};
+        const double pressed = std::max(normal_force, 0.0);
+        const double left = std::pow(1 - pressed / most, exponent);
+        return {friction_angle, {{{asperity_angle * left, wear}, {}}}, -exponent / (most - pressed)};
     }
 };
+
+using StressedAsperities = AsperityLaw<StressedAsperitiesSurface>;
 
 }  // namespace dda

@@ -48,20 +48,24 @@ TEST(Plesha, WithoutFrictionTheWorkIsThatOfTheNormalStress) {
 }
 
 // dW = sigma tan(phi + a exp(-c W)) dU, so the slip is an integral over the work: here by Simpson's rule.
+// Displacements of all sizes, so that the last step of the integration ends anywhere in it.
 TEST(Plesha, SlipIsTheIntegralOverTheWork) {
     const Plesha law{25 * degree, 20 * degree, 3e-4};
-    const ShearedJoint joint = sheared(law, {0.015});
-    const auto& history = std::get<Plesha::History>(joint.history);
     const auto inverse = [&](double work) {
         return 1 / (stress * std::tan(25 * degree + 20 * degree * std::exp(-3e-4 * work)));
     };
-    const int parts = 2000;
-    double integral = inverse(0) + inverse(history.work);
-    for (int k = 1; k < parts; ++k) integral += (k % 2 ? 4 : 2) * inverse(history.work * k / parts);
-    integral *= history.work / (3 * parts);
-    EXPECT_NEAR(joint.slip, integral, 1e-11 * integral);
-    EXPECT_NEAR(joint.shear_force,
-                force * std::tan(25 * degree + 20 * degree * std::exp(-3e-4 * history.work)), 1e-4);
+    for (int n = 1; n <= 150; ++n) {
+        const ShearedJoint joint = sheared(law, {1e-4 * n + 1e-3});
+        const auto& history = std::get<Plesha::History>(joint.history);
+        const int parts = 2000;
+        double integral = inverse(0) + inverse(history.work);
+        for (int k = 1; k < parts; ++k) integral += (k % 2 ? 4 : 2) * inverse(history.work * k / parts);
+        integral *= history.work / (3 * parts);
+        EXPECT_NEAR(joint.slip, integral, 1e-11 * integral) << n;
+        EXPECT_NEAR(joint.shear_force,
+                    force * std::tan(25 * degree + 20 * degree * std::exp(-3e-4 * history.work)), 1e-4)
+            << n;
+    }
 }
 
 TEST(TwoOrderAsperities, AreTheSumOfTwo) {
