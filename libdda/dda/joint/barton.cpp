@@ -14,8 +14,11 @@ constexpr double degree = std::numbers::pi / 180;
 
 double BartonStrength::roughness_angle(double normal_force, double length) const {
     if (!(normal_force > 0) || !(length > 0)) return 0;
-    // The quotient could overflow; its logarithm does not.
-    const double decades = std::log10(wall_strength) + std::log10(length) - std::log10(normal_force);
+    const double quotient = wall_strength * length / normal_force;
+    // Where the quotient leaves the numbers that are held in full, its logarithm does not.
+    const double decades = std::isnormal(quotient)
+                               ? std::log10(quotient)
+                               : std::log10(wall_strength) + std::log10(length) - std::log10(normal_force);
     return roughness_coefficient * std::max(decades, 0.0) * degree;
 }
 

@@ -9,13 +9,14 @@ namespace dda {
 Strength CyclicBartonBandis::strength(const History& history, double normal_force, double length,
                                       const ShearTrial& trial) const {
     if (!(normal_force > 0)) return {};
-    CyclicWalk walk(*this, history, normal_force, length, trial.stiffness, trial.shear_force);
+    CyclicWalk walk(*this, history, normal_force, length, trial.stiffness, trial.shear_force,
+                    CyclicWalk::Purpose::strength);
     if (trial.displacement == 0) return {walk.bound(1), walk.bound(-1), 0};
     if (trial.stiffness > 0)
         walk.go(trial.displacement);
     else
         walk.go_as_told(trial.displacement, 0);
-    Strength s = {walk.bound(1), walk.bound(-1), 0};
+    Strength s = walk.bounds_at_end();
     // What slipped on the way arrives with less than the strength there, if that has jumped up meanwhile.
     if (walk.slipped()) {
         double& ahead = trial.displacement > 0 ? s.forward : s.backward;
@@ -28,7 +29,7 @@ Strength CyclicBartonBandis::strength(const History& history, double normal_forc
 Strength CyclicBartonBandis::strength_slope(const History& history, double normal_force,
                                             double length) const {
     if (!(normal_force > 0)) return {};
-    const CyclicWalk walk(*this, history, normal_force, length, 0, 0);
+    const CyclicWalk walk(*this, history, normal_force, length, 0, 0, CyclicWalk::Purpose::strength);
     const auto slope = [&](int direction) {
         const double ratio = walk.bound_ratio(direction);
         if (!(asymmetric && history.forward != 0 && direction != history.forward))
@@ -48,7 +49,8 @@ CyclicBartonBandis::History CyclicBartonBandis::advance(const History& history,
     if (!(motion.normal_force > 0)) return history;
     History pressed = history;
     pressed.stiffness = shear_stiffness(history, motion.normal_force, motion.length);
-    CyclicWalk walk(*this, pressed, motion.normal_force, motion.length, motion.stiffness, motion.shear_force);
+    CyclicWalk walk(*this, pressed, motion.normal_force, motion.length, motion.stiffness, motion.shear_force,
+                    CyclicWalk::Purpose::history);
     if (motion.stiffness > 0)
         walk.go(motion.displacement);
     else

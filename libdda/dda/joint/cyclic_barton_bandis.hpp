@@ -51,6 +51,7 @@ struct CyclicBartonBandis {
         double dilation = 0;           ///< m
         double reverse_slip = 0;       ///< m, against slip_direction, since the last slip along it
         double stiffness = 0;          ///< N/m per metre, Eq. (52) when the joint was first pressed
+        double wear = 1;               ///< f of Eq. (57), by the reversals and cycles below
         std::int32_t cycle = 1;
         std::int32_t reversals = 0;
         std::int32_t forward = 0;         ///< sign of the first slip; 0 before it

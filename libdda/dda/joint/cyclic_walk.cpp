@@ -34,17 +34,20 @@ double outrun(const AnglePiece& piece, double normal_force, double stiffness) {
 /// Force minus bound is concave up to where the bound outruns the spring, so Newton's steps from the left
 /// approach the root from the left.
 double meeting(double force, const AnglePiece& piece, double normal_force, double stiffness) {
+    const double lowest = normal_force * std::tan(std::min(piece.first, piece.last));
+    if (force + stiffness * piece.length < lowest) return nowhere;
+    if (piece.first == piece.last) return std::max((lowest - force) / stiffness, 0.0);
     const double last = outrun(piece, normal_force, stiffness);
     const auto short_of = [&](double along) {
         return normal_force * std::tan(piece.angle_at(along)) - force - stiffness * along;
     };
     if (short_of(last) > 0) return nowhere;
-    const double turn = piece.length > 0 ? (piece.last - piece.first) / piece.length : 0;
+    const double turn = (piece.last - piece.first) / piece.length;
     double along = 0;
     for (int k = 0; k < 100; ++k) {
-        const double cosine = std::cos(piece.angle_at(along));
-        const double slope = stiffness - normal_force * turn / (cosine * cosine);
-        const double gap = short_of(along);
+        const double tangent = std::tan(piece.angle_at(along));
+        const double gap = normal_force * tangent - force - stiffness * along;
+        const double slope = stiffness - normal_force * turn * (1 + tangent * tangent);
         if (!(gap > 0) || !(slope > 0)) break;
         const double next = along + gap / slope;
         if (next >= last) return last;
@@ -57,13 +60,15 @@ double meeting(double force, const AnglePiece& piece, double normal_force, doubl
 }  // namespace
 
 CyclicWalk::CyclicWalk(const Law& law, const Law::History& history, double normal_force, double length,
-                       double stiffness, double shear_force)
+                       double stiffness, double shear_force, Purpose purpose)
     : law_(law),
       history_(history),
       normal_force_(normal_force),
       stiffness_(stiffness),
+      damage_(purpose == Purpose::history ? law.damage : 0),
       roughness_(law.barton.roughness_angle(normal_force, law.stressed_length(length))),
-      force_(shear_force) {}
+      force_(shear_force),
+      purpose_(purpose) {}
 
 void CyclicWalk::go(double displacement) {
     target_ = history_.position + displacement;
@@ -109,7 +114,7 @@ const Law::Cycle& CyclicWalk::cycle() const {
     return law_.cycles[static_cast<std::size_t>(std::min(history_.cycle, last) - 1)];
 }
 
-/// Wear by reversals and by cycles beyond those given.
+/// f of Eq. (57): wear by reversals and by cycles beyond those given.
 double CyclicWalk::factor() const {
     const int further = history_.cycle - static_cast<int>(law_.cycles.size());
     double wear = 1;
@@ -137,15 +142,17 @@ bool CyclicWalk::first_rise(const Place& place, double distance) const {
            distance < law_.peak_displacement;
 }
 
-/// Roughness worn off further out in this cycle is not there again, unless the joint heals.
-double CyclicWalk::capped(const Place& place, double ratio, double cap) const {
-    return law_.heal || !place.away || place.distance >= furthest(place.side) ? ratio : std::min(ratio, cap);
+/// Whether roughness was worn off further out in this cycle, which is not there again unless the joint heals.
+bool CyclicWalk::is_worn(const Place& place) const {
+    return !law_.heal && place.away && place.distance < furthest(place.side);
 }
 
 double CyclicWalk::advance_ratio(const Place& place) const {
-    const RoughnessTable& table = roughness_table({place.distance, place.side, true});
-    return capped({place.distance, place.side, true}, table.ratio(place.distance / law_.peak_displacement),
-                  table.ratio(furthest(place.side) / law_.peak_displacement));
+    const Place outwards = {place.distance, place.side, true};
+    const RoughnessTable& table = roughness_table(outwards);
+    const double ratio = table.ratio(place.distance / law_.peak_displacement);
+    if (!is_worn(outwards)) return ratio;
+    return std::min(ratio, table.ratio(furthest(place.side) / law_.peak_displacement));
 }
 
 double CyclicWalk::bound_ratio(int direction) const {
@@ -154,7 +161,8 @@ double CyclicWalk::bound_ratio(int direction) const {
     const auto ratio = [&](double distance) {
         return first_rise(here, distance) ? 1 : table.ratio(distance / law_.peak_displacement);
     };
-    return factor() * capped(here, ratio(here.distance), ratio(furthest(here.side)));
+    const double present = ratio(here.distance);
+    return history_.wear * (is_worn(here) ? std::min(present, ratio(furthest(here.side))) : present);
 }
 
 double CyclicWalk::bound(int direction) const {
@@ -179,8 +187,12 @@ double CyclicWalk::next_knot(const Place& place) const {
         if (place.away && distance > place.distance) nearest = std::min(nearest, distance);
         if (!place.away && distance < place.distance) nearest = std::max(nearest, distance);
     };
-    for (const RoughnessTable* table : {&roughness_table(place), &bound_table(place)})
-        for (const RoughnessTable::Entry& entry : table->entries) offer(entry.x * law_.peak_displacement);
+    const auto offer_all = [&](const RoughnessTable& table) {
+        for (const RoughnessTable::Entry& entry : table.entries) offer(entry.x * law_.peak_displacement);
+    };
+    const RoughnessTable& bounding = bound_table(place);
+    offer_all(bounding);
+    if (damage_ != 0 && &roughness_table(place) != &bounding) offer_all(roughness_table(place));
     if (history_.cycle == 1) offer(law_.peak_displacement);
     if (place.away) offer(furthest(place.side));
     return nearest;
@@ -188,14 +200,14 @@ double CyclicWalk::next_knot(const Place& place) const {
 
 /// Total angle on the way to `end`, no farther than it is even.
 AnglePiece CyclicWalk::bound_angles(const Place& place, double end) const {
-    const double friction = law_.barton.residual_friction_angle, wear = factor();
+    const double friction = law_.barton.residual_friction_angle, wear = history_.wear;
     const RoughnessTable& table = bound_table(place);
     const bool rising = first_rise(place, (place.distance + end) / 2);
     const auto angle = [&](double distance) {
         return friction + wear * (rising ? 1 : table.ratio(distance / law_.peak_displacement)) * roughness_;
     };
     double highest = BartonStrength::largest_angle;
-    if (!law_.heal && place.away && place.distance < furthest(place.side)) {
+    if (is_worn(place)) {
         const double worn = furthest(place.side);
         const double ratio = first_rise(place, worn) ? 1 : table.ratio(worn / law_.peak_displacement);
         highest = std::clamp(friction + wear * ratio * roughness_, 0.0, highest);
@@ -216,27 +228,26 @@ AnglePiece CyclicWalk::bound_angles(const Place& place, double end) const {
 /// Dilation angle of a mobilised ratio, wear included: Eq. (54) within the limits of the total angle.
 double CyclicWalk::dilation_angle(double ratio) const {
     const double friction = law_.barton.residual_friction_angle;
-    return (law_.barton.total_angle(roughness_, ratio) - friction) / law_.damage;
+    return (law_.barton.total_angle(roughness_, ratio) - friction) / damage_;
 }
 
 /// Dilation angle on the way to `end`, no farther than it is even and keeps its sign.
 AnglePiece CyclicWalk::dilation_angles(const Place& place, double end) const {
     const double length = std::abs(end - place.distance);
-    if (law_.damage == 0) return {length, 0, 0};
-    const double friction = law_.barton.residual_friction_angle, wear = factor();
+    if (damage_ == 0) return {length, 0, 0};
+    const double friction = law_.barton.residual_friction_angle, wear = history_.wear;
     const RoughnessTable& table = roughness_table(place);
     const double towards = law_.both_ways && !place.away ? -1 : 1;
     const auto angle = [&](double distance) {
         return friction + towards * wear * table.ratio(distance / law_.peak_displacement) * roughness_;
     };
     double highest = BartonStrength::largest_angle;
-    if (!law_.heal && place.away && place.distance < furthest(place.side))
-        highest = std::clamp(angle(furthest(place.side)), 0.0, highest);
+    if (is_worn(place)) highest = std::clamp(angle(furthest(place.side)), 0.0, highest);
     AnglePiece piece = within_limits({length, angle(place.distance), angle(end)}, 0, highest);
     if ((piece.first - friction) * (piece.last - friction) < 0)
         piece = piece.first < friction ? within_limits(piece, piece.first, friction)
                                        : within_limits(piece, friction, piece.first);
-    return {piece.length, (piece.first - friction) / law_.damage, (piece.last - friction) / law_.damage};
+    return {piece.length, (piece.first - friction) / damage_, (piece.last - friction) / damage_};
 }
 
 CyclicWalk::Piece CyclicWalk::piece(const Place& place, double target) const {
@@ -250,7 +261,7 @@ CyclicWalk::Piece CyclicWalk::piece(const Place& place, double target) const {
     made.whole = even == length;
     made.bound = part_of(made.bound, 0, even);
     made.open = part_of(made.open, 0, even);
-    made.unloading = law_.damage == 0 ? 0 : dilation_angle(factor() * history_.unloading_ratio);
+    made.unloading = damage_ == 0 ? 0 : dilation_angle(history_.wear * history_.unloading_ratio);
     return made;
 }
 
@@ -326,7 +337,7 @@ void CyclicWalk::move(const Place& place, const Piece& piece, double from, doubl
         (place.away ? 0
          : sliding  ? 2
                     : 1));
-    if (law_.damage == 0) return;
+    if (damage_ == 0) return;
     const bool unloading = !place.away && !sliding;
     const AnglePiece open = part_of(piece.open, from, to);
     const double rate = unloading ? -std::tan(piece.unloading) : mean_tangent(open.first, open.last);
@@ -365,6 +376,7 @@ void CyclicWalk::turn_round() {
     ++history_.reversals;
     history_.slip_direction = -history_.slip_direction;
     history_.reverse_slip = 0;
+    history_.wear = factor();
 }
 
 void CyclicWalk::arrive(const Place& place, double distance) {
@@ -379,26 +391,29 @@ void CyclicWalk::arrive(const Place& place, double distance) {
     if (place.side < 0 && history_.furthest_backward >= law_.peak_displacement) {
         ++history_.cycle;
         history_.furthest_forward = history_.furthest_backward = 0;
+        history_.wear = factor();
     }
 }
 
 /// A bound that has come down on a force at rest makes it slip; then what the history tells is put down.
 void CyclicWalk::finish() {
+    bounds_ = {bound(1), bound(-1), 0};
     for (const int direction : {1, -1}) {
         if (told_) break;
-        const double excess = direction * force_ - bound(direction);
+        const double excess = direction * force_ - (direction > 0 ? bounds_.forward : bounds_.backward);
         if (!(excess > 1e-14 * std::abs(force_))) continue;
         begin_slip(place(direction), direction);
         force_ = direction * bound(direction);
         count_slip(direction, excess / stiffness_);
+        bounds_ = {bound(1), bound(-1), 0};
     }
-    if (last_side_ == 0) return;
+    if (last_side_ == 0 || purpose_ == Purpose::strength) return;
     const Place there = {std::abs(history_.position), last_side_, last_away_};
     if (last_away_) history_.unloading_ratio = advance_ratio(there);
     const bool returning = !last_away_ && history_.sliding != 0;
     history_.mobilised_ratio =
-        factor() * (returning ? roughness_table(there).ratio(there.distance / law_.peak_displacement)
-                              : history_.unloading_ratio);
+        history_.wear * (returning ? roughness_table(there).ratio(there.distance / law_.peak_displacement)
+                                   : history_.unloading_ratio);
 }
 
 }  // namespace dda

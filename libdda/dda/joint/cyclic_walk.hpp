@@ -10,9 +10,13 @@ namespace dda {
 /// in closed form or to rounding: the outcome does not depend on how a path is cut into displacements.
 class CyclicWalk {
   public:
+    /// What is to be known at the end. Strengths are asked for in every iteration and need neither the
+    /// dilation nor what the results tell; a history has both.
+    enum class Purpose { strength, history };
+
     /// @param normal_force N per metre, positive; @param stiffness N/m per metre, of the shear spring.
     CyclicWalk(const CyclicBartonBandis& law, const CyclicBartonBandis::History& history, double normal_force,
-               double length, double stiffness, double shear_force);
+               double length, double stiffness, double shear_force, Purpose purpose);
 
     /// Displaces the joint by so many metres.
     void go(double displacement);
@@ -26,6 +30,8 @@ class CyclicWalk {
     double bound_ratio(int direction) const;
     /// Largest shear force against motion in that direction from here, N per metre.
     double bound(int direction) const;
+    /// Both bounds where the way has ended, forward and backward in the contact's direction.
+    const Strength& bounds_at_end() const { return bounds_; }
 
   private:
     struct Place {
@@ -44,12 +50,12 @@ class CyclicWalk {
     Place place(int direction) const;
     bool is_fresh() const { return history_.forward == 0; }
     double factor() const;
+    bool is_worn(const Place& place) const;
     const CyclicBartonBandis::Cycle& cycle() const;
     const RoughnessTable& roughness_table(const Place& place) const;
     const RoughnessTable& bound_table(const Place& place) const;
     double furthest(int side) const;
     bool first_rise(const Place& place, double distance) const;
-    double capped(const Place& place, double ratio, double cap) const;
     double advance_ratio(const Place& place) const;
     double resisting(int direction, double angle) const;
     double next_knot(const Place& place) const;
@@ -70,6 +76,7 @@ class CyclicWalk {
     CyclicBartonBandis::History history_;
     double normal_force_;
     double stiffness_;
+    double damage_;      ///< M of Eq. (58), 0 where nobody asks for the dilation
     double roughness_;   ///< rad, i of Eq. (51)
     double force_;       ///< N per metre
     double target_ = 0;  ///< m, position to be reached
@@ -79,6 +86,8 @@ class CyclicWalk {
     double told_share_ = 0;  ///< plastic slip over displacement where it is
     int last_side_ = 0;      ///< where it moved last, 0 if it did not
     bool last_away_ = false;
+    Purpose purpose_;
+    Strength bounds_;
 };
 
 }  // namespace dda
