@@ -1,12 +1,50 @@
 #include "dda/analysis/advance_contacts.hpp"
 
+#include "dda/analysis/joint_motion.hpp"
 #include "dda/contact/detect.hpp"
+#include "dda/contact/joint_faces.hpp"
 
 namespace dda {
 
+namespace {
+
+/// Histories first: they are advanced from the forces at the step's start.
+void advance_histories(const Model& model, std::span<const JudgedContact> judged,
+                       std::span<const ContactSprings> springs, double duration,
+                       std::span<Contact> contacts) {
+    const auto motion = [&](int k) {
+        const auto i = static_cast<std::size_t>(k);
+        ContactMotion made = contact_motion(model, contacts[i], springs[i].shear_stiffness,
+                                            judged[i].normal_force, judged[i].displacement, judged[i].slip);
+        made.opened = judged[i].torn;
+        made.duration = duration;
+        return made;
+    };
+    for (std::size_t k = 0; k < contacts.size(); ++k) {
+        const JointLaw& law = model.joint_material_at(contacts[k].joint_material).law;
+        if (!belongs_to_faces(law))
+            contacts[k].history = advance(law, contacts[k].history, motion(static_cast<int>(k)));
+    }
+    const JointFaces faces(model, contacts);
+    for (std::size_t f = 0; f < faces.count(); ++f) {
+        const std::span<const int> members = faces.contacts_of(f);
+        const int material = contacts[static_cast<std::size_t>(members[0])].joint_material;
+        const JointLaw& law = model.joint_material_at(material).law;
+        const std::optional<FacesMotion> whole = faces_motion(members, contacts, motion);
+        if (!whole) continue;
+        const JointHistory moved = advance(law, *whole->history, whole->motion);
+        for (const int k : members)
+            contacts[static_cast<std::size_t>(k)].take_history(moved, dilation(law, moved));
+    }
+}
+
+}  // namespace
+
 void advance_contacts(const Model& model, std::span<const Vec2> vertices,
-                      std::span<const JudgedContact> judged, std::span<Contact> contacts) {
+                      std::span<const JudgedContact> judged, std::span<const ContactSprings> springs,
+                      double duration, std::span<Contact> contacts) {
     const auto at = [&](int corner) { return vertices[static_cast<std::size_t>(corner)]; };
+    advance_histories(model, judged, springs, duration, contacts);
     for (std::size_t k = 0; k < contacts.size(); ++k) {
         Contact& contact = contacts[k];
         const JudgedContact& result = judged[k];
@@ -17,15 +55,12 @@ void advance_contacts(const Model& model, std::span<const Vec2> vertices,
         contact.point = at(contact.corner);
         contact.normal = geometry.normal;
         contact.tangent = geometry.tangent;
-        contact.gap = geometry.gap;
+        contact.gap = geometry.gap - contact.dilation;
         contact.state = result.state;
         contact.rest_gap = result.rest_gap;
         contact.normal_force = result.normal_force;
         contact.shear_force = result.shear_force;
         contact.slip += result.slip;
-        contact.history = dda::advance(
-            law, contact.history,
-            {result.slip, result.displacement, result.normal_force, contact.length, result.torn});
         contact.bonded =
             contact.bonded && !result.torn && strength(law, contact.history, 0, contact.length).tensile > 0;
     }

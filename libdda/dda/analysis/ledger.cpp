@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 
+#include "dda/contact/contact_stiffness.hpp"
 #include "dda/terms/loads.hpp"
 
 namespace dda {
@@ -39,9 +40,8 @@ double contact_energy(const Model& model, const std::vector<Contact>& contacts) 
     double sum = 0;
     for (const Contact& contact : contacts) {
         if (contact.state == ContactState::open || model.augments(contact.joint_material)) continue;
-        sum +=
-            spring_energy(contact.normal_force, model.normal_spring(contact.joint_material, contact.length)) +
-            spring_energy(contact.shear_force, model.shear_spring(contact.joint_material, contact.length));
+        sum += spring_energy(contact.normal_force, normal_stiffness(model, contact)) +
+               spring_energy(contact.shear_force, shear_stiffness(model, contact));
     }
     return sum;
 }
@@ -125,7 +125,8 @@ void Ledger::record_contacts(const StepWork& step, Energy& energy) const {
             continue;
         }
         const double opening = s.rows.measure(s.normal, step.result.displacement);
-        record_spring(-after.normal_force * opening, 0, stored_normal,
+        // What moves the faces apart against the normal force is taken from the work of shearing.
+        record_spring(-after.normal_force * opening, -after.normal_force * after.dilating, stored_normal,
                       stored(after.normal_force, s.normal_stiffness), energy);
         record_spring(after.shear_force * after.displacement, after.shear_force * after.slip, stored_shear,
                       stored(after.shear_force, s.shear_stiffness), energy);

@@ -53,7 +53,7 @@ class Iteration {
 
             trials_.move_to(displacement_);
             if (follow || is_at_minimum(result, full_step)) {
-                const Eigen::VectorXd held = trials_.shear_bounds();
+                const Eigen::VectorXd held = trials_.coupling();
                 trials_.choose_lines();
                 trials_.update_bounds();
                 if (is_at_minimum(result, full_step) && !trials_.tear()) {
@@ -63,7 +63,7 @@ class Iteration {
                     began = result.iterations;
                     mixing = AndersonMixing(friction_memory);
                 } else if (!follow) {
-                    trials_.set_shear_bounds(mixing.next(held, trials_.shear_bounds()));
+                    trials_.set_coupling(mixing.next(held, trials_.coupling()));
                 }
             }
             changed = trials_.choose_springs();

@@ -47,9 +47,14 @@ double velocity_kept(const Stage& stage) {
     return stage.kind == StageKind::static_equilibrium ? 0.0 : stage.dynamic_coefficient;
 }
 
-/// The instant whose loads act at a step's end, s: a static stage's steps are no time.
+/// s, of a step: a static stage's steps are no time.
+double duration_of(const Stage& stage, double dt) {
+    return stage.kind == StageKind::dynamic ? dt : 0;
+}
+
+/// The instant whose loads act at a step's end, s.
 double load_time(const Stage& stage, const State& state, double dt) {
-    return state.dynamic_time + (stage.kind == StageKind::dynamic ? dt : 0);
+    return state.dynamic_time + duration_of(stage, dt);
 }
 
 /// Straining changes a block's moments of inertia, and what stays is its angular momentum, not its rate of
@@ -169,10 +174,12 @@ double TimeStepper::first_reach(const State& state, double dt) const {
     for (Vec6& v : way) v *= dt;
     speed = largest_displacement(state, way);
     double deepest = 0;
+    double apart = 0;  // faces that shearing has moved
     for (const Contact& c : state.contacts.contacts) {
         if (c.state != ContactState::open) deepest = std::max(deepest, -c.gap);
+        apart = std::max(apart, std::abs(c.dilation));
     }
-    return 3 * speed + 2 * model_.gravity.norm() * dt * dt + 4 * deepest + 1e-4 * edge_length_;
+    return 3 * speed + 2 * model_.gravity.norm() * dt * dt + 4 * deepest + 2 * apart + 1e-4 * edge_length_;
 }
 
 Look TimeStepper::first_look(const Stage& stage, const State& state, double dt) const {
@@ -191,12 +198,11 @@ TimeStepper::Step TimeStepper::prepare(const Stage& stage, const State& state, d
     step.newmark = {stage.newmark_beta, stage.newmark_gamma, dt};
     step.prescribed = prescribe_motion(model_, stage, state.blocks, dt, state.stage_time + dt);
     step.mid = predict_mid_step(model_, state.blocks, look.predicted);
-    const double duration = stage.kind == StageKind::dynamic ? dt : 0;
-    step.contacts =
-        find_contacts(model_, state.contacts,
-                      {state.blocks.vertices, step.mid.vertices, look.entering, look.reach, edge_length_,
-                       unseen_depth * edge_length_ + rounding_, duration, state.step_count == 0},
-                      crew_);
+    step.contacts = find_contacts(
+        model_, state.contacts,
+        {state.blocks.vertices, step.mid.vertices, look.entering, look.reach, edge_length_,
+         unseen_depth * edge_length_ + rounding_, duration_of(stage, dt), state.step_count == 0},
+        crew_);
     step.springs =
         contact_springs(model_, rows_, step.mid, step.prescribed.displacement, step.contacts.contacts, crew_);
     step.bolts = bolt_springs(model_, rows_, step.mid, step.prescribed.displacement);
@@ -320,7 +326,8 @@ State TimeStepper::updated(const Stage& stage, const State& state, const Step& s
                                                 after.blocks.moments[b], after.blocks.velocity[b]);
     }
 
-    advance_contacts(model_, after.blocks.vertices, result.contacts, after.contacts.contacts);
+    advance_contacts(model_, after.blocks.vertices, result.contacts, step.springs,
+                     duration_of(stage, step.dt), after.contacts.contacts);
     const StepWork work{state.blocks,       step.mid,   step.contacts.contacts,
                         step.springs,       step.bolts, state.bolt_force,
                         step.boundaries,    result,     step.newmark,

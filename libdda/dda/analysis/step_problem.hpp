@@ -19,6 +19,7 @@ struct JudgedContact {
     double shear_force = 0;   ///< N per metre
     double displacement = 0;  ///< tangential, of the step, m
     double slip = 0;          ///< plastic part of it, m
+    double dilating = 0;      ///< by which the step's shearing moved the faces apart, m
     bool torn = false;        ///< bonded at the start, opened in this step
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dda/analysis/joint_motion.hpp"
 #include "dda/contact/detect.hpp"
 
 namespace dda {
@@ -16,9 +17,18 @@ bool within(double force, const Strength& bounds) {
 
 }  // namespace
 
-TrialContacts::TrialContacts(const StepProblem& problem, const Crew& crew) : p_(problem), crew_(crew) {
+TrialContacts::TrialContacts(const StepProblem& problem, const Crew& crew)
+    : p_(problem), crew_(crew), faces_(problem.model, problem.contacts) {
     trials_.reserve(p_.contacts.size());
-    for (std::size_t k = 0; k < p_.contacts.size(); ++k) trials_.push_back(started(k));
+    faces_of_.assign(p_.contacts.size(), -1);
+    for (std::size_t f = 0; f < faces_.count(); ++f) {
+        for (const int k : faces_.contacts_of(f))
+            faces_of_[static_cast<std::size_t>(k)] = static_cast<int>(f);
+    }
+    for (std::size_t k = 0; k < p_.contacts.size(); ++k) {
+        trials_.push_back(started(k));
+        if (dilates(law_of(k))) dilating_.push_back(k);
+    }
     yielding_.assign(p_.bolts.size(), 0);
     elongation_.assign(p_.bolts.size(), 0);
 }
@@ -33,7 +43,8 @@ TrialContacts::Trial TrialContacts::started(std::size_t k) const {
     const bool was_closed = contact.state != ContactState::open;
     trial.pressed = trial.may_close && (was_closed || (contact.gap < 0 && contact.group < 0));
     trial.locked = trial.pressed && contact.state != ContactState::sliding;
-    if (trial.pressed) trial.bounds = bounds_of(contact, contact.normal_force);
+    const auto at_start = [this](std::size_t c) { return pressed_at_start(c); };
+    if (trial.pressed) trial.bounds = bounds_of(k, at_start);
     trial.held_force = contact.shear_force;
     trial.forward = contact.shear_force >= 0;
     if (const JudgedContact* guess = p_.guess[k]; guess != nullptr && trial.may_close) {
@@ -41,16 +52,42 @@ TrialContacts::Trial TrialContacts::started(std::size_t k) const {
         trial.locked = guess->state == ContactState::locked;
         trial.held_force = guess->shear_force;
         trial.forward = guess->shear_force >= 0;
-        trial.bounds = bounds_of(contact, guess->normal_force);
+        trial.bounds = bounds_of(k, at_start);
+        trial.dilating = guess->dilating;
     }
     return trial;
 }
 
-Strength TrialContacts::bounds_of(const Contact& contact, double normal_force) const {
-    Strength bounds = strength(p_.model.joint_material_at(contact.joint_material).law, contact.history,
-                               normal_force, contact.length);
-    for (double* bound : {&bounds.forward, &bounds.backward, &bounds.tensile})
-        *bound /= p_.model.strength_reduction;
+TrialContacts::Pressed TrialContacts::pressed_at_start(std::size_t k) const {
+    if (const JudgedContact* guess = p_.guess[k]; guess != nullptr)
+        return {guess->normal_force, guess->displacement};
+    return {p_.contacts[k].normal_force, 0};
+}
+
+template <class PressedOf>
+Strength TrialContacts::bounds_of(std::size_t k, const PressedOf& pressed_of) const {
+    const Contact& contact = p_.contacts[k];
+    const auto load = [&](int i) {
+        const auto c = static_cast<std::size_t>(i);
+        const Pressed pressed = pressed_of(c);
+        return contact_motion(p_.model, p_.contacts[c], p_.springs[c].shear_stiffness, pressed.normal,
+                              pressed.shearing, 0);
+    };
+    const JointHistory* history = &contact.history;
+    ContactMotion whole = load(static_cast<int>(k));
+    double share = 1 / p_.model.strength_reduction;
+    if (faces_of_[k] >= 0) {
+        const double normal = whole.normal_force;
+        const auto faces =
+            faces_motion(faces_.contacts_of(static_cast<std::size_t>(faces_of_[k])), p_.contacts, load);
+        if (!faces || !(normal > 0)) return {};
+        whole = faces->motion;
+        history = faces->history;
+        share *= normal / whole.normal_force;
+    }
+    Strength bounds = strength(law_of(k), *history, whole.normal_force, whole.length,
+                               {whole.displacement, whole.shear_force, whole.stiffness});
+    for (double* bound : {&bounds.forward, &bounds.backward, &bounds.tensile}) *bound *= share;
     return bounds;
 }
 
@@ -83,7 +120,7 @@ Forces TrialContacts::present_forces(std::size_t k) const {
 
 double TrialContacts::elastic_normal(std::size_t k, double opening) const {
     const Trial& trial = trials_[k];
-    return -p_.springs[k].normal_stiffness * (trial.gap_offset + opening - trial.rest_gap);
+    return -p_.springs[k].normal_stiffness * (trial.gap_offset + opening - trial.dilating - trial.rest_gap);
 }
 
 double TrialContacts::elastic_shear(std::size_t k, double shearing) const {
@@ -112,11 +149,12 @@ void TrialContacts::bound_by_held_force(std::size_t k) {
 }
 
 double TrialContacts::bound_at(std::size_t k, std::span<const Vec6> d) const {
-    const ContactSprings& s = p_.springs[k];
-    const Contact& contact = p_.contacts[k];
-    const double normal = elastic_normal(k, s.rows.measure(s.normal, d));
-    if (normal <= 0 && !is_bonded(k)) return 0;
-    const Strength bounds = bounds_of(contact, normal);
+    const auto there = [&](std::size_t c) -> Pressed {
+        const ContactSprings& s = p_.springs[c];
+        return {elastic_normal(c, s.rows.measure(s.normal, d)), s.rows.measure(s.shear, d)};
+    };
+    if (there(k).normal <= 0 && !is_bonded(k)) return 0;
+    const Strength bounds = bounds_of(k, there);
     return trials_[k].forward ? bounds.forward : -bounds.backward;
 }
 
@@ -146,7 +184,7 @@ void TrialContacts::move_to(std::span<const Vec6> d) {
                                                     moved(contact.edge_block, contact.edge),
                                                     moved(contact.edge_block, edge_end))
                                    .gap;
-            trial.gap_offset = gap - trial.opening;
+            trial.gap_offset = gap - contact.dilation - trial.opening;
         }
     });
     for (std::size_t k = 0; k < elongation_.size(); ++k)
@@ -195,29 +233,60 @@ double TrialContacts::tolerance() const {
 }
 
 void TrialContacts::update_bounds() {
+    const auto here = [this](std::size_t k) -> Pressed {
+        return {present_forces(k).normal, trials_[k].shearing};
+    };
     for (std::size_t k = 0; k < trials_.size(); ++k) {
         const double normal = present_forces(k).normal;
         const bool open = !trials_[k].may_close || (normal <= 0 && !is_bonded(k));
-        trials_[k].bounds = open ? Strength{} : bounds_of(p_.contacts[k], normal);
+        trials_[k].bounds = open ? Strength{} : bounds_of(k, here);
+    }
+    if (!dilating_.empty()) update_dilation();
+}
+
+ContactMotion TrialContacts::motion(std::size_t k) const {
+    const Forces forces = present_forces(k);
+    const double elastic = elastic_shear(k, trials_[k].shearing);
+    return contact_motion(p_.model, p_.contacts[k], p_.springs[k].shear_stiffness, forces.normal,
+                          trials_[k].shearing, slip(k, elastic, forces.shear));
+}
+
+/// Faces dilate as a whole, from the motion of both of their ends.
+void TrialContacts::update_dilation() {
+    for (std::size_t f = 0; f < faces_.count(); ++f) {
+        const std::span<const int> members = faces_.contacts_of(f);
+        const JointLaw& law = law_of(static_cast<std::size_t>(members[0]));
+        if (!dilates(law)) continue;
+        const auto whole =
+            faces_motion(members, p_.contacts, [&](int k) { return motion(static_cast<std::size_t>(k)); });
+        const double moved = whole ? dilation(law, advance(law, *whole->history, whole->motion)) : 0;
+        for (const int k : members) {
+            const auto i = static_cast<std::size_t>(k);
+            trials_[i].dilating = whole ? moved - p_.contacts[i].dilation : 0;
+        }
     }
 }
 
-Eigen::VectorXd TrialContacts::shear_bounds() const {
-    Eigen::VectorXd bounds(2 * static_cast<Eigen::Index>(trials_.size()));
+Eigen::VectorXd TrialContacts::coupling() const {
+    Eigen::VectorXd coupling(static_cast<Eigen::Index>(2 * trials_.size() + dilating_.size()));
     Eigen::Index row = 0;
     for (const Trial& trial : trials_) {
-        bounds[row++] = trial.bounds.forward;
-        bounds[row++] = trial.bounds.backward;
+        coupling[row++] = trial.bounds.forward;
+        coupling[row++] = trial.bounds.backward;
     }
-    return bounds;
+    for (const std::size_t k : dilating_)
+        coupling[row++] = p_.springs[k].normal_stiffness * trials_[k].dilating;
+    return coupling;
 }
 
-void TrialContacts::set_shear_bounds(const Eigen::VectorXd& bounds) {
+void TrialContacts::set_coupling(const Eigen::VectorXd& coupling) {
     Eigen::Index row = 0;
     for (Trial& trial : trials_) {
-        trial.bounds.forward = std::max(bounds[row++], 0.0);
-        trial.bounds.backward = std::max(bounds[row++], 0.0);
+        trial.bounds.forward = std::max(coupling[row++], 0.0);
+        trial.bounds.backward = std::max(coupling[row++], 0.0);
     }
+    for (const std::size_t k : dilating_)
+        trials_[k].dilating = coupling[row++] / p_.springs[k].normal_stiffness;
 }
 
 bool TrialContacts::tear() {
@@ -307,6 +376,7 @@ JudgedContact TrialContacts::judged(std::size_t k) const {
     judged.normal_force = forces.normal;
     judged.shear_force = forces.shear;
     judged.displacement = trial.shearing;
+    judged.dilating = trial.dilating;
     judged.torn = trial.torn;
     if (forces.normal > 0 || (is_bonded(k) && trial.may_close)) {
         const double elastic = elastic_shear(k, trial.shearing);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "dda/analysis/step_problem.hpp"
+#include "dda/contact/joint_faces.hpp"
 #include "dda/linear/anderson.hpp"
 
 namespace dda {
@@ -63,12 +64,13 @@ class TrialContacts {
     ForceChange force_change();
     /// What a force may still move by at convergence, N per metre.
     double tolerance() const;
-    /// Moves the shear bounds to those of the present normal forces.
+    /// Moves the shear bounds and the dilation to those of the present normal forces and displacements.
     void update_bounds();
-    /// The shear bounds, forward and backward of each contact in turn, N per metre.
-    Eigen::VectorXd shear_bounds() const;
-    /// Sets them; negative ones to zero.
-    void set_shear_bounds(const Eigen::VectorXd& bounds);
+    /// What couples normal and shear forces, N per metre: the shear bounds, forward and backward of each
+    /// contact in turn, and the forces that dilation gives the normal springs of those that may dilate.
+    Eigen::VectorXd coupling() const;
+    /// Sets it; negative bounds to zero.
+    void set_coupling(const Eigen::VectorXd& coupling);
     /// Opens, for the rest of the step, the bonded contacts whose tension exceeds the strength. @return
     /// whether there were any.
     bool tear();
@@ -94,15 +96,33 @@ class TrialContacts {
         double gap_offset = 0;    ///< m, gap less the linear measure of the present displacement
         bool torn = false;
         bool may_close = true;
+        double dilating = 0;  ///< m, by which shearing has moved the faces apart since the step's start
         double opening = 0;   ///< linear measure of the normal displacement, m
         double shearing = 0;  ///< of the tangential displacement, m
         Forces linear;        ///< in the linear system, at the present displacement
     };
 
     Trial started(std::size_t k) const;
-    Strength bounds_of(const Contact& contact, double normal_force) const;
+    /// Normal force (N per metre) and tangential displacement (m) of a contact at some displacement.
+    struct Pressed {
+        double normal = 0;
+        double shearing = 0;
+    };
+    /// What the contact's law bears there. Rough faces have one friction angle, that of their mean stress.
+    /// @param pressed_of gives the Pressed of a contact's index.
+    template <class PressedOf>
+    Strength bounds_of(std::size_t k, const PressedOf& pressed_of) const;
+    Pressed pressed_at_start(std::size_t k) const;
+    const JointLaw& law_of(std::size_t k) const {
+        return p_.model.joint_material_at(p_.contacts[k].joint_material).law;
+    }
+    /// The contact's motion so far, with its plastic part.
+    ContactMotion motion(std::size_t k) const;
+    void update_dilation();
     bool is_bonded(std::size_t k) const { return p_.contacts[k].bonded && !trials_[k].torn; }
-    double gap(std::size_t k) const { return trials_[k].gap_offset + trials_[k].opening; }
+    double gap(std::size_t k) const {
+        return trials_[k].gap_offset + trials_[k].opening - trials_[k].dilating;
+    }
     /// The normal spring's force, tension negative, and the shear spring's, before the laws have their say.
     double elastic_normal(std::size_t k, double opening) const;
     double elastic_shear(std::size_t k, double shearing) const;
@@ -116,10 +136,13 @@ class TrialContacts {
     const StepProblem& p_;
     const Crew& crew_;
     std::vector<Trial> trials_;
-    std::vector<int> yielding_;        ///< per bolt: the sign of its yielding force, 0 when elastic
-    std::vector<double> elongation_;   ///< per bolt, of the step, m
-    std::vector<std::size_t> chosen_;  ///< per group, the line that may close
-    double reference_ = 0;             ///< the largest force of a law, N per metre
+    std::vector<int> yielding_;          ///< per bolt: the sign of its yielding force, 0 when elastic
+    std::vector<double> elongation_;     ///< per bolt, of the step, m
+    JointFaces faces_;                   ///< of joints whose history belongs to their faces
+    std::vector<int> faces_of_;          ///< per contact: its pair of them, or -1
+    std::vector<std::size_t> dilating_;  ///< contacts that may dilate
+    std::vector<std::size_t> chosen_;    ///< per group, the line that may close
+    double reference_ = 0;               ///< the largest force of a law, N per metre
 };
 
 }  // namespace dda

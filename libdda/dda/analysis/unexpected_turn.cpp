@@ -26,7 +26,7 @@ bool turned_unexpectedly(std::span<const Vec6> predicted, std::span<const Vec6> 
     for (std::size_t k = 0; k < result.contacts.size(); ++k) {
         const JudgedContact& judged = result.contacts[k];
         const double linear = springs[k].rows.measure(springs[k].normal, result.displacement);
-        work += std::abs(judged.normal_force * (judged.gap - before[k].gap - linear));
+        work += std::abs(judged.normal_force * (judged.gap + judged.dilating - before[k].gap - linear));
     }
     return work > noticed_work * kinetic;
 }

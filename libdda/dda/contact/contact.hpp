@@ -37,7 +37,9 @@ struct Contact {
     Vec2 point = Vec2::Zero();  ///< the corner's position at the state's time, m
     Vec2 normal = Vec2::Zero();
     Vec2 tangent = Vec2::Zero();
-    double gap = 0;  ///< distance of the corner from the edge line, m; negative: penetration
+    /// Distance of the corner from the edge line less the dilation, m; negative: penetration.
+    double gap = 0;
+    double dilation = 0;  ///< m, by which shearing has moved the faces apart, as the history has it
 
     double rest_gap = 0;  ///< m, at which the normal spring bears nothing: above 0 where it is augmented,
                           ///< below where the corner was inside before it had a contact
@@ -49,6 +51,13 @@ struct Contact {
     double slip = 0;          ///< accumulated plastic slip of the corner along `tangent`, m
     bool bonded = false;      ///< the joint bears tension here
     JointHistory history;
+
+    /// Takes over what a joint has been through.
+    void take_history(const JointHistory& of_joint, double its_dilation) {
+        history = of_joint;
+        gap += dilation - its_dilation;
+        dilation = its_dilation;
+    }
 };
 
 /// The order of a list of contacts: by blocks, then by corner and edge.

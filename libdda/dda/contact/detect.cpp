@@ -67,7 +67,8 @@ class Detector {
         contact.point = vertex;
         contact.normal = geometry.normal;
         contact.tangent = geometry.tangent;
-        contact.gap = geometry.gap;
+        contact.dilation = old != nullptr ? old->dilation : 0;
+        contact.gap = geometry.gap - contact.dilation;
         contact.joint_material = joint_material_of(corner, edge);
         contact.joint = topology_.joint[index(edge)];
         const int end = geometry.along < geometry.length / 2 ? edge : next(edge);

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "dda/contact/candidates.hpp"
+#include "dda/contact/contact_stiffness.hpp"
 #include "dda/contact/detect.hpp"
 #include "dda/contact/transfer.hpp"
 
@@ -52,8 +53,7 @@ void load_spring(const Model& model, double kept_rest_gap, Contact& contact) {
         contact.rest_gap = std::min(contact.gap, 0.0);
     else if (!model.augments(contact.joint_material))
         contact.rest_gap *= kept_rest_gap;
-    const double force =
-        -model.normal_spring(contact.joint_material, contact.length) * (contact.gap - contact.rest_gap);
+    const double force = -normal_stiffness(model, contact) * (contact.gap - contact.rest_gap);
     contact.normal_force = contact.state != ContactState::open && (force > 0 || contact.bonded) ? force : 0;
 }
 

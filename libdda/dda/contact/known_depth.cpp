@@ -22,8 +22,9 @@ KnownDepths::KnownDepths(const Topology& topology, std::span<const Vec2> vertice
     for (const Contact& contact : contacts) {
         if (!stands_for_its_depth(topology, vertices, contact)) continue;
         const int end = topology.next[static_cast<std::size_t>(contact.edge)];
-        const double depth = -contact.gap;
-        const double spring_depth = contact.rest_gap - contact.gap;
+        const double contracted = std::max(-contact.dilation, 0.0);
+        const double depth = contracted - contact.gap;
+        const double spring_depth = contracted + contact.rest_gap - contact.gap;
         entries_.push_back({contact.corner, contact.edge_block, contact.normal, depth, spring_depth});
         for (const int other : {contact.edge, end}) {
             if ((at(other) - at(contact.corner)).norm() <= reach)

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dda/contact/contact_stiffness.hpp"
 #include "dda/contact/detect.hpp"
+#include "dda/contact/joint_faces.hpp"
 
 namespace dda {
 
@@ -20,15 +22,14 @@ void hand_over(const Contact& from, Contact& to) {
     to.shear_force = from.shear_force;
     to.slip = from.slip;
     to.bonded = from.bonded;
-    to.history = from.history;
+    to.take_history(from.history, from.dilation);
     to.joint = from.joint >= 0 ? from.joint : to.joint;
 }
 
 /// Lets a contact that took over from one of another depth bear the same force, without energy from nowhere.
 void keep_force(const Model& model, Contact& contact) {
     if (contact.state == ContactState::open || model.augments(contact.joint_material)) return;
-    contact.rest_gap =
-        contact.gap + contact.normal_force / model.normal_spring(contact.joint_material, contact.length);
+    contact.rest_gap = contact.gap + contact.normal_force / normal_stiffness(model, contact);
 }
 
 /// Whether an old contact lay on the line of a new one: the same faces, or the same with corner and edge in
@@ -101,9 +102,9 @@ class Estate {
   private:
     /// The same line has the same gap, and a deeper contact would come with energy from nowhere.
     bool may_give(const Contact& donor, const Contact& contact) const {
-        return same_line(donor, contact) &&
-               std::abs(donor.gap - contact.gap) <= parallel_tolerance * moved_ &&
-               contact.gap >= 2 * std::min(donor.gap, 0.0) - same_depth * moved_;
+        const double gap = contact.gap + contact.dilation - donor.dilation;
+        return same_line(donor, contact) && std::abs(donor.gap - gap) <= parallel_tolerance * moved_ &&
+               gap >= 2 * std::min(donor.gap, 0.0) - same_depth * moved_;
     }
 
     double moved_;
@@ -129,10 +130,28 @@ Contact* beside(const Contact& gone, std::span<Contact> contacts, double farthes
     return nearest;
 }
 
+/// A contact that came into being where two rough faces have another has been through what that has.
+void tell_faces(const Model& model, std::span<const char> knows, std::span<Contact> contacts) {
+    const auto known = [&](int k) { return knows[static_cast<std::size_t>(k)] != 0; };
+    const auto at = [&](int k) -> Contact& { return contacts[static_cast<std::size_t>(k)]; };
+    const JointFaces faces(model, contacts);
+    for (std::size_t f = 0; f < faces.count(); ++f) {
+        const Contact* longest = nullptr;
+        for (const int k : faces.contacts_of(f)) {
+            if (known(k) && (longest == nullptr || at(k).length > longest->length)) longest = &at(k);
+        }
+        if (longest == nullptr) continue;
+        for (const int k : faces.contacts_of(f)) {
+            if (!known(k)) at(k).take_history(longest->history, longest->dilation);
+        }
+    }
+}
+
 }  // namespace
 
 void transfer_contacts(const Model& model, std::span<const Contact> old, double moved, bool first_step,
                        std::vector<Contact>& contacts) {
+    std::vector<char> knows(contacts.size(), 0);  // what its joint has been through
     std::vector<std::size_t> newcomers;
     std::vector<std::size_t> heirs;  // that may take over: the newcomers and those that bear nothing
     std::vector<const Contact*> donors;
@@ -141,6 +160,7 @@ void transfer_contacts(const Model& model, std::span<const Contact> old, double 
         while (from != old.end() && comes_before(*from, contacts[k])) donors.push_back(&*from++);
         if (from != old.end() && !comes_before(contacts[k], *from)) {
             hand_over(*from, contacts[k]);
+            knows[k] = 1;
             if (from->state == ContactState::open) heirs.push_back(k);
             ++from;
         } else {
@@ -161,6 +181,7 @@ void transfer_contacts(const Model& model, std::span<const Contact> old, double 
             const Contact* donor = estate.nearest(contacts[k], kin, given);
             if (donor == nullptr) continue;
             hand_over(*donor, contacts[k]);
+            knows[k] = 1;
             keep_force(model, contacts[k]);
             given.push_back(donor);
         }
@@ -171,7 +192,7 @@ void transfer_contacts(const Model& model, std::span<const Contact> old, double 
             continue;
         Contact* other = beside(*donor, contacts, moved);
         if (other == nullptr || model.augments(other->joint_material)) continue;
-        const double spring = model.normal_spring(other->joint_material, other->length);
+        const double spring = normal_stiffness(model, *other);
         other->rest_gap =
             std::max(other->rest_gap, std::min(other->rest_gap + donor->normal_force / spring, 0.0));
     }
@@ -183,10 +204,12 @@ void transfer_contacts(const Model& model, std::span<const Contact> old, double 
         for (const Kin kin : {Kin::same_corner, Kin::same_blocks}) {
             const Contact* donor = estate.nearest(contacts[k], kin, {});
             if (donor == nullptr || donor->state == ContactState::open) continue;
-            contacts[k].history = donor->history;
+            contacts[k].take_history(donor->history, donor->dilation);
+            knows[k] = 1;
             break;
         }
     }
+    tell_faces(model, knows, contacts);
 }
 
 }  // namespace dda

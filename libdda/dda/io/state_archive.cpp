@@ -140,11 +140,11 @@ void blocks(Walker& walker, B& value) {
 template <class Walker, class C>
 void contact(Walker& walker, C& value) {
     auto& [corner, edge, corner_block, edge_block, kind, joint_material, joint, group, line, held_back,
-           known_depth, length, point, normal, tangent, gap, rest_gap, state, normal_force, shear_force, slip,
-           bonded, history] = value;
+           known_depth, length, point, normal, tangent, gap, dilation, rest_gap, state, normal_force,
+           shear_force, slip, bonded, history] = value;
     integers(walker, corner, edge, corner_block, edge_block, kind, joint_material, joint, group, line,
              held_back, state, bonded);
-    reals(walker, known_depth, length, gap, rest_gap, normal_force, shear_force, slip);
+    reals(walker, known_depth, length, gap, dilation, rest_gap, normal_force, shear_force, slip);
     components(walker, point);
     components(walker, normal);
     components(walker, tangent);

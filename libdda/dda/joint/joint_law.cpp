@@ -68,4 +68,26 @@ JointRecord record(const JointLaw& law, const JointHistory& history) {
     });
 }
 
+bool belongs_to_faces(const JointLaw& law) {
+    return std::visit(
+        [](const auto& l) {
+            using History = typename std::decay_t<decltype(l)>::History;
+            return requires(const History& h) {
+                l.record(h);
+            };
+        },
+        law);
+}
+
+bool dilates(const JointLaw& law) {
+    return belongs_to_faces(law) && std::visit(
+                                        [](const auto& l) {
+                                            if constexpr (requires { l.damage; })
+                                                return l.damage > 0;
+                                            else
+                                                return true;
+                                        },
+                                        law);
+}
+
 }  // namespace dda

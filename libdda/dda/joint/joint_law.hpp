@@ -50,6 +50,11 @@ double dilation(const JointLaw& law, const JointHistory& history);
 /// N/m per metre, the stiffness of the shear spring that the law prescribes to a contact; 0: none.
 double shear_stiffness(const JointLaw& law, const JointHistory& history, double normal_force, double length);
 JointRecord record(const JointLaw& law, const JointHistory& history);
+/// Whether the history is that of a pair of faces, shared by the contacts at their ends; other laws keep one
+/// at each contact.
+bool belongs_to_faces(const JointLaw& law);
+/// Whether shearing may move the faces apart.
+bool dilates(const JointLaw& law);
 
 /// A joint material of the model file: its law and, where given, springs of its own.
 struct JointMaterial {

@@ -31,6 +31,9 @@ struct ContactMotion {
     double duration = 0;      ///< of the step, s; 0: not told, or a static step
 };
 
+/// Two ends of a joint as one: forces, lengths and stiffnesses add up, displacements are those of the whole.
+ContactMotion together(const ContactMotion& a, const ContactMotion& b);
+
 /// Side of the origin on which a joint is, and how it moves there: away from the origin it advances; towards
 /// it, it unloads while locked and returns while it slides.
 enum class JointStage : std::uint8_t {

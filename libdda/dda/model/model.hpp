@@ -93,13 +93,6 @@ struct Model {
     bool augments(int material) const {
         return penetration_tolerance > 0 && joint_material_at(material).normal_stiffness == 0;
     }
-    /// Stiffness of the springs of a contact of that joint material, N/m per metre, Eq. (41).
-    double normal_spring(int material, double length) const {
-        return joint_material_at(material).normal_spring(normal_penalty, length);
-    }
-    double shear_spring(int material, double length) const {
-        return joint_material_at(material).shear_spring(shear_penalty, length);
-    }
     const BlockMaterial& material_of(int block) const {
         return block_materials[static_cast<std::size_t>(block_material[static_cast<std::size_t>(block)])];
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "dda/contact/contact_stiffness.hpp"
 #include "dda/contact/detect.hpp"
 
 namespace dda {
@@ -75,8 +76,8 @@ std::vector<ContactSprings> contact_springs(const Model& model, const RowMap& ro
                            rows.row_of[static_cast<std::size_t>(contact.edge_block)]};
             spring.normal = measure(geometry.normal);
             spring.shear = measure(geometry.tangent);
-            spring.normal_stiffness = model.normal_spring(contact.joint_material, contact.length);
-            spring.shear_stiffness = model.shear_spring(contact.joint_material, contact.length);
+            spring.normal_stiffness = normal_stiffness(model, contact);
+            spring.shear_stiffness = shear_stiffness(model, contact);
         }
     });
     return springs;

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "dda/contact/contact.hpp"
+#include "dda/model/model.hpp"
+
+namespace dda {
+
+/// Stiffness of a contact's normal spring, N/m per metre, Eq. (41).
+inline double normal_stiffness(const Model& model, const Contact& contact) {
+    return model.joint_material_at(contact.joint_material)
+        .normal_spring(model.normal_penalty, contact.length);
+}
+
+/// Stiffness of its shear spring, N/m per metre: what the joint material gives, then what its law has found,
+/// Eq. (52), then the analysis' penalty.
+inline double shear_stiffness(const Model& model, const Contact& contact) {
+    const JointMaterial& material = model.joint_material_at(contact.joint_material);
+    return material.shear_spring(model.shear_penalty, contact.length,
+                                 shear_stiffness(material.law, contact.history, 0, contact.length));
+}
+
+}  // namespace dda
