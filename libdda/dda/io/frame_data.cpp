@@ -111,9 +111,11 @@ GridFrame present_block_frame(const Model& model, const State& state, const Grid
 }
 
 std::vector<GridColumn> contact_columns() {
-    return {{"state", 1},        {"normal_stress", 1},  {"shear_stress", 1},
-            {"normal_force", 1}, {"shear_force", 1},    {"slip", 1},
-            {"gap", 1},          {"joint_material", 1}, {"joint", 1}};
+    return {{"state", 1},        {"normal_stress", 1},   {"shear_stress", 1},
+            {"normal_force", 1}, {"shear_force", 1},     {"slip", 1},
+            {"gap", 1},          {"joint_material", 1},  {"joint", 1},
+            {"stage", 1},        {"mobilised_ratio", 1}, {"dilation", 1},
+            {"reversals", 1}};
 }
 
 GridFrame contact_frame(const Model& model, const State& state) {
@@ -134,6 +136,8 @@ GridFrame contact_frame(const Model& model, const State& state) {
         point += has_length ? 2 : 1;
         // A bare vertex has no area to spread its force over: its stress is given as zero.
         const double per_length = has_length ? 1 / contact.length : 0;
+        const JointRecord joint =
+            record(model.joint_material_at(contact.joint_material).law, contact.history);
         const double values[] = {static_cast<double>(contact.state),
                                  contact.normal_force * per_length,
                                  contact.shear_force * per_length,
@@ -142,7 +146,11 @@ GridFrame contact_frame(const Model& model, const State& state) {
                                  contact.slip,
                                  contact.gap,
                                  static_cast<double>(contact.joint_material),
-                                 static_cast<double>(contact.joint)};
+                                 static_cast<double>(contact.joint),
+                                 static_cast<double>(joint.stage),
+                                 joint.mobilised_ratio,
+                                 joint.dilation,
+                                 static_cast<double>(joint.reversals)};
         for (std::size_t i = 0; i < std::size(values); ++i) append(frame.columns[i], values[i]);
     }
     return frame;
