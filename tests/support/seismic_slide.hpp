@@ -1,0 +1,116 @@
+#pragma once
+
+#include <cmath>
+
+#include "support/cyclic_joints.hpp"
+#include "support/scene.hpp"
+
+namespace scene {
+
+/// The seismic sliding of Ma et al. (2017), Fig. 9: five blocks of 50.2 m x 71.1 m beside each other, bonded,
+/// on a plane of 2 degrees whose joint wears with every change of direction.
+struct SeismicSlide {
+    dda::JointLaw plane = joint_tests::sliding_plane();
+    double shear_penalty = 3e7;    ///< N/m per metre, of a contact on the plane
+    double normal_penalty = 5e11;  ///< likewise
+    double amplitude = 0.28;       ///< m, of the base's displacement
+    double frequency = 0.8;        ///< Hz
+    double step = 0.005;           ///< s
+    double youngs_modulus = 5e12;  ///< Pa; not in the paper: the reference is rigid
+
+    std::vector<double> time;  ///< s
+    std::vector<double> slip;  ///< m, of the third block, down the plane relative to the base
+    int reversals = 0;         ///< of slip on the plane, below the third block
+    dda::RunOutcome outcome;
+    double frequency_step = 0;
+
+    void run(double duration);
+
+    double at(double t) const {
+        const auto after = std::lower_bound(time.begin(), time.end(), t - 1e-9);
+        return slip.at(static_cast<std::size_t>(after - time.begin()));
+    }
+
+  private:
+    static constexpr double width = 50.2, height = 71.1;  ///< m
+    static constexpr int count = 5;
+
+    Scene scene(const dda::JointLaw& law) const;
+    double acceleration(double t) const;
+    dda::TimeTable record(double duration) const;
+};
+
+inline Scene SeismicSlide::scene(const dda::JointLaw& law) const {
+    const double angle = -radians(2);
+    const Vec2 along(std::cos(angle), std::sin(angle));
+    Scene s;
+    s.model.block_materials[0].density = 2000;
+    s.model.block_materials[0].youngs_modulus = youngs_modulus;
+    s.model.normal_penalty = s.model.shear_penalty = normal_penalty;
+    s.model.joint_materials[0] = {"J2", law, 0, shear_penalty};
+    s.model.joint_materials.push_back({"J1", Scene::mohr_coulomb(20, 0, 10e6), 0, 0});
+    s.box(-20 * dda::perpendicular(along) - 40 * along, count * width + 120, 20, dda::Motion::prescribed,
+          angle, "base");
+    s.model.topology.joint_material.assign(4, 0);
+    for (int k = 0; k < count; ++k) {
+        const int block = s.box(k * width * along, width, height, dda::Motion::free, angle);
+        const auto first =
+            static_cast<std::size_t>(s.model.topology.block_corners[static_cast<std::size_t>(block)]);
+        s.model.topology.joint_material[first] = 0;
+        if (k + 1 < count) s.model.topology.joint_material[first + 1] = 1;
+        if (k > 0) s.model.topology.joint_material[first + 3] = 1;
+    }
+    return s;
+}
+
+/// The second derivative of u = amplitude E(t) sin(2 pi f t), E = (t/9)^4 exp(4 (1 - t/9)), m/s2.
+inline double SeismicSlide::acceleration(double t) const {
+    if (t <= 0) return 0;
+    const double envelope = std::pow(t / 9, 4) * std::exp(4 * (1 - t / 9));
+    const double growth = 4 / t - 4.0 / 9;
+    const double w = 2 * std::numbers::pi * frequency;
+    return amplitude * envelope *
+           ((growth * growth - 4 / (t * t) - w * w) * std::sin(w * t) + 2 * growth * w * std::cos(w * t));
+}
+
+inline dda::TimeTable SeismicSlide::record(double duration) const {
+    std::vector<double> times, values;
+    for (int k = 0; k * 1e-3 <= duration + 1e-9; ++k) {
+        times.push_back(k * 1e-3);
+        values.push_back(acceleration(times.back()));
+    }
+    return {times, values};
+}
+
+/// Settled as if glued, so that the joint bears the blocks before it has moved; then shaken.
+inline void SeismicSlide::run(double duration) {
+    Simulation settled(scene(Scene::mohr_coulomb(80)));
+    outcome = settled.settle(1);  // the springs of the plane are soft
+    if (outcome.status != dda::RunStatus::completed) return;
+    Simulation sim(scene(plane));
+    sim.state = settled.state;
+    for (dda::Contact& contact : sim.state.contacts.contacts) {
+        if (contact.joint_material == 0) contact.history = dda::fresh_history(plane, true);
+    }
+    sim.restart_ledger();
+    const Vec2 down(std::cos(radians(2)), -std::sin(radians(2)));
+    const auto place = [&] { return (sim.moved(3) - sim.moved(0)).dot(down); };
+    const double start = place();
+    sim.each_step = [&](const dda::State& state, const dda::StepReport&) {
+        time.push_back(state.stage_time);
+        slip.push_back(place() - start);
+    };
+    dda::Stage stage;
+    stage.name = "shaking";
+    stage.duration = duration;
+    stage.control.step = step;
+    stage.base_motions.push_back({"base", record(duration), {}});
+    outcome = sim.run(stage);
+    frequency_step = sim.contact_frequency_step();
+    for (const dda::Contact& contact : sim.state.contacts.contacts) {
+        if (contact.joint_material == 0 && (contact.corner_block == 3 || contact.edge_block == 3))
+            reversals = std::max(reversals, dda::record(plane, contact.history).reversals);
+    }
+}
+
+}  // namespace scene
