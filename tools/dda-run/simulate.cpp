@@ -11,6 +11,7 @@
 #include "blockgen/base/output_check.hpp"
 #include "blockgen/base/output_error.hpp"
 #include "blockgen/base/sha256.hpp"
+#include "dda/io/block_table.hpp"
 #include "dda/io/read_run.hpp"
 #include "dda/io/results.hpp"
 #include "dda/io/resume_check.hpp"
@@ -49,12 +50,13 @@ dda::Checkpoint checkpoint_of(const CommandLine& line, const dda::RunInput& inpu
     if (checkpoint.input_hash != hash)
         throw blockgen::InputError({path.string()}, "belongs to a run of other input",
                                    "the model, block file and records of the run that was stopped");
-    dda::check_resumable(checkpoint, {input.model, line.output, input.output.name, std::nullopt, line.pvd});
+    dda::check_resumable(checkpoint, {input.model, line.output, input.output.name, std::nullopt, line.pvd,
+                                      input.output.relative_to});
     return checkpoint;
 }
 
 void forget_earlier_run(const fs::path& folder) {
-    for (const char* name : {"summary.json", "checkpoint.h5", "stop"}) {
+    for (const char* name : {"summary.json", "blocks.csv", "checkpoint.h5", "stop"}) {
         std::error_code ignored;
         fs::remove(folder / name, ignored);
     }
@@ -155,9 +157,11 @@ dda::RunOutcome run_as_far_as_written(const dda::RunInput& input, dda::State& st
 }
 
 /// Where nothing can be written any more, what the run has to say is why.
-void write_summary(const fs::path& path, const dda::RunOutcome& outcome, const std::string& text) {
+void write_ending(const fs::path& folder, const dda::RunOutcome& outcome, const std::string& blocks,
+                  const std::string& summary) {
     try {
-        blockgen::write_file_atomically(path, text);
+        blockgen::write_file_atomically(folder / "blocks.csv", blocks);
+        blockgen::write_file_atomically(folder / "summary.json", summary);
     } catch (const blockgen::OutputError&) {
         if (outcome.status != dda::RunStatus::not_written) throw;
     }
@@ -197,8 +201,11 @@ ExitCode simulate(const CommandLine& line, const std::string& version) {
     const dda::RunOutcome outcome = run_as_far_as_written(input, state, results, options);
     progress.clear();
 
-    write_summary(line.output / "summary.json", outcome,
-                  dda::summary_text(input.model, input.stages, state, outcome, results, version, files));
+    const std::vector<dda::PlaneSlip> slips = dda::plane_slips(input.model, input.stages, state, results);
+    write_ending(line.output, outcome,
+                 dda::block_table(input.model, state, results, slips, line.output / "blocks.csv"),
+                 dda::summary_text(input.model, input.stages, state, outcome, results, version, files));
+    std::fputs(dda::outcome_table(input.model, state, results, slips).c_str(), stdout);
     say_factor_of_safety(results.state().trials);
     say_outcome(outcome, state, results.wall_time(), line.output);
     return exit_code_of(outcome);

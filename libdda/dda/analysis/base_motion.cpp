@@ -9,14 +9,17 @@ double acceleration_at(const TimeTable& table, double time) {
     return table.at(time);
 }
 
-Vec6 acceleration_at(const BaseMotion& base, double time) {
-    Vec6 a = Vec6::Zero();
-    a[0] = acceleration_at(base.x, time);
-    a[1] = acceleration_at(base.y, time);
-    return a;
-}
-
 }  // namespace
+
+Vec2 base_acceleration(const Model& model, const Stage& stage, std::size_t block, double stage_time) {
+    Vec2 sum = Vec2::Zero();
+    if (stage.kind != StageKind::dynamic || model.motion[block] != Motion::prescribed) return sum;
+    for (const BaseMotion& base : stage.base_motions) {
+        if (!base.block.empty() && base.block != model.block_name[block]) continue;
+        sum += Vec2(acceleration_at(base.x, stage_time), acceleration_at(base.y, stage_time));
+    }
+    return sum;
+}
 
 PrescribedMotion prescribe_motion(const Model& model, const Stage& stage, const BlockSystem& blocks,
                                   double dt, double stage_time) {
@@ -28,11 +31,8 @@ PrescribedMotion prescribe_motion(const Model& model, const Stage& stage, const 
     for (std::size_t b = 0; b < count; ++b) {
         if (model.motion[b] != Motion::prescribed) continue;
         Vec6 held = Vec6::Zero();
-        for (const BaseMotion& base : stage.base_motions) {
-            if (!base.block.empty() && base.block != model.block_name[b]) continue;
-            held += acceleration_at(base, later);
-            motion.acceleration[b] += acceleration_at(base, stage_time);
-        }
+        held.head<2>() = base_acceleration(model, stage, b, later);
+        motion.acceleration[b].head<2>() = base_acceleration(model, stage, b, stage_time);
         motion.displacement[b] = dt * blocks.velocity[b] + dt * dt / 2 * held;
         motion.velocity_change[b] = dt * held;
     }

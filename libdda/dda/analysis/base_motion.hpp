@@ -19,6 +19,9 @@ struct PrescribedMotion {
     std::vector<Vec6> acceleration;     ///< per block, the record at the step's end
 };
 
+/// The acceleration that a stage gives a prescribed block at an instant, m/s2; zero for others.
+Vec2 base_acceleration(const Model& model, const Stage& stage, std::size_t block, double stage_time);
+
 /// @param stage_time s, at the step's end, since the start of the stage.
 PrescribedMotion prescribe_motion(const Model& model, const Stage& stage, const BlockSystem& blocks,
                                   double dt, double stage_time);

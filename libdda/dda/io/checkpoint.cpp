@@ -13,7 +13,7 @@ namespace dda {
 
 namespace {
 
-constexpr std::int64_t checkpoint_version = 7;
+constexpr std::int64_t checkpoint_version = 8;
 constexpr std::size_t chunk = 1 << 16;  // elements
 
 template <class T>
@@ -27,16 +27,53 @@ std::vector<double> peak_values(const std::vector<Peaks>& peaks) {
     std::vector<double> values;
     for (const Peaks& p : peaks)
         values.insert(values.end(), {p.displacement, p.displacement_time, p.velocity, p.velocity_time,
-                                     p.acceleration, p.acceleration_time});
+                                     p.acceleration, p.acceleration_time, p.relative, p.relative_time});
     return values;
 }
 
 std::vector<Peaks> peaks_of(const std::vector<double>& values) {
     std::vector<Peaks> peaks;
-    for (std::size_t i = 0; i + 6 <= values.size(); i += 6)
-        peaks.push_back(
-            {values[i], values[i + 1], values[i + 2], values[i + 3], values[i + 4], values[i + 5]});
+    for (std::size_t i = 0; i + 8 <= values.size(); i += 8)
+        peaks.push_back({values[i], values[i + 1], values[i + 2], values[i + 3], values[i + 4], values[i + 5],
+                         values[i + 6], values[i + 7]});
     return peaks;
+}
+
+std::vector<double> slip_values(const std::vector<FirstSlip>& slips) {
+    std::vector<double> values;
+    for (const FirstSlip& s : slips)
+        values.insert(values.end(), {s.sliding_since, s.time, s.dynamic_time, static_cast<double>(s.other),
+                                     static_cast<double>(s.joint_material)});
+    return values;
+}
+
+std::vector<FirstSlip> slips_of(const std::vector<double>& values) {
+    std::vector<FirstSlip> slips;
+    for (std::size_t i = 0; i + 5 <= values.size(); i += 5)
+        slips.push_back({values[i], values[i + 1], values[i + 2], static_cast<int>(values[i + 3]),
+                         static_cast<int>(values[i + 4])});
+    return slips;
+}
+
+std::vector<double> plane_values(const std::vector<BlockOnPlane>& planes) {
+    std::vector<double> values;
+    for (const BlockOnPlane& p : planes)
+        values.insert(values.end(), {static_cast<double>(p.block), static_cast<double>(p.base),
+                                     p.downhill.x(), p.downhill.y(), p.dip, p.peak.friction, p.peak.adhesion,
+                                     p.residual.friction, p.residual.adhesion});
+    return values;
+}
+
+std::vector<BlockOnPlane> planes_of(const std::vector<double>& values) {
+    std::vector<BlockOnPlane> planes;
+    for (std::size_t i = 0; i + 9 <= values.size(); i += 9)
+        planes.push_back({static_cast<int>(values[i]),
+                          static_cast<int>(values[i + 1]),
+                          {values[i + 2], values[i + 3]},
+                          values[i + 4],
+                          {values[i + 5], values[i + 6]},
+                          {values[i + 7], values[i + 8]}});
+    return planes;
 }
 
 std::vector<double> trial_values(const std::vector<ReductionTrial>& trials) {
@@ -76,6 +113,8 @@ std::string digest_of(const Checkpoint& checkpoint, const StateArchive& state) {
     append_bytes(text, std::vector<double>{checkpoint.results.wall_time});
     append_bytes(text, peak_values(checkpoint.results.peaks));
     append_bytes(text, trial_values(checkpoint.results.trials));
+    append_bytes(text, slip_values(checkpoint.results.first_slips));
+    append_bytes(text, plane_values(checkpoint.results.planes));
     for (const auto& [name, position] : checkpoint.positions)
         text += name + " " + std::to_string(position) + "\n";
     return blockgen::sha256(text);
@@ -86,14 +125,19 @@ void write_results_state(HdfFile& file, const ResultsState& results) {
     store<double>(file, "/wall_time", {results.wall_time});
     store(file, "/peaks", peak_values(results.peaks));
     store(file, "/trials", trial_values(results.trials));
+    store(file, "/first_slips", slip_values(results.first_slips));
+    store(file, "/planes", plane_values(results.planes));
 }
 
 ResultsState read_results_state(const HdfFile& file) {
     const auto counts = file.read<std::int64_t>("/results", 0, 5);
-    ResultsState results{static_cast<int>(counts[0]), counts[1], counts[2], counts[3], counts[4], 0, {}, {}};
+    ResultsState results{
+        static_cast<int>(counts[0]), counts[1], counts[2], counts[3], counts[4], 0, {}, {}, {}, {}};
     results.wall_time = file.read<double>("/wall_time", 0, 1).front();
     results.peaks = peaks_of(file.read_all<double>("/peaks"));
     results.trials = trials_of(file.read_all<double>("/trials"));
+    results.first_slips = slips_of(file.read_all<double>("/first_slips"));
+    results.planes = planes_of(file.read_all<double>("/planes"));
     return results;
 }
 

@@ -7,6 +7,8 @@
 
 #include "dda/analysis/run.hpp"
 #include "dda/analysis/state.hpp"
+#include "dda/io/blocks_on_planes.hpp"
+#include "dda/io/first_slips.hpp"
 
 namespace dda {
 
@@ -15,6 +17,7 @@ struct Peaks {
     double displacement = 0, displacement_time = 0;  ///< m, s
     double velocity = 0, velocity_time = 0;          ///< m/s, s
     double acceleration = 0, acceleration_time = 0;  ///< m/s2, s
+    double relative = 0, relative_time = 0;          ///< m, s, of the displacement from the reference
 };
 
 /// Where the results stand besides the files: part of a checkpoint, so that a continued run keeps the rhythm
@@ -28,6 +31,8 @@ struct ResultsState {
     double wall_time = 0;                 ///< s, of this and the earlier parts of the run
     std::vector<Peaks> peaks;             ///< per tracked point
     std::vector<ReductionTrial> trials;   ///< of the strength reduction, in the order they were made
+    std::vector<FirstSlip> first_slips;   ///< per block
+    std::vector<BlockOnPlane> planes;     ///< after the first dynamic step
 };
 
 /// Everything needed to go on with a run.

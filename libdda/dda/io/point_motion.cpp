@@ -17,6 +17,14 @@ std::vector<TrackedPoint> tracked_points(const Model& model) {
     return points;
 }
 
+std::optional<std::size_t> find_point(const std::vector<TrackedPoint>& points, const std::string& name) {
+    if (name.empty()) return std::nullopt;
+    const auto found = std::find_if(points.begin(), points.end(),
+                                    [&](const TrackedPoint& point) { return point.name == name; });
+    if (found == points.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - points.begin());
+}
+
 PointMotion motion_of(const Model& model, const State& state, const TrackedPoint& point) {
     const bool measured = point.material_point >= 0;
     const auto p = static_cast<std::size_t>(std::max(point.material_point, 0));

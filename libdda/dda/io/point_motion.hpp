@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,8 @@ struct TrackedPoint {
 };
 
 std::vector<TrackedPoint> tracked_points(const Model& model);
+/// The first of the points with that name; nothing for an empty one.
+std::optional<std::size_t> find_point(const std::vector<TrackedPoint>& points, const std::string& name);
 PointMotion motion_of(const Model& model, const State& state, const TrackedPoint& point);
 
 }  // namespace dda

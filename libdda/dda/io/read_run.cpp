@@ -6,6 +6,7 @@
 #include "blockgen/config/config_table.hpp"
 #include "blockgen/mesh/block_file.hpp"
 #include "blockgen/mesh/check_mesh.hpp"
+#include "dda/io/point_motion.hpp"
 #include "dda/io/read_boundaries.hpp"
 #include "dda/io/read_loads.hpp"
 #include "dda/io/read_materials.hpp"
@@ -73,7 +74,21 @@ bool is_stem(const std::string& name) {
            std::none_of(name.begin(), name.end(), is_unfit);
 }
 
-OutputSpec read_output(const ConfigTable& output, const std::filesystem::path& run_file) {
+/// What relative motions count from: the first prescribed block, unless said otherwise.
+std::string read_reference(const ConfigTable& output, const Model& model) {
+    const std::vector<TrackedPoint> points = tracked_points(model);
+    const auto base = std::find_if(points.begin(), points.end(),
+                                   [](const TrackedPoint& point) { return point.block >= 0; });
+    const std::string name = output.string("relative_to", base == points.end() ? "" : base->name);
+    if (name.empty() || find_point(points, name)) return name;
+    std::vector<std::string> names;
+    for (const TrackedPoint& point : points) names.push_back(point.name);
+    const auto nearest = blockgen::nearest_word(name, names);
+    output.fail("relative_to", "there is no measured point and no prescribed block '" + name + "'",
+                nearest ? "perhaps '" + *nearest + "'" : "one of the block file's, or \"\"");
+}
+
+OutputSpec read_output(const ConfigTable& output, const std::filesystem::path& run_file, const Model& model) {
     OutputSpec spec;
     spec.name = output.string("name", run_file.stem().string());
     if (!is_stem(spec.name))
@@ -87,6 +102,8 @@ OutputSpec read_output(const ConfigTable& output, const std::filesystem::path& r
         "history_interval", output.number("history_interval", Dimension::time, spec.history_interval),
         [](double v) { return v == 0 || v >= shortest_history_interval; },
         "0, for every step, or a time of 1e-9 s or more");
+    spec.relative_to = read_reference(output, model);
+    spec.slip_threshold = positive(output, "slip_threshold", Dimension::length, spec.slip_threshold);
     spec.checkpoint_interval =
         positive(output, "checkpoint_interval", Dimension::time, spec.checkpoint_interval);
     return spec;
@@ -145,7 +162,7 @@ RunInput read_run(const std::filesystem::path& run_file, const RunReadOptions& o
     read_boundaries(run, model);
     input.stages = read_stages(run, model, input.files);
     check_excavations(model, input.stages.size(), block_file);
-    input.output = read_output(run.table_or_empty("output"), run_file);
+    input.output = read_output(run.table_or_empty("output"), run_file, model);
     run.finish();
     input.effective = "# The effective model: what was read, with every default.\n" +
                       run.effective_text(options.echo_folder);

@@ -18,6 +18,7 @@ struct WriterContext {
     std::string name;                         ///< stem of the result files
     std::optional<std::int64_t> resume_from;  ///< position() of the checkpoint; absent for a fresh run
     bool pvd = false;
+    std::string relative_to = {};  ///< a tracked point's name; empty: none
 };
 
 /// One kind of result. A writer overrides what it is interested in; each call leaves its file whole on disk.
@@ -55,6 +56,7 @@ const std::vector<WriterEntry>& writer_table();
 std::unique_ptr<ResultWriter> make_block_frames(const WriterContext& context);
 std::unique_ptr<ResultWriter> make_joint_frames(const WriterContext& context);
 std::unique_ptr<ResultWriter> make_history_csv(const WriterContext& context);
+std::unique_ptr<ResultWriter> make_relative_csv(const WriterContext& context);
 std::unique_ptr<ResultWriter> make_steps_csv(const WriterContext& context);
 std::unique_ptr<ResultWriter> make_pvd(const WriterContext& context);
 

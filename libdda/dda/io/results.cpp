@@ -49,14 +49,17 @@ Results::Results(const Model& model, const std::vector<Stage>& stages, const Out
       output_(output),
       options_(std::move(options)),
       points_(tracked_points(model)),
+      reference_(find_point(points_, output.relative_to)),
       resuming_(resume_from != nullptr),
       start_(Clock::now()),
       last_checkpoint_(start_) {
     if (output_.frames > 0) frame_interval_ = dynamic_duration(stages_, stages_.size()) / output_.frames;
     if (resume_from) progress_ = resume_from->results;
     progress_.peaks.resize(points_.size());
+    progress_.first_slips.resize(static_cast<std::size_t>(model.block_count()));
     for (const WriterEntry& entry : writer_table()) {
-        WriterContext context{model_, options_.folder, output_.name, std::nullopt, options_.pvd};
+        WriterContext context{model_,       options_.folder, output_.name,
+                              std::nullopt, options_.pvd,    output_.relative_to};
         if (!entry.wanted(context)) continue;
         if (resume_from) context.resume_from = resume_from->positions.at(entry.name);
         writers_.push_back({entry.name, entry.make(context)});
@@ -95,13 +98,23 @@ void Results::keep_history(const State& state, const Stage& stage) {
 }
 
 void Results::follow_peaks(const State& state) {
+    const Vec2 from =
+        reference_ ? motion_of(model_, state, points_[*reference_]).displacement : Vec2(Vec2::Zero());
     for (std::size_t i = 0; i < points_.size(); ++i) {
         const PointMotion motion = motion_of(model_, state, points_[i]);
         Peaks& peaks = progress_.peaks[i];
         follow(motion.displacement.norm(), state.time, peaks.displacement, peaks.displacement_time);
         follow(motion.velocity.norm(), state.time, peaks.velocity, peaks.velocity_time);
         follow(motion.acceleration.norm(), state.time, peaks.acceleration, peaks.acceleration_time);
+        follow((motion.displacement - from).norm(), state.time, peaks.relative, peaks.relative_time);
     }
+}
+
+/// Before the first dynamic step there may be no contacts yet.
+void Results::follow_sliding(const State& state, const StepReport& report) {
+    const bool is_first = state.dynamic_time <= report.step * (1 + 1e-9);
+    if (is_first) progress_.planes = find_blocks_on_planes(model_, state);
+    follow_first_slips(model_, state, report, output_.slip_threshold, progress_.first_slips);
 }
 
 void Results::save_checkpoint(const State& state) {
@@ -143,7 +156,10 @@ bool Results::step_done(const Model&, const State& state, const Stage& stage, co
     const bool ends = ends_stage(state, stage, report);
     if (!ends && frame_is_due(state, stage)) keep_frame(state);
     // Displacements of a static stage that resets them are not the motion that peaks are asked for.
-    if (stage.kind == StageKind::dynamic) follow_peaks(state);
+    if (stage.kind == StageKind::dynamic) {
+        follow_peaks(state);
+        follow_sliding(state, report);
+    }
 
     const bool go_on = options_.progress(progress_of(state, stage, report));
     if (ends) return true;

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -57,6 +58,8 @@ class Results : public RunObserver {
 
     const ResultsState& state() const { return progress_; }
     const std::vector<TrackedPoint>& points() const { return points_; }
+    /// The point that relative motions count from, among points(); nothing where there is none.
+    const std::optional<std::size_t>& reference() const { return reference_; }
     /// s of wall time, of this and the earlier parts of the run.
     double wall_time() const;
 
@@ -66,6 +69,7 @@ class Results : public RunObserver {
     void keep_frame(const State& state);
     void keep_history(const State& state, const Stage& stage);
     void follow_peaks(const State& state);
+    void follow_sliding(const State& state, const StepReport& report);
     void save_checkpoint(const State& state);
     Progress progress_of(const State& state, const Stage& stage, const StepReport& report) const;
 
@@ -80,6 +84,7 @@ class Results : public RunObserver {
     OutputSpec output_;
     ResultsOptions options_;
     std::vector<TrackedPoint> points_;
+    std::optional<std::size_t> reference_;
     std::vector<NamedWriter> writers_;
     ResultsState progress_;
     double frame_interval_ = 0;  ///< s; 0: no frames within stages

@@ -43,7 +43,7 @@ void check_size(const fs::path& file, std::int64_t bytes) {
 }  // namespace
 
 std::vector<std::string> result_files(const std::string& stem) {
-    std::vector<std::string> files = {"run.toml", "summary.json", "checkpoint.h5"};
+    std::vector<std::string> files = {"run.toml", "summary.json", "checkpoint.h5", "blocks.csv"};
     for (const WriterEntry& entry : writer_table()) files.push_back(file_of(entry, stem));
     return files;
 }

@@ -182,6 +182,8 @@ step = 0.005
 # frames = 200                     # kept frames over the dynamic stages
 # static_frame_interval = 0        # steps between kept frames inside static stages; 0: none
 # history_interval = 0.01          # s between rows of history.csv
+# relative_to = "base"             # measured point or prescribed block; default: the first prescribed block
+# slip_threshold = "0.1 mm"        # slip from which on a block has slipped
 # checkpoint_interval = 60         # s of wall time
 )";
 }

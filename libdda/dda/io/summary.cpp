@@ -1,10 +1,12 @@
 #include "dda/io/summary.hpp"
 
+#include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
 
 #include "blockgen/base/read_file.hpp"
 #include "blockgen/base/sha256.hpp"
+#include "dda/io/block_table.hpp"
 
 namespace dda {
 
@@ -31,20 +33,35 @@ Json pair(const Vec2& v) {
     return Json::array({v.x(), v.y()});
 }
 
+/// Null where there is nothing to compare with.
+Json over_reference(double peak, const Results& results) {
+    if (!results.reference()) return nullptr;
+    const double base = results.state().peaks[*results.reference()].acceleration;
+    return base > 0 ? Json(peak / base) : Json(nullptr);
+}
+
 Json peaks_json(const Results& results, const Model& model, const State& state) {
+    const PointMotion from =
+        results.reference() ? motion_of(model, state, results.points()[*results.reference()]) : PointMotion{};
     Json points = Json::array();
     for (std::size_t i = 0; i < results.points().size(); ++i) {
         const TrackedPoint& point = results.points()[i];
         const Peaks& peaks = results.state().peaks[i];
+        const PointMotion motion = motion_of(model, state, point);
         points.push_back({{"name", point.name},
                           {"kind", point.material_point >= 0 ? "measured point" : "prescribed block"},
-                          {"final_displacement", pair(motion_of(model, state, point).displacement)},
+                          {"final_displacement", pair(motion.displacement)},
                           {"peak_displacement", peaks.displacement},
                           {"peak_displacement_time", peaks.displacement_time},
                           {"peak_velocity", peaks.velocity},
                           {"peak_velocity_time", peaks.velocity_time},
                           {"peak_acceleration", peaks.acceleration},
-                          {"peak_acceleration_time", peaks.acceleration_time}});
+                          {"peak_acceleration_time", peaks.acceleration_time},
+                          {"permanent_displacement", pair(motion.displacement - from.displacement)},
+                          {"relative_speed", (motion.velocity - from.velocity).norm()},
+                          {"peak_relative_displacement", peaks.relative},
+                          {"peak_relative_displacement_time", peaks.relative_time},
+                          {"amplification", over_reference(peaks.acceleration, results)}});
     }
     return points;
 }
@@ -70,6 +87,32 @@ Json contact_counts(const State& state) {
     std::array<int, 3> counts{};
     for (const Contact& contact : state.contacts.contacts) ++counts[static_cast<std::size_t>(contact.state)];
     return {{"open", counts[0]}, {"sliding", counts[1]}, {"locked", counts[2]}};
+}
+
+/// How many blocks slipped, and which first.
+Json slips_json(const std::vector<FirstSlip>& slips) {
+    const auto slipped = [](const FirstSlip& slip) { return slip.has_slipped(); };
+    const auto count = std::count_if(slips.begin(), slips.end(), slipped);
+    if (count == 0) return Json::object({{"blocks", 0}});
+    const auto first = std::min_element(slips.begin(), slips.end(), [&](const auto& a, const auto& b) {
+        return slipped(a) && (!slipped(b) || a.dynamic_time < b.dynamic_time);
+    });
+    return {{"blocks", count},
+            {"first", first - slips.begin()},
+            {"first_time", first->time},
+            {"first_time_of_shaking", first->dynamic_time}};
+}
+
+Json planes_json(const std::vector<PlaneSlip>& slips) {
+    Json planes = Json::array();
+    for (const PlaneSlip& slip : slips)
+        planes.push_back({{"block", slip.plane.block},
+                          {"base", slip.plane.base},
+                          {"dip", slip.plane.dip},
+                          {"yield_coefficient", slip.yield},
+                          {"newmark_slip", slip.newmark},
+                          {"slip", slip.simulated}});
+    return planes;
 }
 
 Json energy_json(const Energy& e) {
@@ -133,7 +176,12 @@ std::string summary_text(const Model& model, const std::vector<Stage>& stages, c
     json["blocks"] = model.block_count();
     json["contacts"] = contact_counts(state);
     json["farthest_block"] = farthest_block(model, state);
+    if (results.reference()) json["reference"] = results.points()[*results.reference()].name;
     json["points"] = peaks_json(results, model, state);
+    if (state.dynamic_time > 0) {
+        json["first_slip"] = slips_json(results.state().first_slips);
+        json["blocks_on_planes"] = planes_json(plane_slips(model, stages, state, results));
+    }
     json["energy"] = energy_json(state.energy);
     if (!results.state().trials.empty()) json["factor_of_safety"] = factor_of_safety(results.state().trials);
     json["units"] = "SI, per metre of thickness";

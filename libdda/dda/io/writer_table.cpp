@@ -8,6 +8,8 @@ const std::vector<WriterEntry>& writer_table() {
         {"blocks", "*.vtkhdf", PositionUnit::frames, always, make_block_frames},
         {"joints", "*.joints.vtkhdf", PositionUnit::frames, always, make_joint_frames},
         {"history", "history.csv", PositionUnit::bytes, always, make_history_csv},
+        {"relative", "relative.csv", PositionUnit::bytes,
+         [](const WriterContext& context) { return !context.relative_to.empty(); }, make_relative_csv},
         {"steps", "steps.csv", PositionUnit::bytes, always, make_steps_csv},
         {"pvd", "*.pvd", PositionUnit::none, [](const WriterContext& context) { return context.pvd; },
          make_pvd},

@@ -12,6 +12,34 @@ struct SlidingPlane {
     double friction = 0;  ///< rad, angle of friction, from 0, less than pi/2
 };
 
+/// What a plane bears against sliding, per mass of the block.
+struct PlaneStrength {
+    double friction = 0;  ///< tangent of the angle of friction
+    double adhesion = 0;  ///< m/s2: cohesion times the length of the plane over the block's mass
+};
+
+/// A rigid block that slides on a plane, one way or the other, with the residual strength from its first
+/// slip on.
+class RigidSlider {
+  public:
+    RigidSlider(const PlaneStrength& peak, const PlaneStrength& residual)
+        : strength_(peak), residual_(residual) {}
+
+    /// Over `dt` seconds of constant accelerations, m/s2: `drive` downhill and `pressure` into the plane;
+    /// without pressure there is no friction. Friction stops the block, and does not turn it round.
+    void advance(double drive, double pressure, double dt);
+    double slip() const { return slip_; }  ///< m, downhill positive
+
+  private:
+    PlaneStrength strength_;
+    PlaneStrength residual_;
+    double speed_ = 0;  ///< m/s
+    double slip_ = 0;
+};
+
+/// s: pieces no longer than this are short enough for accelerations of earthquakes.
+inline constexpr double longest_sliding_piece = 2.5e-4;
+
 /// The horizontal acceleration of the ground, over g, at which a block begins to slide downhill, towards +x
 /// relative to the ground: the ground moves towards -x. tan(friction - dip), negative when it slides by
 /// itself (Newmark 1965).

@@ -235,6 +235,17 @@ TEST_F(ReadRun, BadInputIsOneLineWithItsPlace) {
     EXPECT_THAT(error_with("frames = 10", "history_interval = 1e-300"), HasSubstr("1e-9 s or more"));
 }
 
+TEST_F(ReadRun, RelativeMotionsCountFromTheBaseUnlessSaidOtherwise) {
+    EXPECT_EQ(read(full_model).output.relative_to, "base");
+    EXPECT_EQ(read(changed("frames = 10", "relative_to = \"crest\"")).output.relative_to, "crest");
+    EXPECT_EQ(read(changed("frames = 10", "relative_to = \"\"")).output.relative_to, "");
+    EXPECT_THAT(error_with("frames = 10", "relative_to = \"crust\""), HasSubstr("perhaps 'crest'"));
+    EXPECT_EQ(read(changed("frames = 10", "slip_threshold = \"2 mm\"")).output.slip_threshold, 2e-3);
+    for (const char* bad : {"0", "-1", "nan", "\"3 s\""})
+        EXPECT_THAT(error_with("frames = 10", std::string("slip_threshold = ") + bad),
+                    HasSubstr("slip_threshold"));
+}
+
 TEST_F(ReadRun, ARecordIsReadAsItsKeysSay) {
     EXPECT_EQ(error_with("scale = 2.0", "format = \"csv\", channel = 1"), "no error");
     EXPECT_THAT(error_with("scale = 2.0", "format = \"knet\""), StartsWith("r.csv:1: the header has no"));

@@ -13,6 +13,7 @@
 #include "blockgen/base/output_error.hpp"
 #include "blockgen/base/read_file.hpp"
 #include "blockgen/base/text.hpp"
+#include "dda/io/block_table.hpp"
 #include "dda/io/frame_data.hpp"
 #include "dda/io/read_run.hpp"
 #include "dda/io/state_archive.hpp"
@@ -26,7 +27,8 @@ using blockgen::read_text_file;
 using ::testing::HasSubstr;
 namespace fs = std::filesystem;
 
-const char* const result_files[] = {"history.csv", "steps.csv", "run.vtkhdf", "run.joints.vtkhdf"};
+const char* const result_files[] = {"history.csv", "relative.csv", "steps.csv", "run.vtkhdf",
+                                    "run.joints.vtkhdf"};
 
 /// A block that settles on a base and is then shaken until it slides.
 class ResultsTest : public ::testing::Test {
@@ -327,6 +329,101 @@ TEST_F(ResultsTest, TheSummaryTellsHowItEnded) {
                              "\"sha256\": \"", "\"sliding\":"})
         EXPECT_THAT(text, HasSubstr(part));
     EXPECT_GT(results.state().peaks[0].displacement, 0.01);
+}
+
+TEST_F(ResultsTest, RelativeMotionsAreThoseLessTheReferences) {
+    ASSERT_EQ(simulate("a").status, RunStatus::completed);
+    const auto whole = lines_of(folder / "a" / "history.csv");
+    const auto relative = lines_of(folder / "a" / "relative.csv");
+    ASSERT_EQ(whole.size(), relative.size());
+    EXPECT_EQ(relative[0],
+              "time (s),stage,crest ux (m),crest uy (m),crest vx (m/s),crest vy (m/s),crest ax (m/s2),crest "
+              "ay (m/s2)")
+        << "the base does not move from itself";
+    const auto numbers = [](const std::string& line) {
+        std::vector<double> values;
+        std::istringstream fields(line);
+        std::string field;
+        for (int k = 0; std::getline(fields, field, ','); ++k)
+            if (k != 1) values.push_back(*blockgen::parse_number(field));
+        return values;
+    };
+    for (const std::size_t row : {whole.size() / 2, whole.size() - 1}) {
+        const auto a = numbers(whole[row]), r = numbers(relative[row]);
+        for (std::size_t k = 1; k < r.size(); ++k) EXPECT_EQ(r[k], a[k] - a[k + 6]) << relative[0];
+    }
+    input.output.relative_to = "";
+    ASSERT_EQ(simulate("none").status, RunStatus::completed);
+    EXPECT_FALSE(fs::exists(folder / "none" / "relative.csv"));
+}
+
+/// Splits a line of a table; its fields hold no commas.
+std::vector<std::string> fields_of(const std::string& line) {
+    std::vector<std::string> fields;
+    std::istringstream text(line);
+    for (std::string field; std::getline(text, field, ',');) fields.push_back(field);
+    return fields;
+}
+
+// The block is shaken until it slides on its base, to and fro: the estimate is near what the run finds.
+TEST_F(ResultsTest, TheTableOfBlocksTellsWhatBecameOfThem) {
+    fs::create_directories(folder / "a");
+    Results results(input.model, input.stages, input.output,
+                    {folder / "a", false, "", [](const Progress&) { return true; }});
+    State state = initial_state(input.model);
+    ASSERT_EQ(run(input.model, input.stages, state, results).status, RunStatus::completed);
+    const auto slips = plane_slips(input.model, input.stages, state, results);
+    ASSERT_EQ(slips.size(), 1u);
+    const std::string table = block_table(input.model, state, results, slips, "blocks.csv");
+    std::istringstream text(table);
+    std::string heading, row, rest;
+    std::getline(text, heading);
+    std::getline(text, row);
+    EXPECT_FALSE(std::getline(text, rest)) << "one free block";
+    const auto names = fields_of(heading), values = fields_of(row);
+    ASSERT_EQ(names.size(), values.size());
+    const auto value = [&](const std::string& name) {
+        const auto found = std::find(names.begin(), names.end(), name);
+        return found == names.end() ? "no " + name : values[static_cast<std::size_t>(found - names.begin())];
+    };
+    const auto number = [&](const std::string& name) { return *blockgen::parse_number(value(name)); };
+    EXPECT_EQ(value("block"), "1");
+    EXPECT_EQ(value("slipped on block"), "0");
+    EXPECT_EQ(value("joint material"), "bedding");
+    // The base's 60 t m/s2 pass tan 20° g = 3.571 m/s2 at 0.0595 s.
+    EXPECT_NEAR(number("first slip (s of shaking)"), 0.0595, 0.005) << "a step";
+    EXPECT_NEAR(number("yield coefficient"), std::tan(20 * M_PI / 180), 1e-6);
+    EXPECT_NEAR(number("slip (m)"), number("relative displacement x (m)"), 1e-12);
+    EXPECT_NEAR(number("slip (m)"), number("Newmark slip (m)"), 0.03 * std::abs(number("slip (m)")))
+        << "steps of 5 ms";
+    const std::string printed = outcome_table(input.model, state, results, slips);
+    for (const char* part : {"from 'base'", "crest", "1 blocks slipped, block 1 first", "Newmark's rigid"})
+        EXPECT_THAT(printed, HasSubstr(part));
+}
+
+TEST_F(ResultsTest, AContinuedRunKnowsWhatSlippedBefore) {
+    const auto table_of = [&](const std::string& name, int stop) {
+        fs::create_directories(folder / name);
+        int step = 0;
+        const ProgressFunction progress = [&](const Progress&) { return ++step < stop; };
+        State state = initial_state(input.model);
+        auto results = std::make_unique<Results>(input.model, input.stages, input.output,
+                                                 ResultsOptions{folder / name, false, "hash", progress});
+        if (run(input.model, input.stages, state, *results).status == RunStatus::stopped) {
+            const Checkpoint checkpoint = read_checkpoint(folder / name / "checkpoint.h5");
+            results = std::make_unique<Results>(
+                input.model, input.stages, input.output,
+                ResultsOptions{folder / name, false, "hash", [](const Progress&) { return true; }},
+                &checkpoint);
+            state = checkpoint.state;
+            run(input.model, input.stages, state, *results, {1, checkpoint.results.stage, true});
+        }
+        return block_table(input.model, state, *results,
+                           plane_slips(input.model, input.stages, state, *results), "blocks.csv");
+    };
+    const std::string whole = table_of("whole", 1'000'000);
+    const auto steps = static_cast<int>(lines_of(folder / "whole" / "steps.csv").size()) - 1;
+    EXPECT_EQ(table_of("stopped", steps - 30), whole);
 }
 
 TEST_F(ResultsTest, ACheckpointOfOtherContentIsRefused) {
