@@ -13,7 +13,8 @@ constexpr double most_buckets = 1 << 26;
 
 }  // namespace
 
-BucketGrid::BucketGrid(std::span<const FineSegment> segments, std::int64_t margin)
+BucketGrid::BucketGrid(std::span<const FineSegment> segments, std::int64_t margin,
+                       std::span<const char> listed)
     : margin_(static_cast<double>(margin)) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     double high_x = -infinity, high_y = -infinity, length = 0;
@@ -36,14 +37,23 @@ BucketGrid::BucketGrid(std::span<const FineSegment> segments, std::int64_t margi
     rows_ = static_cast<std::int64_t>(span_y / width_) + 1;
 
     first_.assign(static_cast<std::size_t>(columns_ * rows_) + 1, 0);
-    for (const FineSegment& s : segments) for_each_bucket(s, [this](std::size_t b) { ++first_[b + 1]; });
+    const auto is_listed = [&](std::size_t k) { return listed.empty() || listed[k]; };
+    for (std::size_t k = 0; k < segments.size(); ++k)
+        if (is_listed(k)) for_each_bucket(segments[k], [this](std::size_t b) { ++first_[b + 1]; });
     for (std::size_t b = 0; b + 1 < first_.size(); ++b) first_[b + 1] += first_[b];
     items_.resize(static_cast<std::size_t>(first_.back()));
     std::vector<std::int64_t> next(first_.begin(), first_.end() - 1);
     for (std::size_t k = 0; k < segments.size(); ++k)
-        for_each_bucket(segments[k], [&](std::size_t b) {
-            items_[static_cast<std::size_t>(next[b]++)] = static_cast<std::int32_t>(k);
-        });
+        if (is_listed(k))
+            for_each_bucket(segments[k], [&](std::size_t b) {
+                items_[static_cast<std::size_t>(next[b]++)] = static_cast<std::int32_t>(k);
+            });
+}
+
+bool BucketGrid::is_near_listed(const FineSegment& segment) const {
+    bool near = false;
+    for_each_bucket(segment, [&](std::size_t b) { near = near || first_[b + 1] > first_[b]; });
+    return near;
 }
 
 std::int64_t BucketGrid::column(double x) const {

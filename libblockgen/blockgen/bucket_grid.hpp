@@ -13,7 +13,9 @@ namespace blockgen {
 /// spread segments.
 class BucketGrid {
   public:
-    BucketGrid(std::span<const FineSegment> segments, std::int64_t margin);
+    /// @param listed when given, a flag per segment: the lists hold only the flagged ones, the width is that
+    /// for all.
+    BucketGrid(std::span<const FineSegment> segments, std::int64_t margin, std::span<const char> listed = {});
 
     std::size_t bucket_count() const { return first_.size() - 1; }
     std::span<const std::int32_t> segments_of(std::size_t bucket) const {
@@ -22,6 +24,8 @@ class BucketGrid {
     }
     /// The bucket that holds a point; points outside count to the nearest.
     std::size_t bucket_of(const GridPoint& p) const;
+    /// Whether a segment comes within the margin of a bucket that lists any.
+    bool is_near_listed(const FineSegment& segment) const;
     /// Buckets are numbered upwards, column after column, as sorted segments come: the one below another,
     /// where its row is not 0, is the one before it.
     std::int64_t row_of(std::size_t bucket) const { return static_cast<std::int64_t>(bucket) % rows_; }

@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "blockgen/link_chains.hpp"
 #include "blockgen/snap_round.hpp"
 
 namespace blockgen {
@@ -83,22 +84,22 @@ std::vector<Piece> fine_pieces(std::span<const SourceSegment> segments, const Gr
     return pieces;
 }
 
-/// The distinct lines of sorted pieces; line k has the pieces [first[k], first[k + 1]).
+/// Distinct lines, sorted, and what runs along them.
 struct Lines {
     std::vector<FineSegment> lines;
-    std::vector<std::size_t> first = {0};
+    LineSources along;
 };
 
-Lines distinct_lines(std::vector<Piece>& pieces) {
+Lines distinct_lines(std::vector<Piece> pieces) {
     std::sort(pieces.begin(), pieces.end());
     Lines result;
-    for (std::size_t k = 0; k < pieces.size(); ++k) {
-        if (k > 0 && pieces[k].line == pieces[k - 1].line) {
-            result.first.back() = k + 1;
-        } else {
-            result.lines.push_back(pieces[k].line);
-            result.first.push_back(k + 1);
+    for (const Piece& piece : pieces) {
+        if (result.lines.empty() || piece.line != result.lines.back()) {
+            result.lines.push_back(piece.line);
+            result.along.first.push_back(0);
         }
+        result.along.sources.push_back(piece.source);
+        result.along.first.back() = static_cast<std::int32_t>(result.along.sources.size());
     }
     return result;
 }
@@ -114,36 +115,25 @@ double distance(const FineSegment& s, const GridPoint& cell, std::int64_t finene
     return std::hypot(wx - t * ux, wy - t * uy);
 }
 
-double largest_move(const Lines& lines, const SnappedChains& chains, std::int64_t fineness) {
+/// How far the cells of a chain lie off its line, in cells.
+double largest_move(const FineSegment& line, const SnappedChains& chains, std::size_t k,
+                    std::int64_t fineness) {
     double largest = 0;
-    for (std::size_t k = 0; k < lines.lines.size(); ++k)
-        for (const GridPoint& cell : chains.chain(k))
-            largest = std::max(largest, distance(lines.lines[k], cell, fineness));
+    for (const std::int32_t cell : chains.chain(k))
+        largest = std::max(largest, distance(line, chains.cells[static_cast<std::size_t>(cell)], fineness));
     return largest;
 }
 
-/// The pieces that the chains make, in cells; those that shrank to a point are gone.
-std::vector<Piece> chain_pieces(const std::vector<Piece>& pieces, const Lines& lines,
-                                const SnappedChains& chains) {
-    std::vector<Piece> result;
-    for (std::size_t k = 0; k < lines.lines.size(); ++k) {
-        const auto chain = chains.chain(k);
-        for (std::size_t i = 0; i + 1 < chain.size(); ++i)
-            for (std::size_t p = lines.first[k]; p < lines.first[k + 1]; ++p)
-                result.push_back(piece_of(chain[i], chain[i + 1], pieces[p].source));
+double largest_move(const LocalRound& round, const NodedEdges& network) {
+    double largest = 0;
+    for (std::size_t k = 0; k < round.edges.size(); ++k) {
+        if (round.chains.chain(k).size() == 2) continue;
+        const auto& [a, b] = network.edges[static_cast<std::size_t>(round.edges[k])];
+        const FineSegment line{network.vertices[static_cast<std::size_t>(a)],
+                               network.vertices[static_cast<std::size_t>(b)]};
+        largest = std::max(largest, largest_move(line, round.chains, k, 1));
     }
-    return result;
-}
-
-std::vector<FineSegment> doubled(std::span<const FineSegment> lines) {
-    std::vector<FineSegment> result;
-    result.reserve(lines.size());
-    for (const FineSegment& s : lines) result.push_back({{2 * s.a.x, 2 * s.a.y}, {2 * s.b.x, 2 * s.b.y}});
-    return result;
-}
-
-bool is_clean(const SnappedChains& chains) {
-    return chains.cells.size() == 2 * (chains.first.size() - 1);
+    return largest;
 }
 
 /// Ends of closed outlines come first, so that their corners stay where they are; a source of lower number
@@ -168,37 +158,6 @@ std::vector<GridPoint> anchors_of(const std::vector<Piece>& pieces, std::int64_t
     return anchors;
 }
 
-void fill_edges(NodedEdges& result, const std::vector<Piece>& pieces, const Lines& lines) {
-    for (const FineSegment& s : lines.lines) {
-        result.vertices.push_back(s.a);
-        result.vertices.push_back(s.b);
-    }
-    std::sort(result.vertices.begin(), result.vertices.end());
-    result.vertices.erase(std::unique(result.vertices.begin(), result.vertices.end()), result.vertices.end());
-    // Lines come sorted, and their second ends lie not far after the first: steps that double from there are
-    // faster than a search through all.
-    const auto index_from = [&](std::size_t start, const GridPoint& p) {
-        std::size_t step = 1;
-        while (start + step < result.vertices.size() && result.vertices[start + step] < p) step *= 2;
-        const auto first = result.vertices.begin() + static_cast<std::ptrdiff_t>(start + step / 2);
-        const auto last = result.vertices.begin() +
-                          static_cast<std::ptrdiff_t>(std::min(start + step + 1, result.vertices.size()));
-        return static_cast<std::size_t>(std::lower_bound(first, last, p) - result.vertices.begin());
-    };
-    result.edges.reserve(lines.lines.size());
-    result.first_source.reserve(lines.lines.size() + 1);
-    result.sources.reserve(pieces.size());
-    std::size_t first = 0;
-    for (std::size_t k = 0; k < lines.lines.size(); ++k) {
-        while (result.vertices[first] != lines.lines[k].a) ++first;
-        result.edges.emplace_back(static_cast<std::int32_t>(first),
-                                  static_cast<std::int32_t>(index_from(first, lines.lines[k].b)));
-        for (std::size_t p = lines.first[k]; p < lines.first[k + 1]; ++p)
-            result.sources.push_back(pieces[p].source);
-        result.first_source.push_back(static_cast<std::int32_t>(result.sources.size()));
-    }
-}
-
 }  // namespace
 
 std::span<const EdgeSource> NodedEdges::sources_of(std::size_t edge) const {
@@ -211,38 +170,34 @@ NodedEdges node_joints(std::span<const SourceSegment> segments, double step) {
     if (segments.empty()) return result;
     const Box box = box_of(segments);
     result.frame = frame_of(box, step);
-
-    std::int64_t fineness = first_fineness(box, step);
-    std::vector<Piece> pieces = fine_pieces(segments, result.frame, fineness);
-    Lines lines = distinct_lines(pieces);
-    const std::vector<GridPoint> anchors = anchors_of(pieces, fineness);
-    SnappedChains chains = snap_round(lines.lines, fineness, true, anchors);
-    while (true) {
-        ++result.rounds;
-        result.largest_snap += step * largest_move(lines, chains, fineness);
-        pieces = chain_pieces(pieces, lines, chains);
-        const Lines cells = distinct_lines(pieces);
-        const std::vector<FineSegment> next = doubled(cells.lines);
-        chains = snap_round(next, 2, false);
-        lines = {next, cells.first};
-        fineness = 2;
-        if (is_clean(chains)) {
-            fill_edges(result, pieces, cells);
-            return result;
-        }
+    {
+        const std::int64_t fineness = first_fineness(box, step);
+        std::vector<Piece> pieces = fine_pieces(segments, result.frame, fineness);
+        const std::vector<GridPoint> anchors = anchors_of(pieces, fineness);
+        const Lines lines = distinct_lines(std::move(pieces));
+        const SnappedChains chains = snap_round_joining(lines.lines, fineness, anchors);
+        for (std::size_t k = 0; k < lines.lines.size(); ++k)
+            result.largest_snap =
+                std::max(result.largest_snap, step * largest_move(lines.lines[k], chains, k, fineness));
+        link_chains(chains, lines.along, result);
+    }
+    std::vector<char> changed;  // in the first round, all
+    for (result.rounds = 1;; ++result.rounds) {
+        const LocalRound round = snap_edges(result.vertices, result.edges, changed);
+        if (round.is_clean()) return result;
+        result.largest_snap += step * largest_move(round, result);
+        const LineSources along{std::move(result.first_source), std::move(result.sources)};
+        changed = link_chains(all_chains(round, result), along, result);
     }
 }
 
 std::vector<std::size_t> unclean_edges(std::span<const GridPoint> vertices,
-                                       std::span<const std::pair<std::int32_t, std::int32_t>> edges) {
-    std::vector<FineSegment> lines;
-    lines.reserve(edges.size());
-    for (const auto& [a, b] : edges)
-        lines.push_back({vertices[static_cast<std::size_t>(a)], vertices[static_cast<std::size_t>(b)]});
-    const SnappedChains chains = snap_round(doubled(lines), 2, false);
+                                       std::span<const std::pair<std::int32_t, std::int32_t>> edges,
+                                       std::span<const char> changed) {
+    const LocalRound round = snap_edges(vertices, edges, changed);
     std::vector<std::size_t> unclean;
-    for (std::size_t k = 0; k < lines.size(); ++k)
-        if (chains.chain(k).size() != 2) unclean.push_back(k);
+    for (std::size_t k = 0; k < round.edges.size(); ++k)
+        if (round.chains.chain(k).size() != 2) unclean.push_back(static_cast<std::size_t>(round.edges[k]));
     return unclean;
 }
 

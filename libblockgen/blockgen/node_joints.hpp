@@ -49,9 +49,11 @@ struct NodedEdges {
 NodedEdges node_joints(std::span<const SourceSegment> segments, double step);
 
 /// The edges that break the promise of NodedEdges when the given vertices and edges are taken together:
-/// crossed, or with a foreign vertex in reach. Empty when they keep it. @return indices into `edges`,
-/// ascending.
+/// crossed, or with a foreign vertex in reach. Empty when they keep it.
+/// @param changed per edge; those that did not change are known to keep it among themselves. Empty when all
+/// may have. @return indices into `edges`, ascending.
 std::vector<std::size_t> unclean_edges(std::span<const GridPoint> vertices,
-                                       std::span<const std::pair<std::int32_t, std::int32_t>> edges);
+                                       std::span<const std::pair<std::int32_t, std::int32_t>> edges,
+                                       std::span<const char> changed = {});
 
 }  // namespace blockgen

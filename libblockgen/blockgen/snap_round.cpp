@@ -92,16 +92,26 @@ struct CellHash {
     }
 };
 
-std::vector<GridPoint> hot_cells(std::span<const FineSegment> segments, const BucketGrid& grid,
-                                 std::int64_t fineness) {
+std::vector<GridPoint> end_cells(std::span<const FineSegment> segments, std::int64_t fineness) {
     std::vector<GridPoint> cells;
-    cells.reserve(3 * segments.size());
+    cells.reserve(2 * segments.size());
     for (const FineSegment& s : segments) {
         // Sorted segments come with their first ends in order, many of them several times.
         const GridPoint first = cell_of(s.a, fineness);
         if (cells.empty() || cells.back() != first) cells.push_back(first);
     }
     for (const FineSegment& s : segments) cells.push_back(cell_of(s.b, fineness));
+    return cells;
+}
+
+void sort_distinct(std::vector<GridPoint>& cells) {
+    std::sort(cells.begin(), cells.end());
+    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+}
+
+std::vector<GridPoint> crossing_cells(std::span<const FineSegment> segments, const BucketGrid& grid,
+                                      std::int64_t fineness) {
+    std::vector<GridPoint> cells;
     for (std::size_t bucket = 0; bucket < grid.bucket_count(); ++bucket) {
         const auto near = grid.segments_of(bucket);
         for (std::size_t i = 0; i < near.size(); ++i)
@@ -110,9 +120,19 @@ std::vector<GridPoint> hot_cells(std::span<const FineSegment> segments, const Bu
                                                     segments[static_cast<std::size_t>(near[j])], fineness))
                     cells.push_back(*cell);
     }
-    std::sort(cells.begin(), cells.end());
-    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
     return cells;
+}
+
+/// @param ends sorted and distinct. @return they and the cells of crossings, sorted.
+std::vector<GridPoint> with_crossings(std::vector<GridPoint> ends, std::vector<GridPoint> crossings) {
+    std::erase_if(crossings,
+                  [&](const GridPoint& c) { return std::binary_search(ends.begin(), ends.end(), c); });
+    if (crossings.empty()) return ends;
+    sort_distinct(crossings);
+    const auto middle = static_cast<std::ptrdiff_t>(ends.size());
+    ends.insert(ends.end(), crossings.begin(), crossings.end());
+    std::inplace_merge(ends.begin(), ends.begin() + middle, ends.end());
+    return ends;
 }
 
 /// Which cells of a sorted list touch another one, by its side or its corner.
@@ -132,9 +152,10 @@ std::vector<char> touching(std::span<const GridPoint> cells) {
     return touches;
 }
 
-/// For each hot cell the cell that stands for it: itself, or a neighbour that came first. The anchors are
-/// hot.
-std::vector<GridPoint> representatives(std::span<const GridPoint> cells, std::span<const GridPoint> anchors) {
+/// For each hot cell the number of the one that stands for it: itself, or a neighbour that came first. The
+/// anchors are hot.
+std::vector<std::int32_t> representatives(std::span<const GridPoint> cells,
+                                          std::span<const GridPoint> anchors) {
     const std::vector<char> touches = touching(cells);
     std::unordered_map<GridPoint, char, CellHash> chosen;
     const auto choose = [&chosen](const GridPoint& cell) {
@@ -145,10 +166,13 @@ std::vector<GridPoint> representatives(std::span<const GridPoint> cells, std::sp
         return cell;
     };
     for (const GridPoint& anchor : anchors) choose(anchor);
-    std::vector<GridPoint> result;
-    result.reserve(cells.size());
-    for (std::size_t k = 0; k < cells.size(); ++k)
-        result.push_back(!touches[k] || chosen.contains(cells[k]) ? cells[k] : choose(cells[k]));
+    std::vector<std::int32_t> result(cells.size());
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+        result[k] = static_cast<std::int32_t>(k);
+        if (!touches[k] || chosen.contains(cells[k])) continue;
+        const auto found = std::lower_bound(cells.begin(), cells.end(), choose(cells[k]));
+        result[k] = static_cast<std::int32_t>(found - cells.begin());
+    }
     return result;
 }
 
@@ -169,52 +193,73 @@ std::vector<Hit> find_hits(std::span<const FineSegment> segments, std::span<cons
     return hits;
 }
 
-}  // namespace
+/// The cells that each segment passes through, in no order: those of segment k are [first[k], first[k + 1]).
+struct CellsOfSegments {
+    std::vector<std::int64_t> first;
+    std::vector<std::int32_t> cells;
+};
 
-SnappedChains snap_round(std::span<const FineSegment> segments, std::int64_t fineness, bool join_adjacent,
-                         std::span<const GridPoint> anchors) {
-    const BucketGrid grid(segments, fineness);
-    const std::vector<GridPoint> cells = hot_cells(segments, grid, fineness);
-    const std::vector<GridPoint> joined =
-        join_adjacent ? representatives(cells, anchors) : std::vector<GridPoint>();
-    const std::vector<GridPoint>& stand_ins = join_adjacent ? joined : cells;
-    std::vector<Hit> hits = find_hits(segments, cells, grid, fineness);
+/// The hits of each segment together, by counting.
+CellsOfSegments gather(const std::vector<Hit>& hits, std::size_t segments) {
+    CellsOfSegments result{std::vector<std::int64_t>(segments + 1, 0),
+                           std::vector<std::int32_t>(hits.size())};
+    for (const Hit& hit : hits) ++result.first[static_cast<std::size_t>(hit.segment) + 1];
+    for (std::size_t k = 0; k < segments; ++k) result.first[k + 1] += result.first[k];
+    std::vector<std::int64_t> fill(result.first.begin(), result.first.end() - 1);
+    for (const Hit& hit : hits)
+        result.cells[static_cast<std::size_t>(fill[static_cast<std::size_t>(hit.segment)]++)] = hit.cell;
+    return result;
+}
 
+/// @param stand_ins per cell the number of the one that stands for it; empty when each does for itself.
+SnappedChains chains_of(std::span<const FineSegment> segments, std::vector<GridPoint> cells,
+                        const BucketGrid& grid, std::int64_t fineness,
+                        std::span<const std::int32_t> stand_ins) {
+    const CellsOfSegments near = gather(find_hits(segments, cells, grid, fineness), segments.size());
     const auto distance_along = [fineness](const FineSegment& s, const GridPoint& cell) {
         return static_cast<Int128>(cell.x * fineness - s.a.x) * (s.b.x - s.a.x) +
                static_cast<Int128>(cell.y * fineness - s.a.y) * (s.b.y - s.a.y);
     };
-    // The hits of each segment together, by counting.
-    std::vector<std::int64_t> next(segments.size() + 1, 0);
-    for (const Hit& hit : hits) ++next[static_cast<std::size_t>(hit.segment) + 1];
-    for (std::size_t k = 0; k < segments.size(); ++k) next[k + 1] += next[k];
-    std::vector<std::int32_t> hit_cells(hits.size());
-    {
-        std::vector<std::int64_t> fill(next.begin(), next.end() - 1);
-        for (const Hit& hit : hits)
-            hit_cells[static_cast<std::size_t>(fill[static_cast<std::size_t>(hit.segment)]++)] = hit.cell;
-    }
-    hits = {};
-
     SnappedChains chains;
     chains.first.reserve(segments.size() + 1);
-    chains.cells.reserve(hit_cells.size());
+    chains.items.reserve(near.cells.size());
     std::vector<std::pair<Int128, std::int32_t>> ordered;
     for (std::size_t k = 0; k < segments.size(); ++k) {
         ordered.clear();
-        for (std::int64_t i = next[k]; i < next[k + 1]; ++i) {
-            const std::int32_t cell = hit_cells[static_cast<std::size_t>(i)];
+        for (std::int64_t i = near.first[k]; i < near.first[k + 1]; ++i) {
+            const std::int32_t cell = near.cells[static_cast<std::size_t>(i)];
             ordered.emplace_back(distance_along(segments[k], cells[static_cast<std::size_t>(cell)]), cell);
         }
         std::sort(ordered.begin(), ordered.end());
-        const std::size_t start = chains.cells.size();
+        const std::size_t start = chains.items.size();
         for (const auto& [distance, c] : ordered) {
-            const GridPoint& cell = stand_ins[static_cast<std::size_t>(c)];
-            if (chains.cells.size() == start || chains.cells.back() != cell) chains.cells.push_back(cell);
+            const std::int32_t cell = stand_ins.empty() ? c : stand_ins[static_cast<std::size_t>(c)];
+            if (chains.items.size() == start || chains.items.back() != cell) chains.items.push_back(cell);
         }
-        chains.first.push_back(static_cast<std::int64_t>(chains.cells.size()));
+        chains.first.push_back(static_cast<std::int64_t>(chains.items.size()));
     }
+    chains.cells = std::move(cells);
     return chains;
+}
+
+}  // namespace
+
+SnappedChains snap_round(std::span<const FineSegment> segments, std::int64_t fineness,
+                         std::vector<GridPoint> ends) {
+    const BucketGrid grid(segments, fineness);
+    std::vector<GridPoint> cells = with_crossings(std::move(ends), crossing_cells(segments, grid, fineness));
+    return chains_of(segments, std::move(cells), grid, fineness, {});
+}
+
+SnappedChains snap_round_joining(std::span<const FineSegment> segments, std::int64_t fineness,
+                                 std::span<const GridPoint> anchors) {
+    const BucketGrid grid(segments, fineness);
+    std::vector<GridPoint> cells = end_cells(segments, fineness);
+    const std::vector<GridPoint> crossings = crossing_cells(segments, grid, fineness);
+    cells.insert(cells.end(), crossings.begin(), crossings.end());
+    sort_distinct(cells);
+    const std::vector<std::int32_t> stand_ins = representatives(cells, anchors);
+    return chains_of(segments, std::move(cells), grid, fineness, stand_ins);
 }
 
 }  // namespace blockgen

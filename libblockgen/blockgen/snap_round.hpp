@@ -14,14 +14,16 @@ struct FineSegment {
     friend auto operator<=>(const FineSegment&, const FineSegment&) = default;
 };
 
-/// What one round of snap rounding makes of each segment: segment k becomes the chain of cells [first[k],
-/// first[k + 1]).
+/// What one round of snap rounding makes of each segment: segment k becomes the chain of the cells with the
+/// numbers [first[k], first[k + 1]) of `items`.
 struct SnappedChains {
+    std::vector<GridPoint> cells;  ///< the hot ones, sorted; some may be in no chain
     std::vector<std::int64_t> first = {0};
-    std::vector<GridPoint> cells;
+    std::vector<std::int32_t> items;  ///< indices into `cells`
 
-    std::span<const GridPoint> chain(std::size_t k) const {
-        return std::span(cells).subspan(static_cast<std::size_t>(first[k]),
+    std::size_t size() const { return first.size() - 1; }
+    std::span<const std::int32_t> chain(std::size_t k) const {
+        return std::span(items).subspan(static_cast<std::size_t>(first[k]),
                                         static_cast<std::size_t>(first[k + 1] - first[k]));
     }
 };
@@ -29,10 +31,14 @@ struct SnappedChains {
 /// One round: the cells that hold an end or a crossing are hot; each segment becomes the chain of the hot
 /// cells it passes through. Cell c covers [c - 1/2, c + 1/2) in both directions, and is `fineness` units of
 /// the segments wide.
-/// @param fineness even. @param join_adjacent hot cells that touch become one; the first of `anchors` wins,
-/// then the smallest. Coordinates of the segments below 2^40. Time is linear in segments, crossings and chain
-/// lengths for evenly spread joints.
-SnappedChains snap_round(std::span<const FineSegment> segments, std::int64_t fineness, bool join_adjacent,
-                         std::span<const GridPoint> anchors = {});
+/// @param fineness even. @param ends the cells of all ends, sorted and distinct.
+/// Coordinates of the segments below 2^40. Time is linear in segments, crossings and chain lengths for evenly
+/// spread joints.
+SnappedChains snap_round(std::span<const FineSegment> segments, std::int64_t fineness,
+                         std::vector<GridPoint> ends);
+
+/// The same, but hot cells that touch become one: the first of `anchors` wins, then the smallest.
+SnappedChains snap_round_joining(std::span<const FineSegment> segments, std::int64_t fineness,
+                                 std::span<const GridPoint> anchors);
 
 }  // namespace blockgen

@@ -31,19 +31,19 @@ class Straightener {
             std::vector<char> out(noded_.vertices.size(), 0);
             std::vector<std::pair<std::int32_t, std::int32_t>> edges;
             std::vector<std::size_t> chain_of_edge;
-            bool changed = false;
+            std::vector<char> changed;
             for (std::size_t c = 0; c < chains_.size(); ++c) {
                 const std::vector<std::int32_t>& all = chains_[c].vertices;
                 const std::vector<std::int32_t> kept = kept_vertices(chains_[c]);
                 for (std::size_t k = 1; k + 1 < all.size(); ++k) out[static_cast<std::size_t>(all[k])] = 1;
                 for (const std::int32_t v : kept) out[static_cast<std::size_t>(v)] = 0;
-                changed = changed || kept.size() < all.size();
                 for (std::size_t k = 0; k + 1 < kept.size(); ++k) {
                     edges.push_back(std::minmax({kept[k], kept[k + 1]}));
                     chain_of_edge.push_back(c);
+                    changed.push_back(kept.size() < all.size());
                 }
             }
-            if (!changed || !restore_unclean(edges, chain_of_edge)) return out;
+            if (!restore_unclean(edges, chain_of_edge, changed)) return out;
         }
     }
 
@@ -143,21 +143,38 @@ class Straightener {
     /// Gives back the vertices of chains that now share an edge, cross another or pass a foreign vertex.
     /// False when there are none.
     bool restore_unclean(const std::vector<std::pair<std::int32_t, std::int32_t>>& edges,
-                         const std::vector<std::size_t>& chain_of_edge) {
+                         const std::vector<std::size_t>& chain_of_edge, const std::vector<char>& changed) {
+        if (std::find(changed.begin(), changed.end(), 1) == changed.end()) return false;
         bool any = false;
         const auto restore = [&](std::size_t edge) {
             Chain& chain = chains_[chain_of_edge[edge]];
             any = any || !chain.is_restored;
             chain.is_restored = true;
         };
-        std::vector<std::size_t> order(edges.size());
-        std::iota(order.begin(), order.end(), std::size_t{0});
+        for (const std::size_t e : doubles(edges, changed)) restore(e);
+        for (const std::size_t e : unclean_edges(noded_.vertices, edges, changed)) restore(e);
+        return any;
+    }
+
+    /// Edges that are there twice. One of the two must have changed.
+    std::vector<std::size_t> doubles(const std::vector<std::pair<std::int32_t, std::int32_t>>& edges,
+                                     const std::vector<char>& changed) const {
+        std::vector<char> at_changed(noded_.vertices.size(), 0);
+        for (std::size_t e = 0; e < edges.size(); ++e)
+            if (changed[e])
+                at_changed[static_cast<std::size_t>(edges[e].first)] =
+                    at_changed[static_cast<std::size_t>(edges[e].second)] = 1;
+        std::vector<std::size_t> order;
+        for (std::size_t e = 0; e < edges.size(); ++e)
+            if (at_changed[static_cast<std::size_t>(edges[e].first)] &&
+                at_changed[static_cast<std::size_t>(edges[e].second)])
+                order.push_back(e);
         std::sort(order.begin(), order.end(),
                   [&](std::size_t e, std::size_t f) { return edges[e] < edges[f]; });
+        std::vector<std::size_t> result;
         for (std::size_t k = 1; k < order.size(); ++k)
-            if (edges[order[k]] == edges[order[k - 1]]) restore(order[k]), restore(order[k - 1]);
-        for (const std::size_t e : unclean_edges(noded_.vertices, edges)) restore(e);
-        return any;
+            if (edges[order[k]] == edges[order[k - 1]]) result.insert(result.end(), {order[k - 1], order[k]});
+        return result;
     }
 
     const NodedEdges& noded_;

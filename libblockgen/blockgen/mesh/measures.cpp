@@ -26,10 +26,20 @@ double corner_angle(const Point& p, const Point& q, const Point& r) {
     return angle < 0 ? angle + 2 * std::numbers::pi : angle;
 }
 
+/// Whether the angle at q may be smaller than one of the given tangent; infinite where that is 90 degrees or
+/// more, and then every angle may. Spares the arc tangent.
+bool may_be_below(const Point& p, const Point& q, const Point& r, double tangent) {
+    if (std::isinf(tangent)) return true;
+    const double ax = p.x - q.x, ay = p.y - q.y, bx = r.x - q.x, by = r.y - q.y;
+    const double along = bx * ax + by * ay, across = bx * ay - by * ax;
+    return across >= 0 && along >= 0 && across <= (1 + 1e-9) * tangent * along;
+}
+
 }  // namespace
 
 Ring ring_points(const BlockMesh& mesh, std::size_t block, std::size_t ring) {
     Ring points;
+    points.reserve(mesh.ring(block, ring).size());
     for (const std::int32_t vertex : mesh.ring(block, ring))
         points.push_back(mesh.vertices[static_cast<std::size_t>(vertex)]);
     return points;
@@ -99,14 +109,18 @@ ShapeSummary shape_summary(const BlockMesh& mesh) {
     const std::size_t n = mesh.block_count();
     if (n == 0) return summary;
     std::vector<double> roundness, aspect;
+    roundness.reserve(n);
+    aspect.reserve(n);
     for (std::size_t b = 0; b < n; ++b) {
         roundness.push_back(block_roundness(mesh, b));
         aspect.push_back(block_aspect(mesh, b));
     }
     const auto deciles = [n](std::vector<double>& values) {
-        std::sort(values.begin(), values.end());
         const auto at = [&](double share) {
-            return values[std::min(n - 1, static_cast<std::size_t>(share * static_cast<double>(n)))];
+            const auto k = std::min(n - 1, static_cast<std::size_t>(share * static_cast<double>(n)));
+            const auto place = values.begin() + static_cast<std::ptrdiff_t>(k);
+            std::nth_element(values.begin(), place, values.end());
+            return *place;
         };
         return Deciles{at(0.1), at(0.5), at(0.9)};
     };
@@ -121,7 +135,9 @@ SizeSummary size_summary(const BlockMesh& mesh) {
     if (mesh.block_count() == 0) return summary;
     summary.smallest_edge = std::numeric_limits<double>::infinity();
     summary.smallest_angle = std::numbers::pi;
+    double tangent = std::numeric_limits<double>::infinity();
     std::vector<double> areas;
+    areas.reserve(mesh.block_count());
     for (std::size_t b = 0; b < mesh.block_count(); ++b) {
         areas.push_back(block_area(mesh, b));
         summary.area += areas.back();
@@ -129,11 +145,15 @@ SizeSummary size_summary(const BlockMesh& mesh) {
             const Ring ring = ring_points(mesh, b, r);
             const std::size_t n = ring.size();
             for (std::size_t k = 0; k < n; ++k) {
-                const Point& next = ring[(k + 1) % n];
+                const Point &last = ring[(k + n - 1) % n], &next = ring[(k + 1) % n];
                 const double length = std::hypot(next.x - ring[k].x, next.y - ring[k].y);
                 summary.smallest_edge = std::min(summary.smallest_edge, length);
-                summary.smallest_angle =
-                    std::min(summary.smallest_angle, corner_angle(ring[(k + n - 1) % n], ring[k], next));
+                if (may_be_below(last, ring[k], next, tangent)) {
+                    summary.smallest_angle =
+                        std::min(summary.smallest_angle, corner_angle(last, ring[k], next));
+                    if (summary.smallest_angle < std::numbers::pi / 2)
+                        tangent = std::tan(summary.smallest_angle);
+                }
             }
         }
     }

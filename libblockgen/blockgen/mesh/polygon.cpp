@@ -56,6 +56,22 @@ bool boxes_apart_in_y(const RingEdge& e, const RingEdge& f) {
     return std::max(e.a.y, e.b.y) < std::min(f.a.y, f.b.y) || std::max(f.a.y, f.b.y) < std::min(e.a.y, e.b.y);
 }
 
+/// Whether a ring turns left at each corner, and once round in all: then it is convex, so simple. Exact.
+bool is_strictly_convex(const Ring& ring) {
+    const std::size_t n = ring.size();
+    const auto heads_up = [&](std::size_t k) {
+        const Point &a = ring[k], &b = ring[(k + 1) % n];
+        return b.y > a.y || (b.y == a.y && b.x > a.x);
+    };
+    int turns_upwards = 0;
+    for (std::size_t k = 0; k < n; ++k) {
+        const std::size_t next = (k + 1) % n;
+        if (orientation(ring[k], ring[next], ring[(k + 2) % n]) <= 0) return false;
+        turns_upwards += !heads_up(k) && heads_up(next);
+    }
+    return n >= 3 && turns_upwards == 1;
+}
+
 }  // namespace
 
 double twice_signed_area(std::span<const Point> ring) {
@@ -82,6 +98,7 @@ int side_of_ring(std::span<const Point> ring, const Point& point) {
 }
 
 std::optional<RingFault> find_ring_fault(std::span<const Ring> rings) {
+    if (rings.size() == 1 && is_strictly_convex(rings[0])) return std::nullopt;
     std::vector<RingEdge> edges = edges_of(rings);
     for (const RingEdge& e : edges)
         if (e.a == e.b) return RingFault{e.ring, e.edge, e.ring, e.edge, e.a};
