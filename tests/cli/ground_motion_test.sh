@@ -85,6 +85,30 @@ printf 'period,value\n1,2\n2,3\n' >"$folder.csv"
 refused "names no acceleration" match "$record" -o a.at2 --target "$folder.csv"
 refused "overwrite" match "$record" -o "$folder.csv" --target "$folder.csv"
 
+# Records beside each other; a run's history; a record of velocity.
+expect 'peak acceleration 0.1750 g' scale "$record" -o half.at2 --factor 0.5
+"$program" plot "$record" half.at2 -o both.svg || fail "plot refused"
+grep -q 'svg' both.svg || fail "plot drew nothing"
+expect 'peak acceleration 0.3500 g over 0.1750 g: 2.000' amplification "$record" half.at2 -o ratio.csv --picture ratio.png
+[ "$(wc -l <ratio.csv)" -eq 62 ] || fail "not 61 periods"
+awk -F, 'NR > 1 && ($5 < 1.999 || $5 > 2.001 || $6 < 1.999 || $6 > 2.001) { exit 1 }' ratio.csv || fail "a ratio is not 2"
+awk 'BEGIN { print "time (s),stage,top ax (m/s2),prescribed base ax (m/s2)"
+             for (k = 0; k <= 400; ++k) { a = sin(0.3 * k); printf "%.2f,shake,%.9f,%.9f\n", k / 100, 3 * a, a } }' >history.csv
+expect 'over 0.1020 g: 3.000' amplification history.csv history.csv --point 'top x' --point 'base x'
+expect 'peak acceleration 0.3059 g' convert history.csv --point 'top x' -o top.at2
+awk 'BEGIN { print "time (s),velocity (m/s)"
+             for (k = 0; k <= 1000; ++k) printf "%.3f,%.12f\n", k / 200, sin(k / 100) }' >velocity.csv
+expect 'peak acceleration 0.2039 g' convert velocity.csv -o acceleration.csv 2>note.txt
+grep -q 'holds velocity; its acceleration' note.txt || fail "nothing said of the velocity"
+rm -- *
+refused "expected one or more" plot -o a.png
+refused ".svg, .png or .pdf" plot "$record" -o a.csv
+refused "1 records are given; expected 2" amplification "$record"
+refused "for one file each" show "$record" --point 'a x' --point 'b x'
+refused "file holds no points" show "$record" --point 'a x'
+refused "must be acceleration, velocity or displacement" show "$record" --quantity speed
+refused "the file holds acceleration" show "$record" --quantity velocity
+
 # Newmark's block.
 expect 'yield acceleration 0.1763 g' slide "$record" --dip 20 --friction 30
 grep -q 'falling towards +x: slip 0\.[0-9]* m, first at' measures.txt || fail "no slip: $(cat measures.txt)"

@@ -23,9 +23,16 @@ std::string miniseed() {
     return text + std::string(512 - text.size(), '\0');
 }
 
+std::string run_history() {
+    std::string text = "time (s),stage,top ux (m),top ax (m/s2),prescribed base ax (m/s2)\n0,settle,0,0,0\n";
+    for (int k = 0; k < 10; ++k) text += "0." + std::to_string(k) + ",shake,1e-3,-2.5,\"4\"\n";
+    return text;
+}
+
 std::vector<small_records::SmallRecord> starts() {
     std::vector<small_records::SmallRecord> records = small_records::all();
     records.push_back({"miniseed", miniseed()});
+    records.push_back({"run", run_history()});
     return records;
 }
 
@@ -36,6 +43,7 @@ dda::RecordDeclaration declaration_of(fuzz::Damage& damage, const std::string& f
     static const std::vector<std::string> units = {"g", "cm/s2", "m/s", "mm"};
     dda::RecordDeclaration declaration;
     if (format == "sac") declaration = {dda::Quantity::acceleration, "m/s2", ""};
+    if (format == "run") declaration.point = damage.pick(2) == 0 ? "top x" : "base x";
     if (damage.pick(3) == 0) declaration.format = format;
     if (damage.pick(20) == 0) declaration.format = keys[damage.pick(keys.size())];
     if (damage.pick(20) == 0) declaration.quantity = static_cast<dda::Quantity>(damage.pick(3));

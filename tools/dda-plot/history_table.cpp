@@ -6,29 +6,11 @@
 #include "blockgen/base/input_error.hpp"
 #include "blockgen/base/read_file.hpp"
 #include "blockgen/base/text.hpp"
+#include "dda/record/record_lines.hpp"
 
 namespace {
 
 const std::string displacement_suffix = " ux (m)";
-
-std::vector<std::string> csv_fields(std::string_view line) {
-    std::vector<std::string> fields(1);
-    bool quoted = false;
-    for (std::size_t i = 0; i < line.size(); ++i) {
-        if (line[i] == '"') {
-            const bool doubled = quoted && i + 1 < line.size() && line[i + 1] == '"';
-            if (doubled)
-                fields.back() += line[++i];
-            else
-                quoted = !quoted;
-        } else if (line[i] == ',' && !quoted) {
-            fields.emplace_back();
-        } else {
-            fields.back() += line[i];
-        }
-    }
-    return fields;
-}
 
 }  // namespace
 
@@ -74,7 +56,8 @@ HistoryTable read_history(const std::filesystem::path& path) {
     int line_number = 0;
     std::size_t start = 0;
     for (std::size_t end; (end = text.find('\n', start)) != std::string::npos; start = end + 1) {
-        const std::vector<std::string> fields = csv_fields(std::string_view(text).substr(start, end - start));
+        const std::vector<std::string> fields =
+            dda::csv_fields(std::string_view(text).substr(start, end - start));
         if (++line_number == 1) {
             if (fields.size() < 2)
                 throw blockgen::InputError({path.string(), 1}, "is no history", "the history.csv of a run");

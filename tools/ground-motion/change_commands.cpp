@@ -11,6 +11,7 @@
 
 #include "blockgen/base/atomic_file.hpp"
 #include "blockgen/base/output_check.hpp"
+#include "compare_commands.hpp"
 #include "dda/record/correct.hpp"
 #include "dda/record/match_spectrum.hpp"
 #include "dda/record/newmark_block.hpp"
@@ -83,6 +84,7 @@ void check(const Change& change, const Request& request) {
     if (request.inputs.size() != change.inputs)
         throw std::invalid_argument(std::to_string(request.inputs.size()) + " records are given; expected " +
                                     std::to_string(change.inputs));
+    check_source(request.source, request.inputs.size());
     if (change.writes) check_record_name(request.output);
     if (!request.picture.empty()) check_picture_name(request.picture);
     std::vector<fs::path> read = request.inputs;
@@ -110,13 +112,14 @@ int perform(const Change& change, const std::vector<std::string>& arguments) {
     }
     check(change, request);
     std::vector<dda::Accelerogram> records;
-    for (const fs::path& input : request.inputs) records.push_back(read_accelerogram(input, request.source));
+    for (const fs::path& input : request.inputs)
+        records.push_back(read_accelerogram(input, request.source, records.size()));
     const dda::Accelerogram record = change.apply(request, std::move(records));
     const std::string title = title_of(change, request);
     if (change.writes) write_record(request.output, record, title, "PROCESSED STRONG MOTION RECORD");
     if (!request.spectrum.empty())
         blockgen::write_file_atomically(request.spectrum, spectrum_text(record, request.damping));
-    if (!request.picture.empty()) record_picture(record, title).write(request.picture);
+    if (!request.picture.empty()) record_picture({{title, record}}, title).write(request.picture);
     std::fputs(measures_text(record).c_str(), stdout);
     return 0;
 }
@@ -317,6 +320,8 @@ const std::vector<ChangeCommand>& change_commands() {
         {"correct", "take the drift out of a raw record", run_correct},
         {"match", "change it until its response spectrum is a target", run_match},
         {"slide", "Newmark's estimate of a block's slip on a plane", run_slide},
+        {"plot", "draw one record or several", run_plot},
+        {"amplification", "peak and spectral ratios of two records", run_amplification},
     };
     return commands;
 }

@@ -12,5 +12,5 @@ struct ChangeCommand {
     int (*run)(const std::vector<std::string>& arguments);
 };
 
-/// show, convert, scale, trim, resample, rotate, correct, match and slide: a new one is a function and a row.
+/// All but synthesise: a new one is a function and a row.
 const std::vector<ChangeCommand>& change_commands();

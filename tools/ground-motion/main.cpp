@@ -12,10 +12,10 @@ namespace {
 std::string usage() {
     std::string text =
         "ground-motion SUBCOMMAND [options]\n"
-        "  synthesise   make an artificial accelerogram\n";
+        "  synthesise     make an artificial accelerogram\n";
     for (const ChangeCommand& command : change_commands()) {
         const std::string name = command.name;
-        text += "  " + name + std::string(13 - name.size(), ' ') + command.purpose + "\n";
+        text += "  " + name + std::string(15 - name.size(), ' ') + command.purpose + "\n";
     }
     return text + "ground-motion SUBCOMMAND --help tells the options.\n";
 }

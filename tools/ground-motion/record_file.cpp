@@ -1,9 +1,12 @@
 #include "record_file.hpp"
 
+#include <algorithm>
+#include <cstdio>
 #include <stdexcept>
 
 #include "blockgen/base/atomic_file.hpp"
 #include "blockgen/picture/canvas.hpp"
+#include "dda/record/differentiate.hpp"
 #include "dda/record/record_text.hpp"
 
 namespace po = boost::program_options;
@@ -14,19 +17,46 @@ void add_source_options(po::options_description& options, RecordSource& source) 
     auto add = options.add_options();
     add("format", po::value(&source.format),
         ("of the file, in place of what its content looks like: " + known).c_str());
-    add("unit", po::value(&source.unit),
-        "of its values, where the file does not say: g, m/s2, cm/s2, gal, mm/s2");
-    add("channel", po::value(&source.channel)->default_value(1), "of a file that stacks several, from 1");
+    add("quantity", po::value(&source.quantity),
+        "of a file that holds several, or does not say: acceleration, velocity, displacement");
+    add("unit", po::value(&source.unit), "of its values, where the file does not say: g, m/s2, cm/s2, ...");
+    add("channel", po::value(&source.channels),
+        "of a file that stacks several, from 1 (the first); again, of the next file");
+    add("point", po::value(&source.points),
+        "of the history.csv of a run, with its direction: \"crest x\"; again, of the next file");
 }
 
-dda::Accelerogram read_accelerogram(const std::filesystem::path& path, const RecordSource& source) {
+void check_source(const RecordSource& source, std::size_t files) {
+    if (source.channels.size() > files || source.points.size() > files)
+        throw std::invalid_argument("--channel and --point are for one file each; there are " +
+                                    std::to_string(files));
+}
+
+namespace {
+
+template <class Value>
+Value chosen(const std::vector<Value>& values, std::size_t place, Value otherwise) {
+    return values.empty() ? otherwise : values[std::min(place, values.size() - 1)];
+}
+
+}  // namespace
+
+dda::Accelerogram read_accelerogram(const std::filesystem::path& path, const RecordSource& source,
+                                    std::size_t place) {
     dda::RecordDeclaration declaration;
-    declaration.quantity = dda::Quantity::acceleration;
+    declaration.assumed_quantity = dda::Quantity::acceleration;
+    declaration.quantity = dda::quantity_of_name(source.quantity);
+    if (!source.quantity.empty() && !declaration.quantity)
+        throw std::invalid_argument("--quantity must be acceleration, velocity or displacement");
     declaration.unit = source.unit;
     declaration.format = source.format;
-    declaration.channel = source.channel;
-    dda::Record record = dda::read_record(path, declaration);
-    return {record.dt, std::move(record.values)};
+    declaration.channel = chosen(source.channels, place, 1);
+    declaration.point = chosen(source.points, place, std::string());
+    const dda::Record record = dda::read_record(path, declaration);
+    if (record.quantity != dda::Quantity::acceleration)
+        std::fprintf(stderr, "ground-motion: %s holds %s; its acceleration is that of a cubic spline\n",
+                     path.c_str(), dda::quantity_name(record.quantity).c_str());
+    return {record.dt, dda::acceleration_samples(record)};
 }
 
 void check_record_name(const std::filesystem::path& path) {

@@ -3,23 +3,31 @@
 #include <boost/program_options.hpp>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "dda/record/accelerogram.hpp"
 #include "dda/record/records.hpp"
 
-/// What the command line says of a record that is read.
+/// What the command line says of the records that are read.
 struct RecordSource {
     std::string format;
     std::string unit;
-    int channel = 1;
+    std::string quantity;
+    std::vector<int> channels;        ///< of the first file, the second, ...; the last stands for the rest
+    std::vector<std::string> points;  ///< likewise
 };
 
-/// --format, --unit and --channel.
+/// --format, --quantity, --unit, --channel and --point.
 void add_source_options(boost::program_options::options_description& options, RecordSource& source);
 
-/// The acceleration in a file. @throws InputError as the readers do, also for a file of velocity or
-/// displacement only.
-dda::Accelerogram read_accelerogram(const std::filesystem::path& path, const RecordSource& source);
+/// The acceleration in the file that stands at `place` of the command line, from 0. A velocity or a
+/// displacement is differentiated, and a line on the standard error says so. @throws InputError as the
+/// readers do.
+dda::Accelerogram read_accelerogram(const std::filesystem::path& path, const RecordSource& source,
+                                    std::size_t place = 0);
+
+/// Refuses --channel or --point more often than there are files. @throws std::invalid_argument.
+void check_source(const RecordSource& source, std::size_t files);
 
 /// Refuses a record's file name that ends in neither .at2 nor .csv. @throws std::invalid_argument.
 void check_record_name(const std::filesystem::path& path);

@@ -1,6 +1,7 @@
 #include "record_picture.hpp"
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include "blockgen/picture/axes.hpp"
@@ -15,66 +16,101 @@ using blockgen::Range;
 
 constexpr double standard_gravity = 9.80665;  // m/s2
 
-struct Curve {
-    std::vector<double> x;
-    std::vector<double> y;
-};
-
-/// The curve's largest magnitude with some air above it.
-double reach(const Curve& curve) {
-    return 1.1 * std::max(dda::largest_magnitude(curve.y), 1e-9);
+/// Room for a curve's largest magnitude with some air above it.
+double reach(const std::vector<PictureCurve>& curves) {
+    double largest = 1e-9;
+    for (const PictureCurve& curve : curves) largest = std::max(largest, dda::largest_magnitude(curve.y));
+    return 1.1 * largest;
 }
 
-void draw_curve(Canvas& canvas, const Axes& axes, const Curve& curve, std::size_t number) {
-    std::vector<Point> line;
-    for (std::size_t k = 0; k < curve.x.size(); ++k) {
-        line.push_back(axes.to_page(Point{curve.x[k], curve.y[k]}));
-    }
-    canvas.polyline(line, {blockgen::line_colour(number), 0.7});
+/// Of one curve, its panel's colour; of several, one for each.
+std::size_t colour_of(const std::vector<PictureCurve>& curves, std::size_t k, std::size_t panel) {
+    return curves.size() == 1 ? panel : k;
 }
 
-Curve scaled(const std::vector<double>& times, const std::vector<double>& values, double factor) {
-    Curve curve{times, values};
-    for (double& value : curve.y) {
-        value *= factor;
+void draw_curves(Canvas& canvas, const Axes& axes, const std::vector<PictureCurve>& curves,
+                 std::size_t panel) {
+    canvas.clip(axes.upper_left(), axes.lower_right());
+    for (std::size_t number = 0; number < curves.size(); ++number) {
+        const PictureCurve& curve = curves[number];
+        std::vector<Point> line;
+        for (std::size_t k = 0; k < curve.x.size(); ++k)
+            line.push_back(axes.to_page(Point{curve.x[k], curve.y[k]}));
+        canvas.polyline(line, {blockgen::line_colour(colour_of(curves, number, panel)), 0.7});
     }
+    canvas.unclip();
+}
+
+void draw_names(Canvas& canvas, const Point& place, const std::vector<PictureCurve>& curves) {
+    std::vector<blockgen::LegendEntry> entries;
+    for (std::size_t k = 0; k < curves.size(); ++k) {
+        blockgen::LegendEntry entry;
+        entry.text = curves[k].name;
+        entry.stroke = blockgen::Stroke{blockgen::line_colour(k), 1.1};
+        entry.is_line = true;
+        entries.push_back(entry);
+    }
+    blockgen::draw_legend(canvas, place, "", entries);
+}
+
+PictureCurve over_time(const NamedRecord& record, const std::vector<double>& values, double factor) {
+    PictureCurve curve{record.name, {}, values};
+    for (double& value : curve.y) value *= factor;
+    for (std::size_t k = 0; k < values.size(); ++k)
+        curve.x.push_back(static_cast<double>(k) * record.record.step);
     return curve;
 }
 
-Curve spectrum_curve(const dda::Accelerogram& record) {
-    Curve curve;
+PictureCurve spectrum_curve(const NamedRecord& record) {
+    PictureCurve curve{record.name, {}, {}};
     for (int k = 1; k <= 200; ++k) curve.x.push_back(0.02 * k);
-    for (const dda::SpectralOrdinate& ordinate : dda::response_spectrum(record, curve.x, 0.05)) {
+    for (const dda::SpectralOrdinate& ordinate : dda::response_spectrum(record.record, curve.x, 0.05))
         curve.y.push_back(ordinate.absolute_acceleration / standard_gravity);
-    }
     return curve;
 }
 
 }  // namespace
 
-Canvas record_picture(const dda::Accelerogram& record, const std::string& title) {
-    const dda::GroundMotion motion = dda::integrate(record);
-    std::vector<double> times;
-    for (std::size_t k = 0; k < record.values.size(); ++k) {
-        times.push_back(static_cast<double>(k) * record.step);
+Canvas record_picture(const std::vector<NamedRecord>& records, const std::string& title) {
+    std::array<std::vector<PictureCurve>, 3> histories;
+    std::vector<PictureCurve> spectra;
+    double duration = 0;
+    for (const NamedRecord& record : records) {
+        const dda::GroundMotion motion = dda::integrate(record.record);
+        histories[0].push_back(over_time(record, record.record.values, 1 / standard_gravity));
+        histories[1].push_back(over_time(record, motion.velocity, 1));
+        histories[2].push_back(over_time(record, motion.displacement, 1));
+        spectra.push_back(spectrum_curve(record));
+        duration = std::max(duration, record.record.duration());
     }
-    const std::vector<Curve> curves = {scaled(times, record.values, 1 / standard_gravity),
-                                       scaled(times, motion.velocity, 1),
-                                       scaled(times, motion.displacement, 1)};
     const std::vector<std::string> titles = {"acceleration (g)", "velocity (m/s)", "displacement (m)"};
+    const double legend = records.size() > 1 ? 16.0 * static_cast<double>(records.size()) + 12 : 0;
 
-    Canvas canvas(760, 640);
+    Canvas canvas(760, 640 + legend);
     canvas.text({72, 22}, title, {.size = 11, .bold = true});
-    for (std::size_t k = 0; k < curves.size(); ++k) {
+    for (std::size_t k = 0; k < histories.size(); ++k) {
         const double top = 38 + 195 * static_cast<double>(k);
-        const Axes axes({72, top}, {445, top + 165}, Range{0, record.duration()},
-                        Range{-reach(curves[k]), reach(curves[k])});
-        axes.draw(canvas, k + 1 == curves.size() ? "time (s)" : "", titles[k], true);
-        draw_curve(canvas, axes, curves[k], k);
+        const double room = reach(histories[k]);
+        const Axes axes({72, top}, {445, top + 165}, Range{0, duration}, Range{-room, room});
+        axes.draw(canvas, k + 1 == histories.size() ? "time (s)" : "", titles[k], true);
+        draw_curves(canvas, axes, histories[k], k);
     }
-    const Curve spectrum = spectrum_curve(record);
-    const Axes axes({518, 38}, {740, 593}, Range{0, 4}, Range{0, reach(spectrum)});
+    const Axes axes({518, 38}, {740, 593}, Range{0, 4}, Range{0, reach(spectra)});
     axes.draw(canvas, "period (s)", "absolute acceleration, 5 % damping (g)", true);
-    draw_curve(canvas, axes, spectrum, 3);
+    draw_curves(canvas, axes, spectra, 3);
+    if (records.size() > 1) draw_names(canvas, {72, 632}, spectra);
+    return canvas;
+}
+
+Canvas period_picture(const std::vector<PictureCurve>& curves, const std::string& title,
+                      const std::string& y_title) {
+    double longest = 0;
+    for (const PictureCurve& curve : curves) longest = std::max(longest, curve.x.back());
+    Canvas canvas(560, 330 + 16 * static_cast<double>(curves.size()) + 12);
+    canvas.text({60, 22}, title, {.size = 11, .bold = true});
+    const Axes axes({60, 34}, {540, 284}, Range{0, longest}, Range{0, reach(curves)});
+    axes.draw(canvas, "period (s)", y_title, true);
+    draw_curves(canvas, axes, curves, 0);
+    draw_names(canvas, {60, 322}, curves);
     return canvas;
 }

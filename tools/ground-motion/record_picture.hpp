@@ -1,10 +1,28 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "blockgen/picture/canvas.hpp"
 #include "dda/record/accelerogram.hpp"
 
-/// Acceleration (g), velocity (m/s) and displacement (m) of a record against time, beside its 5 % response
-/// spectrum up to 4 s.
-blockgen::Canvas record_picture(const dda::Accelerogram& record, const std::string& title);
+/// A record and its name in the picture.
+struct NamedRecord {
+    std::string name;
+    dda::Accelerogram record;
+};
+
+/// Acceleration (g), velocity (m/s) and displacement (m) of records against time, beside their 5 % response
+/// spectra up to 4 s; with a legend where there are several. @param records at least one.
+blockgen::Canvas record_picture(const std::vector<NamedRecord>& records, const std::string& title);
+
+/// A line of a picture.
+struct PictureCurve {
+    std::string name;
+    std::vector<double> x;
+    std::vector<double> y;
+};
+
+/// Curves over periods, with a legend.
+blockgen::Canvas period_picture(const std::vector<PictureCurve>& curves, const std::string& title,
+                                const std::string& y_title);

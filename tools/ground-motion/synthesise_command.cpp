@@ -118,7 +118,7 @@ int run_synthesise(const std::vector<std::string>& arguments) {
         blockgen::write_file_atomically(request.spectrum, spectrum_text(record, 0.05));
     }
     if (!request.picture.empty()) {
-        record_picture(record, title(request)).write(request.picture);
+        record_picture({{"", record}}, title(request)).write(request.picture);
     }
     std::fputs(measures_text(record).c_str(), stdout);
     return 0;

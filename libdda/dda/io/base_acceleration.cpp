@@ -1,40 +1,18 @@
 #include "dda/io/base_acceleration.hpp"
 
 #include <Eigen/LU>
-#include <boost/math/interpolators/cardinal_cubic_b_spline.hpp>
 #include <cmath>
-#include <limits>
+
+#include "dda/record/differentiate.hpp"
 
 namespace dda {
 
-namespace {
-
-using Spline = boost::math::interpolators::cardinal_cubic_b_spline<double>;
-
-constexpr std::size_t least_samples = 5;  // the spline estimates its end slopes from five samples
-
-std::vector<double> derivative_of(const Record& record) {
-    const double estimated = std::numeric_limits<double>::quiet_NaN();
-    const bool from_rest = record.quantity == Quantity::displacement;
-    const Spline spline(record.values.begin(), record.values.end(), 0.0, record.dt,
-                        from_rest ? 0.0 : estimated, estimated);
-    std::vector<double> result(record.values.size());
-    for (std::size_t i = 0; i < result.size(); ++i) {
-        const double time = static_cast<double>(i) * record.dt;
-        result[i] = from_rest ? spline.double_prime(time) : spline.prime(time);
-    }
-    return result;
-}
-
-}  // namespace
-
 TimeTable acceleration_of(const Record& record, double scale, const blockgen::SourcePlace& place) {
-    const bool is_acceleration = record.quantity == Quantity::acceleration;
-    if (!is_acceleration && record.values.size() < least_samples)
+    if (record.quantity != Quantity::acceleration && record.values.size() < least_differentiable)
         throw blockgen::InputError(place,
                                    "the record has " + std::to_string(record.values.size()) + " samples",
                                    "at least 5 to differentiate a " + quantity_name(record.quantity));
-    std::vector<double> values = is_acceleration ? record.values : derivative_of(record);
+    std::vector<double> values = acceleration_samples(record);
     std::vector<double> times(values.size());
     for (std::size_t i = 0; i < values.size(); ++i) {
         times[i] = static_cast<double>(i) * record.dt;

@@ -11,9 +11,7 @@ enum class Baseline { none, drift };
 
 /// A record as the acceleration that a prescribed block follows, m/s2, times `scale`.
 ///
-/// An acceleration is taken as it is. A velocity is the first, a displacement the second derivative of the
-/// cubic spline through its samples; a displacement starts from rest (zero slope), so what it begins with is
-/// no jump.
+/// A velocity or a displacement is differentiated, see acceleration_samples().
 /// @throws InputError at `place` when the record is too short for a spline (5 samples).
 TimeTable acceleration_of(const Record& record, double scale, const blockgen::SourcePlace& place);
 

@@ -59,6 +59,7 @@ Record read_axis_record(const ConfigTable& axis, InputFiles& files) {
     if (axis.has("unit")) declaration.unit = axis.string("unit");
     if (axis.has("format")) declaration.format = axis.choice("format", record_format_keys());
     if (axis.has("channel")) declaration.channel = count(axis, "channel", 1);
+    if (axis.has("point")) declaration.point = axis.string("point");
     files.push_back(axis.file_path("file"));
     return read_record(files.back(), declaration);
 }

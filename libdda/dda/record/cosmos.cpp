@@ -4,7 +4,7 @@
 // Every block states its layout; fields may touch.
 
 #include "dda/record/fixed_fields.hpp"
-#include "dda/record/record_formats.hpp"
+#include "dda/record/record_format.hpp"
 #include "dda/record/stacked_blocks.hpp"
 
 namespace dda {
@@ -74,8 +74,6 @@ double header_number(const std::vector<double>& header, std::size_t number, cons
     return header[number - 1];
 }
 
-}  // namespace
-
 bool is_cosmos(const RecordLines& lines) {
     constexpr std::size_t longest_text = 40;
     for (std::size_t i = 0; i < std::min(longest_text, lines.size()); ++i)
@@ -106,5 +104,9 @@ Record read_cosmos(const RecordLines& lines, const RecordDeclaration& declaratio
     settle_units(record, announced.quantity, announced.unit, declaration, lines, line);
     return record;
 }
+
+}  // namespace
+
+const RecordFormat cosmos_format{"cosmos", "COSMOS V1.2", true, is_cosmos, read_cosmos};
 
 }  // namespace dda

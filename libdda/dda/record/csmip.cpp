@@ -4,7 +4,7 @@
 // in fields of ten characters, which may touch.
 
 #include "dda/record/fixed_fields.hpp"
-#include "dda/record/record_formats.hpp"
+#include "dda/record/record_format.hpp"
 #include "dda/record/stacked_blocks.hpp"
 
 namespace dda {
@@ -43,8 +43,6 @@ std::vector<StackedBlock> blocks_of(const RecordLines& lines) {
     return blocks;
 }
 
-}  // namespace
-
 bool is_csmip(const RecordLines& lines) {
     constexpr std::size_t longest_header = 100;
     for (std::size_t i = 0; i < std::min(longest_header, lines.size()); ++i)
@@ -65,5 +63,9 @@ Record read_csmip(const RecordLines& lines, const RecordDeclaration& declaration
     settle_units(record, announced.quantity, announced.unit, declaration, lines, line);
     return record;
 }
+
+}  // namespace
+
+const RecordFormat csmip_format{"csmip", "CSMIP V2", true, is_csmip, read_csmip};
 
 }  // namespace dda

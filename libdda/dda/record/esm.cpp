@@ -2,7 +2,7 @@
 
 #include "blockgen/base/text.hpp"
 #include "dda/record/fixed_fields.hpp"
-#include "dda/record/record_formats.hpp"
+#include "dda/record/record_format.hpp"
 
 namespace dda {
 
@@ -27,8 +27,6 @@ HeaderValue header_value(const RecordLines& lines, std::string_view key) {
     if (!value) lines.fail(0, "the header has no " + std::string(key), "an ESM header of 64 lines");
     return *value;
 }
-
-}  // namespace
 
 bool is_esm(const RecordLines& lines) {
     return find_value(lines, "SAMPLING_INTERVAL_S") && find_value(lines, "NDATA");
@@ -58,5 +56,9 @@ Record read_esm(const RecordLines& lines, const RecordDeclaration& declaration) 
     settle_units(record, quantity, std::string(unit.text), declaration, lines, unit.line);
     return record;
 }
+
+}  // namespace
+
+const RecordFormat esm_format{"esm", "ESM", false, is_esm, read_esm};
 
 }  // namespace dda

@@ -3,7 +3,7 @@
 
 #include "blockgen/base/text.hpp"
 #include "dda/record/fixed_fields.hpp"
-#include "dda/record/record_formats.hpp"
+#include "dda/record/record_format.hpp"
 #include "dda/record/stacked_blocks.hpp"
 
 namespace dda {
@@ -73,8 +73,6 @@ std::vector<TimeHistory> histories_of(const RecordLines& lines) {
     return histories;
 }
 
-}  // namespace
-
 bool is_geonet(const RecordLines& lines) {
     if (lines.size() < header_lines || lower_case(lines[0]).find("accelerogram") == std::string::npos)
         return false;
@@ -97,5 +95,9 @@ Record read_geonet(const RecordLines& lines, const RecordDeclaration& declaratio
                  lines, history.block.line);
     return record;
 }
+
+}  // namespace
+
+const RecordFormat geonet_format{"geonet", "GeoNet V1A or V2A", true, is_geonet, read_geonet};
 
 }  // namespace dda

@@ -5,7 +5,7 @@
 
 #include "blockgen/base/text.hpp"
 #include "dda/record/fixed_fields.hpp"
-#include "dda/record/record_formats.hpp"
+#include "dda/record/record_format.hpp"
 
 namespace dda {
 
@@ -53,8 +53,6 @@ double scale_factor(const RecordLines& lines) {
                "such as 3920(gal)/6182761", value_column + 1);
 }
 
-}  // namespace
-
 bool is_knet(const RecordLines& lines) {
     if (lines.size() < header_lines || !lines[0].starts_with("Origin Time")) return false;
     for (std::size_t i = 1; i < header_lines; ++i)
@@ -84,5 +82,9 @@ Record read_knet(const RecordLines& lines, const RecordDeclaration& declaration)
                  header_value(lines, "Scale Factor").line);
     return record;
 }
+
+}  // namespace
+
+const RecordFormat knet_format{"knet", "K-NET or KiK-net", false, is_knet, read_knet};
 
 }  // namespace dda

@@ -1,11 +1,13 @@
 #include <algorithm>
 
-#include "dda/record/record_formats.hpp"
+#include "dda/record/record_format.hpp"
 
 namespace dda {
 
 /// Version 2 begins with a sequence number of six digits, a letter for the quality and a blank, version 3
 /// with "MS" and a 3; both are binary.
+namespace {
+
 bool is_miniseed(const RecordLines& lines) {
     const std::string_view bytes = lines.bytes();
     constexpr std::size_t fixed_header = 40;
@@ -26,5 +28,9 @@ Record refuse_miniseed(const RecordLines& lines, const RecordDeclaration&) {
         "with the tools of the data centre or with ObsPy's remove_response, and write two columns",
         "time in s and acceleration, velocity or displacement, with their unit");
 }
+
+}  // namespace
+
+const RecordFormat miniseed_format{"miniseed", "miniSEED", false, is_miniseed, refuse_miniseed};
 
 }  // namespace dda

@@ -2,7 +2,7 @@
 #include <charconv>
 
 #include "blockgen/base/text.hpp"
-#include "dda/record/record_formats.hpp"
+#include "dda/record/record_format.hpp"
 
 namespace dda {
 
@@ -71,8 +71,6 @@ std::vector<double> numbers_of(const RecordLines& lines, std::size_t count) {
     return values;
 }
 
-}  // namespace
-
 bool is_peer(const RecordLines& lines) {
     if (lines.size() < header_lines) return false;
     const auto words = words_of(lines[kind_line]);
@@ -98,5 +96,9 @@ Record read_peer(const RecordLines& lines, const RecordDeclaration& declaration)
                  declaration, lines, kind_line);
     return record;
 }
+
+}  // namespace
+
+const RecordFormat peer_format{"peer", "PEER (AT2, VT2, DT2)", false, is_peer, read_peer};
 
 }  // namespace dda

@@ -33,6 +33,9 @@ class RecordLines {
 /// The words of a line between blanks, tabs and the other separators given.
 std::vector<std::string_view> words_of(std::string_view line, std::string_view separators = " \t");
 
+/// The fields of a line of CSV, unquoted.
+std::vector<std::string> csv_fields(std::string_view line);
+
 /// Without the blanks and tabs at both ends.
 std::string_view trimmed(std::string_view text);
 

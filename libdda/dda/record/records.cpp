@@ -1,9 +1,11 @@
 #include "dda/record/records.hpp"
 
+#include <array>
+
 #include "blockgen/base/magnitude.hpp"
 #include "blockgen/base/read_file.hpp"
 #include "blockgen/base/text.hpp"
-#include "dda/record/record_formats.hpp"
+#include "dda/record/record_format.hpp"
 
 namespace dda {
 
@@ -49,18 +51,18 @@ std::string known_units(Quantity quantity) {
 
 const RecordFormat& declared_format(const std::string& key, const std::string& file_name) {
     std::string known;
-    for (const RecordFormat& format : record_formats) {
-        if (key == format.key) return format;
-        known += (known.empty() ? "" : ", ") + std::string(format.key);
+    for (const RecordFormat* format : record_formats()) {
+        if (key == format->key) return *format;
+        known += (known.empty() ? "" : ", ") + std::string(format->key);
     }
     throw blockgen::InputError({file_name}, "the format '" + key + "' is not known", known);
 }
 
 const RecordFormat& recognised_format(const RecordLines& lines) {
     std::string known;
-    for (const RecordFormat& format : record_formats) {
-        if (format.recognises(lines)) return format;
-        known += (known.empty() ? "" : ", ") + std::string(format.name);
+    for (const RecordFormat* format : record_formats()) {
+        if (format->recognises(lines)) return *format;
+        known += (known.empty() ? "" : ", ") + std::string(format->name);
     }
     const bool binary = lines.bytes().substr(0, 4096).find('\0') != std::string_view::npos;
     throw blockgen::InputError(
@@ -69,6 +71,13 @@ const RecordFormat& recognised_format(const RecordLines& lines) {
 }
 
 }  // namespace
+
+std::span<const RecordFormat* const> record_formats() {
+    static const std::array table = {&peer_format,     &knet_format,        &cosmos_format,     &csmip_format,
+                                     &esm_format,      &geonet_format,      &smc_format,        &sac_format,
+                                     &miniseed_format, &run_history_format, &two_columns_format};
+    return table;
+}
 
 std::string quantity_name(Quantity quantity) {
     switch (quantity) {
@@ -103,11 +112,12 @@ void check_sampling(double dt, std::size_t count, const RecordLines& lines, std:
 
 void settle_units(Record& record, std::optional<Quantity> own_quantity, const std::string& own_unit,
                   const RecordDeclaration& declaration, const RecordLines& lines, std::size_t index) {
-    if (!own_quantity && !declaration.quantity)
+    const std::optional<Quantity> told = declaration.quantity ? declaration.quantity : own_quantity;
+    if (!told && !declaration.assumed_quantity)
         lines.fail(index, "nothing says what the values are",
                    "quantity = \"acceleration\", \"velocity\" or \"displacement\" beside file = ... in the "
                    "model file");
-    record.quantity = declaration.quantity.value_or(own_quantity.value_or(Quantity::acceleration));
+    record.quantity = told ? *told : *declaration.assumed_quantity;
     if (own_quantity && *own_quantity != record.quantity)
         lines.fail(index, "the file holds " + quantity_name(*own_quantity),
                    quantity_name(record.quantity) + ", as the model file says");
@@ -139,12 +149,17 @@ Record parse_record(std::string_view text, const std::string& file_name,
                                    "there is no channel " + std::to_string(declaration.channel) + ": a " +
                                        format.name + " file holds one",
                                    "no channel");
+    if (&format != &run_history_format && !declaration.point.empty())
+        throw blockgen::InputError(
+            {file_name},
+            "there is no point '" + declaration.point + "': a " + format.name + " file holds no points",
+            "the history.csv of a run, or no point");
     return format.read(lines, declaration);
 }
 
 std::vector<std::string> record_format_keys() {
     std::vector<std::string> keys;
-    for (const RecordFormat& format : record_formats) keys.emplace_back(format.key);
+    for (const RecordFormat* format : record_formats()) keys.emplace_back(format->key);
     return keys;
 }
 

@@ -25,6 +25,8 @@ struct RecordDeclaration {
     std::string unit = {};                  ///< "g", "cm/s2", ...; empty: the file's own
     std::string format = {};                ///< one of record_format_keys(); empty: told from the content
     int channel = 1;                        ///< which channel of a file that stacks several, from 1
+    std::string point = {};                 ///< "crest x": of a run's history, a point and a direction
+    std::optional<Quantity> assumed_quantity = {};  ///< where neither the file nor `quantity` says it
 };
 
 /// Reads a record. The format is told from the content, never from the name, unless it is declared.

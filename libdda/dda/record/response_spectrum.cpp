@@ -1,6 +1,7 @@
 #include "dda/record/response_spectrum.hpp"
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -39,41 +40,40 @@ StepMatrices step_matrices(double frequency, double damping, double h) {
     return step;
 }
 
-Accelerogram resampled(const Accelerogram& record, int parts) {
-    if (parts <= 1 || record.values.empty()) {
-        return record;
+/// Calls visit(displacement, velocity, absolute acceleration) at the start and after each of `parts` steps
+/// between samples.
+template <class Visit>
+void march(const Accelerogram& record, double period, double damping, int parts, const Visit& visit) {
+    if (!(period > 0) || !(damping >= 0 && damping < 1)) {
+        throw std::invalid_argument("an oscillator needs a positive period and a damping in [0, 1)");
     }
-    Accelerogram fine{record.step / parts, {}};
-    fine.values.reserve((record.values.size() - 1) * static_cast<std::size_t>(parts) + 1);
-    for (std::size_t k = 0; k + 1 < record.values.size(); ++k) {
+    const double frequency = 2 * std::numbers::pi / period;
+    const StepMatrices step = step_matrices(frequency, damping, record.step / parts);
+    Eigen::Vector2d state = Eigen::Vector2d::Zero();
+    const auto tell = [&] {
+        visit(state[0], state[1], -frequency * (frequency * state[0] + 2 * damping * state[1]));
+    };
+    if (!record.values.empty()) tell();
+    for (std::size_t k = 1; k < record.values.size(); ++k) {
         for (int i = 0; i < parts; ++i) {
-            fine.values.push_back(
-                std::lerp(record.values[k], record.values[k + 1], static_cast<double>(i) / parts));
+            const auto ground = [&](int part) {
+                return std::lerp(record.values[k - 1], record.values[k], static_cast<double>(part) / parts);
+            };
+            state = step.transition * state + step.load * Eigen::Vector2d(ground(i), ground(i + 1));
+            tell();
         }
     }
-    fine.values.push_back(record.values.back());
-    return fine;
 }
 
 }  // namespace
 
 OscillatorMotion oscillate(const Accelerogram& record, double period, double damping) {
-    if (!(period > 0) || !(damping >= 0 && damping < 1)) {
-        throw std::invalid_argument("an oscillator needs a positive period and a damping in [0, 1)");
-    }
-    const double frequency = 2 * std::numbers::pi / period;
-    const StepMatrices step = step_matrices(frequency, damping, record.step);
-    const std::size_t count = record.values.size();
-    OscillatorMotion motion{std::vector<double>(count, 0.0), std::vector<double>(count, 0.0),
-                            std::vector<double>(count, 0.0)};
-    Eigen::Vector2d state = Eigen::Vector2d::Zero();
-    for (std::size_t k = 1; k < count; ++k) {
-        const Eigen::Vector2d ground(record.values[k - 1], record.values[k]);
-        state = step.transition * state + step.load * ground;
-        motion.displacement[k] = state[0];
-        motion.velocity[k] = state[1];
-        motion.absolute_acceleration[k] = -frequency * (frequency * state[0] + 2 * damping * state[1]);
-    }
+    OscillatorMotion motion;
+    march(record, period, damping, 1, [&](double displacement, double velocity, double acceleration) {
+        motion.displacement.push_back(displacement);
+        motion.velocity.push_back(velocity);
+        motion.absolute_acceleration.push_back(acceleration);
+    });
     return motion;
 }
 
@@ -81,11 +81,14 @@ std::vector<SpectralOrdinate> response_spectrum(const Accelerogram& record, std:
                                                 double damping) {
     std::vector<SpectralOrdinate> spectrum;
     for (const double period : periods) {
-        const int parts = static_cast<int>(std::ceil(20 * record.step / period));
-        const OscillatorMotion motion = oscillate(resampled(record, parts), period, damping);
-        spectrum.push_back({period, largest_magnitude(motion.displacement),
-                            largest_magnitude(motion.velocity),
-                            largest_magnitude(motion.absolute_acceleration)});
+        const int parts = std::max(1, static_cast<int>(std::ceil(20 * record.step / period)));
+        SpectralOrdinate largest{period, 0, 0, 0};
+        march(record, period, damping, parts, [&](double u, double v, double a) {
+            largest.displacement = std::max(largest.displacement, std::abs(u));
+            largest.velocity = std::max(largest.velocity, std::abs(v));
+            largest.absolute_acceleration = std::max(largest.absolute_acceleration, std::abs(a));
+        });
+        spectrum.push_back(largest);
     }
     return spectrum;
 }

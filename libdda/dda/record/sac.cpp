@@ -8,7 +8,7 @@
 #include <cstdint>
 
 #include "blockgen/base/text.hpp"
-#include "dda/record/record_formats.hpp"
+#include "dda/record/record_format.hpp"
 
 namespace dda {
 
@@ -72,8 +72,6 @@ std::size_t checked_count(const RecordLines& lines, bool big) {
     return static_cast<std::size_t>(points);
 }
 
-}  // namespace
-
 bool is_sac(const RecordLines& lines) {
     const auto big = is_big_endian(lines.bytes());
     if (!big) return false;
@@ -102,5 +100,9 @@ Record read_sac(const RecordLines& lines, const RecordDeclaration& declaration) 
     settle_units(record, std::nullopt, "", declaration, lines, 0);
     return record;
 }
+
+}  // namespace
+
+const RecordFormat sac_format{"sac", "SAC", false, is_sac, read_sac};
 
 }  // namespace dda

@@ -5,7 +5,7 @@
 
 #include "blockgen/base/text.hpp"
 #include "dda/record/fixed_fields.hpp"
-#include "dda/record/record_formats.hpp"
+#include "dda/record/record_format.hpp"
 
 namespace dda {
 
@@ -48,8 +48,6 @@ std::size_t samples_line(const RecordLines& lines, std::size_t comments) {
     return comments_line + comments;
 }
 
-}  // namespace
-
 bool is_smc(const RecordLines& lines) {
     return lines.size() > comments_line && quantity_of_title(lines[0]) &&
            has_fixed_fields(lines, text_lines, integers_count, integers_layout) &&
@@ -78,5 +76,9 @@ Record read_smc(const RecordLines& lines, const RecordDeclaration& declaration) 
     settle_units(record, quantity, units[static_cast<int>(*quantity)], declaration, lines, 0);
     return record;
 }
+
+}  // namespace
+
+const RecordFormat smc_format{"smc", "USGS SMC", false, is_smc, read_smc};
 
 }  // namespace dda

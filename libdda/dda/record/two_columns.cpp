@@ -6,7 +6,7 @@
 
 #include "blockgen/base/magnitude.hpp"
 #include "blockgen/base/text.hpp"
-#include "dda/record/record_formats.hpp"
+#include "dda/record/record_format.hpp"
 #include "dda/record/two_columns.hpp"
 
 namespace dda {
@@ -94,8 +94,6 @@ double even_step(const RecordLines& lines, const TwoColumns& columns) {
     return std::abs(rounded - dt) <= 1e-12 ? rounded : dt;
 }
 
-}  // namespace
-
 bool is_two_columns(const RecordLines& lines) {
     const std::size_t first = first_content(lines);
     if (first < lines.size() && begins_with_number(lines[first])) return true;
@@ -103,6 +101,16 @@ bool is_two_columns(const RecordLines& lines) {
     while (second < lines.size() && is_skipped(lines[second])) ++second;
     return second < lines.size() && row_of(lines[second]).has_value();
 }
+
+Record read_two_columns(const RecordLines& lines, const RecordDeclaration& declaration) {
+    TwoColumns columns = parse_two_columns(lines);
+    Record record{even_step(lines, columns), std::move(columns.values), {}};
+    settle_units(record, columns.heading.quantity, columns.heading.unit, declaration, lines,
+                 first_content(lines));
+    return record;
+}
+
+}  // namespace
 
 TwoColumns parse_two_columns(const RecordLines& lines) {
     TwoColumns columns;
@@ -128,12 +136,7 @@ TwoColumns parse_two_columns(const RecordLines& lines) {
     return columns;
 }
 
-Record read_two_columns(const RecordLines& lines, const RecordDeclaration& declaration) {
-    TwoColumns columns = parse_two_columns(lines);
-    Record record{even_step(lines, columns), std::move(columns.values), {}};
-    settle_units(record, columns.heading.quantity, columns.heading.unit, declaration, lines,
-                 first_content(lines));
-    return record;
-}
+const RecordFormat two_columns_format{"csv", "two columns (time, value)", false, is_two_columns,
+                                      read_two_columns};
 
 }  // namespace dda

@@ -6,7 +6,7 @@
 #include <random>
 #include <string_view>
 
-#include "dda/record/record_formats.hpp"
+#include "dda/record/record_format.hpp"
 #include "small_records.hpp"
 #include "support/error_of.hpp"
 
@@ -37,10 +37,12 @@ RecordDeclaration declaration_for(const std::string& format) {
 TEST(RecordFormats, EachIsRecognisedBeforeAllOthers) {
     for (const auto& [key, text] : small_records::all()) {
         const RecordLines lines(text, "r");
-        const auto first = std::find_if(record_formats.begin(), record_formats.end(),
-                                        [&](const RecordFormat& format) { return format.recognises(lines); });
-        ASSERT_NE(first, record_formats.end()) << key;
-        EXPECT_STREQ(first->key, key);
+        const auto formats = record_formats();
+        const auto first = std::find_if(formats.begin(), formats.end(), [&](const RecordFormat* format) {
+            return format->recognises(lines);
+        });
+        ASSERT_NE(first, formats.end()) << key;
+        EXPECT_STREQ((*first)->key, key);
     }
 }
 
@@ -190,8 +192,8 @@ TEST(RecordFormats, DamagedFilesAreReadOrRefused) {
                 }
             }
             if (trial % 10 == 0) damaged.resize(pick(damaged.size()));
-            for (const RecordFormat& format : record_formats) {
-                RecordDeclaration declaration{Quantity::acceleration, "", format.key};
+            for (const RecordFormat* format : record_formats()) {
+                RecordDeclaration declaration{Quantity::acceleration, "", format->key};
                 refused += error_in(damaged, declaration) != "no error";
             }
             error_in(damaged, declaration_for(key));

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "dda/record/records.hpp"
+
+namespace dda {
+
+/// Samples that a record of velocity or displacement must have to be differentiated.
+inline constexpr std::size_t least_differentiable = 5;
+
+/// The acceleration at a record's samples, m/s2: the record itself, or the first derivative of the cubic
+/// spline through a velocity, the second of that through a displacement. A displacement starts from rest
+/// (zero slope), so what it begins with is no jump.
+/// @throws std::invalid_argument for a velocity or displacement of fewer than `least_differentiable` samples.
+std::vector<double> acceleration_samples(const Record& record);
+
+}  // namespace dda

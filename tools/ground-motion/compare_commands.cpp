@@ -1,0 +1,174 @@
+#include "compare_commands.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+#include <stdexcept>
+
+#include "blockgen/base/atomic_file.hpp"
+#include "blockgen/base/output_check.hpp"
+#include "dda/record/amplification.hpp"
+#include "dda/record/measures.hpp"
+#include "measures_text.hpp"
+#include "record_file.hpp"
+#include "record_picture.hpp"
+
+namespace po = boost::program_options;
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double standard_gravity = 9.80665;  // m/s2
+
+struct Request {
+    std::vector<std::string> files;
+    RecordSource source;
+    fs::path output, picture;
+    double damping = 0.05;
+    bool wants_help = false;
+};
+
+void parse(const std::vector<std::string>& arguments, po::options_description& options, Request& request) {
+    add_source_options(options, request.source);
+    options.add_options()("help,h", "this text");
+    po::options_description all;
+    all.add(options).add_options()("file", po::value(&request.files));
+    po::positional_options_description positional;
+    positional.add("file", -1);
+    const int style = po::command_line_style::default_style & ~po::command_line_style::allow_guessing;
+    po::variables_map values;
+    po::store(po::command_line_parser(arguments).options(all).positional(positional).style(style).run(),
+              values);
+    po::notify(values);
+    request.wants_help = values.count("help") > 0;
+    if (request.wants_help) std::cout << options;
+}
+
+void check_outputs(const Request& request) {
+    const std::vector<fs::path> read(request.files.begin(), request.files.end());
+    for (const fs::path& path : {request.output, request.picture})
+        if (!path.empty()) blockgen::check_output(path, read);
+    blockgen::check_distinct({request.output, request.picture});
+}
+
+std::vector<NamedRecord> read_all(const Request& request) {
+    std::vector<NamedRecord> records;
+    for (const std::string& file : request.files) {
+        const std::size_t place = records.size();
+        const auto& points = request.source.points;
+        std::string name = fs::path(file).filename().string();
+        if (!points.empty()) name += ": " + points[std::min(place, points.size() - 1)];
+        records.push_back({name, read_accelerogram(file, request.source, place)});
+    }
+    return records;
+}
+
+template <class... Values>
+std::string formatted(const char* format, Values... values) {
+    std::array<char, 200> buffer{};
+    std::snprintf(buffer.data(), buffer.size(), format, values...);
+    return buffer.data();
+}
+
+/// 61 periods from 0.02 to 6.3 s, but none beyond a third of the record.
+std::vector<double> compared_periods(double duration) {
+    std::vector<double> periods;
+    for (int k = 0; k <= 60; ++k) {
+        const double period = 0.02 * std::pow(10.0, k / 24.0);
+        if (k > 0 && period > duration / 3) break;
+        periods.push_back(period);
+    }
+    return periods;
+}
+
+std::string table_text(const std::vector<dda::Amplification>& table) {
+    std::string text =
+        "period (s),frequency (Hz),response of the point (g),response of the base (g),response ratio,Fourier "
+        "ratio\n";
+    for (const dda::Amplification& a : table)
+        text += formatted("%.4f,%.4f,%.5f,%.5f,%.4f,%.4f\n", a.period, 1 / a.period,
+                          a.response / standard_gravity, a.base_response / standard_gravity,
+                          a.response_ratio(), a.fourier_ratio);
+    return text;
+}
+
+blockgen::Canvas ratio_picture(const std::vector<dda::Amplification>& table, const std::string& title) {
+    PictureCurve response{"response spectra", {}, {}}, fourier{"Fourier spectra, smoothed", {}, {}};
+    for (const dda::Amplification& a : table) {
+        response.x.push_back(a.period);
+        response.y.push_back(a.response_ratio());
+        fourier.x.push_back(a.period);
+        fourier.y.push_back(a.fourier_ratio);
+    }
+    return period_picture({response, fourier}, title, "amplification");
+}
+
+}  // namespace
+
+int run_plot(const std::vector<std::string>& arguments) {
+    Request request;
+    po::options_description options(
+        "ground-motion plot FILE [FILE ...] -o PICTURE [options]\n"
+        "Draws accelerations, velocities, displacements and 5 % spectra into one picture");
+    options.add_options()("output,o", po::value(&request.picture), "the picture: SVG, PNG or PDF");
+    parse(arguments, options, request);
+    if (request.wants_help) return 0;
+    if (request.files.empty()) throw std::invalid_argument("0 records are given; expected one or more");
+    if (!blockgen::picture_format(request.picture))
+        throw std::invalid_argument(
+            "--output names no picture file; expected a name that ends in .svg, .png or .pdf");
+    check_source(request.source, request.files.size());
+    check_outputs(request);
+    const std::vector<NamedRecord> records = read_all(request);
+    record_picture(records, records.size() == 1 ? records[0].name : "records of ground motion")
+        .write(request.picture);
+    return 0;
+}
+
+int run_amplification(const std::vector<std::string>& arguments) {
+    Request request;
+    po::options_description options(
+        "ground-motion amplification POINT BASE [-o TABLE.csv] [options]\n"
+        "How much more one record moves than another: peaks, response spectra, Fourier spectra");
+    auto add = options.add_options();
+    add("output,o", po::value(&request.output), "the ratios at 61 periods, CSV");
+    add("picture", po::value(&request.picture), "the ratios over the period, SVG, PNG or PDF");
+    add("damping", po::value(&request.damping)->default_value(0.05, "0.05"),
+        "of the oscillators, of critical");
+    parse(arguments, options, request);
+    if (request.wants_help) return 0;
+    if (request.files.size() != 2)
+        throw std::invalid_argument(std::to_string(request.files.size()) + " records are given; expected 2");
+    if (!request.picture.empty()) check_picture_name(request.picture);
+    check_source(request.source, 2);
+    check_outputs(request);
+    const std::vector<NamedRecord> records = read_all(request);
+    const dda::Accelerogram &point = records[0].record, &base = records[1].record;
+    const auto table = dda::amplification(
+        point, base, compared_periods(std::min(point.duration(), base.duration())), request.damping);
+    if (!request.output.empty()) blockgen::write_file_atomically(request.output, table_text(table));
+    if (!request.picture.empty())
+        ratio_picture(table, records[0].name + " over " + records[1].name).write(request.picture);
+
+    const dda::RecordMeasures m = dda::measure(point), b = dda::measure(base);
+    const auto ratio = [](double a, double c) { return c > 0 ? a / c : 0; };
+    const auto largest = std::max_element(table.begin(), table.end(), [](const auto& x, const auto& y) {
+        return x.response_ratio() < y.response_ratio();
+    });
+    std::fputs(
+        formatted("peak acceleration %.4f g over %.4f g: %.3f\n", m.peak_acceleration / standard_gravity,
+                  b.peak_acceleration / standard_gravity, ratio(m.peak_acceleration, b.peak_acceleration))
+            .c_str(),
+        stdout);
+    std::fputs(formatted("peak velocity %.4f m/s over %.4f m/s: %.3f\n", m.peak_velocity, b.peak_velocity,
+                         ratio(m.peak_velocity, b.peak_velocity))
+                   .c_str(),
+               stdout);
+    std::fputs(formatted("response spectra: largest ratio %.3f, at a period of %.3f s\n",
+                         largest->response_ratio(), largest->period)
+                   .c_str(),
+               stdout);
+    return 0;
+}

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+/// `ground-motion plot`: draws one record or several into one picture.
+int run_plot(const std::vector<std::string>& arguments);
+
+/// `ground-motion amplification`: how much more one point moved than another, in peaks and spectra.
+int run_amplification(const std::vector<std::string>& arguments);
+// Both: @param arguments of the command line after the subcommand. @returns the exit code.
+// @throws boost::program_options::error, std::invalid_argument for bad arguments; InputError, OutputError.
