@@ -13,8 +13,11 @@ namespace {
 bool on_one_line(const Contact& a, const Contact& b) {
     if (a.joint_material != b.joint_material || a.length == 0 || b.length == 0) return false;
     if (std::abs(cross(a.normal, b.normal)) > parallel_tolerance) return false;
+    // Corners that have come close, as at the two ends of a short overlap, are apart by what the joint has
+    // dilated.
     const Vec2 between = b.point - a.point;
-    return std::abs(between.dot(a.normal)) <= parallel_tolerance * between.norm();
+    return std::abs(between.dot(a.normal)) <=
+           parallel_tolerance * std::max({between.norm(), a.length, b.length});
 }
 
 }  // namespace
