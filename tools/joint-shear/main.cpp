@@ -25,6 +25,8 @@ po::options_description visible_options() {
     add("picture", po::value<std::string>()->value_name("FILE"), "also draw them: SVG, PNG or PDF");
     add("compare", po::value<std::string>()->value_name("LAB.csv"),
         "measured points to draw beside, and to print the misfit of");
+    add("joint", po::value<std::string>()->value_name("NAME"),
+        "of --compare: the measured joint of that name in the joints.csv of a run");
     add("set", po::value<std::vector<std::string>>()->composing()->value_name("KEY=VALUE"),
         "changes a key of the model file; may stand several times");
     add("template", "print a commented model file and stop");
@@ -84,13 +86,17 @@ int run(const po::variables_map& values) {
     if (!picture.empty() && !blockgen::picture_format(picture))
         throw blockgen::InputError({"joint-shear"}, "--picture is '" + picture + "'",
                                    "a name that ends in .svg, .png or .pdf");
+    if (values.count("joint") && !values.count("compare"))
+        throw blockgen::InputError({"joint-shear"}, "--joint is given without --compare",
+                                   "--compare joints.csv");
     const dda::ShearTestInput input =
         dda::read_shear_test(files.front(), values.count("set") ? values["set"].as<std::vector<std::string>>()
                                                                 : std::vector<std::string>{});
     std::vector<std::filesystem::path> read = input.files;
     std::optional<dda::ShearTable> measured;
     if (values.count("compare")) {
-        measured = dda::read_shear_table(measured_file);
+        measured = values.count("joint") ? dda::read_measured_joint(measured_file, text_of(values, "joint"))
+                                         : dda::read_shear_table(measured_file);
         read.emplace_back(measured_file);
     }
     for (const std::string& result : {output, picture})

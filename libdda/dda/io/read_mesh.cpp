@@ -62,20 +62,49 @@ Vec2 origin_of(const blockgen::BlockMesh& mesh) {
     return {std::round(middle.x()), std::round(middle.y())};
 }
 
+/// m, two cells of the cutter's default grid: how far a corner may be beside the line of its neighbours.
+constexpr double straight_within = 2e-6;
+
+/// Which of a ring's vertices are kept: all, or those at which the face turns or changes its joint. Blocks on
+/// the other side have put the others there.
+std::vector<std::size_t> kept_corners(const blockgen::BlockMesh& mesh, std::size_t block, std::size_t ring,
+                                      StraightCorners straight) {
+    const auto vertices = mesh.ring(block, ring);
+    const auto marks = mesh.ring_marks(block, ring);
+    const std::size_t count = vertices.size();
+    const auto at = [&](std::size_t k) {
+        return vector_of(mesh.vertices[static_cast<std::size_t>(vertices[k % count])]);
+    };
+    std::vector<std::size_t> kept;
+    for (std::size_t k = 0; k < count; ++k) {
+        const std::size_t before = (k + count - 1) % count;
+        const Vec2 from = at(before), along = at(k + 1) - from, arm = at(k) - from;
+        const double length = along.norm();
+        const bool goes_on = marks[before].joint_material == marks[k].joint_material &&
+                             marks[before].joint == marks[k].joint &&
+                             std::abs(cross(along, arm)) <= straight_within * length && arm.dot(along) > 0 &&
+                             arm.dot(along) < length * length;
+        if (straight == StraightCorners::keep || !goes_on) kept.push_back(k);
+    }
+    return kept;
+}
+
 void add_blocks(const blockgen::BlockMesh& mesh, const std::vector<int>& block_materials,
-                const std::vector<int>& joint_materials, Model& model) {
+                const std::vector<int>& joint_materials, StraightCorners straight, Model& model) {
     for (std::size_t block = 0; block < mesh.block_count(); ++block) {
+        std::vector<std::vector<std::size_t>> kept;
         std::vector<int> ring_sizes;
-        for (std::size_t ring = 0; ring < mesh.ring_count(block); ++ring)
-            ring_sizes.push_back(static_cast<int>(mesh.ring(block, ring).size()));
+        for (std::size_t ring = 0; ring < mesh.ring_count(block); ++ring) {
+            kept.push_back(kept_corners(mesh, block, ring, straight));
+            ring_sizes.push_back(static_cast<int>(kept.back().size()));
+        }
         auto edge = static_cast<std::size_t>(model.topology.corner_count());
         model.topology.add_block(ring_sizes);
         for (std::size_t ring = 0; ring < mesh.ring_count(block); ++ring) {
-            for (const std::int32_t vertex : mesh.ring(block, ring)) {
-                const blockgen::Point& point = mesh.vertices[static_cast<std::size_t>(vertex)];
-                model.vertices.push_back(vector_of(point) - model.origin);
-            }
-            for (const blockgen::EdgeMark& mark : mesh.ring_marks(block, ring)) {
+            for (const std::size_t k : kept[ring]) {
+                const auto vertex = static_cast<std::size_t>(mesh.ring(block, ring)[k]);
+                model.vertices.push_back(vector_of(mesh.vertices[vertex]) - model.origin);
+                const blockgen::EdgeMark& mark = mesh.ring_marks(block, ring)[k];
                 const bool is_joint = mark.joint_material != blockgen::EdgeMark::no_joint;
                 model.topology.joint_material[edge] =
                     is_joint ? joint_materials[static_cast<std::size_t>(mark.joint_material)] : -1;
@@ -97,10 +126,11 @@ int add_material_point(Model& model, int block, const Vec2& position) {
 }
 
 void add_mesh(const blockgen::BlockMesh& mesh, const std::string& mesh_file,
-              const std::vector<BoltMaterial>& bolt_materials, Model& model) {
+              const std::vector<BoltMaterial>& bolt_materials, StraightCorners straight, Model& model) {
     model.origin = origin_of(mesh);
     add_blocks(mesh, resolve(mesh.block_materials, model.block_materials, "block_material", mesh_file),
-               resolve(mesh.joint_materials, model.joint_materials, "joint_material", mesh_file), model);
+               resolve(mesh.joint_materials, model.joint_materials, "joint_material", mesh_file), straight,
+               model);
     for (const blockgen::Joint& joint : mesh.joints) model.joint_sets.push_back(joint.set);
     for (const blockgen::MeasuredPoint& point : mesh.measured_points)
         model.measured_points.push_back(

@@ -6,6 +6,7 @@
 #include "blockgen/config/config_table.hpp"
 #include "blockgen/mesh/block_file.hpp"
 #include "blockgen/mesh/check_mesh.hpp"
+#include "dda/io/measured_joint.hpp"
 #include "dda/io/point_motion.hpp"
 #include "dda/io/read_boundaries.hpp"
 #include "dda/io/read_loads.hpp"
@@ -36,6 +37,11 @@ int read_default_joint_material(const ConfigTable& analysis, const Model& model)
     for (const JointMaterial& material : model.joint_materials) names.push_back(material.name);
     const std::string name = analysis.choice("default_joint_material", names, names.front());
     return static_cast<int>(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
+StraightCorners read_straight_corners(const ConfigTable& analysis) {
+    return analysis.choice("straight_corners", {"keep", "drop"}, "keep") == "keep" ? StraightCorners::keep
+                                                                                   : StraightCorners::drop;
 }
 
 void read_analysis(const ConfigTable& analysis, Model& model) {
@@ -149,17 +155,19 @@ RunInput read_run(const std::filesystem::path& run_file, const RunReadOptions& o
     model.block_materials = read_block_materials(run);
     model.joint_materials = read_joint_materials(run);
     const std::vector<BoltMaterial> bolt_materials = read_bolt_materials(run);
-    read_analysis(run.table_or_empty("analysis"), model);
+    const ConfigTable analysis = run.table_or_empty("analysis");
+    read_analysis(analysis, model);
     const blockgen::BlockMesh mesh = blockgen::read_block_file(block_file);
     if (mesh.block_count() == 0)
         throw blockgen::InputError({block_file.string()}, "holds no block", "one block or more");
     blockgen::check_mesh(mesh, block_file.string());
-    add_mesh(mesh, block_file.string(), bolt_materials, model);
+    add_mesh(mesh, block_file.string(), bolt_materials, read_straight_corners(analysis), model);
     if (std::find(model.motion.begin(), model.motion.end(), Motion::free) == model.motion.end())
         throw blockgen::InputError({block_file.string()}, "every block is fixed or prescribed",
                                    "a block that is free to move");
     read_loads(run, model, input.files);
     read_boundaries(run, model);
+    read_measured_joints(run, model);
     input.stages = read_stages(run, model, input.files);
     check_excavations(model, input.stages.size(), block_file);
     input.output = read_output(run.table_or_empty("output"), run_file, model);

@@ -57,6 +57,7 @@ std::unique_ptr<ResultWriter> make_block_frames(const WriterContext& context);
 std::unique_ptr<ResultWriter> make_joint_frames(const WriterContext& context);
 std::unique_ptr<ResultWriter> make_history_csv(const WriterContext& context);
 std::unique_ptr<ResultWriter> make_relative_csv(const WriterContext& context);
+std::unique_ptr<ResultWriter> make_joints_csv(const WriterContext& context);
 std::unique_ptr<ResultWriter> make_steps_csv(const WriterContext& context);
 std::unique_ptr<ResultWriter> make_pvd(const WriterContext& context);
 

@@ -92,6 +92,7 @@ friction_angle = "35 deg"
 # fixed_point_penalty = "50 GPa"   # default: normal_penalty
 # strength_reduction = 1           # joints' cohesion, tan(friction angle), tensile strength are divided by this
 # default_joint_material = "joint" # for contacts of free faces; default: the first in this file
+# straight_corners = "keep"        # "drop": no contacts where another block's corner cuts a straight face
 
 # [[point_load]]
 # at = [10, 5]                     # m, or measured_point = "crest"
@@ -135,6 +136,11 @@ friction_angle = "35 deg"
 # at = [10, 5]                     # or block = 3
 # velocity = [1, 0]                # m/s
 # angular_velocity = 0             # rad/s
+
+# [[measured_joint]]               # a place on a joint: how its faces pass each other goes to joints.csv
+# name = "bedding"
+# at = [12, 5]                     # a point of the joint
+# tolerance = "1 mm"               # from the joint
 
 [[stage]]
 name = "settle"

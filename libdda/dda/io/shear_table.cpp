@@ -52,22 +52,25 @@ constexpr std::array<Quantity, 4> quantities = {{
     {"normal stress", Dimension::stress, &ShearTable::normal_stress},
 }};
 
+/// @param prefix of the columns' names: those without it are skipped.
 std::vector<Column> read_heading(std::string_view line, const blockgen::SourcePlace& place,
-                                 ShearTable& table) {
+                                 std::string_view prefix, ShearTable& table) {
     std::vector<Column> columns;
     const std::vector<std::string_view> fields = fields_of(line);
     bool has_displacement = false;
     for (std::size_t k = 0; k < fields.size(); ++k) {
-        const std::size_t bracket = fields[k].find('(');
-        const std::string_view name = trimmed(fields[k].substr(0, bracket));
+        if (!fields[k].starts_with(prefix)) continue;
+        const std::string_view field = fields[k].substr(prefix.size());
+        const std::size_t bracket = field.find('(');
+        const std::string_view name = trimmed(field.substr(0, bracket));
         for (const Quantity& quantity : quantities) {
             if (name != quantity.name) continue;
-            const std::size_t close = fields[k].find(')');
+            const std::size_t close = field.find(')');
             if (bracket == std::string_view::npos || close == std::string_view::npos || close < bracket)
                 throw InputError(place, "column '" + std::string(name) + "' has no unit",
                                  "one in brackets, such as \"" + std::string(name) +
                                      (quantity.dimension == Dimension::length ? " (mm)\"" : " (MPa)\""));
-            const std::string_view unit = trimmed(fields[k].substr(bracket + 1, close - bracket - 1));
+            const std::string_view unit = trimmed(field.substr(bracket + 1, close - bracket - 1));
             const auto factor = blockgen::unit_factor(quantity.dimension, unit);
             if (!factor)
                 throw InputError(place,
@@ -81,7 +84,7 @@ std::vector<Column> read_heading(std::string_view line, const blockgen::SourcePl
         }
     }
     if (!has_displacement)
-        throw InputError(place, "there is no column 'displacement'",
+        throw InputError(place, "there is no column '" + std::string(prefix) + "displacement'",
                          "a heading such as \"displacement (mm),shear stress (MPa),dilation (mm)\"");
     return columns;
 }
@@ -102,6 +105,74 @@ void read_row(std::string_view line, const blockgen::SourcePlace& place, const s
     }
 }
 
+std::optional<Misfit> misfit(const std::vector<ShearTestRow>& rows, const std::vector<double>& measured,
+                             double ShearTestRow::*computed) {
+    if (measured.empty()) return std::nullopt;
+    Misfit result;
+    double sum = 0;
+    for (std::size_t k = 0; k < measured.size(); ++k) {
+        const double difference = std::abs(rows[k].*computed - measured[k]);
+        sum += difference * difference;
+        if (difference > result.largest) {
+            result.largest = difference;
+            result.at = rows[k].displacement;
+        }
+    }
+    result.root_mean_square = std::sqrt(sum / static_cast<double>(measured.size()));
+    return result;
+}
+
+/// The lines of a table that are no comments, with their numbers.
+template <class Take>
+void for_each_line(const std::string& text, const std::filesystem::path& file, const Take& take) {
+    int number = 0;
+    for (std::size_t start = 0; start < text.size();) {
+        const std::size_t end = std::min(text.find('\n', start), text.size());
+        const std::string_view line = trimmed(std::string_view(text).substr(start, end - start));
+        start = end + 1;
+        ++number;
+        if (!line.empty() && line.front() != '#') take(line, blockgen::SourcePlace{file.string(), number});
+    }
+}
+
+ShearTable checked(ShearTable table, const std::filesystem::path& file) {
+    if (table.displacement.empty())
+        throw InputError({file.string()}, "holds no points", "a heading and at least one row");
+    return table;
+}
+
+}  // namespace
+
+ShearTable read_shear_table(const std::filesystem::path& file) {
+    ShearTable table;
+    std::vector<Column> columns;
+    for_each_line(blockgen::read_text_file(file), file, [&](std::string_view line, const auto& place) {
+        if (columns.empty())
+            columns = read_heading(line, place, "", table);
+        else
+            read_row(line, place, columns);
+    });
+    return checked(std::move(table), file);
+}
+
+ShearTable read_measured_joint(const std::filesystem::path& file, const std::string& joint) {
+    ShearTable table;
+    std::vector<Column> columns;
+    std::string time;
+    for_each_line(blockgen::read_text_file(file), file, [&](std::string_view line, const auto& place) {
+        if (columns.empty()) {
+            columns = read_heading(line, place, joint + " ", table);
+            return;
+        }
+        const std::string now(fields_of(line).front());
+        if (now == time)
+            for (const Column& column : columns) column.values->clear();
+        time = now;
+        read_row(line, place, columns);
+    });
+    return checked(std::move(table), file);
+}
+
 const char* stage_name(JointStage stage) {
     switch (stage) {
         case JointStage::none:
@@ -120,46 +191,6 @@ const char* stage_name(JointStage stage) {
             return "backward return";
     }
     return "";
-}
-
-std::optional<Misfit> misfit(const std::vector<ShearTestRow>& rows, const std::vector<double>& measured,
-                             double ShearTestRow::*computed) {
-    if (measured.empty()) return std::nullopt;
-    Misfit result;
-    double sum = 0;
-    for (std::size_t k = 0; k < measured.size(); ++k) {
-        const double difference = std::abs(rows[k].*computed - measured[k]);
-        sum += difference * difference;
-        if (difference > result.largest) {
-            result.largest = difference;
-            result.at = rows[k].displacement;
-        }
-    }
-    result.root_mean_square = std::sqrt(sum / static_cast<double>(measured.size()));
-    return result;
-}
-
-}  // namespace
-
-ShearTable read_shear_table(const std::filesystem::path& file) {
-    const std::string text = blockgen::read_text_file(file);
-    ShearTable table;
-    std::vector<Column> columns;
-    int number = 0;
-    for (std::size_t start = 0; start < text.size();) {
-        const std::size_t end = std::min(text.find('\n', start), text.size());
-        const std::string_view line = trimmed(std::string_view(text).substr(start, end - start));
-        start = end + 1;
-        const blockgen::SourcePlace place{file.string(), ++number};
-        if (line.empty() || line.front() == '#') continue;
-        if (columns.empty())
-            columns = read_heading(line, place, table);
-        else
-            read_row(line, place, columns);
-    }
-    if (table.displacement.empty())
-        throw InputError({file.string()}, "holds no points", "a heading and at least one row");
-    return table;
 }
 
 std::string shear_rows_csv(const std::vector<ShearTestRow>& rows) {

@@ -21,6 +21,12 @@ struct ShearTable {
 /// heading of names with units, such as "displacement (mm),shear stress (MPa),dilation (mm),normal stress
 /// (kPa)". `displacement` must be there; other columns are skipped. @throws InputError with file:line.
 ShearTable read_shear_table(const std::filesystem::path& file);
+/// The columns of one measured joint in a run's joints.csv, from where displacements last began to count
+/// anew: the second of two rows of one time.
+ShearTable read_measured_joint(const std::filesystem::path& file, const std::string& joint);
+
+/// A stage of shearing as it stands in tables: "forward advance" and so on.
+const char* stage_name(JointStage stage);
 
 /// The rows as CSV, with a heading that read_shear_table reads.
 std::string shear_rows_csv(const std::vector<ShearTestRow>& rows);

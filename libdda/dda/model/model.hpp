@@ -41,6 +41,14 @@ struct MeasuredPointSpec {
     int point = 0;  ///< index into Model::material_points
 };
 
+/// A place on a joint where it is recorded how its two faces pass each other and what they bear.
+struct MeasuredJoint {
+    std::string name;
+    int edge = 0;         ///< the face of one block, by its first corner
+    int point = 0;        ///< index into Model::material_points: the place in that block
+    int other_point = 0;  ///< and in the block on the other side
+};
+
 /// Blocks that are taken out when a stage begins.
 struct Excavation {
     std::string name;
@@ -81,6 +89,7 @@ struct Model {
     std::vector<ViscousBoundary> viscous_boundaries;
     std::vector<BoltSpec> bolts;
     std::vector<MeasuredPointSpec> measured_points;
+    std::vector<MeasuredJoint> measured_joints;
     std::vector<Excavation> excavations;
     std::vector<Vec6> initial_velocity;  ///< per block, or empty
 

@@ -306,6 +306,7 @@ TEST_F(ReadRun, TheTemplateIsAWholeModelFile) {
         EXPECT_THAT(uncommented, HasSubstr(std::string(block).substr(0, 8)));
     for (std::size_t at; (at = uncommented.find("at = [10, 5]")) != std::string::npos;)
         uncommented.replace(at, 12, "at = [2, 1.5]");
+    uncommented.replace(uncommented.find("at = [12, 5]"), 12, "at = [2, 1]");
     for (std::size_t at; (at = uncommented.find("[[0, 0], [120, 0]]")) != std::string::npos;)
         uncommented.replace(at, 18, "[[1, 2], [3, 2]]");
     uncommented.replace(uncommented.find("record.at2"), 10, "r.csv");

@@ -27,8 +27,8 @@ using blockgen::read_text_file;
 using ::testing::HasSubstr;
 namespace fs = std::filesystem;
 
-const char* const result_files[] = {"history.csv", "relative.csv", "steps.csv", "run.vtkhdf",
-                                    "run.joints.vtkhdf"};
+const char* const result_files[] = {"history.csv", "relative.csv", "joints.csv",
+                                    "steps.csv",   "run.vtkhdf",   "run.joints.vtkhdf"};
 
 /// A block that settles on a base and is then shaken until it slides.
 class ResultsTest : public ::testing::Test {
@@ -43,6 +43,9 @@ poissons_ratio = 0.25
 [joint_material.bedding]
 law = "mohr-coulomb"
 friction_angle = "20 deg"
+[[measured_joint]]
+name = "bed"
+at = [2, 1]
 [[stage]]
 name = "settle"
 kind = "static"

@@ -12,6 +12,8 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
+namespace fs = std::filesystem;
+
 class ShearTableTest : public testing::Test {
   protected:
     ShearTable read(const std::string& text) const { return read_shear_table(folder.write("lab.csv", text)); }
@@ -63,6 +65,21 @@ TEST_F(ShearTableTest, RowsReadBackAsATable) {
         EXPECT_EQ(table.dilation[k], rows[k].dilation);
         EXPECT_EQ(table.normal_stress[k], rows[k].normal_stress);
     }
+}
+
+TEST_F(ShearTableTest, AMeasuredJointIsReadFromWhereItsDisplacementsCount) {
+    const fs::path file = folder.write("joints.csv",
+                                       "time (s),stage,bed displacement (m),bed shear stress (Pa),bed state,"
+                                       "fault displacement (m)\n"
+                                       "0,settle,0,0,locked,0\n0.5,settle,7,8,locked,9\n"
+                                       "0.5,shake,0,8,locked,0\n0.6,shake,0.001,9,sliding,0.002\n");
+    const ShearTable bed = read_measured_joint(file, "bed"), fault = read_measured_joint(file, "fault");
+    EXPECT_THAT(bed.displacement, ElementsAre(0, 0.001));
+    EXPECT_THAT(bed.shear_stress, ElementsAre(8, 9));
+    EXPECT_THAT(fault.displacement, ElementsAre(0, 0.002));
+    EXPECT_TRUE(fault.shear_stress.empty());
+    EXPECT_THAT(io_test::error_of([&] { read_measured_joint(file, "bet"); }),
+                HasSubstr("there is no column 'bet displacement'"));
 }
 
 TEST_F(ShearTableTest, MisfitIsTakenAtTheMeasuredPointsAlongTheirPath) {
