@@ -8,15 +8,10 @@
 #include "blockgen/picture/axes.hpp"
 #include "colour_bar.hpp"
 #include "colour_scale.hpp"
+#include "frame_layout.hpp"
 
 namespace {
 
-constexpr double left = 60, top = 34, below_axes = 44, bar_gap = 16, margin_right = 16;
-constexpr double widest_plot = 520, highest_plot = 640;
-/// What the time and the key to the contacts need side by side.
-constexpr double least_header = 290;
-/// The least height of a drawing for a bar with its title beside it.
-constexpr double least_standing_bar = 170;
 constexpr double lying_bar_length = 260;
 
 // The columns that a picture needs, and their places in the frames.
@@ -61,18 +56,6 @@ bool has_base(const dda::GridFrame& frame) {
     return std::find(frame.columns[1].begin(), frame.columns[1].end(), prescribed) != frame.columns[1].end();
 }
 
-blockgen::Point point_at(const dda::GridFrame& frame, std::int64_t index) {
-    const auto i = static_cast<std::size_t>(index);
-    return {frame.points[3 * i], frame.points[3 * i + 1]};
-}
-
-std::vector<blockgen::Point> cell_points(const dda::GridFrame& frame, std::size_t cell) {
-    std::vector<blockgen::Point> points;
-    for (auto k = frame.cells.offsets[cell]; k < frame.cells.offsets[cell + 1]; ++k)
-        points.push_back(point_at(frame, frame.cells.connectivity[static_cast<std::size_t>(k)]));
-    return points;
-}
-
 double area_of(const std::vector<blockgen::Point>& ring) {
     const blockgen::Point& origin = ring.front();
     double twice = 0;
@@ -90,31 +73,6 @@ std::vector<MovedArea> free_blocks(const dda::GridFrame& frame) {
             blocks.push_back({area_of(cell_points(frame, block)), moved[block]});
     return blocks;
 }
-
-/// Where the parts of a picture are, pt. The drawing is as large as the page allows at one scale in both
-/// directions; low ones have the colour bar below them, narrow ones are centred under the header.
-struct Layout {
-    blockgen::Point upper_left, lower_right;  ///< of the axes
-    double header_left, header_right;
-    double page_width, page_height;
-    bool bar_stands;
-
-    /// @param width, height of what is shown, m.
-    Layout(double width, double height) {
-        const double scale = std::min(widest_plot / width, highest_plot / height);
-        const double header = std::max(scale * width, least_header);
-        const double bottom = top + scale * height;
-        bar_stands = scale * height >= least_standing_bar;
-        header_left = left;
-        header_right = left + header;
-        upper_left = {left + (header - scale * width) / 2, top};
-        lower_right = {upper_left.x + scale * width, bottom};
-        page_width = header_right + margin_right;
-        if (bar_stands)
-            page_width = std::max(page_width, lower_right.x + bar_gap + standing_bar_width + margin_right);
-        page_height = bottom + below_axes + (bar_stands ? 0 : lying_bar_height);
-    }
-};
 
 void draw_blocks(blockgen::Canvas& canvas, const blockgen::Axes& axes, const dda::GridFrame& frame,
                  double largest) {
@@ -141,7 +99,7 @@ void draw_contacts(blockgen::Canvas& canvas, const blockgen::Axes& axes, const d
 }
 
 void draw_contact_key(blockgen::Canvas& canvas, double right) {
-    const double y = top - 12;
+    const double y = FrameLayout::top - 12;
     canvas.polyline(std::vector<blockgen::Point>{{right - 170, y - 3}, {right - 150, y - 3}},
                     {sliding_colour, 1.6});
     canvas.text({right - 146, y}, "sliding contact", {8.5});
@@ -170,7 +128,8 @@ void draw_worst_contact(blockgen::Canvas& canvas, const blockgen::Axes& axes, co
                   blockgen::Stroke{worst_colour, 2.2});
 }
 
-void draw_worst_caption(blockgen::Canvas& canvas, const Layout& layout, const dda::BlamedContact& worst) {
+void draw_worst_caption(blockgen::Canvas& canvas, const FrameLayout& layout,
+                        const dda::BlamedContact& worst) {
     const double y = layout.page_height - 8;
     canvas.circle({layout.header_left + 6, y - 3}, 4.5, std::nullopt, blockgen::Stroke{worst_colour, 1.8});
     canvas.text({layout.header_left + 16, y},
@@ -216,6 +175,9 @@ dda::GridFrame RunFrames::blocks(std::int64_t index) const {
 }
 dda::GridFrame RunFrames::contacts(std::int64_t index) const {
     return contacts_->frame(index, contact_columns);
+}
+dda::GridFrame RunFrames::contacts(std::int64_t index, const std::vector<std::string>& columns) const {
+    return contacts_->frame(index, columns);
 }
 
 PictureScale common_scale(const RunFrames& run, const std::vector<std::int64_t>& frames,
@@ -264,7 +226,7 @@ PictureScale close_to(const dda::BlamedContact& contact, const RunFrames& run, s
 
 blockgen::Canvas draw_frame(const RunFrames& run, std::int64_t index, const PictureScale& scale,
                             const std::optional<dda::BlamedContact>& worst) {
-    Layout layout(scale.right - scale.left, scale.top - scale.bottom);
+    FrameLayout layout(scale.right - scale.left, scale.top - scale.bottom);
     if (worst) layout.page_height += caption_height;
     blockgen::Canvas canvas(layout.page_width, layout.page_height);
     const blockgen::Axes axes(layout.upper_left, layout.lower_right, {scale.left, scale.right},
@@ -280,15 +242,15 @@ blockgen::Canvas draw_frame(const RunFrames& run, std::int64_t index, const Pict
     const ColourBar bar{scale.relative_to_base ? "displacement from the base" : "displacement", scale.largest,
                         scale.farthest};
     if (layout.bar_stands)
-        draw_standing_bar(canvas, bar, {layout.lower_right.x + bar_gap, layout.lower_right.y},
+        draw_standing_bar(canvas, bar, {layout.lower_right.x + FrameLayout::bar_gap, layout.lower_right.y},
                           layout.lower_right.y - layout.upper_left.y);
     else
-        draw_lying_bar(canvas, bar, {layout.header_left, layout.lower_right.y + below_axes},
+        draw_lying_bar(canvas, bar, {layout.header_left, layout.lower_right.y + FrameLayout::below_axes},
                        lying_bar_length);
     draw_contact_key(canvas, layout.header_right);
     char title[64];
     std::snprintf(title, sizeof title, "t = %.3f s", run.times()[static_cast<std::size_t>(index)]);
-    canvas.text({layout.header_left, top - 12}, title,
+    canvas.text({layout.header_left, FrameLayout::top - 12}, title,
                 {11, blockgen::black, blockgen::Anchor::start, blockgen::Anchor::start, true});
     return canvas;
 }

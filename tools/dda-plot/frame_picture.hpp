@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "blockgen/picture/canvas.hpp"
 #include "dda/io/read_summary.hpp"
@@ -21,6 +22,8 @@ class RunFrames {
     const std::vector<double>& times() const { return times_; }
     dda::GridFrame blocks(std::int64_t index) const;
     dda::GridFrame contacts(std::int64_t index) const;
+    /// The contacts with other columns than the state.
+    dda::GridFrame contacts(std::int64_t index, const std::vector<std::string>& columns) const;
 
   private:
     std::string name_;

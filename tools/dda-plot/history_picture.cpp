@@ -5,36 +5,13 @@
 
 #include "blockgen/picture/axes.hpp"
 #include "length_unit.hpp"
+#include "line_points.hpp"
 
 namespace {
 
 constexpr double page_width = 640, panel_height = 150, panel_gap = 22;
 constexpr double left = 64, top = 30, legend_width = 130;
 constexpr double rest = 1e-9;  // m, below which a base stands still
-/// More samples than a line can show are drawn by their extremes over this many intervals.
-constexpr std::size_t drawn_intervals = 2000;
-
-blockgen::Range padded(double low, double high) {
-    const double size = high > low ? high - low : std::max(std::abs(high), 1e-9);
-    return {low - 0.05 * size, high + 0.05 * size};
-}
-
-/// A line's points, thinned so that each interval keeps its smallest and largest value in their order.
-std::vector<blockgen::Point> line_points(const std::vector<double>& time, const std::vector<double>& value,
-                                         double factor) {
-    std::vector<blockgen::Point> points;
-    const std::size_t stride = std::max<std::size_t>(1, time.size() / drawn_intervals);
-    for (std::size_t i = 0; i < time.size(); i += stride) {
-        const auto first = value.begin() + static_cast<std::ptrdiff_t>(i);
-        const auto last = value.begin() + static_cast<std::ptrdiff_t>(std::min(i + stride, time.size()));
-        auto [low, high] = std::minmax_element(first, last);
-        if (high < low) std::swap(low, high);
-        points.push_back({time[static_cast<std::size_t>(low - value.begin())], *low * factor});
-        if (high != low)
-            points.push_back({time[static_cast<std::size_t>(high - value.begin())], *high * factor});
-    }
-    return points;
-}
 
 /// One line of a panel: a name and the values over time, m.
 struct Line {

@@ -12,6 +12,8 @@
 #include "blockgen/base/text.hpp"
 #include "frame_picture.hpp"
 #include "history_picture.hpp"
+#include "joint_pictures.hpp"
+#include "roughness_picture.hpp"
 
 namespace po = boost::program_options;
 namespace fs = std::filesystem;
@@ -29,6 +31,14 @@ po::options_description visible_options() {
         "area "
         "in every frame drawn)");
     add("history", "draw the history only, or with --frames too");
+    add("roughness",
+        "draw the frames with joints coloured by the roughness at work on them only (without "
+        "options they are drawn where there is any)");
+    add("joint", po::value<std::string>()->value_name("NAME"),
+        "draw the histories of this measured joint only, of all the folders given in one picture");
+    add("reference", po::value<std::vector<std::string>>()->composing()->value_name("FILE"),
+        "with --joint: a table of time (s) and displacement (m) to draw beside, dashed; may stand several "
+        "times");
     add("worst-contact",
         "draw what the run did not get past, at its end: the contact that summary.json names, ringed, and "
         "its "
@@ -138,10 +148,41 @@ std::optional<double> largest_of(const po::variables_map& values) {
     return largest;
 }
 
+void draw_roughness_frames(const RunFrames& run, const std::vector<std::int64_t>& numbers,
+                           const fs::path& output, const std::string& extension) {
+    const PictureScale scale = common_scale(run, numbers);
+    for (const std::int64_t number : numbers) {
+        char suffix[40];
+        std::snprintf(suffix, sizeof suffix, ".roughness-%04lld.", static_cast<long long>(number));
+        draw_roughness(run, number, scale).write(output / (run.name() + suffix + extension));
+    }
+}
+
+/// A joint's name as a part of a file's.
+std::string file_word(std::string name) {
+    for (char& c : name)
+        if (c == '/' || c == ' ') c = '-';
+    return name;
+}
+
+void write_joint(const JointPicture& picture, const fs::path& output, const std::string& extension) {
+    picture.canvas.write(output / ("joint-" + file_word(picture.joint) + "." + extension));
+}
+
+std::vector<std::string> texts_of(const po::variables_map& values, const char* key) {
+    return values.count(key) ? values[key].as<std::vector<std::string>>() : std::vector<std::string>{};
+}
+
+std::vector<fs::path> paths_of(const std::vector<std::string>& texts) {
+    return {texts.begin(), texts.end()};
+}
+
 int plot(const po::variables_map& values) {
-    const auto folders =
-        values.count("folder") ? values["folder"].as<std::vector<std::string>>() : std::vector<std::string>{};
-    if (folders.size() != 1)
+    const std::vector<std::string> folders = texts_of(values, "folder");
+    const bool joint_only = values.count("joint");
+    if (values.count("reference") && !joint_only)
+        throw blockgen::InputError({"dda-plot"}, "--reference is given without --joint", "--joint NAME");
+    if (joint_only ? folders.empty() : folders.size() != 1)
         throw blockgen::InputError({"dda-plot"}, std::to_string(folders.size()) + " folders are given",
                                    "one: dda-plot OUT [options]");
     const fs::path folder = folders.front();
@@ -152,20 +193,32 @@ int plot(const po::variables_map& values) {
     if (output.empty()) throw blockgen::InputError({"dda-plot"}, "--output is empty", "a folder");
     blockgen::check_output_folder(output);
     const bool worst_only = values.count("worst-contact");
-    const bool all = !values.count("frames") && !values.count("history") && !worst_only;
+    const bool roughness_only = values.count("roughness");
+    const bool all = !values.count("frames") && !values.count("history") && !worst_only && !roughness_only;
+    if (joint_only) {
+        const JointPicture picture = picture_of_joint(values["joint"].as<std::string>(), paths_of(folders),
+                                                      paths_of(texts_of(values, "reference")));
+        blockgen::make_output_folder(output);
+        write_joint(picture, output, extension);
+        return 0;
+    }
     const RunFrames run(folder);
     // Everything is read and chosen before the first picture is written.
     std::optional<HistoryTable> history;
     if (all || values.count("history")) history = read_history(folder / "history.csv");
     std::vector<std::int64_t> frames;
-    if (all || values.count("frames"))
+    if (all || roughness_only || values.count("frames"))
         frames = chosen_frames(
             run, values.count("frames") ? values["frames"].as<std::string>() : "first,middle,last");
     const std::optional<double> largest = largest_of(values);
     std::optional<WorstContactViews> worst;
     if (const auto contact = chosen_contact(folder, worst_only, all)) worst.emplace(run, *contact, largest);
+    const std::vector<JointPicture> joints = all ? pictures_of_joints(folder) : std::vector<JointPicture>{};
+    const bool roughness = roughness_only || (all && has_roughness(run, frames.back()));
     blockgen::make_output_folder(output);
-    if (!frames.empty()) draw_frames(run, frames, output, extension, largest);
+    if (!frames.empty() && !roughness_only) draw_frames(run, frames, output, extension, largest);
+    if (roughness) draw_roughness_frames(run, frames, output, extension);
+    for (const JointPicture& joint : joints) write_joint(joint, output, extension);
     if (worst) worst->draw(run, output, extension);
     if (history) draw_history(*history).write(output / (run.name() + ".history." + extension));
     return 0;

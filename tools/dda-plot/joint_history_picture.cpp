@@ -1,0 +1,166 @@
+#include "joint_history_picture.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "blockgen/picture/axes.hpp"
+#include "length_unit.hpp"
+#include "line_points.hpp"
+
+namespace {
+
+using blockgen::Point;
+
+constexpr double page_width = 640, panel_height = 170, panel_gap = 22;
+constexpr double left = 64, top = 30, legend_width = 150;
+/// Of the displacement: less dilation than this is the give of springs.
+constexpr double least_dilation = 1e-3;
+
+struct Line {
+    const std::vector<double>* time;
+    std::vector<double> values;
+    std::size_t colour = 0;
+    bool dashed = false;
+};
+
+struct Panel {
+    std::string title;
+    std::vector<Line> lines;
+};
+
+std::vector<double> scaled(std::vector<double> values, double factor) {
+    for (double& value : values) value *= factor;
+    return values;
+}
+
+double largest_of(const std::vector<double>& values) {
+    double largest = 0;
+    for (const double value : values) largest = std::max(largest, std::abs(value));
+    return largest;
+}
+
+/// deg; an open joint keeps the angle it had.
+std::vector<double> friction_angles(const JointHistory& run) {
+    std::vector<double> angles;
+    for (std::size_t k = 0; k < run.strength.size(); ++k) {
+        const bool pressed = run.normal_stress[k] > 0;
+        angles.push_back(pressed ? std::atan2(run.strength[k], run.normal_stress[k]) * 180 / std::numbers::pi
+                         : k > 0 ? angles.back()
+                                 : 0);
+    }
+    return angles;
+}
+
+Panel length_panel(const std::string& title, std::vector<double> JointHistory::*column,
+                   std::span<const JointHistory> runs, std::span<const JointHistory> references) {
+    double largest = 0;
+    for (const auto& some : {runs, references})
+        for (const JointHistory& run : some) largest = std::max(largest, largest_of(run.*column));
+    const LengthUnit unit = readable_unit(largest);
+    Panel panel{title + " (" + unit.name + ")", {}};
+    for (std::size_t k = 0; k < runs.size(); ++k)
+        panel.lines.push_back({&runs[k].time, scaled(runs[k].*column, unit.per_metre), k, false});
+    for (std::size_t k = 0; k < references.size(); ++k)
+        panel.lines.push_back({&references[k].time, scaled(references[k].*column, unit.per_metre), k, true});
+    return panel;
+}
+
+std::vector<Panel> panels_of(std::span<const JointHistory> runs, std::span<const JointHistory> references) {
+    std::vector<Panel> panels = {length_panel("displacement", &JointHistory::displacement, runs, references)};
+    const auto any = [&](const auto& condition) { return std::any_of(runs.begin(), runs.end(), condition); };
+    if (any([](const JointHistory& run) {
+            return largest_of(run.dilation) > least_dilation * largest_of(run.displacement);
+        }))
+        panels.push_back(length_panel("dilation", &JointHistory::dilation, runs, {}));
+    Panel friction{"friction angle (deg)", {}}, reversals{"changes of direction", {}};
+    for (std::size_t k = 0; k < runs.size(); ++k) {
+        friction.lines.push_back({&runs[k].time, friction_angles(runs[k]), k, false});
+        reversals.lines.push_back({&runs[k].time, runs[k].reversals, k, false});
+    }
+    panels.push_back(std::move(friction));
+    if (any([](const JointHistory& run) { return largest_of(run.reversals) > 0; }))
+        panels.push_back(std::move(reversals));
+    for (Panel& panel : panels)
+        std::erase_if(panel.lines, [](const Line& line) { return line.values.empty(); });
+    std::erase_if(panels, [](const Panel& panel) { return panel.lines.empty(); });
+    return panels;
+}
+
+blockgen::Range times_of(const std::vector<Panel>& panels) {
+    blockgen::Range range{1e300, -1e300};
+    for (const Line& line : panels.front().lines) {
+        range.low = std::min(range.low, line.time->front());
+        range.high = std::max(range.high, line.time->back());
+    }
+    range.high = std::max(range.high, range.low + 1e-9);
+    return range;
+}
+
+void draw_line(blockgen::Canvas& canvas, const std::vector<Point>& points, const blockgen::Stroke& stroke,
+               bool dashed) {
+    if (!dashed) {
+        canvas.polyline(points, stroke);
+        return;
+    }
+    constexpr std::size_t dash = 6;  // of the page's points along the line
+    double run = 0;
+    std::vector<Point> piece;
+    bool drawn = true;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        if (k > 0) run += std::hypot(points[k].x - points[k - 1].x, points[k].y - points[k - 1].y);
+        if (drawn) piece.push_back(points[k]);
+        if (run < dash) continue;
+        if (piece.size() > 1) canvas.polyline(piece, stroke);
+        piece.clear();
+        drawn = !drawn;
+        if (drawn) piece.push_back(points[k]);
+        run = 0;
+    }
+    if (piece.size() > 1) canvas.polyline(piece, stroke);
+}
+
+blockgen::Stroke stroke_of(std::size_t colour, bool dashed) {
+    return {dashed ? blockgen::black : blockgen::line_colour(colour), dashed ? 0.9 : 1.2};
+}
+
+void draw_panel(blockgen::Canvas& canvas, const Panel& panel, const blockgen::Range& times, double upper,
+                bool is_last) {
+    double low = 0, high = 0;
+    for (const Line& line : panel.lines) {
+        low = std::min(low, *std::min_element(line.values.begin(), line.values.end()));
+        high = std::max(high, *std::max_element(line.values.begin(), line.values.end()));
+    }
+    const blockgen::Axes axes({left, upper}, {page_width - legend_width, upper + panel_height}, times,
+                              padded(low, high));
+    axes.draw(canvas, is_last ? "time since displacements count (s)" : "", panel.title, true);
+    canvas.clip(axes.upper_left(), axes.lower_right());
+    for (const Line& line : panel.lines) {
+        std::vector<Point> points = line_points(*line.time, line.values, 1);
+        for (Point& point : points) point = axes.to_page(point);
+        draw_line(canvas, points, stroke_of(line.colour, line.dashed), line.dashed);
+    }
+    canvas.unclip();
+}
+
+}  // namespace
+
+blockgen::Canvas draw_joint_histories(const std::string& joint, std::span<const JointHistory> runs,
+                                      std::span<const JointHistory> references) {
+    const std::vector<Panel> panels = panels_of(runs, references);
+    const blockgen::Range times = times_of(panels);
+    const auto count = static_cast<double>(panels.size());
+    blockgen::Canvas canvas(page_width, top + count * panel_height + (count - 1) * panel_gap + 44);
+    canvas.text({left, top - 12}, "Joint '" + joint + "'",
+                {11, blockgen::black, blockgen::Anchor::start, blockgen::Anchor::start, true});
+    for (std::size_t k = 0; k < panels.size(); ++k)
+        draw_panel(canvas, panels[k], times, top + static_cast<double>(k) * (panel_height + panel_gap),
+                   k + 1 == panels.size());
+    std::vector<blockgen::LegendEntry> entries;
+    for (std::size_t k = 0; k < runs.size(); ++k)
+        entries.push_back({runs[k].label, std::nullopt, stroke_of(k, false), true});
+    for (std::size_t k = 0; k < references.size(); ++k)
+        entries.push_back({references[k].label + " (dashed)", std::nullopt, stroke_of(k, true), true});
+    blockgen::draw_legend(canvas, {page_width - legend_width + 12, top - 12}, "", entries);
+    return canvas;
+}

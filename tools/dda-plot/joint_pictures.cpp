@@ -1,0 +1,34 @@
+#include "joint_pictures.hpp"
+
+#include "joint_history.hpp"
+#include "joint_history_picture.hpp"
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// What a run is called beside others: the last folder of its path.
+std::string label_of(const fs::path& folder) {
+    const fs::path whole = fs::absolute(folder).lexically_normal();
+    return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
+}
+
+}  // namespace
+
+JointPicture picture_of_joint(const std::string& joint, const std::vector<fs::path>& folders,
+                              const std::vector<fs::path>& references) {
+    std::vector<JointHistory> runs, beside;
+    for (const fs::path& folder : folders)
+        runs.push_back(read_joint_history(folder / "joints.csv", joint, label_of(folder)));
+    for (const fs::path& file : references)
+        beside.push_back(read_joint_history(file, "", file.stem().string()));
+    return {joint, draw_joint_histories(joint, runs, beside)};
+}
+
+std::vector<JointPicture> pictures_of_joints(const fs::path& folder) {
+    std::vector<JointPicture> pictures;
+    if (!fs::exists(folder / "joints.csv")) return pictures;
+    for (const std::string& joint : measured_joints(folder / "joints.csv"))
+        pictures.push_back(picture_of_joint(joint, {folder}, {}));
+    return pictures;
+}
