@@ -3,10 +3,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "blockgen/cut_blocks.hpp"
 #include "blockgen/mesh/block_file.hpp"
@@ -36,10 +39,17 @@ std::size_t polygonize(const SlopeModel& model) {
     return peer::geos_blocks(model.outline, peer::traces_across_rim(model)).size();
 }
 
-/// Runs one route in a child; prints a row. @return false when the child failed.
-bool measure(const std::string& route, Family family, double blocks, const std::string& file) {
+/// What one run of a route took.
+struct Sample {
+    std::size_t blocks = 0;
+    double wall = 0, cpu = 0, bytes = 0;
+};
+
+/// Runs one route in a child. @return nothing when it failed.
+std::optional<Sample> run_once(const std::string& route, Family family, double blocks,
+                               const std::string& file) {
     int pipe_ends[2];
-    if (pipe(pipe_ends) != 0) return false;
+    if (pipe(pipe_ends) != 0) return std::nullopt;
     const pid_t child = fork();
     if (child == 0) {
         const SlopeModel model = peer::family_slope(family, blocks);
@@ -56,40 +66,75 @@ bool measure(const std::string& route, Family family, double blocks, const std::
     int status = 0;
     rusage usage{};
     wait4(child, &status, 0, &usage);
-    if (!complete || status != 0) {
-        std::printf("%s,%s,%g,failed,,,,\n", route.c_str(), peer::name_of(family).c_str(), blocks);
-        return false;
-    }
+    if (!complete || status != 0) return std::nullopt;
     const auto seconds = [](const timeval& t) {
         return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
     };
-    const double cpu = seconds(usage.ru_utime) + seconds(usage.ru_stime);
-    const auto n = static_cast<double>(figures.blocks);
-    std::printf("%s,%s,%g,%zu,%.3f,%.3f,%.2f,%.0f\n", route.c_str(), peer::name_of(family).c_str(), blocks,
-                figures.blocks, figures.wall, cpu, 1e6 * cpu / n,
-                static_cast<double>(usage.ru_maxrss) * 1024 / n);
+    return Sample{figures.blocks, figures.wall, seconds(usage.ru_utime) + seconds(usage.ru_stime),
+                  static_cast<double>(usage.ru_maxrss) * 1024};
+}
+
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+void print_row(const std::string& route, Family family, double blocks, const std::vector<Sample>& samples) {
+    std::vector<double> wall, cpu, bytes;
+    for (const Sample& s : samples) {
+        wall.push_back(s.wall);
+        cpu.push_back(s.cpu);
+        bytes.push_back(s.bytes);
+    }
+    const auto n = static_cast<double>(samples[0].blocks);
+    std::printf("%s,%s,%g,%zu,%zu,%.3f,%.3f,%.2f,%.0f\n", route.c_str(), peer::name_of(family).c_str(),
+                blocks, samples[0].blocks, samples.size(), median(wall), median(cpu), 1e6 * median(cpu) / n,
+                median(bytes) / n);
     std::fflush(stdout);
-    return true;
+}
+
+/// The routes in turn, so that both meet the same load. GEOS takes so much longer that a million blocks are
+/// cut by it once. @return false when a run failed.
+bool measure(Family family, double blocks, double largest_of_geos, int repeats, const std::string& file) {
+    std::vector<Sample> ours, peers;
+    const int peer_repeats = blocks > largest_of_geos ? 0 : blocks >= 1e6 ? 1 : repeats;
+    bool good = true;
+    for (int k = 0; k < repeats; ++k) {
+        if (const auto sample = run_once("blockgen", family, blocks, file))
+            ours.push_back(*sample);
+        else
+            good = false;
+        if (k >= peer_repeats) continue;
+        if (const auto sample = run_once("geos", family, blocks, file))
+            peers.push_back(*sample);
+        else
+            good = false;
+    }
+    if (!ours.empty()) print_row("blockgen", family, blocks, ours);
+    if (!peers.empty()) print_row("geos", family, blocks, peers);
+    return good;
 }
 
 }  // namespace
 
-/// bench_cutting FILE [LARGEST [LARGEST_OF_GEOS]]: 1e4 blocks and ten times as many each time.
+/// bench_cutting FILE [LARGEST [LARGEST_OF_GEOS [REPEATS]]]: 1e4 blocks and ten times as many each time;
+/// medians of the repeats.
 int main(int argc, char** argv) {
     if (argc < 2) {
-        std::fputs("bench_cutting SCRATCH.blocks [LARGEST [LARGEST_OF_GEOS]]\n", stderr);
+        std::fputs("bench_cutting SCRATCH.blocks [LARGEST [LARGEST_OF_GEOS [REPEATS]]]\n", stderr);
         return 2;
     }
     const double largest = argc > 2 ? std::atof(argv[2]) : 1e6;
     const double largest_of_geos = argc > 3 ? std::atof(argv[3]) : 1e5;
-    std::puts("route,joints,asked,blocks,wall_s,cpu_s,us_per_block,bytes_per_block");
+    const int repeats = argc > 4 ? std::max(1, std::atoi(argv[4])) : 5;
+    std::puts("route,joints,asked,blocks,repeats,wall_s,cpu_s,us_per_block,bytes_per_block");
     std::fflush(stdout);
     bool good = true;
     for (double blocks = 1e4; blocks <= largest; blocks *= 10)
-        for (const Family family : peer::families) {
-            good = measure("blockgen", family, blocks, argv[1]) && good;
-            if (blocks <= largest_of_geos) good = measure("geos", family, blocks, argv[1]) && good;
-        }
+        for (const Family family : peer::families)
+            good = measure(family, blocks, largest_of_geos, repeats, argv[1]) && good;
     std::remove(argv[1]);
+    if (!good) std::fputs("bench_cutting: a run failed\n", stderr);
     return good ? 0 : 1;
 }

@@ -98,7 +98,7 @@ class Cutter {
             throw InputError(model_.domain_place, "no rock is left",
                              "a domain larger than its holes and tunnels");
         if (model_.small_blocks.policy != SmallPolicy::keep)
-            merge_small_blocks(faces, noded_, subdivision_, model_, table_, merges_);
+            merge_small_blocks(faces, noded_, subdivision_, model_, traces_, table_, merges_);
         if (model_.islands == IslandPolicy::fill) {
             const BlockBoundary boundary(noded_, subdivision_, faces);
             fill_islands(faces, block_rings(noded_, subdivision_, faces, boundary), noded_, subdivision_,
@@ -213,6 +213,8 @@ class Cutter {
             measure_network(noded_, subdivision_, faces_, model_, traces_, table_, report.domain_area);
         report.joints = std::move(network.joints);
         report.nodes = network.nodes;
+        report.changes = joint_changes(noded_, subdivision_, faces_, model_, traces_, table_);
+        report.changes.insert(report.changes.end(), merges_.changes.begin(), merges_.changes.end());
         report.warnings.insert(report.warnings.end(), network.warnings.begin(), network.warnings.end());
         for (const Tunnel& tunnel : model_.tunnels)
             if (lies_apart(tunnel.outline, model_.outline))
@@ -298,6 +300,16 @@ class Cutter {
     Int128 twice_block_area_ = 0;
 };
 
+Change island_cut_row(const Trace& cut) {
+    const Point &a = cut.points.front(), &b = cut.points.back();
+    return {ChangeKind::island_cut,
+            {(a.x + b.x) / 2, (a.y + b.y) / 2},
+            0,
+            std::hypot(b.x - a.x, b.y - a.y),
+            cut.name,
+            {}};
+}
+
 }  // namespace
 
 CutResult cut_blocks(const SlopeModel& model, const std::vector<Trace>& traces, const CutOptions& options) {
@@ -307,6 +319,9 @@ CutResult cut_blocks(const SlopeModel& model, const std::vector<Trace>& traces, 
     for (int round = 0;; ++round) {
         CutResult result = Cutter(model, all, options).cut(options);
         result.report.island_cuts = all.size() - traces.size();
+        for (std::size_t k = traces.size(); k < all.size(); ++k)
+            result.report.changes.push_back(island_cut_row(all[k]));
+        sort_changes(result.report.changes);
         if (model.islands != IslandPolicy::cut || result.report.islands == 0) return result;
         const std::vector<Trace> cuts = island_cuts(result.mesh);
         if (cuts.empty() || round == most_rounds) {

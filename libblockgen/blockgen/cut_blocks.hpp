@@ -37,6 +37,8 @@ struct CutReport {
     std::size_t slivers = 0;      ///< blocks whose roundness is below the wanted one, 0.02 by default
     std::size_t island_cuts = 0;  ///< joints added to lead islands to the rim
     MergeReport merges;
+    std::vector<Change>
+        changes;  ///< made by cleaning, those of `merges` among them; sorted by kind and place
     std::size_t merged_vertices = 0;  ///< on straight edges where no third edge ends
     int noding_rounds = 0;
     double largest_snap = 0;   ///< m, upper bound

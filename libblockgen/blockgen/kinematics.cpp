@@ -14,11 +14,12 @@ namespace {
 
 /// An edge that other rock, or the model's end, lies behind.
 struct Face {
-    Point along;         ///< unit, the block's rock on its left
-    double slack = 0;    ///< by how much d.n may be negative: snapping turns an edge by so much
-    double offset = 0;   ///< of its line across its direction, m
-    double length = 0;   ///< m
-    std::int32_t joint;  ///< -1 at the model's end or a change of material
+    Point along;          ///< unit, the block's rock on its left
+    double slack = 0;     ///< by how much d.n may be negative: snapping turns an edge by so much
+    double offset = 0;    ///< of its line across its direction, m
+    double length = 0;    ///< m
+    std::int32_t joint;   ///< -1 at the model's end or a change of material
+    double friction = 0;  ///< tangent of the friction angle
 };
 
 double dot(const Point& a, const Point& b) {
@@ -32,7 +33,13 @@ Point inward(const Face& face) {
 class BlockScreen {
   public:
     BlockScreen(const BlockMesh& mesh, const KinematicScreen& screen, const Ring& outline, double grid)
-        : mesh_(mesh), screen_(screen), bounds_(Bounds::of(outline)), grid_(grid) {}
+        : mesh_(mesh), screen_(screen), bounds_(Bounds::of(outline)), grid_(grid) {
+        for (const std::string& name : mesh.joint_materials) {
+            const auto own = screen.friction_of_material.find(name);
+            friction_.push_back(
+                std::tan(own == screen.friction_of_material.end() ? screen.friction_angle : own->second));
+        }
+    }
 
     KinematicReport run() {
         KinematicReport report;
@@ -68,6 +75,11 @@ class BlockScreen {
         return false;
     }
 
+    double friction_of(std::int32_t joint_material) const {
+        return joint_material < 0 ? std::tan(screen_.friction_angle)
+                                  : friction_[static_cast<std::size_t>(joint_material)];
+    }
+
     /// Fills faces_; true when a face is free.
     bool collect_faces(std::size_t b) {
         faces_.clear();
@@ -87,6 +99,7 @@ class BlockScreen {
                 face.slack = 1e-9 + 4 * grid_ / face.length;
                 face.offset = dot(inward(face), {p.x - ring[0].x, p.y - ring[0].y});
                 face.joint = marks[k].joint;
+                face.friction = friction_of(marks[k].joint_material);
                 faces_.push_back(face);
             }
         }
@@ -126,10 +139,12 @@ class BlockScreen {
     }
 
     /// The joints that the block slides along, and their friction: the weight across the direction presses
-    /// the block onto those that carry it, which hold its share tan(friction).
+    /// the block onto those that carry it, which hold its share tan(friction). Where joints of several
+    /// materials carry it side by side, each takes a share as its length.
     BlockMode slide(KeyBlock& key) const {
         // The joint below carries the weight; in an upright slot none does, and the longest stands for both.
         std::pair<bool, double> best{false, 0};
+        double carrying = 0, holding = 0;
         std::vector<double> offsets;
         for (const Face& face : faces_) {
             const double turn = face.along.x * key.direction.y - face.along.y * key.direction.x;
@@ -138,13 +153,15 @@ class BlockScreen {
             if (std::none_of(offsets.begin(), offsets.end(),
                              [&](double o) { return std::abs(o - offset) < 16 * grid_; }))
                 offsets.push_back(offset);
-            const std::pair<bool, double> candidate{inward(face).y > 0, face.length};
+            const bool carries = inward(face).y > 0;
+            if (carries) carrying += face.length, holding += face.length * face.friction;
+            const std::pair<bool, double> candidate{carries, face.length};
             if (candidate <= best) continue;
             best = candidate;
             key.joint = face.joint;
         }
         const double drive = -key.direction.y, press = std::abs(key.direction.x);
-        key.factor_of_safety = std::tan(screen_.friction_angle) * press / drive;
+        key.factor_of_safety = carrying > 0 ? holding / carrying * press / drive : 0;
         return offsets.size() > 1 ? BlockMode::sliding_two_faces : BlockMode::sliding;
     }
 
@@ -152,6 +169,7 @@ class BlockScreen {
     const KinematicScreen& screen_;
     Bounds bounds_;
     double grid_;
+    std::vector<double> friction_;  ///< per joint material, tangent of its angle
     std::vector<Face> faces_;
 };
 

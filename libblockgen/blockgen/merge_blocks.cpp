@@ -46,12 +46,21 @@ struct Side {
     double length;       ///< grid steps
 };
 
+/// An edge's share in six times its face's area times the centroid. @param twice twice the area of the
+/// triangle that it makes with the origin.
+Point moment_of(const GridPoint& a, const GridPoint& b, double twice) {
+    return {twice * static_cast<double>(a.x + b.x), twice * static_cast<double>(a.y + b.y)};
+}
+
 /// Blocks with their sides; blocks that were joined share both.
 class BlockGraph {
   public:
     BlockGraph(const FaceBlocks& faces, const NodedEdges& noded, const Subdivision& subdivision,
                const SourceTable& table)
-        : sets_(faces.material.size()), twice_area_(faces.material.size()), sides_(faces.material.size()) {
+        : sets_(faces.material.size()),
+          twice_area_(faces.material.size()),
+          moment_(faces.material.size()),
+          sides_(faces.material.size()) {
         for (std::size_t e = 0; e < noded.edges.size(); ++e) {
             const std::int32_t left = faces.block[static_cast<std::size_t>(subdivision.face[2 * e])];
             const std::int32_t right = faces.block[static_cast<std::size_t>(subdivision.face[2 * e + 1])];
@@ -62,13 +71,20 @@ class BlockGraph {
             const Int128 area = twice_area({0, 0}, a, b);
             const std::int32_t joint = first_joint(noded, e, table);
             if (joint >= 0) length_of_joint_[joint] += length;
-            if (left != FaceBlocks::outside) add(left, area, {right, joint, length});
-            if (right != FaceBlocks::outside) add(right, -area, {left, joint, length});
+            const Point moment = moment_of(a, b, static_cast<double>(area));
+            if (left != FaceBlocks::outside) add(left, area, moment, {right, joint, length});
+            if (right != FaceBlocks::outside)
+                add(right, -area, {-moment.x, -moment.y}, {left, joint, length});
         }
     }
 
     std::size_t root(std::size_t block) { return sets_.root(block); }
     Int128 twice_area_of(std::size_t root) const { return twice_area_[root]; }
+    /// Grid steps.
+    Point centroid_of(std::size_t root) const {
+        const double six_areas = 3 * static_cast<double>(twice_area_[root]);
+        return {moment_[root].x / six_areas, moment_[root].y / six_areas};
+    }
     double length_of_joint(std::int32_t joint) const { return length_of_joint_.at(joint); }
 
     /// The sides of a root, those within it gone.
@@ -94,6 +110,8 @@ class BlockGraph {
         if (!sets_.join(a, b)) return;
         const std::size_t stays = std::min(a, b), goes = std::max(a, b);
         twice_area_[stays] += twice_area_[goes];
+        moment_[stays].x += moment_[goes].x;
+        moment_[stays].y += moment_[goes].y;
         if (sides_[stays].size() < sides_[goes].size()) sides_[stays].swap(sides_[goes]);
         sides_[stays].insert(sides_[stays].end(), sides_[goes].begin(), sides_[goes].end());
         sides_[goes] = {};
@@ -108,24 +126,36 @@ class BlockGraph {
         return -1;
     }
 
-    void add(std::int32_t block, Int128 area, const Side& side) {
+    void add(std::int32_t block, Int128 area, const Point& moment, const Side& side) {
         twice_area_[static_cast<std::size_t>(block)] += area;
+        moment_[static_cast<std::size_t>(block)].x += moment.x;
+        moment_[static_cast<std::size_t>(block)].y += moment.y;
         sides_[static_cast<std::size_t>(block)].push_back(side);
     }
 
     DisjointSets sets_;
     std::vector<Int128> twice_area_;
+    std::vector<Point> moment_;  ///< six times the area times the centroid
     std::vector<std::vector<Side>> sides_;
     std::map<std::int32_t, double> length_of_joint_;
+};
+
+/// The blocks to join a small one to, and what lies between them.
+struct Partners {
+    std::vector<std::size_t> blocks;
+    double length = 0;        ///< grid steps, of the boundary that goes
+    std::int32_t joint = -1;  ///< the one whose piece is dropped
 };
 
 class SmallBlockMerger {
   public:
     SmallBlockMerger(FaceBlocks& faces, const NodedEdges& noded, const Subdivision& subdivision,
-                     const SlopeModel& model, const SourceTable& table)
+                     const SlopeModel& model, const std::vector<Trace>& traces, const SourceTable& table)
         : faces_(faces),
           model_(model),
+          traces_(traces),
           graph_(faces, noded, subdivision, table),
+          frame_(noded.frame),
           cell_(noded.frame.step * noded.frame.step) {}
 
     void run(MergeReport& report) {
@@ -138,13 +168,14 @@ class SmallBlockMerger {
             small.erase(small.begin());
             // An entry of a block that has grown since is out of date; the grown one has its own.
             if (graph_.root(b) != b || graph_.twice_area_of(b) != twice_area) continue;
-            const std::vector<std::size_t> partners = partners_of(b);
-            if (partners.empty()) {
+            const Partners partners = partners_of(b);
+            if (partners.blocks.empty()) {
                 ++report.kept_small;
                 continue;
             }
-            for (const std::size_t partner : partners) graph_.join(b, partner);
-            report.merged_blocks += partners.size();
+            report.changes.push_back(change_of(b, partners));
+            for (const std::size_t partner : partners.blocks) graph_.join(b, partner);
+            report.merged_blocks += partners.blocks.size();
             report.merged_area += static_cast<double>(twice_area) / 2 * cell_;
             const std::size_t grown = graph_.root(b);
             if (is_small(grown)) small.emplace(graph_.twice_area_of(grown), grown);
@@ -164,30 +195,45 @@ class SmallBlockMerger {
                are_alike(faces_, model_, static_cast<std::size_t>(side.neighbour), b);
     }
 
-    std::vector<std::size_t> partners_of(std::size_t b) {
+    Change change_of(std::size_t b, const Partners& partners) const {
+        const Point c = graph_.centroid_of(b);
+        Change change;
+        change.kind = partners.joint < 0 ? ChangeKind::block_merged : ChangeKind::piece_dropped;
+        change.at = {frame_.origin.x + frame_.step * c.x, frame_.origin.y + frame_.step * c.y};
+        change.area = static_cast<double>(graph_.twice_area_of(b)) / 2 * cell_;
+        change.length = partners.length * frame_.step;
+        if (partners.joint >= 0) change.joint = traces_[static_cast<std::size_t>(partners.joint)].name;
+        return change;
+    }
+
+    Partners partners_of(std::size_t b) {
         return model_.small_blocks.policy == SmallPolicy::merge ? across_longest(b) : across_least_joint(b);
     }
 
-    std::vector<std::size_t> across_longest(std::size_t b) {
+    Partners across_longest(std::size_t b) {
         std::map<std::size_t, double> common;
         for (const Side& s : graph_.sides(b))
             if (may_join(s, b)) common[graph_.root(static_cast<std::size_t>(s.neighbour))] += s.length;
         const auto longest = std::max_element(
             common.begin(), common.end(), [](const auto& x, const auto& y) { return x.second < y.second; });
         if (longest == common.end()) return {};
-        return {longest->first};
+        return {{longest->first}, longest->second, -1};
     }
 
-    std::vector<std::size_t> across_least_joint(std::size_t b) {
-        std::int32_t least = -1;
+    Partners across_least_joint(std::size_t b) {
+        Partners partners;
+        std::int32_t& least = partners.joint;
         for (const Side& s : graph_.sides(b))
             if (s.joint >= 0 && may_join(s, b) && (least < 0 || is_less(s.joint, least))) least = s.joint;
-        std::set<std::size_t> partners;
         if (least < 0) return {};
-        for (const Side& s : graph_.sides(b))
-            if (s.joint == least && may_join(s, b))
-                partners.insert(graph_.root(static_cast<std::size_t>(s.neighbour)));
-        return {partners.begin(), partners.end()};
+        std::set<std::size_t> blocks;
+        for (const Side& s : graph_.sides(b)) {
+            if (s.joint != least || !may_join(s, b)) continue;
+            blocks.insert(graph_.root(static_cast<std::size_t>(s.neighbour)));
+            partners.length += s.length;
+        }
+        partners.blocks.assign(blocks.begin(), blocks.end());
+        return partners;
     }
 
     bool is_less(std::int32_t joint, std::int32_t other) const {
@@ -197,15 +243,42 @@ class SmallBlockMerger {
 
     FaceBlocks& faces_;
     const SlopeModel& model_;
+    const std::vector<Trace>& traces_;
     BlockGraph graph_;
+    GridFrame frame_;
     double cell_;
 };
+
+/// The row of a hole, clockwise as rings of blocks are, that was filled. Islands in it count with their own
+/// holes.
+Change filled_hole(const std::vector<std::int32_t>& hole, const NodedEdges& noded) {
+    Int128 twice = 0;
+    Point moment{0, 0};
+    for (const std::int32_t h : hole) {
+        const auto& edge = noded.edges[static_cast<std::size_t>(h / 2)];
+        const bool forward = h % 2 == 0;
+        const GridPoint& a = noded.vertices[static_cast<std::size_t>(forward ? edge.first : edge.second)];
+        const GridPoint& b = noded.vertices[static_cast<std::size_t>(forward ? edge.second : edge.first)];
+        const Int128 area = twice_area({0, 0}, a, b);
+        const Point share = moment_of(a, b, static_cast<double>(area));
+        twice += area;
+        moment = {moment.x + share.x, moment.y + share.y};
+    }
+    const double six_areas = 3 * static_cast<double>(twice), step = noded.frame.step;
+    Change change;
+    change.kind = ChangeKind::island_filled;
+    change.at = {noded.frame.origin.x + step * moment.x / six_areas,
+                 noded.frame.origin.y + step * moment.y / six_areas};
+    change.area = -static_cast<double>(twice) / 2 * step * step;
+    return change;
+}
 
 }  // namespace
 
 void merge_small_blocks(FaceBlocks& faces, const NodedEdges& noded, const Subdivision& subdivision,
-                        const SlopeModel& model, const SourceTable& table, MergeReport& report) {
-    SmallBlockMerger(faces, noded, subdivision, model, table).run(report);
+                        const SlopeModel& model, const std::vector<Trace>& traces, const SourceTable& table,
+                        MergeReport& report) {
+    SmallBlockMerger(faces, noded, subdivision, model, traces, table).run(report);
 }
 
 bool encloses_rock(const std::vector<std::int32_t>& ring, const Subdivision& subdivision,
@@ -230,6 +303,7 @@ void fill_islands(FaceBlocks& faces, const std::vector<RingBlock>& blocks, const
     DisjointSets sets(faces.material.size());
     for (const RingBlock& block : blocks)
         for (std::size_t r = 1; r < block.rings.size(); ++r) {
+            const std::size_t before = report.filled_islands;
             // What lies in the hole has no neighbours beyond it but the block itself.
             std::vector<std::int32_t> front;
             for (const std::int32_t h : block.rings[r])
@@ -256,6 +330,7 @@ void fill_islands(FaceBlocks& faces, const std::vector<RingBlock>& blocks, const
                 for (const std::int32_t n : neighbours[b])
                     if (n != block.block) front.push_back(n);
             }
+            if (report.filled_islands > before) report.changes.push_back(filled_hole(block.rings[r], noded));
         }
     if (report.filled_islands > 0) renumber(faces, sets);
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "blockgen/block_rings.hpp"
+#include "blockgen/changes.hpp"
 
 namespace blockgen {
 
@@ -15,6 +16,7 @@ struct MergeReport {
     double merged_area = 0;          ///< m2, of the small blocks that are gone
     std::size_t kept_small = 0;      ///< small blocks without a neighbour of their own material
     std::size_t filled_islands = 0;  ///< blocks that became one with the block round them
+    std::vector<Change> changes;     ///< a row for each small block and each filled hole, in their order
 };
 
 /// Joins blocks that are too small or too slender to a neighbour of the same material, the smallest first,
@@ -22,7 +24,8 @@ struct MergeReport {
 /// lie beyond the least of the block's joints, whose piece along the block is dropped (SmallPolicy::drop).
 /// Unions only: the area stays as it was, exactly.
 void merge_small_blocks(FaceBlocks& faces, const NodedEdges& noded, const Subdivision& subdivision,
-                        const SlopeModel& model, const SourceTable& table, MergeReport& report);
+                        const SlopeModel& model, const std::vector<Trace>& traces, const SourceTable& table,
+                        MergeReport& report);
 
 /// Joins everything that a block encloses, but for cavities, to that block. @throws InputError at the domain
 /// when the materials differ.

@@ -9,6 +9,8 @@ namespace blockgen {
 
 namespace {
 
+constexpr std::size_t most_rows_of_a_kind = 20;
+
 /// Lines of text, formatted as printf does.
 class Page {
   public:
@@ -66,6 +68,22 @@ void changes_table(Page& page, const CutReport& r) {
     page.line("  small blocks kept             %zu", r.merges.kept_small);
     page.line("  islands kept, cuts, filled    %zu, %zu, %zu", r.islands, r.island_cuts,
               r.merges.filled_islands);
+    if (!r.changes.empty())
+        page.line(
+            "\n  what                                      x m           y m    area m2   length m   joint");
+    std::size_t listed = 0;
+    for (std::size_t k = 0; k < r.changes.size(); ++k) {
+        const Change& c = r.changes[k];
+        listed = k > 0 && r.changes[k - 1].kind == c.kind ? listed + 1 : 0;
+        if (listed < most_rows_of_a_kind)
+            page.line("  %-33s %12.3f  %12.3f %10s %10s   %s%s%s", word_of(c.kind), c.at.x, c.at.y,
+                      asked(c.area).c_str(), asked(c.length).c_str(), c.joint.c_str(),
+                      c.other.empty() ? "" : " to ", c.other.c_str());
+        const bool is_last = k + 1 == r.changes.size() || r.changes[k + 1].kind != c.kind;
+        if (is_last && listed >= most_rows_of_a_kind)
+            page.line("  %-33s and %zu more; the JSON report has them all", word_of(c.kind),
+                      listed + 1 - most_rows_of_a_kind);
+    }
 }
 
 void joints_table(Page& page, const CutReport& r) {

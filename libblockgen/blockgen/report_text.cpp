@@ -48,6 +48,19 @@ nlohmann::ordered_json kinematics_json(const KinematicReport& report) {
     return {{"counts", counts}, {"blocks", blocks}};
 }
 
+nlohmann::ordered_json changes_json(const std::vector<Change>& changes) {
+    nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+    for (const Change& c : changes) {
+        nlohmann::ordered_json row = {{"what", word_of(c.kind)}, {"at", {c.at.x, c.at.y}}};
+        if (c.area > 0) row["area_m2"] = c.area;
+        row["length_m"] = c.length;
+        if (!c.joint.empty()) row["joint"] = c.joint;
+        if (!c.other.empty()) row["to"] = c.other;
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
 }  // namespace
 
 std::string report_text(const CutReport& report) {
@@ -107,6 +120,7 @@ std::string report_text(const CutReport& report) {
         {"nodes",
          {{"i", report.nodes.i}, {"y", report.nodes.y}, {"x", report.nodes.x}, {"edge", report.nodes.edge}}},
         {"excavations", json::array()},
+        {"changes", changes_json(report.changes)},
         {"warnings", report.warnings}};
     for (const ExcavationReport& e : report.excavations)
         root["excavations"].push_back(

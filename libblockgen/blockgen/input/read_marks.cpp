@@ -1,3 +1,5 @@
+#include <set>
+
 #include "blockgen/input/read_shapes.hpp"
 
 namespace blockgen {
@@ -25,11 +27,30 @@ BlockSelector read_selector(const ConfigTable& table, bool prescribed) {
     return selector;
 }
 
-KinematicScreen read_kinematics(const ConfigTable& table) {
+double read_friction_angle(const ConfigTable& table, const std::string& key) {
+    return table.checked(
+        key, table.number(key, Dimension::angle), [](double a) { return a >= 0 && a < 1.55; },
+        "a friction angle from 0 to 88 deg");
+}
+
+/// All that the model may put between two blocks.
+std::set<std::string> joint_materials_of(const SlopeModel& model) {
+    std::set<std::string> names;
+    for (const JointSet& set : model.joint_sets) names.insert(set.joint_material);
+    for (const Trace& trace : model.traces) names.insert(trace.joint_material);
+    for (const Region& region : model.regions) names.insert(region.joint_material);
+    for (const Excavation& excavation : model.excavations) names.insert(excavation.joint_material);
+    names.erase("");
+    return names;
+}
+
+KinematicScreen read_kinematics(const ConfigTable& table, const SlopeModel& model) {
     KinematicScreen screen;
-    screen.friction_angle = table.checked(
-        "friction_angle", table.number("friction_angle", Dimension::angle),
-        [](double a) { return a >= 0 && a < 1.55; }, "a friction angle from 0 to 88 deg");
+    screen.friction_angle = read_friction_angle(table, "friction_angle");
+    if (const auto materials = table.optional_table("friction_angles"))
+        for (const std::string& name : joint_materials_of(model))
+            if (materials->has(name))
+                screen.friction_of_material[name] = read_friction_angle(*materials, name);
     if (table.has("fixed_sides")) screen.fixed_sides = table.strings("fixed_sides");
     for (const std::string& side : screen.fixed_sides)
         if (side != "bottom" && side != "top" && side != "left" && side != "right")
@@ -44,7 +65,8 @@ void read_marks(const ConfigTable& root, SlopeModel& model) {
         model.selectors.push_back(read_selector(table, false));
     for (const ConfigTable& table : root.array_of_tables("prescribed_block"))
         model.selectors.push_back(read_selector(table, true));
-    if (const auto table = root.optional_table("kinematics")) model.kinematics = read_kinematics(*table);
+    if (const auto table = root.optional_table("kinematics"))
+        model.kinematics = read_kinematics(*table, model);
     for (const ConfigTable& table : root.array_of_tables("measured_point")) {
         model.measured_points.push_back(
             {read_name(table, "name"), point_of(table.pair("at", Dimension::length)), table.place("at")});

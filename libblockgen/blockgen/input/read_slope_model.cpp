@@ -117,6 +117,8 @@ side = "bottom"                            # or at = [x, y], or inside = polygon
 # [kinematics]                             # screen for removable blocks, in the report and --kinematic-picture
 # friction_angle = "30 deg"
 # fixed_sides = ["bottom", "left", "right"]
+# [kinematics.friction_angles]             # joint materials with angles of their own
+# bedding = "25 deg"
 
 [[measured_point]]
 name = "crest"

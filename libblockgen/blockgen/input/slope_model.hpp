@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -134,8 +135,9 @@ struct SmallBlocks {
 
 /// What the kinematic screen needs to know.
 struct KinematicScreen {
-    double friction_angle = 0;  ///< rad, of all joints
+    double friction_angle = 0;  ///< rad, of joints whose material is not in friction_of_material
     std::vector<std::string> fixed_sides = {"bottom", "left", "right"};
+    std::map<std::string, double> friction_of_material = {};  ///< rad, per joint material
 };
 
 /// A slope as its model file describes it: geometry only, checked, in SI units.

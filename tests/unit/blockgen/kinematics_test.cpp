@@ -135,5 +135,48 @@ TEST(Kinematics, KeysOfTheModelFile) {
         EXPECT_THROW(slope(head + bad + "\n"), InputError) << bad;
 }
 
+TEST(Kinematics, FrictionIsThatOfTheJointsMaterial) {
+    for (const double friction : {10.0, 25.0, 50.0}) {
+        SlopeModel model = bench();
+        model.kinematics->friction_of_material = {{"plane", friction * degree}, {"crack", 1 * degree}};
+        add_trace(model, {{19, 7.5}, {7, 13.5}}, "plane");
+        add_trace(model, {{8, 16}, {8, 13}}, "crack");
+        const KinematicReport report = *cut(model).report.kinematics;
+        ASSERT_EQ(report.blocks.size(), 1u);
+        EXPECT_NEAR(report.blocks[0].factor_of_safety, 2 * std::tan(friction * degree), 1e-5);
+    }
+}
+
+TEST(Kinematics, JointsOfTwoMaterialsInOneLineCarryByTheirLengths) {
+    SlopeModel model = bench();
+    model.kinematics->friction_of_material = {{"lower", 20 * degree}};
+    add_trace(model, {{19, 7.5}, {12, 11}}, "lower");
+    add_trace(model, {{12, 11}, {7, 13.5}}, "upper");
+    add_trace(model, {{8, 16}, {8, 13}}, "crack");
+    const KinematicReport report = *cut(model).report.kinematics;
+    ASSERT_EQ(report.blocks.size(), 1u);
+    // Along the joint from the face at x = 16 to the crack at x = 8, halves of one length.
+    EXPECT_NEAR(report.blocks[0].factor_of_safety, 2 * (std::tan(20 * degree) + std::tan(35 * degree)) / 2,
+                1e-5);
+}
+
+TEST(Kinematics, AFrictionAngleOfAMaterialThatNoJointHasIsRefused) {
+    const std::string text = R"([domain]
+outline = [[0, 0], [20, 0], [20, 5], [10, 15], [0, 15]]
+block_material = "rock"
+[[traces]]
+joint_material = "plane"
+points = [[19, 7.5], [7, 13.5]]
+[kinematics]
+friction_angle = "35 deg"
+[kinematics.friction_angles]
+)";
+    EXPECT_NEAR(slope(text + "plane = \"20 deg\"").kinematics->friction_of_material.at("plane"), 20 * degree,
+                1e-12);
+    EXPECT_THROW(slope(text + "plain = \"20 deg\""), InputError);
+    EXPECT_THROW(slope(text + "plane = \"90 deg\""), InputError);
+    EXPECT_THROW(slope(text + "plane = 20"), InputError);
+}
+
 }  // namespace
 }  // namespace blockgen
