@@ -15,7 +15,7 @@ constexpr int order = 8;
 constexpr double corner_times_step = 0.4;  // 0.8 of the highest frequency that the new step carries
 
 std::vector<double> without_high_frequencies(const Accelerogram& record, double step) {
-    const std::size_t extension = std::min<std::size_t>(3 * (order + 1), record.values.size() - 1);
+    const std::size_t extension = std::min(3 * (std::size_t{order} + 1), record.values.size() - 1);
     return filter_both_ways(butterworth(Pass::low, order, corner_times_step / step, record.step),
                             record.values, extension);
 }
