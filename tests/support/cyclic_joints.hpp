@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "dda/joint/barton_bandis.hpp"
 #include "dda/joint/cyclic_barton_bandis.hpp"
 
@@ -60,5 +62,18 @@ inline dda::CyclicBartonBandis sliding_plane() {
     law.both_ways = true;
     return law;
 }
+
+/// What a quarter of a cycle of 15 mm ends with, to the digits of an independent integration.
+struct Quarter {
+    double stress;    ///< MPa
+    double dilation;  ///< mm
+};
+/// Two cycles, granite under 1 MPa and marble under 0.5 MPa.
+inline const std::vector<Quarter> granite_quarters = {{.8036, 2.207},  {-.4336, -.018}, {-.8306, 2.036},
+                                                      {.4337, -.309},  {.9314, 1.805},  {-.4453, -.426},
+                                                      {-.9314, 1.449}, {.4929, -.757}};
+inline const std::vector<Quarter> marble_quarters = {{.4691, 2.840},  {-.3949, -.186}, {-.5297, 2.492},
+                                                     {.3569, -.339},  {.4691, 1.973},  {-.3949, -.293},
+                                                     {-.5562, 2.346}, {.3569, -.647}};
 
 }  // namespace joint_tests

@@ -83,11 +83,6 @@ INSTANTIATE_TEST_SUITE_P(Granite, BartonShear,
 
 // V37 and V38, the law by itself: it is driven along the path without blocks.
 
-struct Quarter {
-    double stress;    ///< MPa
-    double dilation;  ///< mm
-};
-
 dda::ShearTest shear_test(const dda::JointLaw& law, double normal_stress, std::vector<double> path) {
     dda::ShearTest test;
     test.material.law = law;
@@ -99,7 +94,7 @@ dda::ShearTest shear_test(const dda::JointLaw& law, double normal_stress, std::v
 }
 
 void expect_two_cycles(const std::string& rock, const dda::JointLaw& law, double normal_stress, double peak,
-                       const std::vector<Quarter>& expected) {
+                       const std::vector<joint_tests::Quarter>& expected) {
     Case quarters("V37", rock + ", law alone, ±15 mm",
                   "0.05 % of the peak and half a digit of the reference; 0.2 µm and likewise");
     const double a = 0.015;
@@ -115,27 +110,11 @@ void expect_two_cycles(const std::string& rock, const dda::JointLaw& law, double
 }
 
 TEST(CyclicShear, GraniteAlone) {
-    expect_two_cycles("granite", joint_tests::granite(), 1e6, 1.9202,
-                      {{.8036, 2.207},
-                       {-.4336, -.018},
-                       {-.8306, 2.036},
-                       {.4337, -.309},
-                       {.9314, 1.805},
-                       {-.4453, -.426},
-                       {-.9314, 1.449},
-                       {.4929, -.757}});
+    expect_two_cycles("granite", joint_tests::granite(), 1e6, 1.9202, joint_tests::granite_quarters);
 }
 
 TEST(CyclicShear, MarbleAlone) {
-    expect_two_cycles("marble", joint_tests::marble(), 0.5e6, 1.1306,
-                      {{.4691, 2.840},
-                       {-.3949, -.186},
-                       {-.5297, 2.492},
-                       {.3569, -.339},
-                       {.4691, 1.973},
-                       {-.3949, -.293},
-                       {-.5562, 2.346},
-                       {.3569, -.647}});
+    expect_two_cycles("marble", joint_tests::marble(), 0.5e6, 1.1306, joint_tests::marble_quarters);
 }
 
 // V38. Granite out to 5 mm, back to 3, out to 5: between ratios of 0.3 and -0.3 all is straight. And out

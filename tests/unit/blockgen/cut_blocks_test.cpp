@@ -5,13 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <numbers>
 
 #include "blockgen/base/input_error.hpp"
 #include "blockgen/input/geometry_file.hpp"
 #include "blockgen/mesh/block_file.hpp"
+#include "support/others_data.hpp"
 #include "unit/blockgen/slopes.hpp"
 
 namespace blockgen {
@@ -363,21 +363,13 @@ TEST(CutBlocks, CoordinatesFarFromTheOriginKeepTheirDigits) {
     EXPECT_EQ(here.report.domain_area, there.report.domain_area);
 }
 
-/// The folder of the outcrop maps, which are not part of the project; empty when they are not at hand.
-std::filesystem::path maps() {
-    const char* shared = std::getenv("DDA_SHARED");
-    const std::filesystem::path folder =
-        shared ? shared : std::filesystem::path(__FILE__).parent_path() / "../../../../shared";
-    return std::filesystem::exists(folder / "joint-maps") ? folder / "joint-maps" : std::filesystem::path();
-}
-
-SlopeModel outcrop(const std::string& name, double grid) {
+SlopeModel outcrop(const std::filesystem::path& maps, const std::string& name, double grid) {
     SlopeModel model;
     model.block_material = "rock";
     model.grid = grid;
-    model.outline = read_outline_file(maps() / (name + "_area.geojson"))[0];
+    model.outline = read_outline_file(maps / (name + "_area.geojson"))[0];
     if (twice_signed_area(model.outline) < 0) std::reverse(model.outline.begin(), model.outline.end());
-    model.traces = read_trace_file(maps() / (name + "_traces.geojson"), name, "joint");
+    model.traces = read_trace_file(maps / (name + "_traces.geojson"), name, "joint");
     return model;
 }
 
@@ -396,10 +388,9 @@ void PrintTo(const OutcropCut& c, std::ostream* out) {
 class Outcrop : public testing::TestWithParam<OutcropCut> {};
 
 TEST_P(Outcrop, FillsItsArea) {
-    if (maps().empty())
-        GTEST_SKIP() << "real joint maps are others' data, which the project may not carry; set DDA_SHARED "
-                        "to the folder that holds joint-maps";
-    const SlopeModel model = outcrop(GetParam().name, GetParam().grid);
+    const auto maps = others_data("joint-maps");
+    if (!maps) GTEST_SKIP() << others_data_missing("joint-maps");
+    const SlopeModel model = outcrop(*maps, GetParam().name, GetParam().grid);
     const CutResult result = cut(model);
     // Corners of the outline move by up to 0.71 cells each: the area by less than that times the perimeter.
     double perimeter = 0;

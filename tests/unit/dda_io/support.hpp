@@ -9,13 +9,11 @@
 
 #include "blockgen/mesh/block_file.hpp"
 #include "support/error_of.hpp"
-#include "support/real_records.hpp"
 
 namespace io_test {
 
 namespace fs = std::filesystem;
 using ::error_of;
-using ::real_records;
 
 /// A folder of the test's own, removed at its end.
 class Folder {

@@ -1,4 +1,4 @@
-#include "support/real_records.hpp"
+#include "support/others_data.hpp"
 
 #include <gtest/gtest.h>
 
@@ -36,10 +36,8 @@ std::string test_name(const ::testing::TestParamInfo<Expected>& tested) {
 class RealRecords : public ::testing::TestWithParam<Expected> {};
 
 TEST_P(RealRecords, HaveTheirPublishedPeak) {
-    const auto folder = real_records();
-    if (!folder)
-        GTEST_SKIP() << "real records are others' data, which the project may not carry; set DDA_SHARED to "
-                        "the folder that holds records";
+    const auto folder = others_data("records");
+    if (!folder) GTEST_SKIP() << others_data_missing("records");
     const Expected& expected = GetParam();
     const Record record = read_record(*folder / expected.file, {expected.quantity, expected.declared_unit});
     EXPECT_EQ(record.values.size(), expected.count);
@@ -89,8 +87,8 @@ INSTANTIATE_TEST_SUITE_P(
 
 // The headers of the other channels state these peaks.
 TEST(RealRecords, FurtherChannelsAreRead) {
-    const auto folder = real_records();
-    if (!folder) GTEST_SKIP() << "no real records here";
+    const auto folder = others_data("records");
+    if (!folder) GTEST_SKIP() << others_data_missing("records");
     const auto peak = [&](const char* file, int channel) {
         RecordDeclaration declaration;
         declaration.channel = channel;

@@ -11,6 +11,7 @@
 
 #include "dda/joint/shear_test.hpp"
 #include "support/cyclic_joints.hpp"
+#include "support/others_data.hpp"
 
 namespace {
 
@@ -102,13 +103,9 @@ TEST(CyclicJoint, StrengthJumpsAtTheOriginAndTheForceDoesNot) {
     EXPECT_FALSE(on.back().sliding && on.back().shear_stress > 0.6899e6);
 }
 
-struct Reference {
-    double stress;    ///< MPa
-    double dilation;  ///< mm
-};
 /// Two cycles of 15 mm and what each quarter ends with, to the digits that the reference gives.
-void expect_reference(const CyclicBartonBandis& law, double stress, const std::vector<Reference>& expected,
-                      double net_work) {
+void expect_reference(const CyclicBartonBandis& law, double stress,
+                      const std::vector<joint_tests::Quarter>& expected, double net_work) {
     const auto quarters = rows(law, stress, two_cycles);
     ASSERT_EQ(quarters.size(), expected.size() + 1);
     for (std::size_t k = 0; k < expected.size(); ++k) {
@@ -127,28 +124,10 @@ void expect_reference(const CyclicBartonBandis& law, double stress, const std::v
 }
 
 TEST(CyclicGranite, TwoCyclesAreThoseOfTheReference) {
-    expect_reference(granite(), 1e6,
-                     {{.8036, 2.207},
-                      {-.4336, -.018},
-                      {-.8306, 2.036},
-                      {.4337, -.309},
-                      {.9314, 1.805},
-                      {-.4453, -.426},
-                      {-.9314, 1.449},
-                      {.4929, -.757}},
-                     82537);
+    expect_reference(granite(), 1e6, joint_tests::granite_quarters, 82537);
 }
 TEST(CyclicMarble, TwoCyclesAreThoseOfTheReference) {
-    expect_reference(marble(), 0.5e6,
-                     {{.4691, 2.840},
-                      {-.3949, -.186},
-                      {-.5297, 2.492},
-                      {.3569, -.339},
-                      {.4691, 1.973},
-                      {-.3949, -.293},
-                      {-.5562, 2.346},
-                      {.3569, -.647}},
-                     49596);
+    expect_reference(marble(), 0.5e6, joint_tests::marble_quarters, 49596);
 }
 
 TEST(CyclicJoint, TheIncrementDoesNotMatter) {
@@ -355,10 +334,10 @@ TEST(CyclicJoint, TakesTheSlipItIsTold) {
 // jumps.
 class ReferenceCurve : public testing::TestWithParam<const char*> {};
 TEST_P(ReferenceCurve, IsFollowedRowByRow) {
-    const char* folder = std::getenv("DDA_REFERENCE_CURVES");
-    if (!folder) GTEST_SKIP() << "DDA_REFERENCE_CURVES names no folder";
-    std::ifstream file(std::string(folder) + "/" + GetParam() + "_A15mm_cont.csv");
-    ASSERT_TRUE(file) << folder;
+    const auto folder = others_data("reference");
+    if (!folder) GTEST_SKIP() << others_data_missing("reference");
+    std::ifstream file(*folder / (std::string(GetParam()) + "_A15mm_cont.csv"));
+    ASSERT_TRUE(file) << *folder;
     const bool is_granite = GetParam() == std::string("granite");
     const double stress = is_granite ? 1e6 : 0.5e6, strength = is_granite ? 1.92024e6 : 1.13060e6;
     const double peak = is_granite ? joint_tests::granite_peak : joint_tests::marble_peak;
