@@ -54,7 +54,7 @@ class Slide {
         return sum;
     }
 
-    /// The total area less what the stresses strain it by, m2.
+    /// The total area without the strain that the stresses tell of, m2, Eq. (9).
     double unstrained_area(const dda::State& state) const {
         double sum = 0;
         for (std::size_t b = 1; b < state.blocks.mass.size(); ++b) {
@@ -62,7 +62,7 @@ class Slide {
             const dda::Vec3& stress = state.blocks.stress[b];
             const double nu = rock.poissons_ratio;
             const double strain = (1 + nu) * (1 - 2 * nu) / rock.youngs_modulus * (stress[0] + stress[1]);
-            sum += state.blocks.moments[b].area * (1 - strain);
+            sum += state.blocks.moments[b].area * std::exp(-strain);
         }
         return sum;
     }

@@ -18,6 +18,18 @@ AreaMoments moments_of(const Topology& topology, const std::vector<Vec2>& vertic
     return integrate(std::span(vertices).subspan(first, last - first), ring_sizes);
 }
 
+/// exp of a symmetric plane tensor (xx, yy, engineering xy).
+Eigen::Matrix2d exponential(const Vec3& strain) {
+    const double mean = (strain[0] + strain[1]) / 2;
+    const double half_difference = (strain[0] - strain[1]) / 2;
+    const double half_shear = strain[2] / 2;
+    const double radius = std::hypot(half_difference, half_shear);
+    const double slope = radius > 1e-4 ? std::sinh(radius) / radius : 1 + radius * radius / 6;
+    Eigen::Matrix2d deviator;
+    deviator << half_difference, half_shear, half_shear, -half_difference;
+    return std::exp(mean) * (std::cosh(radius) * Eigen::Matrix2d::Identity() + slope * deviator);
+}
+
 }  // namespace
 
 BlockSystem initial_block_system(const Model& model) {
@@ -44,9 +56,7 @@ BlockMap::BlockMap(const Vec2& block_centroid, const Vec6& displacement)
     const double s = std::sin(displacement[2]);
     Eigen::Matrix2d turn;
     turn << c, -s, s, c;
-    Eigen::Matrix2d stretch;
-    stretch << 1 + displacement[3], displacement[5] / 2, displacement[5] / 2, 1 + displacement[4];
-    gradient = turn * stretch;
+    gradient = turn * exponential(displacement.tail<3>());
 }
 
 Vec3 rotate_tensor(const Vec3& tensor, double angle, bool engineering) {

@@ -26,12 +26,13 @@ struct BlockSystem {
 /// The state before the first step: the model's geometry, initial stress and initial velocity.
 BlockSystem initial_block_system(const Model& model);
 
-/// A block's map over one step: x -> centroid + (u0, v0) + R(r0) (I + strain) (x - centroid). The rotation is
-/// exact, so that a spinning block neither grows nor shears (theory, Eq. (9)).
+/// A block's map over one step: x -> centroid + (u0, v0) + R(r0) exp(strain) (x - centroid). The rotation is
+/// exact, so that a spinning block neither grows nor shears, and strains that cancel leave no change of area
+/// (theory, Eq. (9)).
 struct BlockMap {
     Vec2 centroid = Vec2::Zero();
     Vec2 translation = Vec2::Zero();
-    Eigen::Matrix2d gradient = Eigen::Matrix2d::Identity();  ///< R(r0) (I + strain)
+    Eigen::Matrix2d gradient = Eigen::Matrix2d::Identity();  ///< R(r0) exp(strain)
 
     BlockMap(const Vec2& centroid, const Vec6& displacement);
     Vec2 operator()(const Vec2& x) const { return centroid + translation + gradient * (x - centroid); }

@@ -40,8 +40,19 @@ TEST(BlockMap, RotatesExactlyAndStrainsFirst) {
     Eigen::Matrix2d strain;
     strain << some[3], some[5] / 2, some[5] / 2, some[4];
     const Vec2 x(3, 5);
-    const Vec2 expected = Vec2(1.3, 1.8) + turn(.4) * (Eigen::Matrix2d::Identity() + strain) * Vec2(2, 3);
+    Eigen::Matrix2d stretch = Eigen::Matrix2d::Identity(), term = stretch;
+    for (int k = 1; k < 20; ++k) stretch += term = term * strain / k;
+    const Vec2 expected = Vec2(1.3, 1.8) + turn(.4) * stretch * Vec2(2, 3);
     EXPECT_LT((map(x) - expected).norm(), 1e-14);
+}
+
+// Small strains take a series in place of the quotient: the map back undoes the map on either side of it.
+TEST(BlockMap, IsUndoneByTheOppositeStrain) {
+    for (const double size : {1e-9, .99e-4, 1.01e-4, .1}) {
+        const Vec6 d = (Vec6() << 0, 0, 0, size, -.5 * size, .7 * size).finished();
+        const Eigen::Matrix2d both = dda::BlockMap({0, 0}, d).gradient * dda::BlockMap({0, 0}, -d).gradient;
+        EXPECT_LT((both - Eigen::Matrix2d::Identity()).norm(), 1e-15) << size;
+    }
 }
 
 // The exact map's tangent is T: halving the displacement quarters the difference.
