@@ -26,11 +26,6 @@ struct Line {
     bool holds = false;
 };
 
-/// How far past its edge's end a corner may be and still be on it, as a share of the edge: the ends of two
-/// equal faces shift by elastic strains from step to step, and a contact that changed roles with each of them
-/// would never come to rest.
-constexpr double end_slack = 1e-6;
-
 /// How far two faces must overlap, as a share of the edge, for a second contact to come into being where the
 /// other end of the overlap has one: below that, slip to and fro would make and unmake it.
 constexpr double least_overlap = 1e-3;

@@ -13,6 +13,11 @@ namespace dda {
 /// dip below the line it rests on: sin(3 degrees), Shi's value [Shi 1993, sec. 2.3].
 inline constexpr double parallel_tolerance = 0.0523;
 
+/// How far past its edge's end a corner may be and still be on it, as a share of the edge: the ends of two
+/// equal faces shift by elastic strains from step to step, and a contact that changed roles with each of them
+/// would never come to rest.
+inline constexpr double end_slack = 1e-6;
+
 /// Where a corner stands against an edge line.
 struct CornerEdgeGeometry {
     Vec2 tangent = Vec2::Zero();

@@ -51,11 +51,14 @@ class Search {
             });
             passed = passed || inwards != 0;
         }
-        if (inside && entrance.second < 0) {
-            found.pair = end.nearest;
-            return found.depth > place(encounter, 0).depth + allowed;
+        if (inside && !entrance.first) {
+            // It was inside before, or slipped round a corner into a face that is not turned to it.
+            if (const CornerEdge* touched = nearest_that_it_could_touch(encounter))
+                found.pair = *touched;
+            else if (entrance.second < 0)
+                found.pair = end.nearest;
         }
-        if (inside) return true;
+        if (inside) return entrance.second >= 0 || found.depth > place(encounter, 0).depth + allowed;
         if (!passed || first_in >= last_out) return false;
         found.through = true;
         found.depth = place(encounter, (first_in + last_out) / 2).depth;
@@ -131,10 +134,24 @@ class Search {
         }
     }
 
+    CornerEdgeGeometry geometry_after(const CornerEdge& pair) const {
+        return corner_edge_geometry(after(pair.corner), after(pair.edge), after(next(pair.edge)));
+    }
     bool could_touch(const CornerEdge& pair) const {
-        const Vec2 normal =
-            corner_edge_geometry(after(pair.corner), after(pair.edge), after(next(pair.edge))).normal;
-        return faces_outwards(topology_, after_, pair.corner, normal);
+        return faces_outwards(topology_, after_, pair.corner, geometry_after(pair).normal);
+    }
+    /// Of the edges that the corner is behind and within, the nearest that is turned to it; null if none is.
+    const CornerEdge* nearest_that_it_could_touch(Encounter encounter) const {
+        const CornerEdge* nearest = nullptr;
+        double least = reach_;
+        for (const CornerEdge& pair : encounter) {
+            const CornerEdgeGeometry geometry = geometry_after(pair);
+            if (geometry.gap >= 0 || -geometry.gap >= least || geometry.inside() < 0 || !could_touch(pair))
+                continue;
+            least = -geometry.gap;
+            nearest = &pair;
+        }
+        return nearest;
     }
 
     const Topology& topology_;

@@ -7,13 +7,33 @@
 
 namespace dda {
 
+namespace {
+
+/// Cosine of the angle between normals up to which two lines are one.
+const double facing = std::sqrt(1 - parallel_tolerance * parallel_tolerance);
+
+}  // namespace
+
 bool stands_for_its_depth(const Topology& topology, std::span<const Vec2> vertices, const Contact& contact) {
     if (contact.state != ContactState::open) return true;
     if (contact.held_back || contact.known_depth == 0) return false;
+    const auto next = [&](int corner) { return topology.next[static_cast<std::size_t>(corner)]; };
     const auto at = [&](int corner) -> const Vec2& { return vertices[static_cast<std::size_t>(corner)]; };
-    const CornerEdgeGeometry geometry = corner_edge_geometry(
-        at(contact.corner), at(contact.edge), at(topology.next[static_cast<std::size_t>(contact.edge)]));
-    return geometry.inside() >= 0 && geometry.gap < 0 && -geometry.gap <= 2 * contact.known_depth;
+    const auto geometry = [&](int corner, int edge) {
+        return corner_edge_geometry(at(corner), at(edge), at(next(edge)));
+    };
+    const auto is_in_as_known = [&](const CornerEdgeGeometry& g) {
+        return g.inside() >= -end_slack * g.length && g.gap < 0 && -g.gap <= 2 * contact.known_depth;
+    };
+    const CornerEdgeGeometry own = geometry(contact.corner, contact.edge);
+    if (is_in_as_known(own)) return true;
+    const int end = own.along < own.length / 2 ? contact.edge : next(contact.edge);
+    const int arriving = topology.previous[static_cast<std::size_t>(contact.corner)];
+    const auto takes_its_place = [&](int face) {
+        const CornerEdgeGeometry turned = geometry(end, face);
+        return is_in_as_known(turned) && turned.normal.dot(own.normal) <= -facing;
+    };
+    return takes_its_place(contact.corner) || takes_its_place(arriving);
 }
 
 KnownDepths::KnownDepths(const Topology& topology, std::span<const Vec2> vertices,
@@ -44,7 +64,6 @@ std::span<const KnownDepths::Entry> KnownDepths::entries_of(int corner) const {
 }
 
 double KnownDepths::along(int corner, const Vec2& normal) const {
-    const double facing = std::sqrt(1 - parallel_tolerance * parallel_tolerance);
     double deepest = 0;
     for (const Entry& entry : entries_of(corner)) {
         if (entry.normal.dot(normal) >= facing) deepest = std::max(deepest, entry.depth);

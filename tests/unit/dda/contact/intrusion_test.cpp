@@ -84,6 +84,21 @@ TEST_F(Intrusions, ACornerThatIsOutAgainWentThrough) {
     EXPECT_NEAR(found[0].depth, .01, 1e-15) << "half-way through the plate";
 }
 
+// Two blocks flush with each other. The upper one's corner was past the lower one's by a fraction of a micron
+// and behind its face by less; now it is within, and deeper. Only the side face has been crossed, and it is
+// the nearer: but a corner that came from above cannot touch it.
+TEST_F(Intrusions, ACornerThatSlippedRoundAnotherIsInTheFaceThatIsTurnedToIt) {
+    Scene flush;
+    flush.block({{{0, -1}, {1, -1}, {1, 0}, {0, 0}}});
+    flush.block({{{0, 0}, {1 + 2e-7, -2e-8}, {1, 1}, {0, 1}}});
+    std::vector<Vec2> moved = flush.model.vertices;
+    moved[5] = {1 - 6e-7, -2e-5};
+    const auto found =
+        intrusions(flush, moved, dda::find_candidates(flush.model, flush.model.vertices, 1), {});
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].pair, (dda::CornerEdge{5, 2})) << "its upper face, not its right one";
+}
+
 TEST_F(Intrusions, ACornerThatDipsInAndOutByOneEdgePassesNothing) {
     // The plate's middle swings up past the corner and back: the plate turns as it slides.
     s.model.vertices[0] = {-1, -.12};
