@@ -8,17 +8,10 @@
 
 namespace dda {
 
-/// The shear spring of a contact at the start of a step as its law takes it. Where strengths are reduced the
-/// law is told the load that it would take to be as near to the full strength. An augmented contact does not
-/// give way: its law is told of no spring.
-struct ShearLoad {
-    double force = 0;      ///< N per metre
-    double stiffness = 0;  ///< N/m per metre; 0: none
-};
-ShearLoad shear_load(const Model& model, const Contact& contact, double stiffness);
-
-/// What a contact did in a step. @param contact at the step's start; @param stiffness of its shear spring;
-/// @param normal_force at the end.
+/// What a contact did in a step, as its law takes it. Where strengths are reduced the law is told the shear
+/// load that would be as near to the full strength. An augmented contact does not give way: its law is told
+/// of no spring. @param contact at the step's start; @param stiffness of its shear spring; @param
+/// normal_force at the end.
 ContactMotion contact_motion(const Model& model, const Contact& contact, double stiffness,
                              double normal_force, double displacement, double slip);
 
