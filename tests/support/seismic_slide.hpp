@@ -11,7 +11,7 @@ namespace scene {
 /// on a plane of 2 degrees whose joint wears with every change of direction.
 struct SeismicSlide {
     dda::JointLaw plane = joint_tests::sliding_plane();
-    double shear_penalty = 3e7;    ///< N/m per metre, of a contact on the plane
+    double shear_penalty = 3e7;    ///< N/m per metre, of a contact on the plane; 0: what the law finds
     double normal_penalty = 5e11;  ///< likewise
     double amplitude = 0.28;       ///< m, of the base's displacement
     double frequency = 0.8;        ///< Hz
@@ -22,6 +22,7 @@ struct SeismicSlide {
     std::vector<double> slip;  ///< m, of the third block, down the plane relative to the base
     int reversals = 0;         ///< of slip on the plane, below the third block
     dda::RunOutcome outcome;
+    std::optional<EnergyWatch> energy;  ///< of the shaking
     double frequency_step = 0;
 
     void run(double duration);
@@ -106,6 +107,7 @@ inline void SeismicSlide::run(double duration) {
     stage.control.step = step;
     stage.base_motions.push_back({"base", record(duration), {}});
     outcome = sim.run(stage);
+    energy = sim.energy;
     frequency_step = sim.contact_frequency_step();
     for (const dda::Contact& contact : sim.state.contacts.contacts) {
         if (contact.joint_material == 0 && (contact.corner_block == 3 || contact.edge_block == 3))

@@ -134,6 +134,18 @@ void Ledger::record_contacts(const StepWork& step, Energy& energy) const {
     }
 }
 
+void Ledger::record_new_springs(const StepWork& step, const std::vector<Contact>& after,
+                                Energy& energy) const {
+    for (std::size_t k = 0; k < after.size(); ++k) {
+        const Contact& contact = after[k];
+        if (contact.state == ContactState::open || model_.augments(contact.joint_material)) continue;
+        const double stiffness = shear_stiffness(model_, contact);
+        if (stiffness == step.springs[k].shear_stiffness) continue;
+        energy.released += spring_energy(contact.shear_force, step.springs[k].shear_stiffness) -
+                           spring_energy(contact.shear_force, stiffness);
+    }
+}
+
 void Ledger::record_constraints(const StepWork& step, Energy& energy) const {
     for (std::size_t k = 0; k < step.bolts.size(); ++k) {
         const BoltSpring& bolt = step.bolts[k];

@@ -37,6 +37,9 @@ class Ledger {
     double stored_in(const std::vector<Contact>& contacts) const;
 
     void record_contacts(const StepWork& step, Energy& energy) const;
+    /// A law that has changed its shear spring in this step, Eq. (52), keeps the force in it: what the other
+    /// spring stores more or less comes from nowhere. @param after the contacts at the step's end.
+    void record_new_springs(const StepWork& step, const std::vector<Contact>& after, Energy& energy) const;
     void record_constraints(const StepWork& step, Energy& energy) const;
     void record_blocks(const StepWork& step, Energy& energy) const;
     void record_boundaries(const StepWork& step, Energy& energy) const;

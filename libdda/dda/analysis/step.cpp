@@ -336,6 +336,7 @@ State TimeStepper::updated(const Stage& stage, const State& state, const Step& s
         ledger_.stored_in(state.contacts.contacts) - ledger_.stored_in(step.contacts.contacts);
     after.energy.numerical_loss += straining_loss;
     ledger_.record_contacts(work, after.energy);
+    ledger_.record_new_springs(work, after.contacts.contacts, after.energy);
     ledger_.record_constraints(work, after.energy);
     ledger_.record_blocks(work, after.energy);
     ledger_.record_boundaries(work, after.energy);

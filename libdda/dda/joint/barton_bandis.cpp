@@ -80,7 +80,10 @@ Strength BartonBandis::strength_slope(const History& history, double normal_forc
 BartonBandis::History BartonBandis::advance(const History& history, const ContactMotion& motion) const {
     if (!(motion.normal_force > 0)) return history;
     History after = history;
-    after.stiffness = shear_stiffness(history, motion.normal_force, motion.length);
+    if (motion.length > 0 && history.furthest < peak_displacement) {
+        const double found = shear_stiffness({}, motion.normal_force, motion.length) / motion.length;
+        after.stiffness = std::max(history.stiffness, found);
+    }
     if (motion.displacement == 0) return after;
     after.position += motion.displacement;
     after.furthest = std::max(history.furthest, std::abs(after.position));
@@ -102,7 +105,7 @@ BartonBandis::History BartonBandis::advance(const History& history, const Contac
 }
 
 double BartonBandis::shear_stiffness(const History& history, double normal_force, double length) const {
-    if (history.stiffness > 0 || peak_displacement == 0) return history.stiffness;
+    if (history.stiffness > 0 || peak_displacement == 0) return history.stiffness * length;
     return barton.shear_strength(normal_force, length, 1) / peak_displacement;
 }
 

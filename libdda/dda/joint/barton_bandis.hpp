@@ -24,7 +24,7 @@ struct BartonBandis {
         double furthest = 0;   ///< m, largest distance from there
         double dilation = 0;   ///< m
         double ratio = 0;      ///< mobilised over peak roughness
-        double stiffness = 0;  ///< N/m per metre, Eq. (52) when the joint was first pressed
+        double stiffness = 0;  ///< Pa/m, of the shear spring
         friend bool operator==(const History&, const History&) = default;
     };
 
@@ -34,7 +34,9 @@ struct BartonBandis {
     Strength strength_slope(const History& history, double normal_force, double length) const;
     /// Nothing changes while the joint is open.
     History advance(const History& history, const ContactMotion& motion) const;
-    /// Eq. (52) at the first normal force; 0 without a peak displacement.
+    /// Eq. (52) at the largest stress that the joint bore before it had gone as far as its peak, so that it
+    /// does not depend on how the load came; 0 without a peak displacement. @param normal_force counts for a
+    /// joint that has borne nothing yet.
     double shear_stiffness(const History& history, double normal_force, double length) const;
     JointRecord record(const History& history) const;
 

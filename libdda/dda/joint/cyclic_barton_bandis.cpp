@@ -1,5 +1,6 @@
 #include "dda/joint/cyclic_barton_bandis.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "dda/joint/cyclic_walk.hpp"
@@ -48,7 +49,10 @@ CyclicBartonBandis::History CyclicBartonBandis::advance(const History& history,
                                                         const ContactMotion& motion) const {
     if (!(motion.normal_force > 0)) return history;
     History pressed = history;
-    pressed.stiffness = shear_stiffness(history, motion.normal_force, motion.length);
+    if (motion.length > 0 && history.forward == 0) {
+        const double found = shear_stiffness({}, motion.normal_force, motion.length) / motion.length;
+        pressed.stiffness = std::max(history.stiffness, found);
+    }
     CyclicWalk walk(*this, pressed, motion.normal_force, motion.length, motion.stiffness, motion.shear_force,
                     CyclicWalk::Purpose::history);
     if (motion.stiffness > 0)
@@ -59,7 +63,7 @@ CyclicBartonBandis::History CyclicBartonBandis::advance(const History& history,
 }
 
 double CyclicBartonBandis::shear_stiffness(const History& history, double normal_force, double length) const {
-    if (history.stiffness > 0) return history.stiffness;
+    if (history.stiffness > 0) return history.stiffness * length;
     return barton.shear_strength(normal_force, stressed_length(length), 1) / peak_displacement;
 }
 

@@ -1,0 +1,62 @@
+// What the two ends of a rough joint share.
+
+#include <gtest/gtest.h>
+
+#include "dda/contact/contact_stiffness.hpp"
+#include "support/cyclic_joints.hpp"
+#include "support/scene.hpp"
+
+namespace {
+
+using namespace scene;
+
+/// A block of 1 m on a rough floor, held along it and pressed by a force of 1 MN/m that acts off its middle.
+Simulation pressed(double off_middle) {
+    Scene s;
+    s.model.gravity.setZero();
+    s.model.joint_materials[0].law = joint_tests::granite();
+    s.model.block_materials[0].poissons_ratio = 0;
+    s.box({-1, -1}, 3, 1, dda::Motion::prescribed, 0, "floor");
+    const int block = s.box({0, 0}, 1, 1);
+    for (const auto& [x, share] : {std::pair{0., .5 - off_middle}, {1., .5 + off_middle}}) {
+        s.model.fixed_points.push_back({s.material_point(block, {x, 0}), true, false});
+        s.model.loads.push_back(dda::PointLoad{s.material_point(block, {x, 1}), {0, -1e6 * share}, {}});
+    }
+    return Simulation(s);
+}
+
+// Eq. (52): the strength of the whole joint over the peak displacement, half of it at either end, also where
+// one end bears more: the joint has one stress.
+TEST(JointHistory, SpringOfTheJointIsSharedByItsEnds) {
+    const double of_joint =
+        joint_tests::granite_strength().shear_strength(1e6, 1, 1) / joint_tests::granite_peak;
+    for (const double off_middle : {0., .2}) {
+        Simulation sim = pressed(off_middle);
+        ASSERT_EQ(sim.settle().status, dda::RunStatus::completed);
+        ASSERT_EQ(sim.state.contacts.contacts.size(), 2U);
+        for (const dda::Contact& contact : sim.state.contacts.contacts) {
+            // The block's bottom has grown or shrunk by its strain, some 1e-4.
+            EXPECT_NEAR(dda::shear_stiffness(sim.model, contact), of_joint / 2, 1e-3 * of_joint);
+        }
+    }
+}
+
+TEST(JointHistory, EndsThatBearUnlikeLoadsHaveOnePast) {
+    Simulation sim = pressed(.2);
+    ASSERT_EQ(sim.settle().status, dda::RunStatus::completed);
+    sim.velocity(0)[0] = .02;
+    dda::Stage stage;
+    stage.name = "shear";
+    stage.duration = .25;
+    stage.dynamic_coefficient = 0;
+    stage.control.step = 1e-3;
+    ASSERT_EQ(sim.run(stage).status, dda::RunStatus::completed);
+    const auto& contacts = sim.state.contacts.contacts;
+    ASSERT_EQ(contacts.size(), 2U);
+    EXPECT_GT(std::abs(contacts[0].normal_force - contacts[1].normal_force), 1e5);
+    EXPECT_GT(std::abs(contacts[0].slip), 2 * joint_tests::granite_peak);
+    EXPECT_EQ(contacts[0].history, contacts[1].history);
+    EXPECT_EQ(contacts[0].dilation, contacts[1].dilation);
+}
+
+}  // namespace
