@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "dda/joint/barton_bandis.hpp"
 #include "support/scene.hpp"
 
 namespace {
@@ -25,12 +26,12 @@ struct Searched : Simulation {
     void mechanism_found(const dda::Model&, const dda::State& failed, const dda::Stage&) override {
         mechanism_move = (failed.blocks.centroid(1) - state.blocks.centroid(1)).norm();
     }
-    dda::RunOutcome search(double width) {
+    dda::RunOutcome search(double width, int step_limit = 400) {
         dda::Stage stage;
         stage.name = "search";
         stage.kind = dda::StageKind::static_equilibrium;
         stage.tolerance = 1e-5;
-        stage.step_limit = 400;
+        stage.step_limit = step_limit;
         stage.reset_displacements = false;
         stage.strength_reduction = {.1, 10, width, .05};
         return run(stage);
@@ -71,6 +72,29 @@ TEST(StrengthReduction, FindsTheFactorOfABlockOnAPlane) {
                                        [&](const auto& trial) { return trial.factor == sim.fails; });
     EXPECT_EQ(sim.mechanism_move, of_fails->displacement) << "told last: the smallest factor that fails";
     EXPECT_GT(sim.mechanism_move, 0);
+}
+
+// A block that slips until enough of its roughness works: it stands while the peak bears it, and the peak is
+// Eq. (51) at the plane's mean stress.
+TEST(StrengthReduction, ReducesRoughnessLikeFriction) {
+    const double angle = 50;
+    Scene s = on_incline(angle, 0, 0);
+    const dda::BartonStrength barton{8, 50e6, radians(28)};
+    s.model.joint_materials[0].law = dda::BartonBandis{barton, 2e-3, dda::barton_1985(), true, 1};
+    // The toe bears four fifths of the weight. The soft spring of Eq. (52) would give it its share of shear
+    // only after the joint has passed its peak, at a factor 3 % lower.
+    s.model.joint_materials[0].shear_penalty = 1e10;
+    Searched sim(s);
+    ASSERT_EQ(sim.settle(.005, 1e-6).status, dda::RunStatus::completed);
+    // A step takes the block by some 1e-5 m, and less as it comes to rest.
+    ASSERT_EQ(sim.search(.002, 4000).status, dda::RunStatus::completed);
+    const double weight = 2 * s.model.block_materials[0].density * s.model.gravity.norm();
+    const double exact =
+        barton.shear_strength(weight * std::cos(radians(angle)), 2, 1) / (weight * std::sin(radians(angle)));
+    EXPECT_LE(sim.fails / sim.stands, 1.002);
+    EXPECT_LE(sim.stands, exact * (1 + 1e-4)) << "friction at the limit is met to the force tolerance";
+    // The last steps to the peak may carry the block past it, to where less roughness works.
+    EXPECT_GE(sim.fails, exact * (1 - 1e-3));
 }
 
 TEST(StrengthReduction, ReducesCohesionLikeFriction) {
