@@ -3,18 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include "support/overlap.hpp"
+#include "support/flight.hpp"
 #include "support/random_shapes.hpp"
 
 namespace {
 
 using namespace scene;
-
-struct Throw {
-    Scene scene;
-    std::vector<Vec6> velocity;
-    dda::Stage stage;
-};
 
 /// Two or three blocks, the second and third on their way to the first: half of them with a corner aimed at
 /// a corner, as exactly as rounding allows or past it by a little.
@@ -59,63 +53,6 @@ Throw random_throw(unsigned seed) {
     if (dice.one_of(2) == 0) result.stage.control.displacement_ratio = 100;
     return result;
 }
-
-/// Watches a flight step by step.
-class Flight {
-  public:
-    explicit Flight(const Throw& thrown) : sim_(thrown.scene), stage_(thrown.stage) {
-        for (int b = 0; b < sim_.model.block_count(); ++b)
-            sim_.velocity(b) = thrown.velocity[static_cast<std::size_t>(b)];
-        sim_.restart_ledger();
-        energy_ = sim_.state.energy.stores();
-        momentum_ = momentum(sim_.state);
-        for (std::size_t b = 0; b < thrown.velocity.size(); ++b)
-            scale_ += sim_.state.blocks.mass[b] * thrown.velocity[b].head<2>().norm();
-        sim_.each_step = [this](const dda::State& state, const dda::StepReport& report) {
-            look(state, report);
-        };
-    }
-    void fly() {
-        const dda::RunOutcome outcome = sim_.run(stage_);
-        EXPECT_EQ(outcome.status, dda::RunStatus::completed) << outcome.message;
-    }
-
-  private:
-    static Vec2 momentum(const dda::State& state) {
-        Vec2 sum = Vec2::Zero();
-        for (std::size_t b = 0; b < state.blocks.mass.size(); ++b)
-            sum += state.blocks.mass[b] * state.blocks.velocity[b].head<2>();
-        return sum;
-    }
-
-    void look(const dda::State& state, const dda::StepReport& report) {
-        // Two corners on each other have one contact. Where it opens in a step, the other corner may still be
-        // as deep as the contact was before: it has no force, so that it gains no energy, and leaves.
-        const double depth = std::max(report.largest_penetration, depth_before_) + 2e-9;
-        depth_before_ = report.largest_penetration;
-        for (const Overlap& overlap : overlaps(sim_.model.topology, state.blocks.vertices)) {
-            const double rim =
-                std::min(perimeter(sim_.model.topology, state.blocks.vertices, overlap.first),
-                         perimeter(sim_.model.topology, state.blocks.vertices, overlap.second));
-            ASSERT_LE(overlap.area, depth * rim)
-                << "blocks " << overlap.first << " and " << overlap.second << ", t = " << state.time;
-        }
-        // The equations are solved to the rounding of stiffness times displacement, 1e-16 and a few.
-        rounding_ += 1e-15 * sim_.model.normal_penalty * report.largest_displacement * report.step;
-        ASSERT_LE((momentum(state) - momentum_).norm(), 1e-9 * scale_ + rounding_) << "t = " << state.time;
-        ASSERT_LE(state.energy.stores(), energy_ * (1 + 1e-9)) << "t = " << state.time;
-        // The ledger's strain energy is that of small strains; fast throws strain blocks by v/c = 1 %.
-        ASSERT_LE(std::abs(state.energy.residual()), .01 * energy_) << "t = " << state.time;
-    }
-
-    Simulation sim_;
-    dda::Stage stage_;
-    double energy_ = 0;        ///< J, before
-    Vec2 momentum_{0, 0};      ///< kg m/s, before
-    double scale_ = 0;         ///< kg m/s, sum of the blocks' momenta without their directions
-    double rounding_ = 0;      ///< kg m/s, that the solutions so far may have cost
-    double depth_before_ = 0;  ///< m, largest penetration a step ago
-};
 
 class Impact : public testing::TestWithParam<unsigned> {};
 
