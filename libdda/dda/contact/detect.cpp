@@ -51,8 +51,11 @@ class Detector {
         const Contact* old = find_previous(contact);
         const bool enters = std::binary_search(d_.entering.begin(), d_.entering.end(), candidate);
         if (!enters) {
-            if (old == nullptr && distance_to_segment(vertex, at(edge), at(next(edge))) > d_.reach)
-                return false;
+            // An open contact farther off keeps what it knows, but nothing to close on: it may be off its
+            // edge's end, on the line that goes on from there.
+            contact.held_back = (old == nullptr || old->state == ContactState::open) &&
+                                distance_to_segment(vertex, at(edge), at(next(edge))) > d_.reach;
+            if (old == nullptr && contact.held_back) return false;
             // What bears force keeps the corner out until it opens or slides off the edge.
             const bool bears = old != nullptr && old->state != ContactState::open &&
                                geometry.inside() >= -end_slack * geometry.length;

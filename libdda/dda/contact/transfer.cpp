@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "dda/contact/contact_stiffness.hpp"
 #include "dda/contact/detect.hpp"
@@ -111,6 +112,50 @@ class Estate {
     std::vector<std::pair<int, const Contact*>> by_block_;
 };
 
+/// The old contacts that bore a force, by either of their blocks.
+class Bearers {
+  public:
+    explicit Bearers(std::span<const Contact> old) {
+        for (const Contact& contact : old) {
+            if (contact.state == ContactState::open) continue;
+            by_block_.emplace_back(contact.corner_block, &contact);
+            by_block_.emplace_back(contact.edge_block, &contact);
+        }
+        std::sort(by_block_.begin(), by_block_.end());
+    }
+
+    /// The nearest on the contact's line that has a block with it in common, no farther than that; null if
+    /// there is none.
+    const Contact* nearest(const Contact& contact, double farthest) const {
+        const Contact* nearest = nullptr;
+        double least = farthest;
+        for (const int block : {contact.corner_block, contact.edge_block}) {
+            auto entry = std::lower_bound(by_block_.begin(), by_block_.end(),
+                                          std::pair<int, const Contact*>{block, nullptr});
+            for (; entry != by_block_.end() && entry->first == block; ++entry) {
+                const double distance = (entry->second->point - contact.point).norm();
+                if (distance > least || !along(*entry->second, contact, farthest)) continue;
+                if (nearest == nullptr || distance < least) nearest = entry->second;
+                least = distance;
+            }
+        }
+        return nearest;
+    }
+
+  private:
+    static bool along(const Contact& bearer, const Contact& contact, double moved) {
+        const double facing = bearer.normal.dot(contact.normal);
+        const bool same_role =
+            bearer.corner_block == contact.corner_block || bearer.edge_block == contact.edge_block;
+        return bearer.joint_material == contact.joint_material &&
+               (same_role ? facing : -facing) > std::sqrt(1 - parallel_tolerance * parallel_tolerance) &&
+               std::abs(bearer.gap + bearer.dilation - contact.gap - contact.dilation) <=
+                   parallel_tolerance * moved;
+    }
+
+    std::vector<std::pair<int, const Contact*>> by_block_;
+};
+
 /// The nearest closed contact of the same blocks on the same line, no farther than that; null if there is
 /// none.
 Contact* beside(const Contact& gone, std::span<Contact> contacts, double farthest) {
@@ -131,18 +176,19 @@ Contact* beside(const Contact& gone, std::span<Contact> contacts, double farthes
 }
 
 /// A contact that came into being where two rough faces have another has been through what that has.
-void tell_faces(const Model& model, std::span<const char> knows, std::span<Contact> contacts) {
-    const auto known = [&](int k) { return knows[static_cast<std::size_t>(k)] != 0; };
+void tell_faces(const Model& model, std::span<char> knows, std::span<Contact> contacts) {
+    const auto known = [&](int k) -> char& { return knows[static_cast<std::size_t>(k)]; };
     const auto at = [&](int k) -> Contact& { return contacts[static_cast<std::size_t>(k)]; };
     const JointFaces faces(model, contacts);
     for (std::size_t f = 0; f < faces.count(); ++f) {
         const Contact* longest = nullptr;
         for (const int k : faces.contacts_of(f)) {
-            if (known(k) && (longest == nullptr || at(k).length > longest->length)) longest = &at(k);
+            if (known(k) != 0 && (longest == nullptr || at(k).length > longest->length)) longest = &at(k);
         }
         if (longest == nullptr) continue;
         for (const int k : faces.contacts_of(f)) {
-            if (!known(k)) at(k).take_history(longest->history, longest->dilation);
+            if (known(k) == 0) at(k).take_history(longest->history, longest->dilation);
+            known(k) = 1;
         }
     }
 }
@@ -152,8 +198,7 @@ void tell_faces(const Model& model, std::span<const char> knows, std::span<Conta
 void transfer_contacts(const Model& model, std::span<const Contact> old, double moved, bool first_step,
                        std::vector<Contact>& contacts) {
     std::vector<char> knows(contacts.size(), 0);  // what its joint has been through
-    std::vector<std::size_t> newcomers;
-    std::vector<std::size_t> heirs;  // that may take over: the newcomers and those that bear nothing
+    std::vector<std::size_t> heirs;  // that may take over: those that are new or bear nothing
     std::vector<const Contact*> donors;
     auto from = old.begin();
     for (std::size_t k = 0; k < contacts.size(); ++k) {
@@ -165,7 +210,6 @@ void transfer_contacts(const Model& model, std::span<const Contact> old, double 
             ++from;
         } else {
             start_fresh(model, first_step, contacts[k]);
-            newcomers.push_back(k);
             heirs.push_back(k);
         }
     }
@@ -198,16 +242,20 @@ void transfer_contacts(const Model& model, std::span<const Contact> old, double 
     }
     // Where a corner slides on to a neighbour's face and the end of the overlap that it leaves has a corner
     // of its own, one contact becomes two: the second knows the joint, and bears nothing until it gets
-    // deeper.
-    for (const std::size_t k : newcomers) {
-        if (contacts[k].state != ContactState::open) continue;
-        for (const Kin kin : {Kin::same_corner, Kin::same_blocks}) {
-            const Contact* donor = estate.nearest(contacts[k], kin, {});
-            if (donor == nullptr || donor->state == ContactState::open) continue;
-            contacts[k].take_history(donor->history, donor->dilation);
-            knows[k] = 1;
-            break;
-        }
+    // deeper. While it waits for that in a face that others bear, it goes on to know what they do. Rough
+    // faces know better what they have been through themselves.
+    tell_faces(model, knows, contacts);
+    std::optional<Bearers> bearers;
+    for (const std::size_t k : heirs) {
+        Contact& contact = contacts[k];
+        const bool waits = contact.known_depth > 0 && contact.slip == 0;
+        if (contact.state != ContactState::open || !waits) continue;
+        if (knows[k] != 0 && belongs_to_faces(model.joint_material_at(contact.joint_material).law)) continue;
+        if (!bearers) bearers.emplace(old);
+        const Contact* bearer = bearers->nearest(contact, moved);
+        if (bearer == nullptr) continue;
+        contact.take_history(bearer->history, bearer->dilation);
+        knows[k] = 1;
     }
     tell_faces(model, knows, contacts);
 }
