@@ -1,0 +1,159 @@
+// Shapes that a detector of convex neighbours of like size would not know: a block in another's hole, blocks
+// a hundred times smaller than what they meet.
+
+#include <gtest/gtest.h>
+
+#include "support/flight.hpp"
+#include "support/random_shapes.hpp"
+
+namespace {
+
+using namespace scene;
+
+Ring regular(unsigned corners, double radius, double turned) {
+    Ring ring;
+    for (unsigned k = 0; k < corners; ++k) {
+        const double angle = turned + 2 * std::numbers::pi * k / corners;
+        ring.push_back(radius * Vec2(std::cos(angle), std::sin(angle)));
+    }
+    return ring;
+}
+
+Vec6 thrown(Dice& dice, double speed, double size) {
+    Vec6 v = Vec6::Zero();
+    v.head<2>() = speed * dice.direction();
+    if (dice.one_of(2) == 0) v[2] = speed / size * dice.between(-2, 2);
+    return v;
+}
+
+dda::Stage flight(Dice& dice, double duration) {
+    dda::Stage stage;
+    stage.duration = duration;
+    stage.control.step = duration / dice.magnitude(100, 400);
+    if (dice.one_of(2) == 0) stage.control.displacement_ratio = 100;
+    return stage;
+}
+
+Throw empty_space(Dice& dice) {
+    Throw result;
+    Scene& s = result.scene;
+    s.model.gravity.setZero();
+    s.friction(dice.one_of(2) == 0 ? 0 : dice.between(10, 60));
+    s.model.normal_penalty = s.model.shear_penalty = 1e10 * dice.magnitude(1, 100);
+    return result;
+}
+
+/// A frame with a hole of three to eight corners, and a block in the hole on its way to the frame.
+Throw in_a_hole(unsigned seed) {
+    Dice dice(seed);
+    Throw result = empty_space(dice);
+    const double size = dice.magnitude(.3, 3);
+    const unsigned corners = 3 + dice.one_of(6);
+    Ring hole = regular(corners, size, dice.between(0, 6));
+    std::reverse(hole.begin(), hole.end());
+    const double outside = size * dice.between(1.2, 3);
+    result.scene.block(
+        {{{-outside, -outside}, {outside, -outside}, {outside, outside}, {-outside, outside}}, hole});
+    result.velocity.push_back(Vec6::Zero());
+    const double room = size * std::cos(std::numbers::pi / corners);
+    const double own = room * dice.between(.1, .9) * std::sqrt(2);
+    result.scene.block({placed(random_ring(dice, own), dice.between(0, 6), Vec2(0, 0))});
+    const double speed = dice.magnitude(.1, 20);
+    result.velocity.push_back(thrown(dice, speed, own));
+    result.stage = flight(dice, 4 * size / speed);
+    return result;
+}
+
+/// One or two pebbles on their way to a block a hundred times their size.
+Throw pebbles(unsigned seed) {
+    Dice dice(seed);
+    Throw result = empty_space(dice);
+    const double size = dice.magnitude(.3, 3);
+    const Ring target = placed(random_ring(dice, size), dice.between(0, 6), Vec2(0, 0));
+    result.scene.block({target});
+    result.velocity.push_back(Vec6::Zero());
+    const double own = size / 100;
+    const double speed = dice.magnitude(.1, 10);
+    const unsigned count = 1 + dice.one_of(2);
+    // At a corner of the target, and at the one farthest from it.
+    const Vec2 farthest = *std::max_element(target.begin(), target.end(), [&](const Vec2& a, const Vec2& b) {
+        return (a - target[0]).norm() < (b - target[0]).norm();
+    });
+    for (unsigned k = 0; k < count; ++k) {
+        // From outside of the circle about the target, past the corner by up to a pebble.
+        const Vec2 corner = k == 0 ? target[0] : farthest;
+        const Vec2 outwards = corner.normalized();
+        const Vec2 from = placed(outwards, dice.between(-.5, .5), Vec2(0, 0));
+        const Vec2 start = corner + own * dice.between(1, 3) * from +
+                           own * dice.between(-1, 1) * dda::perpendicular(from) +
+                           (size / std::sqrt(2) - corner.norm()) * outwards;
+        result.scene.block({placed(random_ring(dice, own), dice.between(0, 6), start)});
+        Vec6 v = Vec6::Zero();
+        v.head<2>() = -speed * from;
+        if (dice.one_of(2) == 0) v[2] = speed / own * dice.between(-1, 1);
+        result.velocity.push_back(v);
+    }
+    result.stage = flight(dice, (10 * own + size / 2) / speed);
+    return result;
+}
+
+class InAHole : public testing::TestWithParam<unsigned> {};
+
+TEST_P(InAHole, ABlockStaysThere) {
+    int hits = 0;
+    for (unsigned seed = 50 * GetParam() + 1; seed <= 50 * (GetParam() + 1); ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Flight thrown(in_a_hole(seed));
+        thrown.fly();
+        if (HasFatalFailure()) return;
+        hits += thrown.hits() > 0;
+    }
+    EXPECT_EQ(hits, 50) << "each of them meets the frame";
+}
+INSTANTIATE_TEST_SUITE_P(Fifties, InAHole, testing::Range(0U, 4U), testing::PrintToStringParamName());
+
+class Pebbles : public testing::TestWithParam<unsigned> {};
+
+TEST_P(Pebbles, DoNotGetIntoABlockAHundredTimesTheirSize) {
+    int hits = 0;
+    for (unsigned seed = 50 * GetParam() + 1; seed <= 50 * (GetParam() + 1); ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Flight thrown(pebbles(seed));
+        thrown.fly();
+        if (HasFatalFailure()) return;
+        hits += thrown.hits() > 0;
+    }
+    EXPECT_GT(hits, 25) << "most of them meet it";
+}
+INSTANTIATE_TEST_SUITE_P(Fifties, Pebbles, testing::Range(0U, 4U), testing::PrintToStringParamName());
+
+// A block of 1 m on two pebbles of 1 cm, on the ground.
+TEST(Pebbles, BearABlockAHundredTimesTheirSize) {
+    Scene s;
+    s.friction(30);
+    s.box({-1, -1}, 3, 1, dda::Motion::fixed);
+    const int left = s.box({.1, 0}, .01, .01);
+    const int right = s.box({.79, 0}, .01, .01);
+    const int block = s.box({0, .01}, 1, 1);
+    Simulation sim(s);
+    const dda::RunOutcome outcome = sim.settle();
+    ASSERT_EQ(outcome.status, dda::RunStatus::completed) << outcome.message;
+    const double weight = sim.state.blocks.mass[static_cast<std::size_t>(block)] * s.model.gravity.norm();
+    const double pebble = sim.state.blocks.mass[static_cast<std::size_t>(left)] * s.model.gravity.norm();
+    const auto under = [&](int upper, int lower) {
+        double sum = 0;
+        for (const dda::Contact& c : sim.state.contacts.contacts)
+            if (std::minmax(c.corner_block, c.edge_block) == std::minmax(upper, lower)) sum += c.normal_force;
+        return sum;
+    };
+    // The middle is 0.395 m from the left pebble's and 0.295 m from the right one's. Where on a pebble the
+    // block presses is not told by statics: half of its width, of 0.69 m.
+    const double play = weight * .005 / .69;
+    EXPECT_NEAR(under(block, left), weight * .295 / .69, play);
+    EXPECT_NEAR(under(block, right), weight * .395 / .69, play);
+    EXPECT_NEAR(under(block, left) + under(block, right), weight, 1e-6 * weight);
+    EXPECT_NEAR(under(left, 0), under(block, left) + pebble, 1e-6 * weight);
+    EXPECT_NEAR(under(right, 0), under(block, right) + pebble, 1e-6 * weight);
+}
+
+}  // namespace
