@@ -1,7 +1,7 @@
 // Cuts slopes made of random numbers, near-coincident on purpose, until the time is up. Every cut is proved,
 // swept with exact construction, checked as a mesh and read back from its block file; what fails is named by
 // its seed.
-//   fuzz_cutter SECONDS [FIRST_SEED]        fuzz_cutter --seeds FILE replays seeds, one a line
+//   fuzz_cutter SECONDS [FIRST_SEED [STEP]]        fuzz_cutter --seeds FILE replays seeds, one a line
 #include <cmath>
 #include <cstdio>
 #include <random>
@@ -79,8 +79,6 @@ class RandomSlope {
     Point shift_;
 };
 
-unsigned long refused = 0;
-
 /// @return what is wrong; empty when nothing is.
 std::string fault_of(unsigned long seed) {
     try {
@@ -98,7 +96,7 @@ std::string fault_of(unsigned long seed) {
         if (!(parse_block_file(block_file_text(result.mesh), "file") == result.mesh))
             return "the block file reads back otherwise";
     } catch (const InputError&) {
-        ++refused;  // as an island of another material may be
+        ++fuzz::refused;  // as an island of another material may be
     } catch (const std::exception& error) {
         return error.what();
     }
@@ -114,7 +112,5 @@ bool passes(unsigned long seed) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    const int code = fuzz::run_seeds(argc, argv, passes);
-    std::printf("%lu of them refused\n", refused);
-    return code;
+    return fuzz::run_seeds(argc, argv, passes);
 }

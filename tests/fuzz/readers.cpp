@@ -1,6 +1,7 @@
 // Feeds damaged files to the readers of slope models, block files, Shi's line files, CSV and GeoJSON: bytes
 // changed, pieces cut out, doubled or swapped. Each must be read, or refused by InputError.
-//   fuzz_readers SECONDS [FIRST_SEED]        fuzz_readers --seeds FILE replays seeds, one a line
+//   fuzz_readers SECONDS [FIRST_SEED [STEP]]        fuzz_readers --seeds FILE replays seeds, one a line
+// A step of five from seed 0 stays with slope models, from 1 with block files, and so on in the order above.
 #include <unistd.h>
 
 #include <cstdio>
@@ -99,8 +100,6 @@ const std::string& written(const std::string& text, const char* extension) {
     return path;
 }
 
-unsigned long refused = 0;
-
 bool passes(unsigned long seed) {
     fuzz::Damage damage(seed);
     const std::vector<std::function<void()>> readers = {
@@ -118,7 +117,7 @@ bool passes(unsigned long seed) {
     try {
         readers[seed % readers.size()]();
     } catch (const InputError&) {
-        ++refused;
+        ++fuzz::refused;
     } catch (const std::exception& error) {
         std::printf("seed %lu: %s\n", seed, error.what());
         return false;
@@ -131,6 +130,5 @@ bool passes(unsigned long seed) {
 int main(int argc, char** argv) {
     const int code = fuzz::run_seeds(argc, argv, passes);
     for (const char* extension : {".geo", ".csv", ".json"}) std::remove(written("", extension).c_str());
-    std::printf("%lu of them refused\n", refused);
     return code;
 }

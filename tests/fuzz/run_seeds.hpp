@@ -1,20 +1,27 @@
 #pragma once
 
-#include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <fstream>
 
 namespace fuzz {
 
-/// The command line of a fuzzer, PROGRAM SECONDS [FIRST_SEED] or PROGRAM --seeds FILE, which replays seeds,
-/// one a line.
+/// How many inputs were refused, as bad ones should be.
+inline unsigned long refused = 0;
+/// Set by a signal to end: what was done until then is still told.
+inline volatile std::sig_atomic_t is_stopped = 0;
+
+/// The whole of a fuzzer's main: PROGRAM SECONDS [FIRST_SEED [STEP]], or PROGRAM --seeds FILE, which replays
+/// seeds, one a line. A step of as many as there are kinds of input stays with one kind. Seconds are those of
+/// the processor.
 /// @param passes runs one seed and prints what is wrong with it. @returns the exit code.
 template <class Passes>
 int run_seeds(int argc, char** argv, const Passes& passes) {
     if (argc < 2) {
-        std::fprintf(stderr, "%s SECONDS [FIRST_SEED] | --seeds FILE\n", argv[0]);
+        std::fprintf(stderr, "%s SECONDS [FIRST_SEED [STEP]] | --seeds FILE\n", argv[0]);
         return 2;
     }
     bool good = true;
@@ -22,14 +29,18 @@ int run_seeds(int argc, char** argv, const Passes& passes) {
         std::ifstream file(argv[2]);
         int count = 0;
         for (unsigned long seed = 0; file >> seed; ++count) good = passes(seed) && good;
-        std::printf("%d seeds\n", count);
+        std::printf("%d seeds, %lu of them refused\n", count, refused);
         return good && count > 0 ? 0 : 1;
     }
-    const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(std::atof(argv[1]));
+    const double end = std::atof(argv[1]) * CLOCKS_PER_SEC;
+    for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, [](int) { is_stopped = 1; });
     unsigned long seed = argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 1;
-    const unsigned long first = seed;
-    for (; std::chrono::steady_clock::now() < end; ++seed) good = passes(seed) && good;
-    std::printf("%lu files\n", seed - first);
+    const unsigned long step = argc > 3 ? std::strtoul(argv[3], nullptr, 10) : 1;
+    unsigned long count = 0;
+    for (; !is_stopped && static_cast<double>(std::clock()) < end; seed += step, ++count)
+        good = passes(seed) && good;
+    std::printf("%lu inputs, %lu of them refused, %.0f s\n", count, refused,
+                static_cast<double>(std::clock()) / CLOCKS_PER_SEC);
     return good ? 0 : 1;
 }
 
