@@ -158,7 +158,9 @@ class JointChanges {
         if (table_.is_region(source))
             return distance(p, part(model_.regions, table_.first_region).polygon, true);
         if (source >= table_.first_hole) return distance(p, part(model_.holes, table_.first_hole), true);
-        return distance(p, model_.outline, true);
+        double least = distance(p, model_.outline, true);
+        for (const Ring& ring : model_.further_outlines) least = std::min(least, distance(p, ring, true));
+        return least;
     }
 
     void add_joined(const TraceEnd& end) {

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "blockgen/base/text.hpp"
-#include "blockgen/clip_line.hpp"
+#include "blockgen/input/domain.hpp"
 #include "blockgen/mesh/measures.hpp"
 
 namespace blockgen {
@@ -56,7 +56,7 @@ std::int32_t block_near(const BlockMesh& mesh, const SlopeModel& model, const Bl
                         std::vector<std::string>& warnings) {
     const std::int32_t block = block_at(mesh, *selector.at);
     if (block >= 0) return block;
-    const Bounds bounds = Bounds::of(model.outline);
+    const Bounds bounds = domain_bounds(model);
     const double reach = 0.05 * std::hypot(bounds.high.x - bounds.low.x, bounds.high.y - bounds.low.y);
     const auto [nearest, distance] = nearest_block(mesh, *selector.at);
     if (distance > reach)
@@ -98,7 +98,7 @@ std::vector<std::int32_t> chosen(const BlockMesh& mesh, const SlopeModel& model,
                                  const BlockSelector& selector, std::vector<std::string>& warnings) {
     if (selector.at) return {block_near(mesh, model, selector, warnings)};
     std::vector<std::int32_t> blocks;
-    const Bounds bounds = Bounds::of(model.outline);
+    const Bounds bounds = domain_bounds(model);
     for (std::size_t b = 0; b < mesh.block_count(); ++b) {
         const bool is_chosen =
             !selector.along.empty() ? runs_through(mesh, b, selector.along[0], selector.along[1])

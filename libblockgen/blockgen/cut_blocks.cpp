@@ -9,6 +9,7 @@
 #include "blockgen/choose_blocks.hpp"
 #include "blockgen/detail/arrange.hpp"
 #include "blockgen/disjoint_sets.hpp"
+#include "blockgen/input/domain.hpp"
 #include "blockgen/island_cuts.hpp"
 #include "blockgen/mark_edges.hpp"
 #include "blockgen/mesh/check_mesh.hpp"
@@ -217,7 +218,7 @@ class Cutter {
         report.changes.insert(report.changes.end(), merges_.changes.begin(), merges_.changes.end());
         report.warnings.insert(report.warnings.end(), network.warnings.begin(), network.warnings.end());
         for (const Tunnel& tunnel : model_.tunnels)
-            if (lies_apart(tunnel.outline, model_.outline))
+            if (lies_apart_from_domain(tunnel.outline, model_))
                 report.warnings.push_back("tunnel '" + tunnel.name +
                                           "' lies outside the outline and takes nothing away");
     }
@@ -244,7 +245,7 @@ class Cutter {
             report.slivers += block_roundness(mesh, b) < model_.small_blocks.below_roundness;
         count_islands(report);
         if (model_.kinematics)
-            report.kinematics = screen_blocks(mesh, *model_.kinematics, model_.outline, model_.grid);
+            report.kinematics = screen_blocks(mesh, *model_.kinematics, domain_bounds(model_), model_.grid);
     }
 
     void count_islands(CutReport& report) const {

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <unordered_map>
 
+#include "blockgen/input/domain.hpp"
 #include "blockgen/sampling/rock_measure.hpp"
 
 namespace blockgen {
@@ -33,7 +34,7 @@ Point middle_of(const Trace& trace) {
 }
 
 bool is_in_rock(const SlopeModel& model, const Point& p) {
-    if (side_of_ring(model.outline, p) < 0) return false;
+    if (!is_in_outlines(model, p)) return false;
     for (const Ring& hole : model.holes)
         if (side_of_ring(hole, p) > 0) return false;
     for (const Tunnel& tunnel : model.tunnels)

@@ -32,8 +32,8 @@ Point inward(const Face& face) {
 
 class BlockScreen {
   public:
-    BlockScreen(const BlockMesh& mesh, const KinematicScreen& screen, const Ring& outline, double grid)
-        : mesh_(mesh), screen_(screen), bounds_(Bounds::of(outline)), grid_(grid) {
+    BlockScreen(const BlockMesh& mesh, const KinematicScreen& screen, const Bounds& bounds, double grid)
+        : mesh_(mesh), screen_(screen), bounds_(bounds), grid_(grid) {
         for (const std::string& name : mesh.joint_materials) {
             const auto own = screen.friction_of_material.find(name);
             friction_.push_back(
@@ -175,9 +175,9 @@ class BlockScreen {
 
 }  // namespace
 
-KinematicReport screen_blocks(const BlockMesh& mesh, const KinematicScreen& screen, const Ring& outline,
+KinematicReport screen_blocks(const BlockMesh& mesh, const KinematicScreen& screen, const Bounds& bounds,
                               double grid) {
-    return BlockScreen(mesh, screen, outline, grid).run();
+    return BlockScreen(mesh, screen, bounds, grid).run();
 }
 
 }  // namespace blockgen

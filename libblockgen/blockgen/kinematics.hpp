@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "blockgen/clip_line.hpp"
 #include "blockgen/input/slope_model.hpp"
 #include "blockgen/mesh/block_mesh.hpp"
 
@@ -38,11 +39,11 @@ struct KinematicReport {
 /// block may move in the direction d when d.n >= 0 for the inward normal n of each of its joints: their joint
 /// pyramid. It is removable when such a direction exists; being finite it then has a free face. Weight moves
 /// it in the direction of the pyramid nearest to the vertical: down when the pyramid holds it, otherwise
-/// along a joint, with the factor of safety tan(friction of its material) / tan(dip). One block at a time, translation only,
-/// without cohesion or water: neither toppling nor a row of blocks that push each other is seen. The sides of
-/// the domain's bounding box named in `fixed_sides` are no free faces; fixed and prescribed blocks count as
-/// enclosed.
-KinematicReport screen_blocks(const BlockMesh& mesh, const KinematicScreen& screen, const Ring& outline,
+/// along a joint, with the factor of safety tan(friction of its material) / tan(dip). One block at a time,
+/// translation only, without cohesion or water: neither toppling nor a row of blocks that push each other is
+/// seen. The sides of the domain's bounding box named in `fixed_sides` are no free faces; fixed and
+/// prescribed blocks count as enclosed.
+KinematicReport screen_blocks(const BlockMesh& mesh, const KinematicScreen& screen, const Bounds& bounds,
                               double grid);
 
 }  // namespace blockgen

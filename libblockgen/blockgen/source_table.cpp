@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "blockgen/clip_line.hpp"
+#include "blockgen/input/domain.hpp"
 
 namespace blockgen {
 
@@ -29,6 +29,7 @@ std::vector<SourceSegment> source_segments(const SlopeModel& model, const std::v
                                            const SourceTable& table) {
     std::vector<SourceSegment> segments;
     add_ring(segments, model.outline, 0);
+    for (const Ring& part : model.further_outlines) add_ring(segments, part, 0);
     for (std::size_t k = 0; k < model.holes.size(); ++k)
         add_ring(segments, model.holes[k], table.first_hole + static_cast<std::int32_t>(k));
     for (std::size_t k = 0; k < model.regions.size(); ++k)
@@ -39,7 +40,7 @@ std::vector<SourceSegment> source_segments(const SlopeModel& model, const std::v
     for (std::size_t k = 0; k < model.tunnels.size(); ++k)
         add_ring(segments, model.tunnels[k].outline, table.first_tunnel + static_cast<std::int32_t>(k));
 
-    const Bounds bounds = Bounds::of(model.outline);
+    const Bounds bounds = domain_bounds(model);
     const double size = std::hypot(bounds.high.x - bounds.low.x, bounds.high.y - bounds.low.y);
     const Bounds reach = bounds.widened(0.01 * size + 16 * model.grid);
     for (std::size_t k = 0; k < traces.size(); ++k) {
@@ -71,7 +72,7 @@ double estimated_blocks(const SlopeModel& model, const std::vector<SourceSegment
         const double turn = std::atan2(dy, dx) / std::numbers::pi + 1;
         length[static_cast<std::size_t>(turn * bins) % bins] += std::hypot(dx, dy);
     }
-    const Bounds bounds = Bounds::of(model.outline);
+    const Bounds bounds = domain_bounds(model);
     const double area = (bounds.high.x - bounds.low.x) * (bounds.high.y - bounds.low.y);
     double crossings = 0;
     for (std::size_t i = 0; i < bins; ++i)

@@ -106,7 +106,9 @@ std::vector<GdalLine> read_gdal_lines(const std::filesystem::path& path) {
     std::vector<GdalLine> lines;
     reader.visit_features([&](OGRGeometryH shape, OGRFeatureH feature, const std::string& layer) {
         const std::string drawn_on = field_of(feature, "Layer");
-        const std::string material = field_of(feature, "joint_material");
+        // A Shapefile keeps ten letters of a field's name.
+        std::string material = field_of(feature, "joint_material");
+        if (material.empty()) material = field_of(feature, "joint_mate");
         reader.visit_lines(shape, [&](std::vector<Point> points) {
             lines.push_back({material, drawn_on.empty() ? layer : drawn_on, std::move(points)});
         });
@@ -114,24 +116,26 @@ std::vector<GdalLine> read_gdal_lines(const std::filesystem::path& path) {
     return lines;
 }
 
-std::vector<Ring> read_gdal_polygon(const std::filesystem::path& path) {
+std::vector<std::vector<Ring>> read_gdal_polygons(const std::filesystem::path& path) {
     GdalReader reader(path);
-    std::vector<Ring> rings;
-    int shapes = 0;
-    reader.visit_features([&](OGRGeometryH shape, OGRFeatureH, const std::string&) {
-        std::size_t before = rings.size();
+    std::vector<std::vector<Ring>> polygons;
+    const std::function<void(OGRGeometryH)> add = [&](OGRGeometryH shape) {
+        const OGRwkbGeometryType type = wkbFlatten(OGR_G_GetGeometryType(shape));
+        const bool is_one = type == wkbPolygon || type == wkbLineString || type == wkbLinearRing;
+        if (is_one) polygons.emplace_back();
+        for (int k = 0; !is_one && k < OGR_G_GetGeometryCount(shape); ++k)
+            add(OGR_G_GetGeometryRef(shape, k));
+        if (!is_one) return;
         reader.visit_lines(shape, [&](std::vector<Point> points) {
             if (!(points.front() == points.back()))
-                throw InputError(reader.place(), "a line that is not closed", "one single polygon");
-            rings.push_back(std::move(points));
+                throw InputError(reader.place(), "a line that is not closed", "closed lines or polygons");
+            polygons.back().push_back(std::move(points));
         });
-        shapes += rings.size() > before;
-        const OGRwkbGeometryType type = wkbFlatten(OGR_G_GetGeometryType(shape));
-        if (type == wkbMultiPolygon && OGR_G_GetGeometryCount(shape) > 1) ++shapes;
-    });
-    if (shapes != 1)
-        throw InputError(reader.place(), std::to_string(shapes) + " polygons", "one single polygon");
-    return rings;
+        if (polygons.back().empty()) polygons.pop_back();
+    };
+    reader.visit_features([&](OGRGeometryH shape, OGRFeatureH, const std::string&) { add(shape); });
+    if (polygons.empty()) throw InputError(reader.place(), "no polygon", "closed lines or polygons");
+    return polygons;
 }
 
 #else
@@ -153,7 +157,7 @@ std::vector<GdalLine> read_gdal_lines(const std::filesystem::path& path) {
     fail(path);
 }
 
-std::vector<Ring> read_gdal_polygon(const std::filesystem::path& path) {
+std::vector<std::vector<Ring>> read_gdal_polygons(const std::filesystem::path& path) {
     fail(path);
 }
 

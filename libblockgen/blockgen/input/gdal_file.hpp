@@ -23,8 +23,8 @@ bool has_gdal();
 /// coordinates are degrees, or this build lacks GDAL.
 std::vector<GdalLine> read_gdal_lines(const std::filesystem::path& path);
 
-/// The rings of the file's one polygon: the outer one first. A single closed line counts as a polygon.
-/// @throws InputError as above, and when there are none or several.
-std::vector<Ring> read_gdal_polygon(const std::filesystem::path& path);
+/// The rings of each of the file's polygons, the outer one first. A closed line is a polygon.
+/// @throws InputError as above, and when there are none, or an open line.
+std::vector<std::vector<Ring>> read_gdal_polygons(const std::filesystem::path& path);
 
 }  // namespace blockgen

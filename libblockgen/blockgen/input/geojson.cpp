@@ -123,19 +123,24 @@ std::vector<GeoJsonLine> read_geojson_lines(const std::filesystem::path& path) {
     return lines;
 }
 
-std::vector<Ring> read_geojson_polygon(const std::filesystem::path& path) {
+std::vector<std::vector<Ring>> read_geojson_polygons(const std::filesystem::path& path) {
     GeoJsonReader reader(path);
-    std::vector<Ring> rings;
+    std::vector<std::vector<Ring>> polygons;
+    const auto add = [&](const json& polygon) {
+        if (!polygon.is_array() || polygon.empty()) reader.fail("a polygon without rings", "a list of rings");
+        polygons.emplace_back();
+        for (const json& ring : polygon) polygons.back().push_back(reader.points(ring));
+    };
     reader.visit_geometries([&](const std::string& type, const json& geometry, const json&) {
-        json polygon = reader.coordinates(geometry);
-        if (type == "MultiPolygon" && polygon.size() == 1) polygon = json(polygon[0]);
-        if ((type != "Polygon" && type != "MultiPolygon") || !rings.empty() || !polygon.is_array() ||
-            polygon.empty())
-            reader.fail("geometry of type '" + type + "'", "one single Polygon");
-        for (const json& ring : polygon) rings.push_back(reader.points(ring));
+        if (type == "Polygon")
+            add(reader.coordinates(geometry));
+        else if (type == "MultiPolygon")
+            for (const json& part : reader.coordinates(geometry)) add(part);
+        else
+            reader.fail("geometry of type '" + type + "'", "Polygon or MultiPolygon");
     });
-    if (rings.empty()) reader.fail("no polygon", "one single Polygon");
-    return rings;
+    if (polygons.empty()) reader.fail("no polygon", "a Polygon or a MultiPolygon");
+    return polygons;
 }
 
 }  // namespace blockgen

@@ -19,8 +19,8 @@ struct GeoJsonLine {
 /// @throws InputError for a file that is no JSON or no GeoJSON.
 std::vector<GeoJsonLine> read_geojson_lines(const std::filesystem::path& path);
 
-/// The rings of the only Polygon (or one-part MultiPolygon) of a GeoJSON file, outer ring first, closing
-/// corner included.
-std::vector<Ring> read_geojson_polygon(const std::filesystem::path& path);
+/// The Polygons and the parts of MultiPolygons of a GeoJSON file: the rings of each, outer ring first,
+/// closing corner included.
+std::vector<std::vector<Ring>> read_geojson_polygons(const std::filesystem::path& path);
 
 }  // namespace blockgen

@@ -30,19 +30,20 @@ void open_ring(Ring& ring) {
 
 }  // namespace
 
-std::vector<Ring> read_outline_file(const std::filesystem::path& path) {
-    std::vector<Ring> rings;
+std::vector<std::vector<Ring>> read_outline_file(const std::filesystem::path& path) {
+    std::vector<std::vector<Ring>> parts;
     if (kind_of(path) == FileKind::geojson) {
-        rings = read_geojson_polygon(path);
+        parts = read_geojson_polygons(path);
     } else if (kind_of(path) == FileKind::gdal) {
-        rings = read_gdal_polygon(path);
+        parts = read_gdal_polygons(path);
     } else {
         const CsvTable table = read_csv(path, {"x", "y"}, {});
-        rings.emplace_back();
-        for (const CsvRow& row : table.rows) rings[0].push_back({row.numbers[0], row.numbers[1]});
+        parts.push_back({Ring{}});
+        for (const CsvRow& row : table.rows) parts[0][0].push_back({row.numbers[0], row.numbers[1]});
     }
-    for (Ring& ring : rings) open_ring(ring);
-    return rings;
+    for (std::vector<Ring>& rings : parts)
+        for (Ring& ring : rings) open_ring(ring);
+    return parts;
 }
 
 std::vector<Trace> read_trace_file(const std::filesystem::path& path, const std::string& name,

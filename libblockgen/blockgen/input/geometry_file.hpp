@@ -7,10 +7,10 @@
 
 namespace blockgen {
 
-/// The outer ring and the holes of an outline file: CSV with the columns x,y, one corner a line, or GeoJSON
-/// with one Polygon, or what GDAL reads by the extensions .dxf, .shp and .gpkg. A last corner that repeats
-/// the first is dropped. Rings in file order. @throws InputError
-std::vector<Ring> read_outline_file(const std::filesystem::path& path);
+/// The parts of an outline file, of each the outer ring and then its holes: CSV with the columns x,y, one
+/// corner a line, or GeoJSON with Polygons, or what GDAL reads by the extensions .dxf, .shp and .gpkg. A last
+/// corner that repeats the first is dropped. In file order. @throws InputError
+std::vector<std::vector<Ring>> read_outline_file(const std::filesystem::path& path);
 
 /// The traces of a file: CSV with the columns x1,y1,x2,y2 and perhaps joint_material, or GeoJSON with
 /// LineStrings and MultiLineStrings (a feature's property joint_material names its material), or what GDAL

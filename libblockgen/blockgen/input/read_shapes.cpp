@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "blockgen/base/text.hpp"
-#include "blockgen/clip_line.hpp"
+#include "blockgen/input/domain.hpp"
 #include "blockgen/input/geometry_file.hpp"
 
 namespace blockgen {
@@ -108,32 +108,63 @@ Excavation read_excavation(const ConfigTable& table, const std::string& default_
     return excavation;
 }
 
+/// Checks a ring and turns it counter-clockwise. @param what to call it.
+void check_ring(const ConfigTable& domain, const std::string& key, const std::string& what, Ring& ring) {
+    if (const std::string fault = fault_of(ring); !fault.empty())
+        domain.fail(key, what + ": " + fault, ring_expected);
+    make_counter_clockwise(ring);
+}
+
+void add_part(const ConfigTable& domain, const std::string& key, const std::string& what, Ring outer,
+              SlopeModel& model) {
+    check_ring(domain, key, what, outer);
+    if (!model.outline.empty() && !lies_apart_from_domain(outer, model))
+        domain.fail(key, what + " lies over an earlier part",
+                    "parts of the domain apart from each other; a hole as an inner ring or in holes");
+    (model.outline.empty() ? model.outline : model.further_outlines.emplace_back()) = std::move(outer);
+}
+
+void add_hole(const ConfigTable& domain, const std::string& key, const std::string& where, Ring hole,
+              SlopeModel& model) {
+    const std::string what = "hole " + std::to_string(model.holes.size() + 1) + where;
+    check_ring(domain, key, what, hole);
+    if (lies_apart_from_domain(hole, model))
+        domain.fail(key, what + " lies outside the outline", "a hole that takes rock away");
+    model.holes.push_back(std::move(hole));
+}
+
+/// The one of outline, outlines and outline_file that is given.
+std::string outline_key(const ConfigTable& domain) {
+    std::string given;
+    for (const char* key : {"outline", "outlines", "outline_file"}) {
+        if (!domain.has(key)) continue;
+        if (!given.empty()) domain.fail(key, given + " and " + key + " are both given", "one of them");
+        given = key;
+    }
+    return given.empty() ? "outline" : given;
+}
+
 void read_outline(const ConfigTable& domain, SlopeModel& model) {
-    const bool in_file = domain.has("outline_file");
-    const std::string key = in_file ? "outline_file" : "outline";
-    if (in_file && domain.has("outline"))
-        domain.fail("outline_file", "outline and outline_file are both given", "one of them");
-    std::vector<Ring> rings;
-    if (in_file) {
-        model.files.push_back(domain.file_path("outline_file"));
-        rings = read_outline_file(model.files.back());
+    const std::string key = outline_key(domain);
+    std::vector<std::vector<Ring>> parts;
+    std::string where;
+    if (key == "outline_file") {
+        model.files.push_back(domain.file_path(key));
+        where = " in " + model.files.back().string();
+        parts = read_outline_file(model.files.back());
+    } else if (key == "outlines") {
+        for (const auto& pairs : domain.rings(key)) parts.push_back({ring_of(pairs)});
+        if (parts.empty()) domain.fail(key, "no part of the domain", "[[[x, y], ...], ...]");
     } else {
-        rings.push_back(ring_of(domain.pairs("outline", Dimension::length)));
+        parts.push_back({ring_of(domain.pairs(key, Dimension::length))});
     }
-    const std::size_t rings_in_file = rings.size();
-    for (const auto& pairs : domain.rings("holes")) rings.push_back(ring_of(pairs));
-    for (std::size_t r = 0; r < rings.size(); ++r) {
-        const std::string what = (r == 0 ? "the outline" : "hole " + std::to_string(r)) +
-                                 (in_file && r < rings_in_file ? " in " + model.files.back().string() : "");
-        if (const std::string fault = fault_of(rings[r]); !fault.empty())
-            domain.fail(r < rings_in_file ? key : "holes", what + ": " + fault, ring_expected);
-        make_counter_clockwise(rings[r]);
-        if (r > 0 && lies_apart(rings[r], rings[0]))
-            domain.fail(r < rings_in_file ? key : "holes", what + " lies outside the outline",
-                        "a hole that takes rock away");
-    }
-    model.outline = rings.front();
-    model.holes.assign(rings.begin() + 1, rings.end());
+    for (std::size_t k = 0; k < parts.size(); ++k)
+        add_part(domain, key,
+                 (parts.size() == 1 ? "the outline" : "outline " + std::to_string(k + 1)) + where,
+                 std::move(parts[k][0]), model);
+    for (const std::vector<Ring>& rings : parts)
+        for (std::size_t r = 1; r < rings.size(); ++r) add_hole(domain, key, where, rings[r], model);
+    for (const auto& pairs : domain.rings("holes")) add_hole(domain, "holes", "", ring_of(pairs), model);
 }
 
 double read_grid(const ConfigTable& domain) {
@@ -169,10 +200,9 @@ SmallBlocks read_small_blocks(const ConfigTable& table) {
 void check_extent(const ConfigTable& domain, const SlopeModel& model) {
     const std::string key = domain.has("grid")       ? "grid"
                             : domain.has("geo_file") ? "geo_file"
-                            : domain.has("outline")  ? "outline"
-                                                     : "outline_file";
+                                                     : outline_key(domain);
     check_reach(domain, key, model.outline, model);
-    const Bounds bounds = Bounds::of(model.outline);
+    const Bounds bounds = domain_bounds(model);
     if (std::min(bounds.high.x - bounds.low.x, bounds.high.y - bounds.low.y) < 16 * model.grid)
         domain.fail(key, "the domain is hardly larger than the grid", "a finer grid");
     for (const Ring& hole : model.holes)
@@ -194,7 +224,8 @@ std::string read_name(const ConfigTable& table, std::string_view key) {
 
 void check_reach(const ConfigTable& table, std::string_view key, const Ring& points,
                  const SlopeModel& model) {
-    Ring all = model.outline;
+    const auto domain = domain_bounds(model).corners();
+    Ring all(domain.begin(), domain.end());
     all.insert(all.end(), points.begin(), points.end());
     const auto [low, high] = Bounds::of(all);
     const double extent = std::max(high.x - low.x, high.y - low.y);
@@ -218,7 +249,7 @@ void read_domain(const ConfigTable& root, SlopeModel& model) {
     model.domain_place = domain.place();
     model.grid = read_grid(domain);
     if (domain.has("geo_file")) {
-        for (const char* key : {"outline", "outline_file", "holes"})
+        for (const char* key : {"outline", "outlines", "outline_file", "holes"})
             if (domain.has(key)) domain.fail(key, "an outline beside the lines of geo_file", "one of them");
         read_geo_domain(domain, model);
     } else {

@@ -26,7 +26,8 @@ seed = 42                                  # of all random draws; the same seed 
 
 [domain]
 outline = [[0, 0], [120, 0], [120, 30], [60, 70], [0, 70]]
-# outline_file = "profile.csv"             # instead of outline: columns x,y; or a GeoJSON file with one Polygon
+# outlines = [[[0, 0], ...], [[90, 0], ...]]   # instead: a domain of several parts
+# outline_file = "profile.csv"             # instead: columns x,y; or a GeoJSON file with Polygons
 # geo_file = "old.geo"                     # instead: a line file of Shi's programs
 # holes = [[[10, 10], [14, 10], [12, 14]]]
 block_material = "sandstone"

@@ -145,6 +145,7 @@ struct SlopeModel {
     std::uint64_t seed = 0;
     double grid = 0x1p-20;  ///< m, a power of two: all vertices lie on multiples of it
     Ring outline;
+    std::vector<Ring> further_outlines;  ///< of the domain's other parts; they may touch, but share no area
     std::vector<Ring> holes;
     std::string block_material;
     IslandPolicy islands = IslandPolicy::keep;

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "blockgen/classify_faces.hpp"
-#include "blockgen/clip_line.hpp"
+#include "blockgen/input/domain.hpp"
 
 namespace blockgen {
 
@@ -14,6 +14,7 @@ double area_of(const SlopeModel& model, const Ring* region) {
     SlopeModel bare;
     bare.grid = model.grid;
     bare.outline = model.outline;
+    bare.further_outlines = model.further_outlines;
     bare.holes = model.holes;
     bare.tunnels = model.tunnels;
     if (region != nullptr) bare.regions.push_back({"region", "region", "", *region, {}});
@@ -50,19 +51,26 @@ RockMeasure::RockMeasure(const SlopeModel& model, const std::string& region) : m
 
 double RockMeasure::length_in(const Point& a, const Point& b) const {
     double length = 0;
-    for (const auto& [c, d] : pieces_in_region(a, b))
-        for (const auto& [p, q] : clip_to_ring(c, d, model_.outline)) {
-            length += std::hypot(q.x - p.x, q.y - p.y);
-            for (const Ring& hole : model_.holes) length -= length_of(clip_to_ring(p, q, hole));
-            for (const Tunnel& tunnel : model_.tunnels)
-                length -= length_of(clip_to_ring(p, q, tunnel.outline));
-        }
+    for (const auto& [c, d] : pieces_in_region(a, b)) {
+        length += length_in_part(c, d, model_.outline);
+        for (const Ring& part : model_.further_outlines) length += length_in_part(c, d, part);
+    }
     return std::max(length, 0.0);
+}
+
+double RockMeasure::length_in_part(const Point& a, const Point& b, const Ring& part) const {
+    double length = 0;
+    for (const auto& [p, q] : clip_to_ring(a, b, part)) {
+        length += std::hypot(q.x - p.x, q.y - p.y);
+        for (const Ring& hole : model_.holes) length -= length_of(clip_to_ring(p, q, hole));
+        for (const Tunnel& tunnel : model_.tunnels) length -= length_of(clip_to_ring(p, q, tunnel.outline));
+    }
+    return length;
 }
 
 bool RockMeasure::holds(const Point& p) const {
     if (region_ != nullptr && side_of_ring(*region_, p) < 0) return false;
-    if (side_of_ring(model_.outline, p) < 0) return false;
+    if (!is_in_outlines(model_, p)) return false;
     for (const Ring& hole : model_.holes)
         if (side_of_ring(hole, p) > 0) return false;
     for (const Tunnel& tunnel : model_.tunnels)

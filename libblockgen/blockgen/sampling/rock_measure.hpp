@@ -20,6 +20,8 @@ class RockMeasure {
     std::vector<std::pair<Point, Point>> pieces_in_region(const Point& a, const Point& b) const;
 
   private:
+    double length_in_part(const Point& a, const Point& b, const Ring& part) const;
+
     const SlopeModel& model_;
     const Ring* region_ = nullptr;
     double area_ = 0;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "blockgen/input/domain.hpp"
+
 namespace blockgen {
 
 namespace {
@@ -10,7 +12,7 @@ namespace {
 Bounds bounds_of(const JointSet& set, const SlopeModel& model) {
     for (const Region& region : model.regions)
         if (region.name == set.region) return Bounds::of(region.polygon);
-    return Bounds::of(model.outline);
+    return domain_bounds(model);
 }
 
 }  // namespace

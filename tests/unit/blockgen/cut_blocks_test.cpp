@@ -367,7 +367,7 @@ SlopeModel outcrop(const std::filesystem::path& maps, const std::string& name, d
     SlopeModel model;
     model.block_material = "rock";
     model.grid = grid;
-    model.outline = read_outline_file(maps / (name + "_area.geojson"))[0];
+    model.outline = read_outline_file(maps / (name + "_area.geojson"))[0][0];
     if (twice_signed_area(model.outline) < 0) std::reverse(model.outline.begin(), model.outline.end());
     model.traces = read_trace_file(maps / (name + "_traces.geojson"), name, "joint");
     return model;

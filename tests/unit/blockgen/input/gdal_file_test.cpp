@@ -69,7 +69,9 @@ TEST(GdalFile, AClosedLineIsAnOutline) {
         "0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n8\n0\n90\n3\n70\n1\n10\n0\n20\n0\n10\n4\n20\n0\n10\n4\n20\n3"
         "\n"
         "0\nENDSEC\n0\nEOF\n";
-    const std::vector<Ring> rings = read_outline_file(written("outline.dxf", outline));
+    const std::vector<std::vector<Ring>> parts = read_outline_file(written("outline.dxf", outline));
+    ASSERT_EQ(parts.size(), 1u);
+    const std::vector<Ring>& rings = parts[0];
     ASSERT_EQ(rings.size(), 1u);
     EXPECT_EQ(rings[0].size(), 3u);
     EXPECT_EQ(twice_signed_area(rings[0]), 12);

@@ -207,11 +207,27 @@ TEST_F(GeometryFile, TracesAndOutlineFromGeoJson) {
     ASSERT_EQ(traces.size(), 3u);
     EXPECT_EQ(traces[0].joint_material, "fault");
     EXPECT_EQ(traces[2].points.size(), 3u);
-    const auto rings = read_outline_file(write(
+    const auto parts = read_outline_file(write(
         "h.geojson",
         R"({"type": "Polygon", "coordinates": [[[0, 0], [4, 0], [4, 4], [0, 0]], [[2, 1], [3, 1], [3, 2], [2, 1]]]})"));
-    ASSERT_EQ(rings.size(), 2u);
-    EXPECT_EQ(rings[0].size(), 3u);
+    ASSERT_EQ(parts.size(), 1u);
+    ASSERT_EQ(parts[0].size(), 2u);
+    EXPECT_EQ(parts[0][0].size(), 3u);
+}
+
+TEST_F(GeometryFile, PartsOfADomainFromGeoJson) {
+    const auto parts = read_outline_file(write("m.geojson", R"({"type": "FeatureCollection", "features": [
+        {"type": "Feature", "geometry": {"type": "MultiPolygon", "coordinates": [
+            [[[0, 0], [4, 0], [4, 4], [0, 0]]],
+            [[[6, 0], [9, 0], [9, 9], [6, 0]], [[8, 2], [8.5, 2], [8.5, 4], [8, 2]]]]}},
+        {"type": "Feature", "geometry": {"type": "Polygon", "coordinates": [[[20, 0], [24, 0], [24, 4], [20, 0]]]}}]})"));
+    ASSERT_EQ(parts.size(), 3u);
+    EXPECT_EQ(parts[0].size(), 1u);
+    EXPECT_EQ(parts[1].size(), 2u);
+    EXPECT_THROW(read_outline_file(write("m.geojson", R"({"type": "MultiPolygon", "coordinates": []})")),
+                 InputError);
+    EXPECT_THROW(read_outline_file(write("m.geojson", R"({"type": "MultiPolygon", "coordinates": [[]]})")),
+                 InputError);
 }
 
 TEST_F(GeometryFile, GeoJsonFaultsAreNamed) {

@@ -1,0 +1,25 @@
+#include "blockgen/input/domain.hpp"
+
+#include <algorithm>
+
+namespace blockgen {
+
+Bounds domain_bounds(const SlopeModel& model) {
+    Ring corners = model.outline;
+    for (const Ring& part : model.further_outlines) corners.insert(corners.end(), part.begin(), part.end());
+    return Bounds::of(corners);
+}
+
+bool is_in_outlines(const SlopeModel& model, const Point& p) {
+    const auto holds = [&p](const Ring& part) { return side_of_ring(part, p) >= 0; };
+    return holds(model.outline) ||
+           std::any_of(model.further_outlines.begin(), model.further_outlines.end(), holds);
+}
+
+bool lies_apart_from_domain(const Ring& ring, const SlopeModel& model) {
+    const auto is_apart = [&ring](const Ring& part) { return lies_apart(ring, part); };
+    return is_apart(model.outline) &&
+           std::all_of(model.further_outlines.begin(), model.further_outlines.end(), is_apart);
+}
+
+}  // namespace blockgen

@@ -1,0 +1,95 @@
+#include "blockgen/input/domain.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "unit/blockgen/slopes.hpp"
+
+namespace blockgen {
+namespace {
+
+using testing::HasSubstr;
+
+/// Two squares of 2 m, `gap` apart, cut by one joint through both.
+SlopeModel two_squares(double gap) {
+    SlopeModel model = rectangle(2, 2);
+    model.further_outlines = {{{2 + gap, 0}, {4 + gap, 0}, {4 + gap, 2}, {2 + gap, 2}}};
+    add_trace(model, {{-1, 1}, {7, 1}}, "bedding");
+    return model;
+}
+
+TEST(Domain, PartsAreCutEachForItself) {
+    const CutResult result = cut(two_squares(1));
+    EXPECT_EQ(result.report.blocks, 4u);
+    EXPECT_EQ(result.report.domain_area, 8);
+    EXPECT_NEAR(result.report.joints[0].retained, 4, 1e-12);
+    EXPECT_NEAR(result.report.joints[0].outside, 4, 1e-12);
+    EXPECT_EQ(result.report.boundary_edges, 12u);
+}
+
+TEST(Domain, PartsThatTouchAreOneRock) {
+    const CutResult result = cut(two_squares(0));
+    EXPECT_EQ(result.report.blocks, 2u);
+    EXPECT_EQ(result.report.domain_area, 8);
+    EXPECT_EQ(result.report.boundary_edges, 6u);
+}
+
+TEST(Domain, ItsBoxAndItsPointsAreThoseOfAllParts) {
+    const SlopeModel model = two_squares(1);
+    EXPECT_EQ(domain_bounds(model).high, (Point{5, 2}));
+    EXPECT_TRUE(is_in_outlines(model, {1, 1}));
+    EXPECT_TRUE(is_in_outlines(model, {4, 1}));
+    EXPECT_FALSE(is_in_outlines(model, {2.5, 1}));
+    EXPECT_TRUE(lies_apart_from_domain({{2, 0}, {3, 0}, {3, 2}, {2, 2}}, model));
+    EXPECT_FALSE(lies_apart_from_domain({{2, 0}, {4, 0}, {4, 2}, {2, 2}}, model));
+}
+
+TEST(Domain, SetsFillAllPartsWithTheirDensity) {
+    SlopeModel model = slope(R"([domain]
+outlines = [[[0, 0], [40, 0], [40, 30], [0, 30]], [[60, 0], [100, 0], [100, 30], [60, 30]]]
+block_material = "rock"
+[[joint_set]]
+name = "random"
+kind = "baecher"
+angle = { law = "uniform", min = "0 deg", max = "180 deg" }
+trace_length = 5
+p21 = 1.5
+)");
+    const CutResult result = cut(model);
+    EXPECT_EQ(result.report.domain_area, 2400);
+    EXPECT_NEAR(result.report.joints[0].p21, 1.5, 5.0 / 2400);  // half of the last trace
+    for (const auto& [low, high] : {std::pair(0, 40), std::pair(60, 100)}) {
+        SlopeModel part = model;
+        part.outline = {{low * 1.0, 0}, {high * 1.0, 0}, {high * 1.0, 30}, {low * 1.0, 30}};
+        part.further_outlines.clear();
+        const CutResult alone = cut_blocks(part, all_traces(model));
+        // 360 traces of 5 m a part: the deviation of their number is some 5 %.
+        EXPECT_NEAR(alone.report.joints[0].p21, 1.5, 0.3);
+    }
+}
+
+std::string error_of(const std::string& domain) {
+    try {
+        slope("[domain]\nblock_material = \"rock\"\n" + domain);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "none";
+}
+
+TEST(Domain, BadPartsAreNamed) {
+    const std::string square = "[[0, 0], [2, 0], [2, 2], [0, 2]]";
+    EXPECT_EQ(error_of("outlines = [" + square + ", [[2, 0], [4, 0], [4, 2]]]"), "none");
+    EXPECT_THAT(error_of("outlines = [" + square + ", [[1, 0], [4, 0], [4, 2]]]"),
+                HasSubstr("outline 2 lies over an earlier part"));
+    EXPECT_THAT(error_of("outlines = [" + square + ", " + square + "]"), HasSubstr("outline 2 lies over"));
+    EXPECT_THAT(error_of("outlines = [" + square + ", [[5, 0], [6, 0]]]"), HasSubstr("outline 2: 2 corners"));
+    EXPECT_THAT(error_of("outlines = []"), HasSubstr("no part of the domain"));
+    EXPECT_THAT(error_of("outline = " + square + "\noutlines = [" + square + "]"),
+                HasSubstr("outline and outlines are both given"));
+    EXPECT_THAT(error_of("outlines = [" + square + "]\nholes = [[[5, 5], [6, 5], [6, 6]]]"),
+                HasSubstr("hole 1 lies outside the outline"));
+}
+
+}  // namespace
+}  // namespace blockgen

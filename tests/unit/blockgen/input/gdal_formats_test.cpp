@@ -1,0 +1,198 @@
+// GeoPackage, Shapefile and DXF as GDAL itself writes them, read back.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "blockgen/base/input_error.hpp"
+#include "blockgen/input/gdal_file.hpp"
+#include "blockgen/input/geometry_file.hpp"
+
+#ifdef HAS_GDAL
+#include <cpl_error.h>
+#include <gdal.h>
+#include <ogr_api.h>
+#include <ogr_srs_api.h>
+#endif
+
+namespace blockgen {
+namespace {
+
+#ifndef HAS_GDAL
+
+TEST(GdalFormats, AreReadAsGdalWritesThem) {
+    GTEST_SKIP() << "this build has no GDAL to write them with";
+}
+
+#else
+
+using testing::HasSubstr;
+namespace fs = std::filesystem;
+
+struct Shape {
+    std::string text;  ///< well-known text
+    std::string joint_material;
+};
+
+/// A file of one layer in a format of GDAL's. Tests run at the same time, each in a process of its own.
+class Format {
+  public:
+    Format(const char* driver, const std::string& extension, int zone = 35)
+        : folder_(fs::path(testing::TempDir()) / ("gdal_formats_" + std::to_string(::getpid()))),
+          path_(folder_ / ("map" + extension)) {
+        GDALAllRegister();
+        fs::remove_all(folder_);
+        fs::create_directories(folder_);
+        is_drawing_ = extension == ".dxf";
+        data_ = GDALCreate(GDALGetDriverByName(driver), path_.c_str(), 0, 0, 0, GDT_Unknown, nullptr);
+        system_ = OSRNewSpatialReference(nullptr);
+        OSRSetWellKnownGeogCS(system_, "WGS84");
+        if (zone > 0) OSRSetUTM(system_, zone, 1);
+        layer_ = GDALDatasetCreateLayer(data_, is_drawing_ ? "entities" : "map",
+                                        is_drawing_ ? nullptr : system_, wkbUnknown, nullptr);
+        if (is_drawing_ || layer_ == nullptr) return;
+        OGRFieldDefnH field = OGR_Fld_Create("joint_material", OFTString);
+        CPLPushErrorHandler(CPLQuietErrorHandler);  // a Shapefile shortens the name and says so
+        OGR_L_CreateField(layer_, field, TRUE);
+        CPLPopErrorHandler();
+        OGR_Fld_Destroy(field);
+    }
+    ~Format() {
+        OSRDestroySpatialReference(system_);
+        std::error_code ignored;
+        fs::remove_all(folder_, ignored);
+    }
+    Format(const Format&) = delete;
+    Format& operator=(const Format&) = delete;
+
+    /// Writes the shapes and closes the file. @return its path.
+    fs::path with(const std::vector<Shape>& shapes) {
+        EXPECT_NE(layer_, nullptr);
+        for (const Shape& shape : shapes) {
+            OGRFeatureH feature = OGR_F_Create(OGR_L_GetLayerDefn(layer_));
+            OGRGeometryH geometry = nullptr;
+            std::string text = shape.text;
+            char* rest = text.data();
+            EXPECT_EQ(OGR_G_CreateFromWkt(&rest, nullptr, &geometry), OGRERR_NONE) << shape.text;
+            OGR_F_SetGeometryDirectly(feature, geometry);
+            const char* name = is_drawing_ ? "Layer" : nullptr;
+            const int index = name != nullptr ? OGR_F_GetFieldIndex(feature, name) : 0;
+            if (!shape.joint_material.empty())
+                OGR_F_SetFieldString(feature, index, shape.joint_material.c_str());
+            EXPECT_EQ(OGR_L_CreateFeature(layer_, feature), OGRERR_NONE);
+            OGR_F_Destroy(feature);
+        }
+        GDALClose(data_);
+        return path_;
+    }
+
+  private:
+    fs::path folder_, path_;
+    bool is_drawing_ = false;
+    GDALDatasetH data_ = nullptr;
+    OGRSpatialReferenceH system_ = nullptr;
+    OGRLayerH layer_ = nullptr;
+};
+
+const std::vector<Shape> lines = {
+    {"LINESTRING (466000.25 6691582.5, 466010 6691590, 466012.5 6691600)", "fault"},
+    {"LINESTRING (466001 6691582, 466002 6691599)", ""}};
+
+void expect_lines(const std::vector<Trace>& traces, const std::string& second_material) {
+    ASSERT_EQ(traces.size(), 2u);
+    EXPECT_EQ(traces[0].joint_material, "fault");
+    EXPECT_EQ(traces[0].points,
+              (std::vector<Point>{{466000.25, 6691582.5}, {466010, 6691590}, {466012.5, 6691600}}));
+    EXPECT_EQ(traces[1].joint_material, second_material);
+    EXPECT_EQ(traces[1].points, (std::vector<Point>{{466001, 6691582}, {466002, 6691599}}));
+}
+
+TEST(GdalFormats, TracesOfAGeoPackage) {
+    Format format("GPKG", ".gpkg");
+    const fs::path path = format.with(lines);
+    expect_lines(read_trace_file(path, "map", "joint"), "joint");
+    expect_lines(read_trace_file(path, "map", ""), "map");  // the layer's name
+}
+
+TEST(GdalFormats, TracesOfAShapefileWithItsShortenedField) {
+    Format format("ESRI Shapefile", ".shp");
+    expect_lines(read_trace_file(format.with(lines), "map", "joint"), "joint");
+}
+
+TEST(GdalFormats, TracesOfADrawingByLayer) {
+    Format format("DXF", ".dxf");
+    const std::vector<Trace> traces = read_trace_file(format.with(lines), "map", "");
+    ASSERT_EQ(traces.size(), 2u);
+    EXPECT_EQ(traces[0].joint_material, "fault");
+    ASSERT_EQ(traces[0].points.size(), 3u);
+    EXPECT_NEAR(traces[0].points[0].x, 466000.25, 1e-6);  // DXF holds 15 digits
+    EXPECT_NEAR(traces[0].points[2].y, 6691600, 1e-6);
+    EXPECT_EQ(traces[1].joint_material, "0");  // the layer of what is on none
+}
+
+TEST(GdalFormats, CurvesAndCollectionsBecomeLines) {
+    Format format("GPKG", ".gpkg");
+    const std::vector<Trace> traces =
+        read_trace_file(format.with({{"CIRCULARSTRING (0 0, 1 1, 2 0)", "arc"},
+                                     {"MULTILINESTRING ((0 0, 1 0), (0 1, 1 1))", "pair"},
+                                     {"POINT (3 3)", "point"}}),
+                        "map", "joint");
+    ASSERT_EQ(traces.size(), 3u);
+    EXPECT_GT(traces[0].points.size(), 20u);
+    for (const Point& p : traces[0].points) EXPECT_NEAR(std::hypot(p.x - 1, p.y), 1, 1e-9);
+    EXPECT_EQ(traces[1].points.size(), 2u);
+    EXPECT_EQ(traces[2].joint_material, "pair");
+}
+
+TEST(GdalFormats, OutlinesWithHolesAndParts) {
+    const std::string multi =
+        "MULTIPOLYGON (((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 1 2, 2 2, 2 1, 1 1)), ((6 0, 9 0, 9 4, 6 0)))";
+    for (const auto& [driver, extension] :
+         {std::pair("GPKG", ".gpkg"), std::pair("ESRI Shapefile", ".shp")}) {
+        Format format(driver, extension);
+        const auto parts = read_outline_file(format.with({{multi, ""}}));
+        ASSERT_EQ(parts.size(), 2u) << driver;
+        ASSERT_EQ(parts[0].size(), 2u) << driver;
+        EXPECT_EQ(std::abs(twice_signed_area(parts[0][0])), 32) << driver;
+        EXPECT_EQ(std::abs(twice_signed_area(parts[0][1])), 2) << driver;
+        EXPECT_EQ(std::abs(twice_signed_area(parts[1][0])), 12) << driver;
+    }
+}
+
+TEST(GdalFormats, ClosedLinesOfADrawingAreParts) {
+    Format format("DXF", ".dxf");
+    const auto parts = read_outline_file(
+        format.with({{"LINESTRING (0 0, 4 0, 4 4, 0 0)", ""}, {"LINESTRING (6 0, 9 0, 9 4, 6 0)", ""}}));
+    ASSERT_EQ(parts.size(), 2u);
+    EXPECT_EQ(twice_signed_area(parts[1][0]), 12);
+}
+
+std::string error_of(const fs::path& path, bool outline) {
+    try {
+        if (outline)
+            read_outline_file(path);
+        else
+            read_trace_file(path, "map", "joint");
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "none";
+}
+
+TEST(GdalFormats, DegreesAndOpenOutlinesAreRefused) {
+    Format degrees("GPKG", ".gpkg", 0);
+    EXPECT_THAT(error_of(degrees.with(lines), false), HasSubstr("the coordinates are degrees"));
+    Format open("GPKG", ".gpkg");
+    EXPECT_THAT(error_of(open.with(lines), true), HasSubstr("not closed"));
+    Format empty("GPKG", ".gpkg");
+    const fs::path path = empty.with({});
+    EXPECT_THAT(error_of(path, true), HasSubstr("no polygon"));
+    EXPECT_THAT(error_of(path, false), HasSubstr("no trace"));
+}
+
+#endif
+
+}  // namespace
+}  // namespace blockgen
