@@ -68,7 +68,7 @@ inline Track sliding_reference(double psi_degrees, double phi_degrees, const Acc
 }
 
 /// How the shaking reaches the block.
-enum class Shaking { moving_base, body_force };
+enum class Shaking { moving_base, body_force, frame };
 
 /// A block, 2 m long and 1 m high, on an incline that falls to the right; settled as if glued, then shaken.
 struct SlidingBlock {
@@ -130,6 +130,8 @@ inline void SlidingBlock::run(const std::string& id, const std::string& set_up, 
     stage.control.step = step;
     if (shaking == Shaking::moving_base) {
         stage.base_motions.push_back({"base", table(duration, 1), {}});
+    } else if (shaking == Shaking::frame) {
+        stage.frame_motions.push_back({"", table(duration, 1), {}});
     } else {
         s.model.loads.push_back(dda::BodyLoad{1, {1, 0}, table(duration, -1)});
     }

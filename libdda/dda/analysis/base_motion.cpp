@@ -21,6 +21,18 @@ Vec2 base_acceleration(const Model& model, const Stage& stage, std::size_t block
     return sum;
 }
 
+Vec2 frame_acceleration(const Stage& stage, double stage_time) {
+    Vec2 sum = Vec2::Zero();
+    if (stage.kind != StageKind::dynamic) return sum;
+    for (const BaseMotion& frame : stage.frame_motions)
+        sum += Vec2(acceleration_at(frame.x, stage_time), acceleration_at(frame.y, stage_time));
+    return sum;
+}
+
+Vec2 held_frame_acceleration(const Stage& stage, double dt, double stage_time) {
+    return frame_acceleration(stage, next_instant(stage, stage_time - dt / 2));
+}
+
 PrescribedMotion prescribe_motion(const Model& model, const Stage& stage, const BlockSystem& blocks,
                                   double dt, double stage_time) {
     const auto count = static_cast<std::size_t>(model.block_count());

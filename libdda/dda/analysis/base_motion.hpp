@@ -22,6 +22,11 @@ struct PrescribedMotion {
 /// The acceleration that a stage gives a prescribed block at an instant, m/s2; zero for others.
 Vec2 base_acceleration(const Model& model, const Stage& stage, std::size_t block, double stage_time);
 
+/// The acceleration of the frame that a stage is computed in, m/s2: the sum of its frame motions.
+Vec2 frame_acceleration(const Stage& stage, double stage_time);
+/// The one that acts over a step: like a base's, that of the next instant k h.
+Vec2 held_frame_acceleration(const Stage& stage, double dt, double stage_time);
+
 /// @param stage_time s, at the step's end, since the start of the stage.
 PrescribedMotion prescribe_motion(const Model& model, const Stage& stage, const BlockSystem& blocks,
                                   double dt, double stage_time);

@@ -3,7 +3,6 @@
 #include <Eigen/LU>
 
 #include "dda/contact/contact_stiffness.hpp"
-#include "dda/terms/loads.hpp"
 
 namespace dda {
 
@@ -173,7 +172,7 @@ void Ledger::record_constraints(const StepWork& step, Energy& energy) const {
 }
 
 void Ledger::record_blocks(const StepWork& step, Energy& energy) const {
-    const std::vector<Vec6> loads = load_forces(model_, rows_, step.blocks, step.mid, step.time);
+    const std::vector<Vec6> loads = load_forces(model_, rows_, step.blocks, step.mid, step.loads);
     for (std::size_t row = 0; row < rows_.block_of.size(); ++row) {
         const int block = rows_.block_of[row];
         const auto b = static_cast<std::size_t>(block);

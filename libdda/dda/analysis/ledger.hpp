@@ -5,6 +5,7 @@
 
 #include "dda/analysis/open_close_iteration.hpp"
 #include "dda/analysis/state.hpp"
+#include "dda/terms/loads.hpp"
 
 namespace dda {
 
@@ -21,7 +22,7 @@ struct StepWork {
     Newmark newmark;
     double mass_damping = 0;
     double velocity_kept = 1;  ///< share of the velocity that the step control leaves
-    double time = 0;           ///< s, at the end of the step
+    LoadInstant loads;         ///< at the end of the step
 };
 
 /// Keeps the energy ledger, theory sec. 8. The stores are computed from the state alone and the flows from

@@ -49,6 +49,7 @@ State initial_state(const Model& model) {
     for (const AreaMoments& moments : state.blocks.moments) state.centroid_origin.push_back(moments.centroid);
     for (const BoltSpec& bolt : model.bolts) state.bolt_force.push_back(bolt.pretension);
     state.boundary_reactions = no_reactions(model);
+    state.free_fields = fields_at_rest(model);
     const RowMap rows(model.motion);
     Ledger(model, rows).take_stock(state, state.energy);
     state.energy.initial_stores = state.energy.stores();

@@ -25,6 +25,7 @@ struct State {
     std::vector<Vec2> centroid_origin;      ///< per block: likewise
     std::vector<double> bolt_force;         ///< per bolt, N per metre, tension positive
     BoundaryReactions boundary_reactions;   ///< of viscous boundaries, N per metre
+    FreeFieldMotions free_fields;           ///< beside viscous boundaries
     Energy energy;
     std::vector<std::uint8_t> removed;  ///< per block, 1 where it was taken out; empty while all are there
 

@@ -78,7 +78,9 @@ struct TimeStepper::Step {
     ContactSet contacts;
     std::vector<ContactSprings> springs;
     std::vector<BoltSpring> bolts;
+    FreeFieldMotions fields;
     std::vector<BoundaryTerm> boundaries;
+    LoadInstant loads;
     BaseSystem base;
 };
 
@@ -206,8 +208,11 @@ TimeStepper::Step TimeStepper::prepare(const Stage& stage, const State& state, d
     step.springs =
         contact_springs(model_, rows_, step.mid, step.prescribed.displacement, step.contacts.contacts, crew_);
     step.bolts = bolt_springs(model_, rows_, step.mid, step.prescribed.displacement);
+    const double end = state.stage_time + dt;
+    step.fields = advance_fields(model_, stage, state.blocks, state.free_fields, end, step.newmark);
     step.boundaries =
-        boundary_terms(model_, rows_, step.mid, stage, state.stage_time + dt, state.boundary_reactions);
+        boundary_terms(model_, rows_, step.mid, stage, end, state.boundary_reactions, step.fields);
+    step.loads = {load_time(stage, state, dt), held_frame_acceleration(stage, dt, end)};
     assemble_base(stage, state, step);
     return step;
 }
@@ -218,7 +223,7 @@ void TimeStepper::assemble_base(const Stage& stage, const State& state, Step& st
     step.base.load.assign(count, Vec6::Zero());
     add_inertia(rows_, state.blocks, step.newmark, stage.mass_damping, step.base);
     add_elasticity(model_, rows_, state.blocks, step.dt, step.base);
-    add_loads(model_, rows_, state.blocks, step.mid, {step.dt, load_time(stage, state, step.dt)}, step.base);
+    add_loads(model_, rows_, state.blocks, step.mid, step.loads, step.base);
     add_fixed_points(model_, rows_, state.blocks, step.mid, step.base);
     add_boundaries(step.boundaries, rows_, state.blocks, step.newmark, step.base);
 }
@@ -295,13 +300,15 @@ State TimeStepper::updated(const Stage& stage, const State& state, const Step& s
                            const OpenCloseResult& result, std::span<const Vec6> displacement) const {
     State after = state;
     after.time += step.dt;
-    after.dynamic_time = load_time(stage, state, step.dt);
+    after.dynamic_time = step.loads.time;
     after.stage_time += step.dt;
     ++after.step_count;
     after.contacts = step.contacts;
     after.bolt_force = result.bolt_force;
     after.boundary_reactions =
         advance_reactions(model_, step.mid, stage, displacement, std::move(after.boundary_reactions));
+
+    after.free_fields = step.fields;
 
     const double kept = velocity_kept(stage);
     for (std::size_t row = 0; row < rows_.block_of.size(); ++row) {
@@ -328,10 +335,9 @@ State TimeStepper::updated(const Stage& stage, const State& state, const Step& s
 
     advance_contacts(model_, after.blocks.vertices, result.contacts, step.springs,
                      duration_of(stage, step.dt), after.contacts.contacts);
-    const StepWork work{state.blocks,       step.mid,   step.contacts.contacts,
-                        step.springs,       step.bolts, state.bolt_force,
-                        step.boundaries,    result,     step.newmark,
-                        stage.mass_damping, kept,       after.dynamic_time};
+    const StepWork work{
+        state.blocks,    step.mid, step.contacts.contacts, step.springs,       step.bolts, state.bolt_force,
+        step.boundaries, result,   step.newmark,           stage.mass_damping, kept,       step.loads};
     after.energy.released +=
         ledger_.stored_in(state.contacts.contacts) - ledger_.stored_in(step.contacts.contacts);
     after.energy.numerical_loss += straining_loss;

@@ -93,8 +93,8 @@ bool find_plane(const Model& model, const State& state, const std::vector<Suppor
 /// Accelerations that act on a rigid block in the frame of its base, m/s2.
 Vec2 field_at(const Model& model, const Stage& stage, const BlockOnPlane& plane, double stage_time,
               double dynamic_time) {
-    Vec2 field =
-        model.gravity - base_acceleration(model, stage, static_cast<std::size_t>(plane.base), stage_time);
+    Vec2 field = model.gravity - frame_acceleration(stage, stage_time) -
+                 base_acceleration(model, stage, static_cast<std::size_t>(plane.base), stage_time);
     for (const Load& load : model.loads) {
         const auto* body = std::get_if<BodyLoad>(&load);
         if (body != nullptr && (body->block < 0 || body->block == plane.block))

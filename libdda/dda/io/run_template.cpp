@@ -128,6 +128,12 @@ friction_angle = "35 deg"
 # shear_impedance = 0              # Pa s/m; 0: density times the speed of shear waves
 # hold = "both"                    # in static stages; or "normal", "none"
 
+# [[viscous_boundary]]             # an upright side, beside which stands a column that the waves of a boundary below climb
+# name = "left"
+# along = [[0, 0], [0, 60]]
+# free_field = "below"             # that boundary
+# free_field_layer = 0             # m, largest height of the column's layers; 0: the faces'
+
 # [[fixed_point]]
 # at = [10, 5]
 # direction = "both"               # or "x", "y"
@@ -177,11 +183,14 @@ step = 0.005
 
 # [stage.base_motion]              # moves the prescribed block of that name; without block: all prescribed blocks
 # block = "base"
+# way = "prescribed"               # or "body-force": bases stay, and the rest feels the opposite acceleration
+# delay = 0                        # s
 # x = { file = "record.at2", scale = 1.0, baseline = "drift" }
 # y = { file = "up.csv", format = "csv", channel = 1, quantity = "acceleration", unit = "cm/s2" }
 
 # [[stage.incident_wave]]          # comes in through a viscous boundary; without boundary: through all
 # boundary = "below"
+# delay = 0                        # s
 # x = { times = [0, 0.1, 0.2], values = [0, 0.05, 0], scale = 1.0 }   # m/s; or { file = "velocity.csv" }
 
 [output]

@@ -162,6 +162,14 @@ void contacts(Walker& walker, C& value) {
     all_components(walker, reference);
 }
 
+template <class Walker, class C>
+void column(Walker& walker, C& value) {
+    auto& [displacement, velocity, acceleration] = value;
+    all_components(walker, displacement);
+    all_components(walker, velocity);
+    all_components(walker, acceleration);
+}
+
 template <class Walker, class E>
 void energy(Walker& walker, E& value) {
     auto& [kinetic, strain, contact_energy, constraint, gravity, friction_loss, damping_loss, numerical_loss,
@@ -173,7 +181,8 @@ void energy(Walker& walker, E& value) {
 template <class Walker, class S>
 void state(Walker& walker, S& value) {
     auto& [time, stage_time, dynamic_time, next_step, step_count, stage_steps, all_blocks, contact_set,
-           displacement_origin, centroid_origin, bolt_force, boundary_reactions, ledger, removed] = value;
+           displacement_origin, centroid_origin, bolt_force, boundary_reactions, free_fields, ledger,
+           removed] = value;
     reals(walker, time, stage_time, dynamic_time, next_step);
     integers(walker, step_count, stage_steps);
     blocks(walker, all_blocks);
@@ -182,6 +191,8 @@ void state(Walker& walker, S& value) {
     all_components(walker, centroid_origin);
     all_reals(walker, bolt_force);
     all_components(walker, boundary_reactions);
+    walker.resize(free_fields);
+    for (auto& field : free_fields) column(walker, field);
     energy(walker, ledger);
     walker.resize(removed);
     for (auto& flag : removed) walker.integer(flag);

@@ -40,12 +40,15 @@ struct StrengthReduction {
     double displacement_limit = 0;  ///< m; a block that moves farther has failed
 };
 
-/// A wave that enters through viscous boundaries of that name (through all when empty): the velocity, m/s,
-/// with which its own motion passes them. Zero outside the tables. Times count from the stage's start.
+/// A wave that enters through viscous boundaries of that name (through all without a free field when empty):
+/// the velocity, m/s, with which its own motion passes them, or the traction, Pa, with which it pushes the
+/// rock there. Zero outside the tables. Times count from the stage's start.
 struct IncidentWave {
     std::string boundary;
     TimeTable x;
     TimeTable y;
+    bool x_is_traction = false;
+    bool y_is_traction = false;
 };
 
 /// One part of a run.
@@ -64,6 +67,9 @@ struct Stage {
     bool reset_joint_history = false;  ///< static: joints forget their slip at the end of this stage
     StepControl control;
     std::vector<BaseMotion> base_motions;
+    /// Accelerations of the frame that the stage is computed in, m/s2: bases stay, and everything feels the
+    /// opposite acceleration. Their `block` has no meaning.
+    std::vector<BaseMotion> frame_motions;
     std::optional<StrengthReduction> strength_reduction;  ///< of a static stage: what it is for
     std::vector<IncidentWave> incident_waves;
 };

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "dda/model/face.hpp"
+#include "dda/model/free_field.hpp"
 
 namespace dda {
 
@@ -17,6 +19,8 @@ struct ViscousBoundary {
     double normal_impedance = 0;  ///< Pa s/m; 0: density times the speed of pressure waves in the face's rock
     double shear_impedance = 0;   ///< Pa s/m; 0: density times the speed of shear waves
     Hold hold = Hold::both;
+    /// A column beside the faces, whose motion the rock behind them has; nothing: what leaves is swallowed.
+    std::optional<FreeField> free_field = std::nullopt;
 };
 
 }  // namespace dda

@@ -15,4 +15,8 @@ inline constexpr std::size_t least_differentiable = 5;
 /// @throws std::invalid_argument for a velocity or displacement of fewer than `least_differentiable` samples.
 std::vector<double> acceleration_samples(const Record& record);
 
+/// The velocity at a record's samples, m/s: the record itself, the integral of an acceleration that is linear
+/// between samples, from rest, or the derivative of the cubic spline through a displacement.
+std::vector<double> velocity_samples(const Record& record);
+
 }  // namespace dda

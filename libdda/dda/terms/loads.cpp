@@ -73,15 +73,17 @@ struct StrongestOf {
 }  // namespace
 
 std::vector<Vec6> load_forces(const Model& model, const RowMap& rows, const BlockSystem& blocks,
-                              const MidStep& mid, double time) {
+                              const MidStep& mid, const LoadInstant& instant) {
     std::vector<Vec6> forces(static_cast<std::size_t>(rows.count()), Vec6::Zero());
-    for (const Load& load : model.loads) std::visit(AddLoad{model, rows, blocks, mid, time, forces}, load);
+    const AddLoad add{model, rows, blocks, mid, instant.time, forces};
+    for (const Load& load : model.loads) std::visit(add, load);
+    add(BodyLoad{-1, -instant.frame_acceleration, {}});
     return forces;
 }
 
 void add_loads(const Model& model, const RowMap& rows, const BlockSystem& blocks, const MidStep& mid,
-               const StepTimes& times, BaseSystem& base) {
-    const std::vector<Vec6> forces = load_forces(model, rows, blocks, mid, times.end);
+               const LoadInstant& instant, BaseSystem& base) {
+    const std::vector<Vec6> forces = load_forces(model, rows, blocks, mid, instant);
     for (std::size_t row = 0; row < rows.block_of.size(); ++row) {
         const auto b = static_cast<std::size_t>(rows.block_of[row]);
         base.load[row].head<2>() += blocks.mass[b] * model.gravity;

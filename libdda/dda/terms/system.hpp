@@ -24,12 +24,6 @@ struct BaseSystem {
     std::vector<Vec6> load;       ///< per row
 };
 
-/// The instant a step leads to.
-struct StepTimes {
-    double dt = 0;   ///< s
-    double end = 0;  ///< s of the run's dynamic stages: the clock of load histories
-};
-
 /// Newmark's relations for one step, Eqs. (14)-(16): with a displacement d over dt
 ///   a1 = d / (beta dt^2) - v0 / (beta dt) - (1/2 - beta)/beta a0,   v1 = v0 + dt ((1 - gamma) a0 + gamma
 ///   a1).
@@ -39,16 +33,19 @@ struct Newmark {
     double gamma = 1;
     double dt = 0;
 
-    Vec6 acceleration(const Vec6& d, const Vec6& v0, const Vec6& a0) const {
+    template <class Vector>
+    Vector acceleration(const Vector& d, const Vector& v0, const Vector& a0) const {
         return (d / dt - v0) / (beta * dt) - (0.5 - beta) / beta * a0;
     }
     /// The part of v1 that is proportional to d, over d, 1/s.
     double velocity_rate() const { return gamma / (beta * dt); }
     /// v1 when d is zero.
-    Vec6 velocity_at_rest(const Vec6& v0, const Vec6& a0) const {
+    template <class Vector>
+    Vector velocity_at_rest(const Vector& v0, const Vector& a0) const {
         return (1 - gamma / beta) * v0 + dt * ((1 - gamma) - gamma * (0.5 - beta) / beta) * a0;
     }
-    Vec6 velocity(const Vec6& v0, const Vec6& a0, const Vec6& a1) const {
+    template <class Vector>
+    Vector velocity(const Vector& v0, const Vector& a0, const Vector& a1) const {
         return v0 + dt * ((1 - gamma) * a0 + gamma * a1);
     }
 };

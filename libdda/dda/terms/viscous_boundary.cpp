@@ -29,19 +29,26 @@ Eigen::Matrix2d holding_springs(const Model& model, const ViscousBoundary& bound
     return along_face(point, boundary.hold == Hold::none ? 0 : k, boundary.hold == Hold::both ? k : 0);
 }
 
-double within_table(const TimeTable& table, double time) {
-    if (table.empty() || time < table.times().front() || time > table.times().back()) return 0;
-    return table.at(time);
-}
+/// The force of a point's dashpots, reversed, and what the rock behind drives them with, N per metre.
+struct DashpotForce {
+    Eigen::Matrix2d damping = Eigen::Matrix2d::Zero();
+    Vec2 drive = Vec2::Zero();
+};
 
-/// Velocity of the rock as the incident wave alone would have it, m/s.
-Vec2 incident_velocity(const ViscousBoundary& boundary, const Stage& stage, double stage_time) {
-    Vec2 velocity = Vec2::Zero();
-    for (const IncidentWave& wave : stage.incident_waves) {
-        if (!wave.boundary.empty() && wave.boundary != boundary.name) continue;
-        velocity += Vec2(within_table(wave.x, stage_time), within_table(wave.y, stage_time));
+/// Eq. (45) where waves come in, Eq. (69) beside a free field.
+DashpotForce dashpot_force(const Model& model, const ViscousBoundary& boundary, const FacePoint& point,
+                           const Vec2& z, const ColumnMotion& column, const IncidentMotion& wave,
+                           double height) {
+    DashpotForce force;
+    force.damping = point.weight * along_face(point, z[0], z[1]);
+    if (!boundary.free_field) {
+        force.drive = 2 * (force.damping * wave.velocity + point.weight * wave.traction);
+        return force;
     }
-    return velocity;
+    const FieldPoint field = field_at(model, *boundary.free_field, column, height);
+    const double outward = point.normal.x() < 0 ? -1 : 1;
+    force.drive = force.damping * field.velocity + point.weight * outward * field.traction;
+    return force;
 }
 
 /// Calls visit(boundary, face, index of the face's first reaction).
@@ -66,7 +73,7 @@ BoundaryReactions no_reactions(const Model& model) {
 
 std::vector<BoundaryTerm> boundary_terms(const Model& model, const RowMap& rows, const MidStep& mid,
                                          const Stage& stage, double stage_time,
-                                         const BoundaryReactions& reactions) {
+                                         const BoundaryReactions& reactions, const FreeFieldMotions& fields) {
     const bool dynamic = stage.kind == StageKind::dynamic;
     std::vector<BoundaryTerm> terms;
     for_faces(model, [&](const ViscousBoundary& boundary, const FacePart& face, std::size_t reaction) {
@@ -75,13 +82,17 @@ std::vector<BoundaryTerm> boundary_terms(const Model& model, const RowMap& rows,
         term.row = rows.row_of[static_cast<std::size_t>(block)];
         if (term.row < 0) return;
         const Vec2 z = impedance(model, boundary, block);
+        const ColumnMotion& column =
+            fields[static_cast<std::size_t>(&boundary - model.viscous_boundaries.data())];
+        const IncidentMotion wave = incident_motion(stage, boundary.name, stage_time);
         for (const FacePoint& point : face_points(model, mid, face)) {
             const auto t = displacement_matrix(point.arm);
             Vec2 force = reactions[reaction++];
             if (dynamic) {
-                const Eigen::Matrix2d dashpots = point.weight * along_face(point, z[0], z[1]);
-                term.damping += t.transpose() * dashpots * t;
-                force += 2 * dashpots * incident_velocity(boundary, stage, stage_time);
+                const double height = mid.centroid[static_cast<std::size_t>(block)].y() + point.arm.y();
+                const DashpotForce dashpots = dashpot_force(model, boundary, point, z, column, wave, height);
+                term.damping += t.transpose() * dashpots.damping * t;
+                force += dashpots.drive;
             } else {
                 term.stiffness += t.transpose() * holding_springs(model, boundary, point) * t;
             }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dda/model/stage.hpp"
+#include "dda/terms/free_field.hpp"
 #include "dda/terms/system.hpp"
 
 namespace dda {
@@ -20,10 +21,10 @@ using BoundaryReactions = std::vector<Vec2>;
 BoundaryReactions no_reactions(const Model& model);
 
 /// One term for each face of a free block. Dashpots work in dynamic stages, holding springs in static ones.
-/// @param stage_time s, at the step's end.
+/// @param stage_time s, at the step's end; @param fields at the step's end.
 std::vector<BoundaryTerm> boundary_terms(const Model& model, const RowMap& rows, const MidStep& mid,
                                          const Stage& stage, double stage_time,
-                                         const BoundaryReactions& reactions);
+                                         const BoundaryReactions& reactions, const FreeFieldMotions& fields);
 
 void add_boundaries(std::span<const BoundaryTerm> terms, const RowMap& rows, const BlockSystem& blocks,
                     const Newmark& newmark, BaseSystem& base);

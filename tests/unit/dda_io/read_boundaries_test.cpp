@@ -7,6 +7,7 @@
 namespace dda {
 namespace {
 
+using ::testing::Eq;
 using ::testing::HasSubstr;
 
 const char* const model_text = R"(blocks = "two.blocks"
@@ -102,6 +103,64 @@ TEST_F(ReadBoundaries, BadInputIsOneLineWithItsPlace) {
                 HasSubstr("unknown key 'shear_stiffness'"));
     EXPECT_THAT(error_with("law = \"elastic\"", "law = \"elastic\"\ncohesion = 1"),
                 HasSubstr("unknown key 'cohesion'"));
+}
+
+TEST_F(ReadBoundaries, AFreeFieldStandsBesideAnUprightSide) {
+    const std::string side = "along = [[3, 1], [3, 2]]";
+    const RunInput input = read(changed(side, side + "\nfree_field = \"top\"\nfree_field_layer = \"40 cm\""));
+    EXPECT_FALSE(input.model.viscous_boundaries[0].free_field);
+    const FreeField& field = input.model.viscous_boundaries[1].free_field.value();
+    EXPECT_EQ(field.below, "top");
+    ASSERT_EQ(field.nodes.size(), 4u) << "1 m in layers of 40 cm or less";
+    EXPECT_DOUBLE_EQ(field.nodes.front(), 1);
+    EXPECT_DOUBLE_EQ(field.nodes.back(), 2);
+    EXPECT_EQ(field.rock, (std::vector<int>{1, 1, 1}));
+    const auto refused = [&](const std::string& keys) { return error_with(side, side + "\n" + keys); };
+    EXPECT_EQ(refused("free_field = \"tip\""),
+              "run.toml:19:14: there is no viscous boundary 'tip'; expected perhaps 'top'");
+    EXPECT_THAT(refused("free_field = \"side\""), HasSubstr("stands beside a free field"));
+    EXPECT_THAT(refused("free_field = \"\""), HasSubstr("names no boundary"));
+    EXPECT_THAT(refused("free_field_layer = 1"), HasSubstr("unknown key 'free_field_layer'"));
+    EXPECT_THAT(refused("free_field = \"top\"\nfree_field_layer = -1"),
+                HasSubstr("expected zero or a positive number"));
+    EXPECT_THAT(refused("free_field = \"top\"\nfree_field_layer = 1e-9"), HasSubstr("too thin"));
+    EXPECT_THAT(error_with("hold = \"normal\"", "free_field = \"side\""), HasSubstr("not upright"));
+    EXPECT_THAT(error_with("boundary = \"top\"\n", "boundary = \"side\"\n"), Eq("no error"));
+    const std::string both = changed(side, side + "\nfree_field = \"top\"");
+    const auto at = both.find("boundary = \"top\"");
+    std::string onto_side = both;
+    onto_side.replace(at, 16, "boundary = \"side\"");
+    EXPECT_THAT(io_test::error_of([&] { read(onto_side); }), HasSubstr("which no wave enters"));
+}
+
+TEST_F(ReadBoundaries, AWaveIsAVelocityAStressOrARecord) {
+    const std::string table = "x = { times = [0, 1], values = [\"1 cm/s\", 0], scale = 2 }";
+    const auto wave = [&](const std::string& text) {
+        return read(changed(table, text)).stages[0].incident_waves.at(0);
+    };
+    const IncidentWave late = wave("delay = \"50 ms\"\n" + table);
+    EXPECT_DOUBLE_EQ(late.x.times()[0], 0.05);
+    EXPECT_DOUBLE_EQ(late.x.values()[0], 0.02);
+    EXPECT_FALSE(late.x_is_traction);
+    const IncidentWave stress =
+        wave("y = { times = [0, 1], values = [\"1 kPa\", 0], scale = 3, quantity = \"stress\" }");
+    EXPECT_TRUE(stress.y_is_traction);
+    EXPECT_FALSE(stress.x_is_traction);
+    EXPECT_DOUBLE_EQ(stress.y.values()[0], 3000);
+    // 0, 1, 2, 1, 0 gal at 0.1 s: the velocity grows by trapezia.
+    folder.write("a.csv", "0,0\n0.1,1\n0.2,2\n0.3,1\n0.4,0\n");
+    const IncidentWave felt =
+        wave("x = { file = \"a.csv\", quantity = \"acceleration\", unit = \"gal\", scale = 10 }");
+    ASSERT_EQ(felt.x.values().size(), 5u);
+    EXPECT_NEAR(felt.x.values()[1], 0.1 * 0.05, 1e-15);
+    EXPECT_NEAR(felt.x.values()[4], 0.1 * 0.4, 1e-15);
+    EXPECT_EQ(wave("x = { file = \"a.csv\" }").x.values()[1], 1) << "two columns are m/s";
+    EXPECT_THAT(error_with(table, "delay = -1\n" + table), HasSubstr("'delay'"));
+    EXPECT_THAT(error_with("scale = 2", "quantity = \"speed\""), HasSubstr("'quantity'"));
+    EXPECT_THAT(error_with("scale = 2", "scale = 1e300"), HasSubstr("too large"));
+    folder.write("d.csv", "time (s),displacement (m)\n0,0\n0.1,1\n0.2,2\n");
+    EXPECT_THAT(error_with(table, "x = { file = \"d.csv\", quantity = \"displacement\" }"),
+                HasSubstr("at least 5 to differentiate"));
 }
 
 TEST(FacesOnLine, AreCutWhereTheLineEndsAndCountAlongIt) {

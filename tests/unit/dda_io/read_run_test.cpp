@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "blockgen/base/read_file.hpp"
+#include "dda/io/base_acceleration.hpp"
 #include "model_text_test.hpp"
 
 namespace dda {
@@ -235,6 +236,26 @@ TEST_F(ReadRun, BadInputIsOneLineWithItsPlace) {
     EXPECT_THAT(error_with("frames = 10", "history_interval = 1e-300"), HasSubstr("1e-9 s or more"));
 }
 
+TEST_F(ReadRun, ABaseMotionMayComeLaterOrAsABodyForce) {
+    const RunInput late = read(changed("block = \"base\"", "block = \"base\"\ndelay = \"30 ms\""));
+    const BaseMotion& motion = late.stages[1].base_motions.at(0);
+    EXPECT_DOUBLE_EQ(motion.y.times()[0], 0.03);
+    EXPECT_DOUBLE_EQ(motion.y.times()[1], 1.03);
+    EXPECT_DOUBLE_EQ(motion.x.times()[0], 0.03);
+    const BaseEnd end = integrate_base(motion.x, 0.005);
+    EXPECT_NEAR(end.velocity, 0, 1e-12) << "the drift is taken out of what comes later";
+    EXPECT_NEAR(end.displacement, 0, 1e-12);
+
+    const RunInput felt = read(changed("block = \"base\"", "way = \"body-force\""));
+    EXPECT_TRUE(felt.stages[1].base_motions.empty());
+    ASSERT_EQ(felt.stages[1].frame_motions.size(), 1u);
+    EXPECT_DOUBLE_EQ(felt.stages[1].frame_motions[0].y.at(1), 0.1 * 9.80665);
+    EXPECT_THAT(error_with("block = \"base\"", "block = \"base\"\nway = \"body-force\""),
+                HasSubstr("unknown key 'block'"));
+    EXPECT_THAT(error_with("block = \"base\"", "way = \"felt\""), HasSubstr("'way'"));
+    EXPECT_THAT(error_with("block = \"base\"", "delay = -1"), HasSubstr("'delay'"));
+}
+
 TEST_F(ReadRun, RelativeMotionsCountFromTheBaseUnlessSaidOtherwise) {
     EXPECT_EQ(read(full_model).output.relative_to, "base");
     EXPECT_EQ(read(changed("frames = 10", "relative_to = \"crest\"")).output.relative_to, "crest");
@@ -309,6 +330,7 @@ TEST_F(ReadRun, TheTemplateIsAWholeModelFile) {
     uncommented.replace(uncommented.find("at = [12, 5]"), 12, "at = [2, 1]");
     for (std::size_t at; (at = uncommented.find("[[0, 0], [120, 0]]")) != std::string::npos;)
         uncommented.replace(at, 18, "[[1, 2], [3, 2]]");
+    uncommented.replace(uncommented.find("[[0, 0], [0, 60]]"), 17, "[[1, 1], [1, 2]]");
     uncommented.replace(uncommented.find("record.at2"), 10, "r.csv");
     uncommented.replace(uncommented.find("up.csv"), 6, "r2.csv");
     folder.write("r2.csv", "0,0\n1,1\n");

@@ -441,7 +441,14 @@ TEST_F(ResultsTest, TheArchiveKeepsEveryBitOfAState) {
     State state = initial_state(input.model);
     RunObserver silent;
     run(input.model, input.stages, state, silent);
+    state.free_fields = {{}, {{Vec2(1, 2)}, {Vec2(3, 4)}, {Vec2(5, 6)}}};
     const StateArchive once = archive(state);
+    const State again = restore(once);
+    ASSERT_EQ(again.free_fields.size(), 2u);
+    EXPECT_TRUE(again.free_fields[0].velocity.empty());
+    EXPECT_EQ(again.free_fields[1].displacement, state.free_fields[1].displacement);
+    EXPECT_EQ(again.free_fields[1].velocity, state.free_fields[1].velocity);
+    EXPECT_EQ(again.free_fields[1].acceleration, state.free_fields[1].acceleration);
     const StateArchive twice = archive(restore(once));
     EXPECT_EQ(once.reals, twice.reals);
     EXPECT_EQ(once.integers, twice.integers);

@@ -1,0 +1,57 @@
+#include "dda/model/free_field.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "dda/model/model.hpp"
+
+namespace dda {
+
+namespace {
+
+constexpr double upright = 1e-3;     // width of a face over its height
+constexpr double touching = 1e-3;    // gap between faces over their height
+constexpr double most_layers = 1e5;  // in a face
+
+/// The height that a face takes of a side.
+struct Piece {
+    double from = 0, to = 0;
+    int block = 0;
+};
+
+Piece piece_of(const Model& model, const FacePart& face) {
+    const auto edge = static_cast<std::size_t>(face.edge);
+    const Vec2& first = model.vertices[edge];
+    const Vec2 along = model.vertices[static_cast<std::size_t>(model.topology.next[edge])] - first;
+    if (std::abs(along.x()) > upright * std::abs(along.y()))
+        throw std::invalid_argument("a face beside it is not upright");
+    const double a = first.y() + face.from * along.y(), b = first.y() + face.to * along.y();
+    return {std::min(a, b), std::max(a, b), model.topology.block_of[edge]};
+}
+
+}  // namespace
+
+FreeField free_field_beside(const Model& model, std::span<const FacePart> faces, const std::string& below,
+                            double layer) {
+    std::vector<Piece> pieces;
+    for (const FacePart& face : faces) pieces.push_back(piece_of(model, face));
+    if (pieces.empty()) throw std::invalid_argument("there is no face beside it");
+    std::sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.from < b.from; });
+    FreeField field{below, {pieces.front().from}, {}};
+    for (const Piece& piece : pieces) {
+        const double height = piece.to - piece.from;
+        if (std::abs(piece.from - field.nodes.back()) > touching * height)
+            throw std::invalid_argument("the faces beside it do not follow each other");
+        const double wanted = layer > 0 ? std::ceil(height / layer * (1 - 1e-9)) : 1;
+        if (!(wanted <= most_layers)) throw std::invalid_argument("its layers are too thin");
+        const int count = std::max(1, static_cast<int>(wanted));
+        for (int k = 1; k <= count; ++k) {
+            field.nodes.push_back(piece.from + height * k / count);
+            field.rock.push_back(piece.block);
+        }
+    }
+    return field;
+}
+
+}  // namespace dda

@@ -1,0 +1,153 @@
+#include "dda/terms/free_field.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dda {
+
+namespace {
+
+double within_table(const TimeTable& table, double time) {
+    if (table.empty() || time < table.times().front() || time > table.times().back()) return 0;
+    return table.at(time);
+}
+
+/// One direction of a column as the step sees it: a chain of springs and masses, per metre of width.
+struct Chain {
+    std::vector<double> mass;       ///< kg/m2, of each layer
+    std::vector<double> stiffness;  ///< Pa/m, of each layer
+    std::vector<double> retarded;   ///< 1 + retardation time over the step, of each layer
+    double impedance = 0;           ///< Pa s/m, at the foot
+};
+
+/// @param axis 0: shear waves; 1: pressure waves.
+Chain chain_of(const Model& model, const FreeField& field, const BlockSystem& blocks, int axis, double dt) {
+    const int modulus = axis == 0 ? 2 : 0;
+    Chain chain;
+    for (std::size_t k = 0; k < field.layers(); ++k) {
+        const BlockMaterial& rock = model.material_of(field.rock[k]);
+        const double height = field.nodes[k + 1] - field.nodes[k];
+        const double stiff = elasticity(rock, model.plane)(modulus, modulus);
+        chain.mass.push_back(rock.density * height);
+        chain.stiffness.push_back(stiff / height);
+        chain.retarded.push_back(
+            1 + retardation_time(rock, blocks.moments[static_cast<std::size_t>(field.rock[k])]) / dt);
+        if (k == 0) chain.impedance = std::sqrt(rock.density * stiff);
+    }
+    return chain;
+}
+
+/// A symmetric tridiagonal system, solved by elimination.
+struct Tridiagonal {
+    std::vector<double> diagonal, above, right;
+
+    explicit Tridiagonal(std::size_t size) : diagonal(size, 0.0), above(size, 0.0), right(size, 0.0) {}
+    std::vector<double> solution() {
+        const std::size_t size = diagonal.size();
+        for (std::size_t k = 1; k < size; ++k) {
+            const double factor = above[k - 1] / diagonal[k - 1];
+            diagonal[k] -= factor * above[k - 1];
+            right[k] -= factor * right[k - 1];
+        }
+        right[size - 1] /= diagonal[size - 1];
+        for (std::size_t k = size - 1; k-- > 0;)
+            right[k] = (right[k] - above[k] * right[k + 1]) / diagonal[k];
+        return right;
+    }
+};
+
+/// The displacements of a step in one direction. @param push Pa, of the incident wave at the foot.
+std::vector<double> chain_step(const Chain& chain, const ColumnMotion& motion, int axis, double push,
+                               double mass_damping, const Newmark& newmark) {
+    const double rate = newmark.velocity_rate();
+    const double inertia = 1 / (newmark.beta * newmark.dt * newmark.dt) + mass_damping * rate;
+    Tridiagonal system(motion.displacement.size());
+    // Per node: velocity and acceleration at the step's end if it did not move.
+    const auto velocity = [&](std::size_t k) {
+        return newmark.velocity_at_rest(motion.velocity[k][axis], motion.acceleration[k][axis]);
+    };
+    const auto force = [&](std::size_t k) {
+        return newmark.acceleration(0.0, motion.velocity[k][axis], motion.acceleration[k][axis]) +
+               mass_damping * velocity(k);
+    };
+    for (std::size_t k = 0; k < chain.mass.size(); ++k) {
+        const double stiff = chain.stiffness[k] * chain.retarded[k], sixth = chain.mass[k] / 6;
+        const double stretch = motion.displacement[k + 1][axis] - motion.displacement[k][axis];
+        for (const std::size_t i : {k, k + 1}) {
+            const std::size_t other = 2 * k + 1 - i;
+            system.diagonal[i] += 2 * sixth * inertia + stiff;
+            system.right[i] -= sixth * (2 * force(i) + force(other));
+            system.right[i] += (i == k ? 1 : -1) * chain.stiffness[k] * stretch;
+        }
+        system.above[k] = sixth * inertia - stiff;
+    }
+    system.diagonal[0] += chain.impedance * rate;
+    system.right[0] += push - chain.impedance * velocity(0);
+    return system.solution();
+}
+
+ColumnMotion advance_column(const Model& model, const Stage& stage, const BlockSystem& blocks,
+                            const FreeField& field, const ColumnMotion& before, double stage_time,
+                            const Newmark& newmark) {
+    const IncidentMotion wave = incident_motion(stage, field.below, stage_time);
+    ColumnMotion after = before;
+    for (const int axis : {0, 1}) {
+        const Chain chain = chain_of(model, field, blocks, axis, newmark.dt);
+        const double push = 2 * (chain.impedance * wave.velocity[axis] + wave.traction[axis]);
+        const std::vector<double> moved = chain_step(chain, before, axis, push, stage.mass_damping, newmark);
+        for (std::size_t k = 0; k < moved.size(); ++k) {
+            const double v0 = before.velocity[k][axis], a0 = before.acceleration[k][axis];
+            const double a1 = newmark.acceleration(moved[k], v0, a0);
+            after.displacement[k][axis] += moved[k];
+            after.velocity[k][axis] = stage.dynamic_coefficient * newmark.velocity(v0, a0, a1);
+            after.acceleration[k][axis] = a1;
+        }
+    }
+    return after;
+}
+
+}  // namespace
+
+FreeFieldMotions fields_at_rest(const Model& model) {
+    FreeFieldMotions motions;
+    for (const ViscousBoundary& boundary : model.viscous_boundaries) {
+        const std::size_t count = boundary.free_field ? boundary.free_field->nodes.size() : 0;
+        const std::vector<Vec2> zero(count, Vec2::Zero());
+        motions.push_back({zero, zero, zero});
+    }
+    return motions;
+}
+
+FreeFieldMotions advance_fields(const Model& model, const Stage& stage, const BlockSystem& blocks,
+                                const FreeFieldMotions& before, double stage_time, const Newmark& newmark) {
+    FreeFieldMotions after = fields_at_rest(model);
+    if (stage.kind != StageKind::dynamic) return after;
+    for (std::size_t k = 0; k < model.viscous_boundaries.size(); ++k) {
+        const auto& field = model.viscous_boundaries[k].free_field;
+        if (field) after[k] = advance_column(model, stage, blocks, *field, before[k], stage_time, newmark);
+    }
+    return after;
+}
+
+FieldPoint field_at(const Model& model, const FreeField& field, const ColumnMotion& motion, double height) {
+    const auto above = std::upper_bound(field.nodes.begin() + 1, field.nodes.end() - 1, height);
+    const auto k = static_cast<std::size_t>(above - field.nodes.begin()) - 1;
+    const double thickness = field.nodes[k + 1] - field.nodes[k];
+    const double share = std::clamp((height - field.nodes[k]) / thickness, 0.0, 1.0);
+    const Vec2 strain = (motion.displacement[k + 1] - motion.displacement[k]) / thickness;
+    const Mat3 modulus = elasticity(model.material_of(field.rock[k]), model.plane);
+    return {(1 - share) * motion.velocity[k] + share * motion.velocity[k + 1],
+            {modulus(0, 1) * strain.y(), modulus(2, 2) * strain.x()}};
+}
+
+IncidentMotion incident_motion(const Stage& stage, const std::string& boundary, double stage_time) {
+    IncidentMotion sum;
+    for (const IncidentWave& wave : stage.incident_waves) {
+        if (!wave.boundary.empty() && wave.boundary != boundary) continue;
+        (wave.x_is_traction ? sum.traction : sum.velocity).x() += within_table(wave.x, stage_time);
+        (wave.y_is_traction ? sum.traction : sum.velocity).y() += within_table(wave.y, stage_time);
+    }
+    return sum;
+}
+
+}  // namespace dda
