@@ -17,6 +17,9 @@ struct SeismicSlide {
     double frequency = 0.8;        ///< Hz
     double step = 0.005;           ///< s
     double youngs_modulus = 5e12;  ///< Pa; not in the paper: the reference is rigid
+    /// s, when the joint of every block counts a change of direction, whatever it does; empty: when it slips
+    /// back.
+    std::vector<double> prescribed_reversals = {};
 
     std::vector<double> time;  ///< s
     std::vector<double> slip;  ///< m, of the third block, down the plane relative to the base
@@ -38,7 +41,8 @@ struct SeismicSlide {
 
     Scene scene(const dda::JointLaw& law) const;
     double acceleration(double t) const;
-    dda::TimeTable record(double duration) const;
+    dda::TimeTable record(double from, double to) const;
+    void count_reversal(dda::State& state) const;
 };
 
 inline Scene SeismicSlide::scene(const dda::JointLaw& law) const {
@@ -74,13 +78,23 @@ inline double SeismicSlide::acceleration(double t) const {
            ((growth * growth - 4 / (t * t) - w * w) * std::sin(w * t) + 2 * growth * w * std::cos(w * t));
 }
 
-inline dda::TimeTable SeismicSlide::record(double duration) const {
+/// Of a stage that lasts from one instant of the shaking to another.
+inline dda::TimeTable SeismicSlide::record(double from, double to) const {
     std::vector<double> times, values;
-    for (int k = 0; k * 1e-3 <= duration + 1e-9; ++k) {
+    for (int k = 0; k * 1e-3 <= to - from + 1e-9; ++k) {
         times.push_back(k * 1e-3);
-        values.push_back(acceleration(times.back()));
+        values.push_back(acceleration(from + times.back()));
     }
     return {times, values};
+}
+
+inline void SeismicSlide::count_reversal(dda::State& state) const {
+    const double factor = std::get<dda::CyclicBartonBandis>(plane).reversal_factor;
+    for (dda::Contact& contact : state.contacts.contacts) {
+        if (contact.joint_material != 0) continue;
+        auto& history = std::get<dda::CyclicBartonBandis::History>(contact.history);
+        history.wear = std::pow(factor, ++history.reversals);
+    }
 }
 
 /// Settled as if glued, so that the joint bears the blocks before it has moved; then shaken.
@@ -88,6 +102,7 @@ inline void SeismicSlide::run(double duration) {
     Simulation settled(scene(Scene::mohr_coulomb(80)));
     outcome = settled.settle(1);  // the springs of the plane are soft
     if (outcome.status != dda::RunStatus::completed) return;
+    if (!prescribed_reversals.empty()) std::get<dda::CyclicBartonBandis>(plane).min_slip = 1e9;
     Simulation sim(scene(plane));
     sim.state = settled.state;
     for (dda::Contact& contact : sim.state.contacts.contacts) {
@@ -97,16 +112,25 @@ inline void SeismicSlide::run(double duration) {
     const Vec2 down(std::cos(radians(2)), -std::sin(radians(2)));
     const auto place = [&] { return (sim.moved(3) - sim.moved(0)).dot(down); };
     const double start = place();
+    double begun = 0;  // s, when the stage at hand began
     sim.each_step = [&](const dda::State& state, const dda::StepReport&) {
-        time.push_back(state.stage_time);
+        time.push_back(begun + state.stage_time);
         slip.push_back(place() - start);
     };
-    dda::Stage stage;
-    stage.name = "shaking";
-    stage.duration = duration;
-    stage.control.step = step;
-    stage.base_motions.push_back({"base", record(duration), {}});
-    outcome = sim.run(stage);
+    const auto shake = [&](double until) {
+        dda::Stage stage;
+        stage.name = "shaking";
+        stage.duration = until - begun;
+        stage.control.step = step;
+        stage.base_motions.push_back({"base", record(begun, until), {}});
+        outcome = sim.run(stage);
+        begun = until;
+    };
+    for (const double t : prescribed_reversals) {
+        shake(t);
+        count_reversal(sim.state);
+    }
+    shake(duration);
     energy = sim.energy;
     frequency_step = sim.contact_frequency_step();
     for (const dda::Contact& contact : sim.state.contacts.contacts) {

@@ -72,6 +72,21 @@ TEST(SeismicSlide, StiffPlaneThatWears) {
     expect_energy_balance("V39", "motion A, wearing, stiff plane", *slide.energy, slide.frequency_step);
 }
 
+// The changes of direction are those of one rigid block, so that none is one more or less: what is left is
+// the blocks' own.
+TEST(SeismicSlide, ReversalsPrescribed) {
+    SeismicSlide slide = stiff();
+    slide.prescribed_reversals = {5.395, 5.575, 5.855, 6.060, 6.375, 6.555, 6.895, 7.055,
+                                  7.410, 7.555, 7.930, 8.050, 8.450, 8.540, 8.975, 9.030};
+    const SeismicSlide told = run(slide);
+    Case a("V39", "motion A, wearing, stiff plane, changes of direction prescribed", "asked for");
+    a.contact_frequency_step(told.frequency_step);
+    a.expect_below("s(5 s)", "m", told.at(5), .01);
+    for (const auto& [t, s] : {std::pair{7.5, .1716}, {10, .679}, {15, 2.447}, {25, 13.945}})
+        a.expect("s(" + to_text(t) + " s)", "m", told.at(t), s, relative(.03));
+    EXPECT_EQ(told.reversals, 16);
+}
+
 TEST(SeismicSlide, SoftPlane) {
     SeismicSlide constant;
     constant.plane = Scene::mohr_coulomb(8);
