@@ -121,11 +121,9 @@ class Iteration {
         Eigen::VectorXd image(held.size());
         AndersonMixing mixing(friction_memory);
         for (int k = 0; k < friction_iterations && !sliding.empty(); ++k) {
-            for (std::size_t s = 0; s < sliding.size(); ++s) {
-                const auto row = static_cast<Eigen::Index>(s);
-                held[row] = trials_.held_force(sliding[s]);
-                image[row] = trials_.bound_at(sliding[s], d);
-            }
+            for (std::size_t s = 0; s < sliding.size(); ++s)
+                held[static_cast<Eigen::Index>(s)] = trials_.held_force(sliding[s]);
+            trials_.bounds_at(sliding, d, image);
             if ((image - held).cwiseAbs().maxCoeff() <= trials_.tolerance() / 2) break;
             const Eigen::VectorXd next = mixing.next(held, image);
             for (std::size_t s = 0; s < sliding.size(); ++s)

@@ -25,15 +25,16 @@ TrialContacts::TrialContacts(const StepProblem& problem, const Crew& crew)
         for (const int k : faces_.contacts_of(f))
             faces_of_[static_cast<std::size_t>(k)] = static_cast<int>(f);
     }
+    FacesStrengths of_faces(faces_.count());
     for (std::size_t k = 0; k < p_.contacts.size(); ++k) {
-        trials_.push_back(started(k));
+        trials_.push_back(started(k, of_faces));
         if (dilates(law_of(k))) dilating_.push_back(k);
     }
     yielding_.assign(p_.bolts.size(), 0);
     elongation_.assign(p_.bolts.size(), 0);
 }
 
-TrialContacts::Trial TrialContacts::started(std::size_t k) const {
+TrialContacts::Trial TrialContacts::started(std::size_t k, FacesStrengths& of_faces) const {
     const Contact& contact = p_.contacts[k];
     Trial trial;
     trial.may_close = !contact.held_back;
@@ -43,8 +44,11 @@ TrialContacts::Trial TrialContacts::started(std::size_t k) const {
     const bool was_closed = contact.state != ContactState::open;
     trial.pressed = trial.may_close && (was_closed || (contact.gap < 0 && contact.group < 0));
     trial.locked = trial.pressed && contact.state != ContactState::sliding;
-    const auto at_start = [this](std::size_t c) { return pressed_at_start(c); };
-    if (trial.pressed) trial.bounds = bounds_of(k, at_start);
+    const auto bounds = [&] {
+        const auto at_start = [this](std::size_t c) { return pressed_at_start(c); };
+        return bounds_of(k, at_start(k).normal, at_start, of_faces);
+    };
+    if (trial.pressed) trial.bounds = bounds();
     trial.held_force = contact.shear_force;
     trial.forward = contact.shear_force >= 0;
     if (const JudgedContact* guess = p_.guess[k]; guess != nullptr && trial.may_close) {
@@ -52,7 +56,7 @@ TrialContacts::Trial TrialContacts::started(std::size_t k) const {
         trial.locked = guess->state == ContactState::locked;
         trial.held_force = guess->shear_force;
         trial.forward = guess->shear_force >= 0;
-        trial.bounds = bounds_of(k, at_start);
+        trial.bounds = bounds();
         trial.dilating = guess->dilating;
     }
     return trial;
@@ -65,30 +69,32 @@ TrialContacts::Pressed TrialContacts::pressed_at_start(std::size_t k) const {
 }
 
 template <class PressedOf>
-Strength TrialContacts::bounds_of(std::size_t k, const PressedOf& pressed_of) const {
-    const Contact& contact = p_.contacts[k];
-    const auto load = [&](int i) {
-        const auto c = static_cast<std::size_t>(i);
-        const Pressed pressed = pressed_of(c);
+Strength TrialContacts::bounds_of(std::size_t k, double normal, const PressedOf& pressed_of,
+                                  FacesStrengths& of_faces) const {
+    const auto load = [&](std::size_t c, const Pressed& pressed) {
         return contact_motion(p_.model, p_.contacts[c], p_.springs[c].shear_stiffness, pressed.normal,
                               pressed.shearing, 0);
     };
-    const JointHistory* history = &contact.history;
-    ContactMotion whole = load(static_cast<int>(k));
-    double share = 1 / p_.model.strength_reduction;
-    if (faces_of_[k] >= 0) {
-        const double normal = whole.normal_force;
-        const auto faces =
-            faces_motion(faces_.contacts_of(static_cast<std::size_t>(faces_of_[k])), p_.contacts, load);
-        if (!faces || !(normal > 0)) return {};
-        whole = faces->motion;
-        history = faces->history;
-        share *= normal / whole.normal_force;
+    const auto bounds = [&](const ContactMotion& motion, const JointHistory& history, double share) {
+        Strength strengths = strength(law_of(k), history, motion.normal_force, motion.length,
+                                      {motion.displacement, motion.shear_force, motion.stiffness});
+        for (double* one : {&strengths.forward, &strengths.backward, &strengths.tensile}) *one *= share;
+        return strengths;
+    };
+    const double reduced = 1 / p_.model.strength_reduction;
+    if (faces_of_[k] < 0) return bounds(load(k, pressed_of(k)), p_.contacts[k].history, reduced);
+    if (!(normal > 0)) return {};
+    const auto f = static_cast<std::size_t>(faces_of_[k]);
+    if (!of_faces[f]) {
+        const auto whole = faces_motion(faces_.contacts_of(f), p_.contacts, [&](int i) {
+            const auto c = static_cast<std::size_t>(i);
+            return load(c, pressed_of(c));
+        });
+        of_faces[f] =
+            whole ? bounds(whole->motion, *whole->history, reduced / whole->motion.normal_force) : Strength{};
     }
-    Strength bounds = strength(law_of(k), *history, whole.normal_force, whole.length,
-                               {whole.displacement, whole.shear_force, whole.stiffness});
-    for (double* bound : {&bounds.forward, &bounds.backward, &bounds.tensile}) *bound *= share;
-    return bounds;
+    const Strength& angle = *of_faces[f];
+    return {normal * angle.forward, normal * angle.backward, normal * angle.tensile};
 }
 
 // --- the linear system
@@ -148,14 +154,21 @@ void TrialContacts::bound_by_held_force(std::size_t k) {
     (trial.forward ? trial.bounds.forward : trial.bounds.backward) = std::abs(trial.held_force);
 }
 
-double TrialContacts::bound_at(std::size_t k, std::span<const Vec6> d) const {
+void TrialContacts::bounds_at(std::span<const std::size_t> sliding, std::span<const Vec6> d,
+                              Eigen::VectorXd& bounds) const {
     const auto there = [&](std::size_t c) -> Pressed {
         const ContactSprings& s = p_.springs[c];
         return {elastic_normal(c, s.rows.measure(s.normal, d)), s.rows.measure(s.shear, d)};
     };
-    if (there(k).normal <= 0 && !is_bonded(k)) return 0;
-    const Strength bounds = bounds_of(k, there);
-    return trials_[k].forward ? bounds.forward : -bounds.backward;
+    FacesStrengths of_faces(faces_.count());
+    for (std::size_t s = 0; s < sliding.size(); ++s) {
+        const std::size_t k = sliding[s];
+        const ContactSprings& springs = p_.springs[k];
+        const double normal = elastic_normal(k, springs.rows.measure(springs.normal, d));
+        Strength strengths;
+        if (normal > 0 || is_bonded(k)) strengths = bounds_of(k, normal, there, of_faces);
+        bounds[static_cast<Eigen::Index>(s)] = trials_[k].forward ? strengths.forward : -strengths.backward;
+    }
 }
 
 // --- judging
@@ -236,10 +249,11 @@ void TrialContacts::update_bounds() {
     const auto here = [this](std::size_t k) -> Pressed {
         return {present_forces(k).normal, trials_[k].shearing};
     };
+    FacesStrengths of_faces(faces_.count());
     for (std::size_t k = 0; k < trials_.size(); ++k) {
         const double normal = present_forces(k).normal;
         const bool open = !trials_[k].may_close || (normal <= 0 && !is_bonded(k));
-        trials_[k].bounds = open ? Strength{} : bounds_of(k, here);
+        trials_[k].bounds = open ? Strength{} : bounds_of(k, normal, here, of_faces);
     }
     if (!dilating_.empty()) update_dilation();
 }

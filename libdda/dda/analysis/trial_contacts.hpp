@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -46,9 +47,10 @@ class TrialContacts {
     void hold(std::size_t k, double force) { trials_[k].held_force = force; }
     /// The bounds become those that the held force is at.
     void bound_by_held_force(std::size_t k);
-    /// The shear bound of a sliding contact, with its sign, at the normal force that the linear system gives
-    /// for a displacement.
-    double bound_at(std::size_t k, std::span<const Vec6> d) const;
+    /// The shear bounds of sliding contacts, with their signs, at the normal forces that the linear system
+    /// gives for a displacement. @param bounds one for each of them.
+    void bounds_at(std::span<const std::size_t> sliding, std::span<const Vec6> d,
+                   Eigen::VectorXd& bounds) const;
 
     // --- judging
     /// Takes measures and true gaps at a displacement; the linear measure of the gap is kept exact there.
@@ -102,16 +104,21 @@ class TrialContacts {
         Forces linear;        ///< in the linear system, at the present displacement
     };
 
-    Trial started(std::size_t k) const;
+    /// Strengths over the normal force, for each pair of faces that has been asked for.
+    using FacesStrengths = std::vector<std::optional<Strength>>;
+
+    Trial started(std::size_t k, FacesStrengths& of_faces) const;
     /// Normal force (N per metre) and tangential displacement (m) of a contact at some displacement.
     struct Pressed {
         double normal = 0;
         double shearing = 0;
     };
     /// What the contact's law bears there. Rough faces have one friction angle, that of their mean stress.
-    /// @param pressed_of gives the Pressed of a contact's index.
+    /// @param normal its normal force; @param pressed_of gives the Pressed of a contact's index; @param
+    /// of_faces what has been found out for the same Pressed before.
     template <class PressedOf>
-    Strength bounds_of(std::size_t k, const PressedOf& pressed_of) const;
+    Strength bounds_of(std::size_t k, double normal, const PressedOf& pressed_of,
+                       FacesStrengths& of_faces) const;
     Pressed pressed_at_start(std::size_t k) const;
     const JointLaw& law_of(std::size_t k) const {
         return p_.model.joint_material_at(p_.contacts[k].joint_material).law;
