@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <span>
 
@@ -21,27 +22,34 @@ struct FacesMotion {
     const JointHistory* history = nullptr;
 };
 
-/// The motion of a pair of faces, whose contacts in `members` move together; nothing if none is pressed.
+/// The motion of a pair of faces, whose contacts in `members` move together; nothing if none is pressed. They
+/// are those that were closed at the step's start, or all if none was: length and stiffness must not jump
+/// where a contact opens or closes on the way, or there may be no state that the joint could come to.
 /// @param contacts at the step's start; @param motion_of gives the motion of one.
 template <class MotionOf>
 std::optional<FacesMotion> faces_motion(std::span<const int> members, std::span<const Contact> contacts,
                                         const MotionOf& motion_of) {
+    const auto at = [&](int k) -> const Contact& { return contacts[static_cast<std::size_t>(k)]; };
+    const auto was_closed = [&](int k) { return at(k).state != ContactState::open; };
+    const bool any_was = std::any_of(members.begin(), members.end(), was_closed);
     std::optional<FacesMotion> whole;
-    double borne = 0;
+    double borne = 0, pressing = 0;
     for (const int k : members) {
         const ContactMotion motion = motion_of(k);
-        if (!(motion.normal_force > 0)) continue;
-        const Contact& contact = contacts[static_cast<std::size_t>(k)];
+        pressing += std::max(motion.normal_force, 0.0);
+        if (any_was && !was_closed(k)) continue;
         if (!whole)
-            whole = {motion, &contact.history};
+            whole = {motion, &at(k).history};
         else
             whole->motion = together(whole->motion, motion);
         // Faces that have just come to lie on each other take up where the one that bore more has been.
-        if (contact.normal_force > borne) {
-            borne = contact.normal_force;
-            whole->history = &contact.history;
+        if (at(k).normal_force > borne) {
+            borne = at(k).normal_force;
+            whole->history = &at(k).history;
         }
     }
+    if (!(pressing > 0)) return std::nullopt;
+    whole->motion.normal_force = pressing;
     return whole;
 }
 
