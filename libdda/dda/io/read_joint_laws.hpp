@@ -20,6 +20,7 @@ Plesha read_law(std::type_identity<Plesha>, const blockgen::ConfigTable& table);
 TwoOrderAsperities read_law(std::type_identity<TwoOrderAsperities>, const blockgen::ConfigTable& table);
 StressedAsperities read_law(std::type_identity<StressedAsperities>, const blockgen::ConfigTable& table);
 VelocityWeakening read_law(std::type_identity<VelocityWeakening>, const blockgen::ConfigTable& table);
+ContinuouslyYielding read_law(std::type_identity<ContinuouslyYielding>, const blockgen::ConfigTable& table);
 
 /// The angle of a key, rad. @throws InputError outside [0, 90 deg).
 double read_friction_angle(const blockgen::ConfigTable& table, std::string_view key);

@@ -40,6 +40,14 @@ VelocityWeakening read_law(std::type_identity<VelocityWeakening>, const ConfigTa
     return law;
 }
 
+ContinuouslyYielding read_law(std::type_identity<ContinuouslyYielding>, const ConfigTable& table) {
+    ContinuouslyYielding law;
+    law.friction_angle = read_friction_angle(table, "friction_angle");
+    law.residual_friction_angle = read_residual_angle(table, law.friction_angle);
+    law.roughness_length = positive(table, "roughness_length", Dimension::length);
+    return law;
+}
+
 Bilinear read_law(std::type_identity<Bilinear>, const ConfigTable& table) {
     Bilinear law;
     law.friction_angle = read_friction_angle(table, "friction_angle");

@@ -7,6 +7,7 @@
 
 #include "dda/joint/barton_bandis.hpp"
 #include "dda/joint/bilinear.hpp"
+#include "dda/joint/continuously_yielding.hpp"
 #include "dda/joint/cyclic_barton_bandis.hpp"
 #include "dda/joint/elastic.hpp"
 #include "dda/joint/mohr_coulomb.hpp"
@@ -21,8 +22,9 @@ namespace dda {
 /// The list of joint laws: a new law is one file in this folder and one word here. A law must have `fresh`,
 /// `strength` and `advance`; it may have a `strength` that looks at the displacement being tried, and
 /// `strength_slope`, `dilation`, `shear_stiffness` and `record`. The functions below find out which.
-using JointLaw = std::variant<MohrCoulomb, Elastic, BartonBandis, CyclicBartonBandis, Weakening, Bilinear,
-                              Plesha, TwoOrderAsperities, StressedAsperities, VelocityWeakening>;
+using JointLaw =
+    std::variant<MohrCoulomb, Elastic, BartonBandis, CyclicBartonBandis, Weakening, Bilinear, Plesha,
+                 TwoOrderAsperities, StressedAsperities, VelocityWeakening, ContinuouslyYielding>;
 
 namespace detail {
 template <class... Laws>

@@ -247,6 +247,21 @@ TEST_F(ReadWornJoints, VelocityWeakens) {
     EXPECT_THAT(error(logarithmic + "weakening_rate = -1\n"), HasSubstr("expected a positive number"));
 }
 
+TEST_F(ReadWornJoints, ContinuouslyYields) {
+    const std::string start =
+        "law = \"continuously-yielding\"\nfriction_angle = \"0.5 rad\"\nresidual_friction_angle = \"0.3 "
+        "rad\"\n";
+    const auto joint = law<ContinuouslyYielding>(start + "roughness_length = \"2 mm\"\n");
+    EXPECT_EQ(joint.friction_angle, 0.5);
+    EXPECT_EQ(joint.residual_friction_angle, 0.3);
+    EXPECT_EQ(joint.roughness_length, 2e-3);
+    EXPECT_THAT(error(start), HasSubstr("roughness_length"));
+    EXPECT_THAT(error(start + "roughness_length = 0\n"), HasSubstr("expected a positive number"));
+    EXPECT_THAT(error("law = \"continuously-yielding\"\nfriction_angle = \"0.5 rad\"\nroughness_length = 1\n"
+                      "residual_friction_angle = \"0.6 rad\"\n"),
+                HasSubstr("an angle up to 'friction_angle'"));
+}
+
 TEST_F(ReadWornJoints, Asperities) {
     const std::string friction = "friction_angle = \"0.5 rad\"\n";
     const auto plesha =

@@ -66,4 +66,9 @@ inline std::vector<dda::VelocityWeakening> specimens(std::type_identity<dda::Vel
     return {{35 * degree, 20 * degree, 0.1, 0}, {35 * degree, 20 * degree, 1e-3, 0.02}};
 }
 
+inline std::vector<dda::ContinuouslyYielding> specimens(std::type_identity<dda::ContinuouslyYielding>) {
+    return {
+        {45 * degree, 30 * degree, 2e-3}, {40 * degree, 25 * degree, 2e-2}, {30 * degree, 30 * degree, 1e-3}};
+}
+
 }  // namespace joint_tests

@@ -1,0 +1,180 @@
+#include "dda/joint/continuously_yielding.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dda {
+
+namespace {
+
+/// r is at most this: a joint that turned round at its bound would otherwise stay elastic for ever.
+constexpr double largest_unloading = 0.75;
+/// Plastic displacement over roughness length beyond which nothing is left to wear.
+constexpr double worn_out = 40;
+/// Of the length in which the stress nears the bound, and of the roughness length: a step of the integration.
+constexpr double fine_step = 0.02;
+/// Roughness length over approach length above which the approach is a detail.
+constexpr double stiff = 200;
+
+int sign_of(double value) {
+    return value > 0 ? 1 : value < 0 ? -1 : 0;
+}
+
+/// The way of a joint in one direction under a constant normal force. Shear forces are positive against it.
+class Yielding {
+  public:
+    Yielding(const ContinuouslyYielding& law, double plastic, double unloading, double normal_force,
+             double stiffness, double force)
+        : law_(law),
+          normal_force_(normal_force),
+          stiffness_(stiffness),
+          unloading_(unloading),
+          force_(force),
+          plastic_(plastic) {}
+
+    double force() const { return force_; }
+    double plastic() const { return plastic_; }
+    bool yielded() const { return yielded_; }
+    double bound() const { return bound_at(plastic_); }
+    /// What it bears on the other side: a force that stayed behind the bound there unloads elastically.
+    double bound_behind() const { return std::max(bound(), std::min(-force_, bound() + largest_lag())); }
+
+    void go(double way) {
+        const double excess = force_ - bound() - largest_lag();
+        if (excess > 0) {  // the normal force has fallen
+            force_ -= excess;
+            plastic_ += excess / stiffness_;
+            yielded_ = true;
+        }
+        const double elastic = std::clamp((unloading_ * bound() - force_) / stiffness_, 0.0, way);
+        force_ += stiffness_ * elastic;
+        way -= elastic;
+        yielded_ = yielded_ || way > 0;
+        while (way > 0) way -= step(way);
+    }
+
+  private:
+    double bound_at(double plastic) const {
+        const double left = std::exp(-std::max(plastic, 0.0) / law_.roughness_length);
+        const double angle =
+            law_.residual_friction_angle + (law_.friction_angle - law_.residual_friction_angle) * left;
+        return normal_force_ * std::tan(angle);
+    }
+    /// By how much the force can stay behind a bound that falls, while the normal force is constant: at most
+    /// what the fall at first makes of the approach.
+    double largest_lag() const {
+        const double tangent = std::tan(law_.friction_angle);
+        const double fall = normal_force_ * (1 + tangent * tangent) *
+                            (law_.friction_angle - law_.residual_friction_angle) / law_.roughness_length;
+        return fall * approach(normal_force_ * tangent);
+    }
+    /// m, in which the force nears the bound by a factor of e.
+    double approach(double bound) const { return bound * (1 - unloading_) / stiffness_; }
+
+    /// One step of at most `way`. @return its length.
+    double step(double way) {
+        const double length = approach(bound());
+        const double wear = plastic_ / law_.roughness_length;
+        if (!(length > 0)) {  // no strength
+            plastic_ += way;
+            force_ = 0;
+            return way;
+        }
+        if (wear > worn_out || law_.friction_angle == law_.residual_friction_angle)
+            return ramp(way, bound(), bound());
+        const double wearing = fine_step * law_.roughness_length * std::exp(wear / 5);
+        if (law_.roughness_length > stiff * length) {
+            const double h = std::min(way, wearing);
+            return ramp(h, bound(), bound_at(plastic_ + h));
+        }
+        // Near the bound the solution is smooth, whatever the approach length.
+        const double far = std::abs(1 - force_ / bound());
+        const double growth = std::clamp(std::pow(1e-3 / std::max(far, 1e-12), 0.2), 1.0, 20.0);
+        return runge_kutta(std::min({way, fine_step * length * growth, wearing}));
+    }
+
+    /// The bound changes linearly from `first` to `last`: then the approach to it is known.
+    double ramp(double h, double first, double last) {
+        const double length = approach((first + last) / 2);
+        const double lag = (last - first) / h * length;
+        const double after = last - lag + (force_ - first + lag) * std::exp(-h / length);
+        plastic_ += std::max(h - (after - force_) / stiffness_, 0.0);
+        force_ = after;
+        return h;
+    }
+
+    double runge_kutta(double h) {
+        const auto elastic_share = [&](double force, double plastic) {
+            return std::min((1 - force / bound_at(plastic)) / (1 - unloading_), 1.0);
+        };
+        const double a = elastic_share(force_, plastic_);
+        const auto at = [&](double share, double part) {
+            return elastic_share(force_ + part * h * stiffness_ * share, plastic_ + part * h * (1 - share));
+        };
+        const double b = at(a, 0.5), c = at(b, 0.5), d = at(c, 1);
+        const double mean = (a + 2 * b + 2 * c + d) / 6;
+        force_ += h * stiffness_ * mean;
+        plastic_ += h * (1 - mean);
+        return h;
+    }
+
+    const ContinuouslyYielding& law_;
+    double normal_force_, stiffness_, unloading_;
+    double force_, plastic_;
+    bool yielded_ = false;
+};
+
+/// r for a displacement in a direction, of a force that is positive against it.
+double unloading_for(const ContinuouslyYielding::History& history, int direction, double force,
+                     double bound) {
+    if (direction == history.direction) return history.unloading;
+    return bound > 0 ? std::clamp(force / bound, 0.0, largest_unloading) : 0;
+}
+
+}  // namespace
+
+double ContinuouslyYielding::bounding_tangent(double plastic) const {
+    const double left = std::exp(-plastic / roughness_length);
+    return std::tan(residual_friction_angle + (friction_angle - residual_friction_angle) * left);
+}
+
+Strength ContinuouslyYielding::strength(const History& history, double normal_force, double,
+                                        const ShearTrial& trial) const {
+    if (!(normal_force > 0)) return {};
+    const int direction = sign_of(trial.displacement);
+    if (direction == 0 || !(trial.stiffness > 0)) {
+        const double plastic = history.plastic + (direction == 0 ? 0 : std::abs(trial.displacement));
+        const double bound = normal_force * bounding_tangent(plastic);
+        return {bound, bound, 0};
+    }
+    const double force = direction * trial.shear_force;
+    const double bound = normal_force * bounding_tangent(history.plastic);
+    Yielding joint(*this, history.plastic, unloading_for(history, direction, force, bound), normal_force,
+                   trial.stiffness, force);
+    joint.go(std::abs(trial.displacement));
+    const double against = joint.bound_behind();
+    const double along = joint.yielded() ? std::max(joint.force(), 0.0) : against;
+    return direction > 0 ? Strength{along, against, 0} : Strength{against, along, 0};
+}
+
+ContinuouslyYielding::History ContinuouslyYielding::advance(const History& history,
+                                                            const ContactMotion& motion) const {
+    const int direction = sign_of(motion.displacement);
+    if (direction == 0 || !(motion.normal_force > 0)) return history;
+    const double force = direction * motion.shear_force;
+    const double bound = motion.normal_force * bounding_tangent(history.plastic);
+    const double unloading = unloading_for(history, direction, force, bound);
+    if (!(motion.stiffness > 0)) return {history.plastic + std::abs(motion.slip), unloading, direction};
+    Yielding joint(*this, history.plastic, unloading, motion.normal_force, motion.stiffness, force);
+    joint.go(std::abs(motion.displacement));
+    return {joint.plastic(), unloading, direction};
+}
+
+JointRecord ContinuouslyYielding::record(const History& history) const {
+    JointRecord told;
+    if (friction_angle > residual_friction_angle)
+        told.mobilised_ratio = std::exp(-history.plastic / roughness_length);
+    return told;
+}
+
+}  // namespace dda
