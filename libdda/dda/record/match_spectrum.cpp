@@ -12,6 +12,7 @@
 #include "dda/record/record_lines.hpp"
 #include "dda/record/records.hpp"
 #include "dda/record/response_spectrum.hpp"
+#include "dda/record/spectral_wavelets.hpp"
 #include "dda/record/two_columns.hpp"
 
 namespace dda {
@@ -19,6 +20,7 @@ namespace dda {
 namespace {
 
 constexpr int compared_periods = 100;
+constexpr double wavelet_share = 0.4;  // of the way to the target in a round
 
 std::vector<double> periods_of(const TargetSpectrum& target) {
     std::vector<double> periods;
@@ -69,6 +71,27 @@ Accelerogram filtered(const Accelerogram& record, const TargetSpectrum& factors)
     return correct_baseline({record.step, std::move(padded)});
 }
 
+/// The best of some rounds in the frequency domain.
+SpectralMatch filtered_match(const Accelerogram& record, const TargetSpectrum& target, double damping,
+                             int rounds) {
+    Accelerogram present = record;
+    TargetSpectrum factors = missing_factors(present, target, damping);
+    SpectralMatch best = judged(present, factors);
+    for (int round = 0; round < rounds; ++round) {
+        present = filtered(present, factors);
+        factors = missing_factors(present, target, damping);
+        const SpectralMatch match = judged(present, factors);
+        if (match.mean_misfit < best.mean_misfit) best = match;
+    }
+    return best;
+}
+
+std::vector<SpectralAim> aims_of(const TargetSpectrum& target) {
+    std::vector<SpectralAim> aims;
+    for (const double period : periods_of(target)) aims.push_back({period, target.at(period)});
+    return aims;
+}
+
 void check(const Accelerogram& record, const TargetSpectrum& target, double damping, int rounds) {
     if (!(damping >= 0 && damping < 1)) throw std::invalid_argument("damping must be at least 0 and below 1");
     if (rounds < 0 || rounds > 100) throw std::invalid_argument("rounds must be between 0 and 100");
@@ -108,14 +131,13 @@ TargetSpectrum read_target_spectrum(const std::filesystem::path& path) {
 SpectralMatch match_spectrum(const Accelerogram& record, const TargetSpectrum& target, double damping,
                              int rounds) {
     check(record, target, damping, rounds);
-    Accelerogram present = record;
-    TargetSpectrum factors = missing_factors(present, target, damping);
-    SpectralMatch best = judged(present, factors);
+    SpectralMatch best = filtered_match(record, target, damping, rounds);
+    if (!(damping > 0)) return best;
+    Accelerogram present = best.record;
     for (int round = 0; round < rounds; ++round) {
-        present = filtered(present, factors);
-        factors = missing_factors(present, target, damping);
-        const SpectralMatch match = judged(present, factors);
-        if (match.mean_misfit < best.mean_misfit) best = match;
+        present = correct_baseline(with_wavelets(present, aims_of(target), damping, wavelet_share));
+        const SpectralMatch match = judged(present, missing_factors(present, target, damping));
+        if (match.largest_misfit < best.largest_misfit) best = match;
     }
     return best;
 }
