@@ -262,7 +262,8 @@ int run_match(const std::vector<std::string>& arguments) {
         auto add = options.add_options();
         add("target", po::value(&file)->required(),
             "two columns with the heading \"period (s),acceleration (g)\"");
-        add("rounds", po::value(&rounds)->default_value(8), "0 to 100; the best one is kept");
+        add("rounds", po::value(&rounds)->default_value(30),
+            "0 to 100, in frequency and as many in time; the best is kept");
     };
     change.apply = [&](const Request& request, std::vector<dda::Accelerogram> records) {
         const dda::SpectralMatch match =
@@ -321,6 +322,7 @@ const std::vector<ChangeCommand>& change_commands() {
         {"match", "change it until its response spectrum is a target", run_match},
         {"slide", "Newmark's estimate of a block's slip on a plane", run_slide},
         {"plot", "draw one record or several", run_plot},
+        {"compare", "how far a point went in several runs", run_compare},
         {"amplification", "peak and spectral ratios of two records", run_amplification},
     };
     return commands;

@@ -27,11 +27,12 @@ struct Request {
     RecordSource source;
     fs::path output, picture;
     double damping = 0.05;
+    std::string point;
+    std::vector<std::string> labels;
     bool wants_help = false;
 };
 
 void parse(const std::vector<std::string>& arguments, po::options_description& options, Request& request) {
-    add_source_options(options, request.source);
     options.add_options()("help,h", "this text");
     po::options_description all;
     all.add(options).add_options()("file", po::value(&request.files));
@@ -83,6 +84,48 @@ std::vector<double> compared_periods(double duration) {
     return periods;
 }
 
+/// A point's displacement in one run, m.
+struct Track {
+    std::string label;
+    std::vector<double> time, x, y;
+
+    double distance(std::size_t k) const { return std::hypot(x[k], y[k]); }
+    std::size_t farthest() const {
+        std::size_t best = 0;
+        for (std::size_t k = 1; k < x.size(); ++k)
+            if (distance(k) > distance(best)) best = k;
+        return best;
+    }
+};
+
+/// From where the last stage of the run begins.
+Track read_track(const std::string& file, const std::string& point, const std::string& label) {
+    Track track{label, {}, {}, {}};
+    for (const char direction : {'x', 'y'}) {
+        dda::RecordDeclaration declaration;
+        declaration.quantity = dda::Quantity::displacement;
+        declaration.format = "run";
+        declaration.point = point + " " + direction;
+        const dda::Record record = dda::read_record(file, declaration);
+        (direction == 'x' ? track.x : track.y) = record.values;
+        track.time.resize(record.values.size());
+        for (std::size_t k = 0; k < track.time.size(); ++k)
+            track.time[k] = static_cast<double>(k) * record.dt;
+    }
+    return track;
+}
+
+std::string tracks_text(const std::vector<Track>& tracks) {
+    std::string text = "run,end (s),final x (m),final y (m),final distance (m),largest distance (m),at (s)\n";
+    for (const Track& track : tracks) {
+        const std::size_t last = track.x.size() - 1, far = track.farthest();
+        text += track.label + formatted(",%.6g,%.5f,%.5f,%.5f,%.5f,%.6g\n", track.time[last], track.x[last],
+                                        track.y[last], track.distance(last), track.distance(far),
+                                        track.time[far]);
+    }
+    return text;
+}
+
 std::string table_text(const std::vector<dda::Amplification>& table) {
     std::string text =
         "period (s),frequency (Hz),response of the point (g),response of the base (g),response ratio,Fourier "
@@ -113,6 +156,7 @@ int run_plot(const std::vector<std::string>& arguments) {
         "ground-motion plot FILE [FILE ...] -o PICTURE [options]\n"
         "Draws accelerations, velocities, displacements and 5 % spectra into one picture");
     options.add_options()("output,o", po::value(&request.picture), "the picture: SVG, PNG or PDF");
+    add_source_options(options, request.source);
     parse(arguments, options, request);
     if (request.wants_help) return 0;
     if (request.files.empty()) throw std::invalid_argument("0 records are given; expected one or more");
@@ -127,6 +171,45 @@ int run_plot(const std::vector<std::string>& arguments) {
     return 0;
 }
 
+int run_compare(const std::vector<std::string>& arguments) {
+    Request request;
+    po::options_description options(
+        "ground-motion compare RELATIVE.csv [RELATIVE.csv ...] --point NAME [options]\n"
+        "How far a measured point went in the last stage of several runs: relative.csv or history.csv of "
+        "each");
+    auto add = options.add_options();
+    add("point", po::value(&request.point)->required(), "a measured point of the runs");
+    add("label", po::value(&request.labels), "of the first run; again, of the next (default: their folders)");
+    add("output,o", po::value(&request.output), "the table that is printed, CSV");
+    add("picture", po::value(&request.picture), "displacements over time, SVG, PNG or PDF");
+    parse(arguments, options, request);
+    if (request.wants_help) return 0;
+    if (request.files.empty()) throw std::invalid_argument("0 runs are given; expected one or more");
+    if (!request.labels.empty() && request.labels.size() != request.files.size())
+        throw std::invalid_argument(std::to_string(request.labels.size()) + " labels are given; expected " +
+                                    std::to_string(request.files.size()));
+    if (!request.picture.empty()) check_picture_name(request.picture);
+    check_outputs(request);
+    std::vector<Track> tracks;
+    for (std::size_t k = 0; k < request.files.size(); ++k) {
+        const fs::path file = request.files[k];
+        const std::string folder = file.parent_path().filename().string();
+        tracks.push_back(
+            read_track(request.files[k], request.point, request.labels.empty() ? folder : request.labels[k]));
+    }
+    if (!request.output.empty()) blockgen::write_file_atomically(request.output, tracks_text(tracks));
+    if (!request.picture.empty()) {
+        std::vector<PictureCurve> x, y;
+        for (const Track& track : tracks) {
+            x.push_back({track.label, track.time, track.x});
+            y.push_back({track.label, track.time, track.y});
+        }
+        displacement_picture(x, y, "displacement of '" + request.point + "'").write(request.picture);
+    }
+    std::fputs(tracks_text(tracks).c_str(), stdout);
+    return 0;
+}
+
 int run_amplification(const std::vector<std::string>& arguments) {
     Request request;
     po::options_description options(
@@ -137,6 +220,7 @@ int run_amplification(const std::vector<std::string>& arguments) {
     add("picture", po::value(&request.picture), "the ratios over the period, SVG, PNG or PDF");
     add("damping", po::value(&request.damping)->default_value(0.05, "0.05"),
         "of the oscillators, of critical");
+    add_source_options(options, request.source);
     parse(arguments, options, request);
     if (request.wants_help) return 0;
     if (request.files.size() != 2)

@@ -23,6 +23,17 @@ double reach(const std::vector<PictureCurve>& curves) {
     return 1.1 * largest;
 }
 
+/// From the least to the greatest value, zero among them, with some air.
+Range range_of(const std::vector<PictureCurve>& curves) {
+    double low = 0, high = 1e-9;
+    for (const PictureCurve& curve : curves) {
+        low = std::min(low, *std::min_element(curve.y.begin(), curve.y.end()));
+        high = std::max(high, *std::max_element(curve.y.begin(), curve.y.end()));
+    }
+    const double air = 0.05 * (high - low);
+    return {low - air, high + air};
+}
+
 /// Of one curve, its panel's colour; of several, one for each.
 std::size_t colour_of(const std::vector<PictureCurve>& curves, std::size_t k, std::size_t panel) {
     return curves.size() == 1 ? panel : k;
@@ -99,6 +110,23 @@ Canvas record_picture(const std::vector<NamedRecord>& records, const std::string
     axes.draw(canvas, "period (s)", "absolute acceleration, 5 % damping (g)", true);
     draw_curves(canvas, axes, spectra, 3);
     if (records.size() > 1) draw_names(canvas, {72, 632}, spectra);
+    return canvas;
+}
+
+Canvas displacement_picture(const std::vector<PictureCurve>& x, const std::vector<PictureCurve>& y,
+                            const std::string& title) {
+    double duration = 1e-9;
+    for (const PictureCurve& curve : x) duration = std::max(duration, curve.x.back());
+    Canvas canvas(640, 510 + 16 * static_cast<double>(x.size()) + 12);
+    canvas.text({64, 22}, title, {.size = 11, .bold = true});
+    for (const bool is_x : {true, false}) {
+        const std::vector<PictureCurve>& curves = is_x ? x : y;
+        const double top = is_x ? 34 : 256;
+        const Axes axes({64, top}, {620, top + 200}, Range{0, duration}, range_of(curves));
+        axes.draw(canvas, is_x ? "" : "time (s)", is_x ? "x (m)" : "y (m)", true);
+        draw_curves(canvas, axes, curves, 0);
+    }
+    draw_names(canvas, {64, 498}, x);
     return canvas;
 }
 

@@ -23,6 +23,11 @@ struct PictureCurve {
     std::vector<double> y;
 };
 
+/// Displacements in x and y, m, over time, one panel each, with a legend. @param x, y curves of the same
+/// runs.
+blockgen::Canvas displacement_picture(const std::vector<PictureCurve>& x, const std::vector<PictureCurve>& y,
+                                      const std::string& title);
+
 /// Curves over periods, with a legend.
 blockgen::Canvas period_picture(const std::vector<PictureCurve>& curves, const std::string& title,
                                 const std::string& y_title);
