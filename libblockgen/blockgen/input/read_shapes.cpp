@@ -224,9 +224,9 @@ std::string read_name(const ConfigTable& table, std::string_view key) {
 
 void check_reach(const ConfigTable& table, std::string_view key, const Ring& points,
                  const SlopeModel& model) {
-    const auto domain = domain_bounds(model).corners();
-    Ring all(domain.begin(), domain.end());
-    all.insert(all.end(), points.begin(), points.end());
+    Ring all = points;  // a line file's come before there is an outline
+    all.insert(all.end(), model.outline.begin(), model.outline.end());
+    for (const Ring& part : model.further_outlines) all.insert(all.end(), part.begin(), part.end());
     const auto [low, high] = Bounds::of(all);
     const double extent = std::max(high.x - low.x, high.y - low.y);
     const double farthest = std::max({std::abs(low.x), std::abs(high.x), std::abs(low.y), std::abs(high.y)});
