@@ -23,7 +23,7 @@ class LinearSolver {
 std::unique_ptr<LinearSolver> make_cholmod_solver();
 
 /// A fill-reducing order of a block graph: order[k] is the block eliminated k-th. Nested dissection by METIS,
-/// with a fixed seed.
+/// with a fixed seed; the subtrees of the elimination tree are together, as supernodes need it.
 std::vector<int> fill_reducing_order(const BlockPattern& pattern);
 
 }  // namespace dda

@@ -1,13 +1,17 @@
 #include <metis.h>
 
+#include <algorithm>
 #include <numeric>
 #include <stdexcept>
+#include <utility>
 
 #include "dda/linear/linear_solver.hpp"
 
 namespace dda {
 
-std::vector<int> fill_reducing_order(const BlockPattern& pattern) {
+namespace {
+
+std::vector<int> nested_dissection(const BlockPattern& pattern) {
     const auto size = static_cast<std::size_t>(pattern.size);
     std::vector<int> order(size);
     std::iota(order.begin(), order.end(), 0);
@@ -43,6 +47,67 @@ std::vector<int> fill_reducing_order(const BlockPattern& pattern) {
     }
     order.assign(permutation.begin(), permutation.end());
     return order;
+}
+
+/// The parent of each block in the elimination tree of a given order, by places in it; -1 for a root. [Liu
+/// 1990]
+std::vector<int> elimination_tree(const BlockPattern& pattern, const std::vector<int>& place) {
+    const std::size_t size = place.size();
+    std::vector<std::vector<int>> earlier(size);  // neighbours eliminated before
+    for (std::size_t i = 0; i < size; ++i) {
+        for (int k = pattern.start[i]; k < pattern.start[i + 1]; ++k) {
+            const auto [first, last] = std::minmax(
+                place[i], place[static_cast<std::size_t>(pattern.columns[static_cast<std::size_t>(k)])]);
+            earlier[static_cast<std::size_t>(last)].push_back(first);
+        }
+    }
+    std::vector<int> parent(size, -1);
+    std::vector<int> ancestor(size, -1);  // as far up as is known, to shorten the walks
+    for (std::size_t k = 0; k < size; ++k) {
+        for (int at : earlier[k]) {
+            while (at != -1 && at != static_cast<int>(k)) {
+                const auto here = static_cast<std::size_t>(at);
+                at = std::exchange(ancestor[here], static_cast<int>(k));
+                if (at == -1) parent[here] = static_cast<int>(k);
+            }
+        }
+    }
+    return parent;
+}
+
+/// The places in the order in which a walk through the tree leaves them: each subtree is together.
+std::vector<int> postorder(const std::vector<int>& parent) {
+    const std::size_t size = parent.size();
+    std::vector<std::vector<int>> children(size + 1);  // the last: the roots
+    for (std::size_t k = 0; k < size; ++k)
+        children[parent[k] < 0 ? size : static_cast<std::size_t>(parent[k])].push_back(static_cast<int>(k));
+    std::vector<int> left;
+    left.reserve(size + 1);
+    std::vector<int> stack{static_cast<int>(size)};
+    while (!stack.empty()) {  // parents first, last children first; then turned round
+        const int node = stack.back();
+        stack.pop_back();
+        left.push_back(node);
+        const auto& below = children[static_cast<std::size_t>(node)];
+        stack.insert(stack.end(), below.begin(), below.end());
+    }
+    std::reverse(left.begin(), left.end());
+    left.pop_back();
+    return left;
+}
+
+}  // namespace
+
+std::vector<int> fill_reducing_order(const BlockPattern& pattern) {
+    const std::vector<int> order = nested_dissection(pattern);
+    std::vector<int> place(order.size());
+    for (std::size_t k = 0; k < order.size(); ++k)
+        place[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
+    std::vector<int> together;
+    together.reserve(order.size());
+    for (const int k : postorder(elimination_tree(pattern, place)))
+        together.push_back(order[static_cast<std::size_t>(k)]);
+    return together;
 }
 
 }  // namespace dda
