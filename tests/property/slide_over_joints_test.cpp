@@ -145,10 +145,10 @@ TEST_P(SlideOverJoints, IsBrakedByFrictionAlone) {
 }
 
 // Friction falls with the slip, and faces that meet without having been a joint have none of the peak left. A
-// contact that comes into being in a face on which the slider has slid knows how far, but for that step's slip:
-// at most 4 mm of the 0.8 m in which half of the friction goes, a quarter of a percent of the friction of one
-// of two to five contacts. Of twenty runs with contacts that knew nothing six were off by more than the
-// thousandth.
+// contact that comes into being in a face on which the slider has slid knows how far, but for that step's
+// slip: at most 4 mm of the 0.8 m in which half of the friction goes, a quarter of a percent of the friction
+// of one of two to five contacts. Of twenty runs with contacts that knew nothing six were off by more than
+// the thousandth.
 TEST_P(SlideOverJoints, KnowsHowFarItHasSlid) {
     dda::Weakening law;
     law.friction_angle = slide.friction;

@@ -198,7 +198,7 @@ void tell_faces(const Model& model, std::span<char> knows, std::span<Contact> co
 void transfer_contacts(const Model& model, std::span<const Contact> old, double moved, bool first_step,
                        std::vector<Contact>& contacts) {
     std::vector<char> knows(contacts.size(), 0);  // what its joint has been through
-    std::vector<std::size_t> heirs;  // that may take over: those that are new or bear nothing
+    std::vector<std::size_t> heirs;               // that may take over: those that are new or bear nothing
     std::vector<const Contact*> donors;
     auto from = old.begin();
     for (std::size_t k = 0; k < contacts.size(); ++k) {

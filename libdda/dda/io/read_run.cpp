@@ -85,7 +85,7 @@ std::string read_reference(const ConfigTable& output, const Model& model) {
     const std::vector<TrackedPoint> points = tracked_points(model);
     const auto base = std::find_if(points.begin(), points.end(),
                                    [](const TrackedPoint& point) { return point.block >= 0; });
-    const std::string name = output.string("relative_to", base == points.end() ? "" : base->name);
+    std::string name = output.string("relative_to", base == points.end() ? "" : base->name);
     if (name.empty() || find_point(points, name)) return name;
     std::vector<std::string> names;
     for (const TrackedPoint& point : points) names.push_back(point.name);

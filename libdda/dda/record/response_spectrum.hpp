@@ -27,8 +27,9 @@ struct SpectralOrdinate {
     double absolute_acceleration = 0;  ///< m/s2
 };
 
-/// The response spectrum. The maxima are those at the samples, and between them at even parts, so that an oscillator's
-/// period holds at least 20 instants: what is missed between them is below (pi / 20)^2 / 2 = 1.3 %.
+/// The response spectrum. The maxima are those at the samples, and between them at even parts, so that an
+/// oscillator's period holds at least 20 instants: what is missed between them is below (pi / 20)^2 / 2 = 1.3
+/// %.
 std::vector<SpectralOrdinate> response_spectrum(const Accelerogram& record, std::span<const double> periods,
                                                 double damping);
 
