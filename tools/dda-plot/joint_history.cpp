@@ -89,8 +89,8 @@ JointHistory read_joint_history(const std::filesystem::path& table, const std::s
     }
     if (history.time.empty()) throw InputError({table.string()}, "holds no row yet", "a run that has begun");
     if (!joint.empty()) {
-        const double start = history.time.front();
-        for (double& time : history.time) time -= start;
+        const double first = history.time.front();
+        for (double& time : history.time) time -= first;
     }
     return history;
 }
