@@ -13,7 +13,7 @@ inline std::optional<std::filesystem::path> others_data(const std::string& name)
         const fs::path folder = fs::path(shared) / name;
         return fs::exists(folder) ? std::optional(folder) : std::nullopt;
     }
-    for (fs::path folder = fs::path(__FILE__).parent_path(); folder.has_relative_path();
+    for (fs::path folder = fs::absolute(__FILE__).parent_path(); folder.has_relative_path();
          folder = folder.parent_path())
         if (fs::exists(folder.parent_path() / "shared" / name)) return folder.parent_path() / "shared" / name;
     return std::nullopt;
