@@ -161,6 +161,36 @@ TEST_F(ResultsTest, AContinuedRunEndsInTheSameBytes) {
     }
 }
 
+TEST_F(ResultsTest, AContinuedRunKnowsWhatWasTakenOut) {
+    blockgen::BlockMesh mesh = io_test::two_block_mesh();
+    const auto first = static_cast<std::int32_t>(mesh.vertices.size());
+    mesh.vertices.insert(mesh.vertices.end(), {{.1, 1}, {.9, 1}, {.9, 1.5}, {.1, 1.5}});
+    mesh.begin_block(0);
+    mesh.add_ring(std::vector<std::int32_t>{first, first + 1, first + 2, first + 3},
+                  std::vector<blockgen::EdgeMark>(4));
+    mesh.excavations = {{"bench", 2, {2}}};
+    blockgen::write_block_file(folder / "two.blocks", mesh);
+    input = read_run(folder / "run.toml");
+    ASSERT_EQ(input.model.excavations.size(), 1u);
+    simulate("whole");
+    const VtkHdfReader frames = frames_of("whole");
+    const auto blocks_in = [&](std::int64_t k) { return frames.frame(k, {"block"}).columns[0].size(); };
+    EXPECT_EQ(blocks_in(0), 3u) << "before the stages";
+    EXPECT_EQ(blocks_in(frames.frame_count() - 1), 2u) << "taken out when the shaking began";
+    // Stops before and after the block is gone, right after it went, and in the last step.
+    const auto lines = lines_of(folder / "whole" / "steps.csv");
+    const auto settled = static_cast<int>(std::count_if(
+        lines.begin(), lines.end(), [](const auto& l) { return l.find("settle") != std::string::npos; }));
+    const auto steps = static_cast<int>(lines.size()) - 1;
+    ASSERT_GT(settled, 1);
+    ASSERT_GT(steps, settled + 2);
+    for (const int stop : {1, settled, settled + 1, (settled + steps) / 2, steps}) {
+        const std::string name = "stopped" + std::to_string(stop);
+        EXPECT_EQ(stop_and_resume(name, stop).status, RunStatus::completed) << stop;
+        expect_same_files(name, "whole");
+    }
+}
+
 TEST_F(ResultsTest, AContinuedRunCountsOnToTheStepLimit) {
     input.stages[0].tolerance = 1e-300;
     input.stages[0].step_limit = 40;

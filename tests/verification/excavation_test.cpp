@@ -1,0 +1,56 @@
+// Rock that is taken out between stages: what is left bears what is left.
+
+#include <gtest/gtest.h>
+
+#include "support/energy_balance.hpp"
+#include "support/record.hpp"
+#include "support/scene.hpp"
+
+namespace {
+
+using namespace scene;
+using namespace verification;
+
+/// A fixed base, block 0, under a column of smooth boxes of 1 m, blocks 1, 2, ...
+Scene column(int boxes) {
+    Scene s;
+    s.box({-1, -1}, 3, 1, dda::Motion::fixed);
+    for (int k = 0; k < boxes; ++k) s.box({0, static_cast<double>(k)}, 1, 1);
+    return s;
+}
+
+// V53. A column of four loses its uppermost block when stage 2 begins and the next when stage 3 does. A block
+// of constant strain bears half its own weight and all that stands on it, as in V04; nothing of the old load
+// may stay in the springs.
+TEST(Excavation, TheColumnBearsWhatIsLeftOfIt) {
+    Scene s = column(4);
+    s.model.excavations = {{"crest", 2, {4}}, {"next", 3, {3}}};
+    Simulation sim(s);
+    for (const int left : {4, 3, 2}) {
+        ASSERT_EQ(sim.settle().status, dda::RunStatus::completed);
+        Case row("V53", "column of four, " + std::to_string(left) + " left",
+                 "settled to the static tolerance; springs and blocks shorten by 1e-6 of their length");
+        row.contact_frequency_step(sim.contact_frequency_step());
+        for (int k = 1; k <= left; ++k)
+            row.expect("σ_y(" + std::to_string(k) + ")", "Pa", sim.stress(k)[1], -2500 * g * (left - k + 0.5),
+                       relative(1e-5));
+    }
+}
+
+// V53. The lower of two blocks is taken out at the beginning of a dynamic stage: the upper one, settled until
+// then, falls freely at once.
+TEST(Excavation, ABlockWithoutItsSupportFalls) {
+    Scene s = column(2);
+    s.model.excavations = {{"support", 2, {1}}};
+    Simulation sim(s);
+    ASSERT_EQ(sim.settle().status, dda::RunStatus::completed);
+    ASSERT_EQ(sim.shake(0.3, 0.001).status, dda::RunStatus::completed);
+    Case row(
+        "V53", "support taken out, 0.3 s",
+        "Newmark (1/2, 1) is exact for a constant acceleration; what the settled state still moves is left");
+    row.expect("y(0.3 s)", "m", sim.moved(2).y(), -g * 0.3 * 0.3 / 2, absolute(1e-9));
+    row.expect("v(0.3 s)", "m/s", sim.velocity(2)[1], -g * 0.3, absolute(1e-8));
+    expect_energy_balance("V53", "support taken out, 0.3 s", sim);
+}
+
+}  // namespace
