@@ -18,7 +18,7 @@
 #include "dda/io/read_run.hpp"
 #include "dda/io/state_archive.hpp"
 #include "dda/io/summary.hpp"
-#include "support.hpp"
+#include "run_in_a_folder.hpp"
 
 namespace dda {
 namespace {
@@ -27,87 +27,7 @@ using blockgen::read_text_file;
 using ::testing::HasSubstr;
 namespace fs = std::filesystem;
 
-const char* const result_files[] = {"history.csv", "relative.csv", "joints.csv",
-                                    "steps.csv",   "run.vtkhdf",   "run.joints.vtkhdf"};
-
-/// A block that settles on a base and is then shaken until it slides.
-class ResultsTest : public ::testing::Test {
-  protected:
-    void SetUp() override {
-        blockgen::write_block_file(folder / "two.blocks", io_test::two_block_mesh());
-        folder.write("run.toml", R"(blocks = "two.blocks"
-[block_material.rock]
-density = 2500
-youngs_modulus = "10 GPa"
-poissons_ratio = 0.25
-[joint_material.bedding]
-law = "mohr-coulomb"
-friction_angle = "20 deg"
-[[measured_joint]]
-name = "bed"
-at = [2, 1]
-[[stage]]
-name = "settle"
-kind = "static"
-[[stage]]
-name = "shake"
-kind = "dynamic"
-duration = 0.5
-[stage.base_motion]
-block = "base"
-x = { times = [0, 0.1, 0.3, 0.5], values = [0, 6, -6, 0] }
-[output]
-frames = 10
-history_interval = 0.02
-)");
-        input = read_run(folder / "run.toml");
-    }
-
-    RunOutcome simulate(
-        const std::string& name, ProgressFunction progress = [](const Progress&) { return true; }) {
-        fs::create_directories(folder / name);
-        Results results(input.model, input.stages, input.output,
-                        {folder / name, pvd, "hash", std::move(progress)});
-        State state = initial_state(input.model);
-        return run(input.model, input.stages, state, results);
-    }
-    RunOutcome resume(const std::string& name) {
-        const Checkpoint checkpoint = read_checkpoint(folder / name / "checkpoint.h5");
-        Results results(input.model, input.stages, input.output,
-                        {folder / name, pvd, "hash", [](const Progress&) { return true; }}, &checkpoint);
-        State state = checkpoint.state;
-        return run(input.model, input.stages, state, results, {1, checkpoint.results.stage, true});
-    }
-    void expect_same_files(const std::string& a, const std::string& b) {
-        for (const char* file : result_files)
-            EXPECT_EQ(read_text_file(folder / a / file), read_text_file(folder / b / file)) << file;
-    }
-    static std::vector<std::string> lines_of(const fs::path& path) {
-        std::istringstream text(read_text_file(path));
-        std::vector<std::string> lines;
-        for (std::string line; std::getline(text, line);) lines.push_back(line);
-        return lines;
-    }
-
-    /// Runs until the given step, then goes on from the checkpoint. @return how it ended.
-    RunOutcome stop_and_resume(const std::string& name, int stop) {
-        int step = 0;
-        const RunOutcome first = simulate(name, [&](const Progress&) { return ++step < stop; });
-        EXPECT_EQ(first.status, RunStatus::stopped) << stop;
-        return resume(name);
-    }
-    VtkHdfReader frames_of(const std::string& name) const {
-        return VtkHdfReader(folder / name / "run.vtkhdf");
-    }
-    /// Of the block that settles, m, in a kept frame.
-    static double settlement(const VtkHdfReader& frames, std::int64_t index) {
-        return frames.frame(index, {"displacement"}).columns[0][4];
-    }
-
-    io_test::Folder folder;
-    RunInput input;
-    bool pvd = false;
-};
+using ResultsTest = RunInAFolder;
 
 TEST_F(ResultsTest, ARunWritesEveryKindOfResult) {
     ASSERT_EQ(simulate("a").status, RunStatus::completed);
@@ -148,65 +68,6 @@ TEST_F(ResultsTest, TheSameRunWritesTheSameBytes) {
     simulate("a");
     simulate("b");
     expect_same_files("a", "b");
-}
-
-TEST_F(ResultsTest, AContinuedRunEndsInTheSameBytes) {
-    simulate("whole");
-    // Stops in the settling, early and late in the shaking, and in its last step.
-    const auto steps = static_cast<int>(lines_of(folder / "whole" / "steps.csv").size()) - 1;
-    for (const int stop : {1, steps / 2, steps - 20, steps}) {
-        const std::string name = "stopped" + std::to_string(stop);
-        EXPECT_EQ(stop_and_resume(name, stop).status, RunStatus::completed) << stop;
-        expect_same_files(name, "whole");
-    }
-}
-
-TEST_F(ResultsTest, AContinuedRunKnowsWhatWasTakenOut) {
-    blockgen::BlockMesh mesh = io_test::two_block_mesh();
-    const auto first = static_cast<std::int32_t>(mesh.vertices.size());
-    mesh.vertices.insert(mesh.vertices.end(), {{.1, 1}, {.9, 1}, {.9, 1.5}, {.1, 1.5}});
-    mesh.begin_block(0);
-    mesh.add_ring(std::vector<std::int32_t>{first, first + 1, first + 2, first + 3},
-                  std::vector<blockgen::EdgeMark>(4));
-    mesh.excavations = {{"bench", 2, {2}}};
-    blockgen::write_block_file(folder / "two.blocks", mesh);
-    input = read_run(folder / "run.toml");
-    ASSERT_EQ(input.model.excavations.size(), 1u);
-    simulate("whole");
-    const VtkHdfReader frames = frames_of("whole");
-    const auto blocks_in = [&](std::int64_t k) { return frames.frame(k, {"block"}).columns[0].size(); };
-    EXPECT_EQ(blocks_in(0), 3u) << "before the stages";
-    EXPECT_EQ(blocks_in(frames.frame_count() - 1), 2u) << "taken out when the shaking began";
-    // Stops before and after the block is gone, right after it went, and in the last step.
-    const auto lines = lines_of(folder / "whole" / "steps.csv");
-    const auto settled = static_cast<int>(std::count_if(
-        lines.begin(), lines.end(), [](const auto& l) { return l.find("settle") != std::string::npos; }));
-    const auto steps = static_cast<int>(lines.size()) - 1;
-    ASSERT_GT(settled, 1);
-    ASSERT_GT(steps, settled + 2);
-    for (const int stop : {1, settled, settled + 1, (settled + steps) / 2, steps}) {
-        const std::string name = "stopped" + std::to_string(stop);
-        EXPECT_EQ(stop_and_resume(name, stop).status, RunStatus::completed) << stop;
-        expect_same_files(name, "whole");
-    }
-}
-
-TEST_F(ResultsTest, AContinuedRunCountsOnToTheStepLimit) {
-    input.stages[0].tolerance = 1e-300;
-    input.stages[0].step_limit = 40;
-    const RunOutcome whole = simulate("whole");
-    ASSERT_EQ(whole.status, RunStatus::not_settled);
-    ASSERT_EQ(lines_of(folder / "whole" / "steps.csv").size(), 1 + 40u);
-    for (const int stop : {1, 25, 39}) {
-        const std::string name = "stopped" + std::to_string(stop);
-        const RunOutcome outcome = stop_and_resume(name, stop);
-        EXPECT_EQ(outcome.status, RunStatus::not_settled) << stop;
-        EXPECT_EQ(outcome.message, whole.message) << stop;
-        expect_same_files(name, "whole");
-    }
-    // The limit's own step leaves nothing to go on with.
-    int step = 0;
-    EXPECT_EQ(simulate("late", [&](const Progress&) { return ++step < 40; }).status, RunStatus::not_settled);
 }
 
 TEST_F(ResultsTest, AStageThatFailsLeavesItsLastState) {
@@ -257,26 +118,6 @@ TEST_F(ResultsTest, ARunThatEndsAtRestTellsHowFarItSettled) {
     const VtkHdfReader frames = frames_of("a");
     ASSERT_EQ(frames.frame_count(), 2);
     EXPECT_LT(settlement(frames, 1), -1e-8);
-}
-
-TEST_F(ResultsTest, AContinuedRunListsEveryFrameOnceForOlderParaView) {
-    pvd = true;
-    simulate("whole");
-    const auto steps = static_cast<int>(lines_of(folder / "whole" / "steps.csv").size()) - 1;
-    EXPECT_EQ(stop_and_resume("stopped", steps / 2).status, RunStatus::completed);
-    const std::string list = read_text_file(folder / "stopped" / "run.pvd");
-    EXPECT_EQ(list, read_text_file(folder / "whole" / "run.pvd"));
-    const std::vector<double> times = frames_of("stopped").times();
-    std::size_t at = 0;
-    for (std::size_t k = 0; k < times.size(); ++k) {
-        const std::string file = "run." + std::to_string(k) + ".vtu";
-        const std::string entry =
-            "timestep=\"" + blockgen::shortest_text(times[k]) + "\" file=\"" + file + "\"";
-        at = list.find(entry, at);
-        ASSERT_NE(at, std::string::npos) << entry << " is missing or out of order";
-        EXPECT_EQ(read_text_file(folder / "stopped" / file), read_text_file(folder / "whole" / file));
-    }
-    EXPECT_EQ(std::count(list.begin(), list.end(), '\n'), static_cast<long>(times.size()) + 5);
 }
 
 TEST_F(ResultsTest, AKilledRunLeavesReadableResults) {
@@ -432,39 +273,6 @@ TEST_F(ResultsTest, TheTableOfBlocksTellsWhatBecameOfThem) {
     const std::string printed = outcome_table(input.model, state, results, slips);
     for (const char* part : {"from 'base'", "crest", "1 blocks slipped, block 1 first", "Newmark's rigid"})
         EXPECT_THAT(printed, HasSubstr(part));
-}
-
-TEST_F(ResultsTest, AContinuedRunKnowsWhatSlippedBefore) {
-    const auto table_of = [&](const std::string& name, int stop) {
-        fs::create_directories(folder / name);
-        int step = 0;
-        const ProgressFunction progress = [&](const Progress&) { return ++step < stop; };
-        State state = initial_state(input.model);
-        auto results = std::make_unique<Results>(input.model, input.stages, input.output,
-                                                 ResultsOptions{folder / name, false, "hash", progress});
-        if (run(input.model, input.stages, state, *results).status == RunStatus::stopped) {
-            const Checkpoint checkpoint = read_checkpoint(folder / name / "checkpoint.h5");
-            results = std::make_unique<Results>(
-                input.model, input.stages, input.output,
-                ResultsOptions{folder / name, false, "hash", [](const Progress&) { return true; }},
-                &checkpoint);
-            state = checkpoint.state;
-            run(input.model, input.stages, state, *results, {1, checkpoint.results.stage, true});
-        }
-        return block_table(input.model, state, *results,
-                           plane_slips(input.model, input.stages, state, *results), "blocks.csv");
-    };
-    const std::string whole = table_of("whole", 1'000'000);
-    const auto steps = static_cast<int>(lines_of(folder / "whole" / "steps.csv").size()) - 1;
-    EXPECT_EQ(table_of("stopped", steps - 30), whole);
-}
-
-TEST_F(ResultsTest, ACheckpointOfOtherContentIsRefused) {
-    folder.write("checkpoint.h5", "not HDF5");
-    EXPECT_THAT(io_test::error_of([&] { read_checkpoint(folder / "checkpoint.h5"); }),
-                HasSubstr("cannot be resumed from"));
-    EXPECT_THAT(io_test::error_of([&] { read_checkpoint(folder / "none.h5"); }),
-                HasSubstr("there is no checkpoint to resume from"));
 }
 
 TEST_F(ResultsTest, TheArchiveKeepsEveryBitOfAState) {

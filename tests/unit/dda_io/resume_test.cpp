@@ -1,0 +1,135 @@
+// Runs that stop and go on from their checkpoint.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "blockgen/base/read_file.hpp"
+#include "blockgen/base/text.hpp"
+#include "dda/io/block_table.hpp"
+#include "run_in_a_folder.hpp"
+
+namespace dda {
+namespace {
+
+using blockgen::read_text_file;
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+using ContinuedRun = RunInAFolder;
+
+TEST_F(ContinuedRun, EndsInTheSameBytes) {
+    simulate("whole");
+    // Stops in the settling, early and late in the shaking, and in its last step.
+    const auto steps = static_cast<int>(lines_of(folder / "whole" / "steps.csv").size()) - 1;
+    for (const int stop : {1, steps / 2, steps - 20, steps}) {
+        const std::string name = "stopped" + std::to_string(stop);
+        EXPECT_EQ(stop_and_resume(name, stop).status, RunStatus::completed) << stop;
+        expect_same_files(name, "whole");
+    }
+}
+
+TEST_F(ContinuedRun, KnowsWhatWasTakenOut) {
+    blockgen::BlockMesh mesh = io_test::two_block_mesh();
+    const auto first = static_cast<std::int32_t>(mesh.vertices.size());
+    mesh.vertices.insert(mesh.vertices.end(), {{.1, 1}, {.9, 1}, {.9, 1.5}, {.1, 1.5}});
+    mesh.begin_block(0);
+    mesh.add_ring(std::vector<std::int32_t>{first, first + 1, first + 2, first + 3},
+                  std::vector<blockgen::EdgeMark>(4));
+    mesh.excavations = {{"bench", 2, {2}}};
+    blockgen::write_block_file(folder / "two.blocks", mesh);
+    input = read_run(folder / "run.toml");
+    ASSERT_EQ(input.model.excavations.size(), 1u);
+    simulate("whole");
+    const VtkHdfReader frames = frames_of("whole");
+    const auto blocks_in = [&](std::int64_t k) { return frames.frame(k, {"block"}).columns[0].size(); };
+    EXPECT_EQ(blocks_in(0), 3u) << "before the stages";
+    EXPECT_EQ(blocks_in(frames.frame_count() - 1), 2u) << "taken out when the shaking began";
+    // Stops before and after the block is gone, right after it went, and in the last step.
+    const auto lines = lines_of(folder / "whole" / "steps.csv");
+    const auto settled = static_cast<int>(std::count_if(
+        lines.begin(), lines.end(), [](const auto& l) { return l.find("settle") != std::string::npos; }));
+    const auto steps = static_cast<int>(lines.size()) - 1;
+    ASSERT_GT(settled, 1);
+    ASSERT_GT(steps, settled + 2);
+    for (const int stop : {1, settled, settled + 1, (settled + steps) / 2, steps}) {
+        const std::string name = "stopped" + std::to_string(stop);
+        EXPECT_EQ(stop_and_resume(name, stop).status, RunStatus::completed) << stop;
+        expect_same_files(name, "whole");
+    }
+}
+
+TEST_F(ContinuedRun, CountsOnToTheStepLimit) {
+    input.stages[0].tolerance = 1e-300;
+    input.stages[0].step_limit = 40;
+    const RunOutcome whole = simulate("whole");
+    ASSERT_EQ(whole.status, RunStatus::not_settled);
+    ASSERT_EQ(lines_of(folder / "whole" / "steps.csv").size(), 1 + 40u);
+    for (const int stop : {1, 25, 39}) {
+        const std::string name = "stopped" + std::to_string(stop);
+        const RunOutcome outcome = stop_and_resume(name, stop);
+        EXPECT_EQ(outcome.status, RunStatus::not_settled) << stop;
+        EXPECT_EQ(outcome.message, whole.message) << stop;
+        expect_same_files(name, "whole");
+    }
+    // The limit's own step leaves nothing to go on with.
+    int step = 0;
+    EXPECT_EQ(simulate("late", [&](const Progress&) { return ++step < 40; }).status, RunStatus::not_settled);
+}
+
+TEST_F(ContinuedRun, ListsEveryFrameOnceForOlderParaView) {
+    pvd = true;
+    simulate("whole");
+    const auto steps = static_cast<int>(lines_of(folder / "whole" / "steps.csv").size()) - 1;
+    EXPECT_EQ(stop_and_resume("stopped", steps / 2).status, RunStatus::completed);
+    const std::string list = read_text_file(folder / "stopped" / "run.pvd");
+    EXPECT_EQ(list, read_text_file(folder / "whole" / "run.pvd"));
+    const std::vector<double> times = frames_of("stopped").times();
+    std::size_t at = 0;
+    for (std::size_t k = 0; k < times.size(); ++k) {
+        const std::string file = "run." + std::to_string(k) + ".vtu";
+        const std::string entry =
+            "timestep=\"" + blockgen::shortest_text(times[k]) + "\" file=\"" + file + "\"";
+        at = list.find(entry, at);
+        ASSERT_NE(at, std::string::npos) << entry << " is missing or out of order";
+        EXPECT_EQ(read_text_file(folder / "stopped" / file), read_text_file(folder / "whole" / file));
+    }
+    EXPECT_EQ(std::count(list.begin(), list.end(), '\n'), static_cast<long>(times.size()) + 5);
+}
+
+TEST_F(ContinuedRun, KnowsWhatSlippedBefore) {
+    const auto table_of = [&](const std::string& name, int stop) {
+        fs::create_directories(folder / name);
+        int step = 0;
+        const ProgressFunction progress = [&](const Progress&) { return ++step < stop; };
+        State state = initial_state(input.model);
+        auto results = std::make_unique<Results>(input.model, input.stages, input.output,
+                                                 ResultsOptions{folder / name, false, "hash", progress});
+        if (run(input.model, input.stages, state, *results).status == RunStatus::stopped) {
+            const Checkpoint checkpoint = read_checkpoint(folder / name / "checkpoint.h5");
+            results = std::make_unique<Results>(
+                input.model, input.stages, input.output,
+                ResultsOptions{folder / name, false, "hash", [](const Progress&) { return true; }},
+                &checkpoint);
+            state = checkpoint.state;
+            run(input.model, input.stages, state, *results, {1, checkpoint.results.stage, true});
+        }
+        return block_table(input.model, state, *results,
+                           plane_slips(input.model, input.stages, state, *results), "blocks.csv");
+    };
+    const std::string whole = table_of("whole", 1'000'000);
+    const auto steps = static_cast<int>(lines_of(folder / "whole" / "steps.csv").size()) - 1;
+    EXPECT_EQ(table_of("stopped", steps - 30), whole);
+}
+
+TEST_F(ContinuedRun, ACheckpointOfOtherContentIsRefused) {
+    folder.write("checkpoint.h5", "not HDF5");
+    EXPECT_THAT(io_test::error_of([&] { read_checkpoint(folder / "checkpoint.h5"); }),
+                HasSubstr("cannot be resumed from"));
+    EXPECT_THAT(io_test::error_of([&] { read_checkpoint(folder / "none.h5"); }),
+                HasSubstr("there is no checkpoint to resume from"));
+}
+
+}  // namespace
+}  // namespace dda
