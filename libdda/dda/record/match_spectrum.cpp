@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <complex>
+#include <optional>
 #include <stdexcept>
 #include <unsupported/Eigen/FFT>
 
@@ -20,7 +21,8 @@ namespace dda {
 namespace {
 
 constexpr int compared_periods = 100;
-constexpr double wavelet_share = 0.4;  // of the way to the target in a round
+constexpr double good_enough = 0.02;                                // largest misfit
+constexpr double shares[] = {1, 0.7, 0.5, 0.35, 0.25, 0.12, 0.06};  // of the way to the target in a round
 
 std::vector<double> periods_of(const TargetSpectrum& target) {
     std::vector<double> periods;
@@ -49,6 +51,13 @@ SpectralMatch judged(const Accelerogram& record, const TargetSpectrum& factors) 
         match.largest_misfit = std::max(match.largest_misfit, misfit);
     }
     return match;
+}
+
+/// What a round with wavelets makes smaller: a norm of the misfits that heeds the large ones, sixth powers.
+double norm_of_misfits(const TargetSpectrum& factors) {
+    double sum = 0;
+    for (const double factor : factors.accelerations) sum += std::pow(1 / factor - 1, 6);
+    return std::pow(sum, 1 / 6.0);
 }
 
 /// Each Fourier amplitude times the factor of its period. Zeros behind the record keep its end out of its
@@ -92,6 +101,42 @@ std::vector<SpectralAim> aims_of(const TargetSpectrum& target) {
     return aims;
 }
 
+/// A record on its way, and target over response.
+struct Candidate {
+    Accelerogram record;
+    TargetSpectrum factors;
+};
+
+Candidate moved(const Accelerogram& record, const std::vector<double>& change, double share,
+                const TargetSpectrum& target, double damping) {
+    Accelerogram candidate = record;
+    for (std::size_t k = 0; k < change.size(); ++k) candidate.values[k] += share * change[k];
+    candidate = correct_baseline(candidate);
+    TargetSpectrum factors = missing_factors(candidate, target, damping);
+    return {std::move(candidate), std::move(factors)};
+}
+
+/// The best of the shares of the way, tried from long to short until one betters the present and the next
+/// does not better that. None need better the present: then the least harm is done, which may lead out of a
+/// corner.
+Candidate next_step(const Candidate& present, const TargetSpectrum& target, double damping) {
+    const std::vector<double> change = wavelets_towards(present.record, aims_of(target), damping);
+    const double present_norm = norm_of_misfits(present.factors);
+    std::optional<Candidate> best;
+    double smallest = 0;
+    for (const double share : shares) {
+        Candidate candidate = moved(present.record, change, share, target, damping);
+        const double norm = norm_of_misfits(candidate.factors);
+        if (!best || norm < smallest) {
+            smallest = norm;
+            best = std::move(candidate);
+        } else if (smallest < present_norm) {
+            break;
+        }
+    }
+    return *best;
+}
+
 void check(const Accelerogram& record, const TargetSpectrum& target, double damping, int rounds) {
     if (!(damping >= 0 && damping < 1)) throw std::invalid_argument("damping must be at least 0 and below 1");
     if (rounds < 0 || rounds > 100) throw std::invalid_argument("rounds must be between 0 and 100");
@@ -133,10 +178,10 @@ SpectralMatch match_spectrum(const Accelerogram& record, const TargetSpectrum& t
     check(record, target, damping, rounds);
     SpectralMatch best = filtered_match(record, target, damping, rounds);
     if (!(damping > 0)) return best;
-    Accelerogram present = best.record;
-    for (int round = 0; round < rounds; ++round) {
-        present = correct_baseline(with_wavelets(present, aims_of(target), damping, wavelet_share));
-        const SpectralMatch match = judged(present, missing_factors(present, target, damping));
+    Candidate present{best.record, missing_factors(best.record, target, damping)};
+    for (int round = 0; round < rounds && best.largest_misfit > good_enough; ++round) {
+        present = next_step(present, target, damping);
+        const SpectralMatch match = judged(present.record, present.factors);
         if (match.largest_misfit < best.largest_misfit) best = match;
     }
     return best;

@@ -27,9 +27,10 @@ struct SpectralMatch {
 /// A record changed until its response spectrum is the target: in each round every Fourier amplitude is
 /// multiplied by target over response at its own period, phases kept, and the baseline corrected (Gasparini &
 /// Vanmarcke 1976 do so for artificial motions). Beyond the target's range the factor is that of the nearest
-/// end. The round of the smallest mean misfit goes on: as many rounds more add wavelets, see with_wavelets(),
-/// unless the damping is 0, and the round of the smallest largest misfit is returned. The record as it came
-/// counts as a round.
+/// end. The round of the smallest mean misfit goes on: at most as many rounds more add wavelets, see
+/// wavelets_towards(), each as large a share of them as brings the spectrum nearest, unless the damping is 0,
+/// until no period is more than 2 % off. The round of the smallest largest misfit is returned. The record as
+/// it came counts as a round.
 /// @param damping of critical, of the target; @param rounds 0 to 100. @throws std::invalid_argument for
 /// parameters out of range, fewer than 4 samples, and a record without motion.
 SpectralMatch match_spectrum(const Accelerogram& record, const TargetSpectrum& target, double damping,

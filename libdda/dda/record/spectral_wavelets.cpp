@@ -12,96 +12,178 @@ namespace dda {
 
 namespace {
 
-constexpr double regularisation = 0.01;  // of the mean diagonal of the normal equations
+constexpr double regularisation = 1e-4;  // of the mean diagonal; 1e-2 leaves half of a misfit where it was
 constexpr double samples_per_period = 20;
+constexpr double nearness = 0.85;  // of the aim: from there on an extreme may become the largest
+constexpr double width_factor = 3;
+constexpr double reach = 4.5;      // widths, beyond which a wavelet is below 2e-9 of its size
+constexpr int largest_growth = 4;  // rounds of the active set
 
-/// The largest response of an oscillator to a record, with its sign, and when it is.
-struct Peak {
-    std::size_t sample = 0;
-    double value = 0;  ///< m/s2
+/// An oscillator and what it does between the samples.
+struct Oscillator {
+    SpectralAim aim;
+    int parts = 1;                 ///< of a sample's step
+    std::vector<double> response;  ///< absolute acceleration, at each part
+    std::vector<double> hat;       ///< likewise, to a record that is 1 at its second sample, 0 at all others
 };
 
-Peak peak_of(const std::vector<double>& response) {
-    const auto largest = std::max_element(response.begin(), response.end(),
-                                          [](double a, double b) { return std::abs(a) < std::abs(b); });
-    return {static_cast<std::size_t>(largest - response.begin()), *largest};
+/// A local extreme of an oscillator's response.
+struct Extreme {
+    std::size_t oscillator = 0, instant = 0;
+    double value = 0;  ///< in shares of the aim, with its sign
+};
+
+/// What is to be changed, the extremes of which it must be changed in front.
+struct Extremes {
+    std::vector<Extreme> list;
+    std::vector<bool> is_active;
+};
+
+/// The samples of a wavelet from `first` on; zero elsewhere.
+struct Wavelet {
+    std::size_t first = 0;
+    std::vector<double> values;
+};
+
+std::vector<double> fine_response(const Accelerogram& record, int parts, double period, double damping) {
+    const Accelerogram fine = parts == 1 ? record : resampled(record, record.step / parts);
+    return oscillate(fine, period, damping).absolute_acceleration;
 }
 
-/// The wavelet of a period whose oscillator responds to it most at `time`, sampled as the record.
-std::vector<double> wavelet(const Accelerogram& record, double period, double damping, double time) {
-    const double frequency = 1 / period;
-    const double damped = 2 * std::numbers::pi * frequency * std::sqrt(1 - damping * damping);
-    const double width = 1.178 * std::pow(frequency, -0.93);
-    const double lag = std::atan(std::sqrt(1 - damping * damping) / damping) / damped;
-    std::vector<double> values(record.values.size(), 0.0);
-    for (std::size_t k = 1; k + 1 < values.size(); ++k) {
-        const double t = static_cast<double>(k) * record.step - time + lag;
-        values[k] = std::cos(damped * t) * std::exp(-t * t / (width * width));
-    }
-    return values;
-}
-
-/// Linear between the samples, so many parts of a step.
-Accelerogram finer(const Accelerogram& record, int parts) {
-    return parts == 1 ? record : resampled(record, record.step / parts);
-}
-
-/// Responses at the samples to a motion that is 1 at the second sample, 0 at all others.
-std::vector<double> response_to_hat(const Accelerogram& like, double period, double damping) {
-    Accelerogram hat{like.step, std::vector<double>(like.values.size() + 1, 0.0)};
+Oscillator oscillator_on(const Accelerogram& record, const SpectralAim& aim, double damping) {
+    Oscillator oscillator;
+    oscillator.aim = aim;
+    oscillator.parts =
+        std::max(1, static_cast<int>(std::ceil(samples_per_period * record.step / aim.period)));
+    oscillator.response = fine_response(record, oscillator.parts, aim.period, damping);
+    Accelerogram hat{record.step, std::vector<double>(record.values.size() + 2, 0.0)};
     hat.values[1] = 1;
-    return oscillate(hat, period, damping).absolute_acceleration;
+    oscillator.hat = fine_response(hat, oscillator.parts, aim.period, damping);
+    return oscillator;
 }
 
-/// The response at a sample to a motion, the sum of those to its samples' hats.
-double response_at(std::size_t sample, const std::vector<double>& hat, const std::vector<double>& motion) {
+std::vector<Extreme> local_extremes(const Oscillator& oscillator, std::size_t place) {
+    std::vector<Extreme> extremes;
+    const std::vector<double>& x = oscillator.response;
+    for (std::size_t k = 1; k < x.size(); ++k) {
+        const double next = k + 1 < x.size() ? std::abs(x[k + 1]) : 0;
+        if (std::abs(x[k]) >= std::abs(x[k - 1]) && std::abs(x[k]) > next)
+            extremes.push_back({place, k, x[k] / oscillator.aim.acceleration});
+    }
+    return extremes;
+}
+
+bool is_smaller(const Extreme& a, const Extreme& b) {
+    return std::abs(a.value) < std::abs(b.value);
+}
+
+/// The largest of each oscillator and all above their aim are active; the near ones are listed.
+Extremes extremes_of(const std::vector<Oscillator>& oscillators) {
+    Extremes found;
+    for (std::size_t i = 0; i < oscillators.size(); ++i) {
+        const std::vector<Extreme> extremes = local_extremes(oscillators[i], i);
+        const auto largest = std::max_element(extremes.begin(), extremes.end(), is_smaller);
+        for (auto extreme = extremes.begin(); extreme != extremes.end(); ++extreme) {
+            const bool is_active = extreme == largest || std::abs(extreme->value) > 1;
+            if (!is_active && std::abs(extreme->value) < nearness) continue;
+            found.list.push_back(*extreme);
+            found.is_active.push_back(is_active);
+        }
+    }
+    return found;
+}
+
+/// The wavelet to which the oscillator responds most at `time`, as large as the aim.
+Wavelet wavelet(const Accelerogram& record, const SpectralAim& aim, double damping, double time) {
+    const double undamped_share = std::sqrt(1 - damping * damping);
+    const double damped = 2 * std::numbers::pi / aim.period * undamped_share;
+    const double width = width_factor * 1.178 * std::pow(aim.period, 0.93);
+    const double centre = time - std::atan(undamped_share / damping) / damped;
+    const double last = static_cast<double>(record.values.size()) - 2;
+    const double from = std::max(1.0, std::ceil((centre - reach * width) / record.step));
+    const double to = std::min(last, std::floor((centre + reach * width) / record.step));
+    Wavelet shape{static_cast<std::size_t>(from), {}};
+    for (double k = from; k <= to; ++k) {
+        const double t = k * record.step - centre;
+        shape.values.push_back(aim.acceleration * std::cos(damped * t) * std::exp(-t * t / (width * width)));
+    }
+    return shape;
+}
+
+/// An oscillator's response at an instant to a wavelet, in shares of its aim: the sum of those to the
+/// samples' hats.
+double effect(const Wavelet& cause, const Oscillator& oscillator, std::size_t instant) {
+    const auto parts = static_cast<std::size_t>(oscillator.parts);
     double sum = 0;
-    for (std::size_t k = 0; k <= sample; ++k) sum += motion[k] * hat[sample - k + 1];
-    return sum;
+    for (std::size_t k = 0; k < cause.values.size(); ++k) {
+        const std::size_t start = (cause.first + k - 1) * parts;
+        if (start > instant) break;
+        sum += cause.values[k] * oscillator.hat[instant - start];
+    }
+    return sum / oscillator.aim.acceleration;
+}
+
+Eigen::MatrixXd effects(const std::vector<Wavelet>& wavelets, const std::vector<Oscillator>& oscillators,
+                        const std::vector<Extreme>& extremes) {
+    Eigen::MatrixXd matrix(extremes.size(), wavelets.size());
+    for (std::size_t i = 0; i < extremes.size(); ++i)
+        for (std::size_t j = 0; j < wavelets.size(); ++j)
+            matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
+                effect(wavelets[j], oscillators[extremes[i].oscillator], extremes[i].instant);
+    return matrix;
+}
+
+/// The smallest sizes with which the active extremes become what is aimed at.
+Eigen::VectorXd smallest_sizes(const Eigen::MatrixXd& effect_of_all, const Extremes& extremes) {
+    std::vector<Eigen::Index> rows;
+    for (std::size_t i = 0; i < extremes.list.size(); ++i)
+        if (extremes.is_active[i]) rows.push_back(static_cast<Eigen::Index>(i));
+    const Eigen::MatrixXd matrix = effect_of_all(rows, Eigen::all);
+    Eigen::VectorXd missing(rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const double value = extremes.list[static_cast<std::size_t>(rows[i])].value;
+        missing[static_cast<Eigen::Index>(i)] = std::copysign(1, value) - value;
+    }
+    Eigen::MatrixXd normal = matrix * matrix.transpose();
+    normal.diagonal().array() += regularisation * normal.diagonal().mean();
+    return matrix.transpose() * normal.ldlt().solve(missing);
+}
+
+/// Makes active what these sizes lift above its aim. @returns whether there is such.
+bool grow(Extremes& extremes, const Eigen::MatrixXd& matrix, const Eigen::VectorXd& sizes) {
+    const Eigen::VectorXd change = matrix * sizes;
+    bool has_grown = false;
+    for (std::size_t i = 0; i < extremes.list.size(); ++i) {
+        if (extremes.is_active[i]) continue;
+        if (std::abs(extremes.list[i].value + change[static_cast<Eigen::Index>(i)]) > 1)
+            extremes.is_active[i] = has_grown = true;
+    }
+    return has_grown;
 }
 
 }  // namespace
 
-Accelerogram with_wavelets(const Accelerogram& record, std::span<const SpectralAim> aims, double damping,
-                           double share) {
-    double shortest = aims.front().period;
-    for (const SpectralAim& aim : aims) shortest = std::min(shortest, aim.period);
-    const int parts = std::max(1, static_cast<int>(std::ceil(samples_per_period * record.step / shortest)));
-    const Accelerogram fine = finer(record, parts);
-    const auto count = static_cast<Eigen::Index>(aims.size());
-    std::vector<Peak> peaks;
-    Eigen::VectorXd missing(count);
-    for (Eigen::Index i = 0; i < count; ++i) {
-        const SpectralAim& aim = aims[static_cast<std::size_t>(i)];
-        peaks.push_back(peak_of(oscillate(fine, aim.period, damping).absolute_acceleration));
-        const double value = peaks.back().value;
-        // In shares of the aim, so that long periods count as much as short ones.
-        missing[i] = (std::copysign(aim.acceleration, value) - value) / aim.acceleration;
+std::vector<double> wavelets_towards(const Accelerogram& record, std::span<const SpectralAim> aims,
+                                     double damping) {
+    std::vector<Oscillator> oscillators;
+    for (const SpectralAim& aim : aims) oscillators.push_back(oscillator_on(record, aim, damping));
+    Extremes extremes = extremes_of(oscillators);
+    std::vector<Wavelet> wavelets;
+    for (const Extreme& extreme : extremes.list) {
+        const Oscillator& oscillator = oscillators[extreme.oscillator];
+        const double time = static_cast<double>(extreme.instant) * record.step / oscillator.parts;
+        wavelets.push_back(wavelet(record, oscillator.aim, damping, time));
     }
+    const Eigen::MatrixXd matrix = effects(wavelets, oscillators, extremes.list);
+    Eigen::VectorXd sizes = smallest_sizes(matrix, extremes);
+    for (int round = 1; round < largest_growth && grow(extremes, matrix, sizes); ++round)
+        sizes = smallest_sizes(matrix, extremes);
 
-    Eigen::MatrixXd effect(count, count);
-    std::vector<std::vector<double>> wavelets, shapes;
-    for (Eigen::Index j = 0; j < count; ++j) {
-        const double time = static_cast<double>(peaks[static_cast<std::size_t>(j)].sample) * fine.step;
-        wavelets.push_back(wavelet(record, aims[static_cast<std::size_t>(j)].period, damping, time));
-        shapes.push_back(finer({record.step, wavelets.back()}, parts).values);
-    }
-    for (Eigen::Index i = 0; i < count; ++i) {
-        const auto& aim = aims[static_cast<std::size_t>(i)];
-        const std::vector<double> hat = response_to_hat(fine, aim.period, damping);
-        const std::size_t instant = peaks[static_cast<std::size_t>(i)].sample;
-        for (Eigen::Index j = 0; j < count; ++j)
-            effect(i, j) = response_at(instant, hat, shapes[static_cast<std::size_t>(j)]) / aim.acceleration;
-    }
-    Eigen::MatrixXd normal = effect.transpose() * effect;
-    normal.diagonal().array() += regularisation * normal.diagonal().mean();
-    const Eigen::VectorXd size = normal.ldlt().solve(effect.transpose() * missing);
-
-    Accelerogram changed = record;
-    for (Eigen::Index j = 0; j < count; ++j)
-        for (std::size_t k = 0; k < changed.values.size(); ++k)
-            changed.values[k] += share * size[j] * wavelets[static_cast<std::size_t>(j)][k];
-    return changed;
+    std::vector<double> sum(record.values.size(), 0.0);
+    for (std::size_t j = 0; j < wavelets.size(); ++j)
+        for (std::size_t k = 0; k < wavelets[j].values.size(); ++k)
+            sum[wavelets[j].first + k] += sizes[static_cast<Eigen::Index>(j)] * wavelets[j].values[k];
+    return sum;
 }
 
 }  // namespace dda

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "dda/record/accelerogram.hpp"
 
@@ -12,13 +13,18 @@ struct SpectralAim {
     double acceleration = 0;  ///< m/s2, absolute
 };
 
-/// Adds a short wavelet to the record for each aim, so that each oscillator's largest response, which stays
-/// when it is, becomes what is aimed at (Lilhanand & Tseng 1988). The wavelets are tapered cosines of the
-/// oscillators' own frequencies, cos(w' t) exp(-(t / g)^2) with g = 1.178 f^-0.93, which leave hardly any
-/// velocity (Al Atik & Abrahamson 2010); their sizes solve a linear system, regularised so that neighbours do
-/// not fight. `share` of the way is gone: responses do not grow linearly where another peak takes over.
-/// @param damping of critical, in (0, 1).
-Accelerogram with_wavelets(const Accelerogram& record, std::span<const SpectralAim> aims, double damping,
-                           double share);
+/// What to add to a record so that its response spectrum becomes what is aimed at, if responses grew
+/// linearly: a sum of wavelets, m/s2, at the record's samples (Lilhanand & Tseng 1988).
+///
+/// An oscillator's response has many extremes, one a half cycle. At first its largest is to become the aim.
+/// If what that needs lifts another above its aim, that one is to become its own aim as well, and so on: an
+/// active set, which keeps peaks from taking turns. Every extreme within 15 % of its aim brings a wavelet, a
+/// tapered cosine of the oscillator's own frequency, cos(w' t) exp(-(t / g)^2) with g = 3 * 1.178 f^-0.93, so
+/// placed that the oscillator responds most at the extreme; such leave hardly any velocity (Al Atik &
+/// Abrahamson 2010, whose own are a third as long: too broad in frequency to tell oscillators 5 % apart).
+/// There are more wavelets than conditions; the smallest sizes that do are taken, slightly regularised.
+/// @param aims not empty; @param damping of critical, in (0, 1).
+std::vector<double> wavelets_towards(const Accelerogram& record, std::span<const SpectralAim> aims,
+                                     double damping);
 
 }  // namespace dda

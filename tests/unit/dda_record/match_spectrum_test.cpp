@@ -2,10 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
 #include "dda/record/measures.hpp"
+#include "dda/record/response_spectrum.hpp"
 #include "dda/record/synthesise.hpp"
 #include "dda/record/wavelets.hpp"
 
@@ -23,15 +26,35 @@ Accelerogram start() {
     return synthesise(recipe);
 }
 
-// 18 % off at the worst period by filtering alone. Peaks that take turns keep it from getting much nearer.
+// 10 % off at the worst period by filtering alone. Practice asks for 5 %; the rounds end at 2 %, which this
+// record reaches. Wavelets leave hardly any velocity, and the baseline is corrected in each round.
 TEST(MatchSpectrum, WaveletsBringTheWorstPeriodNearToo) {
     const TargetSpectrum wide{{0.05, 0.15, 0.4, 4}, {3, 6, 6, 0.6}};
     const SpectralMatch match = match_spectrum(start(), wide, 0.05, 30);
-    EXPECT_LT(match.mean_misfit, 0.02);
-    EXPECT_LT(match.largest_misfit, 0.07);
+    EXPECT_LT(match.mean_misfit, 0.005);
+    EXPECT_LT(match.largest_misfit, 0.02);
     const RecordMeasures measures = measure(match.record);
     EXPECT_NEAR(measures.final_velocity, 0, 1e-10);
     EXPECT_NEAR(measures.final_displacement, 0, 1e-9);
+}
+
+// What the match says of itself must be what the response spectrum says, and between the periods that were
+// matched the spectrum may not run away: oscillators 4.5 % apart share most of their motion, not all.
+TEST(MatchSpectrum, HoldsBetweenTheMatchedPeriodsToo) {
+    const TargetSpectrum wide{{0.05, 0.15, 0.4, 4}, {3, 6, 6, 0.6}};
+    const SpectralMatch match = match_spectrum(start(), wide, 0.05, 30);
+    double worst_matched = 0, worst_between = 0, mean_between = 0;
+    for (int k = 0; k < 199; ++k) {
+        const double period = 0.05 * std::pow(80, k / 198.0);
+        const double response =
+            response_spectrum(match.record, std::array{period}, 0.05).front().absolute_acceleration;
+        const double misfit = std::abs(response / wide.at(period) - 1);
+        if (k % 2 == 0) worst_matched = std::max(worst_matched, misfit);
+        if (k % 2 == 1) worst_between = std::max(worst_between, misfit), mean_between += misfit / 99;
+    }
+    EXPECT_NEAR(worst_matched, match.largest_misfit, 1e-9);
+    EXPECT_LT(mean_between, 0.025);
+    EXPECT_LT(worst_between, 0.1);  // codes' bound
 }
 
 // Codes ask that no ordinate falls below 90 % of the target; a few rounds of this come to some per cent in
