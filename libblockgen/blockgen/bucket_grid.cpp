@@ -9,6 +9,7 @@ namespace blockgen {
 namespace {
 
 constexpr double segments_per_bucket = 2;
+constexpr double short_segments_per_bucket = 4;
 constexpr double most_buckets = 1 << 26;
 
 }  // namespace
@@ -31,6 +32,10 @@ BucketGrid::BucketGrid(std::span<const FineSegment> segments, std::int64_t margi
     if (segments.empty()) low_x_ = low_y_ = high_x = high_y = 0;
     const double span_x = high_x - low_x_ + 2 * margin_, span_y = high_y - low_y_ + 2 * margin_;
     width_ = length > 0 ? segments_per_bucket * span_x * span_y / length : std::max(span_x, span_y);
+    // Segments that are short beside their distance from each other fill no bucket by their length, but by
+    // their number.
+    width_ = std::min(width_, std::sqrt(short_segments_per_bucket * span_x * span_y /
+                                        static_cast<double>(std::max<std::size_t>(segments.size(), 1))));
     width_ = std::max({width_, std::sqrt(span_x * span_y / most_buckets), 4 * margin_,
                        std::max(span_x, span_y) / most_buckets});
     columns_ = static_cast<std::int64_t>(span_x / width_) + 1;

@@ -9,8 +9,8 @@
 namespace blockgen {
 
 /// A uniform grid of buckets over segments: bucket i lists every segment that comes within `margin` of it.
-/// The buckets are as wide as makes the lists about two long, so that work per bucket is bounded for evenly
-/// spread segments.
+/// The buckets are as wide as makes the lists about two long, or four where segments are short beside their
+/// distance from each other, so that work per bucket is bounded for evenly spread segments.
 class BucketGrid {
   public:
     /// @param listed when given, a flag per segment: the lists hold only the flagged ones, the width is that
