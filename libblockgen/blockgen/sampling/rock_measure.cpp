@@ -1,5 +1,6 @@
 #include "blockgen/sampling/rock_measure.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "blockgen/classify_faces.hpp"
@@ -35,9 +36,18 @@ double area_of(const SlopeModel& model, const Ring* region) {
     return static_cast<double>(twice) / 2 * noded.frame.step * noded.frame.step;
 }
 
-double length_of(const std::vector<std::pair<Point, Point>>& pieces) {
-    double length = 0;
-    for (const auto& [a, b] : pieces) length += std::hypot(b.x - a.x, b.y - a.y);
+double distance(const Point& a, const Point& b) {
+    return std::hypot(b.x - a.x, b.y - a.y);
+}
+
+/// The length that stretches along a line cover together, each given by its two ends.
+double covered_length(std::vector<std::pair<double, double>> stretches) {
+    std::sort(stretches.begin(), stretches.end());
+    double length = 0, end = 0;
+    for (const auto& [from, to] : stretches) {
+        length += std::max(to - std::max(from, end), 0.0);
+        end = std::max(end, to);
+    }
     return length;
 }
 
@@ -61,9 +71,14 @@ double RockMeasure::length_in(const Point& a, const Point& b) const {
 double RockMeasure::length_in_part(const Point& a, const Point& b, const Ring& part) const {
     double length = 0;
     for (const auto& [p, q] : clip_to_ring(a, b, part)) {
-        length += std::hypot(q.x - p.x, q.y - p.y);
-        for (const Ring& hole : model_.holes) length -= length_of(clip_to_ring(p, q, hole));
-        for (const Tunnel& tunnel : model_.tunnels) length -= length_of(clip_to_ring(p, q, tunnel.outline));
+        std::vector<std::pair<double, double>> cavities;  // they may overlap
+        const auto leave_out = [&, start = p, end = q](const Ring& cavity) {
+            for (const auto& [c, d] : clip_to_ring(start, end, cavity))
+                cavities.emplace_back(distance(start, c), distance(start, d));
+        };
+        for (const Ring& hole : model_.holes) leave_out(hole);
+        for (const Tunnel& tunnel : model_.tunnels) leave_out(tunnel.outline);
+        length += distance(p, q) - covered_length(std::move(cavities));
     }
     return length;
 }

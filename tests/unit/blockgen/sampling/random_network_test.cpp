@@ -58,6 +58,16 @@ TEST(RockMeasure, LeavesOutWhatIsNoRock) {
     EXPECT_NEAR(left.length_in({-10, 14}, {70, 14}), 10, 1e-9);
 }
 
+TEST(RockMeasure, CountsACavityOnceWhereTwoOverlap) {
+    SlopeModel model = notched();
+    model.tunnels.push_back({"u", {{14, 12}, {22, 12}, {22, 16}, {14, 16}}, {}});
+    model.holes.push_back({{15, 13}, {30, 13}, {30, 15}, {15, 15}});
+    const RockMeasure rock(model, "");
+    EXPECT_NEAR(rock.length_in({-10, 14}, {70, 14}), 60 - 20, 1e-9);
+    EXPECT_NEAR(rock.length_in({70, 14}, {-10, 14}), 60 - 20, 1e-9);
+    EXPECT_NEAR(rock.area(), 60 * 40 - 25 * 15 - 64 - 4 * 4 - 8 * 2, 1e-9);
+}
+
 TEST(Baecher, MeetsItsStopRule) {
     const SlopeModel model = notched();
     const RockMeasure rock(model, "");
