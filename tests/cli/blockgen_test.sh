@@ -86,7 +86,8 @@ set_value 'edge 1 .* and edge 3 .* meet at (0.5, 0.5)' 'domain.outline=[[0, 0], 
 set_value 'block_material' 'domain.block_material=3'
 set_value 'too small' 'joint_set[0].spacing=-3'
 set_value 'below the grid' 'joint_set[0].spacing=1e-7'
-set_value 'blocks; expected at most' 'joint_set[0].spacing=0.00003'
+set_value 'blocks; expected at most' 'joint_set[0].spacing=0.001'
+set_value 'slope.toml:9:1.*needs about .*--max-blocks' 'joint_set[1].spacing=0.00003'
 refused 'slope.toml:2.*--max-blocks' slope.toml --max-blocks 10
 refused 'no-such.toml' no-such.toml
 refused 'no such folder' slope.toml -o nowhere/slope.blocks

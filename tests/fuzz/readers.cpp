@@ -108,7 +108,7 @@ bool passes(unsigned long seed) {
                 read_slope_model(ConfigTable::from_text(damage.of(model_text), "slope.toml"));
             CutOptions options;
             options.max_blocks = 2000;
-            cut_blocks(model, all_traces(model), options);
+            cut_blocks(model, all_traces(model, options.max_blocks), options);
         },
         [&] { parse_block_file(damage.of(cut_text()), "file.blocks"); },
         [&] { read_geo_file(written(damage.of(geo_text), ".geo")); },

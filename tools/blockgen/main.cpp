@@ -78,7 +78,8 @@ int run(const Options& options) {
         config.fail("kinematics", "--kinematic-picture without [kinematics]",
                     "[kinematics] with a friction_angle");
 
-    CutResult result = cut_blocks(model, all_traces(model), {options.max_blocks, options.verify});
+    CutResult result =
+        cut_blocks(model, all_traces(model, options.max_blocks), {options.max_blocks, options.verify});
     result.mesh.provenance = provenance(model, config);
     for (const std::string& warning : result.report.warnings)
         std::fprintf(stderr, "warning: %s\n", warning.c_str());

@@ -71,12 +71,14 @@ double Distribution::untruncated_mean() const {
     return min * power_integral(2 - shape, min, max) / power_integral(1 - shape, min, max);
 }
 
-double Distribution::mean_draw() const {
-    if (law == Law::constant || law == Law::uniform || law == Law::power) return untruncated_mean();
+double Distribution::mean_draw(double most) const {
+    if (law == Law::constant) return std::min(mean, most);
+    if (max <= most && (law == Law::uniform || law == Law::power)) return untruncated_mean();
     // The ends may be infinite, but not so that the integral is; the rule never asks for them.
     boost::math::quadrature::tanh_sinh<double> rule;
-    return rule.integrate([this](double u) { return quantile(std::clamp(u, 0x1p-53, 1 - 0x1p-53)); }, 0.0,
-                          1.0);
+    return rule.integrate(
+        [this, most](double u) { return std::min(quantile(std::clamp(u, 0x1p-53, 1 - 0x1p-53)), most); }, 0.0,
+        1.0);
 }
 
 double Distribution::quantile(double u) const {

@@ -22,8 +22,8 @@ struct Distribution {
     double quantile(double u) const;
     /// Mean of the law before truncation; of a power law, which has none, within its bounds.
     double untruncated_mean() const;
-    /// Mean of the draws, by integration of the quantile.
-    double mean_draw() const;
+    /// Mean of the draws, each counted as no more than `most`, by integration of the quantile.
+    double mean_draw(double most = std::numeric_limits<double>::infinity()) const;
     /// Whether more than 1e-12 of the law lies between min and max, so that quantile() means something.
     bool has_weight() const;
     /// The smallest value that a draw can return.

@@ -9,39 +9,42 @@ namespace blockgen {
 
 namespace {
 
-struct Reach {
-    double low = std::numeric_limits<double>::infinity();
-    double high = -std::numeric_limits<double>::infinity();
-};
-
 double along(const Point& direction, const Point& p) {
     return direction.x * p.x + direction.y * p.y;
 }
 
-/// The distances across the set within which lines may meet the box.
-Reach reach_of(const SetSampler& sampler, const Point& across) {
-    Reach reach;
-    // Lines that are not parallel to the mean direction may enter the box from beyond its own width across
-    // the set.
-    if (sampler.set().orientation.is_spread()) {
-        const double middle = along(across, sampler.centre());
-        return {middle - sampler.radius(), middle + sampler.radius()};
-    }
-    for (const Point& p : sampler.bounds().corners()) {
-        reach.low = std::min(reach.low, along(across, p));
-        reach.high = std::max(reach.high, along(across, p));
-    }
-    return reach;
+}  // namespace
+
+Point mean_across(const JointSet& set) {
+    const double angle = set.orientation.mean_angle();
+    return {-std::sin(angle), std::cos(angle)};
 }
 
-}  // namespace
+Reach reach_across(const SetSampler& sampler) {
+    const JointSet& set = sampler.set();
+    const Point across = mean_across(set);
+    Reach reach{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    // Lines that are not parallel to the mean direction may enter the box from beyond its own width across
+    // the set.
+    if (set.orientation.is_spread()) {
+        const double middle = along(across, sampler.centre());
+        reach.low = middle - sampler.radius();
+        reach.high = middle + sampler.radius();
+    } else {
+        for (const Point& p : sampler.bounds().corners()) {
+            reach.low = std::min(reach.low, along(across, p));
+            reach.high = std::max(reach.high, along(across, p));
+        }
+    }
+    reach.origin = set.origin ? along(across, *set.origin) : reach.low;
+    return reach;
+}
 
 std::vector<SetLine> spaced_lines(SetSampler& sampler) {
     const JointSet& set = sampler.set();
     const DrawStream& draws = sampler.draws();
-    const double mean_angle = set.orientation.mean_angle();
-    const Point across{-std::sin(mean_angle), std::cos(mean_angle)};
-    const Reach reach = reach_of(sampler, across);
+    const Point across = mean_across(set);
+    const Reach reach = reach_across(sampler);
     std::vector<SetLine> lines;
     const auto add = [&](std::int64_t number, double offset) {
         if (offset < reach.low) return;
@@ -55,7 +58,7 @@ std::vector<SetLine> spaced_lines(SetSampler& sampler) {
         std::tie(line.low, line.high) = *inside;
         lines.push_back(line);
     };
-    const double first = set.origin ? along(across, *set.origin)
+    const double first = set.origin ? reach.origin
                                     : reach.low + draws.draw(draw_phase, 0, 0) *
                                                       set.spacing.quantile(draws.draw(draw_phase, 0, 1));
     double offset = first;

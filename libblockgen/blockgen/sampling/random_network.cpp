@@ -72,12 +72,16 @@ std::vector<Trace> until_stopped(SetSampler& sampler, const RockMeasure& rock, b
 
 }  // namespace
 
-std::vector<Trace> sample_baecher(SetSampler& sampler, const RockMeasure& rock) {
-    // The window holds the middle of every trace that may reach the box, but for one in a million by length:
-    // otherwise the density would fall off towards the rim.
+Bounds baecher_window(const SetSampler& sampler) {
+    // It holds the middle of every trace that may reach the box, but for one in a million by length.
     const Distribution& length = *sampler.set().trace_length;
     const double longest = length.law == Law::constant ? length.mean : length.quantile(1 - 1e-6);
-    const Bounds window = sampler.bounds().widened(longest / 2);
+    return sampler.bounds().widened(longest / 2);
+}
+
+std::vector<Trace> sample_baecher(SetSampler& sampler, const RockMeasure& rock) {
+    const Distribution& length = *sampler.set().trace_length;
+    const Bounds window = baecher_window(sampler);
     const DrawStream& draws = sampler.draws();
     return until_stopped(sampler, rock, false, [&](std::int64_t k) {
         const Point middle{window.low.x + draws.draw(draw_place, k, 0) * (window.high.x - window.low.x),

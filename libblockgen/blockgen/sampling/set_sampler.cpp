@@ -52,11 +52,12 @@ void SetSampler::add_traces(std::int64_t line, const Point& middle, const Point&
 }
 
 void SetSampler::count_draw() {
-    if (++draw_count_ > most_draws_)
-        throw InputError(set_.place,
-                         "joint set '" + set_.name + "' needs more than " + std::to_string(most_draws_) +
-                             " lines and traces",
-                         "a wider spacing, longer traces or gaps, or an origin nearer to the domain");
+    if (++draw_count_ > most_draws_) fail_too_many("more than " + std::to_string(most_draws_));
+}
+
+void SetSampler::fail_too_many(const std::string& count) const {
+    throw InputError(set_.place, "joint set '" + set_.name + "' needs " + count + " lines and traces",
+                     "at most " + std::to_string(most_draws_) + " (--max-blocks sets the limit)");
 }
 
 }  // namespace blockgen

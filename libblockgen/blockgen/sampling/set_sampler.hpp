@@ -32,8 +32,12 @@ class SetSampler {
     void add_traces(std::int64_t line, const Point& middle, const Point& u, double low, double high,
                     std::vector<Trace>& traces);
 
+    std::size_t most_draws() const { return most_draws_; }
+    std::size_t draw_count() const { return draw_count_; }
     /// Counts a line or trace. @throws InputError beyond the limit.
     void count_draw();
+    /// @param count of lines and traces, in words. @throws InputError always.
+    [[noreturn]] void fail_too_many(const std::string& count) const;
 
   private:
     const JointSet& set_;
@@ -52,11 +56,26 @@ struct SetLine {
     double low = 0, high = 0;
 };
 
+/// A unit vector across the mean direction of a set.
+Point mean_across(const JointSet& set);
+
+/// The distances along mean_across() within which lines may meet the box, and that of the set's origin, where
+/// it has one; otherwise `origin` is the lower of them.
+struct Reach {
+    double low = 0, high = 0, origin = 0;
+};
+Reach reach_across(const SetSampler& sampler);
+
 /// The lines of a set at its spacings, measured across the set's mean direction from the origin to both
 /// sides, those that meet the box.
 std::vector<SetLine> spaced_lines(SetSampler& sampler);
 
 std::vector<Trace> sample_parallel(SetSampler& sampler);
+/// Where the middles of Baecher's traces lie: the box, widened so that its rim is as densely jointed as its
+/// middle.
+Bounds baecher_window(const SetSampler& sampler);
+/// Where the points of Voronoi cells lie: the box and ten cells more, which bound those that reach into it.
+Bounds voronoi_window(const SetSampler& sampler, double rock_area);
 /// Traces and lines anywhere, until the stop rule is met as nearly as it can be. @param rock the area and the
 /// length of a trace that count for it.
 std::vector<Trace> sample_baecher(SetSampler& sampler, const class RockMeasure& rock);

@@ -6,11 +6,22 @@
 
 namespace blockgen {
 
+namespace {
+
+/// m: the side of a square as large as the mean cell.
+double cell_size(const SetSampler& sampler, double rock_area) {
+    return std::sqrt(rock_area / sampler.set().stop.target);
+}
+
+}  // namespace
+
+Bounds voronoi_window(const SetSampler& sampler, double rock_area) {
+    return sampler.bounds().widened(10 * cell_size(sampler, rock_area));
+}
+
 std::vector<Trace> sample_voronoi(SetSampler& sampler, const RockMeasure& rock) {
-    // Points on a margin of ten cells bound the cells that reach into the box.
-    const double cells = sampler.set().stop.target;
-    const double size = std::sqrt(rock.area() / cells);
-    const Bounds window = sampler.bounds().widened(10 * size);
+    const double size = cell_size(sampler, rock.area());
+    const Bounds window = voronoi_window(sampler, rock.area());
     const double width = window.high.x - window.low.x, height = window.high.y - window.low.y;
     const auto count = static_cast<std::int64_t>(std::llround(width * height / (size * size)));
     std::vector<Point> points;
