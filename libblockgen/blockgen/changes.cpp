@@ -7,6 +7,7 @@
 #include <optional>
 #include <tuple>
 
+#include "blockgen/cut_parts.hpp"
 #include "blockgen/disjoint_sets.hpp"
 
 namespace blockgen {
@@ -71,21 +72,14 @@ struct TraceEnd {
 
 class JointChanges {
   public:
-    JointChanges(const NodedEdges& noded, const Subdivision& subdivision, const FaceBlocks& faces,
-                 const SlopeModel& model, const std::vector<Trace>& traces, const SourceTable& table)
-        : noded_(noded),
-          subdivision_(subdivision),
-          faces_(faces),
-          model_(model),
-          traces_(traces),
-          table_(table),
-          edges_(noded, traces.size(), table) {}
+    explicit JointChanges(const CutParts& parts)
+        : parts_(parts), edges_(parts.noded, parts.traces.size(), parts.table) {}
 
     std::vector<Change> run() {
         join_ends();
-        for (std::size_t t = 0; t < traces_.size(); ++t) {
+        for (std::size_t t = 0; t < parts_.traces.size(); ++t) {
             prune(t);
-            if (t < model_.traces.size()) drop(t);
+            if (t < parts_.model.traces.size()) drop(t);
         }
         sort_changes(changes_);
         return std::move(changes_);
@@ -93,23 +87,20 @@ class JointChanges {
 
   private:
     Point place(std::int32_t vertex) const {
-        return noded_.frame.place(noded_.vertices[static_cast<std::size_t>(vertex)]);
-    }
-    std::int32_t block_of(std::size_t half_edge) const {
-        return faces_.block[static_cast<std::size_t>(subdivision_.face[half_edge])];
+        return parts_.noded.frame.place(parts_.noded.vertices[static_cast<std::size_t>(vertex)]);
     }
     double length_of(std::size_t edge) const {
-        const Point a = place(noded_.edges[edge].first), b = place(noded_.edges[edge].second);
+        const Point a = place(parts_.noded.edges[edge].first), b = place(parts_.noded.edges[edge].second);
         return std::hypot(b.x - a.x, b.y - a.y);
     }
 
     /// The vertex of the trace nearest to one of its ends, when it lies within reach of a snap.
     std::optional<TraceEnd> end_at(std::size_t t, const Point& p) const {
-        double least = 2 * noded_.frame.step;
+        double least = 2 * parts_.noded.frame.step;
         std::optional<TraceEnd> end;
         for (const std::int32_t e : edges_.of(t))
-            for (const std::int32_t v : {noded_.edges[static_cast<std::size_t>(e)].first,
-                                         noded_.edges[static_cast<std::size_t>(e)].second}) {
+            for (const std::int32_t v : {parts_.noded.edges[static_cast<std::size_t>(e)].first,
+                                         parts_.noded.edges[static_cast<std::size_t>(e)].second}) {
                 const Point q = place(v);
                 const double d = std::max(std::abs(q.x - p.x), std::abs(q.y - p.y));
                 if (d >= least) continue;
@@ -121,25 +112,25 @@ class JointChanges {
 
     void join_ends() {
         std::vector<TraceEnd> ends;
-        for (std::size_t t = 0; t < traces_.size(); ++t)
-            for (const Point& p : {traces_[t].points.front(), traces_[t].points.back()})
+        for (std::size_t t = 0; t < parts_.traces.size(); ++t)
+            for (const Point& p : {parts_.traces[t].points.front(), parts_.traces[t].points.back()})
                 if (const auto end = end_at(t, p)) ends.push_back(*end);
         std::stable_sort(ends.begin(), ends.end(),
                          [](const TraceEnd& a, const TraceEnd& b) { return a.vertex < b.vertex; });
-        std::vector<std::int32_t> first(noded_.vertices.size() + 1, 0);
+        std::vector<std::int32_t> first(parts_.noded.vertices.size() + 1, 0);
         for (const TraceEnd& end : ends) ++first[static_cast<std::size_t>(end.vertex) + 1];
         std::partial_sum(first.begin(), first.end(), first.begin());
-        for (std::size_t e = 0; e < noded_.edges.size(); ++e)
-            for (const std::int32_t v : {noded_.edges[e].first, noded_.edges[e].second})
+        for (std::size_t e = 0; e < parts_.noded.edges.size(); ++e)
+            for (const std::int32_t v : {parts_.noded.edges[e].first, parts_.noded.edges[e].second})
                 for (std::int32_t k = first[static_cast<std::size_t>(v)];
                      k < first[static_cast<std::size_t>(v) + 1]; ++k)
-                    for (const EdgeSource& s : noded_.sources_of(e))
+                    for (const EdgeSource& s : parts_.noded.sources_of(e))
                         note_source(ends[static_cast<std::size_t>(k)], s.source);
         for (const TraceEnd& end : ends) add_joined(end);
     }
 
     void note_source(TraceEnd& end, std::int32_t source) const {
-        if (source == table_.first_joint + end.trace || source == end.other) return;
+        if (source == parts_.table.first_joint + end.trace || source == end.other) return;
         const double gap = distance_from(end.point, source);
         if (gap >= end.gap) return;
         end.gap = gap;
@@ -150,16 +141,19 @@ class JointChanges {
         const auto part = [source](const auto& list, std::int32_t first) -> const auto& {
             return list[static_cast<std::size_t>(source - first)];
         };
-        if (table_.is_joint(source)) return distance(p, part(traces_, table_.first_joint).points, false);
-        if (source >= table_.first_tunnel)
-            return distance(p, part(model_.tunnels, table_.first_tunnel).outline, true);
-        if (table_.is_excavation(source))
-            return distance(p, part(model_.excavations, table_.first_excavation).outline, true);
-        if (table_.is_region(source))
-            return distance(p, part(model_.regions, table_.first_region).polygon, true);
-        if (source >= table_.first_hole) return distance(p, part(model_.holes, table_.first_hole), true);
-        double least = distance(p, model_.outline, true);
-        for (const Ring& ring : model_.further_outlines) least = std::min(least, distance(p, ring, true));
+        if (parts_.table.is_joint(source))
+            return distance(p, part(parts_.traces, parts_.table.first_joint).points, false);
+        if (source >= parts_.table.first_tunnel)
+            return distance(p, part(parts_.model.tunnels, parts_.table.first_tunnel).outline, true);
+        if (parts_.table.is_excavation(source))
+            return distance(p, part(parts_.model.excavations, parts_.table.first_excavation).outline, true);
+        if (parts_.table.is_region(source))
+            return distance(p, part(parts_.model.regions, parts_.table.first_region).polygon, true);
+        if (source >= parts_.table.first_hole)
+            return distance(p, part(parts_.model.holes, parts_.table.first_hole), true);
+        double least = distance(p, parts_.model.outline, true);
+        for (const Ring& ring : parts_.model.further_outlines)
+            least = std::min(least, distance(p, ring, true));
         return least;
     }
 
@@ -169,12 +163,12 @@ class JointChanges {
                                 std::max(std::abs(end.point.x), std::abs(end.point.y));
         if (end.other < 0 || !(end.gap > rounding)) return;
         Change change{ChangeKind::end_joined, place(end.vertex), 0, end.gap, name_of(end.trace), "outline"};
-        if (table_.is_joint(end.other)) change.other = name_of(end.other - table_.first_joint);
+        if (parts_.table.is_joint(end.other)) change.other = name_of(end.other - parts_.table.first_joint);
         changes_.push_back(std::move(change));
     }
 
     const std::string& name_of(std::int32_t trace) const {
-        return traces_[static_cast<std::size_t>(trace)].name;
+        return parts_.traces[static_cast<std::size_t>(trace)].name;
     }
 
     /// One row for each run of a trace's edges that part nothing.
@@ -183,10 +177,10 @@ class JointChanges {
         std::vector<std::size_t> pruned;
         for (const std::int32_t edge : edges_.of(t)) {
             const auto e = static_cast<std::size_t>(edge);
-            const std::int32_t left = block_of(2 * e), right = block_of(2 * e + 1);
+            const std::int32_t left = parts_.block_of(2 * e), right = parts_.block_of(2 * e + 1);
             if (left != right || left == FaceBlocks::outside) continue;
-            ends.emplace_back(noded_.edges[e].first, pruned.size());
-            ends.emplace_back(noded_.edges[e].second, pruned.size());
+            ends.emplace_back(parts_.noded.edges[e].first, pruned.size());
+            ends.emplace_back(parts_.noded.edges[e].second, pruned.size());
             pruned.push_back(e);
         }
         if (pruned.empty()) return;
@@ -203,8 +197,8 @@ class JointChanges {
         for (std::size_t k = 0; k < pruned.size(); ++k) {
             Run& run = of_root[runs.root(k)];
             run.length += length_of(pruned[k]);
-            run.first = std::min(run.first, noded_.edges[pruned[k]].first);
-            run.last = std::max(run.last, noded_.edges[pruned[k]].second);
+            run.first = std::min(run.first, parts_.noded.edges[pruned[k]].first);
+            run.last = std::max(run.last, parts_.noded.edges[pruned[k]].second);
         }
         for (const Run& run : of_root) {
             if (run.last < 0) continue;
@@ -213,7 +207,7 @@ class JointChanges {
                                 {(a.x + b.x) / 2, (a.y + b.y) / 2},
                                 0,
                                 run.length,
-                                traces_[t].name,
+                                parts_.traces[t].name,
                                 {}});
         }
     }
@@ -223,29 +217,24 @@ class JointChanges {
         bool in_rock = false, on_face = false;
         for (const std::int32_t edge : edges_.of(t)) {
             const auto e = static_cast<std::size_t>(edge);
-            const bool left = block_of(2 * e) != FaceBlocks::outside,
-                       right = block_of(2 * e + 1) != FaceBlocks::outside;
+            const bool left = parts_.block_of(2 * e) != FaceBlocks::outside,
+                       right = parts_.block_of(2 * e + 1) != FaceBlocks::outside;
             in_rock = in_rock || (left && right);
             on_face = on_face || left != right;
         }
-        if (in_rock || (on_face && model_.outline_of_traces)) return;
+        if (in_rock || (on_face && parts_.model.outline_of_traces)) return;
         double length = 0;
-        const std::vector<Point>& points = traces_[t].points;
+        const std::vector<Point>& points = parts_.traces[t].points;
         for (std::size_t k = 0; k + 1 < points.size(); ++k)
             length += std::hypot(points[k + 1].x - points[k].x, points[k + 1].y - points[k].y);
-        const ChangeKind kind = on_face                      ? ChangeKind::trace_on_free_face
-                                : length < noded_.frame.step ? ChangeKind::trace_without_length
-                                                             : ChangeKind::trace_outside;
+        const ChangeKind kind = on_face                            ? ChangeKind::trace_on_free_face
+                                : length < parts_.noded.frame.step ? ChangeKind::trace_without_length
+                                                                   : ChangeKind::trace_outside;
         const Point &a = points.front(), &b = points.back();
-        changes_.push_back({kind, {(a.x + b.x) / 2, (a.y + b.y) / 2}, 0, length, traces_[t].name, {}});
+        changes_.push_back({kind, {(a.x + b.x) / 2, (a.y + b.y) / 2}, 0, length, parts_.traces[t].name, {}});
     }
 
-    const NodedEdges& noded_;
-    const Subdivision& subdivision_;
-    const FaceBlocks& faces_;
-    const SlopeModel& model_;
-    const std::vector<Trace>& traces_;
-    const SourceTable& table_;
+    CutParts parts_;
     EdgesOfTraces edges_;
     std::vector<Change> changes_;
 };
@@ -285,7 +274,7 @@ void sort_changes(std::vector<Change>& changes) {
 std::vector<Change> joint_changes(const NodedEdges& noded, const Subdivision& subdivision,
                                   const FaceBlocks& faces, const SlopeModel& model,
                                   const std::vector<Trace>& traces, const SourceTable& table) {
-    return JointChanges(noded, subdivision, faces, model, traces, table).run();
+    return JointChanges({noded, subdivision, faces, model, traces, table}).run();
 }
 
 }  // namespace blockgen

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <unordered_map>
 
+#include "blockgen/cut_parts.hpp"
 #include "blockgen/input/domain.hpp"
 #include "blockgen/sampling/rock_measure.hpp"
 
@@ -66,26 +67,18 @@ struct TraceFate {
 
 class NetworkMeasure {
   public:
-    NetworkMeasure(const NodedEdges& noded, const Subdivision& subdivision, const FaceBlocks& faces,
-                   const SlopeModel& model, const std::vector<Trace>& traces, const SourceTable& table)
-        : noded_(noded),
-          subdivision_(subdivision),
-          faces_(faces),
-          model_(model),
-          traces_(traces),
-          table_(table),
-          fates_(traces.size()) {
+    explicit NetworkMeasure(const CutParts& parts) : parts_(parts), fates_(parts.traces.size()) {
         assign_rows();
     }
 
     NetworkReport run(double rock_area) {
         add_edges();
-        for (std::size_t t = 0; t < traces_.size(); ++t) add_trace(t);
+        for (std::size_t t = 0; t < parts_.traces.size(); ++t) add_trace(t);
         for (std::size_t r = 0; r < report_.joints.size(); ++r) {
             JointBalance& b = report_.joints[r];
             const JointSet* set = set_of(b.name);
             const bool is_local = set != nullptr && !set->region.empty();
-            const double area = is_local ? RockMeasure(model_, set->region).area() : rock_area;
+            const double area = is_local ? RockMeasure(parts_.model, set->region).area() : rock_area;
             b.p10 = across_[r] / area;
             b.p20 /= area;
             b.p21 = (b.retained + b.pruned) / area;
@@ -99,7 +92,7 @@ class NetworkMeasure {
   private:
     void assign_rows() {
         std::unordered_map<std::string, std::size_t> row_of_name;
-        for (const Trace& trace : traces_) {
+        for (const Trace& trace : parts_.traces) {
             const auto [found, is_new] = row_of_name.emplace(trace.name, report_.joints.size());
             if (is_new) report_.joints.push_back({trace.name});
             row_.push_back(found->second);
@@ -109,7 +102,7 @@ class NetworkMeasure {
     }
 
     const JointSet* set_of(const std::string& name) const {
-        for (const JointSet& set : model_.joint_sets)
+        for (const JointSet& set : parts_.model.joint_sets)
             if (set.name == name) return &set;
         return nullptr;
     }
@@ -128,31 +121,28 @@ class NetworkMeasure {
         }
     }
 
-    bool is_rock(std::size_t half_edge) const { return block_of(half_edge) != FaceBlocks::outside; }
-    std::int32_t block_of(std::size_t half_edge) const {
-        return faces_.block[static_cast<std::size_t>(subdivision_.face[half_edge])];
-    }
+    bool is_rock(std::size_t half_edge) const { return parts_.block_of(half_edge) != FaceBlocks::outside; }
     Point vector_of(std::size_t e) const {
-        const GridPoint& a = noded_.vertices[static_cast<std::size_t>(noded_.edges[e].first)];
-        const GridPoint& b = noded_.vertices[static_cast<std::size_t>(noded_.edges[e].second)];
-        return {noded_.frame.step * static_cast<double>(b.x - a.x),
-                noded_.frame.step * static_cast<double>(b.y - a.y)};
+        const GridPoint& a = parts_.noded.vertices[static_cast<std::size_t>(parts_.noded.edges[e].first)];
+        const GridPoint& b = parts_.noded.vertices[static_cast<std::size_t>(parts_.noded.edges[e].second)];
+        return {parts_.noded.frame.step * static_cast<double>(b.x - a.x),
+                parts_.noded.frame.step * static_cast<double>(b.y - a.y)};
     }
 
     template <class Visit>
     void for_each_joint_of(std::size_t edge, const Visit& visit) const {
         std::int32_t last = -1;
-        for (const EdgeSource& s : noded_.sources_of(edge)) {  // sorted by source
-            if (!table_.is_joint(s.source) || s.source == last) continue;
+        for (const EdgeSource& s : parts_.noded.sources_of(edge)) {  // sorted by source
+            if (!parts_.table.is_joint(s.source) || s.source == last) continue;
             last = s.source;
-            visit(static_cast<std::size_t>(s.source - table_.first_joint));
+            visit(static_cast<std::size_t>(s.source - parts_.table.first_joint));
         }
     }
 
     void add_edges() {
-        for (std::size_t e = 0; e < noded_.edges.size(); ++e)
+        for (std::size_t e = 0; e < parts_.noded.edges.size(); ++e)
             for_each_joint_of(e, [&](std::size_t t) { add_edge(e, t); });
-        for (std::size_t e = 0; e < noded_.edges.size(); ++e)
+        for (std::size_t e = 0; e < parts_.noded.edges.size(); ++e)
             for_each_joint_of(e, [&](std::size_t t) {
                 if (!is_rock(2 * e) || !is_rock(2 * e + 1)) return;
                 const Point v = vector_of(e);
@@ -172,21 +162,21 @@ class NetworkMeasure {
         else if (!left)
             fate.outside += length;
         else
-            (block_of(2 * e) == block_of(2 * e + 1) ? fate.pruned : fate.retained) += length;
+            (parts_.block_of(2 * e) == parts_.block_of(2 * e + 1) ? fate.pruned : fate.retained) += length;
         if (left && right) sums_[row_[t]].add(v.x, v.y);
     }
 
     void add_trace(std::size_t t) {
         TraceFate& fate = fates_[t];
         JointBalance& b = report_.joints[row_[t]];
-        const double input = length_of(traces_[t]);
+        const double input = length_of(parts_.traces[t]);
         // Every piece may be longer or shorter by what its two ends moved; a trace that runs back over itself
         // counts once.
         const double slack =
-            2 * noded_.largest_snap * static_cast<double>(fate.edges + traces_[t].points.size()) +
+            2 * parts_.noded.largest_snap * static_cast<double>(fate.edges + parts_.traces[t].points.size()) +
             1e-9 * input;
         if (fate.inside_box() > input + slack)
-            throw std::logic_error("joint '" + traces_[t].name + "' grew when it was noded");
+            throw std::logic_error("joint '" + parts_.traces[t].name + "' grew when it was noded");
         ++b.traces;
         b.input += input;
         b.retained += fate.retained;
@@ -194,16 +184,18 @@ class NetworkMeasure {
         b.on_boundary += fate.on_boundary;
         // What was clipped away beyond the domain's box belongs here too.
         b.outside += std::max(fate.outside, input - fate.in_rock() - fate.on_boundary);
-        b.p20 += is_in_rock(model_, middle_of(traces_[t]));
+        b.p20 += is_in_rock(parts_.model, middle_of(parts_.traces[t]));
     }
 
     void count_nodes() {
-        std::vector<unsigned char> branches(noded_.vertices.size(), 0), at_face(noded_.vertices.size(), 0);
-        for (std::size_t e = 0; e < noded_.edges.size(); ++e) {
-            const auto sources = noded_.sources_of(e);
-            const bool is_joint = std::any_of(sources.begin(), sources.end(),
-                                              [&](const EdgeSource& s) { return table_.is_joint(s.source); });
-            for (const std::int32_t v : {noded_.edges[e].first, noded_.edges[e].second}) {
+        std::vector<unsigned char> branches(parts_.noded.vertices.size(), 0),
+            at_face(parts_.noded.vertices.size(), 0);
+        for (std::size_t e = 0; e < parts_.noded.edges.size(); ++e) {
+            const auto sources = parts_.noded.sources_of(e);
+            const bool is_joint = std::any_of(sources.begin(), sources.end(), [&](const EdgeSource& s) {
+                return parts_.table.is_joint(s.source);
+            });
+            for (const std::int32_t v : {parts_.noded.edges[e].first, parts_.noded.edges[e].second}) {
                 const auto i = static_cast<std::size_t>(v);
                 if (is_rock(2 * e) != is_rock(2 * e + 1)) at_face[i] = 1;
                 if (is_joint && is_rock(2 * e) && is_rock(2 * e + 1) && branches[i] < 255) ++branches[i];
@@ -225,14 +217,14 @@ class NetworkMeasure {
             std::size_t points = 0, outside = 0, on_boundary = 0;
         };
         std::vector<Idle> idle(report_.joints.size());
-        for (std::size_t t = 0; t < std::min(traces_.size(), model_.traces.size()); ++t) {
+        for (std::size_t t = 0; t < std::min(parts_.traces.size(), parts_.model.traces.size()); ++t) {
             const TraceFate& fate = fates_[t];
             Idle& row = idle[row_[t]];
             if (fate.in_rock() > 0) continue;
             if (fate.on_boundary > 0)
-                row.on_boundary += !model_.outline_of_traces;
+                row.on_boundary += !parts_.model.outline_of_traces;
             else
-                ++(length_of(traces_[t]) < noded_.frame.step ? row.points : row.outside);
+                ++(length_of(parts_.traces[t]) < parts_.noded.frame.step ? row.points : row.outside);
         }
         for (std::size_t r = 0; r < idle.size(); ++r) {
             say(r, idle[r].points, "has no length on this grid and is dropped",
@@ -250,12 +242,7 @@ class NetworkMeasure {
                                        report_.joints[row].name + "' " + (count == 1 ? one : many));
     }
 
-    const NodedEdges& noded_;
-    const Subdivision& subdivision_;
-    const FaceBlocks& faces_;
-    const SlopeModel& model_;
-    const std::vector<Trace>& traces_;
-    const SourceTable& table_;
+    CutParts parts_;
     std::vector<TraceFate> fates_;
     std::vector<std::size_t> row_;
     std::vector<AxialSums> sums_;
@@ -268,7 +255,7 @@ class NetworkMeasure {
 NetworkReport measure_network(const NodedEdges& noded, const Subdivision& subdivision,
                               const FaceBlocks& faces, const SlopeModel& model,
                               const std::vector<Trace>& traces, const SourceTable& table, double rock_area) {
-    return NetworkMeasure(noded, subdivision, faces, model, traces, table).run(rock_area);
+    return NetworkMeasure({noded, subdivision, faces, model, traces, table}).run(rock_area);
 }
 
 }  // namespace blockgen
