@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "unit/blockgen/slopes.hpp"
+#include "unit/blockgen/small_blocks.hpp"
 
 namespace blockgen {
 namespace {
@@ -77,16 +77,6 @@ TEST(Changes, GivenTracesThatMakeNothingAreDropped) {
     EXPECT_NEAR(the(ChangeKind::trace_outside, model).length, 3, 1e-12);
     EXPECT_EQ(the(ChangeKind::trace_on_free_face, model).at, (Point{3.5, 0}));
     EXPECT_EQ(the(ChangeKind::trace_without_length, model).joint, "point");
-}
-
-/// A sliver 1/16 m high between two joints right across; a short joint parts what lies below.
-SlopeModel sliver(SmallPolicy policy) {
-    SlopeModel model = rectangle(8, 4);
-    add_trace(model, {{-1, 2}, {9, 2}}, "lower");
-    add_trace(model, {{-1, 2.0625}, {9, 2.0625}}, "upper");
-    add_trace(model, {{3, -1}, {3, 2}}, "wall");
-    model.small_blocks = {policy, 1, 0};
-    return model;
 }
 
 TEST(Changes, ASmallBlockHasARowWithPlaceAndArea) {

@@ -12,20 +12,12 @@
 #include "blockgen/input/geometry_file.hpp"
 #include "blockgen/mesh/block_file.hpp"
 #include "support/others_data.hpp"
-#include "unit/blockgen/slopes.hpp"
+#include "unit/blockgen/small_blocks.hpp"
 
 namespace blockgen {
 namespace {
 
 using testing::HasSubstr;
-
-/// Areas of all blocks, ascending.
-std::vector<double> areas(const BlockMesh& mesh) {
-    std::vector<double> result;
-    for (std::size_t b = 0; b < mesh.block_count(); ++b) result.push_back(block_area(mesh, b));
-    std::sort(result.begin(), result.end());
-    return result;
-}
 
 std::string error_of(const SlopeModel& model, const CutOptions& options = {}) {
     try {

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "unit/blockgen/slopes.hpp"
+
+namespace blockgen {
+
+/// Areas of all blocks, ascending.
+inline std::vector<double> areas(const BlockMesh& mesh) {
+    std::vector<double> result;
+    for (std::size_t b = 0; b < mesh.block_count(); ++b) result.push_back(block_area(mesh, b));
+    std::sort(result.begin(), result.end());
+    return result;
+}
+
+/// A sliver 1/16 m high between two joints right across; a short joint parts what lies below.
+inline SlopeModel sliver(SmallPolicy policy) {
+    SlopeModel model = rectangle(8, 4);
+    add_trace(model, {{-1, 2}, {9, 2}}, "lower");
+    add_trace(model, {{-1, 2.0625}, {9, 2.0625}}, "upper");
+    add_trace(model, {{3, -1}, {3, 2}}, "wall");
+    model.small_blocks = {policy, 1, 0};
+    return model;
+}
+
+}  // namespace blockgen
