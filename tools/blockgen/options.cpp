@@ -5,6 +5,7 @@
 
 #include "blockgen/input/read_slope_model.hpp"
 #include "blockgen/picture/canvas.hpp"
+#include "support/parse_words.hpp"
 
 namespace blockgen_tool {
 
@@ -60,9 +61,17 @@ void check_picture(const char* option, const std::filesystem::path& picture) {
                          ": expected a name that ends in .svg, .png or .pdf");
 }
 
+std::string model_of(const po::variables_map& given) {
+    const auto files =
+        given.count("file") ? given["file"].as<std::vector<std::string>>() : std::vector<std::string>{};
+    if (files.size() == 1) return files.front();
+    throw UsageError(std::string(files.empty() ? "no model file" : "more than one model file") +
+                     "; expected blockgen SLOPE.toml; see blockgen --help");
+}
+
 Options read_options(const po::variables_map& given) {
     Options options;
-    options.model = given["model"].as<std::string>();
+    options.model = model_of(given);
     options.output = path_or_empty(given, "output");
     if (options.output.empty())
         options.output = std::filesystem::path(options.model).replace_extension(".blocks");
@@ -89,26 +98,12 @@ Options read_options(const po::variables_map& given) {
 
 Options parse_options(int argc, const char* const* argv) {
     const po::options_description visible = visible_options();
-    po::options_description all;
-    all.add(visible).add_options()("model", po::value<std::string>());
-    po::positional_options_description positional;
-    positional.add("model", 1);
-    po::variables_map given;
-    try {
-        const auto style = po::command_line_style::default_style & ~po::command_line_style::allow_guessing;
-        po::store(po::command_line_parser(argc, argv).options(all).positional(positional).style(style).run(),
-                  given);
-        po::notify(given);
-    } catch (const po::error& error) {
-        throw UsageError(std::string(error.what()) + "; see blockgen --help");
-    }
+    const po::variables_map given = tool_support::parse_words("blockgen", argc, argv, visible);
     Options options;
     if (given.count("help")) options.text = help_text(visible);
     if (given.count("version")) options.text = "blockgen " ROCKSLOPE_VERSION "\n";
     if (given.count("template")) options.text = blockgen::slope_model_template();
     if (!options.text.empty()) return options;
-    if (!given.count("model"))
-        throw UsageError("no model file; expected blockgen SLOPE.toml; see blockgen --help");
     return read_options(given);
 }
 

@@ -14,6 +14,7 @@
 #include "history_picture.hpp"
 #include "joint_pictures.hpp"
 #include "roughness_picture.hpp"
+#include "support/parse_words.hpp"
 
 namespace po = boost::program_options;
 namespace fs = std::filesystem;
@@ -49,22 +50,6 @@ po::options_description visible_options() {
     add("version", "print the version and stop");
     add("help,h", "print this text and stop");
     return options;
-}
-
-po::variables_map parse(int argc, char** argv) {
-    po::options_description all;
-    all.add(visible_options()).add_options()("folder", po::value<std::vector<std::string>>());
-    po::positional_options_description positional;
-    positional.add("folder", -1);
-    const int style = po::command_line_style::default_style & ~po::command_line_style::allow_guessing;
-    po::variables_map values;
-    try {
-        po::store(po::command_line_parser(argc, argv).options(all).positional(positional).style(style).run(),
-                  values);
-    } catch (const po::error& error) {
-        throw blockgen::InputError({"dda-plot"}, error.what(), "the options that --help lists");
-    }
-    return values;
 }
 
 std::int64_t frame_number(const std::string& word, std::int64_t count) {
@@ -178,7 +163,7 @@ std::vector<fs::path> paths_of(const std::vector<std::string>& texts) {
 }
 
 int plot(const po::variables_map& values) {
-    const std::vector<std::string> folders = texts_of(values, "folder");
+    const std::vector<std::string> folders = texts_of(values, "file");
     const bool joint_only = values.count("joint");
     if (values.count("reference") && !joint_only)
         throw blockgen::InputError({"dda-plot"}, "--reference is given without --joint", "--joint NAME");
@@ -228,7 +213,7 @@ int plot(const po::variables_map& values) {
 
 int main(int argc, char** argv) {
     try {
-        const po::variables_map values = parse(argc, argv);
+        const po::variables_map values = tool_support::parse_words("dda-plot", argc, argv, visible_options());
         if (values.count("help")) {
             std::cout << "dda-plot OUT [options]\nDraws the results of dda-run: blocks coloured by "
                          "displacement, and the histories of the measured points.\n\n"

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "blockgen/base/input_error.hpp"
+#include "support/parse_words.hpp"
 
 namespace po = boost::program_options;
 
@@ -37,23 +38,6 @@ po::options_description visible_options() {
     return options;
 }
 
-po::variables_map parse(int argc, const char* const* argv) {
-    po::options_description all;
-    all.add(visible_options()).add_options()("run-file", po::value<std::vector<std::string>>());
-    po::positional_options_description positional;
-    positional.add("run-file", -1);
-    const int style = po::command_line_style::default_style & ~po::command_line_style::allow_guessing;
-    po::variables_map values;
-    try {
-        po::store(po::command_line_parser(argc, argv).options(all).positional(positional).style(style).run(),
-                  values);
-        po::notify(values);
-    } catch (const po::error& error) {
-        throw blockgen::InputError({"dda-run"}, error.what(), "the options that --help lists");
-    }
-    return values;
-}
-
 CommandLine::Action action_of(const po::variables_map& values) {
     if (values.count("help")) return CommandLine::Action::print_help;
     if (values.count("version")) return CommandLine::Action::print_version;
@@ -72,8 +56,8 @@ int threads_of(const po::variables_map& values) {
 }
 
 std::filesystem::path run_file_of(const po::variables_map& values) {
-    const auto files = values.count("run-file") ? values["run-file"].as<std::vector<std::string>>()
-                                                : std::vector<std::string>{};
+    const auto files =
+        values.count("file") ? values["file"].as<std::vector<std::string>>() : std::vector<std::string>{};
     if (files.size() == 1) return files.front();
     throw blockgen::InputError(
         {"dda-run"}, files.empty() ? "no model file is given" : "more than one model file is given",
@@ -91,7 +75,7 @@ std::optional<std::filesystem::path> path_of(const po::variables_map& values, co
 }  // namespace
 
 CommandLine parse_command_line(int argc, const char* const* argv) {
-    const po::variables_map values = parse(argc, argv);
+    const po::variables_map values = tool_support::parse_words("dda-run", argc, argv, visible_options());
     CommandLine line;
     line.action = action_of(values);
     const bool needs_file =

@@ -13,6 +13,7 @@
 #include "dda/io/read_shear_test.hpp"
 #include "dda/io/shear_table.hpp"
 #include "shear_picture.hpp"
+#include "support/parse_words.hpp"
 
 namespace po = boost::program_options;
 
@@ -33,22 +34,6 @@ po::options_description visible_options() {
     add("version", "print the version and stop");
     add("help,h", "print this text and stop");
     return options;
-}
-
-po::variables_map parse(int argc, char** argv) {
-    po::options_description all;
-    all.add(visible_options()).add_options()("file", po::value<std::vector<std::string>>());
-    po::positional_options_description positional;
-    positional.add("file", -1);
-    const int style = po::command_line_style::default_style & ~po::command_line_style::allow_guessing;
-    po::variables_map values;
-    try {
-        po::store(po::command_line_parser(argc, argv).options(all).positional(positional).style(style).run(),
-                  values);
-    } catch (const po::error& error) {
-        throw blockgen::InputError({"joint-shear"}, error.what(), "the options that --help lists");
-    }
-    return values;
 }
 
 std::string text_of(const po::variables_map& values, const char* key) {
@@ -120,7 +105,8 @@ int run(const po::variables_map& values) {
 
 int main(int argc, char** argv) {
     try {
-        const po::variables_map values = parse(argc, argv);
+        const po::variables_map values =
+            tool_support::parse_words("joint-shear", argc, argv, visible_options());
         if (values.count("help")) {
             std::cout
                 << "joint-shear TEST.toml -o ROWS.csv [options]\nShears one joint along a path, without "
