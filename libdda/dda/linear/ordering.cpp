@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <numeric>
 #include <stdexcept>
-#include <utility>
 
+#include "dda/linear/elimination_tree.hpp"
 #include "dda/linear/linear_solver.hpp"
 
 namespace dda {
@@ -49,32 +49,6 @@ std::vector<int> nested_dissection(const BlockPattern& pattern) {
     return order;
 }
 
-/// The parent of each block in the elimination tree of a given order, by places in it; -1 for a root. [Liu
-/// 1990]
-std::vector<int> elimination_tree(const BlockPattern& pattern, const std::vector<int>& place) {
-    const std::size_t size = place.size();
-    std::vector<std::vector<int>> earlier(size);  // neighbours eliminated before
-    for (std::size_t i = 0; i < size; ++i) {
-        for (int k = pattern.start[i]; k < pattern.start[i + 1]; ++k) {
-            const auto [first, last] = std::minmax(
-                place[i], place[static_cast<std::size_t>(pattern.columns[static_cast<std::size_t>(k)])]);
-            earlier[static_cast<std::size_t>(last)].push_back(first);
-        }
-    }
-    std::vector<int> parent(size, -1);
-    std::vector<int> ancestor(size, -1);  // as far up as is known, to shorten the walks
-    for (std::size_t k = 0; k < size; ++k) {
-        for (int at : earlier[k]) {
-            while (at != -1 && at != static_cast<int>(k)) {
-                const auto here = static_cast<std::size_t>(at);
-                at = std::exchange(ancestor[here], static_cast<int>(k));
-                if (at == -1) parent[here] = static_cast<int>(k);
-            }
-        }
-    }
-    return parent;
-}
-
 /// The places in the order in which a walk through the tree leaves them: each subtree is together.
 std::vector<int> postorder(const std::vector<int>& parent) {
     const std::size_t size = parent.size();
@@ -100,12 +74,9 @@ std::vector<int> postorder(const std::vector<int>& parent) {
 
 std::vector<int> fill_reducing_order(const BlockPattern& pattern) {
     const std::vector<int> order = nested_dissection(pattern);
-    std::vector<int> place(order.size());
-    for (std::size_t k = 0; k < order.size(); ++k)
-        place[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
     std::vector<int> together;
     together.reserve(order.size());
-    for (const int k : postorder(elimination_tree(pattern, place)))
+    for (const int k : postorder(elimination_tree(pattern, places_in(order))))
         together.push_back(order[static_cast<std::size_t>(k)]);
     return together;
 }
