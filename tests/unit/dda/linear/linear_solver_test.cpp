@@ -1,135 +1,174 @@
-#include <gtest/gtest.h>
-
-#include <Eigen/Cholesky>
-#include <random>
+// What every linear solver has to do.
 
 #include "dda/linear/linear_solver.hpp"
+
+#include <gtest/gtest.h>
+
+#include <tuple>
+
+#include "dda/linear/multifrontal_solver.hpp"
 #include "support/case_name.hpp"
-#include "unit/dda/linear/dense.hpp"
+#include "support/step_system.hpp"
+#include "support/walls.hpp"
+#include "unit/dda/linear/random_systems.hpp"
 
 namespace {
 
-using dda::BlockMatrix;
-using dda::BlockPattern;
 using dda::Mat6;
 using dda::Vec6;
 
-class Draw {
-  public:
-    explicit Draw(unsigned seed) : engine_(seed) {}
-    double number() { return static_cast<double>(engine_()) / 4294967296.0 * 2 - 1; }
-    int below(int limit) { return static_cast<int>(engine_() % static_cast<unsigned>(limit)); }
-    Vec6 vector() {
-        return Vec6::NullaryExpr([&] { return number(); });
-    }
+const dda::Crew two_threads(2);
 
-  private:
-    std::mt19937 engine_;
+struct Kind {
+    const char* name;
+    std::unique_ptr<dda::LinearSolver> (*make)();
+};
+const Kind solver_kinds[] = {{"cholmod", dda::make_cholmod_solver},
+                             {"multifrontal", [] { return dda::make_multifrontal_solver(two_threads); }}};
+
+struct Size {
+    int blocks, springs;
 };
 
-/// A random graph and, on it, a matrix of springs between random measures of two blocks, with a mass on the
-/// diagonal: positive definite.
-struct Problem {
-    BlockPattern pattern;
-    BlockMatrix matrix;
-    std::vector<Vec6> load;
-
-    Problem(int size, int springs, unsigned seed) {
-        Draw draw(seed);
-        std::vector<std::pair<int, int>> pairs;
-        for (int k = 0; k < springs && size > 1; ++k) {
-            const int i = draw.below(size);
-            const int j = draw.below(size);
-            if (i != j) pairs.emplace_back(i, j);
-        }
-        pattern = BlockPattern::from_pairs(size, pairs);
-        matrix.reset(pattern);
-        for (auto& diagonal : matrix.diagonal) diagonal = 0.1 * Mat6::Identity();
-        for (const auto& [i, j] : pairs) {
-            const Vec6 a = draw.vector();
-            const Vec6 b = draw.vector();
-            matrix.diagonal[static_cast<std::size_t>(i)] += a * a.transpose();
-            matrix.diagonal[static_cast<std::size_t>(j)] += b * b.transpose();
-            matrix.add_outer(pattern, i, j, a, b);
-        }
-        for (int i = 0; i < size; ++i) load.push_back(draw.vector());
-    }
-
-    /// Largest difference from a dense solution, relative to the solution's size.
-    double error_of(const std::vector<Vec6>& solution) const {
-        Eigen::VectorXd b(6 * pattern.size);
-        Eigen::VectorXd x(6 * pattern.size);
-        for (int i = 0; i < pattern.size; ++i) {
-            b.segment<6>(6 * i) = load[static_cast<std::size_t>(i)];
-            x.segment<6>(6 * i) = solution[static_cast<std::size_t>(i)];
-        }
-        const Eigen::VectorXd expected = dense(pattern, matrix).llt().solve(b);
-        return (x - expected).norm() / expected.norm();
-    }
-};
-
-class CholmodSizes : public testing::TestWithParam<std::pair<int, int>> {};
+class SolversOnGraphs : public testing::TestWithParam<std::tuple<Kind, Size>> {};
 
 // The condition number is below 1e4 by construction, so a backward stable solution is right to some 1e-12.
-TEST_P(CholmodSizes, AgreesWithADenseSolution) {
-    const auto [size, springs] = GetParam();
+TEST_P(SolversOnGraphs, AgreeWithADenseSolution) {
+    const auto& [kind, size] = GetParam();
     for (const unsigned seed : {1u, 2u, 3u}) {
-        const Problem problem(size, springs, seed);
-        const auto solver = dda::make_cholmod_solver();
-        solver->analyze(problem.pattern);
-        ASSERT_TRUE(solver->factorize(problem.matrix));
-        std::vector<Vec6> x = problem.load;
+        const RandomSystem system(size.blocks, size.springs, seed);
+        const auto solver = kind.make();
+        solver->analyze(system.pattern);
+        ASSERT_TRUE(solver->factorize(system.matrix));
+        std::vector<Vec6> x = system.load;
         solver->solve(x);
-        EXPECT_LT(problem.error_of(x), 1e-11) << size << " blocks, seed " << seed;
+        EXPECT_LT(system.error_of(x), 1e-11) << size.blocks << " blocks, seed " << seed;
     }
 }
-INSTANTIATE_TEST_SUITE_P(Graphs, CholmodSizes,
-                         testing::Values(std::pair{1, 0}, std::pair{2, 1}, std::pair{5, 0}, std::pair{7, 12},
-                                         std::pair{30, 60}, std::pair{60, 200}),
+INSTANTIATE_TEST_SUITE_P(Graphs, SolversOnGraphs,
+                         testing::Combine(testing::ValuesIn(solver_kinds),
+                                          testing::Values(Size{1, 0}, Size{2, 1}, Size{5, 0}, Size{7, 12},
+                                                          Size{30, 20}, Size{30, 60}, Size{60, 200},
+                                                          Size{250, 400})),
                          [](const auto& tested) {
-                             return case_name("blocks " + case_number(tested.param.first) + " springs " +
-                                              case_number(tested.param.second));
+                             const Kind& kind = std::get<0>(tested.param);
+                             const Size& size = std::get<1>(tested.param);
+                             return case_name(std::string(kind.name) + " blocks " + case_number(size.blocks) +
+                                              " springs " + case_number(size.springs));
                          });
 
-TEST(CholmodSolver, ServesOnePatternAfterAnother) {
-    const auto solver = dda::make_cholmod_solver();
+class Solvers : public testing::TestWithParam<Kind> {};
+
+TEST_P(Solvers, ServeOnePatternAfterAnother) {
+    const auto solver = GetParam().make();
     for (const int size : {20, 3, 40}) {
-        const Problem problem(size, 2 * size, 11);
-        solver->analyze(problem.pattern);
-        ASSERT_TRUE(solver->factorize(problem.matrix));
+        const RandomSystem system(size, 2 * size, 11);
+        solver->analyze(system.pattern);
+        ASSERT_TRUE(solver->factorize(system.matrix));
         for (int again = 0; again < 2; ++again) {
-            std::vector<Vec6> x = problem.load;
+            std::vector<Vec6> x = system.load;
             solver->solve(x);
-            EXPECT_LT(problem.error_of(x), 1e-11);
+            EXPECT_LT(system.error_of(x), 1e-11);
         }
     }
 }
 
-TEST(CholmodSolver, RefusesAnIndefiniteMatrixAndRecovers) {
-    Problem problem(12, 30, 5);
-    const auto solver = dda::make_cholmod_solver();
-    solver->analyze(problem.pattern);
-    const Mat6 good = problem.matrix.diagonal[7];
-    problem.matrix.diagonal[7](3, 3) = -1;
-    EXPECT_FALSE(solver->factorize(problem.matrix));
-    problem.matrix.diagonal[7] = good;
-    ASSERT_TRUE(solver->factorize(problem.matrix));
-    std::vector<Vec6> x = problem.load;
+TEST_P(Solvers, RefuseAnIndefiniteMatrixAndRecover) {
+    RandomSystem system(12, 30, 5);
+    const auto solver = GetParam().make();
+    solver->analyze(system.pattern);
+    for (const int unknown : {0, 3, 5}) {
+        for (const std::size_t block : {0, 7, 11}) {
+            const Mat6 good = system.matrix.diagonal[block];
+            system.matrix.diagonal[block](unknown, unknown) = -1;
+            EXPECT_FALSE(solver->factorize(system.matrix));
+            system.matrix.diagonal[block] = good;
+        }
+    }
+    ASSERT_TRUE(solver->factorize(system.matrix));
+    std::vector<Vec6> x = system.load;
     solver->solve(x);
-    EXPECT_LT(problem.error_of(x), 1e-11);
+    EXPECT_LT(system.error_of(x), 1e-11);
 }
 
-TEST(CholmodSolver, GivesTheSameBytesAgain) {
-    const Problem problem(50, 150, 9);
+TEST_P(Solvers, RefuseABlockThatNothingHolds) {
+    RandomSystem system(4, 6, 3);
+    system.matrix.diagonal[2].setZero();
+    for (Mat6& upper : system.matrix.upper) upper.setZero();
+    const auto solver = GetParam().make();
+    solver->analyze(system.pattern);
+    EXPECT_FALSE(solver->factorize(system.matrix));
+}
+
+// With a mass of 1e-9 and springs of 1 the condition number is some 1e10: of 16 digits some 6 are left.
+TEST_P(Solvers, KeepTheDigitsThatTheConditionLeaves) {
+    for (const unsigned seed : {1u, 2u, 3u}) {
+        const RandomSystem system(40, 150, seed, 1e-9);
+        const auto solver = GetParam().make();
+        solver->analyze(system.pattern);
+        ASSERT_TRUE(solver->factorize(system.matrix));
+        std::vector<Vec6> x = system.load;
+        solver->solve(x);
+        EXPECT_LT(system.error_of(x), 1e-5) << "seed " << seed;
+    }
+}
+
+TEST_P(Solvers, GiveTheSameBytesAgain) {
+    const scene::StepSystem system = scene::step_system(scene::running_bond_wall(20, 20, 10).model, 0.005);
     std::vector<std::vector<Vec6>> solutions;
-    for (int again = 0; again < 2; ++again) {
-        const auto solver = dda::make_cholmod_solver();
-        solver->analyze(problem.pattern);
-        ASSERT_TRUE(solver->factorize(problem.matrix));
-        solutions.push_back(problem.load);
+    for (int again = 0; again < 3; ++again) {
+        const auto solver = GetParam().make();
+        solver->analyze(system.pattern);
+        ASSERT_TRUE(solver->factorize(system.matrix));
+        solutions.push_back(system.load);
         solver->solve(solutions.back());
     }
     EXPECT_EQ(solutions[0], solutions[1]);
+    EXPECT_EQ(solutions[0], solutions[2]);
 }
+
+/// |b - A x| / |b|.
+double residual(const scene::StepSystem& system, const std::vector<Vec6>& x) {
+    std::vector<Vec6> left = system.load;
+    for (int i = 0; i < system.pattern.size; ++i) {
+        const auto row = static_cast<std::size_t>(i);
+        left[row] -= system.matrix.diagonal[row] * x[row];
+        for (auto k = static_cast<std::size_t>(system.pattern.start[row]);
+             k < static_cast<std::size_t>(system.pattern.start[row + 1]); ++k) {
+            const auto j = static_cast<std::size_t>(system.pattern.columns[k]);
+            left[row] -= system.matrix.upper[k] * x[j];
+            left[j] -= system.matrix.upper[k].transpose() * x[row];
+        }
+    }
+    double rest = 0;
+    double whole = 0;
+    for (std::size_t i = 0; i < left.size(); ++i) {
+        rest += left[i].squaredNorm();
+        whole += system.load[i].squaredNorm();
+    }
+    return std::sqrt(rest / whole);
+}
+
+// Backward stability: |b - A x| is some rounding of |A| |x|. Springs of 100 E against the mass that 1 ms
+// leaves make |A| |x| up to 1e5 |b|.
+TEST_P(Solvers, SolveTheStepsOfAWall) {
+    for (const double penalty : {10.0, 100.0}) {
+        for (const double dt : {1e-4, 1e-3, 5e-3, 0.1}) {
+            int spring = 0;
+            const scene::StepSystem system =
+                scene::step_system(scene::running_bond_wall(18, 18, penalty).model, dt,
+                                   [&](std::size_t) { return spring++ % 7 == 0; });
+            const auto solver = GetParam().make();
+            solver->analyze(system.pattern);
+            ASSERT_TRUE(solver->factorize(system.matrix));
+            std::vector<Vec6> x = system.load;
+            solver->solve(x);
+            EXPECT_LT(residual(system, x), 1e-10) << "penalty " << penalty << " E, dt " << dt;
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, Solvers, testing::ValuesIn(solver_kinds),
+                         [](const auto& tested) { return std::string(tested.param.name); });
 
 }  // namespace

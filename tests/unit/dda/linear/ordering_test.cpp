@@ -5,21 +5,11 @@
 #include <random>
 
 #include "dda/linear/linear_solver.hpp"
+#include "unit/dda/linear/random_systems.hpp"
 
 namespace {
 
 using dda::BlockPattern;
-
-std::vector<std::pair<int, int>> grid_graph(int columns, int rows) {
-    std::vector<std::pair<int, int>> pairs;
-    for (int r = 0; r < rows; ++r) {
-        for (int c = 0; c < columns; ++c) {
-            if (c + 1 < columns) pairs.emplace_back(r * columns + c, r * columns + c + 1);
-            if (r + 1 < rows) pairs.emplace_back(r * columns + c, (r + 1) * columns + c);
-        }
-    }
-    return pairs;
-}
 
 void expect_permutation(std::vector<int> order, int size) {
     std::vector<int> all(static_cast<std::size_t>(size));

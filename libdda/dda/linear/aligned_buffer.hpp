@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <new>
+
+namespace dda {
+
+/// Scalars without initial values, aligned to a cache line. Keeps its memory until more is asked for.
+template <class Scalar>
+class AlignedBuffer {
+  public:
+    void resize(std::size_t size) {
+        if (size <= size_) return;
+        data_.reset();
+        data_.reset(static_cast<Scalar*>(::operator new(size * sizeof(Scalar), line)));
+        size_ = size;
+    }
+    Scalar* data() { return data_.get(); }
+    const Scalar* data() const { return data_.get(); }
+
+  private:
+    static constexpr std::align_val_t line{64};
+    struct Release {
+        void operator()(Scalar* data) const { ::operator delete(data, line); }
+    };
+    std::unique_ptr<Scalar, Release> data_;
+    std::size_t size_ = 0;
+};
+
+}  // namespace dda

@@ -1,0 +1,295 @@
+#include "dda/linear/front_kernels.hpp"
+
+#include <cmath>
+
+#include "dda/linear/front_plan.hpp"
+
+namespace dda {
+
+namespace {
+
+/// Everything below is inlined into functions that are compiled for one kind of processor each.
+#define DDA_KERNEL [[gnu::always_inline]] inline
+
+constexpr int unknowns = 6;
+
+/// Vectors of Bytes bytes; Rows of them are worked on together: with six columns they fill the registers.
+template <class Scalar, int Bytes, int Rows>
+struct Kernels {
+    typedef Scalar Vector __attribute__((vector_size(Bytes), may_alias));
+    static constexpr int lanes = Bytes / static_cast<int>(sizeof(Scalar));
+    static constexpr int w = strip_rows<Scalar>;
+    static constexpr int per_strip = w / lanes;
+
+    DDA_KERNEL static long row_at(int row, int columns) {
+        return static_cast<long>(row / w) * w * columns + row % w;
+    }
+    /// Where the rows of a vector begin.
+    DDA_KERNEL static long vector_at(int vector, int columns) {
+        return static_cast<long>(vector / per_strip) * w * columns + vector % per_strip * lanes;
+    }
+
+    /// sum -= A B^T: R vectors of rows from `first`, the six rows of B, both over `count` columns.
+    template <int R>
+    DDA_KERNEL static void take_product(Vector (&sum)[R][unknowns], const Scalar* a, int first_vector,
+                                        const Scalar* b, int b_row, int columns, int count) {
+        const Scalar* rows[R];
+        for (int r = 0; r < R; ++r) rows[r] = a + vector_at(first_vector + r, columns);
+        const Scalar* factors[unknowns];
+        for (int q = 0; q < unknowns; ++q) factors[q] = b + row_at(b_row + q, columns);
+        for (long p = 0; p < static_cast<long>(count) * w; p += w) {
+            Vector row[R];
+#pragma GCC unroll 4
+            for (int r = 0; r < R; ++r) row[r] = *reinterpret_cast<const Vector*>(rows[r] + p);
+#pragma GCC unroll 6
+            for (int q = 0; q < unknowns; ++q) {
+                const Scalar factor = factors[q][p];
+#pragma GCC unroll 4
+                for (int r = 0; r < R; ++r) sum[r][q] -= row[r] * factor;
+            }
+        }
+    }
+
+    /// sum = sum L^-T with the factor of the six columns' own square.
+    template <int R>
+    DDA_KERNEL static void solve_square(Vector (&sum)[R][unknowns], const Scalar* square) {
+#pragma GCC unroll 6
+        for (int q = 0; q < unknowns; ++q) {
+            const Scalar* row = square + q * unknowns;
+#pragma GCC unroll 6
+            for (int p = 0; p < q; ++p) {
+#pragma GCC unroll 4
+                for (int r = 0; r < R; ++r) sum[r][q] -= sum[r][p] * row[p];
+            }
+#pragma GCC unroll 4
+            for (int r = 0; r < R; ++r) sum[r][q] *= row[q];
+        }
+    }
+
+    template <int R>
+    DDA_KERNEL static void load(Vector (&sum)[R][unknowns], const Scalar* panel, int first_vector, int column,
+                                int columns) {
+        for (int r = 0; r < R; ++r) {
+            const Scalar* at = panel + vector_at(first_vector + r, columns) + static_cast<long>(column) * w;
+#pragma GCC unroll 6
+            for (int q = 0; q < unknowns; ++q) sum[r][q] = *reinterpret_cast<const Vector*>(at + q * w);
+        }
+    }
+    template <int R>
+    DDA_KERNEL static void store(const Vector (&sum)[R][unknowns], Scalar* panel, int first_vector,
+                                 int column, int columns) {
+        for (int r = 0; r < R; ++r) {
+            Scalar* at = panel + vector_at(first_vector + r, columns) + static_cast<long>(column) * w;
+#pragma GCC unroll 6
+            for (int q = 0; q < unknowns; ++q) *reinterpret_cast<Vector*>(at + q * w) = sum[r][q];
+        }
+    }
+
+    /// Six columns of R vectors of rows: takes what earlier columns contribute, and solves with a square.
+    template <int R, bool Update, bool Solve>
+    DDA_KERNEL static void columns_of_rows(Scalar* rows, const Scalar* pivots, const Scalar* square,
+                                           int first_vector, int column, int columns) {
+        Vector sum[R][unknowns];
+        load<R>(sum, rows, first_vector, column, columns);
+        if (Update) take_product<R>(sum, rows, first_vector, pivots, column, columns, column);
+        if (Solve) solve_square<R>(sum, square);
+        store<R>(sum, rows, first_vector, column, columns);
+    }
+
+    template <bool Update, bool Solve>
+    DDA_KERNEL static void columns_of_all_rows(Scalar* rows, const Scalar* pivots, const Scalar* square,
+                                               int begin, int end, int column, int columns) {
+        int v = begin;
+        for (; v + Rows <= end; v += Rows)
+            columns_of_rows<Rows, Update, Solve>(rows, pivots, square, v, column, columns);
+        if (Rows > 2 && v + 2 <= end) {
+            columns_of_rows<2, Update, Solve>(rows, pivots, square, v, column, columns);
+            v += 2;
+        }
+        for (; v < end; ++v) columns_of_rows<1, Update, Solve>(rows, pivots, square, v, column, columns);
+    }
+
+    /// The factor of a 6x6 submatrix on the diagonal, into `square`.
+    DDA_KERNEL static bool factor_square(const Scalar* strips, int column, int columns, Scalar* square) {
+        for (int q = 0; q < unknowns; ++q) {
+            const Scalar* row = strips + row_at(column + q, columns) + static_cast<long>(column) * w;
+            for (int p = 0; p < unknowns; ++p) square[q * unknowns + p] = p > q ? 0 : row[p * w];
+        }
+        for (int q = 0; q < unknowns; ++q) {
+            Scalar* const at = square + q * unknowns;
+            Scalar pivot = at[q];
+            for (int p = 0; p < q; ++p) pivot -= at[p] * at[p];
+            if (!(pivot > 0)) return false;
+            const Scalar reciprocal = 1 / std::sqrt(pivot);
+            for (int row = q + 1; row < unknowns; ++row) {
+                Scalar* const below = square + row * unknowns;
+                for (int p = 0; p < q; ++p) below[q] -= below[p] * at[p];
+                below[q] *= reciprocal;
+            }
+            at[q] = reciprocal;
+        }
+        return true;
+    }
+
+    DDA_KERNEL static bool factor_pivots(Scalar* panel, int pivots) {
+        const int columns = pivots * unknowns;
+        const int vectors = (columns + w - 1) / w * per_strip;
+        Scalar* strips = panel + squares_size<Scalar>(pivots);
+        for (int column = 0; column < columns; column += unknowns) {
+            columns_of_all_rows<true, false>(strips, strips, panel, column / lanes, vectors, column, columns);
+            Scalar* square = panel + column * unknowns;
+            if (!factor_square(strips, column, columns, square)) return false;
+            columns_of_all_rows<false, true>(strips, strips, square, (column + unknowns) / lanes, vectors,
+                                             column, columns);
+            for (int row = column / lanes * lanes; row < column; ++row) {
+                for (int p = 0; p < unknowns; ++p)
+                    strips[row_at(row, columns) + static_cast<long>(column + p) * w] = 0;
+            }
+        }
+        return true;
+    }
+
+    DDA_KERNEL static void solve_rows(Scalar* panel, int pivots, int begin, int end) {
+        const int columns = pivots * unknowns;
+        Scalar* strips = panel + squares_size<Scalar>(pivots);
+        Scalar* rows = strips + static_cast<long>((columns + w - 1) / w) * w * columns;
+        // A few strips at a time stay in the cache for all columns.
+        constexpr int together = Rows > per_strip ? Rows : per_strip;
+        for (int v = begin * per_strip; v < end * per_strip; v += together) {
+            const int last = v + together < end * per_strip ? v + together : end * per_strip;
+            for (int column = 0; column < columns; column += unknowns)
+                columns_of_all_rows<true, true>(rows, strips, panel + column * unknowns, v, last, column,
+                                                columns);
+        }
+    }
+
+    template <int R>
+    DDA_KERNEL static void form_tile(const Scalar* rows, int first_vector, int column, int columns,
+                                     Scalar* update, long stride) {
+        Vector sum[R][unknowns] = {};
+        take_product<R>(sum, rows, first_vector, rows, column, columns, columns);
+        for (int r = 0; r < R; ++r) {
+#pragma GCC unroll 6
+            for (int q = 0; q < unknowns; ++q) {
+                Scalar* at = update + (column + q) * stride + static_cast<long>(first_vector + r) * lanes;
+                *reinterpret_cast<Vector*>(at) = sum[r][q];
+            }
+        }
+    }
+
+    DDA_KERNEL static void form_update(const Scalar* panel, int pivots, int row_strips, Scalar* update,
+                                       long stride, int begin, int end) {
+        const int columns = pivots * unknowns;
+        const Scalar* rows =
+            panel + squares_size<Scalar>(pivots) + static_cast<long>((columns + w - 1) / w) * w * columns;
+        const int vectors = row_strips * per_strip;
+        const auto below = [&](int v, int count) {  // columns that these rows are on or below the diagonal of
+            const int reached = ((v + count) * lanes + unknowns - 1) / unknowns;
+            return reached < end ? reached : end;
+        };
+        int v = begin * unknowns / lanes;
+        for (; v + Rows <= vectors; v += Rows) {
+            for (int j = begin; j < below(v, Rows); ++j)
+                form_tile<Rows>(rows, v, j * unknowns, columns, update, stride);
+        }
+        for (; v < vectors; ++v) {
+            for (int j = begin; j < below(v, 1); ++j)
+                form_tile<1>(rows, v, j * unknowns, columns, update, stride);
+        }
+    }
+
+    DDA_KERNEL static void forward(const Scalar* panel, int pivots, int strips, Scalar* x) {
+        const int columns = pivots * unknowns;
+        const Scalar* below = panel + squares_size<Scalar>(pivots);
+        for (int column = 0; column < columns; column += unknowns) {
+            const Scalar* square = panel + column * unknowns;
+            Scalar y[unknowns];
+            for (int q = 0; q < unknowns; ++q) {
+                y[q] = x[column + q];
+                for (int p = 0; p < q; ++p) y[q] -= square[q * unknowns + p] * y[p];
+                y[q] *= square[q * unknowns + q];
+            }
+            for (int v = column / lanes; v < strips * per_strip; ++v) {
+                const Scalar* at = below + vector_at(v, columns) + static_cast<long>(column) * w;
+                Vector& target = *reinterpret_cast<Vector*>(x + static_cast<long>(v) * lanes);
+                Vector sum = target;
+#pragma GCC unroll 6
+                for (int q = 0; q < unknowns; ++q) sum -= *reinterpret_cast<const Vector*>(at + q * w) * y[q];
+                target = sum;
+            }
+            for (int q = 0; q < unknowns; ++q) x[column + q] = y[q];
+        }
+    }
+
+    DDA_KERNEL static void backward(const Scalar* panel, int pivots, int strips, Scalar* x) {
+        const int columns = pivots * unknowns;
+        const Scalar* below = panel + squares_size<Scalar>(pivots);
+        for (int column = columns - unknowns; column >= 0; column -= unknowns) {
+            const Scalar* square = panel + column * unknowns;
+            Scalar y[unknowns];
+            for (int q = 0; q < unknowns; ++q) {
+                y[q] = x[column + q];
+                x[column + q] = 0;
+            }
+            Vector sum[unknowns] = {};
+            for (int v = column / lanes; v < strips * per_strip; ++v) {
+                const Scalar* at = below + vector_at(v, columns) + static_cast<long>(column) * w;
+                const Vector known = *reinterpret_cast<const Vector*>(x + static_cast<long>(v) * lanes);
+#pragma GCC unroll 6
+                for (int q = 0; q < unknowns; ++q)
+                    sum[q] += *reinterpret_cast<const Vector*>(at + q * w) * known;
+            }
+            for (int q = unknowns - 1; q >= 0; --q) {
+                for (int lane = 0; lane < lanes; ++lane) y[q] -= sum[q][lane];
+                for (int p = q + 1; p < unknowns; ++p) y[q] -= square[p * unknowns + q] * y[p];
+                y[q] *= square[q * unknowns + q];
+            }
+            for (int q = 0; q < unknowns; ++q) x[column + q] = y[q];
+        }
+    }
+};
+
+/// A set of kernels compiled for the processors named by `attribute`.
+#define DDA_KERNEL_SET(name, attribute, bytes, rows)                                                        \
+    template <class Scalar>                                                                                 \
+    struct name {                                                                                           \
+        using K = Kernels<Scalar, bytes, rows>;                                                             \
+        attribute static bool factor_pivots(Scalar* p, int k) { return K::factor_pivots(p, k); }            \
+        attribute static void solve_rows(Scalar* p, int k, int b, int e) { K::solve_rows(p, k, b, e); }     \
+        attribute static void form_update(const Scalar* p, int k, int s, Scalar* u, long d, int b, int e) { \
+            K::form_update(p, k, s, u, d, b, e);                                                            \
+        }                                                                                                   \
+        attribute static void forward(const Scalar* p, int k, int s, Scalar* x) { K::forward(p, k, s, x); } \
+        attribute static void backward(const Scalar* p, int k, int s, Scalar* x) {                          \
+            K::backward(p, k, s, x);                                                                        \
+        }                                                                                                   \
+        static constexpr FrontKernels<Scalar> set{factor_pivots, solve_rows, form_update, forward,          \
+                                                  backward};                                                \
+    }
+
+DDA_KERNEL_SET(Plain, , 16, 2);
+#if defined(__x86_64__)
+DDA_KERNEL_SET(Avx2, [[gnu::target("avx2,fma")]], 32, 2);
+DDA_KERNEL_SET(Avx512, [[gnu::target("avx512f,avx2,fma")]], 64, 3);
+#endif
+
+}  // namespace
+
+template <class Scalar>
+std::span<const FrontKernels<Scalar>> front_kernels() {
+#if defined(__x86_64__)
+    static const FrontKernels<Scalar> sets[] = {Avx512<Scalar>::set, Avx2<Scalar>::set, Plain<Scalar>::set};
+    const std::span<const FrontKernels<Scalar>> all(sets);
+    static const bool has_avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+    static const bool has_avx512 = has_avx2 && __builtin_cpu_supports("avx512f");
+    return all.subspan(has_avx512 ? 0 : has_avx2 ? 1 : 2);
+#else
+    static const FrontKernels<Scalar> sets[] = {Plain<Scalar>::set};
+    return sets;
+#endif
+}
+
+template std::span<const FrontKernels<float>> front_kernels();
+template std::span<const FrontKernels<double>> front_kernels();
+
+}  // namespace dda

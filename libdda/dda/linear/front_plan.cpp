@@ -1,0 +1,244 @@
+#include "dda/linear/front_plan.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "dda/linear/elimination_tree.hpp"
+
+namespace dda {
+
+namespace {
+
+constexpr int unknowns = 6;
+/// Subtrees above this share of the whole cost are divided further: enough of them for two to four threads to
+/// end together, whatever their number is.
+constexpr double largest_share = 1.0 / 12;
+
+/// Hands out intervals of the work space, first fit, and takes them back.
+class Space {
+  public:
+    explicit Space(std::size_t begin) : end_(begin) {}
+
+    std::size_t take(std::size_t size) {
+        for (std::size_t i = 0; i < free_.size(); ++i) {
+            Interval& gap = free_[i];
+            if (gap.size < size) continue;
+            const std::size_t at = gap.begin;
+            gap.begin += size;
+            gap.size -= size;
+            if (gap.size == 0) free_.erase(free_.begin() + static_cast<long>(i));
+            return at;
+        }
+        const bool last_is_free = !free_.empty() && free_.back().begin + free_.back().size == end_;
+        const std::size_t at = last_is_free ? free_.back().begin : end_;
+        if (last_is_free) free_.pop_back();
+        end_ = at + size;
+        return at;
+    }
+    void give_back(std::size_t begin, std::size_t size) {
+        if (size == 0) return;
+        auto next =
+            std::find_if(free_.begin(), free_.end(), [&](const Interval& gap) { return gap.begin > begin; });
+        next = free_.insert(next, {begin, size});
+        if (const auto after = next + 1; after != free_.end() && next->begin + next->size == after->begin) {
+            next->size += after->size;
+            free_.erase(after);
+        }
+        if (next != free_.begin()) {
+            const auto before = next - 1;
+            if (before->begin + before->size == next->begin) {
+                before->size += next->size;
+                free_.erase(next);
+            }
+        }
+    }
+    std::size_t end() const { return end_; }
+
+  private:
+    struct Interval {
+        std::size_t begin = 0;
+        std::size_t size = 0;
+    };
+    std::vector<Interval> free_;  ///< ascending
+    std::size_t end_;
+};
+
+class Planner {
+  public:
+    Planner(const BlockPattern& pattern, const SupernodeTree& tree, int rows_per_strip)
+        : pattern_(pattern), tree_(tree), rows_per_strip_(static_cast<std::size_t>(rows_per_strip)) {
+        plan_.order = tree.order;
+    }
+
+    FrontPlan plan() {
+        lay_out_fronts();
+        find_targets();
+        find_entries();
+        divide();
+        place_updates();
+        return std::move(plan_);
+    }
+
+  private:
+    std::size_t strips(int blocks) const {
+        return (static_cast<std::size_t>(blocks) * unknowns + rows_per_strip_ - 1) / rows_per_strip_;
+    }
+
+    void lay_out_fronts() {
+        std::vector<std::vector<int>> children(tree_.nodes.size());
+        for (std::size_t f = 0; f < tree_.nodes.size(); ++f) {
+            const int parent = tree_.nodes[f].parent;
+            if (parent >= 0) children[static_cast<std::size_t>(parent)].push_back(static_cast<int>(f));
+        }
+        for (std::size_t f = 0; f < tree_.nodes.size(); ++f) {
+            const Supernode& node = tree_.nodes[f];
+            Front front;
+            front.first = node.first;
+            front.pivots = node.pivots;
+            front.rows = static_cast<int>(node.rows.size());
+            front.parent = node.parent;
+            front.pivot_strips = static_cast<int>(strips(front.pivots));
+            front.row_strips = static_cast<int>(strips(front.rows));
+            front.row_begin = plan_.rows.size();
+            front.child_begin = plan_.children.size();
+            front.panel = plan_.factor_size;
+            front.stride = strips(front.rows) * rows_per_strip_;
+            front.cost = front_cost(front.pivots, front.rows);
+            plan_.factor_size += squares_size(front.pivots, rows_per_strip_);
+            plan_.factor_size += (strips(front.pivots) + strips(front.rows)) * rows_per_strip_ *
+                                 static_cast<std::size_t>(front.pivots) * unknowns;
+            plan_.rows.insert(plan_.rows.end(), node.rows.begin(), node.rows.end());
+            plan_.children.insert(plan_.children.end(), children[f].begin(), children[f].end());
+            plan_.fronts.push_back(front);
+        }
+        Front end;
+        end.row_begin = plan_.rows.size();
+        end.child_begin = plan_.children.size();
+        plan_.fronts.push_back(end);
+    }
+
+    /// The pivot of a front, or the row behind them, that a place is.
+    int index_in(std::size_t f, int place) const {
+        const Front& front = plan_.fronts[f];
+        if (place < front.first + front.pivots) return place - front.first;
+        const auto rows = plan_.rows_of(f);
+        return front.pivots +
+               static_cast<int>(std::lower_bound(rows.begin(), rows.end(), place) - rows.begin());
+    }
+
+    void find_targets() {
+        plan_.targets.reserve(plan_.rows.size());
+        for (std::size_t f = 0; f < plan_.count(); ++f) {
+            for (const int place : plan_.rows_of(f))
+                plan_.targets.push_back(index_in(static_cast<std::size_t>(plan_.fronts[f].parent), place));
+        }
+    }
+
+    int scalar_row(const Front& front, int index) const {
+        if (index < front.pivots) return index * unknowns;
+        return front.pivot_strips * static_cast<int>(rows_per_strip_) + (index - front.pivots) * unknowns;
+    }
+
+    void find_entries() {
+        const std::vector<int> place = places_in(plan_.order);
+        std::vector<std::vector<FrontEntry>> by_column(plan_.order.size());
+        std::vector<std::size_t> front_of(plan_.order.size());
+        for (std::size_t f = 0; f < plan_.count(); ++f) {
+            for (int k = 0; k < plan_.fronts[f].pivots; ++k)
+                front_of[static_cast<std::size_t>(plan_.fronts[f].first + k)] = f;
+        }
+        for (std::size_t i = 0; i < place.size(); ++i) {
+            for (int k = pattern_.start[i]; k < pattern_.start[i + 1]; ++k) {
+                const int a = place[i];
+                const int b = place[static_cast<std::size_t>(pattern_.columns[static_cast<std::size_t>(k)])];
+                const auto column = static_cast<std::size_t>(std::min(a, b));
+                const Front& front = plan_.fronts[front_of[column]];
+                by_column[column].push_back({k, a < b,
+                                             scalar_row(front, index_in(front_of[column], std::max(a, b))),
+                                             static_cast<int>(column) - front.first});
+            }
+        }
+        plan_.entries.reserve(pattern_.columns.size());
+        for (std::size_t f = 0; f < plan_.count(); ++f) {
+            Front& front = plan_.fronts[f];
+            front.entry_begin = plan_.entries.size();
+            for (int k = 0; k < front.pivots; ++k) {
+                const auto& entries = by_column[static_cast<std::size_t>(front.first + k)];
+                plan_.entries.insert(plan_.entries.end(), entries.begin(), entries.end());
+            }
+        }
+        plan_.fronts.back().entry_begin = plan_.entries.size();
+    }
+
+    /// Finds the subtrees: the largest that cost no more than their share.
+    void divide() {
+        const std::size_t count = plan_.count();
+        std::vector<double> cost(count);
+        std::vector<int> first(count);  // front of the subtree
+        for (std::size_t f = 0; f < count; ++f) {
+            cost[f] += plan_.fronts[f].cost;
+            first[f] = plan_.children_of(f).empty()
+                           ? static_cast<int>(f)
+                           : first[static_cast<std::size_t>(plan_.children_of(f)[0])];
+            const int parent = plan_.fronts[f].parent;
+            if (parent >= 0) cost[static_cast<std::size_t>(parent)] += cost[f];
+        }
+        for (std::size_t f = 0; f < count; ++f) plan_.cost += plan_.fronts[f].cost;
+        const double limit = plan_.cost * largest_share;
+        for (std::size_t f = 0; f < count; ++f) {
+            const int parent = plan_.fronts[f].parent;
+            if (cost[f] > limit)
+                plan_.top.push_back(static_cast<int>(f));
+            else if (parent < 0 || cost[static_cast<std::size_t>(parent)] > limit)
+                plan_.subtrees.push_back({first[f], static_cast<int>(f) + 1, cost[f]});
+        }
+        std::stable_sort(plan_.subtrees.begin(), plan_.subtrees.end(),
+                         [](const Subtree& a, const Subtree& b) { return a.cost > b.cost; });
+    }
+
+    /// Takes a place for the front's update, then gives back its children's that are in the same space.
+    template <class InSpace>
+    void place_update(int f, Space& space, const InSpace& in_space) {
+        Front& front = plan_.fronts[static_cast<std::size_t>(f)];
+        front.update = space.take(size_of_update(front));
+        for (const int child : plan_.children_of(static_cast<std::size_t>(f))) {
+            const Front& below = plan_.fronts[static_cast<std::size_t>(child)];
+            if (in_space(child)) space.give_back(below.update, size_of_update(below));
+        }
+    }
+
+    /// Each subtree has a space of its own, so that threads do not meet. The updates of the subtrees' roots
+    /// stay to the end; those of the fronts above make room as soon as they are added to the parent's.
+    void place_updates() {
+        for (const Subtree& subtree : plan_.subtrees) {
+            Space space(plan_.work_size);
+            for (int f = subtree.begin; f < subtree.end; ++f)
+                place_update(f, space, [](int) { return true; });
+            plan_.work_size = space.end();
+        }
+        Space space(plan_.work_size);
+        std::vector<char> in_top(plan_.count(), 0);
+        for (const int f : plan_.top) {
+            in_top[static_cast<std::size_t>(f)] = 1;
+            place_update(f, space, [&](int child) { return in_top[static_cast<std::size_t>(child)] != 0; });
+        }
+        plan_.work_size = space.end();
+    }
+
+    static std::size_t size_of_update(const Front& front) {
+        return front.stride * static_cast<std::size_t>(front.rows) * unknowns;
+    }
+
+    const BlockPattern& pattern_;
+    const SupernodeTree& tree_;
+    std::size_t rows_per_strip_;
+    FrontPlan plan_;
+};
+
+}  // namespace
+
+FrontPlan plan_fronts(const BlockPattern& pattern, const SupernodeTree& tree, int rows_per_strip) {
+    return Planner(pattern, tree, rows_per_strip).plan();
+}
+
+}  // namespace dda

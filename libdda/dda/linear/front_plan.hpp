@@ -1,0 +1,91 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "dda/linear/supernodes.hpp"
+
+namespace dda {
+
+/// Scalars in a strip: the rows of a front's panel are stored in strips of 64 bytes, see front_kernels.hpp.
+template <class Scalar>
+inline constexpr int strip_rows = 64 / static_cast<int>(sizeof(Scalar));
+
+/// Scalars before a panel's strips: the factors of its 6x6 submatrices on the diagonal, in whole strips.
+constexpr std::size_t squares_size(int pivots, std::size_t rows_per_strip) {
+    return (static_cast<std::size_t>(pivots) * 36 + rows_per_strip - 1) / rows_per_strip * rows_per_strip;
+}
+template <class Scalar>
+constexpr std::size_t squares_size(int pivots) {
+    return squares_size(pivots, strip_rows<Scalar>);
+}
+
+/// A submatrix of the step's matrix, where it goes in a front.
+struct FrontEntry {
+    int source = 0;           ///< index into BlockMatrix::upper; into ::diagonal for an entry on the diagonal
+    bool transposed = false;  ///< it is the source's transpose
+    int row = 0;              ///< scalar row of the panel
+    int column = 0;           ///< block column of the panel
+};
+
+/// A supernode's place in the work space. Its panel holds the columns that it eliminates: its pivots' rows,
+/// filled up to whole strips, then the rows that it reaches, likewise. Its update is what the elimination
+/// takes from the rows that it reaches, added to its parent's panel and update.
+struct Front {
+    int first = 0;   ///< place of its first block in the order
+    int pivots = 0;  ///< blocks that it eliminates
+    int rows = 0;    ///< later blocks that it reaches
+    int parent = -1;
+    int pivot_strips = 0;
+    int row_strips = 0;
+    std::size_t row_begin = 0;    ///< into FrontPlan::rows and ::targets
+    std::size_t entry_begin = 0;  ///< into FrontPlan::entries
+    std::size_t child_begin = 0;  ///< into FrontPlan::children
+    std::size_t panel = 0;        ///< offset in the factor, scalars
+    std::size_t update = 0;       ///< offset in the work space, scalars: a dense square, columns of `stride`
+    std::size_t stride = 0;       ///< scalars
+    double cost = 0;              ///< ns, predicted
+};
+
+/// Fronts whose subtrees a thread can work through without asking others: fronts [begin, end).
+struct Subtree {
+    int begin = 0;
+    int end = 0;
+    double cost = 0;  ///< ns, predicted
+};
+
+/// Everything about a factorisation that depends on the pattern alone: fronts in the order of elimination,
+/// where their entries come from, and where everything is kept.
+struct FrontPlan {
+    std::vector<int> order;           ///< order[k] is the block eliminated k-th
+    std::vector<Front> fronts;        ///< one more than there are: the last one's *_begin are the ends
+    std::vector<int> rows;            ///< of each front: places of the blocks that it reaches, ascending
+    std::vector<int> targets;         ///< beside `rows`: which pivot or row of the parent, counted through
+    std::vector<FrontEntry> entries;  ///< by front
+    std::vector<int> children;        ///< by front
+    std::vector<Subtree> subtrees;    ///< independent of each other, the dearest first
+    std::vector<int> top;             ///< the fronts above them, ascending
+    double cost = 0;                  ///< ns, predicted
+    std::size_t factor_size = 0;      ///< scalars
+    std::size_t work_size = 0;        ///< scalars
+
+    std::size_t count() const { return fronts.size() - 1; }
+    std::span<const int> rows_of(std::size_t f) const {
+        return {rows.data() + fronts[f].row_begin, static_cast<std::size_t>(fronts[f].rows)};
+    }
+    std::span<const int> targets_of(std::size_t f) const {
+        return {targets.data() + fronts[f].row_begin, static_cast<std::size_t>(fronts[f].rows)};
+    }
+    std::span<const int> children_of(std::size_t f) const {
+        return {children.data() + fronts[f].child_begin, fronts[f + 1].child_begin - fronts[f].child_begin};
+    }
+    std::span<const FrontEntry> entries_of(std::size_t f) const {
+        return {entries.data() + fronts[f].entry_begin, fronts[f + 1].entry_begin - fronts[f].entry_begin};
+    }
+};
+
+/// @param rows_per_strip strip_rows of the factor's scalar.
+FrontPlan plan_fronts(const BlockPattern& pattern, const SupernodeTree& tree, int rows_per_strip);
+
+}  // namespace dda

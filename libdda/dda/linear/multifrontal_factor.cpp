@@ -1,0 +1,253 @@
+#include "dda/linear/multifrontal_factor.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <functional>
+#include <limits>
+
+#include "dda/linear/front_kernels.hpp"
+
+namespace dda {
+
+namespace {
+
+constexpr int unknowns = 6;
+
+/// Adds a 6x6 submatrix, column c at source + c * stride, to a panel's strips.
+template <class Scalar, class Source>
+void add_to_strips(Scalar* strips, int row, int block_column, int columns, const Source& source) {
+    constexpr int w = strip_rows<Scalar>;
+    for (int r = 0; r < unknowns;) {
+        const int in_strip = (row + r) % w;
+        const int count = std::min(unknowns - r, w - in_strip);
+        Scalar* at = strips + static_cast<std::ptrdiff_t>((row + r) / w) * w * columns +
+                     static_cast<std::ptrdiff_t>(block_column) * unknowns * w + in_strip;
+        for (int c = 0; c < unknowns; ++c, at += w) {
+            for (int k = 0; k < count; ++k) at[k] += source(r + k, c);
+        }
+        r += count;
+    }
+}
+
+/// ns of predicted work below which handing some of it to another thread (about 10 us) does not pay.
+constexpr double least_shared_cost = 1e5;
+
+/// Calls body(index) for each index in [0, count), the next one by whichever thread is free.
+template <class Body>
+void for_tasks(const Crew& crew, std::size_t count, const Body& body) {
+    std::atomic<std::size_t> next{0};
+    const auto take_turns = [&](std::size_t, std::size_t) {
+        for (std::size_t k = next++; k < count; k = next++) body(k);
+    };
+    // One range for each thread; how long they are does not matter.
+    crew.for_ranges(std::numeric_limits<std::uint16_t>::max(), std::ref(take_turns));
+}
+
+/// Calls body(begin, end) for portions of [0, count).
+template <class Body>
+void share(const Crew& crew, double cost, int count, const Body& body) {
+    constexpr int portion = 8;
+    if (crew.size() == 1 || cost < least_shared_cost) {
+        if (count > 0) body(0, count);
+        return;
+    }
+    const auto part = [&](std::size_t k) {
+        const int begin = static_cast<int>(k) * portion;
+        body(begin, std::min(begin + portion, count));
+    };
+    for_tasks(crew, static_cast<std::size_t>((count + portion - 1) / portion), part);
+}
+
+}  // namespace
+
+template <class Scalar>
+void MultifrontalFactor<Scalar>::analyze(const BlockPattern& pattern, const SupernodeTree& tree) {
+    plan_ = plan_fronts(pattern, tree, strip_rows<Scalar>);
+    factor_.resize(plan_.factor_size);
+    work_.resize(plan_.work_size);
+    std::size_t tallest = 0;
+    for (const Front& front : plan_.fronts)
+        tallest = std::max(tallest, static_cast<std::size_t>(front.pivot_strips + front.row_strips));
+    front_solution_.resize(tallest * strip_rows<Scalar>);
+    solution_.resize(plan_.order.size() * unknowns);
+}
+
+template <class Scalar>
+void MultifrontalFactor<Scalar>::assemble_panel(const BlockMatrix& matrix, std::size_t f) {
+    const Front& front = plan_.fronts[f];
+    const int columns = front.pivots * unknowns;
+    Scalar* strips = panel(front) + squares_size<Scalar>(front.pivots);
+    std::fill_n(
+        strips,
+        static_cast<std::ptrdiff_t>(front.pivot_strips + front.row_strips) * strip_rows<Scalar> * columns,
+        Scalar(0));
+    for (int k = 0; k < front.pivots; ++k) {
+        const auto block = static_cast<std::size_t>(plan_.order[static_cast<std::size_t>(front.first + k)]);
+        const Mat6& diagonal = matrix.diagonal[block];
+        add_to_strips(strips, k * unknowns, k, columns,
+                      [&](int r, int c) { return static_cast<Scalar>(diagonal(r, c)); });
+    }
+    for (const FrontEntry& entry : plan_.entries_of(f)) {
+        const Mat6& upper = matrix.upper[static_cast<std::size_t>(entry.source)];
+        if (entry.transposed)
+            add_to_strips(strips, entry.row, entry.column, columns,
+                          [&](int r, int c) { return static_cast<Scalar>(upper(c, r)); });
+        else
+            add_to_strips(strips, entry.row, entry.column, columns,
+                          [&](int r, int c) { return static_cast<Scalar>(upper(r, c)); });
+    }
+}
+
+template <class Scalar>
+void MultifrontalFactor<Scalar>::add_updates_to_panel(std::size_t f) {
+    const Front& front = plan_.fronts[f];
+    const int columns = front.pivots * unknowns;
+    Scalar* strips = panel(front) + squares_size<Scalar>(front.pivots);
+    for (const int c : plan_.children_of(f)) {
+        const Front& child = plan_.fronts[static_cast<std::size_t>(c)];
+        const std::span<const int> targets = plan_.targets_of(static_cast<std::size_t>(c));
+        for (std::size_t j = 0; j < targets.size() && targets[j] < front.pivots; ++j) {
+            const Scalar* column = work_.data() + child.update + j * unknowns * child.stride;
+            for (std::size_t i = j; i < targets.size(); ++i) {
+                const int row = targets[i] < front.pivots ? targets[i] * unknowns
+                                                          : front.pivot_strips * strip_rows<Scalar> +
+                                                                (targets[i] - front.pivots) * unknowns;
+                const Scalar* source = column + i * unknowns;
+                add_to_strips(strips, row, targets[j], columns, [&](int r, int q) {
+                    return source[static_cast<std::size_t>(q) * child.stride + static_cast<std::size_t>(r)];
+                });
+            }
+        }
+    }
+}
+
+template <class Scalar>
+void MultifrontalFactor<Scalar>::add_updates_to_update(std::size_t f) {
+    const Front& front = plan_.fronts[f];
+    for (const int c : plan_.children_of(f)) {
+        const Front& child = plan_.fronts[static_cast<std::size_t>(c)];
+        const std::span<const int> targets = plan_.targets_of(static_cast<std::size_t>(c));
+        const auto first = static_cast<std::size_t>(
+            std::lower_bound(targets.begin(), targets.end(), front.pivots) - targets.begin());
+        for (std::size_t j = first; j < targets.size(); ++j) {
+            const Scalar* from = work_.data() + child.update + j * unknowns * child.stride;
+            Scalar* to = work_.data() + front.update +
+                         static_cast<std::size_t>(targets[j] - front.pivots) * unknowns * front.stride;
+            for (std::size_t i = j; i < targets.size();) {  // rows that are neighbours in both
+                std::size_t end = i + 1;
+                while (end < targets.size() && targets[end] == targets[end - 1] + 1) ++end;
+                const Scalar* source = from + i * unknowns;
+                Scalar* target = to + static_cast<std::size_t>(targets[i] - front.pivots) * unknowns;
+                const std::size_t count = (end - i) * unknowns;
+                for (int q = 0; q < unknowns; ++q, source += child.stride, target += front.stride) {
+                    for (std::size_t k = 0; k < count; ++k) target[k] += source[k];
+                }
+                i = end;
+            }
+        }
+    }
+}
+
+template <class Scalar>
+bool MultifrontalFactor<Scalar>::eliminate(std::size_t f, const Crew& crew) {
+    const FrontKernels<Scalar>& kernels = front_kernels<Scalar>().front();
+    const Front& front = plan_.fronts[f];
+    if (!kernels.factor_pivots(panel(front), front.pivots)) return false;
+    const auto strips = [&](int begin, int end) {
+        kernels.solve_rows(panel(front), front.pivots, begin, end);
+    };
+    const auto columns = [&](int begin, int end) {
+        kernels.form_update(panel(front), front.pivots, front.row_strips, work_.data() + front.update,
+                            static_cast<long>(front.stride), begin, end);
+    };
+    share(crew, front.cost, front.row_strips, strips);
+    share(crew, front.cost, front.rows, columns);
+    return true;
+}
+
+template <class Scalar>
+bool MultifrontalFactor<Scalar>::work_through(std::size_t f, const BlockMatrix& matrix, const Crew& crew) {
+    assemble_panel(matrix, f);
+    add_updates_to_panel(f);
+    if (!eliminate(f, crew)) return false;
+    add_updates_to_update(f);
+    return true;
+}
+
+template <class Scalar>
+bool MultifrontalFactor<Scalar>::factorize(const BlockMatrix& matrix, const Crew& crew) {
+    const Crew alone(1);
+    std::atomic<bool> definite{true};
+    const auto work_through_subtree = [&](std::size_t s) {
+        const Subtree& subtree = plan_.subtrees[s];
+        for (int f = subtree.begin; f < subtree.end && definite; ++f) {
+            if (!work_through(static_cast<std::size_t>(f), matrix, alone)) definite = false;
+        }
+    };
+    if (plan_.cost < least_shared_cost) {
+        for (std::size_t s = 0; s < plan_.subtrees.size(); ++s) work_through_subtree(s);
+    } else {
+        for_tasks(crew, plan_.subtrees.size(), work_through_subtree);
+    }
+    for (std::size_t k = 0; k < plan_.top.size() && definite; ++k) {
+        if (!work_through(static_cast<std::size_t>(plan_.top[k]), matrix, crew)) definite = false;
+    }
+    return definite;
+}
+
+template <class Scalar>
+Scalar* MultifrontalFactor<Scalar>::gather(std::size_t f) {
+    const Front& front = plan_.fronts[f];
+    const int padded = front.pivot_strips * strip_rows<Scalar>;
+    Scalar* x = front_solution_.data();
+    std::fill_n(x, padded + front.row_strips * strip_rows<Scalar>, Scalar(0));
+    std::copy_n(solution_.data() + static_cast<std::ptrdiff_t>(front.first) * unknowns,
+                front.pivots * unknowns, x);
+    Scalar* at = x + padded;
+    for (const int row : plan_.rows_of(f)) {
+        std::copy_n(solution_.data() + static_cast<std::ptrdiff_t>(row) * unknowns, unknowns, at);
+        at += unknowns;
+    }
+    return x;
+}
+
+template <class Scalar>
+void MultifrontalFactor<Scalar>::scatter(std::size_t f) {
+    const Front& front = plan_.fronts[f];
+    const Scalar* x = front_solution_.data();
+    std::copy_n(x, front.pivots * unknowns,
+                solution_.data() + static_cast<std::ptrdiff_t>(front.first) * unknowns);
+    const Scalar* at = x + front.pivot_strips * strip_rows<Scalar>;
+    for (const int row : plan_.rows_of(f)) {
+        std::copy_n(at, unknowns, solution_.data() + static_cast<std::ptrdiff_t>(row) * unknowns);
+        at += unknowns;
+    }
+}
+
+template <class Scalar>
+void MultifrontalFactor<Scalar>::solve(std::span<Vec6> x) {
+    const FrontKernels<Scalar>& kernels = front_kernels<Scalar>().front();
+    using Block = Eigen::Matrix<Scalar, unknowns, 1>;
+    for (std::size_t k = 0; k < plan_.order.size(); ++k)
+        Eigen::Map<Block>(solution_.data() + k * unknowns) =
+            x[static_cast<std::size_t>(plan_.order[k])].template cast<Scalar>();
+    for (std::size_t f = 0; f < plan_.count(); ++f) {
+        const Front& front = plan_.fronts[f];
+        kernels.forward(panel(front), front.pivots, front.pivot_strips + front.row_strips, gather(f));
+        scatter(f);
+    }
+    for (std::size_t f = plan_.count(); f-- > 0;) {
+        const Front& front = plan_.fronts[f];
+        kernels.backward(panel(front), front.pivots, front.pivot_strips + front.row_strips, gather(f));
+        std::copy_n(front_solution_.data(), front.pivots * unknowns,
+                    solution_.data() + static_cast<std::ptrdiff_t>(front.first) * unknowns);
+    }
+    for (std::size_t k = 0; k < plan_.order.size(); ++k)
+        x[static_cast<std::size_t>(plan_.order[k])] =
+            Eigen::Map<const Block>(solution_.data() + k * unknowns).template cast<double>();
+}
+
+template class MultifrontalFactor<float>;
+template class MultifrontalFactor<double>;
+
+}  // namespace dda

@@ -1,0 +1,30 @@
+#include "dda/linear/multifrontal_solver.hpp"
+
+#include "dda/linear/multifrontal_factor.hpp"
+
+namespace dda {
+
+namespace {
+
+class MultifrontalSolver final : public LinearSolver {
+  public:
+    explicit MultifrontalSolver(const Crew& crew) : crew_(crew) {}
+
+    void analyze(const BlockPattern& pattern) override {
+        factor_.analyze(pattern, find_supernodes(pattern, fill_reducing_order(pattern)));
+    }
+    bool factorize(const BlockMatrix& matrix) override { return factor_.factorize(matrix, crew_); }
+    void solve(std::vector<Vec6>& right_hand_side) override { factor_.solve(right_hand_side); }
+
+  private:
+    const Crew& crew_;
+    MultifrontalFactor<double> factor_;
+};
+
+}  // namespace
+
+std::unique_ptr<LinearSolver> make_multifrontal_solver(const Crew& crew) {
+    return std::make_unique<MultifrontalSolver>(crew);
+}
+
+}  // namespace dda

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "dda/contact/find_contacts.hpp"
+#include "dda/terms/springs.hpp"
+#include "support/scene.hpp"
+
+namespace scene {
+
+/// The linear system of a scene's first step.
+struct StepSystem {
+    dda::BlockPattern pattern;
+    dda::BlockMatrix matrix;
+    std::vector<Vec6> load;
+};
+
+/// The system of a step of `dt` with every contact that touches locked, except where `open` says so.
+inline StepSystem step_system(
+    const dda::Model& model, double dt,
+    const std::function<bool(std::size_t)>& open = [](std::size_t) { return false; }) {
+    const dda::Crew crew(1);
+    const dda::RowMap rows(model.motion);
+    const dda::State state = dda::initial_state(model);
+    const std::vector<Vec6> still(state.blocks.velocity.size(), Vec6::Zero());
+    const dda::MidStep mid = dda::predict_mid_step(model, state.blocks, still);
+    const dda::ContactSet contacts = dda::find_contacts(
+        model, state.contacts, {state.blocks.vertices, mid.vertices, {}, 1e-3, 1, 1e-9, dt, true}, crew);
+    const auto springs = dda::contact_springs(model, rows, mid, still, contacts.contacts, crew);
+
+    StepSystem system;
+    std::vector<std::pair<int, int>> pairs;
+    for (const auto& s : springs) {
+        if (s.rows.first >= 0 && s.rows.second >= 0) pairs.emplace_back(s.rows.first, s.rows.second);
+    }
+    system.pattern = dda::BlockPattern::from_pairs(rows.count(), std::move(pairs));
+    dda::BaseSystem base;
+    base.stiffness.assign(static_cast<std::size_t>(rows.count()), dda::Mat6::Zero());
+    base.load.assign(static_cast<std::size_t>(rows.count()), Vec6::Zero());
+    dda::add_inertia(rows, state.blocks, {0.5, 1, dt}, 0, base);
+    dda::add_elasticity(model, rows, state.blocks, dt, base);
+    dda::add_fixed_points(model, rows, state.blocks, mid, base);
+    for (std::size_t r = 0; r < base.load.size(); ++r) {
+        const auto b = static_cast<std::size_t>(rows.block_of[r]);
+        base.load[r].head<2>() += state.blocks.mass[b] * model.gravity;
+    }
+    system.matrix.reset(system.pattern);
+    system.matrix.diagonal = base.stiffness;
+    system.load = base.load;
+    for (std::size_t k = 0; k < springs.size(); ++k) {
+        if (open(k)) continue;
+        springs[k].rows.add_stiffness(springs[k].normal, springs[k].normal_stiffness, system.pattern,
+                                      system.matrix);
+        springs[k].rows.add_stiffness(springs[k].shear, springs[k].shear_stiffness, system.pattern,
+                                      system.matrix);
+    }
+    return system;
+}
+
+}  // namespace scene
