@@ -64,6 +64,10 @@ refused "peak must be positive" scale "$record" -o a.at2 --peak nan
 refused "later one" trim "$record" -o a.at2 --from 3 --to 2
 refused "step" resample "$record" -o a.at2
 refused "10000000 samples" resample "$record" -o a.at2 --step 0
+expect 'duration 2 s' trim "$record" -o part.at2 --to 2
+expect 'duration 2 s' rotate "$record" part.at2 -o a.at2 --azimuth 0 --azimuth 90 --section 2 2>cut.txt
+grep -q '20 s and 2 s: the longer one is cut' cut.txt || fail "rotate does not say what it cuts: $(cat cut.txt)"
+rm -- *
 refused "azimuth twice" rotate "$record" "$record" -o a.at2 --azimuth 1 --section 2
 refused "off one line" rotate "$record" "$record" -o a.at2 --azimuth 1 --azimuth 181 --section 2
 refused "corner frequency" correct "$record" -o a.at2 --high-pass 200

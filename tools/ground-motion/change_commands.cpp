@@ -211,6 +211,9 @@ int run_rotate(const std::vector<std::string>& arguments) {
     change.apply = [&](const Request&, std::vector<dda::Accelerogram> records) {
         if (azimuths.size() != 2)
             throw std::invalid_argument("rotate needs --azimuth twice, once for each file");
+        if (records[0].values.size() != records[1].values.size())
+            std::fprintf(stderr, "the components last %.10g s and %.10g s: the longer one is cut\n",
+                         records[0].duration(), records[1].duration());
         return dda::rotated({records[0], azimuths[0]}, {records[1], azimuths[1]}, section);
     };
     return perform(change, arguments);

@@ -4,8 +4,6 @@
 #include <cctype>
 #include <cmath>
 
-#include "blockgen/base/text.hpp"
-
 namespace dda {
 
 namespace {
@@ -35,7 +33,7 @@ std::optional<FieldLayout> stated_layout(std::string_view line) {
         std::size_t at = open + 1;
         FieldLayout layout;
         layout.per_line = small_number(line, at);
-        if (at >= line.size() || std::string_view("IiFfEeGg").find(line[at]) == std::string_view::npos)
+        if (at >= line.size() || std::string_view("IiFfEeGgDd").find(line[at]) == std::string_view::npos)
             continue;
         layout.width = small_number(line, ++at);
         if (layout.per_line > 0 && layout.width > 0) return layout;
@@ -44,9 +42,7 @@ std::optional<FieldLayout> stated_layout(std::string_view line) {
 }
 
 std::optional<double> field_number(std::string_view field) {
-    std::string_view text = trimmed(field);
-    if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
-    return blockgen::parse_number(text);
+    return sample_number(trimmed(field));
 }
 
 std::optional<std::size_t> field_count(std::string_view field) {

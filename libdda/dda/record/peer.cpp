@@ -53,7 +53,7 @@ std::vector<double> numbers_of(const RecordLines& lines, std::size_t count) {
     std::vector<double> values;
     for (std::size_t i = header_lines; i < lines.size(); ++i) {
         for (const std::string_view word : words_of(lines[i])) {
-            const auto value = blockgen::parse_number(word);
+            const auto value = sample_number(word);
             if (!value && values.size() == count) return values;
             if (!value)
                 lines.fail(

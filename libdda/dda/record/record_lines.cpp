@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "blockgen/base/text.hpp"
+
 namespace dda {
 
 RecordLines::RecordLines(std::string_view text, std::string file_name)
@@ -59,6 +61,15 @@ std::string_view trimmed(std::string_view text) {
     const std::size_t start = text.find_first_not_of(" \t");
     if (start == std::string_view::npos) return {};
     return text.substr(start, text.find_last_not_of(" \t") - start + 1);
+}
+
+std::optional<double> sample_number(std::string_view text) {
+    if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
+    const std::size_t exponent = text.find_first_of("Dd");
+    if (exponent == std::string_view::npos) return blockgen::parse_number(text);
+    std::string spelt(text);
+    spelt[exponent] = 'E';
+    return blockgen::parse_number(spelt);
 }
 
 std::string lower_case(std::string_view text) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -38,6 +39,10 @@ std::vector<std::string> csv_fields(std::string_view line);
 
 /// Without the blanks and tabs at both ends.
 std::string_view trimmed(std::string_view text);
+
+/// The number that the whole of `text` spells, as Fortran writes it too: with a plus sign in front, with D
+/// for its exponent. Nothing when it spells none, or is not finite.
+std::optional<double> sample_number(std::string_view text);
 
 std::string lower_case(std::string_view text);
 

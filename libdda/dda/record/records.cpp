@@ -64,6 +64,9 @@ const RecordFormat& recognised_format(const RecordLines& lines) {
         if (format->recognises(lines)) return *format;
         known += (known.empty() ? "" : ", ") + std::string(format->name);
     }
+    if (lines.bytes().starts_with("\x1f\x8b") || lines.bytes().starts_with("PK\x03\x04"))
+        throw blockgen::InputError({lines.file_name()}, "is compressed",
+                                   "the file that gunzip or unzip makes of it");
     const bool binary = lines.bytes().substr(0, 4096).find('\0') != std::string_view::npos;
     throw blockgen::InputError(
         {lines.file_name(), binary ? 0 : 1},

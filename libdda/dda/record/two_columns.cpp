@@ -33,8 +33,8 @@ struct Row {
 std::optional<Row> row_of(std::string_view line) {
     const auto words = words_of(line, separators);
     if (words.size() != 2) return std::nullopt;
-    const auto time = blockgen::parse_number(words[0]);
-    const auto value = blockgen::parse_number(words[1]);
+    const auto time = sample_number(words[0]);
+    const auto value = sample_number(words[1]);
     if (!time || !value) return std::nullopt;
     return Row{*time, *value};
 }

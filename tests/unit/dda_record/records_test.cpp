@@ -37,6 +37,19 @@ TEST(Records, PeerHeadersInAllThreeSpellings) {
     }
 }
 
+TEST(Records, NumbersAsFortranWritesThem) {
+    const Record record = parse_record(peer(in_g, "NPTS= 3, DT= .01 SEC", "-.2D-01 +.5d+00 1.D0"), "r");
+    EXPECT_DOUBLE_EQ(record.values[0], -0.02 * g);
+    EXPECT_DOUBLE_EQ(record.values[1], 0.5 * g);
+    EXPECT_DOUBLE_EQ(record.values[2], g);
+    const Record columns = parse_record("time (s),acceleration (m/s2)\n0,1D-1\n1D0,-2.5d0\n", "r");
+    EXPECT_DOUBLE_EQ(columns.values[1], -2.5);
+    for (const char* bad : {"D", "1D", "1D2D3", "1DE2", "+-1", "0x1D"})
+        EXPECT_THAT(error_in(peer(in_g, "NPTS= 2, DT= .01 SEC", std::string("1 ") + bad)),
+                    HasSubstr("not a finite number"))
+            << bad;
+}
+
 TEST(Records, PeerVelocityAndDisplacement) {
     const std::string sampling = "NPTS= 2, DT= .01 SEC";
     const Record v = parse_record(peer("VELOCITY TIME SERIES IN UNITS OF CM/S", sampling, "1 2"), "r");
@@ -143,6 +156,8 @@ TEST(Records, UnknownContentIsRefused) {
     for (const char* text : {"", "\n", "# only a comment\n", "hello\nworld\n", "{\"a\": 1}"})
         EXPECT_THAT(error_in(text), HasSubstr("no known record format")) << text;
     EXPECT_THAT(error_in(std::string("000001D \0\0", 10)), HasSubstr("binary file"));
+    EXPECT_THAT(error_in(std::string("\x1f\x8b\x08\0\0", 5)), HasSubstr("expected the file that gunzip"));
+    EXPECT_THAT(error_in(std::string("PK\x03\x04\0", 5)), HasSubstr("is compressed"));
 }
 
 TEST(Records, MiniSeedIsRefusedWithTheWayOut) {
