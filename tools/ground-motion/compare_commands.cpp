@@ -137,11 +137,14 @@ std::string table_text(const std::vector<dda::Amplification>& table) {
     return text;
 }
 
+constexpr double drawn_base = 0.05;  // of the base's largest Fourier amplitude; below, the ratio says nothing
+
 blockgen::Canvas ratio_picture(const std::vector<dda::Amplification>& table, const std::string& title) {
     PictureCurve response{"response spectra", {}, {}}, fourier{"Fourier spectra, smoothed", {}, {}};
     for (const dda::Amplification& a : table) {
         response.x.push_back(a.period);
         response.y.push_back(a.response_ratio());
+        if (a.base_fourier < drawn_base) continue;
         fourier.x.push_back(a.period);
         fourier.y.push_back(a.fourier_ratio);
     }

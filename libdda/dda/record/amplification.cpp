@@ -69,11 +69,15 @@ std::vector<Amplification> amplification(const Accelerogram& point, const Accele
     const auto bottom_response = response_spectrum(base, periods, damping);
     const double length = static_cast<double>(size) * step;
     std::vector<Amplification> table;
-    for (std::size_t k = 0; k < periods.size(); ++k)
+    double largest = 0;
+    for (std::size_t k = 0; k < periods.size(); ++k) {
+        const double base_amplitude = smoothed(bottom_amplitudes, length / periods[k]);
         table.push_back({periods[k], top_response[k].absolute_acceleration,
                          bottom_response[k].absolute_acceleration,
-                         smoothed(top_amplitudes, length / periods[k]) /
-                             smoothed(bottom_amplitudes, length / periods[k])});
+                         smoothed(top_amplitudes, length / periods[k]) / base_amplitude, base_amplitude});
+        largest = std::max(largest, base_amplitude);
+    }
+    for (Amplification& a : table) a.base_fourier = largest > 0 ? a.base_fourier / largest : 0;
     return table;
 }
 

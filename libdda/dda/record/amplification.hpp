@@ -13,6 +13,8 @@ struct Amplification {
     double response = 0;       ///< m/s2, absolute acceleration of an oscillator on the point
     double base_response = 0;  ///< m/s2, on the other
     double fourier_ratio = 0;  ///< of smoothed Fourier amplitudes
+    double base_fourier = 0;   ///< of the other, smoothed, over its largest at these periods: where it is
+                               ///< small, the ratio says nothing
 
     double response_ratio() const { return response / base_response; }
 };

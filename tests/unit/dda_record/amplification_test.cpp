@@ -8,6 +8,7 @@
 #include "dda/record/response_spectrum.hpp"
 #include "dda/record/scale.hpp"
 #include "dda/record/synthesise.hpp"
+#include "dda/record/wavelets.hpp"
 
 namespace dda {
 namespace {
@@ -36,6 +37,19 @@ TEST(Amplification, OfAnOscillatorIsItsTransferFunction) {
         const double r = 0.5 / a.period, w = 4 * damping * damping * r * r;
         const double expected = std::sqrt((1 + w) / ((1 - r * r) * (1 - r * r) + w));
         EXPECT_NEAR(a.fourier_ratio, expected, (a.period == 0.5 ? 0.12 : 0.06) * expected) << a.period;
+    }
+}
+
+// A burst at 2 Hz has its largest amplitude at 0.5 s and next to nothing at 0.1 s.
+TEST(Amplification, TellsWhereTheBaseHardlyMoves) {
+    const Accelerogram base = sine_burst(3, 2, 10, 0.005);
+    for (const Amplification& a : amplification(base, base, periods, 0.05)) {
+        if (a.period == 0.5) {
+            EXPECT_DOUBLE_EQ(a.base_fourier, 1);
+        }
+        if (a.period == 0.1) {
+            EXPECT_LT(a.base_fourier, 0.01);
+        }
     }
 }
 
