@@ -168,10 +168,14 @@ struct Kernels {
                                      Scalar* update, long stride) {
         Vector sum[R][unknowns] = {};
         take_product<R>(sum, rows, first_vector, rows, column, columns, columns);
+        const auto j = static_cast<std::size_t>(column / unknowns);
+        const auto first_row = static_cast<int>(first_update_row(j, w));
+        Scalar* kept = update + update_column(j, static_cast<std::size_t>(stride), w);
         for (int r = 0; r < R; ++r) {
+            if ((first_vector + r) * lanes < first_row) continue;
 #pragma GCC unroll 6
             for (int q = 0; q < unknowns; ++q) {
-                Scalar* at = update + (column + q) * stride + static_cast<long>(first_vector + r) * lanes;
+                Scalar* at = kept + q * (stride - first_row) + static_cast<long>(first_vector + r) * lanes;
                 *reinterpret_cast<Vector*>(at) = sum[r][q];
             }
         }

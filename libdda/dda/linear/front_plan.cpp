@@ -17,8 +17,6 @@ constexpr double largest_share = 1.0 / 12;
 /// Hands out intervals of the work space, first fit, and takes them back.
 class Space {
   public:
-    explicit Space(std::size_t begin) : end_(begin) {}
-
     std::size_t take(std::size_t size) {
         for (std::size_t i = 0; i < free_.size(); ++i) {
             Interval& gap = free_[i];
@@ -60,7 +58,7 @@ class Space {
         std::size_t size = 0;
     };
     std::vector<Interval> free_;  ///< ascending
-    std::size_t end_;
+    std::size_t end_ = 0;
 };
 
 class Planner {
@@ -196,37 +194,37 @@ class Planner {
                          [](const Subtree& a, const Subtree& b) { return a.cost > b.cost; });
     }
 
-    /// Takes a place for the front's update, then gives back its children's that are in the same space.
-    template <class InSpace>
-    void place_update(int f, Space& space, const InSpace& in_space) {
-        Front& front = plan_.fronts[static_cast<std::size_t>(f)];
+    /// Takes a place for the front's update, then gives back its children's.
+    void place_update(std::size_t f, Space& space) {
+        Front& front = plan_.fronts[f];
         front.update = space.take(size_of_update(front));
-        for (const int child : plan_.children_of(static_cast<std::size_t>(f))) {
+        for (const int child : plan_.children_of(f)) {
             const Front& below = plan_.fronts[static_cast<std::size_t>(child)];
-            if (in_space(child)) space.give_back(below.update, size_of_update(below));
+            space.give_back(below.update, size_of_update(below));
         }
     }
 
-    /// Each subtree has a space of its own, so that threads do not meet. The updates of the subtrees' roots
-    /// stay to the end; those of the fronts above make room as soon as they are added to the parent's.
+    /// A thread works on one subtree at a time and needs one space for all. The updates of their roots are
+    /// there together when the fronts above begin.
     void place_updates() {
+        Space shared;
         for (const Subtree& subtree : plan_.subtrees) {
-            Space space(plan_.work_size);
-            for (int f = subtree.begin; f < subtree.end; ++f)
-                place_update(f, space, [](int) { return true; });
-            plan_.work_size = space.end();
+            Space space;
+            for (int f = subtree.begin; f + 1 < subtree.end; ++f) {
+                plan_.fronts[static_cast<std::size_t>(f)].in_subtree = true;
+                place_update(static_cast<std::size_t>(f), space);
+            }
+            Front& root = plan_.fronts[static_cast<std::size_t>(subtree.end - 1)];
+            root.update = shared.take(size_of_update(root));
+            plan_.subtree_space = std::max(plan_.subtree_space, space.end());
         }
-        Space space(plan_.work_size);
-        std::vector<char> in_top(plan_.count(), 0);
-        for (const int f : plan_.top) {
-            in_top[static_cast<std::size_t>(f)] = 1;
-            place_update(f, space, [&](int child) { return in_top[static_cast<std::size_t>(child)] != 0; });
-        }
-        plan_.work_size = space.end();
+        for (const int f : plan_.top) place_update(static_cast<std::size_t>(f), shared);
+        plan_.shared_space = shared.end();
     }
 
-    static std::size_t size_of_update(const Front& front) {
-        return front.stride * static_cast<std::size_t>(front.rows) * unknowns;
+    std::size_t size_of_update(const Front& front) const {
+        const auto rows = static_cast<std::size_t>(front.rows);
+        return unknowns * (rows * front.stride - left_out_before(rows, rows_per_strip_));
     }
 
     const BlockPattern& pattern_;

@@ -21,6 +21,30 @@ constexpr std::size_t squares_size(int pivots) {
     return squares_size(pivots, strip_rows<Scalar>);
 }
 
+/// An update is symmetric: of block column j only scalar rows from first_update_row on are kept, where the
+/// strip begins that the diagonal enters.
+/// @param w strip_rows
+constexpr std::size_t first_update_row(std::size_t j, std::size_t w) {
+    return 6 * j / w * w;
+}
+/// What columns before block column j leave out, over six: the sum of their first_update_row.
+constexpr std::size_t left_out_before(std::size_t j, std::size_t w) {
+    const std::size_t period = w / 2;  // blocks in three strips
+    const std::size_t periods = j / period;
+    std::size_t sum = 3 * w * period * (periods * (periods - 1) / 2);
+    for (std::size_t i = 0; i < period; ++i) sum += periods * first_update_row(i, w);
+    for (std::size_t i = period * periods; i < j; ++i) sum += first_update_row(i, w);
+    return sum;
+}
+/// Where row 0 of block column j would be if it were kept.
+constexpr std::size_t update_column(std::size_t j, std::size_t stride, std::size_t w) {
+    return 6 * (j * stride - left_out_before(j, w)) - first_update_row(j, w);
+}
+/// Scalars from a column of block column j to the next.
+constexpr std::size_t update_stride(std::size_t j, std::size_t stride, std::size_t w) {
+    return stride - first_update_row(j, w);
+}
+
 /// A submatrix of the step's matrix, where it goes in a front.
 struct FrontEntry {
     int source = 0;           ///< index into BlockMatrix::upper; into ::diagonal for an entry on the diagonal
@@ -43,8 +67,9 @@ struct Front {
     std::size_t entry_begin = 0;  ///< into FrontPlan::entries
     std::size_t child_begin = 0;  ///< into FrontPlan::children
     std::size_t panel = 0;        ///< offset in the factor, scalars
-    std::size_t update = 0;       ///< offset in the work space, scalars: a dense square, columns of `stride`
-    std::size_t stride = 0;       ///< scalars
+    bool in_subtree = false;      ///< its update is in the space of the thread that works on the subtree
+    std::size_t update = 0;       ///< offset in its space, scalars
+    std::size_t stride = 0;       ///< scalar rows of its update, in whole strips
     double cost = 0;              ///< ns, predicted
 };
 
@@ -68,7 +93,8 @@ struct FrontPlan {
     std::vector<int> top;             ///< the fronts above them, ascending
     double cost = 0;                  ///< ns, predicted
     std::size_t factor_size = 0;      ///< scalars
-    std::size_t work_size = 0;        ///< scalars
+    std::size_t subtree_space = 0;    ///< scalars, for the updates within any one subtree
+    std::size_t shared_space = 0;     ///< scalars, for those of the subtrees' roots and above
 
     std::size_t count() const { return fronts.size() - 1; }
     std::span<const int> rows_of(std::size_t f) const {

@@ -32,12 +32,15 @@ void add_to_strips(Scalar* strips, int row, int block_column, int columns, const
 /// ns of predicted work below which handing some of it to another thread (about 10 us) does not pay.
 constexpr double least_shared_cost = 1e5;
 
-/// Calls body(index) for each index in [0, count), the next one by whichever thread is free.
+/// Calls body(index, thread) for each index in [0, count), the next one by whichever thread is free; threads
+/// count from zero.
 template <class Body>
 void for_tasks(const Crew& crew, std::size_t count, const Body& body) {
     std::atomic<std::size_t> next{0};
+    std::atomic<std::size_t> threads{0};
     const auto take_turns = [&](std::size_t, std::size_t) {
-        for (std::size_t k = next++; k < count; k = next++) body(k);
+        const std::size_t thread = threads++;
+        for (std::size_t k = next++; k < count; k = next++) body(k, thread);
     };
     // One range for each thread; how long they are does not matter.
     crew.for_ranges(std::numeric_limits<std::uint16_t>::max(), std::ref(take_turns));
@@ -51,7 +54,7 @@ void share(const Crew& crew, double cost, int count, const Body& body) {
         if (count > 0) body(0, count);
         return;
     }
-    const auto part = [&](std::size_t k) {
+    const auto part = [&](std::size_t k, std::size_t) {
         const int begin = static_cast<int>(k) * portion;
         body(begin, std::min(begin + portion, count));
     };
@@ -64,7 +67,7 @@ template <class Scalar>
 void MultifrontalFactor<Scalar>::analyze(const BlockPattern& pattern, const SupernodeTree& tree) {
     plan_ = plan_fronts(pattern, tree, strip_rows<Scalar>);
     factor_.resize(plan_.factor_size);
-    work_.resize(plan_.work_size);
+    shared_updates_.resize(plan_.shared_space);
     std::size_t tallest = 0;
     for (const Front& front : plan_.fronts)
         tallest = std::max(tallest, static_cast<std::size_t>(front.pivot_strips + front.row_strips));
@@ -99,7 +102,8 @@ void MultifrontalFactor<Scalar>::assemble_panel(const BlockMatrix& matrix, std::
 }
 
 template <class Scalar>
-void MultifrontalFactor<Scalar>::add_updates_to_panel(std::size_t f) {
+void MultifrontalFactor<Scalar>::add_updates_to_panel(std::size_t f, Scalar* space) {
+    constexpr std::size_t w = strip_rows<Scalar>;
     const Front& front = plan_.fronts[f];
     const int columns = front.pivots * unknowns;
     Scalar* strips = panel(front) + squares_size<Scalar>(front.pivots);
@@ -107,14 +111,15 @@ void MultifrontalFactor<Scalar>::add_updates_to_panel(std::size_t f) {
         const Front& child = plan_.fronts[static_cast<std::size_t>(c)];
         const std::span<const int> targets = plan_.targets_of(static_cast<std::size_t>(c));
         for (std::size_t j = 0; j < targets.size() && targets[j] < front.pivots; ++j) {
-            const Scalar* column = work_.data() + child.update + j * unknowns * child.stride;
+            const Scalar* column = update(child, space) + update_column(j, child.stride, w);
+            const std::size_t stride = update_stride(j, child.stride, w);
             for (std::size_t i = j; i < targets.size(); ++i) {
                 const int row = targets[i] < front.pivots ? targets[i] * unknowns
                                                           : front.pivot_strips * strip_rows<Scalar> +
                                                                 (targets[i] - front.pivots) * unknowns;
                 const Scalar* source = column + i * unknowns;
                 add_to_strips(strips, row, targets[j], columns, [&](int r, int q) {
-                    return source[static_cast<std::size_t>(q) * child.stride + static_cast<std::size_t>(r)];
+                    return source[static_cast<std::size_t>(q) * stride + static_cast<std::size_t>(r)];
                 });
             }
         }
@@ -122,7 +127,8 @@ void MultifrontalFactor<Scalar>::add_updates_to_panel(std::size_t f) {
 }
 
 template <class Scalar>
-void MultifrontalFactor<Scalar>::add_updates_to_update(std::size_t f) {
+void MultifrontalFactor<Scalar>::add_updates_to_update(std::size_t f, Scalar* space) {
+    constexpr std::size_t w = strip_rows<Scalar>;
     const Front& front = plan_.fronts[f];
     for (const int c : plan_.children_of(f)) {
         const Front& child = plan_.fronts[static_cast<std::size_t>(c)];
@@ -130,16 +136,18 @@ void MultifrontalFactor<Scalar>::add_updates_to_update(std::size_t f) {
         const auto first = static_cast<std::size_t>(
             std::lower_bound(targets.begin(), targets.end(), front.pivots) - targets.begin());
         for (std::size_t j = first; j < targets.size(); ++j) {
-            const Scalar* from = work_.data() + child.update + j * unknowns * child.stride;
-            Scalar* to = work_.data() + front.update +
-                         static_cast<std::size_t>(targets[j] - front.pivots) * unknowns * front.stride;
+            const auto column = static_cast<std::size_t>(targets[j] - front.pivots);
+            const Scalar* from = update(child, space) + update_column(j, child.stride, w);
+            Scalar* to = update(front, space) + update_column(column, front.stride, w);
+            const std::size_t from_stride = update_stride(j, child.stride, w);
+            const std::size_t to_stride = update_stride(column, front.stride, w);
             for (std::size_t i = j; i < targets.size();) {  // rows that are neighbours in both
                 std::size_t end = i + 1;
                 while (end < targets.size() && targets[end] == targets[end - 1] + 1) ++end;
                 const Scalar* source = from + i * unknowns;
                 Scalar* target = to + static_cast<std::size_t>(targets[i] - front.pivots) * unknowns;
                 const std::size_t count = (end - i) * unknowns;
-                for (int q = 0; q < unknowns; ++q, source += child.stride, target += front.stride) {
+                for (int q = 0; q < unknowns; ++q, source += from_stride, target += to_stride) {
                     for (std::size_t k = 0; k < count; ++k) target[k] += source[k];
                 }
                 i = end;
@@ -149,7 +157,7 @@ void MultifrontalFactor<Scalar>::add_updates_to_update(std::size_t f) {
 }
 
 template <class Scalar>
-bool MultifrontalFactor<Scalar>::eliminate(std::size_t f, const Crew& crew) {
+bool MultifrontalFactor<Scalar>::eliminate(std::size_t f, Scalar* space, const Crew& crew) {
     const FrontKernels<Scalar>& kernels = front_kernels<Scalar>().front();
     const Front& front = plan_.fronts[f];
     if (!kernels.factor_pivots(panel(front), front.pivots)) return false;
@@ -157,7 +165,7 @@ bool MultifrontalFactor<Scalar>::eliminate(std::size_t f, const Crew& crew) {
         kernels.solve_rows(panel(front), front.pivots, begin, end);
     };
     const auto columns = [&](int begin, int end) {
-        kernels.form_update(panel(front), front.pivots, front.row_strips, work_.data() + front.update,
+        kernels.form_update(panel(front), front.pivots, front.row_strips, update(front, space),
                             static_cast<long>(front.stride), begin, end);
     };
     share(crew, front.cost, front.row_strips, strips);
@@ -166,31 +174,34 @@ bool MultifrontalFactor<Scalar>::eliminate(std::size_t f, const Crew& crew) {
 }
 
 template <class Scalar>
-bool MultifrontalFactor<Scalar>::work_through(std::size_t f, const BlockMatrix& matrix, const Crew& crew) {
+bool MultifrontalFactor<Scalar>::work_through(std::size_t f, const BlockMatrix& matrix, Scalar* space,
+                                              const Crew& crew) {
     assemble_panel(matrix, f);
-    add_updates_to_panel(f);
-    if (!eliminate(f, crew)) return false;
-    add_updates_to_update(f);
+    add_updates_to_panel(f, space);
+    if (!eliminate(f, space, crew)) return false;
+    add_updates_to_update(f, space);
     return true;
 }
 
 template <class Scalar>
 bool MultifrontalFactor<Scalar>::factorize(const BlockMatrix& matrix, const Crew& crew) {
     const Crew alone(1);
+    subtree_updates_.resize(plan_.subtree_space * static_cast<std::size_t>(crew.size()));
     std::atomic<bool> definite{true};
-    const auto work_through_subtree = [&](std::size_t s) {
+    const auto work_through_subtree = [&](std::size_t s, std::size_t thread) {
         const Subtree& subtree = plan_.subtrees[s];
+        Scalar* space = subtree_updates_.data() + thread * plan_.subtree_space;
         for (int f = subtree.begin; f < subtree.end && definite; ++f) {
-            if (!work_through(static_cast<std::size_t>(f), matrix, alone)) definite = false;
+            if (!work_through(static_cast<std::size_t>(f), matrix, space, alone)) definite = false;
         }
     };
     if (plan_.cost < least_shared_cost) {
-        for (std::size_t s = 0; s < plan_.subtrees.size(); ++s) work_through_subtree(s);
+        for (std::size_t s = 0; s < plan_.subtrees.size(); ++s) work_through_subtree(s, 0);
     } else {
         for_tasks(crew, plan_.subtrees.size(), work_through_subtree);
     }
     for (std::size_t k = 0; k < plan_.top.size() && definite; ++k) {
-        if (!work_through(static_cast<std::size_t>(plan_.top[k]), matrix, crew)) definite = false;
+        if (!work_through(static_cast<std::size_t>(plan_.top[k]), matrix, nullptr, crew)) definite = false;
     }
     return definite;
 }

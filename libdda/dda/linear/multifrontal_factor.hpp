@@ -27,11 +27,15 @@ class MultifrontalFactor {
 
   private:
     void assemble_panel(const BlockMatrix& matrix, std::size_t f);
-    void add_updates_to_panel(std::size_t f);
-    void add_updates_to_update(std::size_t f);
+    // In a subtree, updates are in `space`.
+    void add_updates_to_panel(std::size_t f, Scalar* space);
+    void add_updates_to_update(std::size_t f, Scalar* space);
     /// The front's dense work; its parts may be shared.
-    bool eliminate(std::size_t f, const Crew& crew);
-    bool work_through(std::size_t f, const BlockMatrix& matrix, const Crew& crew);
+    bool eliminate(std::size_t f, Scalar* space, const Crew& crew);
+    bool work_through(std::size_t f, const BlockMatrix& matrix, Scalar* space, const Crew& crew);
+    Scalar* update(const Front& front, Scalar* space) {
+        return (front.in_subtree ? space : shared_updates_.data()) + front.update;
+    }
     Scalar* panel(const Front& front) { return factor_.data() + front.panel; }
     /// The present solution by rows of the front's panel; `scatter` takes it back.
     Scalar* gather(std::size_t f);
@@ -39,9 +43,10 @@ class MultifrontalFactor {
 
     FrontPlan plan_;
     AlignedBuffer<Scalar> factor_;
-    AlignedBuffer<Scalar> work_;
-    AlignedBuffer<Scalar> front_solution_;  ///< by rows of one panel
-    std::vector<Scalar> solution_;          ///< by place in the order
+    AlignedBuffer<Scalar> shared_updates_;
+    AlignedBuffer<Scalar> subtree_updates_;  ///< a space for each thread
+    AlignedBuffer<Scalar> front_solution_;   ///< by rows of one panel
+    std::vector<Scalar> solution_;           ///< by place in the order
 };
 
 extern template class MultifrontalFactor<float>;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "dda/linear/linear_solver.hpp"
 #include "support/step_system.hpp"
 #include "support/walls.hpp"
@@ -18,37 +20,58 @@ dda::SupernodeTree tree_of(const BlockPattern& pattern) {
     return dda::find_supernodes(pattern, dda::fill_reducing_order(pattern));
 }
 
-// From the moment a front forms its update until its parent has taken it, nobody else writes there; a
-// thread's subtree shares no memory with another at all.
+// From the moment a front forms its update until its parent has taken it, nobody else writes there. Within
+// subtrees each thread has a space of its own; the roots of all subtrees come before the fronts above.
 TEST(FrontPlan, KeepsUpdatesApartWhileTheyAreNeeded) {
     for (const int columns : {1, 4, 15, 30}) {
         const auto pattern = BlockPattern::from_pairs(columns * 20, grid_graph(columns, 20));
         const FrontPlan plan = dda::plan_fronts(pattern, tree_of(pattern), 8);
+        const int count = static_cast<int>(plan.count());
+        const auto front = [&](int f) -> const Front& { return plan.fronts[static_cast<std::size_t>(f)]; };
+        const auto size = [&](const Front& f) {
+            const auto rows = static_cast<std::size_t>(f.rows);
+            return 6 * (rows * f.stride - dda::left_out_before(rows, 8));
+        };
         std::vector<int> subtree(plan.count(), -1);
-        for (std::size_t s = 0; s < plan.subtrees.size(); ++s) {
-            for (int f = plan.subtrees[s].begin; f < plan.subtrees[s].end; ++f)
-                subtree[static_cast<std::size_t>(f)] = static_cast<int>(s);
+        for (const dda::Subtree& one : plan.subtrees) {
+            for (int f = one.begin; f < one.end; ++f) subtree[static_cast<std::size_t>(f)] = one.begin;
+            for (int f = one.begin; f < one.end; ++f) EXPECT_EQ(front(f).in_subtree, f + 1 < one.end);
         }
-        std::vector<int> top;
-        for (std::size_t f = 0; f < plan.count(); ++f) {
-            if (subtree[f] < 0) top.push_back(static_cast<int>(f));
-        }
-        EXPECT_EQ(top, plan.top);
-        for (std::size_t a = 0; a < plan.count(); ++a) {
-            const Front& first = plan.fronts[a];
-            const auto end = [&](const Front& f) {
-                return f.update + f.stride * static_cast<std::size_t>(f.rows) * 6;
-            };
-            EXPECT_LE(end(first), plan.work_size);
-            for (std::size_t b = a + 1; b < plan.count(); ++b) {
-                const Front& second = plan.fronts[b];
-                const bool apart = end(first) <= second.update || end(second) <= first.update;
-                const bool together = subtree[a] != subtree[b] && subtree[a] >= 0 && subtree[b] >= 0;
-                // Of one subtree, or of a subtree and the top: `first` is gone once its parent is through.
-                const bool lives =
-                    first.parent >= static_cast<int>(b) || (first.parent < 0 && first.rows > 0);
-                EXPECT_TRUE(apart || !(together || lives)) << a << " and " << b;
+        for (int a = 0; a < count; ++a) {
+            const bool inside = front(a).in_subtree;
+            EXPECT_LE(front(a).update + size(front(a)), inside ? plan.subtree_space : plan.shared_space);
+            EXPECT_TRUE(subtree[static_cast<std::size_t>(a)] >= 0 ||
+                        std::binary_search(plan.top.begin(), plan.top.end(), a));
+            for (int b = 0; b < count; ++b) {
+                if (a == b || front(b).in_subtree != inside) continue;
+                const bool a_is_root = !inside && subtree[static_cast<std::size_t>(a)] >= 0;
+                const bool b_is_root = !inside && subtree[static_cast<std::size_t>(b)] >= 0;
+                if (inside && subtree[static_cast<std::size_t>(a)] != subtree[static_cast<std::size_t>(b)])
+                    continue;
+                const bool b_comes_while_a_is_needed =
+                    (a_is_root && b_is_root) || ((a_is_root || a < b) && !b_is_root && b <= front(a).parent);
+                const bool apart = front(a).update + size(front(a)) <= front(b).update ||
+                                   front(b).update + size(front(b)) <= front(a).update;
+                EXPECT_TRUE(apart || !b_comes_while_a_is_needed) << a << " and " << b;
             }
+        }
+    }
+}
+
+TEST(FrontPlan, KeepsOfAnUpdateWhatIsOnAndBelowTheDiagonal) {
+    for (const std::size_t w : {8, 16}) {
+        for (const std::size_t rows : {1, 2, 5, 9, 40}) {
+            const std::size_t stride = (6 * rows + w - 1) / w * w;
+            std::size_t end = 0;  // of the columns so far
+            for (std::size_t j = 0; j < rows; ++j) {
+                const std::size_t first = dda::first_update_row(j, w);
+                EXPECT_LE(first, 6 * j);
+                EXPECT_GT(first + w, 6 * j);
+                EXPECT_EQ(dda::update_column(j, stride, w) + first, end);
+                EXPECT_EQ(dda::update_stride(j, stride, w), stride - first);
+                end += 6 * (stride - first);
+            }
+            EXPECT_EQ(end, 6 * (rows * stride - dda::left_out_before(rows, w)));
         }
     }
 }
