@@ -1,0 +1,111 @@
+// What the linear solvers take for the first step of running-bond walls: bench_solvers STEP PENALTY
+// COLUMNSxROWS...
+
+#include <algorithm>
+#include <charconv>
+#include <cstdio>
+#include <ctime>
+#include <limits>
+#include <string>
+
+#include "dda/linear/linear_solver.hpp"
+#include "dda/linear/multifrontal_factor.hpp"
+#include "support/step_system.hpp"
+#include "support/walls.hpp"
+
+namespace {
+
+constexpr int repeats = 5;
+
+/// Of this thread, us.
+double cpu_time() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
+}
+
+/// The least of several times that a call takes: others on the machine only ever add to it.
+template <class Call>
+double least_time(const Call& call) {
+    double least = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < repeats; ++k) {
+        const double start = cpu_time();
+        call();
+        least = std::min(least, cpu_time() - start);
+    }
+    return least;
+}
+
+struct Row {
+    double analysis = 0, factor = 0, solution = 0;  ///< us
+    double bytes = 0;                               ///< 0 where it does not tell
+};
+
+void print(const scene::StepSystem& system, const char* solver, const Row& row) {
+    const double blocks = system.pattern.size;
+    std::printf("%.0f,%s,%.3g,%.3g,%.3g,%.3g\n", blocks, solver, row.analysis / blocks, row.factor / blocks,
+                row.solution / blocks, 1e-3 * row.bytes / blocks);
+    std::fflush(stdout);
+}
+
+Row cholmod(const scene::StepSystem& system) {
+    const auto solver = dda::make_cholmod_solver();
+    Row row;
+    std::vector<dda::Vec6> x;
+    const double start = cpu_time();
+    solver->analyze(system.pattern);
+    row.analysis = cpu_time() - start;
+    row.factor = least_time([&] { solver->factorize(system.matrix); });
+    row.solution = least_time([&] { solver->solve(x = system.load); });
+    return row;
+}
+
+template <class Scalar>
+Row multifrontal(const scene::StepSystem& system) {
+    const dda::Crew alone(1);
+    dda::MultifrontalFactor<Scalar> factor;
+    Row row;
+    std::vector<dda::Vec6> x;
+    const double start = cpu_time();
+    factor.analyze(system.pattern,
+                   dda::find_supernodes(system.pattern, dda::fill_reducing_order(system.pattern)));
+    row.analysis = cpu_time() - start;
+    row.factor = least_time([&] { factor.factorize(system.matrix, alone); });
+    row.solution = least_time([&] { factor.solve(x = system.load); });
+    const dda::FrontPlan& plan = factor.plan();
+    row.bytes =
+        static_cast<double>((plan.factor_size + plan.subtree_space + plan.shared_space) * sizeof(Scalar));
+    return row;
+}
+
+/// @return whether the text is a number and nothing else.
+template <class Number>
+bool read(const std::string& text, Number& value) {
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return error == std::errc{} && end == text.data() + text.size() && value > 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    double step = 0;
+    double penalty = 0;
+    bool understood = argc > 3 && read(argv[1], step) && read(argv[2], penalty);
+    for (int k = 3; k < argc && understood; ++k) {
+        const std::string size = argv[k];
+        const std::size_t cross = std::min(size.find('x'), size.size() - 1);
+        int columns = 0;
+        int rows = 0;
+        understood = read(size.substr(0, cross), columns) && read(size.substr(cross + 1), rows);
+        if (!understood) break;
+        if (k == 3)
+            std::puts("blocks,solver,analysis (us/block),factor (us/block),solution (us/block),kB/block");
+        const scene::StepSystem system =
+            scene::step_system(scene::running_bond_wall(columns, rows, penalty).model, step);
+        print(system, "CHOLMOD", cholmod(system));
+        print(system, "multifrontal", multifrontal<double>(system));
+        print(system, "multifrontal in single precision", multifrontal<float>(system));
+    }
+    if (!understood) std::fputs("usage: bench_solvers STEP PENALTY/E COLUMNSxROWS...\n", stderr);
+    return understood ? 0 : 2;
+}
