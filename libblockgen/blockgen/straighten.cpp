@@ -43,7 +43,7 @@ class Straightener {
                     changed.push_back(kept.size() < all.size());
                 }
             }
-            if (!restore_unclean(edges, chain_of_edge, changed)) return out;
+            if (!restore_unclean(edges, chain_of_edge, changed) && !restore_turned(out)) return out;
         }
     }
 
@@ -69,6 +69,7 @@ class Straightener {
 
     void find_chains() {
         std::vector<char> used(noded_.edges.size(), 0);
+        chain_of_.assign(noded_.edges.size(), -1);
         for (std::size_t h = 0; h < boundary_.next.size(); ++h)
             if (boundary_.keeps[h / 2] && !used[h / 2] && !plain_[origin(h)]) walk(h, used);
         // What is left are closed rings of plain vertices: they are opened at their smallest vertex.
@@ -93,6 +94,7 @@ class Straightener {
         chain.vertices.push_back(static_cast<std::int32_t>(origin(h)));
         for (std::size_t k = h;; k = next(k)) {
             used[k / 2] = 1;
+            chain_of_[k / 2] = static_cast<std::int32_t>(chains_.size());
             chain.vertices.push_back(boundary_.origin[k ^ 1u]);
             if (!plain_[origin(k ^ 1u)]) break;
         }
@@ -156,6 +158,53 @@ class Straightener {
         return any;
     }
 
+    /// Gives back the vertices of rings that have been turned over: a side drawn straight past the ring's
+    /// other corners, all of which lie within the bend, crosses nothing. False when there are none.
+    bool restore_turned(const std::vector<char>& out) {
+        bool any = false;
+        std::vector<char> seen(boundary_.next.size(), 0);
+        for (std::size_t h = 0; h < boundary_.next.size(); ++h) {
+            if (!boundary_.keeps[h / 2] || seen[h]) continue;
+            std::size_t k = h;
+            do {
+                seen[k] = 1;
+                k = next(k);
+            } while (k != h);
+            if (!is_turned(h, out)) continue;
+            do {
+                Chain& chain = chains_[static_cast<std::size_t>(chain_of_[k / 2])];
+                any = any || !chain.is_restored;
+                chain.is_restored = true;
+                k = next(k);
+            } while (k != h);
+        }
+        return any;
+    }
+
+    /// Whether the ring of half-edge h has another sense, or no area, without the vertices that are out.
+    bool is_turned(std::size_t h, const std::vector<char>& out) const {
+        const GridPoint& start = noded_.vertices[origin(h)];
+        Int128 before = 0, after = 0;
+        std::int32_t first = -1, last = -1;
+        bool lacks_some = false;
+        std::size_t k = h;
+        do {
+            const auto v = static_cast<std::int32_t>(origin(k));
+            before += twice_area(start, place(v), place(boundary_.origin[k ^ 1u]));
+            k = next(k);
+            if (out[static_cast<std::size_t>(v)]) {
+                lacks_some = true;
+                continue;
+            }
+            if (last >= 0) after += twice_area(start, place(last), place(v));
+            if (first < 0) first = v;
+            last = v;
+        } while (k != h);
+        if (!lacks_some) return false;
+        if (last >= 0) after += twice_area(start, place(last), place(first));
+        return before > 0 ? after <= 0 : after >= 0;
+    }
+
     /// Edges that are there twice. One of the two must have changed.
     std::vector<std::size_t> doubles(const std::vector<std::pair<std::int32_t, std::int32_t>>& edges,
                                      const std::vector<char>& changed) const {
@@ -184,6 +233,7 @@ class Straightener {
     const std::vector<EdgeMark>& marks_;
     std::vector<char> plain_;
     std::vector<Chain> chains_;
+    std::vector<std::int32_t> chain_of_;  ///< per edge; -1 where it is not kept
 };
 
 }  // namespace

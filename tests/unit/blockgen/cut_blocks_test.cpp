@@ -49,6 +49,19 @@ TEST(CutBlocks, OneJointMakesTwoBlocksThatShareAMarkedEdge) {
     EXPECT_NEAR(result.report.joints[0].retained, 1, 1e-9);
 }
 
+// On a grid of 1 m the upper side of a lens lies no more than two cells off the straight line between its
+// tips, which would pass below the corner of the lower side: there two joints meet, so it stays.
+TEST(CutBlocks, StraighteningTurnsNoBlockOver) {
+    SlopeModel model = rectangle(20, 20);
+    model.grid = 1;
+    add_trace(model, {{0, 10}, {2, 10}}, "left");
+    add_trace(model, {{18, 10}, {20, 10}}, "right");
+    add_trace(model, {{2, 10}, {10, 11}}, "a");
+    add_trace(model, {{10, 11}, {18, 10}}, "b");
+    add_trace(model, {{2, 10}, {5, 12}, {15, 12}, {18, 10}}, "c");
+    EXPECT_EQ(areas(cut(model).mesh), (std::vector<double>{18, 174, 208}));
+}
+
 TEST(CutBlocks, AGridOfAHundredByAHundredJoints) {
     SlopeModel model = rectangle(101, 101);
     for (int k = 1; k <= 100; ++k) {
