@@ -40,7 +40,7 @@ std::vector<Trace> sample_joint_set(const JointSet& set, const SlopeModel& model
         throw InputError(set.place, "joint set '" + set.name + "' has no rock to lie in",
                          "a region within the domain");
     refuse_endless_set(sampler, rock ? &*rock : nullptr, others);
-    const std::vector<Trace> traces = sample(sampler, rock, others);
+    std::vector<Trace> traces = sample(sampler, rock, others);
     if (set.region.empty()) return traces;
     std::vector<Trace> clipped;
     for (const Trace& trace : traces)
