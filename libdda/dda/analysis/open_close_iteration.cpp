@@ -113,17 +113,20 @@ class Iteration {
 
     /// Solves the linear system with the sliding contacts' shear forces at the bounds that belong to its own
     /// normal forces. The coupling makes the equations unsymmetric; instead of a second kind of factor, the
-    /// held forces are found as a fixed point, accelerated, at one back-substitution each.
+    /// held forces are found as a fixed point, accelerated, at one back-substitution each. Rough faces keep
+    /// the friction angle of the first solution meanwhile: it changes little with the stress, and finding it
+    /// costs more than a back-substitution.
     std::vector<Vec6> solve_with_friction() {
         const std::vector<std::size_t> sliding = trials_.sliding();
         std::vector<Vec6> d = solve_as_held();
         Eigen::VectorXd held(static_cast<Eigen::Index>(sliding.size()));
         Eigen::VectorXd image(held.size());
         AndersonMixing mixing(friction_memory);
+        TrialContacts::FacesStrengths of_faces = trials_.no_faces_strengths();
         for (int k = 0; k < friction_iterations && !sliding.empty(); ++k) {
             for (std::size_t s = 0; s < sliding.size(); ++s)
                 held[static_cast<Eigen::Index>(s)] = trials_.held_force(sliding[s]);
-            trials_.bounds_at(sliding, d, image);
+            trials_.bounds_at(sliding, d, of_faces, image);
             if ((image - held).cwiseAbs().maxCoeff() <= trials_.tolerance() / 2) break;
             const Eigen::VectorXd next = mixing.next(held, image);
             for (std::size_t s = 0; s < sliding.size(); ++s)

@@ -25,7 +25,7 @@ TrialContacts::TrialContacts(const StepProblem& problem, const Crew& crew)
         for (const int k : faces_.contacts_of(f))
             faces_of_[static_cast<std::size_t>(k)] = static_cast<int>(f);
     }
-    FacesStrengths of_faces(faces_.count());
+    FacesStrengths of_faces = no_faces_strengths();
     for (std::size_t k = 0; k < p_.contacts.size(); ++k) {
         trials_.push_back(started(k, of_faces));
         if (dilates(law_of(k))) dilating_.push_back(k);
@@ -155,12 +155,11 @@ void TrialContacts::bound_by_held_force(std::size_t k) {
 }
 
 void TrialContacts::bounds_at(std::span<const std::size_t> sliding, std::span<const Vec6> d,
-                              Eigen::VectorXd& bounds) const {
+                              FacesStrengths& of_faces, Eigen::VectorXd& bounds) const {
     const auto there = [&](std::size_t c) -> Pressed {
         const ContactSprings& s = p_.springs[c];
         return {elastic_normal(c, s.rows.measure(s.normal, d)), s.rows.measure(s.shear, d)};
     };
-    FacesStrengths of_faces(faces_.count());
     for (std::size_t s = 0; s < sliding.size(); ++s) {
         const std::size_t k = sliding[s];
         const ContactSprings& springs = p_.springs[k];
@@ -249,7 +248,7 @@ void TrialContacts::update_bounds() {
     const auto here = [this](std::size_t k) -> Pressed {
         return {present_forces(k).normal, trials_[k].shearing};
     };
-    FacesStrengths of_faces(faces_.count());
+    FacesStrengths of_faces = no_faces_strengths();
     for (std::size_t k = 0; k < trials_.size(); ++k) {
         const double normal = present_forces(k).normal;
         const bool open = !trials_[k].may_close || (normal <= 0 && !is_bonded(k));

@@ -47,9 +47,13 @@ class TrialContacts {
     void hold(std::size_t k, double force) { trials_[k].held_force = force; }
     /// The bounds become those that the held force is at.
     void bound_by_held_force(std::size_t k);
+    /// Strengths over the normal force, for each pair of faces that has been asked for.
+    using FacesStrengths = std::vector<std::optional<Strength>>;
+    FacesStrengths no_faces_strengths() const { return FacesStrengths(faces_.count()); }
     /// The shear bounds of sliding contacts, with their signs, at the normal forces that the linear system
-    /// gives for a displacement. @param bounds one for each of them.
-    void bounds_at(std::span<const std::size_t> sliding, std::span<const Vec6> d,
+    /// gives for a displacement. @param of_faces pairs of faces that are in here keep their friction angle; the
+    /// others get one at this displacement. @param bounds one for each of them.
+    void bounds_at(std::span<const std::size_t> sliding, std::span<const Vec6> d, FacesStrengths& of_faces,
                    Eigen::VectorXd& bounds) const;
 
     // --- judging
@@ -103,9 +107,6 @@ class TrialContacts {
         double shearing = 0;  ///< of the tangential displacement, m
         Forces linear;        ///< in the linear system, at the present displacement
     };
-
-    /// Strengths over the normal force, for each pair of faces that has been asked for.
-    using FacesStrengths = std::vector<std::optional<Strength>>;
 
     Trial started(std::size_t k, FacesStrengths& of_faces) const;
     /// Normal force (N per metre) and tangential displacement (m) of a contact at some displacement.
