@@ -80,10 +80,8 @@ Strength BartonBandis::strength_slope(const History& history, double normal_forc
 BartonBandis::History BartonBandis::advance(const History& history, const ContactMotion& motion) const {
     if (!(motion.normal_force > 0)) return history;
     History after = history;
-    if (motion.length > 0 && history.furthest < peak_displacement) {
-        const double found = shear_stiffness({}, motion.normal_force, motion.length) / motion.length;
-        after.stiffness = std::max(history.stiffness, found);
-    }
+    after.spring =
+        history.spring.pressed(barton, motion.normal_force, motion.length, motion.length, peak_displacement);
     if (motion.displacement == 0) return after;
     after.position += motion.displacement;
     after.furthest = std::max(history.furthest, std::abs(after.position));
@@ -105,7 +103,7 @@ BartonBandis::History BartonBandis::advance(const History& history, const Contac
 }
 
 double BartonBandis::shear_stiffness(const History& history, double normal_force, double length) const {
-    if (history.stiffness > 0 || peak_displacement == 0) return history.stiffness * length;
+    if (history.spring.stiffness > 0 || peak_displacement == 0) return history.spring.of_part(length);
     return barton.shear_strength(normal_force, length, 1) / peak_displacement;
 }
 

@@ -2,6 +2,7 @@
 
 #include "dda/joint/barton.hpp"
 #include "dda/joint/joint_types.hpp"
+#include "dda/joint/peak_spring.hpp"
 #include "dda/joint/roughness_table.hpp"
 
 namespace dda {
@@ -20,11 +21,11 @@ struct BartonBandis {
     double damage = 0;             ///< M of Eq. (54), 1 to 2; 0: no dilation
 
     struct History {
-        double position = 0;   ///< m, from where the joint was fresh
-        double furthest = 0;   ///< m, largest distance from there
-        double dilation = 0;   ///< m
-        double ratio = 0;      ///< mobilised over peak roughness
-        double stiffness = 0;  ///< Pa/m, of the shear spring
+        double position = 0;  ///< m, from where the joint was fresh
+        double furthest = 0;  ///< m, largest distance from there
+        double dilation = 0;  ///< m
+        double ratio = 0;     ///< mobilised over peak roughness
+        PeakSpring spring;
         friend bool operator==(const History&, const History&) = default;
     };
 
@@ -34,9 +35,8 @@ struct BartonBandis {
     Strength strength_slope(const History& history, double normal_force, double length) const;
     /// Nothing changes while the joint is open.
     History advance(const History& history, const ContactMotion& motion) const;
-    /// Eq. (52) at the largest stress that the joint bore before it had gone as far as its peak, so that it
-    /// does not depend on how the load came; 0 without a peak displacement. @param normal_force counts for a
-    /// joint that has borne nothing yet.
+    /// Eq. (52), of the part of the joint that has this length; 0 without a peak displacement. @param
+    /// normal_force counts for a joint that has borne nothing yet.
     double shear_stiffness(const History& history, double normal_force, double length) const;
     JointRecord record(const History& history) const;
 

@@ -49,10 +49,8 @@ CyclicBartonBandis::History CyclicBartonBandis::advance(const History& history,
                                                         const ContactMotion& motion) const {
     if (!(motion.normal_force > 0)) return history;
     History pressed = history;
-    if (motion.length > 0 && history.forward == 0) {
-        const double found = shear_stiffness({}, motion.normal_force, motion.length) / motion.length;
-        pressed.stiffness = std::max(history.stiffness, found);
-    }
+    pressed.spring = history.spring.pressed(barton, motion.normal_force, motion.length,
+                                            stressed_length(motion.length), peak_displacement);
     CyclicWalk walk(*this, pressed, motion.normal_force, motion.length, motion.stiffness, motion.shear_force,
                     CyclicWalk::Purpose::history);
     if (motion.stiffness > 0)
@@ -63,7 +61,7 @@ CyclicBartonBandis::History CyclicBartonBandis::advance(const History& history,
 }
 
 double CyclicBartonBandis::shear_stiffness(const History& history, double normal_force, double length) const {
-    if (history.stiffness > 0) return history.stiffness * length;
+    if (history.spring.stiffness > 0) return history.spring.of_part(length);
     return barton.shear_strength(normal_force, stressed_length(length), 1) / peak_displacement;
 }
 

@@ -5,6 +5,7 @@
 
 #include "dda/joint/barton.hpp"
 #include "dda/joint/joint_types.hpp"
+#include "dda/joint/peak_spring.hpp"
 #include "dda/joint/roughness_table.hpp"
 
 namespace dda {
@@ -50,8 +51,8 @@ struct CyclicBartonBandis {
         double mobilised_ratio = 0;    ///< as in JointRecord
         double dilation = 0;           ///< m
         double reverse_slip = 0;       ///< m, against slip_direction, since the last slip along it
-        double stiffness = 0;          ///< Pa/m, of the shear spring
-        double wear = 1;               ///< f of Eq. (57), by the reversals and cycles below
+        PeakSpring spring;
+        double wear = 1;  ///< f of Eq. (57), by the reversals and cycles below
         std::int32_t cycle = 1;
         std::int32_t reversals = 0;
         std::int32_t forward = 0;         ///< sign of the first slip; 0 before it
@@ -69,8 +70,8 @@ struct CyclicBartonBandis {
     /// Nothing changes while the joint is open. @param motion without a stiffness, all of the displacement
     /// counts as sliding if there was slip.
     History advance(const History& history, const ContactMotion& motion) const;
-    /// Eq. (52) at the largest stress that the joint bore before it first slipped, so that it does not depend
-    /// on how the load came. @param normal_force counts for a joint that has borne nothing yet.
+    /// Eq. (52), of the part of the joint that has this length. @param normal_force counts for a joint that
+    /// has borne nothing yet.
     double shear_stiffness(const History& history, double normal_force, double length) const;
     JointRecord record(const History& history) const;
 

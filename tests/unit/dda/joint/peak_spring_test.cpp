@@ -1,0 +1,59 @@
+#include "dda/joint/peak_spring.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace {
+
+using dda::PeakSpring;
+
+constexpr double degree = std::numbers::pi / 180;
+constexpr double peak_displacement = 5e-3;
+
+dda::BartonStrength rough() {
+    dda::BartonStrength barton;
+    barton.residual_friction_angle = 25 * degree;
+    barton.roughness_coefficient = 4;
+    barton.wall_strength = 1e8;
+    return barton;
+}
+
+PeakSpring after(const PeakSpring& spring, double normal_force, double length) {
+    return spring.pressed(rough(), normal_force, length, length, peak_displacement);
+}
+
+TEST(PeakSpring, TakesTheJointToItsPeakStrengthAtThePeakDisplacement) {
+    const PeakSpring spring = after({}, 1e6, 10);
+    // 0.1 MPa: 25 + 4 * 3 = 37 degrees.
+    EXPECT_NEAR(spring.of_part(10), 1e6 * std::tan(37 * degree) / peak_displacement, 1e-6 * 1e8);
+    EXPECT_NEAR(spring.of_part(4) + spring.of_part(6), spring.of_part(10), 1e-6);
+}
+
+TEST(PeakSpring, IsThatOfTheLargestForce) {
+    const PeakSpring loaded = after({}, 2e6, 10);
+    EXPECT_EQ(after(loaded, 1e6, 10), loaded) << "unloading";
+    EXPECT_EQ(after(after({}, 1e6, 10), 2e6, 10), loaded) << "in two parts";
+}
+
+// Faces that met with a sliver of their length: a spring kept per length would be a billion times as stiff
+// on the whole length.
+TEST(PeakSpring, BelongsToTheJointWhateverItsLength) {
+    const PeakSpring grazed = after({}, 1e6, 1e-8);
+    const double least = 1e6 * std::tan(25 * degree) / peak_displacement;
+    EXPECT_NEAR(grazed.of_part(1e-8), least, 1e-6 * least) << "above the wall strength: no roughness";
+    EXPECT_EQ(grazed.of_part(10), grazed.of_part(1e-8)) << "the length has grown since";
+    const PeakSpring flush = after(grazed, 1e6, 10);
+    EXPECT_EQ(flush.of_part(10), after({}, 1e6, 10).of_part(10));
+    const PeakSpring slid_off = after(flush, 1e6, 0.1);
+    EXPECT_EQ(slid_off.of_part(0.1), flush.of_part(10)) << "what is left of the overlap bears it";
+}
+
+TEST(PeakSpring, IsNoneWithoutForceLengthOrPeak) {
+    EXPECT_EQ(after({}, 0, 10), PeakSpring{});
+    EXPECT_EQ(after({}, 1e6, 0), PeakSpring{}) << "a bare corner";
+    EXPECT_EQ(PeakSpring{}.pressed(rough(), 1e6, 10, 10, 0), PeakSpring{}) << "strength at once";
+    EXPECT_EQ(PeakSpring{}.of_part(1), 0);
+}
+
+}  // namespace
