@@ -128,7 +128,7 @@ StepAttempt TimeStepper::look_at_step(const Stage& stage, const State& state, do
     const double moved = largest_displacement(state, displacement);
     attempt.report.largest_displacement = moved;
     attempt.rejection = Rejection::moved_too_far;
-    if (moved > stage.control.displacement_ratio * half_height_) return attempt;
+    if (!(moved <= stage.control.displacement_ratio * half_height_)) return attempt;  // nor is not a number
     if (2 * moved > look.reach) {
         look.reach = 2.5 * moved;
         look.wanted = true;

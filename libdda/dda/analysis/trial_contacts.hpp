@@ -51,8 +51,8 @@ class TrialContacts {
     using FacesStrengths = std::vector<std::optional<Strength>>;
     FacesStrengths no_faces_strengths() const { return FacesStrengths(faces_.count()); }
     /// The shear bounds of sliding contacts, with their signs, at the normal forces that the linear system
-    /// gives for a displacement. @param of_faces pairs of faces that are in here keep their friction angle; the
-    /// others get one at this displacement. @param bounds one for each of them.
+    /// gives for a displacement. @param of_faces pairs of faces that are in here keep their friction angle;
+    /// the others get one at this displacement. @param bounds one for each of them.
     void bounds_at(std::span<const std::size_t> sliding, std::span<const Vec6> d, FacesStrengths& of_faces,
                    Eigen::VectorXd& bounds) const;
 
