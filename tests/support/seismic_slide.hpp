@@ -42,6 +42,7 @@ struct SeismicSlide {
     Scene scene(const dda::JointLaw& law) const;
     double acceleration(double t) const;
     dda::TimeTable record(double from, double to) const;
+    void press_joint(dda::State& state) const;
     void count_reversal(dda::State& state) const;
 };
 
@@ -88,6 +89,21 @@ inline dda::TimeTable SeismicSlide::record(double from, double to) const {
     return {times, values};
 }
 
+/// The joint on the plane bears the blocks, and has not moved.
+inline void SeismicSlide::press_joint(dda::State& state) const {
+    const auto above = [](const dda::Contact& c) { return std::max(c.corner_block, c.edge_block); };
+    for (dda::Contact& contact : state.contacts.contacts) {
+        if (contact.joint_material != 0) continue;
+        dda::ContactMotion pressed;
+        for (const dda::Contact& other : state.contacts.contacts) {
+            if (other.joint_material != 0 || above(other) != above(contact)) continue;
+            pressed.normal_force += other.normal_force;
+            pressed.length += other.length;
+        }
+        contact.history = dda::advance(plane, dda::fresh_history(plane, true), pressed);
+    }
+}
+
 inline void SeismicSlide::count_reversal(dda::State& state) const {
     const double factor = std::get<dda::CyclicBartonBandis>(plane).reversal_factor;
     for (dda::Contact& contact : state.contacts.contacts) {
@@ -105,9 +121,7 @@ inline void SeismicSlide::run(double duration) {
     if (!prescribed_reversals.empty()) std::get<dda::CyclicBartonBandis>(plane).min_slip = 1e9;
     Simulation sim(scene(plane));
     sim.state = settled.state;
-    for (dda::Contact& contact : sim.state.contacts.contacts) {
-        if (contact.joint_material == 0) contact.history = dda::fresh_history(plane, true);
-    }
+    press_joint(sim.state);
     sim.restart_ledger();
     const Vec2 down(std::cos(radians(2)), -std::sin(radians(2)));
     const auto place = [&] { return (sim.moved(3) - sim.moved(0)).dot(down); };

@@ -80,8 +80,8 @@ Strength BartonBandis::strength_slope(const History& history, double normal_forc
 BartonBandis::History BartonBandis::advance(const History& history, const ContactMotion& motion) const {
     if (!(motion.normal_force > 0)) return history;
     History after = history;
-    after.spring =
-        history.spring.pressed(barton, motion.normal_force, motion.length, motion.length, peak_displacement);
+    after.spring = history.spring.pressed(
+        {motion.normal_force, motion.length, motion.length, motion.duration == 0}, barton, peak_displacement);
     if (motion.displacement == 0) return after;
     after.position += motion.displacement;
     after.furthest = std::max(history.furthest, std::abs(after.position));

@@ -49,8 +49,9 @@ CyclicBartonBandis::History CyclicBartonBandis::advance(const History& history,
                                                         const ContactMotion& motion) const {
     if (!(motion.normal_force > 0)) return history;
     History pressed = history;
-    pressed.spring = history.spring.pressed(barton, motion.normal_force, motion.length,
-                                            stressed_length(motion.length), peak_displacement);
+    pressed.spring = history.spring.pressed(
+        {motion.normal_force, motion.length, stressed_length(motion.length), motion.duration == 0}, barton,
+        peak_displacement);
     CyclicWalk walk(*this, pressed, motion.normal_force, motion.length, motion.stiffness, motion.shear_force,
                     CyclicWalk::Purpose::history);
     if (motion.stiffness > 0)

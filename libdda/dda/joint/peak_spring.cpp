@@ -4,11 +4,16 @@
 
 namespace dda {
 
-PeakSpring PeakSpring::pressed(const BartonStrength& barton, double normal_force, double length_now,
-                               double stressed_length, double peak_displacement) const {
-    if (!(normal_force > 0) || !(length_now > 0) || !(peak_displacement > 0)) return *this;
-    const double found = barton.shear_strength(normal_force, stressed_length, 1) / peak_displacement;
-    return {std::max(stiffness, found), length_now};
+PeakSpring PeakSpring::pressed(const Press& press, const BartonStrength& barton,
+                               double peak_displacement) const {
+    if (!(press.normal_force > 0) || !(press.length > 0) || !(peak_displacement > 0)) return *this;
+    PeakSpring after = *this;
+    after.length = press.length;
+    if (rested != 0 && !press.at_rest) return after;
+    const double found = barton.shear_strength(press.normal_force, press.stressed_length, 1);
+    after.stiffness = std::max(stiffness, found / peak_displacement);
+    after.rested = press.at_rest ? 1 : 0;
+    return after;
 }
 
 double PeakSpring::of_part(double part) const {

@@ -1,21 +1,30 @@
 #pragma once
 
+#include <cstdint>
+
 #include "dda/joint/barton.hpp"
 
 namespace dda {
 
 /// The shear spring that takes a rough joint to its peak strength at its peak displacement, Eq. (52). It is
-/// that of the largest force the joint has borne, so that it does not depend on how the load came, and it
-/// belongs to the joint: where faces overlap less, all of the spring is in what is left.
+/// that of the largest force the joint has borne at rest, in static stages, and stays so when it is shaken;
+/// one that has never been at rest has that of the largest force so far. It belongs to the joint: where faces
+/// overlap less, all of the spring is in what is left.
 struct PeakSpring {
-    double stiffness = 0;  ///< N/m per metre, of the whole joint; 0: it has borne nothing yet
-    double length = 0;     ///< m, of the joint when it was pressed last
+    double stiffness = 0;     ///< N/m per metre, of the whole joint; 0: it has borne nothing yet
+    double length = 0;        ///< m, of the joint when it was pressed last
+    std::int64_t rested = 0;  ///< whether it was found at rest; an integer, for its bytes are written
 
+    /// The force that a joint bears, and where.
+    struct Press {
+        double normal_force = 0;     ///< N per metre
+        double length = 0;           ///< m, of the whole joint
+        double stressed_length = 0;  ///< m, that the stress is computed with
+        bool at_rest = false;
+    };
     /// The spring after the joint has borne a force. A joint without a length, a bare corner, has none.
-    /// @param normal_force N per metre, positive; @param length m, of the whole joint; @param
-    /// stressed_length m, that the stress is computed with; @param peak_displacement m, positive.
-    PeakSpring pressed(const BartonStrength& barton, double normal_force, double length,
-                       double stressed_length, double peak_displacement) const;
+    /// @param peak_displacement m; 0: none.
+    PeakSpring pressed(const Press& press, const BartonStrength& barton, double peak_displacement) const;
     /// N/m per metre, of the part of the joint that has this length, m.
     double of_part(double part) const;
     friend bool operator==(const PeakSpring&, const PeakSpring&) = default;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 namespace {
@@ -20,7 +21,10 @@ dda::BartonStrength rough() {
 }
 
 PeakSpring after(const PeakSpring& spring, double normal_force, double length) {
-    return spring.pressed(rough(), normal_force, length, length, peak_displacement);
+    return spring.pressed({normal_force, length, length, true}, rough(), peak_displacement);
+}
+PeakSpring shaken(const PeakSpring& spring, double normal_force, double length) {
+    return spring.pressed({normal_force, length, length, false}, rough(), peak_displacement);
 }
 
 TEST(PeakSpring, TakesTheJointToItsPeakStrengthAtThePeakDisplacement) {
@@ -34,6 +38,14 @@ TEST(PeakSpring, IsThatOfTheLargestForce) {
     const PeakSpring loaded = after({}, 2e6, 10);
     EXPECT_EQ(after(loaded, 1e6, 10), loaded) << "unloading";
     EXPECT_EQ(after(after({}, 1e6, 10), 2e6, 10), loaded) << "in two parts";
+}
+
+TEST(PeakSpring, OfAJointThatWasAtRestStaysWhenItIsShaken) {
+    const PeakSpring rested = after({}, 1e6, 10);
+    EXPECT_EQ(shaken(rested, 3e6, 10), rested);
+    const PeakSpring fresh = shaken(shaken({}, 1e6, 10), 3e6, 10);
+    EXPECT_EQ(fresh.of_part(10), after({}, 3e6, 10).of_part(10)) << "it was never at rest";
+    EXPECT_EQ(after(fresh, 1e6, 10).of_part(10), fresh.of_part(10)) << "it comes to rest";
 }
 
 // Faces that met with a sliver of their length: a spring kept per length would be a billion times as stiff
@@ -52,7 +64,7 @@ TEST(PeakSpring, BelongsToTheJointWhateverItsLength) {
 TEST(PeakSpring, IsNoneWithoutForceLengthOrPeak) {
     EXPECT_EQ(after({}, 0, 10), PeakSpring{});
     EXPECT_EQ(after({}, 1e6, 0), PeakSpring{}) << "a bare corner";
-    EXPECT_EQ(PeakSpring{}.pressed(rough(), 1e6, 10, 10, 0), PeakSpring{}) << "strength at once";
+    EXPECT_EQ(PeakSpring{}.pressed({1e6, 10, 10, true}, rough(), 0), PeakSpring{}) << "strength at once";
     EXPECT_EQ(PeakSpring{}.of_part(1), 0);
 }
 
