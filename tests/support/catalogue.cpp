@@ -6,7 +6,7 @@
 
 namespace verification {
 
-const std::array<CatalogueCase, 53> catalogue = {{
+const std::array<CatalogueCase, 54> catalogue = {{
     {"V01", "Free fall", "y = -g t²/2, v = -g t"},
     {"V02", "Block at rest", "penetration W / (2 k_n)", false},
     {"V03", "Stress of self-weight", "virial: σ_y = -ρ g h/2, σ_x = 0", false},
@@ -60,6 +60,7 @@ const std::array<CatalogueCase, 53> catalogue = {{
     {"V51", "Isolated pile", "conservation of linear and angular momentum"},
     {"V52", "Readers of records", "number of samples, interval and peak", false},
     {"V53", "Excavation between stages", "weight of the column left; free fall without support", false},
+    {"V54", "Normal closure of a joint", "hyperbola of Bandis; energy stored", false},
 }};
 
 const CatalogueCase& catalogue_case(std::string_view id) {

@@ -39,7 +39,7 @@ double contact_energy(const Model& model, const std::vector<Contact>& contacts) 
     double sum = 0;
     for (const Contact& contact : contacts) {
         if (contact.state == ContactState::open || model.augments(contact.joint_material)) continue;
-        sum += spring_energy(contact.normal_force, normal_stiffness(model, contact)) +
+        sum += normal_spring(model, contact).energy(contact.normal_force) +
                spring_energy(contact.shear_force, shear_stiffness(model, contact));
     }
     return sum;
@@ -109,13 +109,14 @@ void Ledger::record_contacts(const StepWork& step, Energy& energy) const {
         const JudgedContact& after = step.result.contacts[k];
         const ContactSprings& s = step.springs[k];
         const bool stores = !model_.augments(before.joint_material);
-        const auto stored = [&](double force, double stiffness) {
-            return stores ? spring_energy(force, stiffness) : 0;
+        const auto stored_by_normal = [&](double force) { return stores ? s.closing.energy(force) : 0; };
+        const auto stored_by_shear = [&](double force) {
+            return stores ? spring_energy(force, s.shear_stiffness) : 0;
         };
         const bool was_closed = before.state != ContactState::open;
         const bool is_closed = after.state != ContactState::open;
-        const double stored_normal = was_closed ? stored(before.normal_force, s.normal_stiffness) : 0;
-        const double stored_shear = was_closed ? stored(before.shear_force, s.shear_stiffness) : 0;
+        const double stored_normal = was_closed ? stored_by_normal(before.normal_force) : 0;
+        const double stored_shear = was_closed ? stored_by_shear(before.shear_force) : 0;
         if (!is_closed) {
             // An opened contact bears nothing at the step's end: its compression is lost to the integration,
             // the rest snaps free.
@@ -126,9 +127,9 @@ void Ledger::record_contacts(const StepWork& step, Energy& energy) const {
         const double opening = s.rows.measure(s.normal, step.result.displacement);
         // What moves the faces apart against the normal force is taken from the work of shearing.
         record_spring(-after.normal_force * opening, -after.normal_force * after.dilating, stored_normal,
-                      stored(after.normal_force, s.normal_stiffness), energy);
+                      stored_by_normal(after.normal_force), energy);
         record_spring(after.shear_force * after.displacement, after.shear_force * after.slip, stored_shear,
-                      stored(after.shear_force, s.shear_stiffness), energy);
+                      stored_by_shear(after.shear_force), energy);
         energy.external_work += after.shear_force * s.shear.known - after.normal_force * s.normal.known;
     }
 }

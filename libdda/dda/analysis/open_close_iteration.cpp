@@ -79,7 +79,8 @@ class Iteration {
         for (std::size_t r = 0; r < p_.base.stiffness.size(); ++r) matrix_.diagonal[r] = p_.base.stiffness[r];
         for (std::size_t k = 0; k < trials_.count(); ++k) {
             const ContactSprings& s = p_.springs[k];
-            if (trials_.is_pressed(k)) s.rows.add_stiffness(s.normal, s.normal_stiffness, pattern_, matrix_);
+            if (trials_.is_pressed(k))
+                s.rows.add_stiffness(s.normal, trials_.normal_stiffness(k), pattern_, matrix_);
             if (trials_.is_locked(k)) s.rows.add_stiffness(s.shear, s.shear_stiffness, pattern_, matrix_);
         }
         for (std::size_t k = 0; k < p_.bolts.size(); ++k) {

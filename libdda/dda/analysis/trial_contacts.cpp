@@ -59,6 +59,7 @@ TrialContacts::Trial TrialContacts::started(std::size_t k, FacesStrengths& of_fa
         trial.bounds = bounds();
         trial.dilating = guess->dilating;
     }
+    trial.tangent = tangent_at(k, trial.pressed ? pressed_at_start(k).normal : 0);
     return trial;
 }
 
@@ -101,7 +102,7 @@ Strength TrialContacts::bounds_of(std::size_t k, double normal, const PressedOf&
 
 Forces TrialContacts::linear_forces(std::size_t k, double opening, double shearing) const {
     const Trial& trial = trials_[k];
-    return {trial.pressed ? elastic_normal(k, opening) : 0,
+    return {trial.pressed ? linear_normal(k, opening) : 0,
             trial.locked ? elastic_shear(k, shearing) : trial.held_force};
 }
 
@@ -124,9 +125,24 @@ Forces TrialContacts::present_forces(std::size_t k) const {
     return law_forces(k, trials_[k].opening, trials_[k].shearing);
 }
 
-double TrialContacts::elastic_normal(std::size_t k, double opening) const {
+double TrialContacts::closed(std::size_t k, double opening) const {
     const Trial& trial = trials_[k];
-    return -p_.springs[k].normal_stiffness * (trial.gap_offset + opening - trial.dilating - trial.rest_gap);
+    return -(trial.gap_offset + opening - trial.dilating - trial.rest_gap);
+}
+
+TrialContacts::Tangent TrialContacts::tangent_at(std::size_t k, double force) const {
+    const NormalClosure& spring = p_.springs[k].closing;
+    if (spring.is_linear()) return {0, 0, spring.stiffness};
+    const double pressing = std::max(force, 0.0);
+    return {spring.closure(pressing), pressing, spring.tangent(pressing)};
+}
+
+double TrialContacts::linear_normal(std::size_t k, double opening) const {
+    return trials_[k].tangent.at(closed(k, opening));
+}
+
+double TrialContacts::elastic_normal(std::size_t k, double opening) const {
+    return p_.springs[k].closing.force(closed(k, opening));
 }
 
 double TrialContacts::elastic_shear(std::size_t k, double shearing) const {
@@ -158,12 +174,12 @@ void TrialContacts::bounds_at(std::span<const std::size_t> sliding, std::span<co
                               FacesStrengths& of_faces, Eigen::VectorXd& bounds) const {
     const auto there = [&](std::size_t c) -> Pressed {
         const ContactSprings& s = p_.springs[c];
-        return {elastic_normal(c, s.rows.measure(s.normal, d)), s.rows.measure(s.shear, d)};
+        return {linear_normal(c, s.rows.measure(s.normal, d)), s.rows.measure(s.shear, d)};
     };
     for (std::size_t s = 0; s < sliding.size(); ++s) {
         const std::size_t k = sliding[s];
         const ContactSprings& springs = p_.springs[k];
-        const double normal = elastic_normal(k, springs.rows.measure(springs.normal, d));
+        const double normal = linear_normal(k, springs.rows.measure(springs.normal, d));
         Strength strengths;
         if (normal > 0 || is_bonded(k)) strengths = bounds_of(k, normal, there, of_faces);
         bounds[static_cast<Eigen::Index>(s)] = trials_[k].forward ? strengths.forward : -strengths.backward;
@@ -358,6 +374,11 @@ bool TrialContacts::choose_springs() {
         const bool pressed = trial.may_close && (law.normal > 0 || is_bonded(k));
         const bool locked = trial.may_close && within(elastic, trial.bounds);
         changed = changed || pressed != trial.pressed || locked != trial.locked;
+        if (pressed && std::abs(law.normal - trial.linear.normal) > tolerance()) {
+            const Tangent tangent = tangent_at(k, law.normal);
+            changed = changed || tangent.stiffness != trial.tangent.stiffness;
+            trial.tangent = tangent;
+        }
         trial.pressed = pressed;
         trial.locked = locked;
         trial.held_force = law.shear;

@@ -30,6 +30,8 @@ class TrialContacts {
 
     // --- the linear system
     bool is_pressed(std::size_t k) const { return trials_[k].pressed; }
+    /// N/m per metre.
+    double normal_stiffness(std::size_t k) const { return trials_[k].tangent.stiffness; }
     bool is_locked(std::size_t k) const { return trials_[k].locked; }
     bool is_elastic(std::size_t bolt) const { return yielding_[bolt] == 0; }
     /// What the linear system takes the contact's forces to be.
@@ -91,6 +93,13 @@ class TrialContacts {
     double bolt_force(std::size_t k) const { return law_bolt_force(k, elongation_[k]); }
 
   private:
+    /// A straight line of normal force (N per metre) over closure (m).
+    struct Tangent {
+        double closure = 0;
+        double force = 0;
+        double stiffness = 0;  ///< N/m per metre
+        double at(double closed) const { return force + stiffness * (closed - closure); }
+    };
     struct Trial {
         bool pressed = false;     ///< has its normal spring in the linear system
         bool locked = false;      ///< has its shear spring in the linear system
@@ -106,6 +115,7 @@ class TrialContacts {
         double opening = 0;   ///< linear measure of the normal displacement, m
         double shearing = 0;  ///< of the tangential displacement, m
         Forces linear;        ///< in the linear system, at the present displacement
+        Tangent tangent;      ///< the normal spring in the linear system
     };
 
     Trial started(std::size_t k, FacesStrengths& of_faces) const;
@@ -131,7 +141,14 @@ class TrialContacts {
     double gap(std::size_t k) const {
         return trials_[k].gap_offset + trials_[k].opening - trials_[k].dilating;
     }
-    /// The normal spring's force, tension negative, and the shear spring's, before the laws have their say.
+    /// m, by which the normal spring is compressed.
+    double closed(std::size_t k, double opening) const;
+    /// The line that touches the normal spring's curve where it bears a force; the curve itself if it is
+    /// straight.
+    Tangent tangent_at(std::size_t k, double force) const;
+    /// The normal spring's force, tension negative, in the linear system and by its law; and the shear
+    /// spring's, before the laws have their say.
+    double linear_normal(std::size_t k, double opening) const;
     double elastic_normal(std::size_t k, double opening) const;
     double elastic_shear(std::size_t k, double shearing) const;
     Forces present_forces(std::size_t k) const;

@@ -5,8 +5,8 @@
 
 namespace dda {
 
-/// Stiffness of a contact's normal spring, N/m per metre, Eq. (41).
-inline double normal_stiffness(const Model& model, const Contact& contact) {
+/// A contact's normal spring, Eq. (41) or Eq. (72), with its stiffness in N/m per metre.
+inline NormalClosure normal_spring(const Model& model, const Contact& contact) {
     return model.joint_material_at(contact.joint_material)
         .normal_spring(model.normal_penalty, contact.length);
 }

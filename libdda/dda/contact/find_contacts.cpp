@@ -53,7 +53,7 @@ void load_spring(const Model& model, double kept_rest_gap, Contact& contact) {
         contact.rest_gap = std::min(contact.gap, 0.0);
     else if (!model.augments(contact.joint_material))
         contact.rest_gap *= kept_rest_gap;
-    const double force = -normal_stiffness(model, contact) * (contact.gap - contact.rest_gap);
+    const double force = normal_spring(model, contact).force(contact.rest_gap - contact.gap);
     contact.normal_force = contact.state != ContactState::open && (force > 0 || contact.bonded) ? force : 0;
 }
 

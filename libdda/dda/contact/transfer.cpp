@@ -30,7 +30,7 @@ void hand_over(const Contact& from, Contact& to) {
 /// Lets a contact that took over from one of another depth bear the same force, without energy from nowhere.
 void keep_force(const Model& model, Contact& contact) {
     if (contact.state == ContactState::open || model.augments(contact.joint_material)) return;
-    contact.rest_gap = contact.gap + contact.normal_force / normal_stiffness(model, contact);
+    contact.rest_gap = contact.gap + normal_spring(model, contact).closure(contact.normal_force);
 }
 
 /// Whether an old contact lay on the line of a new one: the same faces, or the same with corner and edge in
@@ -236,9 +236,10 @@ void transfer_contacts(const Model& model, std::span<const Contact> old, double 
             continue;
         Contact* other = beside(*donor, contacts, moved);
         if (other == nullptr || model.augments(other->joint_material)) continue;
-        const double spring = normal_stiffness(model, *other);
-        other->rest_gap =
-            std::max(other->rest_gap, std::min(other->rest_gap + donor->normal_force / spring, 0.0));
+        const NormalClosure spring = normal_spring(model, *other);
+        const double deeper =
+            spring.closure(other->normal_force + donor->normal_force) - spring.closure(other->normal_force);
+        other->rest_gap = std::max(other->rest_gap, std::min(other->rest_gap + deeper, 0.0));
     }
     // Where a corner slides on to a neighbour's face and the end of the overlap that it leaves has a corner
     // of its own, one contact becomes two: the second knows the joint, and bears nothing until it gets

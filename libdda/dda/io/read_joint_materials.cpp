@@ -25,6 +25,8 @@ void read_stiffness(const ConfigTable& table, JointMaterial& material) {
     material.shear_stiffness =
         positive(table, "shear_stiffness", Dimension::joint_stiffness, material.normal_stiffness);
     material.corner_length = positive(table, "corner_length", Dimension::length, material.corner_length);
+    if (table.has("largest_closure"))
+        material.largest_closure = positive(table, "largest_closure", Dimension::length);
 }
 
 struct LawReader {

@@ -108,6 +108,7 @@ jcs = "151 MPa"
 peak_displacement = "1.25 mm"
 damage = 1
 # normal_stiffness = "50 GPa/m"    # of the joint; a constant volume needs it
+# largest_closure = "0.2 mm"       # with it: the joint closes along a hyperbola
 
 [[joint_material.granite.cycle]]
 forward_advance = [[0, 0], [1, 1], [2, 0.5], [4, 0.3], [8, 0.15]]

@@ -30,6 +30,7 @@ friction_angle = "35 deg"
 # normal_stiffness = "100 GPa/m"   # of the joint itself, times the contact's length, in place of the penalties
 # shear_stiffness = "40 GPa/m"     # default: normal_stiffness
 # corner_length = 0.01             # m, that a contact is given at least
+# largest_closure = "0.2 mm"       # the joint closes along a hyperbola; normal_stiffness is that at no stress
 
 # [joint_material.rough]           # a rough joint that is sheared one way
 # law = "barton-bandis"

@@ -11,6 +11,7 @@
 #include "dda/joint/cyclic_barton_bandis.hpp"
 #include "dda/joint/elastic.hpp"
 #include "dda/joint/mohr_coulomb.hpp"
+#include "dda/joint/normal_closure.hpp"
 #include "dda/joint/plesha.hpp"
 #include "dda/joint/stressed_asperities.hpp"
 #include "dda/joint/two_order_asperities.hpp"
@@ -71,12 +72,15 @@ struct JointMaterial {
     /// m, the length that a contact is given at least where the joint has a stiffness of its own: corners on
     /// faces share no length. Normally a hundredth of a block; the smaller, the deeper corners sink in.
     double corner_length = 0.01;
+    /// m, by which a joint with a stiffness of its own closes at most; 0: without a limit, linear.
+    double largest_closure = 0;
 
-    /// Stiffness of a contact's normal spring, N/m per metre. @param analysis_value the penalty of the
-    /// analysis; @param length m, the contact's share of the joint.
-    double normal_spring(double analysis_value, double length) const {
-        if (normal_stiffness > 0) return normal_stiffness * std::max(length, corner_length);
-        return normal_penalty > 0 ? normal_penalty : analysis_value;
+    /// A contact's normal spring, with its stiffness in N/m per metre. @param analysis_value the penalty of
+    /// the analysis; @param length m, the contact's share of the joint.
+    NormalClosure normal_spring(double analysis_value, double length) const {
+        if (normal_stiffness > 0)
+            return {normal_stiffness * std::max(length, corner_length), largest_closure};
+        return {normal_penalty > 0 ? normal_penalty : analysis_value, 0};
     }
     /// @param of_law what `dda::shear_stiffness` says: it goes behind the material's and before the
     /// analysis'.

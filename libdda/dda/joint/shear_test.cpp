@@ -9,10 +9,13 @@ namespace dda {
 
 namespace {
 
-/// m by which the joint gives normal to itself, per Pa: of its own, and of what holds it.
-double compliance(const ShearTest& test) {
-    const double own = test.material.normal_stiffness > 0 ? 1 / test.material.normal_stiffness : 0;
-    return test.boundary == NormalBoundary::constant_stiffness ? own + 1 / test.boundary_stiffness : own;
+/// m, by which the joint, and what holds it, have given way normal to it since the start of the test.
+double given_way(const ShearTest& test, double normal_stress) {
+    const NormalClosure closing{test.material.normal_stiffness, test.material.largest_closure};
+    const double own =
+        closing.stiffness > 0 ? closing.closure(normal_stress) - closing.closure(test.normal_stress) : 0;
+    if (test.boundary != NormalBoundary::constant_stiffness) return own;
+    return own + (normal_stress - test.normal_stress) / test.boundary_stiffness;
 }
 
 class Specimen {
@@ -53,9 +56,8 @@ class Specimen {
     /// The normal stress in which dilation and what resists it agree, Eq. (61), or 0 if they part: by secants
     /// inside a bracket.
     double equilibrium(double way) const {
-        const double give = compliance(test_);
         const auto excess = [&](double stress) {
-            return (stress - test_.normal_stress) * give - dilation(law(), after(way, stress).history);
+            return given_way(test_, stress) - dilation(law(), after(way, stress).history);
         };
         double low = 0, below = excess(low);
         if (below >= 0) return 0;
@@ -71,7 +73,7 @@ class Specimen {
             (value < 0 ? low : high) = guess;
             (value < 0 ? below : above) = value;
         }
-        return (low + high) / 2;
+        return -below < above ? low : high;  // where a reversal begins to count the dilation has a small jump
     }
 
     const ShearTest& test_;

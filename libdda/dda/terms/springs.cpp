@@ -76,7 +76,8 @@ std::vector<ContactSprings> contact_springs(const Model& model, const RowMap& ro
                            rows.row_of[static_cast<std::size_t>(contact.edge_block)]};
             spring.normal = measure(geometry.normal);
             spring.shear = measure(geometry.tangent);
-            spring.normal_stiffness = normal_stiffness(model, contact);
+            spring.closing = normal_spring(model, contact);
+            spring.normal_stiffness = spring.closing.tangent(contact.normal_force);
             spring.shear_stiffness = shear_stiffness(model, contact);
         }
     });

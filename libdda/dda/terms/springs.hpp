@@ -37,7 +37,8 @@ struct ContactSprings {
     PairRows rows;
     Relative normal;              ///< along the contact's normal at mid-step: opening positive
     Relative shear;               ///< along its tangent at mid-step
-    double normal_stiffness = 0;  ///< N/m per metre
+    NormalClosure closing;        ///< the normal spring
+    double normal_stiffness = 0;  ///< N/m per metre, of the normal spring at the step's start
     double shear_stiffness = 0;   ///< N/m per metre
 };
 

@@ -48,6 +48,7 @@ TEST_F(ReadBoundaries, EveryKeyArrives) {
     EXPECT_EQ(joint.normal_stiffness, 2e10);
     EXPECT_EQ(joint.shear_stiffness, 5e9);
     EXPECT_EQ(joint.corner_length, 0.05);
+    EXPECT_EQ(joint.largest_closure, 0) << "linear";
     ASSERT_EQ(input.model.viscous_boundaries.size(), 2u);
     const ViscousBoundary& top = input.model.viscous_boundaries[0];
     ASSERT_EQ(top.faces.size(), 1u);
@@ -99,6 +100,8 @@ TEST_F(ReadBoundaries, BadInputIsOneLineWithItsPlace) {
     EXPECT_EQ(error_with("corner_length = \"5 cm\"", "normal_penalty = 1e9"),
               "run.toml:10:18: 'normal_penalty' and 'normal_stiffness' stand together in "
               "[joint_material.bedding]; expected one of them");
+    EXPECT_THAT(error_with("corner_length = \"5 cm\"", "largest_closure = 0"),
+                HasSubstr("expected a positive number"));
     EXPECT_THAT(error_with("normal_stiffness = \"20 GPa/m\"\n", ""),
                 HasSubstr("unknown key 'shear_stiffness'"));
     EXPECT_THAT(error_with("law = \"elastic\"", "law = \"elastic\"\ncohesion = 1"),

@@ -67,9 +67,9 @@ TEST(MohrCoulomb, SmoothJointBearsNoShear) {
 TEST(JointMaterial, OwnPenaltyGoesBeforeTheAnalysis) {
     const dda::JointMaterial common{"common", plain, 0, 0};
     const dda::JointMaterial stiff{"stiff", plain, 7e9, 3e9};
-    EXPECT_EQ(common.normal_spring(5e10, 2), 5e10);
+    EXPECT_EQ(common.normal_spring(5e10, 2).stiffness, 5e10);
     EXPECT_EQ(common.shear_spring(4e10, 2), 4e10);
-    EXPECT_EQ(stiff.normal_spring(5e10, 2), 7e9);
+    EXPECT_EQ(stiff.normal_spring(5e10, 2).stiffness, 7e9);
     EXPECT_EQ(stiff.shear_spring(4e10, 2), 3e9);
 }
 

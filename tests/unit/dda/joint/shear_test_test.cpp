@@ -74,6 +74,34 @@ TEST(ShearTest, ConstantVolumeCompressesTheJointItself) {
         EXPECT_NEAR(row.normal_stress, 1e6 + 3e9 * row.dilation, 1);
 }
 
+// The joint is closed further by just its dilation, along the hyperbola.
+TEST(ShearTest, ConstantVolumeClosesAlongTheHyperbola) {
+    ShearTest test = granite_test();
+    test.boundary = NormalBoundary::constant_volume;
+    test.material.normal_stiffness = 3e9;
+    test.material.largest_closure = 2e-3;
+    const dda::NormalClosure closing{3e9, 2e-3};
+    double largest = 0;
+    for (const auto& row : dda::run_shear_test(test)) {
+        EXPECT_NEAR(closing.closure(row.normal_stress) - closing.closure(1e6), row.dilation, 1e-12);
+        largest = std::max(largest, row.normal_stress);
+    }
+    EXPECT_GT(largest, 2e6);
+}
+
+TEST(ShearTest, ConstantStiffnessAndClosureShareTheDilation) {
+    ShearTest test = granite_test();
+    test.boundary = NormalBoundary::constant_stiffness;
+    test.boundary_stiffness = 2e9;
+    test.material.normal_stiffness = 3e9;
+    test.material.largest_closure = 5e-4;
+    const dda::NormalClosure closing{3e9, 5e-4};
+    for (const auto& row : dda::run_shear_test(test)) {
+        const double closed = closing.closure(row.normal_stress) - closing.closure(1e6);
+        EXPECT_NEAR(closed + (row.normal_stress - 1e6) / 2e9, row.dilation, 1e-12);
+    }
+}
+
 // Without dilation all three boundaries are the same.
 TEST(ShearTest, BoundariesDifferByDilationOnly) {
     auto law = joint_tests::granite();
