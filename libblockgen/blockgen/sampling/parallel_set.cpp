@@ -58,15 +58,23 @@ std::vector<SetLine> spaced_lines(SetSampler& sampler) {
         std::tie(line.low, line.high) = *inside;
         lines.push_back(line);
     };
-    const double first = set.origin ? reach.origin
-                                    : reach.low + draws.draw(draw_phase, 0, 0) *
-                                                      set.spacing.quantile(draws.draw(draw_phase, 0, 1));
+    // Without an origin the lines begin nine mean spacings before the box, at a place that is anywhere within
+    // one of them, and have forgotten it where the box begins: a joint drawn there, with others to both its
+    // sides, would be one too many for widely scattered spacings.
+    constexpr std::int64_t run_up = 9;
+    const std::int64_t before = set.origin ? 0 : run_up;
+    const double first = set.origin
+                             ? reach.origin
+                             : reach.low + (draws.draw(draw_phase, 0, 0) - static_cast<double>(run_up)) *
+                                               set.spacing.mean_draw();
     double offset = first;
-    for (std::int64_t line = 0; offset <= reach.high; ++line) {
+    for (std::int64_t line = -before; offset <= reach.high; ++line) {
         sampler.count_draw();
         add(line, offset);
-        offset += set.spacing.quantile(draws.draw(draw_spacing_forward, 0, static_cast<std::uint64_t>(line)));
+        offset += set.spacing.quantile(
+            draws.draw(draw_spacing_forward, 0, static_cast<std::uint64_t>(line + before)));
     }
+    if (!set.origin) return lines;
     offset = first;
     for (std::int64_t line = -1;; --line) {
         sampler.count_draw();
