@@ -1,6 +1,7 @@
 #include "dda/base/parallel.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <boost/asio/post.hpp>
 #include <boost/asio/thread_pool.hpp>
 #include <exception>
@@ -32,11 +33,27 @@ void Crew::for_ranges(std::size_t count, const std::function<void(std::size_t, s
         return;
     }
     const auto parts = static_cast<std::size_t>(threads_);
+    in_parts([&](std::size_t part) { body(count * part / parts, count * (part + 1) / parts); });
+}
+
+void Crew::for_tasks(std::size_t count, const std::function<void(std::size_t, std::size_t)>& body) const {
+    if (!pool_ || count < 2) {
+        for (std::size_t k = 0; k < count; ++k) body(k, 0);
+        return;
+    }
+    std::atomic<std::size_t> next{0};
+    in_parts([&](std::size_t part) {
+        for (std::size_t k = next++; k < count; k = next++) body(k, part);
+    });
+}
+
+void Crew::in_parts(const std::function<void(std::size_t)>& body) const {
+    const auto parts = static_cast<std::size_t>(threads_);
     std::vector<std::exception_ptr> failures(parts);
     std::latch done(static_cast<std::ptrdiff_t>(parts - 1));
     const auto work = [&](std::size_t part) {
         try {
-            body(count * part / parts, count * (part + 1) / parts);
+            body(part);
         } catch (...) {
             failures[part] = std::current_exception();
         }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <atomic>
 #include <functional>
-#include <limits>
 
 #include "dda/linear/front_kernels.hpp"
 
@@ -32,20 +31,6 @@ void add_to_strips(Scalar* strips, int row, int block_column, int columns, const
 /// ns of predicted work below which handing some of it to another thread (about 10 us) does not pay.
 constexpr double least_shared_cost = 1e5;
 
-/// Calls body(index, thread) for each index in [0, count), the next one by whichever thread is free; threads
-/// count from zero.
-template <class Body>
-void for_tasks(const Crew& crew, std::size_t count, const Body& body) {
-    std::atomic<std::size_t> next{0};
-    std::atomic<std::size_t> threads{0};
-    const auto take_turns = [&](std::size_t, std::size_t) {
-        const std::size_t thread = threads++;
-        for (std::size_t k = next++; k < count; k = next++) body(k, thread);
-    };
-    // One range for each thread; how long they are does not matter.
-    crew.for_ranges(std::numeric_limits<std::uint16_t>::max(), std::ref(take_turns));
-}
-
 /// Calls body(begin, end) for portions of [0, count).
 template <class Body>
 void share(const Crew& crew, double cost, int count, const Body& body) {
@@ -58,7 +43,7 @@ void share(const Crew& crew, double cost, int count, const Body& body) {
         const int begin = static_cast<int>(k) * portion;
         body(begin, std::min(begin + portion, count));
     };
-    for_tasks(crew, static_cast<std::size_t>((count + portion - 1) / portion), part);
+    crew.for_tasks(static_cast<std::size_t>((count + portion - 1) / portion), std::ref(part));
 }
 
 }  // namespace
@@ -198,7 +183,7 @@ bool MultifrontalFactor<Scalar>::factorize(const BlockMatrix& matrix, const Crew
     if (plan_.cost < least_shared_cost) {
         for (std::size_t s = 0; s < plan_.subtrees.size(); ++s) work_through_subtree(s, 0);
     } else {
-        for_tasks(crew, plan_.subtrees.size(), work_through_subtree);
+        crew.for_tasks(plan_.subtrees.size(), std::ref(work_through_subtree));
     }
     for (std::size_t k = 0; k < plan_.top.size() && definite; ++k) {
         if (!work_through(static_cast<std::size_t>(plan_.top[k]), matrix, nullptr, crew)) definite = false;

@@ -39,6 +39,33 @@ TEST_P(CrewSizes, CarriesAnExceptionToTheCaller) {
     crew.for_ranges(10000, [&](std::size_t begin, std::size_t end) { sum += static_cast<int>(end - begin); });
     EXPECT_EQ(sum, 10000) << "the crew works on after a failure";
 }
+
+TEST_P(CrewSizes, DoesEachTaskOnceByAThreadOfItsOwn) {
+    const Crew crew(GetParam());
+    for (const std::size_t count : {0u, 1u, 2u, 5u, 300u}) {
+        std::vector<std::thread::id> by(count);
+        std::vector<std::size_t> thread(count, 99);
+        std::vector<int> visits(count, 0);
+        crew.for_tasks(count, [&](std::size_t task, std::size_t t) {
+            ++visits[task];
+            thread[task] = t;
+            by[task] = std::this_thread::get_id();
+        });
+        EXPECT_EQ(visits, std::vector<int>(count, 1));
+        for (std::size_t a = 0; a < count; ++a) {
+            EXPECT_LT(thread[a], static_cast<std::size_t>(crew.size()));
+            for (std::size_t b = 0; b < a; ++b) EXPECT_TRUE(thread[a] != thread[b] || by[a] == by[b]);
+        }
+    }
+}
+
+TEST_P(CrewSizes, CarriesATasksExceptionToTheCaller) {
+    const Crew crew(GetParam());
+    const auto fail = [](std::size_t task, std::size_t) {
+        if (task == 3) throw std::runtime_error("task 3");
+    };
+    EXPECT_THROW(crew.for_tasks(20, fail), std::runtime_error);
+}
 INSTANTIATE_TEST_SUITE_P(Threads, CrewSizes, testing::Values(1, 2, 3, 5), testing::PrintToStringParamName());
 
 TEST(Crew, HasAtLeastOneThread) {
