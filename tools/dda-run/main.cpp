@@ -1,10 +1,14 @@
 #include <cstdio>
 #include <exception>
+#include <limits>
 
 #include "blockgen/base/input_error.hpp"
 #include "command_line.hpp"
 #include "dda/io/read_run.hpp"
 #include "simulate.hpp"
+#ifdef __GLIBC__  // known once a header of the library has been read
+#include <malloc.h>
+#endif
 
 namespace {
 
@@ -31,10 +35,22 @@ ExitCode act(const CommandLine& line) {
     }
 }
 
+/// A step's vectors come and go, megabytes of them. Memory that goes back to the system each time is cleared
+/// page by page when it comes again, a tenth of a run's time.
+void keep_freed_memory() {
+#ifdef __GLIBC__
+    constexpr int two_gigabytes = std::numeric_limits<int>::max();
+    constexpr int most_in_old_libraries = 32 << 20;
+    if (mallopt(M_MMAP_THRESHOLD, two_gigabytes) == 0) mallopt(M_MMAP_THRESHOLD, most_in_old_libraries);
+    mallopt(M_TRIM_THRESHOLD, two_gigabytes);
+#endif
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
     try {
+        keep_freed_memory();
         return act(parse_command_line(argc, argv));
     } catch (const blockgen::InputError& error) {
         std::fprintf(stderr, "%s\n", error.what());
