@@ -8,7 +8,6 @@
 #include "dda/analysis/unexpected_turn.hpp"
 #include "dda/contact/candidates.hpp"
 #include "dda/contact/find_contacts.hpp"
-#include "dda/linear/multifrontal_solver.hpp"
 #include "dda/terms/loads.hpp"
 
 namespace dda {
@@ -92,7 +91,7 @@ TimeStepper::TimeStepper(const Model& model, int threads)
       ledger_(model_, rows_),
       half_height_(extent(model.vertices, 1) / 2),
       rounding_(8 * std::numeric_limits<double>::epsilon() * largest_coordinate(model.vertices)),
-      solver_(make_multifrontal_solver(crew_)) {
+      solver_(make_linear_solver(model.solver, crew_)) {
     edge_length_ = median_edge_length(model.topology, model.vertices);
 }
 

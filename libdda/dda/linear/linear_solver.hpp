@@ -3,7 +3,9 @@
 #include <memory>
 #include <vector>
 
+#include "dda/base/parallel.hpp"
 #include "dda/linear/block_matrix.hpp"
+#include "dda/linear/solver_kind.hpp"
 
 namespace dda {
 
@@ -18,6 +20,13 @@ class LinearSolver {
     /// Solves with the present factor, in place.
     virtual void solve(std::vector<Vec6>& right_hand_side) = 0;
 };
+
+/// @param crew outlives the solver.
+std::unique_ptr<LinearSolver> make_linear_solver(SolverKind kind, const Crew& crew);
+
+/// Cholesky factorisation by dense fronts, see multifrontal_factor.hpp, in double precision. The same bytes
+/// with any number of threads. @param crew outlives the solver.
+std::unique_ptr<LinearSolver> make_multifrontal_solver(const Crew& crew);
 
 /// CHOLMOD's supernodal Cholesky factorisation, ordered on the graph of the blocks.
 std::unique_ptr<LinearSolver> make_cholmod_solver();

@@ -1,5 +1,4 @@
-#include "dda/linear/multifrontal_solver.hpp"
-
+#include "dda/linear/linear_solver.hpp"
 #include "dda/linear/multifrontal_factor.hpp"
 
 namespace dda {
@@ -25,6 +24,10 @@ class MultifrontalSolver final : public LinearSolver {
 
 std::unique_ptr<LinearSolver> make_multifrontal_solver(const Crew& crew) {
     return std::make_unique<MultifrontalSolver>(crew);
+}
+
+std::unique_ptr<LinearSolver> make_linear_solver(SolverKind kind, const Crew& crew) {
+    return kind == SolverKind::cholmod ? make_cholmod_solver() : make_multifrontal_solver(crew);
 }
 
 }  // namespace dda

@@ -5,6 +5,7 @@
 
 #include "dda/base/types.hpp"
 #include "dda/joint/joint_law.hpp"
+#include "dda/linear/solver_kind.hpp"
 #include "dda/model/block_material.hpp"
 #include "dda/model/load.hpp"
 #include "dda/model/viscous_boundary.hpp"
@@ -82,6 +83,7 @@ struct Model {
     /// farther along it, than this. 0: forces are the penalties' alone.
     double penetration_tolerance = 0;
     double fixed_point_penalty = 0;  ///< N/m per metre of thickness
+    SolverKind solver = SolverKind::multifrontal;
 
     std::vector<MaterialPoint> material_points;  ///< of loads, fixed points, bolts and measured points
     std::vector<Load> loads;

@@ -190,6 +190,20 @@ TEST_F(ReadRun, OverridesAndBlocksOfTheCommandLine) {
     EXPECT_DOUBLE_EQ(std::get<MohrCoulomb>(input.model.joint_materials[1].law).friction_angle, 20 * degree);
 }
 
+TEST_F(ReadRun, ChoosesTheSolver) {
+    EXPECT_EQ(read(full_model).model.solver, SolverKind::multifrontal);
+    for (const auto& [name, kind] :
+         {std::pair{"cholmod", SolverKind::cholmod}, std::pair{"multifrontal", SolverKind::multifrontal}}) {
+        RunReadOptions options;
+        options.overrides = {std::string("analysis.solver=") + name};
+        EXPECT_EQ(read(full_model, options).model.solver, kind) << name;
+    }
+    EXPECT_THAT(error_with("plane = \"stress\"", "solver = \"mumps\""),
+                StartsWith("run.toml:17:10: 'solver' in [analysis] is \"mumps\"; expected one of"));
+    EXPECT_THAT(error_with("plane = \"stress\"", "solver = \"cholmot\""), HasSubstr("cholmod"));
+    EXPECT_THAT(error_with("plane = \"stress\"", "solver = 2"), StartsWith("run.toml:17:10: 'solver'"));
+}
+
 TEST_F(ReadRun, BadInputIsOneLineWithItsPlace) {
     EXPECT_EQ(error_with("cohesion =", "cohesoin ="),
               "run.toml:13:12: unknown key 'cohesoin' in [joint_material.bedding]; did you mean 'cohesion'?");

@@ -6,7 +6,6 @@
 
 #include <tuple>
 
-#include "dda/linear/multifrontal_solver.hpp"
 #include "support/case_name.hpp"
 #include "support/step_system.hpp"
 #include "support/walls.hpp"
@@ -21,10 +20,11 @@ const dda::Crew two_threads(2);
 
 struct Kind {
     const char* name;
-    std::unique_ptr<dda::LinearSolver> (*make)();
+    dda::SolverKind kind;
+    std::unique_ptr<dda::LinearSolver> make() const { return dda::make_linear_solver(kind, two_threads); }
 };
-const Kind solver_kinds[] = {{"cholmod", dda::make_cholmod_solver},
-                             {"multifrontal", [] { return dda::make_multifrontal_solver(two_threads); }}};
+const Kind solver_kinds[] = {{"cholmod", dda::SolverKind::cholmod},
+                             {"multifrontal", dda::SolverKind::multifrontal}};
 
 struct Size {
     int blocks, springs;

@@ -1,0 +1,33 @@
+// Whole runs do not depend on the linear solver.
+
+#include <gtest/gtest.h>
+
+#include "support/walls.hpp"
+
+namespace {
+
+using namespace scene;
+
+Simulation dropped_wall(dda::SolverKind solver) {
+    Scene wall = running_bond_wall(5, 5, 10);
+    wall.model.solver = solver;
+    Simulation sim(wall);
+    EXPECT_EQ(sim.shake(0.05, 0.005).status, dda::RunStatus::completed);
+    return sim;
+}
+
+// Gravity sets upon the wall at once and contacts close and slide. Solutions differ by some 1e-12 of their
+// size, convergence allows forces to differ by 1e-6: of a way of about a millimetre that is 1e-9 m.
+TEST(SolverChoice, ChangesARunByRoundingOnly) {
+    const Simulation own = dropped_wall(dda::SolverKind::multifrontal);
+    const Simulation reference = dropped_wall(dda::SolverKind::cholmod);
+    ASSERT_EQ(own.state.contacts.contacts.size(), reference.state.contacts.contacts.size());
+    double moved = 0;
+    for (int b = 1; b < own.model.block_count(); ++b) {
+        moved = std::max(moved, reference.moved(b).norm());
+        EXPECT_LT((own.moved(b) - reference.moved(b)).norm(), 1e-9) << "block " << b;
+    }
+    EXPECT_GT(moved, 1e-5) << "the wall does not move enough to show anything";
+}
+
+}  // namespace
