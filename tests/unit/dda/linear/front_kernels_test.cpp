@@ -94,9 +94,11 @@ TYPED_TEST(FrontKernels, FactoriseAFront) {
         ASSERT_TRUE(kernels.factor_pivots(front.panel(), front.pivots));
         kernels.solve_rows(front.panel(), front.pivots, 0, front.row_strips());
         const Matrix l = front.matrix.topLeftCorner(k, k).llt().matrixL();
-        const Matrix below = l.template triangularView<Eigen::Lower>()
-                                 .solve(front.matrix.bottomLeftCorner(m, k).transpose())
-                                 .transpose();
+        Matrix below(m, k);
+        if (m > 0)
+            below = l.template triangularView<Eigen::Lower>()
+                        .solve(front.matrix.bottomLeftCorner(m, k).transpose())
+                        .transpose();
         const double size = static_cast<double>(front.matrix.norm());
         double worst = 0;
         for (int c = 0; c < k; ++c) {
@@ -107,6 +109,7 @@ TYPED_TEST(FrontKernels, FactoriseAFront) {
                 worst = std::max(worst, double(std::abs(front.at(k + r, c) - below(r, c))));
         }
         EXPECT_LT(worst, tolerance * size);
+        if (m == 0) return;
 
         const int stride = front.row_strips() * DenseFront<Scalar>::w;
         dda::AlignedBuffer<Scalar> update;
@@ -131,6 +134,7 @@ TYPED_TEST(FrontKernels, Solve) {
     for_fronts<Scalar>([&](const dda::FrontKernels<Scalar>& kernels, DenseFront<Scalar>& front) {
         const int k = front.columns;
         const int m = 6 * front.rows;
+        if (m == 0) return;  // that is a root: the factor's tests solve with them
         ASSERT_TRUE(kernels.factor_pivots(front.panel(), front.pivots));
         kernels.solve_rows(front.panel(), front.pivots, 0, front.row_strips());
         const auto a11 = front.matrix.topLeftCorner(k, k);
