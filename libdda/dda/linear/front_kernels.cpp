@@ -26,7 +26,8 @@ struct Kernels {
     }
     /// Where the rows of a vector begin.
     DDA_KERNEL static long vector_at(int vector, int columns) {
-        return static_cast<long>(vector / per_strip) * w * columns + vector % per_strip * lanes;
+        return static_cast<long>(vector / per_strip) * w * columns +
+               static_cast<long>(vector % per_strip) * lanes;
     }
 
     /// sum -= A B^T: R vectors of rows from `first`, the six rows of B, both over `count` columns.
@@ -113,7 +114,8 @@ struct Kernels {
     DDA_KERNEL static bool factor_square(const Scalar* strips, int column, int columns, Scalar* square) {
         for (int q = 0; q < unknowns; ++q) {
             const Scalar* row = strips + row_at(column + q, columns) + static_cast<long>(column) * w;
-            for (int p = 0; p < unknowns; ++p) square[q * unknowns + p] = p > q ? 0 : row[p * w];
+            for (int p = 0; p < unknowns; ++p)
+                square[q * unknowns + p] = p > q ? 0 : row[static_cast<long>(p) * w];
         }
         for (int q = 0; q < unknowns; ++q) {
             Scalar* const at = square + q * unknowns;
@@ -253,6 +255,7 @@ struct Kernels {
     }
 };
 
+// An attribute cannot stand in parentheses. NOLINTBEGIN(bugprone-macro-parentheses)
 /// A set of kernels compiled for the processors named by `attribute`.
 #define DDA_KERNEL_SET(name, attribute, bytes, rows)                                                        \
     template <class Scalar>                                                                                 \
@@ -270,6 +273,7 @@ struct Kernels {
         static constexpr FrontKernels<Scalar> set{factor_pivots, solve_rows, form_update, forward,          \
                                                   backward};                                                \
     }
+// NOLINTEND(bugprone-macro-parentheses)
 
 DDA_KERNEL_SET(Plain, , 16, 2);
 #if defined(__x86_64__)

@@ -142,8 +142,8 @@ class Planner {
         std::vector<std::vector<FrontEntry>> by_column(plan_.order.size());
         std::vector<std::size_t> front_of(plan_.order.size());
         for (std::size_t f = 0; f < plan_.count(); ++f) {
-            for (int k = 0; k < plan_.fronts[f].pivots; ++k)
-                front_of[static_cast<std::size_t>(plan_.fronts[f].first + k)] = f;
+            const Front& front = plan_.fronts[f];
+            std::fill_n(front_of.begin() + front.first, front.pivots, f);
         }
         for (std::size_t i = 0; i < place.size(); ++i) {
             for (int k = pattern_.start[i]; k < pattern_.start[i + 1]; ++k) {
@@ -160,8 +160,8 @@ class Planner {
         for (std::size_t f = 0; f < plan_.count(); ++f) {
             Front& front = plan_.fronts[f];
             front.entry_begin = plan_.entries.size();
-            for (int k = 0; k < front.pivots; ++k) {
-                const auto& entries = by_column[static_cast<std::size_t>(front.first + k)];
+            for (int column = front.first; column < front.first + front.pivots; ++column) {
+                const auto& entries = by_column[static_cast<std::size_t>(column)];
                 plan_.entries.insert(plan_.entries.end(), entries.begin(), entries.end());
             }
         }

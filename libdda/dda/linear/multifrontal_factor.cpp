@@ -70,7 +70,8 @@ void MultifrontalFactor<Scalar>::assemble_panel(const BlockMatrix& matrix, std::
         static_cast<std::ptrdiff_t>(front.pivot_strips + front.row_strips) * strip_rows<Scalar> * columns,
         Scalar(0));
     for (int k = 0; k < front.pivots; ++k) {
-        const auto block = static_cast<std::size_t>(plan_.order[static_cast<std::size_t>(front.first + k)]);
+        const int column = front.first + k;
+        const auto block = static_cast<std::size_t>(plan_.order[static_cast<std::size_t>(column)]);
         const Mat6& diagonal = matrix.diagonal[block];
         add_to_strips(strips, k * unknowns, k, columns,
                       [&](int r, int c) { return static_cast<Scalar>(diagonal(r, c)); });

@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 #include "dda/record/resample.hpp"
@@ -103,8 +104,8 @@ Wavelet wavelet(const Accelerogram& record, const SpectralAim& aim, double dampi
     const double from = std::max(1.0, std::ceil((centre - reach * width) / record.step));
     const double to = std::min(last, std::floor((centre + reach * width) / record.step));
     Wavelet shape{static_cast<std::size_t>(from), {}};
-    for (double k = from; k <= to; ++k) {
-        const double t = k * record.step - centre;
+    for (auto k = static_cast<std::int64_t>(from); k <= static_cast<std::int64_t>(to); ++k) {
+        const double t = static_cast<double>(k) * record.step - centre;
         shape.values.push_back(aim.acceleration * std::cos(damped * t) * std::exp(-t * t / (width * width)));
     }
     return shape;
