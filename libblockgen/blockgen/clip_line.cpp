@@ -37,6 +37,10 @@ Bounds Bounds::widened(double margin) const {
     return {{low.x - margin, low.y - margin}, {high.x + margin, high.y + margin}};
 }
 
+Point Bounds::nearest(const Point& p) const {
+    return {std::clamp(p.x, low.x, high.x), std::clamp(p.y, low.y, high.y)};
+}
+
 std::optional<std::pair<double, double>> Bounds::clip(const Point& point, const Point& direction) const {
     double first = -std::numeric_limits<double>::infinity(), last = -first;
     narrow(point.x, direction.x, low.x, high.x, first, last);

@@ -16,6 +16,8 @@ struct Bounds {
     static Bounds of(const Ring& ring);
     std::array<Point, 4> corners() const;
     Bounds widened(double margin) const;
+    /// The box's point that lies nearest.
+    Point nearest(const Point& p) const;
     /// The parameters between which point + t direction lies in the box; nothing when the line misses it.
     std::optional<std::pair<double, double>> clip(const Point& point, const Point& direction) const;
 };

@@ -68,6 +68,24 @@ double Orientation::mean_angle() const {
     return poles.empty() ? angle.untruncated_mean() : trace_angle(mean_pole(poles));
 }
 
+double Orientation::steepest() const {
+    constexpr double rare = 1e-4, limit = 89 * std::numbers::pi / 180;
+    double turn = 0;
+    if (poles.empty())
+        turn = std::max(mean_angle() - angle.quantile(rare / 2), angle.quantile(1 - rare / 2) - mean_angle());
+    else if (poles.size() > 1)
+        for (const Pole& p : poles)
+            turn = std::max(turn, std::abs(std::remainder(trace_angle(p) - mean_angle(), std::numbers::pi)));
+    else if (fisher_k > 0) {
+        // The cone of half-angle theta about a pole that lies at beta off the section is seen within
+        // asin(sin theta / cos beta), and from all sides once it holds the section's normal.
+        const double cosine = std::max(1 + std::log(rare) / fisher_k, 0.0);
+        const double seen = std::sqrt(1 - cosine * cosine) / std::hypot(poles[0].x, poles[0].up);
+        turn = seen < 1 ? std::asin(seen) : limit;
+    }
+    return std::tan(std::min(turn, limit));
+}
+
 double Orientation::spacing_factor() const {
     if (poles.empty()) return 1;
     const Pole mean = mean_pole(poles);

@@ -26,6 +26,9 @@ struct Orientation {
     bool is_spread() const;
     /// The angle of the mean joint, rad.
     double mean_angle() const;
+    /// The largest tangent between a joint and the mean one, but for one joint in ten thousand; never beyond
+    /// that of 89 degrees.
+    double steepest() const;
     /// Spacing in the section over true spacing, of the mean plane: 1 / sqrt(1 - (n.t)^2) with the plane's
     /// normal n and the section's normal t. Infinite for a plane parallel to the section.
     double spacing_factor() const;

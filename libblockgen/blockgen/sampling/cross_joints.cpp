@@ -8,14 +8,38 @@ namespace blockgen {
 
 namespace {
 
-/// Cuts lines into pieces where they meet other joints and lays each piece a little aside.
+/// Takes traces that end on the rim of a box, as lines do that fill it, straight on beyond it.
+std::vector<Trace> beyond_rim(std::vector<Trace> traces, const Bounds& box, double length) {
+    const double near = 1e-9 * std::hypot(box.high.x - box.low.x, box.high.y - box.low.y);
+    const auto extend = [&](Point& end, const Point& before) {
+        const double from_rim =
+            std::min({end.x - box.low.x, box.high.x - end.x, end.y - box.low.y, box.high.y - end.y});
+        const double piece = std::hypot(end.x - before.x, end.y - before.y);
+        if (std::abs(from_rim) > near || !(piece > 0)) return;
+        end.x += length / piece * (end.x - before.x);
+        end.y += length / piece * (end.y - before.y);
+    };
+    for (Trace& trace : traces) {
+        const std::size_t n = trace.points.size();
+        if (n < 2) continue;
+        extend(trace.points[0], trace.points[1]);
+        extend(trace.points[n - 1], trace.points[n - 2]);
+    }
+    return traces;
+}
+
+/// Cuts lines into pieces where they meet other joints and lays each piece a little aside. Lines beside the
+/// box take part as far as their pieces may come to lie in it, for as many leave it.
 class CrossJointSampler {
   public:
     CrossJointSampler(SetSampler& sampler, const std::vector<Trace>& others)
-        : sampler_(sampler), finder_(others, sampler.bounds()) {}
+        : sampler_(sampler),
+          most_aside_(sampler.set().spacing.untruncated_mean() * sampler.set().stagger),
+          box_(sampler.bounds().widened(2 * most_aside_)),
+          finder_(beyond_rim(others, sampler.bounds(), 2 * sampler.radius() + 8 * most_aside_), box_) {}
 
     std::vector<Trace> run() {
-        for (const SetLine& line : spaced_lines(sampler_)) add_line(line);
+        for (const SetLine& line : spaced_lines(sampler_, most_aside_)) add_line(line);
         return std::move(traces_);
     }
 
@@ -45,19 +69,21 @@ class CrossJointSampler {
         sampler_.count_draw();
         if (!(from < to)) return;
         const double aside =
-            sampler_.set().spacing.untruncated_mean() * sampler_.set().stagger *
+            most_aside_ *
             (2 * sampler_.draws().draw(draw_stagger, line.number, static_cast<std::uint64_t>(piece)) - 1);
         // The middle of the first bed rather than of the piece, so that what lies aside is the same bed.
         const double start = middle_of_first_bed(line, from, to);
         const Point centre{line.middle.x + start * line.u.x - aside * line.u.y,
                            line.middle.y + start * line.u.y + aside * line.u.x};
-        const auto inside = sampler_.bounds().clip(centre, line.u);
+        const auto inside = box_.clip(centre, line.u);
         if (!inside || inside->first > 0 || inside->second < 0) return;
         const std::vector<double> back = finder_.meetings(centre, line.u, inside->first, 0);
         const std::vector<double> ahead = finder_.meetings(centre, line.u, 0, inside->second);
         const double low = back.empty() ? inside->first : back.back();
         const auto last = static_cast<std::size_t>(passed);
         const double high = ahead.size() <= last ? inside->second : ahead[last];
+        const auto in_set = sampler_.bounds().clip(centre, line.u);
+        if (!in_set || in_set->first >= high || in_set->second <= low) return;
         traces_.push_back(sampler_.trace({centre.x + low * line.u.x, centre.y + low * line.u.y},
                                          {centre.x + high * line.u.x, centre.y + high * line.u.y}));
     }
@@ -70,6 +96,8 @@ class CrossJointSampler {
     }
 
     SetSampler& sampler_;
+    double most_aside_;  ///< m
+    Bounds box_;         ///< what holds all pieces, laid aside
     TraceFinder finder_;
     std::vector<Trace> traces_;
 };

@@ -29,15 +29,16 @@ double expected_lines(const JointSet& set, double width) {
     return 2 + width / set.spacing.mean_draw(width);
 }
 
-/// The same between the box's two sides across the set, and from a distant origin to there.
+/// The same between where lines may meet the box, and from a distant origin to there.
 double expected_lines(const SetSampler& sampler) {
-    const Reach reach = reach_across(sampler);
+    const Reach reach = reach_across(sampler, sampler.set().orientation.steepest());
     return expected_lines(sampler.set(),
                           std::max(reach.high, reach.origin) - std::min(reach.low, reach.origin));
 }
 
+/// Most lines that meet the box cross the scanline between the box's two sides across the set.
 double expected_in_parallel(const SetSampler& sampler) {
-    const Reach reach = reach_across(sampler);
+    const Reach reach = reach_across(sampler, 0);
     const double width = reach.high - reach.low;
     return expected_lines(sampler) + expected_lines(sampler.set(), width) *
                                          draws_along(sampler.set(), area_of(sampler.bounds()) / width);
@@ -48,7 +49,7 @@ double expected_in_parallel(const SetSampler& sampler) {
 double expected_in_cross_joints(const SetSampler& sampler, const std::vector<Trace>& others) {
     const JointSet& set = sampler.set();
     const Point across = mean_across(set);
-    const Reach reach = reach_across(sampler);
+    const Reach reach = reach_across(sampler, 0);
     double met = 0;
     for (const Trace& trace : others)
         for (std::size_t k = 0; k + 1 < trace.points.size(); ++k) {

@@ -20,40 +20,42 @@ Point mean_across(const JointSet& set) {
     return {-std::sin(angle), std::cos(angle)};
 }
 
-Reach reach_across(const SetSampler& sampler) {
+Point scanline_point(const SetSampler& sampler) {
+    const std::optional<Point>& origin = sampler.set().origin;
+    return origin ? sampler.bounds().nearest(*origin) : sampler.centre();
+}
+
+Reach reach_across(const SetSampler& sampler, double steepest, double margin) {
     const JointSet& set = sampler.set();
-    const Point across = mean_across(set);
+    const Point across = mean_across(set), base = scanline_point(sampler);
     Reach reach{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-    // Lines that are not parallel to the mean direction may enter the box from beyond its own width across
-    // the set.
-    if (set.orientation.is_spread()) {
-        const double middle = along(across, sampler.centre());
-        reach.low = middle - sampler.radius();
-        reach.high = middle + sampler.radius();
-    } else {
-        for (const Point& p : sampler.bounds().corners()) {
-            reach.low = std::min(reach.low, along(across, p));
-            reach.high = std::max(reach.high, along(across, p));
-        }
+    // A line through a corner that lies h off the scanline and is at an angle delta to the mean direction
+    // meets the scanline h tan(delta) above or below the corner.
+    for (const Point& p : sampler.bounds().widened(margin).corners()) {
+        const double off = steepest * std::abs(across.y * (p.x - base.x) - across.x * (p.y - base.y));
+        reach.low = std::min(reach.low, along(across, p) - off);
+        reach.high = std::max(reach.high, along(across, p) + off);
     }
     reach.origin = set.origin ? along(across, *set.origin) : reach.low;
     return reach;
 }
 
-std::vector<SetLine> spaced_lines(SetSampler& sampler) {
+std::vector<SetLine> spaced_lines(SetSampler& sampler, double margin) {
     const JointSet& set = sampler.set();
     const DrawStream& draws = sampler.draws();
     const Point across = mean_across(set);
-    const Reach reach = reach_across(sampler);
+    const Reach reach = reach_across(sampler, set.orientation.steepest(), margin);
+    const Bounds box = sampler.bounds().widened(margin);
+    const Point base = scanline_point(sampler);
     std::vector<SetLine> lines;
     const auto add = [&](std::int64_t number, double offset) {
         if (offset < reach.low) return;
         SetLine line;
         line.number = number;
         line.u = sampler.direction(number);
-        const double shift = offset - along(across, sampler.centre());
-        line.middle = {sampler.centre().x + shift * across.x, sampler.centre().y + shift * across.y};
-        const auto inside = sampler.bounds().clip(line.middle, line.u);
+        const double shift = offset - along(across, base);
+        line.middle = {base.x + shift * across.x, base.y + shift * across.y};
+        const auto inside = box.clip(line.middle, line.u);
         if (!inside) return;
         std::tie(line.low, line.high) = *inside;
         lines.push_back(line);

@@ -36,7 +36,7 @@ Trace SetSampler::trace(const Point& a, const Point& b) const {
 void SetSampler::add_traces(std::int64_t line, const Point& middle, const Point& u, double low, double high,
                             std::vector<Trace>& traces) {
     const auto add = [&](double from, double to) {
-        if (from < to)
+        if (from < to && from < high && to > low)
             traces.push_back(trace({middle.x + from * u.x, middle.y + from * u.y},
                                    {middle.x + to * u.x, middle.y + to * u.y}));
     };
@@ -46,7 +46,7 @@ void SetSampler::add_traces(std::int64_t line, const Point& middle, const Point&
     for (std::uint64_t k = 0; t < high; ++k) {
         count_draw();
         const double end = t + set_.trace_length->quantile(draws_.draw(draw_trace, line, k));
-        add(std::max(t, low), std::min(end, high));
+        add(t, end);
         t = end + set_.gap->quantile(draws_.draw(draw_bridge, line, k));
     }
 }

@@ -27,8 +27,9 @@ class SetSampler {
     Point direction(std::int64_t line) const;
     Trace trace(const Point& a, const Point& b) const;
 
-    /// Alternates trace and rock bridge along `middle` + t u from `low` to `high`, or makes one trace when
-    /// the set's joints are unlimited. The pattern starts some cycles before, where it has forgotten how.
+    /// Alternates trace and rock bridge along `middle` + t u and adds the traces that reach into [low, high],
+    /// whole, so that their middles tell how many there are; or one from `low` to `high` when the set's
+    /// joints are unlimited. The pattern starts some cycles before, where it has forgotten how.
     void add_traces(std::int64_t line, const Point& middle, const Point& u, double low, double high,
                     std::vector<Trace>& traces);
 
@@ -59,16 +60,26 @@ struct SetLine {
 /// A unit vector across the mean direction of a set.
 Point mean_across(const JointSet& set);
 
-/// The distances along mean_across() within which lines may meet the box, and that of the set's origin, where
-/// it has one; otherwise `origin` is the lower of them.
+/// A point of the scanline across the mean direction on which the spacings are measured: the set's origin, or
+/// what of the box is nearest to it; without one the middle of the box.
+Point scanline_point(const SetSampler& sampler);
+
+/// The distances along mean_across() within which lines cross the scanline that may meet the box, and that of
+/// the set's origin, where it has one; otherwise `origin` is the lower of them.
 struct Reach {
     double low = 0, high = 0, origin = 0;
 };
-Reach reach_across(const SetSampler& sampler);
+/// @param steepest tangent between a line and the mean direction. @param margin by which the box is widened,
+/// m.
+Reach reach_across(const SetSampler& sampler, double steepest, double margin = 0);
 
-/// The lines of a set at its spacings, measured across the set's mean direction from the origin to both
-/// sides, those that meet the box.
-std::vector<SetLine> spaced_lines(SetSampler& sampler);
+/// The lines of a set that meet the box. They cross the scanline at the set's spacings, counted from the
+/// origin to both sides, each in a direction of its own. Where they cross and how they lie are independent,
+/// so that every other line across the mean direction is met as often, by 1 / mean spacing: their P10,
+/// however their directions scatter. Their P21 is that times the mean of 1 / cos of the angle to the mean
+/// direction.
+/// @param margin by which the box is widened, m.
+std::vector<SetLine> spaced_lines(SetSampler& sampler, double margin = 0);
 
 std::vector<Trace> sample_parallel(SetSampler& sampler);
 /// Where the middles of Baecher's traces lie: the box, widened so that its rim is as densely jointed as its

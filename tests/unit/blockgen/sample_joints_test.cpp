@@ -9,6 +9,7 @@
 
 #include "blockgen/mesh/block_file.hpp"
 #include "blockgen/sampling/draw_stream.hpp"
+#include "blockgen/sampling/rock_measure.hpp"
 #include "unit/blockgen/slopes.hpp"
 
 namespace blockgen {
@@ -126,19 +127,45 @@ TEST(SampleJoints, TheOriginIsOnAJointWhereverItLies) {
     }
 }
 
+TEST(SampleJoints, TheOriginIsOnAJointWhereAnglesScatter) {
+    SlopeModel model = rectangle(100, 50);
+    JointSet set = parallel(-25, 3);
+    set.orientation.angle = {Law::normal, -0.4, 0.3};
+    set.origin = Point{80, 11};
+    for (model.seed = 1; model.seed <= 20; ++model.seed) {
+        double nearest = 1e9;
+        for (const Trace& t : sample_joint_set(set, model)) {
+            const Point &a = t.points[0], &b = t.points[1];
+            const double twice_area = (b.x - a.x) * (11 - a.y) - (b.y - a.y) * (80 - a.x);
+            nearest = std::min(nearest, std::abs(twice_area) / std::hypot(b.x - a.x, b.y - a.y));
+        }
+        EXPECT_LT(nearest, 1e-12) << model.seed;
+    }
+}
+
+// Whole, so that a middle outside the rock tells that a trace is not counted there.
+TEST(SampleJoints, TracesReachBeyondTheRim) {
+    JointSet set = parallel(90, 1);
+    set.trace_length = constant_value(7);
+    set.gap = constant_value(1);
+    const auto traces = sample_joint_set(set, rectangle(100, 20));
+    EXPECT_GT(traces.size(), 200u);
+    for (const Trace& t : traces) EXPECT_NEAR(std::abs(t.points[1].y - t.points[0].y), 7, 1e-9);
+}
+
 TEST(SampleJoints, TracesAndGapsShareTheLine) {
     JointSet set = parallel(30, 0.5);
     set.trace_length = Distribution{Law::exponential, 4};
     set.gap = Distribution{Law::uniform, 0, 0, 0.5, 1.5};
+    const SlopeModel model = rectangle(100, 100);
+    const RockMeasure rock(model, "");
     double length = 0;
-    for (const Trace& t : sample_joint_set(set, rectangle(100, 100)))
-        length += std::hypot(t.points[1].x - t.points[0].x, t.points[1].y - t.points[0].y);
+    for (const Trace& t : sample_joint_set(set, model)) length += rock.length_in(t.points[0], t.points[1]);
     // Four fifths of each line are open. Some 200 lines of 30 cycles: the share has a standard error near
     // 0.002.
     set.trace_length.reset();
     double whole = 0;
-    for (const Trace& t : sample_joint_set(set, rectangle(100, 100)))
-        whole += std::hypot(t.points[1].x - t.points[0].x, t.points[1].y - t.points[0].y);
+    for (const Trace& t : sample_joint_set(set, model)) whole += rock.length_in(t.points[0], t.points[1]);
     EXPECT_NEAR(length / whole, 0.8, 0.01);
 }
 

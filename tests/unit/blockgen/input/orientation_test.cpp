@@ -78,6 +78,39 @@ TEST(Orientation, BootstrapDrawsEachMeasuredPlaneAsOften) {
     EXPECT_NEAR(o.mean_angle(), Orientation({{}, {o.poles[1]}, 0}).mean_angle(), 1e-6);
 }
 
+TEST(Orientation, SteepestJoint) {
+    const auto degrees = [](const Orientation& o) { return std::atan(o.steepest()) / degree; };
+    EXPECT_EQ(plane(60, 120, 90).steepest(), 0);
+    EXPECT_EQ((Orientation{constant_value(0.3), {}, 0}).steepest(), 0);
+    EXPECT_NEAR(degrees({{Law::uniform, 0, 0, -0.2, 0.4}, {}, 0}), 0.3 / degree, 0.01);
+    // Half of one in ten thousand on either side of a normal law: 3.8906 standard deviations.
+    EXPECT_NEAR(degrees({{Law::normal, 1, 5 * degree}, {}, 0}), 5 * 3.8906, 1e-3);
+    EXPECT_NEAR(degrees({{Law::normal, 1, 40 * degree}, {}, 0}), 89, 1e-9);
+    // Of axes: 170 and -170 degrees lie 20 degrees apart.
+    EXPECT_NEAR(degrees({{},
+                         {pole_of(10 * degree, 90 * degree, 90 * degree),
+                          pole_of(10 * degree, 270 * degree, 90 * degree)},
+                         0}),
+                10, 1e-6);
+    EXPECT_NEAR(degrees(plane(60, 90, 90, 2)), 89, 1e-9);
+    // No more than one draw in ten thousand lies beyond; a plane oblique to the section scatters more in it.
+    for (const double k : {20.0, 50.0, 400.0})
+        for (const double direction : {90.0, 120.0, 160.0}) {
+            const Orientation o = plane(60, direction, 90, k);
+            const DrawStream stream(7, "steep");
+            int beyond = 0;
+            double most = 0;
+            for (int i = 0; i < 20000; ++i) {
+                const double turn = std::abs(std::remainder(
+                    o.draw(stream.draw(0, i, 0), stream.draw(0, i, 1)) - o.mean_angle(), std::numbers::pi));
+                beyond += std::tan(turn) > o.steepest();
+                most = std::max(most, turn);
+            }
+            EXPECT_LE(beyond, 2 + 3) << k << ' ' << direction;
+            EXPECT_GT(most, 0.7 * std::atan(o.steepest())) << k << ' ' << direction;
+        }
+}
+
 const std::string head =
     "[domain]\noutline = [[0, 0], [20, 0], [20, 10], [0, 10]]\nblock_material = \"rock\"\n"
     "[section]\nazimuth = \"90 deg\"\n[[joint_set]]\nname = \"a\"\nspacing = 2\n";

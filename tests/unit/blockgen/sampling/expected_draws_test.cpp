@@ -51,7 +51,8 @@ TEST(ExpectedDraws, AreThoseNeeded) {
               "gap = 0\n",
           // Most spacings are a tiny share of a mean that a few reach.
           std::string("angle = \"-70 deg\"\nspacing = { law = \"lognormal\", mean = 0.3, sd = 6 }\n"),
-          anywhere + "spacing = 0.2\n", lines + "kind = \"cross-jointed\"\nends_on = \"bed\"\n",
+          anywhere + "spacing = 0.2\n", anywhere + "spacing = 0.2\ngap = 0.5\n" + short_traces,
+          spread + "spacing = 0.2\n", lines + "kind = \"cross-jointed\"\nends_on = \"bed\"\n",
           lines + "kind = \"cross-jointed\"\nends_on = \"bed\"\nregion = \"left\"\ntermination = 0.5\n",
           "kind = \"baecher\"\np21 = 0.9\n" + spread + short_traces,
           "kind = \"baecher\"\np21 = 0.9\nregion = \"left\"\n" + spread + short_traces,

@@ -1,0 +1,190 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "blockgen/sampling/rock_measure.hpp"
+#include "unit/blockgen/slopes.hpp"
+
+namespace blockgen {
+namespace {
+
+/// A notched section with a tunnel, so that area and length have something to leave out.
+const std::string head =
+    "seed = 1\n[domain]\noutline = [[0, 0], [60, 0], [60, 15], [30, 40], [0, 40]]\nblock_material = "
+    "\"rock\"\n"
+    "[section]\nazimuth = \"90 deg\"\n"
+    "[[tunnel]]\nshape = \"polygon\"\npolygon = [[10, 10], [18, 10], [18, 18], [10, 18]]\n"
+    "[[region]]\nname = \"left\"\nblock_material = \"rock\"\npolygon = [[-5, -5], [25, -5], [25, 50], [-5, "
+    "50]]\n"
+    "[[joint_set]]\nname = \"set\"\n";
+
+struct Densities {
+    double p10 = 0, p20 = 0, p21 = 0;
+};
+
+/// Of the traces themselves, before anything is noded. @param u the set's mean direction.
+Densities densities_of(const std::vector<Trace>& traces, const RockMeasure& rock, const Point& u) {
+    Densities sums;
+    for (const Trace& t : traces) {
+        const Point &a = t.points[0], &b = t.points[1];
+        const double length = std::hypot(b.x - a.x, b.y - a.y), in_rock = rock.length_in(a, b);
+        sums.p21 += in_rock;
+        sums.p10 += in_rock * std::abs((b.x - a.x) * u.x + (b.y - a.y) * u.y) / length;
+        sums.p20 += rock.holds({(a.x + b.x) / 2, (a.y + b.y) / 2});
+    }
+    return {sums.p10 / rock.area(), sums.p20 / rock.area(), sums.p21 / rock.area()};
+}
+
+/// A mean over independent seeds.
+class SeedMean {
+  public:
+    void add(double value) {
+        ++n_;
+        sum_ += value;
+        squares_ += value * value;
+    }
+    double mean() const { return sum_ / n_; }
+    double standard_error() const {
+        return std::sqrt(std::max(squares_ / n_ - mean() * mean(), 0.0) / (n_ - 1));
+    }
+
+  private:
+    double n_ = 0, sum_ = 0, squares_ = 0;
+};
+
+/// Holds the densities of a model's last set against those expected, 0 for what is not, within three standard
+/// errors of so many seeds.
+void expect_densities(const std::string& keys, const Densities& expected, std::uint64_t seeds) {
+    SlopeModel model = slope(head + keys);
+    const JointSet& set = model.joint_sets.back();
+    const RockMeasure rock(model, set.region);
+    const double mean = set.kind == SetKind::voronoi ? 0 : set.orientation.mean_angle();
+    SeedMean p10, p20, p21;
+    for (model.seed = 1; model.seed <= seeds; ++model.seed) {
+        std::vector<Trace> traces = all_traces(model);
+        std::erase_if(traces, [&](const Trace& t) { return t.name != set.name; });
+        const Densities d = densities_of(traces, rock, {std::cos(mean), std::sin(mean)});
+        p10.add(d.p10), p20.add(d.p20), p21.add(d.p21);
+    }
+    // A stop rule is met as nearly as whole traces can.
+    const double rounding = set.stop.measure == StopRule::Measure::p20 ? 0.5 / rock.area() : 1e-9;
+    const auto check = [&](const char* what, const SeedMean& achieved, double asked) {
+        if (asked <= 0) return;
+        const double error = achieved.standard_error();
+        EXPECT_NEAR(achieved.mean(), asked, 3 * error + rounding)
+            << what << " with a standard error of " << error << ", z = " << (achieved.mean() - asked) / error
+            << ", of\n"
+            << keys;
+        // A mean that scatters too much to tell anything would pass.
+        EXPECT_LT(error, 0.02 * asked) << what << " of\n" << keys;
+    };
+    check("P10", p10, expected.p10);
+    check("P20", p20, expected.p20);
+    check("P21", p21, expected.p21);
+}
+
+/// The mean of 1 / cos over angles that are uniform within plus and minus `turn`.
+double mean_secant(double turn) {
+    return std::log(1 / std::cos(turn) + std::tan(turn)) / turn;
+}
+
+constexpr double degree = std::numbers::pi / 180;
+const std::string within_30 = "angle = { law = \"uniform\", min = \"-10 deg\", max = \"50 deg\" }\n",
+                  within_75 = "angle = { law = \"uniform\", min = \"-55 deg\", max = \"95 deg\" }\n",
+                  normal_15 = "angle = { law = \"normal\", mean = \"20 deg\", sd = \"15 deg\" }\n",
+                  normal_30 = "angle = { law = \"normal\", mean = \"20 deg\", sd = \"30 deg\" }\n",
+                  all_round = "angle = { law = \"uniform\", min = \"0 deg\", max = \"180 deg\" }\n",
+                  exponential_4 = "trace_length = { law = \"exponential\", mean = 4 }\n";
+
+// Lines that cross a scanline at a spacing s, each in a direction of its own, cross every other one as often:
+// P10 = 1 / s. Each metre of scanline brings 1 / cos of the angle in length per metre along the set.
+TEST(Densities, OfParallelSets) {
+    expect_densities("angle = \"20 deg\"\nspacing = 2\n", {0.5, 0, 0.5}, 1000);
+    expect_densities(within_30 + "spacing = 2\n", {0.5, 0, 0.5 * mean_secant(30 * degree)}, 1000);
+    expect_densities(within_30 + "spacing = { law = \"exponential\", mean = 1 }\n",
+                     {1, 0, mean_secant(30 * degree)}, 1000);
+    expect_densities(normal_15 + "spacing = { law = \"lognormal\", mean = 1, sd = 0.4, min = 0.5 }\n",
+                     {1 / Distribution{Law::lognormal, 1, 0.4, 0.5}.mean_draw(), 0, 0}, 1000);
+    expect_densities(normal_30 + "spacing = 2\n", {0.5, 0, 0}, 1000);
+    expect_densities(within_75 + "spacing = 1\n", {1, 0, mean_secant(75 * degree)}, 2000);
+    expect_densities(within_30 + "spacing = 1\nregion = \"left\"\n", {1, 0, mean_secant(30 * degree)}, 1000);
+    expect_densities(normal_30 + "spacing = 2\norigin = [31, 22]\n", {0.5, 0, 0}, 1000);
+    expect_densities(normal_15 + "spacing = 2\norigin = [-300, 900]\n", {0.5, 0, 0}, 1000);
+}
+
+TEST(Densities, OfParallelSetsOfTraces) {
+    // Traces of 4 m and bridges of 2 m.
+    expect_densities("angle = \"20 deg\"\nspacing = 1\npersistence = 0.666666666666667\n" + exponential_4,
+                     {2.0 / 3, 1.0 / 6, 2.0 / 3}, 1000);
+    const double secant = mean_secant(30 * degree);
+    expect_densities(within_30 + "spacing = 1\ngap = { law = \"exponential\", mean = 2 }\n" + exponential_4,
+                     {2.0 / 3, secant / 6, secant * 2 / 3}, 1000);
+    // Truncated, both the spacing and the traces.
+    const double open = Distribution{Law::exponential, 4, 0, 2, 6}.mean_draw();
+    expect_densities(within_30 +
+                         "spacing = { law = \"normal\", mean = 1, sd = 0.5, min = 0.5, max = 1.5 }\ngap = 2\n"
+                         "trace_length = { law = \"exponential\", mean = 4, min = 2, max = 6 }\n",
+                     {open / (open + 2), secant / (open + 2), secant * open / (open + 2)}, 1000);
+}
+
+TEST(Densities, OfPlanesInSpace) {
+    const double seen = std::sqrt(1 - std::pow(std::sin(60 * degree) * std::sin(30 * degree), 2));
+    const std::string plane = "dip = \"60 deg\"\ndip_direction = \"120 deg\"\nspacing = 2\n";
+    expect_densities(plane, {seen / 2, 0, seen / 2}, 1000);
+    for (const char* k : {"30", "10", "5"})
+        expect_densities(plane + "fisher_k = " + k + "\n", {seen / 2, 0, 0}, 2000);
+    // Readings that lie in planes across the section, by 15 degrees to either side of the mean.
+    expect_densities(
+        "orientations = [[\"45 deg\", \"90 deg\"], [\"75 deg\", \"90 deg\"], [\"60 deg\", \"90 deg\"]]\n"
+        "spacing = 2\n",
+        {0.5, 0, 0.5 * (1 + 2 / std::cos(15 * degree)) / 3}, 1000);
+}
+
+// The stop rule is met in each realisation; the other densities follow from the laws of length and angle.
+TEST(Densities, OfBaechersTraces) {
+    const double cosine = 2 / std::numbers::pi, area = 60 * 40 - 25 * 15 - 64;
+    const std::string keys = "kind = \"baecher\"\n" + all_round + exponential_4;
+    expect_densities(keys + "p21 = 1\n", {cosine, 0.25, 1}, 300);
+    expect_densities(keys + "p20 = 0.25\n", {cosine, 0.25, 1}, 300);
+    expect_densities(keys + "count = 490\n", {cosine * 4 * 490 / area, 490 / area, 4 * 490 / area}, 300);
+    expect_densities(keys + "p10 = 0.5\n", {0.5, 0.125 / cosine, 0.5 / cosine}, 300);
+    expect_densities(keys + "p21 = 1\nregion = \"left\"\n", {cosine, 0, 1}, 300);
+    const double thirty = std::sin(30 * degree) / (30 * degree);
+    expect_densities("kind = \"baecher\"\np10 = 0.5\n" + within_30 + exponential_4,
+                     {0.5, 0.125 / thirty, 0.5 / thirty}, 300);
+}
+
+TEST(Densities, OfVenezianosLines) {
+    const double cosine = 2 / std::numbers::pi, thirty = std::sin(30 * degree) / (30 * degree);
+    const std::string traces = exponential_4 + "persistence = 0.6\n";
+    expect_densities("kind = \"veneziano\"\np21 = 1\n" + all_round + traces, {cosine, 0.25, 1}, 600);
+    expect_densities("kind = \"veneziano\"\np10 = 0.5\n" + all_round + traces,
+                     {0.5, 0.125 / cosine, 0.5 / cosine}, 600);
+    expect_densities("kind = \"veneziano\"\np10 = 0.5\n" + within_30 + traces,
+                     {0.5, 0.125 / thirty, 0.5 / thirty}, 600);
+    expect_densities("kind = \"veneziano\"\np21 = 1\n" + within_30, {thirty, 0, 1}, 600);
+}
+
+TEST(Densities, OfCrossJoints) {
+    // Beds of 2 m through the whole section; each piece is moved by up to half a spacing, none gets lost.
+    const std::string beds =
+        "angle = \"0 deg\"\nspacing = 2\norigin = [0, 1]\n[[joint_set]]\nname = \"cross\"\n"
+        "kind = \"cross-jointed\"\nends_on = \"set\"\n";
+    const double secant = mean_secant(20 * degree);
+    expect_densities(beds + "angle = \"80 deg\"\nspacing = 1.5\n", {1 / 1.5, 0, 1 / 1.5}, 300);
+    expect_densities(beds + "angle = \"80 deg\"\nspacing = 1.5\ntermination = 0.4\n", {1 / 1.5, 0, 1 / 1.5},
+                     300);
+    expect_densities(
+        beds + "angle = { law = \"uniform\", min = \"60 deg\", max = \"100 deg\" }\nspacing = 1.5\n",
+        {1 / 1.5, 0, secant / 1.5}, 300);
+}
+
+// Poisson's cells: edges of the length 2 sqrt(density) per area and three edges to a cell (Meijering 1953).
+TEST(Densities, OfVoronoiCells) {
+    const double density = 500 / (60.0 * 40 - 25 * 15 - 64);
+    expect_densities("kind = \"voronoi\"\ncount = 500\n", {0, 3 * density, 2 * std::sqrt(density)}, 100);
+}
+
+}  // namespace
+}  // namespace blockgen
