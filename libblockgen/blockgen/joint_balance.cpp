@@ -114,11 +114,20 @@ class NetworkMeasure {
         if (set.stop.measure == Measure::p21) b.p21_asked = set.stop.target;
         if (set.stop.measure == Measure::count) b.count_asked = set.stop.target;
         if (set.kind != SetKind::parallel) return;
-        b.p21_asked = 1 / set.spacing.mean_draw();
+        b.p10_asked = 1 / set.spacing.mean_draw();
         if (set.trace_length) {
             const double open = set.trace_length->mean_draw();
-            b.p21_asked *= open / (open + set.gap->mean_draw());
+            b.p10_asked *= open / (open + set.gap->mean_draw());
         }
+        if (!set.orientation.is_spread()) b.p21_asked = b.p10_asked;
+    }
+
+    /// Along which a trace's length counts for P10: a set's own mean direction, whatever its joints came out
+    /// as, or the mean of given traces.
+    double mean_direction(std::size_t row) const {
+        const JointSet* set = set_of(report_.joints[row].name);
+        return set != nullptr && set->kind != SetKind::voronoi ? set->orientation.mean_angle()
+                                                               : sums_[row].mean_direction();
     }
 
     bool is_rock(std::size_t half_edge) const { return parts_.block_of(half_edge) != FaceBlocks::outside; }
@@ -142,12 +151,16 @@ class NetworkMeasure {
     void add_edges() {
         for (std::size_t e = 0; e < parts_.noded.edges.size(); ++e)
             for_each_joint_of(e, [&](std::size_t t) { add_edge(e, t); });
+        std::vector<Point> mean;
+        for (std::size_t r = 0; r < sums_.size(); ++r) {
+            const double angle = mean_direction(r);
+            mean.push_back({std::cos(angle), std::sin(angle)});
+        }
         for (std::size_t e = 0; e < parts_.noded.edges.size(); ++e)
             for_each_joint_of(e, [&](std::size_t t) {
                 if (!is_rock(2 * e) || !is_rock(2 * e + 1)) return;
-                const Point v = vector_of(e);
-                const double mean = sums_[row_[t]].mean_direction();
-                across_[row_[t]] += std::abs(v.x * std::cos(mean) + v.y * std::sin(mean));
+                const Point v = vector_of(e), u = mean[row_[t]];
+                across_[row_[t]] += std::abs(v.x * u.x + v.y * u.y);
             });
     }
 

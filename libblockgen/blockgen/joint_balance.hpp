@@ -19,12 +19,12 @@ struct JointBalance {
     double pruned = 0;       ///< ends in rock, encloses nothing, or lies within merged blocks
     double on_boundary = 0;  ///< along the outline, a hole or a tunnel, where the free face wins
     double outside = 0;      ///< beyond the rock
-    double p10 = 0;          ///< 1/m: joints met by a line across their mean direction
-    double p20 = 0;          ///< 1/m2: traces, each counted at its middle
-    double p21 = 0;          ///< m/m2: length in rock, retained and pruned, per area
-    double p10_asked = 0;    ///< 1/m; 0 when nobody asked, here and below
-    double p20_asked = 0;    ///< 1/m2
-    double p21_asked = 0;    ///< m/m2
+    double p10 = 0;        ///< 1/m: joints met by a line across the set's mean direction, or the traces' own
+    double p20 = 0;        ///< 1/m2: traces, each counted at its middle
+    double p21 = 0;        ///< m/m2: length in rock, retained and pruned, per area
+    double p10_asked = 0;  ///< 1/m; 0 when nobody asked, here and below
+    double p20_asked = 0;  ///< 1/m2
+    double p21_asked = 0;  ///< m/m2
     double count_asked = 0;
 };
 

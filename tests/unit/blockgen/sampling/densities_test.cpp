@@ -186,5 +186,30 @@ TEST(Densities, OfVoronoiCells) {
     expect_densities("kind = \"voronoi\"\ncount = 500\n", {0, 3 * density, 2 * std::sqrt(density)}, 100);
 }
 
+// The report measures the noded joints; asked is what spacing and stop rule come to.
+TEST(Densities, OfTheReport) {
+    for (const std::string& keys :
+         {"kind = \"veneziano\"\np10 = 0.5\npersistence = 0.6\n" + all_round + exponential_4,
+          "kind = \"baecher\"\np21 = 0.7\n" + all_round + exponential_4,
+          normal_30 + "spacing = 2\n" + exponential_4 + "gap = 2\n"}) {
+        const SlopeModel model = slope(head + keys);
+        const JointSet& set = model.joint_sets[0];
+        const double mean = set.orientation.mean_angle();
+        const Densities d =
+            densities_of(all_traces(model), RockMeasure(model, ""), {std::cos(mean), std::sin(mean)});
+        const JointBalance b = cut(model).report.joints[0];
+        EXPECT_NEAR(b.p10, d.p10, 1e-5 * d.p10) << keys;
+        EXPECT_NEAR(b.p20, d.p20, 1e-8 * d.p20) << keys;  // outlines on the grid
+        EXPECT_NEAR(b.p21, d.p21, 1e-5 * d.p21) << keys;
+        const bool by_p21 = set.stop.measure == StopRule::Measure::p21;
+        EXPECT_NEAR(b.p10_asked, by_p21 ? 0 : set.kind == SetKind::parallel ? 1.0 / 3 : 0.5, 1e-12) << keys;
+        EXPECT_EQ(b.p21_asked, by_p21 ? 0.7 : 0) << keys;
+    }
+    const JointBalance flat =
+        cut(slope(head + "angle = \"20 deg\"\nspacing = 2\norigin = [3, 4]\n")).report.joints[0];
+    EXPECT_EQ(flat.p10_asked, 0.5);
+    EXPECT_EQ(flat.p21_asked, 0.5);
+}
+
 }  // namespace
 }  // namespace blockgen
