@@ -25,8 +25,13 @@ constexpr int augmentation_memory = 10;
 class Iteration {
   public:
     Iteration(const StepProblem& problem, const BlockPattern& pattern, LinearSolver& solver,
-              BlockMatrix& work, const Crew& crew)
-        : p_(problem), pattern_(pattern), solver_(solver), matrix_(work), trials_(problem, crew) {
+              BlockMatrix& work, const Crew& crew, PhaseTimes* times)
+        : p_(problem),
+          pattern_(pattern),
+          solver_(solver),
+          matrix_(work),
+          times_(times),
+          trials_(problem, crew) {
         displacement_.assign(static_cast<std::size_t>(p_.rows.count()), Vec6::Zero());
     }
 
@@ -40,8 +45,11 @@ class Iteration {
         while (result.iterations - began < p_.control.iteration_limit) {
             if (changed) {
                 assemble();
+                end_of(Phase::assembly, times_);
                 ++result.factorizations;
-                if (!solver_.factorize(matrix_)) {
+                const bool definite = solver_.factorize(matrix_);
+                end_of(Phase::factorisation, times_);
+                if (!definite) {
                     result.singular = true;
                     return result;
                 }
@@ -49,6 +57,7 @@ class Iteration {
             ++result.iterations;
             const bool follow = result.iterations - began <= following_iterations;
             const std::vector<Vec6> target = follow ? solve_with_friction() : solve_as_held();
+            end_of(Phase::solution, times_);
             const bool full_step = advance_towards(target, result.iterations == 1);
 
             trials_.move_to(displacement_);
@@ -67,9 +76,11 @@ class Iteration {
                 }
             }
             changed = trials_.choose_springs();
+            end_of(Phase::judging, times_);
             if (changed) shifting = AndersonMixing(augmentation_memory);
         }
         finish(result);
+        end_of(Phase::judging, times_);
         return result;
     }
 
@@ -167,6 +178,7 @@ class Iteration {
     const BlockPattern& pattern_;
     LinearSolver& solver_;
     BlockMatrix& matrix_;
+    PhaseTimes* times_;
     TrialContacts trials_;
     std::vector<Vec6> displacement_;  ///< per row
 };
@@ -174,8 +186,9 @@ class Iteration {
 }  // namespace
 
 OpenCloseResult iterate_open_close(const StepProblem& problem, const BlockPattern& pattern,
-                                   LinearSolver& solver, BlockMatrix& work, const Crew& crew) {
-    return Iteration(problem, pattern, solver, work, crew).run();
+                                   LinearSolver& solver, BlockMatrix& work, const Crew& crew,
+                                   PhaseTimes* times) {
+    return Iteration(problem, pattern, solver, work, crew, times).run();
 }
 
 }  // namespace dda

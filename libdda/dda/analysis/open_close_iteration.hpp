@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "dda/analysis/step_problem.hpp"
+#include "dda/base/phase_times.hpp"
 #include "dda/linear/linear_solver.hpp"
 
 namespace dda {
@@ -28,6 +29,7 @@ struct OpenCloseResult {
 /// potential's minimum once that has failed to settle. Converged means that no contact force moves by more
 /// than the tolerance, whatever the states are called.
 OpenCloseResult iterate_open_close(const StepProblem& problem, const BlockPattern& pattern,
-                                   LinearSolver& solver, BlockMatrix& work, const Crew& crew);
+                                   LinearSolver& solver, BlockMatrix& work, const Crew& crew,
+                                   PhaseTimes* times = nullptr);
 
 }  // namespace dda

@@ -99,12 +99,14 @@ StepAttempt TimeStepper::advance(const Stage& stage, const State& state, double 
     StepAttempt attempt;
     int iterations = 0;
     int factorizations = 0;
+    if (times_ != nullptr) times_->start();
     Look look = first_look(stage, state, dt);
     for (int k = 0; k < look_limit && look.wanted; ++k) {
         attempt = look_at_step(stage, state, dt, look);
         iterations += attempt.report.iterations;
         factorizations += attempt.report.factorizations;
     }
+    end_of(Phase::update, times_);
     attempt.report.iterations = iterations;
     attempt.report.factorizations = factorizations;
     return attempt;
@@ -200,11 +202,12 @@ TimeStepper::Step TimeStepper::prepare(const Stage& stage, const State& state, d
     step.newmark = {stage.newmark_beta, stage.newmark_gamma, dt};
     step.prescribed = prescribe_motion(model_, stage, state.blocks, dt, state.stage_time + dt);
     step.mid = predict_mid_step(model_, state.blocks, look.predicted);
+    end_of(Phase::preparation, times_);
     step.contacts = find_contacts(
         model_, state.contacts,
         {state.blocks.vertices, step.mid.vertices, look.entering, look.reach, edge_length_,
          unseen_depth * edge_length_ + rounding_, duration_of(stage, dt), state.step_count == 0},
-        crew_);
+        crew_, times_);
     step.springs =
         contact_springs(model_, rows_, step.mid, step.prescribed.displacement, step.contacts.contacts, crew_);
     step.bolts = bolt_springs(model_, rows_, step.mid, step.prescribed.displacement);
@@ -214,6 +217,7 @@ TimeStepper::Step TimeStepper::prepare(const Stage& stage, const State& state, d
         boundary_terms(model_, rows_, step.mid, stage, end, state.boundary_reactions, step.fields);
     step.loads = {load_time(stage, state, dt), held_frame_acceleration(stage, dt, end)};
     assemble_base(stage, state, step);
+    end_of(Phase::preparation, times_);
     return step;
 }
 
@@ -259,6 +263,7 @@ OpenCloseResult TimeStepper::solve(const Stage& stage, const State& state, const
         return nothing;
     }
     analyze_pattern(step.contacts);
+    end_of(Phase::analysis, times_);
     const std::vector<const JudgedContact*> first = guess.of(step.contacts.contacts);
     const StepProblem problem{model_,
                               stage.control,
@@ -272,7 +277,7 @@ OpenCloseResult TimeStepper::solve(const Stage& stage, const State& state, const
                               step.bolts,
                               state.bolt_force,
                               rounding_ * std::max(stiffest_spring(step.springs), model_.normal_penalty)};
-    return iterate_open_close(problem, pattern_, *solver_, matrix_, crew_);
+    return iterate_open_close(problem, pattern_, *solver_, matrix_, crew_, times_);
 }
 
 std::vector<Vec6> TimeStepper::all_displacements(const Step& step, const OpenCloseResult& result) const {

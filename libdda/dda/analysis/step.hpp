@@ -10,6 +10,7 @@
 #include "dda/analysis/run.hpp"
 #include "dda/analysis/state.hpp"
 #include "dda/base/parallel.hpp"
+#include "dda/base/phase_times.hpp"
 #include "dda/contact/intrusion.hpp"
 #include "dda/linear/linear_solver.hpp"
 #include "dda/terms/system.hpp"
@@ -37,6 +38,8 @@ class TimeStepper {
     StepAttempt advance(const Stage& stage, const State& state, double dt);
 
     const Ledger& ledger() const { return ledger_; }
+    /// What steps take from now on is added up there; null: nowhere.
+    void time_phases(PhaseTimes* times) { times_ = times; }
 
   private:
     /// Everything a step is computed from, once for all its iterations.
@@ -68,6 +71,7 @@ class TimeStepper {
     BlockPattern pattern_;
     BlockMatrix matrix_;
     std::unique_ptr<LinearSolver> solver_;
+    PhaseTimes* times_ = nullptr;
 };
 
 }  // namespace dda

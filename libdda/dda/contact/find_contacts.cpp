@@ -60,12 +60,13 @@ void load_spring(const Model& model, double kept_rest_gap, Contact& contact) {
 }  // namespace
 
 ContactSet find_contacts(const Model& model, const ContactSet& last, const ContactSearch& search,
-                         const Crew& crew) {
+                         const Crew& crew, PhaseTimes* times) {
     ContactSet set = with_candidates(model, last, search);
     set.contacts = detect_contacts(
         model,
         {search.vertices, search.half_way, search.reach, search.rounding, last.contacts, search.entering},
         set.candidates, crew);
+    end_of(Phase::detection, times);
     transfer_contacts(model, last.contacts, search.reach, search.first_step, set.contacts);
     const double kept_rest_gap = search.duration > 0 ? std::exp(-search.duration / rest_gap_time) : 0;
     for (Contact& c : set.contacts) {
@@ -78,6 +79,7 @@ ContactSet find_contacts(const Model& model, const ContactSet& last, const Conta
         if (c.state == ContactState::open && c.gap < -(search.rounding + 2 * c.known_depth) && !enters)
             c.held_back = true;
     }
+    end_of(Phase::transfer, times);
     return set;
 }
 

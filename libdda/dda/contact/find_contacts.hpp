@@ -3,6 +3,7 @@
 #include <span>
 
 #include "dda/base/parallel.hpp"
+#include "dda/base/phase_times.hpp"
 #include "dda/contact/contact.hpp"
 #include "dda/model/model.hpp"
 
@@ -24,6 +25,6 @@ struct ContactSearch {
 /// detection, transfer of what `last` carried, and the forces that follow from the geometry.
 /// @param last the contacts at the end of the step before, at `search.vertices`.
 ContactSet find_contacts(const Model& model, const ContactSet& last, const ContactSearch& search,
-                         const Crew& crew);
+                         const Crew& crew, PhaseTimes* times = nullptr);
 
 }  // namespace dda

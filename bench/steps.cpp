@@ -1,0 +1,187 @@
+// What the phases of steps take: bench_steps --wall COLUMNSxROWS | --model RUN.toml --blocks FILE, see `usage`.
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <exception>
+#include <map>
+#include <stdexcept>
+#include <string>
+
+#include "dda/analysis/step.hpp"
+#include "dda/io/read_run.hpp"
+#include "support/random_shapes.hpp"
+#include "support/walls.hpp"
+
+namespace {
+
+constexpr const char* usage =
+    "bench_steps --wall COLUMNSxROWS [--penalty TIMES-E] [--jolt M/S] | --model RUN.toml --blocks FILE\n"
+    "    [--step S] [--steps N] [--warm N] [--threads N] [--solver multifrontal|cholmod] [--no-heading]\n"
+    "Takes WARM steps, then N that count, and prints what their phases took as CSV, in us per block and step:\n"
+    "CPU time on one thread, wall time on several. A jolt gives each block of a wall a velocity of that size\n"
+    "at random. `at four` is what a step of four open-close iterations takes: the phases of the iteration\n"
+    "are scaled to four of them, the others are as measured.\n";
+
+using Options = std::map<std::string, std::string>;
+using dda::Phase;
+
+Options read_options(int argc, char** argv) {
+    Options options{{"--penalty", "100"}, {"--jolt", "0"},    {"--step", "0.005"},
+                    {"--steps", "20"},    {"--warm", "3"},    {"--threads", "1"},
+                    {"--solver", "multifrontal"}};
+    for (int i = 1; i < argc; ++i) {
+        const std::string name = argv[i];
+        if (name == "--no-heading")
+            options[name] = "yes";
+        else if (name.rfind("--", 0) == 0 && i + 1 < argc)
+            options[name] = argv[++i];
+        else
+            throw std::invalid_argument(name);
+    }
+    return options;
+}
+
+template <class Number>
+Number read(const std::string& text, Number least) {
+    Number value{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size() || value < least)
+        throw std::invalid_argument(text);
+    return value;
+}
+
+double cpu_time() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+double wall_time() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+double peak_bytes() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return 1024.0 * static_cast<double>(usage.ru_maxrss);
+}
+
+struct Scene {
+    std::string name;
+    dda::Model model;
+    dda::Stage stage;
+};
+
+Scene wall(const Options& options) {
+    const std::string& size = options.at("--wall");
+    const std::size_t cross = std::min(size.find('x'), size.size() - 1);
+    Scene scene;
+    scene.model = scene::running_bond_wall(read(size.substr(0, cross), 1), read(size.substr(cross + 1), 1),
+                                           read(options.at("--penalty"), 0.0))
+                      .model;
+    const double jolt = read(options.at("--jolt"), 0.0);
+    scene.name = jolt > 0 ? "wall, jolted" : "wall, let go";
+    scene::Dice dice(1);
+    for (std::size_t b = 0; jolt > 0 && b < scene.model.motion.size(); ++b) {
+        scene.model.initial_velocity.resize(scene.model.motion.size(), dda::Vec6::Zero());
+        if (scene.model.motion[b] == dda::Motion::free)
+            scene.model.initial_velocity[b].head<2>() = jolt * dice.direction();
+    }
+    return scene;
+}
+
+Scene slope(const Options& options) {
+    const dda::RunInput input = dda::read_run(options.at("--model"), {{}, options.at("--blocks"), {}});
+    return {input.output.name, input.model, input.stages.front()};
+}
+
+/// Means over the steps that count.
+struct Figures {
+    int steps = 0;
+    double iterations = 0;
+    double factorizations = 0;
+    dda::PhaseTimes times;
+
+    double total() const {
+        double sum = 0;
+        for (std::size_t p = 0; p < static_cast<std::size_t>(Phase::count); ++p)
+            sum += times.seconds(static_cast<Phase>(p));
+        return sum;
+    }
+    double at_four() const {
+        double of_iteration = 0;
+        for (const Phase p : {Phase::assembly, Phase::factorisation, Phase::solution, Phase::judging})
+            of_iteration += times.seconds(p);
+        return total() + of_iteration * (4 * steps / iterations - 1);
+    }
+};
+
+Figures measure(const Scene& scene, const Options& options) {
+    const int threads = read(options.at("--threads"), 1);
+    const double dt = read(options.at("--step"), 1e-9);
+    dda::TimeStepper stepper(scene.model, threads);
+    dda::State state = dda::initial_state(scene.model);
+    Figures figures{0, 0, 0, dda::PhaseTimes(threads == 1 ? cpu_time : wall_time)};
+    const int warm = read(options.at("--warm"), 0);
+    const int steps = read(options.at("--steps"), 1);
+    for (int k = 0; k < warm + steps; ++k) {
+        if (k == warm) stepper.time_phases(&figures.times);
+        dda::StepAttempt attempt = stepper.advance(scene.stage, state, dt);
+        if (attempt.rejection != dda::Rejection::none)
+            throw std::runtime_error("step " + std::to_string(k) + " is refused, for reason " +
+                                     std::to_string(static_cast<int>(attempt.rejection)));
+        state = std::move(attempt.state);
+        if (k < warm) continue;
+        ++figures.steps;
+        figures.iterations += attempt.report.iterations;
+        figures.factorizations += attempt.report.factorizations;
+    }
+    return figures;
+}
+
+void print(const Scene& scene, const Options& options, const Figures& f) {
+    const double blocks = scene.model.block_count();
+    const auto per_block = [&](double seconds) { return 1e6 * seconds / (f.steps * blocks); };
+    double load = -1;
+    if (getloadavg(&load, 1) != 1) load = -1;
+    if (!options.count("--no-heading"))
+        std::puts(
+            "scene,solver,threads,load,blocks,step (s),penalty,steps,iterations,factorisations,detection,"
+            "transfer,preparation,analysis,assembly,factorisation,solution,judging,update,total,at four,"
+            "peak kB/block");
+    std::printf("\"%s\",%s,%s,%.2g,%.0f,%s,%s,%d,%.3g,%.3g", scene.name.c_str(),
+                options.at("--solver").c_str(), options.at("--threads").c_str(), load, blocks,
+                options.at("--step").c_str(), options.at("--penalty").c_str(), f.steps,
+                f.iterations / f.steps, f.factorizations / f.steps);
+    for (std::size_t p = 0; p < static_cast<std::size_t>(Phase::count); ++p)
+        std::printf(",%.3g", per_block(f.times.seconds(static_cast<Phase>(p))));
+    std::printf(",%.3g,%.3g,%.3g\n", per_block(f.total()), per_block(f.at_four()),
+                1e-3 * peak_bytes() / blocks);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        const Options options = read_options(argc, argv);
+        Scene scene = options.count("--wall") ? wall(options) : slope(options);
+        if (const std::string& solver = options.at("--solver"); solver == "cholmod")
+            scene.model.solver = dda::SolverKind::cholmod;
+        else if (solver != "multifrontal")
+            throw std::invalid_argument(solver);
+        print(scene, options, measure(scene, options));
+    } catch (const std::logic_error&) {
+        std::fputs(usage, stderr);
+        return 2;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "bench_steps: %s\n", error.what());
+        return 1;
+    }
+    return 0;
+}
