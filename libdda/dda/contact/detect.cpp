@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
+#include "dda/contact/by_corner.hpp"
 #include "dda/contact/candidates.hpp"
 #include "dda/contact/known_depth.hpp"
 
@@ -36,7 +38,15 @@ class Detector {
         : model_(model),
           topology_(model.topology),
           d_(detection),
-          known_(model.topology, d_.vertices, d_.previous, d_.reach) {}
+          known_(model.topology, d_.vertices, d_.previous, d_.reach),
+          previous_(model.topology.corner_count(), corners_of(d_.previous)) {}
+
+    /// Whether a candidate is worth examining: it is within reach, or was a contact before.
+    bool is_near(const CornerEdge& candidate) const {
+        const auto [corner, edge] = candidate;
+        return distance_to_segment(at(corner), at(edge), at(next(edge))) <= d_.reach ||
+               find_previous(candidate) != nullptr || enters(candidate);
+    }
 
     /// Fills the entry for a candidate. @return whether it is a contact at all.
     bool examine(const CornerEdge& candidate, Entry& entry) const {
@@ -48,8 +58,8 @@ class Detector {
         contact.edge = edge;
         contact.corner_block = topology_.block_of[index(corner)];
         contact.edge_block = topology_.block_of[index(edge)];
-        const Contact* old = find_previous(contact);
-        const bool enters = std::binary_search(d_.entering.begin(), d_.entering.end(), candidate);
+        const Contact* old = find_previous(candidate);
+        const bool enters = this->enters(candidate);
         if (!enters) {
             // An open contact farther off keeps what it knows, but nothing to close on: it may be off its
             // edge's end, on the line that goes on from there.
@@ -83,9 +93,10 @@ class Detector {
 
     /// The contacts of one pair of corners, with a common group where they have more than one line: one for
     /// each line, or one for each corner where both are in the other's face.
-    void resolve_group(std::span<Entry> members, int group, std::vector<Contact>& out) const {
+    void resolve_group(std::span<const Entry* const> members, int group, std::vector<Contact>& out) const {
         std::vector<Line> lines;
-        for (const Entry& entry : members) {
+        for (const Entry* member : members) {
+            const Entry& entry = *member;
             const auto same = std::find_if(lines.begin(), lines.end(), [&](const Line& line) {
                 return std::abs(cross(line.best->contact.normal, entry.contact.normal)) < parallel_tolerance;
             });
@@ -132,9 +143,20 @@ class Detector {
     int next(int corner) const { return topology_.next[index(corner)]; }
     int previous(int corner) const { return topology_.previous[index(corner)]; }
 
-    const Contact* find_previous(const Contact& contact) const {
-        const auto found = std::lower_bound(d_.previous.begin(), d_.previous.end(), contact, comes_before);
-        return found != d_.previous.end() && !comes_before(contact, *found) ? &*found : nullptr;
+    static std::vector<int> corners_of(std::span<const Contact> contacts) {
+        std::vector<int> corners;
+        corners.reserve(contacts.size());
+        for (const Contact& contact : contacts) corners.push_back(contact.corner);
+        return corners;
+    }
+    const Contact* find_previous(const CornerEdge& candidate) const {
+        for (const int k : previous_.of(candidate.corner)) {
+            if (d_.previous[index(k)].edge == candidate.edge) return &d_.previous[index(k)];
+        }
+        return nullptr;
+    }
+    bool enters(const CornerEdge& candidate) const {
+        return std::binary_search(d_.entering.begin(), d_.entering.end(), candidate);
     }
 
     bool is_reflex(int corner) const {
@@ -170,9 +192,10 @@ class Detector {
 
     /// Where two faces overlap by less than the reach both ends of the overlap are at one pair of corners:
     /// the entry on the same line that overlaps and is of the other corner; null if there is none.
-    const Entry* other_corner(std::span<const Entry> members, const Entry& best) const {
+    const Entry* other_corner(std::span<const Entry* const> members, const Entry& best) const {
         const Entry* other = nullptr;
-        for (const Entry& entry : members) {
+        for (const Entry* member : members) {
+            const Entry& entry = *member;
             if (entry.contact.corner == best.contact.corner || !overlaps(entry) ||
                 entry.contact.normal.dot(best.contact.normal) > 0 ||
                 std::abs(cross(best.contact.normal, entry.contact.normal)) >= parallel_tolerance)
@@ -215,7 +238,34 @@ class Detector {
     const Topology& topology_;
     const Detection& d_;
     KnownDepths known_;
+    ByCorner previous_;
 };
+
+/// The indices for which `is_chosen` says so, ascending.
+template <class IsChosen>
+std::vector<std::size_t> choose(std::size_t count, const Crew& crew, const IsChosen& is_chosen) {
+    std::vector<char> chosen(count, 0);
+    crew.for_ranges(count, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) chosen[k] = is_chosen(k) ? 1 : 0;
+    });
+    std::vector<std::size_t> indices;
+    for (std::size_t k = 0; k < count; ++k) {
+        if (chosen[k] != 0) indices.push_back(k);
+    }
+    return indices;
+}
+
+/// In their order. Contacts are large: what is sorted is their places.
+std::vector<Contact> sorted(const std::vector<Contact>& contacts) {
+    std::vector<std::size_t> places(contacts.size());
+    std::iota(places.begin(), places.end(), std::size_t{0});
+    std::sort(places.begin(), places.end(),
+              [&](std::size_t a, std::size_t b) { return comes_before(contacts[a], contacts[b]); });
+    std::vector<Contact> in_order;
+    in_order.reserve(contacts.size());
+    for (const std::size_t place : places) in_order.push_back(contacts[place]);
+    return in_order;
+}
 
 }  // namespace
 
@@ -243,17 +293,17 @@ bool faces_outwards(const Topology& topology, std::span<const Vec2> vertices, in
 std::vector<Contact> detect_contacts(const Model& model, const Detection& at,
                                      std::span<const CornerEdge> candidates, const Crew& crew) {
     const Detector detector(model, at);
-    std::vector<Entry> examined(candidates.size());
-    std::vector<char> accepted(candidates.size(), 0);
-    crew.for_ranges(candidates.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t k = begin; k < end; ++k)
-            accepted[k] = detector.examine(candidates[k], examined[k]) ? 1 : 0;
-    });
+    // Most candidates are not near: what they are examined for is kept for the others only.
+    const std::vector<std::size_t> near =
+        choose(candidates.size(), crew, [&](std::size_t k) { return detector.is_near(candidates[k]); });
+    std::vector<Entry> examined(near.size());
+    const std::vector<std::size_t> accepted = choose(
+        near.size(), crew, [&](std::size_t k) { return detector.examine(candidates[near[k]], examined[k]); });
 
     std::vector<Contact> contacts;
+    contacts.reserve(accepted.size());
     std::vector<std::pair<std::pair<int, int>, std::size_t>> grouped;  // (corner pair, entry)
-    for (std::size_t k = 0; k < candidates.size(); ++k) {
-        if (accepted[k] == 0) continue;
+    for (const std::size_t k : accepted) {
         if (examined[k].partner < 0) {
             detector.resolve_single(examined[k], contacts);
         } else {
@@ -261,17 +311,16 @@ std::vector<Contact> detect_contacts(const Model& model, const Detection& at,
         }
     }
     std::sort(grouped.begin(), grouped.end());
-    std::vector<Entry> members;
+    std::vector<const Entry*> members;
     int group = 0;
     for (std::size_t k = 0; k < grouped.size(); ++group) {
         members.clear();
         const auto corners = grouped[k].first;
         for (; k < grouped.size() && grouped[k].first == corners; ++k)
-            members.push_back(examined[grouped[k].second]);
+            members.push_back(&examined[grouped[k].second]);
         detector.resolve_group(members, group, contacts);
     }
-    std::sort(contacts.begin(), contacts.end(), comes_before);
-    return contacts;
+    return sorted(contacts);
 }
 
 }  // namespace dda

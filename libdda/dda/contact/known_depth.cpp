@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "dda/contact/detect.hpp"
 
@@ -36,45 +37,55 @@ bool stands_for_its_depth(const Topology& topology, std::span<const Vec2> vertic
     return takes_its_place(contact.corner) || takes_its_place(arriving);
 }
 
-KnownDepths::KnownDepths(const Topology& topology, std::span<const Vec2> vertices,
-                         std::span<const Contact> contacts, double reach) {
+struct KnownDepths::Found {
+    std::vector<Entry> entries;
+    std::vector<int> corners;  ///< of each
+};
+
+KnownDepths::Found KnownDepths::find(const Topology& topology, std::span<const Vec2> vertices,
+                                     std::span<const Contact> contacts, double reach) {
     const auto at = [&](int corner) -> const Vec2& { return vertices[static_cast<std::size_t>(corner)]; };
+    Found found;
+    found.entries.reserve(2 * contacts.size());
+    found.corners.reserve(2 * contacts.size());
+    const auto add = [&](int corner, const Entry& entry) {
+        found.corners.push_back(corner);
+        found.entries.push_back(entry);
+    };
     for (const Contact& contact : contacts) {
         if (!stands_for_its_depth(topology, vertices, contact)) continue;
         const int end = topology.next[static_cast<std::size_t>(contact.edge)];
         const double contracted = std::max(-contact.dilation, 0.0);
         const double depth = contracted - contact.gap;
         const double spring_depth = contracted + contact.rest_gap - contact.gap;
-        entries_.push_back({contact.corner, contact.edge_block, contact.normal, depth, spring_depth});
+        add(contact.corner, {contact.edge_block, contact.normal, depth, spring_depth});
         for (const int other : {contact.edge, end}) {
             if ((at(other) - at(contact.corner)).norm() <= reach)
-                entries_.push_back({other, contact.corner_block, -contact.normal, depth, spring_depth});
+                add(other, {contact.corner_block, -contact.normal, depth, spring_depth});
         }
     }
-    std::stable_sort(entries_.begin(), entries_.end(),
-                     [](const Entry& a, const Entry& b) { return a.corner < b.corner; });
+    return found;
 }
 
-std::span<const KnownDepths::Entry> KnownDepths::entries_of(int corner) const {
-    const auto first = std::partition_point(entries_.begin(), entries_.end(),
-                                            [&](const Entry& entry) { return entry.corner < corner; });
-    const auto last =
-        std::find_if(first, entries_.end(), [&](const Entry& entry) { return entry.corner != corner; });
-    return {first, last};
-}
+KnownDepths::KnownDepths(int corners, Found found)
+    : entries_(std::move(found.entries)), by_corner_(corners, found.corners) {}
+
+KnownDepths::KnownDepths(const Topology& topology, std::span<const Vec2> vertices,
+                         std::span<const Contact> contacts, double reach)
+    : KnownDepths(topology.corner_count(), find(topology, vertices, contacts, reach)) {}
 
 double KnownDepths::along(int corner, const Vec2& normal) const {
     double deepest = 0;
-    for (const Entry& entry : entries_of(corner)) {
-        if (entry.normal.dot(normal) >= facing) deepest = std::max(deepest, entry.depth);
+    for (const int k : by_corner_.of(corner)) {
+        if (entry(k).normal.dot(normal) >= facing) deepest = std::max(deepest, entry(k).depth);
     }
     return deepest;
 }
 
 double KnownDepths::in_block(int corner, int block) const {
     double deepest = 0;
-    for (const Entry& entry : entries_of(corner)) {
-        if (entry.block == block) deepest = std::max({deepest, entry.depth, entry.spring_depth});
+    for (const int k : by_corner_.of(corner)) {
+        if (entry(k).block == block) deepest = std::max({deepest, entry(k).depth, entry(k).spring_depth});
     }
     return deepest;
 }

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "dda/contact/by_corner.hpp"
 #include "dda/contact/contact.hpp"
 #include "dda/model/model.hpp"
 
@@ -33,15 +34,19 @@ class KnownDepths {
 
   private:
     struct Entry {
-        int corner = 0;
         int block = 0;  ///< whose face bears it
         Vec2 normal = Vec2::Zero();
         double depth = 0;         ///< m
         double spring_depth = 0;  ///< m, by which the contact's spring is compressed
     };
-    std::span<const Entry> entries_of(int corner) const;
+    struct Found;
+    explicit KnownDepths(int corners, Found found);
+    static Found find(const Topology& topology, std::span<const Vec2> vertices,
+                      std::span<const Contact> contacts, double reach);
+    const Entry& entry(int k) const { return entries_[static_cast<std::size_t>(k)]; }
 
-    std::vector<Entry> entries_;  ///< by corner
+    std::vector<Entry> entries_;
+    ByCorner by_corner_;
 };
 
 }  // namespace dda
