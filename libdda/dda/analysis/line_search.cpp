@@ -17,6 +17,14 @@ struct Line {
     double at(double share) const { return end - (1 - share) * rate; }
 };
 
+/// A contact's measures, the forces that the linear system gives it at the target, and its laws.
+struct ContactLine {
+    Line opening;
+    Line shearing;
+    Forces linear;
+    ContactLaw law;
+};
+
 class Way {
   public:
     Way(const StepProblem& problem, const TrialContacts& trials, std::span<const Vec6> from,
@@ -30,9 +38,13 @@ class Way {
         const auto line = [&](const PairRows& rows, const Relative& relative) {
             return Line{rows.measure(relative, target), rows.measure(relative, way) - relative.known};
         };
-        for (const ContactSprings& s : problem.springs) {
-            opening_.push_back(line(s.rows, s.normal));
-            shearing_.push_back(line(s.rows, s.shear));
+        contacts_.reserve(problem.springs.size());
+        for (std::size_t k = 0; k < problem.springs.size(); ++k) {
+            const ContactSprings& s = problem.springs[k];
+            const Line opening = line(s.rows, s.normal);
+            const Line shearing = line(s.rows, s.shear);
+            contacts_.push_back(
+                {opening, shearing, trials.linear_forces(k, opening.end, shearing.end), trials.law(k)});
         }
         for (const BoltSpring& b : problem.bolts) elongation_.push_back(line(b.rows, b.elongation));
     }
@@ -40,22 +52,20 @@ class Way {
     /// Between the laws' forces and the linear ones, at the target.
     double largest_difference() const {
         double largest = 0;
-        for (std::size_t k = 0; k < opening_.size(); ++k) {
-            const Forces linear = trials_.linear_forces(k, opening_[k].end, shearing_[k].end);
-            const Forces law = trials_.law_forces(k, opening_[k].end, shearing_[k].end);
-            largest =
-                std::max({largest, std::abs(law.normal - linear.normal), std::abs(law.shear - linear.shear)});
+        for (const auto& [opening, shearing, linear, law] : contacts_) {
+            const Forces forces = law.forces(opening.end, shearing.end);
+            largest = std::max(
+                {largest, std::abs(forces.normal - linear.normal), std::abs(forces.shear - linear.shear)});
         }
         return largest;
     }
 
     double slope(double share) const {
         double sum = -(1 - share) * curvature_;
-        for (std::size_t k = 0; k < opening_.size(); ++k) {
-            const Forces linear = trials_.linear_forces(k, opening_[k].end, shearing_[k].end);
-            const Forces law = trials_.law_forces(k, opening_[k].at(share), shearing_[k].at(share));
-            sum += -(law.normal - linear.normal) * opening_[k].rate +
-                   (law.shear - linear.shear) * shearing_[k].rate;
+        for (const auto& [opening, shearing, linear, law] : contacts_) {
+            const Forces forces = law.forces(opening.at(share), shearing.at(share));
+            sum += -(forces.normal - linear.normal) * opening.rate +
+                   (forces.shear - linear.shear) * shearing.rate;
         }
         for (std::size_t k = 0; k < elongation_.size(); ++k) {
             sum += (trials_.law_bolt_force(k, elongation_[k].at(share)) -
@@ -68,8 +78,7 @@ class Way {
   private:
     const TrialContacts& trials_;
     double curvature_ = 0;
-    std::vector<Line> opening_;
-    std::vector<Line> shearing_;
+    std::vector<ContactLine> contacts_;
     std::vector<Line> elongation_;
 };
 

@@ -100,12 +100,6 @@ Strength TrialContacts::bounds_of(std::size_t k, double normal, const PressedOf&
 
 // --- the linear system
 
-Forces TrialContacts::linear_forces(std::size_t k, double opening, double shearing) const {
-    const Trial& trial = trials_[k];
-    return {trial.pressed ? linear_normal(k, opening) : 0,
-            trial.locked ? elastic_shear(k, shearing) : trial.held_force};
-}
-
 double TrialContacts::linear_bolt_force(std::size_t k, double elongation) const {
     return yielding_[k] == 0 ? p_.bolt_force[k] + p_.bolts[k].stiffness * elongation
                              : yielding_[k] * p_.model.bolts[k].yield_force;
@@ -113,21 +107,8 @@ double TrialContacts::linear_bolt_force(std::size_t k, double elongation) const 
 
 // --- the laws
 
-Forces TrialContacts::law_forces(std::size_t k, double opening, double shearing) const {
-    const Trial& trial = trials_[k];
-    if (!trial.may_close) return {};
-    const double normal = elastic_normal(k, opening);
-    return {is_bonded(k) ? normal : std::max(normal, 0.0),
-            std::clamp(elastic_shear(k, shearing), -trial.bounds.backward, trial.bounds.forward)};
-}
-
 Forces TrialContacts::present_forces(std::size_t k) const {
     return law_forces(k, trials_[k].opening, trials_[k].shearing);
-}
-
-double TrialContacts::closed(std::size_t k, double opening) const {
-    const Trial& trial = trials_[k];
-    return -(trial.gap_offset + opening - trial.dilating - trial.rest_gap);
 }
 
 TrialContacts::Tangent TrialContacts::tangent_at(std::size_t k, double force) const {
@@ -135,18 +116,6 @@ TrialContacts::Tangent TrialContacts::tangent_at(std::size_t k, double force) co
     if (spring.is_linear()) return {0, 0, spring.stiffness};
     const double pressing = std::max(force, 0.0);
     return {spring.closure(pressing), pressing, spring.tangent(pressing)};
-}
-
-double TrialContacts::linear_normal(std::size_t k, double opening) const {
-    return trials_[k].tangent.at(closed(k, opening));
-}
-
-double TrialContacts::elastic_normal(std::size_t k, double opening) const {
-    return p_.springs[k].closing.force(closed(k, opening));
-}
-
-double TrialContacts::elastic_shear(std::size_t k, double shearing) const {
-    return trials_[k].shear_origin + p_.springs[k].shear_stiffness * shearing;
 }
 
 double TrialContacts::law_bolt_force(std::size_t k, double elongation) const {

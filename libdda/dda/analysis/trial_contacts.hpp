@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <span>
 #include <vector>
@@ -14,6 +15,32 @@ namespace dda {
 struct Forces {
     double normal = 0;
     double shear = 0;
+};
+
+/// What a contact's laws say, with the shear bounds held: all of it in one place, for those who ask for many
+/// displacements.
+struct ContactLaw {
+    NormalClosure closing;
+    double gap_offset = 0;       ///< m, gap less the linear measure of the displacement
+    double dilating = 0;         ///< m
+    double rest_gap = 0;         ///< m
+    double shear_origin = 0;     ///< N per metre
+    double shear_stiffness = 0;  ///< N/m per metre
+    double backward = 0;         ///< the least shear force, N per metre
+    double forward = 0;          ///< the largest
+    bool bonded = false;
+    bool may_close = true;
+
+    double normal(double opening) const {
+        const double closed = -(gap_offset + opening - dilating - rest_gap);
+        return closing.is_linear() ? closing.stiffness * closed : closing.force(closed);
+    }
+    Forces forces(double opening, double shearing) const {
+        if (!may_close) return {};
+        const double pressing = normal(opening);
+        return {bonded ? pressing : std::max(pressing, 0.0),
+                std::clamp(shear_origin + shear_stiffness * shearing, backward, forward)};
+    }
 };
 
 /// The contacts and bolts of a step while its equations are being solved: what the linear system takes them
@@ -40,7 +67,10 @@ class TrialContacts {
 
     // --- the laws
     /// What the law says they are, with the shear bounds held.
-    Forces law_forces(std::size_t k, double opening, double shearing) const;
+    ContactLaw law(std::size_t k) const;
+    Forces law_forces(std::size_t k, double opening, double shearing) const {
+        return law(k).forces(opening, shearing);
+    }
     double law_bolt_force(std::size_t k, double elongation) const;
 
     // --- the shear forces of sliding contacts, which the linear system holds
@@ -146,10 +176,9 @@ class TrialContacts {
     /// The line that touches the normal spring's curve where it bears a force; the curve itself if it is
     /// straight.
     Tangent tangent_at(std::size_t k, double force) const;
-    /// The normal spring's force, tension negative, in the linear system and by its law; and the shear
-    /// spring's, before the laws have their say.
+    /// The normal spring's force in the linear system, tension negative, and the shear spring's, before the
+    /// laws have their say.
     double linear_normal(std::size_t k, double opening) const;
-    double elastic_normal(std::size_t k, double opening) const;
     double elastic_shear(std::size_t k, double shearing) const;
     Forces present_forces(std::size_t k) const;
     /// Whether an augmented contact bears a force without touching, is too deep, moves though it is stuck, or
@@ -169,5 +198,32 @@ class TrialContacts {
     std::vector<std::size_t> chosen_;    ///< per group, the line that may close
     double reference_ = 0;               ///< the largest force of a law, N per metre
 };
+
+inline double TrialContacts::closed(std::size_t k, double opening) const {
+    const Trial& trial = trials_[k];
+    return -(trial.gap_offset + opening - trial.dilating - trial.rest_gap);
+}
+
+inline double TrialContacts::linear_normal(std::size_t k, double opening) const {
+    return trials_[k].tangent.at(closed(k, opening));
+}
+
+inline double TrialContacts::elastic_shear(std::size_t k, double shearing) const {
+    return trials_[k].shear_origin + p_.springs[k].shear_stiffness * shearing;
+}
+
+inline Forces TrialContacts::linear_forces(std::size_t k, double opening, double shearing) const {
+    const Trial& trial = trials_[k];
+    return {trial.pressed ? linear_normal(k, opening) : 0,
+            trial.locked ? elastic_shear(k, shearing) : trial.held_force};
+}
+
+inline ContactLaw TrialContacts::law(std::size_t k) const {
+    const Trial& trial = trials_[k];
+    const ContactSprings& springs = p_.springs[k];
+    return {springs.closing,    trial.gap_offset,        trial.dilating,         trial.rest_gap,
+            trial.shear_origin, springs.shear_stiffness, -trial.bounds.backward, trial.bounds.forward,
+            is_bonded(k),       trial.may_close};
+}
 
 }  // namespace dda
