@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "dda/analysis/line_search.hpp"
+#include "dda/analysis/step_matrix.hpp"
 #include "dda/analysis/trial_contacts.hpp"
 #include "dda/linear/anderson.hpp"
 
@@ -27,9 +28,8 @@ class Iteration {
     Iteration(const StepProblem& problem, const BlockPattern& pattern, LinearSolver& solver,
               BlockMatrix& work, const Crew& crew, PhaseTimes* times)
         : p_(problem),
-          pattern_(pattern),
           solver_(solver),
-          matrix_(work),
+          matrix_(problem, pattern, work),
           times_(times),
           trials_(problem, crew) {
         displacement_.assign(static_cast<std::size_t>(p_.rows.count()), Vec6::Zero());
@@ -44,10 +44,10 @@ class Iteration {
         AndersonMixing mixing(friction_memory);
         while (result.iterations - began < p_.control.iteration_limit) {
             if (changed) {
-                assemble();
+                matrix_.assemble(trials_);
                 end_of(Phase::assembly, times_);
                 ++result.factorizations;
-                const bool definite = solver_.factorize(matrix_);
+                const bool definite = solver_.refactorize(matrix_.matrix(), matrix_.changed());
                 end_of(Phase::factorisation, times_);
                 if (!definite) {
                     result.singular = true;
@@ -85,21 +85,6 @@ class Iteration {
     }
 
   private:
-    void assemble() {
-        matrix_.reset(pattern_);
-        for (std::size_t r = 0; r < p_.base.stiffness.size(); ++r) matrix_.diagonal[r] = p_.base.stiffness[r];
-        for (std::size_t k = 0; k < trials_.count(); ++k) {
-            const ContactSprings& s = p_.springs[k];
-            if (trials_.is_pressed(k))
-                s.rows.add_stiffness(s.normal, trials_.normal_stiffness(k), pattern_, matrix_);
-            if (trials_.is_locked(k)) s.rows.add_stiffness(s.shear, s.shear_stiffness, pattern_, matrix_);
-        }
-        for (std::size_t k = 0; k < p_.bolts.size(); ++k) {
-            const BoltSpring& b = p_.bolts[k];
-            if (trials_.is_elastic(k)) b.rows.add_stiffness(b.elongation, b.stiffness, pattern_, matrix_);
-        }
-    }
-
     /// The load, and the springs' forces at zero unknowns: the known displacement of blocks without unknowns
     /// is in Relative::known.
     std::vector<Vec6> right_hand_side() const {
@@ -175,9 +160,8 @@ class Iteration {
     }
 
     const StepProblem& p_;
-    const BlockPattern& pattern_;
     LinearSolver& solver_;
-    BlockMatrix& matrix_;
+    StepMatrix matrix_;
     PhaseTimes* times_;
     TrialContacts trials_;
     std::vector<Vec6> displacement_;  ///< per row

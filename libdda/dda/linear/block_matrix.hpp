@@ -27,6 +27,10 @@ struct BlockMatrix {
     std::vector<Mat6> upper;     ///< one per column entry of the pattern, K_ij with i < j
 
     void reset(const BlockPattern& pattern);
+    /// Adds stiffness * vector * vector^T on the diagonal.
+    void add_square(int row, const Vec6& vector, double stiffness) {
+        diagonal[static_cast<std::size_t>(row)].noalias() += (stiffness * vector) * vector.transpose();
+    }
     /// Adds first * second^T at (i, j) and its transpose at (j, i); i != j.
     void add_outer(const BlockPattern& pattern, int i, int j, const Vec6& first, const Vec6& second);
 };

@@ -13,6 +13,9 @@ constexpr int unknowns = 6;
 /// Subtrees above this share of the whole cost are divided further: enough of them for two to four threads to
 /// end together, whatever their number is.
 constexpr double largest_share = 1.0 / 12;
+/// ns up to which a subtree is worked through as a whole where anything in it has changed: its inner updates
+/// then need not be kept, and stay in the cache.
+constexpr double unit_cost = 7e4;
 
 /// Hands out intervals of the work space, first fit, and takes them back.
 class Space {
@@ -63,8 +66,11 @@ class Space {
 
 class Planner {
   public:
-    Planner(const BlockPattern& pattern, const SupernodeTree& tree, int rows_per_strip)
-        : pattern_(pattern), tree_(tree), rows_per_strip_(static_cast<std::size_t>(rows_per_strip)) {
+    Planner(const BlockPattern& pattern, const SupernodeTree& tree, int rows_per_strip, std::size_t most_kept)
+        : pattern_(pattern),
+          tree_(tree),
+          rows_per_strip_(static_cast<std::size_t>(rows_per_strip)),
+          most_kept_(most_kept) {
         plan_.order = tree.order;
     }
 
@@ -168,30 +174,39 @@ class Planner {
         plan_.fronts.back().entry_begin = plan_.entries.size();
     }
 
-    /// Finds the subtrees: the largest that cost no more than their share.
     void divide() {
         const std::size_t count = plan_.count();
-        std::vector<double> cost(count);
-        std::vector<int> first(count);  // front of the subtree
+        subtree_cost_.assign(count, 0);
+        first_.resize(count);
         for (std::size_t f = 0; f < count; ++f) {
-            cost[f] += plan_.fronts[f].cost;
-            first[f] = plan_.children_of(f).empty()
-                           ? static_cast<int>(f)
-                           : first[static_cast<std::size_t>(plan_.children_of(f)[0])];
+            plan_.cost += plan_.fronts[f].cost;
+            subtree_cost_[f] += plan_.fronts[f].cost;
+            first_[f] = plan_.children_of(f).empty()
+                            ? static_cast<int>(f)
+                            : first_[static_cast<std::size_t>(plan_.children_of(f)[0])];
             const int parent = plan_.fronts[f].parent;
-            if (parent >= 0) cost[static_cast<std::size_t>(parent)] += cost[f];
+            if (parent >= 0) subtree_cost_[static_cast<std::size_t>(parent)] += subtree_cost_[f];
         }
-        for (std::size_t f = 0; f < count; ++f) plan_.cost += plan_.fronts[f].cost;
         const double limit = plan_.cost * largest_share;
+        plan_.subtrees = subtrees_up_to(limit);
+        plan_.units = subtrees_up_to(std::min(limit, unit_cost));
         for (std::size_t f = 0; f < count; ++f) {
-            const int parent = plan_.fronts[f].parent;
-            if (cost[f] > limit)
-                plan_.top.push_back(static_cast<int>(f));
-            else if (parent < 0 || cost[static_cast<std::size_t>(parent)] > limit)
-                plan_.subtrees.push_back({first[f], static_cast<int>(f) + 1, cost[f]});
+            if (subtree_cost_[f] > limit) plan_.top.push_back(static_cast<int>(f));
         }
         std::stable_sort(plan_.subtrees.begin(), plan_.subtrees.end(),
                          [](const Subtree& a, const Subtree& b) { return a.cost > b.cost; });
+    }
+
+    /// The largest subtrees that cost no more, ascending.
+    std::vector<Subtree> subtrees_up_to(double limit) const {
+        std::vector<Subtree> subtrees;
+        for (std::size_t f = 0; f < plan_.count(); ++f) {
+            const int parent = plan_.fronts[f].parent;
+            if (subtree_cost_[f] <= limit &&
+                (parent < 0 || subtree_cost_[static_cast<std::size_t>(parent)] > limit))
+                subtrees.push_back({first_[f], static_cast<int>(f) + 1, subtree_cost_[f]});
+        }
+        return subtrees;
     }
 
     /// Takes a place for the front's update, then gives back its children's.
@@ -204,22 +219,39 @@ class Planner {
         }
     }
 
+    void place_updates() {
+        for (const Subtree& unit : plan_.units) place_within(unit);
+        for (std::size_t f = 0; f < plan_.count(); ++f) {
+            Front& front = plan_.fronts[f];
+            if (front.in_subtree) continue;
+            front.update = plan_.shared_space;
+            plan_.shared_space += size_of_update(front);
+        }
+        plan_.keeps_updates = plan_.shared_space <= most_kept_;
+        if (!plan_.keeps_updates) share_space();
+    }
+
     /// A thread works on one subtree at a time and needs one space for all. The updates of their roots are
     /// there together when the fronts above begin.
-    void place_updates() {
+    void share_space() {
         Space shared;
         for (const Subtree& subtree : plan_.subtrees) {
-            Space space;
-            for (int f = subtree.begin; f + 1 < subtree.end; ++f) {
-                plan_.fronts[static_cast<std::size_t>(f)].in_subtree = true;
-                place_update(static_cast<std::size_t>(f), space);
-            }
+            place_within(subtree);
             Front& root = plan_.fronts[static_cast<std::size_t>(subtree.end - 1)];
             root.update = shared.take(size_of_update(root));
-            plan_.subtree_space = std::max(plan_.subtree_space, space.end());
         }
         for (const int f : plan_.top) place_update(static_cast<std::size_t>(f), shared);
         plan_.shared_space = shared.end();
+    }
+
+    /// Places the updates of all fronts but the root.
+    void place_within(const Subtree& subtree) {
+        Space space;
+        for (int f = subtree.begin; f + 1 < subtree.end; ++f) {
+            plan_.fronts[static_cast<std::size_t>(f)].in_subtree = true;
+            place_update(static_cast<std::size_t>(f), space);
+        }
+        plan_.subtree_space = std::max(plan_.subtree_space, space.end());
     }
 
     std::size_t size_of_update(const Front& front) const {
@@ -230,13 +262,17 @@ class Planner {
     const BlockPattern& pattern_;
     const SupernodeTree& tree_;
     std::size_t rows_per_strip_;
+    std::size_t most_kept_;
     FrontPlan plan_;
+    std::vector<double> subtree_cost_;  ///< per front, of its subtree, ns
+    std::vector<int> first_;            ///< per front, the first of its subtree
 };
 
 }  // namespace
 
-FrontPlan plan_fronts(const BlockPattern& pattern, const SupernodeTree& tree, int rows_per_strip) {
-    return Planner(pattern, tree, rows_per_strip).plan();
+FrontPlan plan_fronts(const BlockPattern& pattern, const SupernodeTree& tree, int rows_per_strip,
+                      std::size_t most_kept) {
+    return Planner(pattern, tree, rows_per_strip, most_kept).plan();
 }
 
 }  // namespace dda

@@ -90,9 +90,11 @@ struct FrontPlan {
     std::vector<FrontEntry> entries;  ///< by front
     std::vector<int> children;        ///< by front
     std::vector<Subtree> subtrees;    ///< independent of each other, the dearest first
+    std::vector<Subtree> units;       ///< likewise, smaller: each is worked through as a whole or not at all
     std::vector<int> top;             ///< the fronts above them, ascending
     double cost = 0;                  ///< ns, predicted
     std::size_t factor_size = 0;      ///< scalars
+    bool keeps_updates = false;       ///< those of units' roots and above, each in a place of its own
     std::size_t subtree_space = 0;    ///< scalars, for the updates within any one subtree
     std::size_t shared_space = 0;     ///< scalars, for those of the subtrees' roots and above
 
@@ -111,7 +113,12 @@ struct FrontPlan {
     }
 };
 
+/// Scalars of updates up to which they are all kept: beyond, memory is worth more than the work that they
+/// save.
+inline constexpr std::size_t most_kept_updates = std::size_t{1} << 26;
+
 /// @param rows_per_strip strip_rows of the factor's scalar.
-FrontPlan plan_fronts(const BlockPattern& pattern, const SupernodeTree& tree, int rows_per_strip);
+FrontPlan plan_fronts(const BlockPattern& pattern, const SupernodeTree& tree, int rows_per_strip,
+                      std::size_t most_kept = most_kept_updates);
 
 }  // namespace dda

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "dda/base/parallel.hpp"
@@ -17,6 +18,12 @@ class LinearSolver {
     virtual void analyze(const BlockPattern& pattern) = 0;
     /// Factorises. @return false when the matrix is not positive definite (the caller rejects the step).
     virtual bool factorize(const BlockMatrix& matrix) = 0;
+    /// Likewise, of a matrix that differs from the last one only in rows (and columns) where `changed` says
+    /// so.
+    /// @param changed per row; empty: all of them.
+    virtual bool refactorize(const BlockMatrix& matrix, std::span<const char> /*changed*/) {
+        return factorize(matrix);
+    }
     /// Solves with the present factor, in place.
     virtual void solve(std::vector<Vec6>& right_hand_side) = 0;
 };

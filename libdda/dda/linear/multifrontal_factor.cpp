@@ -49,8 +49,10 @@ void share(const Crew& crew, double cost, int count, const Body& body) {
 }  // namespace
 
 template <class Scalar>
-void MultifrontalFactor<Scalar>::analyze(const BlockPattern& pattern, const SupernodeTree& tree) {
-    plan_ = plan_fronts(pattern, tree, strip_rows<Scalar>);
+void MultifrontalFactor<Scalar>::analyze(const BlockPattern& pattern, const SupernodeTree& tree,
+                                         std::size_t most_kept) {
+    plan_ = plan_fronts(pattern, tree, strip_rows<Scalar>, most_kept);
+    complete_ = false;
     factor_.resize(plan_.factor_size);
     shared_updates_.resize(plan_.shared_space);
     std::size_t tallest = 0;
@@ -170,15 +172,37 @@ bool MultifrontalFactor<Scalar>::work_through(std::size_t f, const BlockMatrix& 
 }
 
 template <class Scalar>
-bool MultifrontalFactor<Scalar>::factorize(const BlockMatrix& matrix, const Crew& crew) {
+void MultifrontalFactor<Scalar>::find_outdated(std::span<const char> changed) {
+    const bool all = changed.empty() || !complete_ || !plan_.keeps_updates;
+    outdated_.assign(plan_.count(), all ? 1 : 0);
+    if (all) return;
+    for (std::size_t f = 0; f < plan_.count(); ++f) {
+        const Front& front = plan_.fronts[f];
+        for (int k = front.first; k < front.first + front.pivots; ++k) {
+            const int row = plan_.order[static_cast<std::size_t>(k)];
+            if (changed[static_cast<std::size_t>(row)] != 0) outdated_[f] = 1;
+        }
+        if (outdated_[f] != 0 && front.parent >= 0) outdated_[static_cast<std::size_t>(front.parent)] = 1;
+    }
+    for (const Subtree& unit : plan_.units) {
+        if (outdated_[static_cast<std::size_t>(unit.end - 1)] != 0)
+            std::fill(outdated_.begin() + unit.begin, outdated_.begin() + unit.end, 1);
+    }
+}
+
+template <class Scalar>
+bool MultifrontalFactor<Scalar>::factorize(const BlockMatrix& matrix, const Crew& crew,
+                                           std::span<const char> changed) {
     const Crew alone(1);
+    find_outdated(changed);
     subtree_updates_.resize(plan_.subtree_space * static_cast<std::size_t>(crew.size()));
     std::atomic<bool> definite{true};
     const auto work_through_subtree = [&](std::size_t s, std::size_t thread) {
         const Subtree& subtree = plan_.subtrees[s];
         Scalar* space = subtree_updates_.data() + thread * plan_.subtree_space;
         for (int f = subtree.begin; f < subtree.end && definite; ++f) {
-            if (!work_through(static_cast<std::size_t>(f), matrix, space, alone)) definite = false;
+            const auto front = static_cast<std::size_t>(f);
+            if (outdated_[front] != 0 && !work_through(front, matrix, space, alone)) definite = false;
         }
     };
     if (plan_.cost < least_shared_cost) {
@@ -187,8 +211,10 @@ bool MultifrontalFactor<Scalar>::factorize(const BlockMatrix& matrix, const Crew
         crew.for_tasks(plan_.subtrees.size(), std::ref(work_through_subtree));
     }
     for (std::size_t k = 0; k < plan_.top.size() && definite; ++k) {
-        if (!work_through(static_cast<std::size_t>(plan_.top[k]), matrix, nullptr, crew)) definite = false;
+        const auto front = static_cast<std::size_t>(plan_.top[k]);
+        if (outdated_[front] != 0 && !work_through(front, matrix, nullptr, crew)) definite = false;
     }
+    complete_ = definite;
     return definite;
 }
 

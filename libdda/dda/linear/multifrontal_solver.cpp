@@ -13,6 +13,9 @@ class MultifrontalSolver final : public LinearSolver {
         factor_.analyze(pattern, find_supernodes(pattern, fill_reducing_order(pattern)));
     }
     bool factorize(const BlockMatrix& matrix) override { return factor_.factorize(matrix, crew_); }
+    bool refactorize(const BlockMatrix& matrix, std::span<const char> changed) override {
+        return factor_.factorize(matrix, crew_, changed);
+    }
     void solve(std::vector<Vec6>& right_hand_side) override { factor_.solve(right_hand_side); }
 
   private:

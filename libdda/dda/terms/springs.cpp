@@ -34,14 +34,8 @@ double PairRows::measure(const Relative& relative, std::span<const Vec6> d) cons
 
 void PairRows::add_stiffness(const Relative& relative, double stiffness, const BlockPattern& pattern,
                              BlockMatrix& matrix) const {
-    if (first >= 0) {
-        matrix.diagonal[static_cast<std::size_t>(first)].noalias() +=
-            (stiffness * relative.first) * relative.first.transpose();
-    }
-    if (second >= 0) {
-        matrix.diagonal[static_cast<std::size_t>(second)].noalias() +=
-            (stiffness * relative.second) * relative.second.transpose();
-    }
+    if (first >= 0) matrix.add_square(first, relative.first, stiffness);
+    if (second >= 0) matrix.add_square(second, relative.second, stiffness);
     if (first >= 0 && second >= 0 && first != second) {
         matrix.add_outer(pattern, first, second, stiffness * relative.first, relative.second);
     }

@@ -25,7 +25,8 @@ dda::SupernodeTree tree_of(const BlockPattern& pattern) {
 TEST(FrontPlan, KeepsUpdatesApartWhileTheyAreNeeded) {
     for (const int columns : {1, 4, 15, 30}) {
         const auto pattern = BlockPattern::from_pairs(columns * 20, grid_graph(columns, 20));
-        const FrontPlan plan = dda::plan_fronts(pattern, tree_of(pattern), 8);
+        const FrontPlan plan = dda::plan_fronts(pattern, tree_of(pattern), 8, 0);
+        EXPECT_FALSE(plan.keeps_updates);
         const int count = static_cast<int>(plan.count());
         const auto front = [&](int f) -> const Front& { return plan.fronts[static_cast<std::size_t>(f)]; };
         const auto size = [&](const Front& f) {
@@ -56,6 +57,36 @@ TEST(FrontPlan, KeepsUpdatesApartWhileTheyAreNeeded) {
             }
         }
     }
+}
+
+// Units are subtrees of subtrees. What their inner fronts hand on is needed by the unit only; all other
+// updates stay where they are.
+TEST(FrontPlan, HasAPlaceForTheUpdateOfEachUnit) {
+    const auto pattern = BlockPattern::from_pairs(30 * 40, grid_graph(30, 40));
+    const FrontPlan plan = dda::plan_fronts(pattern, tree_of(pattern), 8);
+    ASSERT_TRUE(plan.keeps_updates);
+    EXPECT_GT(plan.units.size(), plan.subtrees.size());
+    const auto front = [&](int f) -> const Front& { return plan.fronts[static_cast<std::size_t>(f)]; };
+    std::vector<char> is_inner(plan.count(), 0);
+    for (const dda::Subtree& unit : plan.units) {
+        EXPECT_TRUE(std::any_of(plan.subtrees.begin(), plan.subtrees.end(), [&](const dda::Subtree& subtree) {
+            return subtree.begin <= unit.begin && unit.end <= subtree.end;
+        }));
+        for (int f = unit.begin; f + 1 < unit.end; ++f) {
+            is_inner[static_cast<std::size_t>(f)] = 1;
+            EXPECT_LT(front(f).parent, unit.end);
+        }
+    }
+    std::size_t end = 0;
+    for (std::size_t f = 0; f < plan.count(); ++f) {
+        const Front& one = plan.fronts[f];
+        EXPECT_EQ(one.in_subtree, is_inner[f] != 0);
+        if (one.in_subtree) continue;
+        const auto rows = static_cast<std::size_t>(one.rows);
+        EXPECT_GE(one.update, end);
+        end = one.update + 6 * (rows * one.stride - dda::left_out_before(rows, 8));
+    }
+    EXPECT_EQ(end, plan.shared_space);
 }
 
 TEST(FrontPlan, KeepsOfAnUpdateWhatIsOnAndBelowTheDiagonal) {
@@ -96,6 +127,85 @@ TEST(MultifrontalFactor, IsTheSameBytesOnOneThreadAndTwo) {
     const scene::StepSystem system = large_system();
     EXPECT_EQ(solution<double>(system, 1), solution<double>(system, 2));
     EXPECT_EQ(solution<float>(system, 1), solution<float>(system, 2));
+}
+
+/// The wall with some of its contacts open.
+scene::StepSystem with_open(const std::vector<std::size_t>& contacts) {
+    return scene::step_system(scene::running_bond_wall(40, 40, 10).model, 0.005, [&](std::size_t k) {
+        return std::find(contacts.begin(), contacts.end(), k) != contacts.end();
+    });
+}
+
+std::vector<char> rows_that_differ(const dda::BlockMatrix& a, const dda::BlockMatrix& b) {
+    std::vector<char> differ(a.diagonal.size(), 0);
+    for (std::size_t i = 0; i < differ.size(); ++i) differ[i] = a.diagonal[i] == b.diagonal[i] ? 0 : 1;
+    return differ;
+}
+
+// Contacts open and close at random, a few or a fifth of them; what is factorised in part must be the same as
+// what is factorised at once. Where updates are not kept everything is factorised, to the same bytes.
+TEST(MultifrontalFactor, OfWhatHasChangedIsTheSameBytesAsAFreshOne) {
+    Draw draw(11);
+    const scene::StepSystem whole = large_system();
+    for (const int threads : {1, 2}) {
+        const dda::Crew crew(threads);
+        dda::MultifrontalFactor<double> kept;
+        dda::MultifrontalFactor<double> not_kept;
+        kept.analyze(whole.pattern, tree_of(whole.pattern));
+        not_kept.analyze(whole.pattern, tree_of(whole.pattern), 0);
+        EXPECT_TRUE(kept.plan().keeps_updates);
+        ASSERT_TRUE(kept.factorize(whole.matrix, crew));
+        ASSERT_TRUE(not_kept.factorize(whole.matrix, crew));
+        scene::StepSystem last = whole;
+        for (const int count : {1, 3, 1500, 20, 0}) {
+            std::vector<std::size_t> open;
+            for (int k = 0; k < count; ++k) open.push_back(static_cast<std::size_t>(draw.below(6000)));
+            scene::StepSystem now = with_open(open);
+            const std::vector<char> changed = rows_that_differ(last.matrix, now.matrix);
+            EXPECT_GT(std::count(changed.begin(), changed.end(), 1), 0);
+            ASSERT_TRUE(kept.factorize(now.matrix, crew, changed));
+            ASSERT_TRUE(not_kept.factorize(now.matrix, crew, changed));
+            std::vector<Vec6> x = now.load;
+            std::vector<Vec6> y = now.load;
+            kept.solve(x);
+            not_kept.solve(y);
+            EXPECT_EQ(x, solution<double>(now, 1)) << count << " open";
+            EXPECT_EQ(x, y) << count << " open";
+            last = std::move(now);
+        }
+    }
+}
+
+// Told that nothing has changed, it does nothing, whatever the matrix is.
+TEST(MultifrontalFactor, WorksThroughNothingElse) {
+    scene::StepSystem system = large_system();
+    const dda::Crew crew(1);
+    dda::MultifrontalFactor<double> factor;
+    factor.analyze(system.pattern, tree_of(system.pattern));
+    ASSERT_TRUE(factor.factorize(system.matrix, crew));
+    std::vector<Vec6> before = system.load;
+    factor.solve(before);
+    for (dda::Mat6& diagonal : system.matrix.diagonal) diagonal *= 2;
+    ASSERT_TRUE(factor.factorize(system.matrix, crew, std::vector<char>(system.matrix.diagonal.size(), 0)));
+    std::vector<Vec6> after = system.load;
+    factor.solve(after);
+    EXPECT_EQ(before, after);
+}
+
+TEST(MultifrontalFactor, StartsAnewAfterARefusal) {
+    const scene::StepSystem system = large_system();
+    const dda::Crew crew(1);
+    dda::MultifrontalFactor<double> factor;
+    factor.analyze(system.pattern, tree_of(system.pattern));
+    ASSERT_TRUE(factor.factorize(system.matrix, crew));
+    dda::BlockMatrix spoiled = system.matrix;
+    spoiled.diagonal[7] = -spoiled.diagonal[7];
+    std::vector<char> changed = rows_that_differ(spoiled, system.matrix);
+    EXPECT_FALSE(factor.factorize(spoiled, crew, changed));
+    ASSERT_TRUE(factor.factorize(system.matrix, crew, changed));
+    std::vector<Vec6> x = system.load;
+    factor.solve(x);
+    EXPECT_EQ(x, solution<double>(system, 1));
 }
 
 double difference(const std::vector<Vec6>& a, const std::vector<Vec6>& b) {
