@@ -47,21 +47,21 @@ std::optional<GridPoint> crossing_cell(const FineSegment& s, const FineSegment& 
     return GridPoint{cell(s.a.x, ux), cell(s.a.y, uy)};
 }
 
-/// Whether the line a-b is farther from a cell's middle than any corner of the cell is, by doubles that leave
-/// room for their rounding.
-bool misses_for_sure(const GridPoint& a, const GridPoint& b, const GridPoint& cell, std::int64_t fineness) {
+/// Whether the line a-b is farther from a square's middle than any corner of the square is, by doubles that
+/// leave room for their rounding.
+bool misses_for_sure(const GridPoint& a, const GridPoint& b, const GridPoint& middle, std::int64_t width) {
     const auto dx = static_cast<double>(b.x - a.x), dy = static_cast<double>(b.y - a.y);
-    const double first = static_cast<double>(cell.x * fineness - a.x) * dy;
-    const double second = static_cast<double>(cell.y * fineness - a.y) * dx;
-    const double reach = (std::abs(dx) + std::abs(dy)) * static_cast<double>(fineness) / 2;
+    const double first = static_cast<double>(middle.x - a.x) * dy;
+    const double second = static_cast<double>(middle.y - a.y) * dx;
+    const double reach = (std::abs(dx) + std::abs(dy)) * static_cast<double>(width) / 2;
     return std::abs(first - second) > reach * (1 + 1e-12) + 1e-14 * (std::abs(first) + std::abs(second));
 }
 
-/// Whether a closed segment meets the half-open square of a cell.
-bool passes_through(const FineSegment& segment, const GridPoint& cell, std::int64_t fineness) {
-    const std::int64_t half = fineness / 2;
-    const std::int64_t left = cell.x * fineness - half, right = left + fineness;
-    const std::int64_t bottom = cell.y * fineness - half, top = bottom + fineness;
+/// Whether a closed segment meets the half-open square of an even width round a point.
+bool passes_by(const FineSegment& segment, const GridPoint& middle, std::int64_t width) {
+    const std::int64_t half = width / 2;
+    const std::int64_t left = middle.x - half, right = left + width;
+    const std::int64_t bottom = middle.y - half, top = bottom + width;
     GridPoint a = segment.a, b = segment.b;
     if (b < a) std::swap(a, b);
     const std::int64_t low_y = std::min(a.y, b.y), high_y = std::max(a.y, b.y);
@@ -71,18 +71,23 @@ bool passes_through(const FineSegment& segment, const GridPoint& cell, std::int6
         return p.x >= left && p.x < right && p.y >= bottom && p.y < top;
     };
     if (holds(a) || holds(b)) return true;
-    if (misses_for_sure(a, b, cell, fineness)) return false;
+    if (misses_for_sure(a, b, middle, width)) return false;
 
     const int lower_left = side_of(a, b, {left, bottom}), lower_right = side_of(a, b, {right, bottom});
     const int upper_left = side_of(a, b, {left, top}), upper_right = side_of(a, b, {right, top});
     const int lowest = std::min({lower_left, lower_right, upper_left, upper_right});
     const int highest = std::max({lower_left, lower_right, upper_left, upper_right});
     if (lowest < 0 && highest > 0 && b.x > left && a.x < right && high_y > bottom && low_y < top) return true;
-    // Left and bottom sides belong to the cell. The segment runs from left to right.
+    // Left and bottom sides belong to the square. The segment runs from left to right.
     if (a.x <= left && b.x >= left && lower_left <= 0 && upper_left > 0) return true;
     const bool rises = a.y < b.y;
     return low_y <= bottom && high_y >= bottom &&
            (rises ? lower_left >= 0 && lower_right < 0 : lower_left <= 0 && lower_right > 0);
+}
+
+/// Whether a closed segment meets the half-open square of a cell.
+bool passes_through(const FineSegment& segment, const GridPoint& cell, std::int64_t fineness) {
+    return passes_by(segment, {cell.x * fineness, cell.y * fineness}, fineness);
 }
 
 struct CellHash {
@@ -193,6 +198,39 @@ std::vector<Hit> find_hits(std::span<const FineSegment> segments, std::span<cons
     return hits;
 }
 
+/// How far along a segment the middle of a cell lies, in no particular unit.
+Int128 distance_along(const FineSegment& s, const GridPoint& cell, std::int64_t fineness) {
+    return static_cast<Int128>(cell.x * fineness - s.a.x) * (s.b.x - s.a.x) +
+           static_cast<Int128>(cell.y * fineness - s.a.y) * (s.b.y - s.a.y);
+}
+
+/// Whether a cell lies between those of a segment's ends, so that the segment may turn aside to it and still
+/// end where it did.
+bool lies_between_ends(const FineSegment& s, const GridPoint& cell, std::int64_t fineness) {
+    const Int128 distance = distance_along(s, cell, fineness);
+    return distance > distance_along(s, cell_of(s.a, fineness), fineness) &&
+           distance < distance_along(s, cell_of(s.b, fineness), fineness);
+}
+
+/// Segments that pass an end within half a cell, though not through the end's cell: with the hits that they
+/// make of it, what ends so near another joint ends on it, wherever the two lie in their cells.
+void add_hits_beside_ends(std::span<const FineSegment> segments, std::span<const GridPoint> cells,
+                          const BucketGrid& grid, std::int64_t fineness, std::vector<Hit>& hits) {
+    const auto add = [&](std::size_t ending, const GridPoint& end) {
+        for (const std::int32_t s : grid.segments_of(grid.bucket_of(end))) {
+            const auto k = static_cast<std::size_t>(s);
+            if (k == ending || !passes_by(segments[k], end, fineness)) continue;
+            const GridPoint cell = cell_of(end, fineness);
+            if (passes_through(segments[k], cell, fineness) ||
+                !lies_between_ends(segments[k], cell, fineness))
+                continue;
+            const auto found = std::lower_bound(cells.begin(), cells.end(), cell);
+            hits.push_back({s, static_cast<std::int32_t>(found - cells.begin())});
+        }
+    };
+    for (std::size_t k = 0; k < segments.size(); ++k) add(k, segments[k].a), add(k, segments[k].b);
+}
+
 /// The cells that each segment passes through, in no order: those of segment k are [first[k], first[k + 1]).
 struct CellsOfSegments {
     std::vector<std::int64_t> first;
@@ -213,13 +251,9 @@ CellsOfSegments gather(const std::vector<Hit>& hits, std::size_t segments) {
 
 /// @param stand_ins per cell the number of the one that stands for it; empty when each does for itself.
 SnappedChains chains_of(std::span<const FineSegment> segments, std::vector<GridPoint> cells,
-                        const BucketGrid& grid, std::int64_t fineness,
+                        const std::vector<Hit>& hits, std::int64_t fineness,
                         std::span<const std::int32_t> stand_ins) {
-    const CellsOfSegments near = gather(find_hits(segments, cells, grid, fineness), segments.size());
-    const auto distance_along = [fineness](const FineSegment& s, const GridPoint& cell) {
-        return static_cast<Int128>(cell.x * fineness - s.a.x) * (s.b.x - s.a.x) +
-               static_cast<Int128>(cell.y * fineness - s.a.y) * (s.b.y - s.a.y);
-    };
+    const CellsOfSegments near = gather(hits, segments.size());
     SnappedChains chains;
     chains.first.reserve(segments.size() + 1);
     chains.items.reserve(near.cells.size());
@@ -228,7 +262,8 @@ SnappedChains chains_of(std::span<const FineSegment> segments, std::vector<GridP
         ordered.clear();
         for (std::int64_t i = near.first[k]; i < near.first[k + 1]; ++i) {
             const std::int32_t cell = near.cells[static_cast<std::size_t>(i)];
-            ordered.emplace_back(distance_along(segments[k], cells[static_cast<std::size_t>(cell)]), cell);
+            ordered.emplace_back(distance_along(segments[k], cells[static_cast<std::size_t>(cell)], fineness),
+                                 cell);
         }
         std::sort(ordered.begin(), ordered.end());
         const std::size_t start = chains.items.size();
@@ -248,7 +283,8 @@ SnappedChains snap_round(std::span<const FineSegment> segments, std::int64_t fin
                          std::vector<GridPoint> ends) {
     const BucketGrid grid(segments, fineness);
     std::vector<GridPoint> cells = with_crossings(std::move(ends), crossing_cells(segments, grid, fineness));
-    return chains_of(segments, std::move(cells), grid, fineness, {});
+    const std::vector<Hit> hits = find_hits(segments, cells, grid, fineness);
+    return chains_of(segments, std::move(cells), hits, fineness, {});
 }
 
 SnappedChains snap_round_joining(std::span<const FineSegment> segments, std::int64_t fineness,
@@ -259,7 +295,9 @@ SnappedChains snap_round_joining(std::span<const FineSegment> segments, std::int
     cells.insert(cells.end(), crossings.begin(), crossings.end());
     sort_distinct(cells);
     const std::vector<std::int32_t> stand_ins = representatives(cells, anchors);
-    return chains_of(segments, std::move(cells), grid, fineness, stand_ins);
+    std::vector<Hit> hits = find_hits(segments, cells, grid, fineness);
+    add_hits_beside_ends(segments, cells, grid, fineness, hits);
+    return chains_of(segments, std::move(cells), hits, fineness, stand_ins);
 }
 
 }  // namespace blockgen

@@ -88,6 +88,29 @@ TEST(Hazards, AJointThatEndsJustShortOfAnother) {
     EXPECT_EQ(cut(model).mesh.block_count(), 2u);
 }
 
+// Up to half a cell, wherever in its cell the other lies: an upright or level joint may run along a cell's
+// side with the end just beyond it.
+TEST(Hazards, AJointThatEndsWithinHalfACellOfALevelJointOrTheRim) {
+    for (const double grid : {0x1p-20, 0x1p-7})
+        for (const double place : {0.0, 0.25, 0.49, 0.5 - 1e-9 / grid, 0.5, 0.51, 0.8})
+            for (const double gap : {0.0, 1e-9, 2e-9, 1e-7, 0.2 * grid, 0.49 * grid})
+                for (const double side : {1.0, -1.0}) {
+                    const double level = 1.5 + place * grid, end = level + side * gap;
+                    SlopeModel model = rectangle(3, 3);
+                    model.grid = grid;
+                    add_trace(model, {{-1, level}, {4, level}}, "level");
+                    add_trace(model, {{1.1, end}, {1.1, side > 0 ? 4.0 : -1.0}}, "short");
+                    const CutResult result = cut(model);
+                    EXPECT_EQ(result.mesh.block_count(), 3u) << grid << ' ' << place << ' ' << gap;
+                    EXPECT_LE(result.report.largest_snap, 1.5 * grid);
+                    SlopeModel rim = rectangle(3, 3);
+                    rim.grid = grid;
+                    rim.outline[2].y = rim.outline[3].y = level;
+                    add_trace(rim, {{1.1, level - gap}, {1.1, -1}}, "short");
+                    EXPECT_EQ(cut(rim).mesh.block_count(), 2u) << grid << ' ' << place << ' ' << gap;
+                }
+}
+
 TEST(Hazards, AJointThroughCornersOfOthersAndOfTheOutline) {
     SlopeModel model = rectangle(4, 4);
     add_trace(model, {{-1, -1}, {5, 5}});
