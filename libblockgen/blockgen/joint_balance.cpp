@@ -113,7 +113,7 @@ class NetworkMeasure {
         if (set.stop.measure == Measure::p20) b.p20_asked = set.stop.target;
         if (set.stop.measure == Measure::p21) b.p21_asked = set.stop.target;
         if (set.stop.measure == Measure::count) b.count_asked = set.stop.target;
-        if (set.kind != SetKind::parallel) return;
+        if (set.kind != SetKind::parallel && set.kind != SetKind::cross_jointed) return;
         b.p10_asked = 1 / set.spacing.mean_draw();
         if (set.trace_length) {
             const double open = set.trace_length->mean_draw();

@@ -70,12 +70,13 @@ double Orientation::mean_angle() const {
 
 double Orientation::steepest() const {
     constexpr double rare = 1e-4, limit = 89 * std::numbers::pi / 180;
+    const double mean = mean_angle();
     double turn = 0;
     if (poles.empty())
-        turn = std::max(mean_angle() - angle.quantile(rare / 2), angle.quantile(1 - rare / 2) - mean_angle());
+        turn = std::max(mean - angle.quantile(rare / 2), angle.quantile(1 - rare / 2) - mean);
     else if (poles.size() > 1)
         for (const Pole& p : poles)
-            turn = std::max(turn, std::abs(std::remainder(trace_angle(p) - mean_angle(), std::numbers::pi)));
+            turn = std::max(turn, std::abs(std::remainder(trace_angle(p) - mean, std::numbers::pi)));
     else if (fisher_k > 0) {
         // The cone of half-angle theta about a pole that lies at beta off the section is seen within
         // asin(sin theta / cos beta), and from all sides once it holds the section's normal.

@@ -138,6 +138,36 @@ TEST(Islands, APinchedOneNeedsOneCut) {
     EXPECT_EQ(result.mesh.block_count(), 3u);  // the ring from the corner to the cut falls into two
 }
 
+struct PolicyCase {
+    std::vector<Point> ring;
+    std::size_t kept, cut, filled;  ///< blocks by policy
+};
+
+// Inside; at a corner of the rim; touching a side in one corner; two that touch each other and the rim.
+TEST(Islands, AndPinchesByEachPolicy) {
+    const std::vector<PolicyCase> cases = {
+        {{{1, 1}, {3, 1}, {2, 3}, {1, 1}}, 2, 3, 1},
+        {{{0, 0}, {2, 1}, {1, 2}, {0, 0}}, 2, 3, 1},
+        {{{0, 2}, {2, 1}, {2, 3}, {0, 2}}, 2, 3, 1},
+        {{{0, 2}, {1, 1}, {2, 2}, {3, 1}, {3, 3}, {2, 2}, {1, 3}, {0, 2}}, 3, 4, 1},
+    };
+    for (std::size_t k = 0; k < cases.size(); ++k) {
+        SlopeModel model = rectangle(4, 4);
+        add_trace(model, cases[k].ring);
+        for (const auto& [policy, blocks] :
+             {std::pair(IslandPolicy::keep, cases[k].kept), std::pair(IslandPolicy::cut, cases[k].cut),
+              std::pair(IslandPolicy::fill, cases[k].filled)}) {
+            model.islands = policy;
+            const CutResult result = cut(model);
+            EXPECT_EQ(result.mesh.block_count(), blocks) << k << ' ' << static_cast<int>(policy);
+            EXPECT_EQ(result.report.domain_area, 16);
+            EXPECT_EQ(result.report.holes > 0, policy == IslandPolicy::keep) << k;
+        }
+        model.islands = IslandPolicy::error;
+        EXPECT_THROW(cut(model), InputError) << k;
+    }
+}
+
 TEST(Islands, ATunnelWithABlockAtItsWall) {
     // The hole's first edge is free, others are joints: it is an island all the same.
     SlopeModel model = rectangle(10, 10);

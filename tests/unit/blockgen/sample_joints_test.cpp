@@ -79,6 +79,19 @@ TEST(Distribution, TruncationKeepsTheShapeWithin) {
     EXPECT_LE(values.back(), 30);
     const double low = std::exp(-0.25), high = std::exp(-1.5);
     EXPECT_LT(distance(values, [&](double x) { return (low - std::exp(-x / 20)) / (low - high); }), limit);
+    for (const auto& [from, to] : {std::pair(9.0, 9.5), std::pair(7.0, 12.0), std::pair(14.0, 30.0)}) {
+        const double below = normal((from - 10) / 2), within = normal((to - 10) / 2) - below;
+        EXPECT_LT(distance(sample({Law::normal, 10, 2, from, to}),
+                           [&](double x) { return (normal((x - 10) / 2) - below) / within; }),
+                  limit)
+            << from;
+    }
+    const double s = std::sqrt(std::log(1.04)), m = std::log(3) - s * s / 2;
+    const auto lognormal = [&](double x) { return normal((std::log(x) - m) / s); };
+    EXPECT_LT(
+        distance(sample({Law::lognormal, 3, 0.6, 2.5, 4}),
+                 [&](double x) { return (lognormal(x) - lognormal(2.5)) / (lognormal(4) - lognormal(2.5)); }),
+        limit);
     const auto narrow = sample({Law::normal, 10, 2, 9, 9.5});
     EXPECT_GE(narrow.front(), 9);
     EXPECT_LE(narrow.back(), 9.5);
@@ -161,12 +174,13 @@ TEST(SampleJoints, TracesAndGapsShareTheLine) {
     const RockMeasure rock(model, "");
     double length = 0;
     for (const Trace& t : sample_joint_set(set, model)) length += rock.length_in(t.points[0], t.points[1]);
-    // Four fifths of each line are open. Some 200 lines of 30 cycles: the share has a standard error near
-    // 0.002.
+    // Four fifths of each line are open, within three standard errors: a renewal process of traces (mean and
+    // standard deviation 4) and bridges (1, and 1 / sqrt(12)) has on a length l the variance of the open
+    // length (16 + 16 / 12) / 5^3 l.
     set.trace_length.reset();
     double whole = 0;
     for (const Trace& t : sample_joint_set(set, model)) whole += rock.length_in(t.points[0], t.points[1]);
-    EXPECT_NEAR(length / whole, 0.8, 0.01);
+    EXPECT_NEAR(length / whole, 0.8, 3 * std::sqrt((16 + 16 / 12.0) / 125 / whole));
 }
 
 // Ten spacings wide, so that a joint too many at one rim would be a tenth. The rim must not know where the
@@ -242,6 +256,91 @@ TEST(SampleJoints, EditingOneSetLeavesTheOther) {
     const auto after = sample_joint_set(model.joint_sets[0], model);
     ASSERT_EQ(before.size(), after.size());
     for (std::size_t k = 0; k < before.size(); ++k) EXPECT_EQ(before[k].points, after[k].points);
+}
+
+/// One set of each kind; the cells limited to a region.
+const std::string all_kinds = R"(
+seed = 42
+[domain]
+outline = [[0, 0], [40, 0], [40, 30], [0, 30]]
+block_material = "rock"
+[[region]]
+name = "left"
+block_material = "rock"
+polygon = [[-1, -1], [15, 2], [12, 31], [-1, 31]]
+[[joint_set]]
+name = "parallel"
+angle = { law = "normal", mean = "65 deg", sd = "9 deg" }
+spacing = 3
+[[joint_set]]
+name = "cross"
+kind = "cross-jointed"
+ends_on = "parallel"
+angle = "-20 deg"
+spacing = 3
+[[joint_set]]
+name = "baecher"
+kind = "baecher"
+angle = { law = "uniform", min = "0 deg", max = "90 deg" }
+trace_length = { law = "exponential", mean = 4 }
+p21 = 0.3
+[[joint_set]]
+name = "veneziano"
+kind = "veneziano"
+angle = { law = "uniform", min = "0 deg", max = "90 deg" }
+trace_length = { law = "exponential", mean = 4 }
+persistence = 0.5
+p21 = 0.3
+[[joint_set]]
+name = "cells"
+kind = "voronoi"
+region = "left"
+count = 30
+)";
+
+TEST(SampleJoints, AddingOrRemovingASetLeavesTheOthers) {
+    const SlopeModel model = slope(all_kinds);
+    const auto of_set = [](const std::vector<Trace>& traces, const std::string& name) {
+        std::vector<std::vector<Point>> points;
+        for (const Trace& t : traces)
+            if (t.name == name) points.push_back(t.points);
+        return points;
+    };
+    const auto before = all_traces(model);
+    for (const auto& place : {0, 2, 5}) {
+        SlopeModel more = model;
+        JointSet extra = parallel(10, 0.7);
+        extra.name = "extra";
+        more.joint_sets.insert(more.joint_sets.begin() + place, extra);
+        const auto after = all_traces(more);
+        EXPECT_GT(of_set(after, "extra").size(), 40u);
+        for (const JointSet& set : model.joint_sets)
+            EXPECT_EQ(of_set(before, set.name), of_set(after, set.name)) << set.name << ' ' << place;
+    }
+    for (std::size_t gone = 1; gone < 5; ++gone) {  // the first is what the second ends on
+        SlopeModel less = model;
+        less.joint_sets.erase(less.joint_sets.begin() + static_cast<std::ptrdiff_t>(gone));
+        const auto after = all_traces(less);
+        for (const JointSet& set : less.joint_sets)
+            EXPECT_EQ(of_set(before, set.name), of_set(after, set.name)) << set.name << ' ' << gone;
+    }
+}
+
+TEST(SampleJoints, EveryKindStaysInItsRegion) {
+    SlopeModel model = slope(all_kinds);
+    for (JointSet& set : model.joint_sets) set.region = "left";
+    const RockMeasure left(model, "left");
+    double length = 0;
+    for (const Trace& t : all_traces(model)) {
+        const Point &a = t.points[0], &b = t.points[1];
+        const auto pieces = left.pieces_in_region(a, b);
+        double within = 0;
+        for (const auto& [p, q] : pieces) within += std::hypot(q.x - p.x, q.y - p.y);
+        EXPECT_NEAR(within, std::hypot(b.x - a.x, b.y - a.y), 1e-9) << t.name;
+        length += within;
+    }
+    EXPECT_GT(length, 500);
+    EXPECT_TRUE(cut(model).report.verified);
 }
 
 TEST(SampleJoints, TooManyLinesAreRefused) {

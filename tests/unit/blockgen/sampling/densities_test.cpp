@@ -209,6 +209,13 @@ TEST(Densities, OfTheReport) {
         cut(slope(head + "angle = \"20 deg\"\nspacing = 2\norigin = [3, 4]\n")).report.joints[0];
     EXPECT_EQ(flat.p10_asked, 0.5);
     EXPECT_EQ(flat.p21_asked, 0.5);
+    const JointBalance cross = cut(slope(head +
+                                         "angle = \"20 deg\"\nspacing = 2\n[[joint_set]]\nname = "
+                                         "\"cross\"\nkind = \"cross-jointed\"\nends_on = \"set\"\n" +
+                                         "spacing = 4\n" + normal_15))
+                                   .report.joints[1];
+    EXPECT_EQ(cross.p10_asked, 0.25);
+    EXPECT_EQ(cross.p21_asked, 0);
 }
 
 }  // namespace
