@@ -5,6 +5,19 @@ folder=$(mktemp -d)
 trap 'chmod -R u+w "$folder"; rm -rf "$folder" "$folder".*' EXIT
 cd "$folder"
 
+# rock_and_bedding: the materials of most runs here.
+rock_and_bedding() {
+    cat <<'MODEL'
+[block_material.rock]
+density = 2500
+youngs_modulus = "10 GPa"
+poissons_ratio = 0.25
+[joint_material.bedding]
+law = "mohr-coulomb"
+friction_angle = "20 deg"
+MODEL
+}
+
 fail() {
     echo "FAILED: $*" >&2
     exit 1

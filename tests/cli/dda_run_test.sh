@@ -29,15 +29,10 @@ edges 0:0 - - -
 measured_point crest 1 2 2
 end
 BLOCKS
-cat >run.toml <<'MODEL'
-blocks = "two.blocks"
-[block_material.rock]
-density = 2500
-youngs_modulus = "10 GPa"
-poissons_ratio = 0.25
-[joint_material.bedding]
-law = "mohr-coulomb"
-friction_angle = "20 deg"
+{
+    echo 'blocks = "two.blocks"'
+    rock_and_bedding
+    cat <<'MODEL'
 [[stage]]
 name = "settle"
 kind = "static"
@@ -51,6 +46,7 @@ x = { file = "record.csv" }
 [output]
 frames = 10
 MODEL
+} >run.toml
 printf 'time (s),acceleration (m/s2)\n0,0\n0.1,5\n0.2,-5\n0.3,0\n' >record.csv
 
 # refused EXPECTED SED_EXPRESSION [OPTION...]: the edited model is refused in one line and nothing is written.

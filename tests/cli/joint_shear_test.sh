@@ -39,7 +39,8 @@ refused() {
     [ "$(ls)" = "lab.csv
 test.toml" ] || fail "left behind by $*: $(ls)"
 }
-refused 'one: joint-shear' -o a.csv
+refused 'expected joint-shear TEST.toml -o ROWS.csv' -o a.csv
+refused 'more than one model file' test.toml test.toml -o a.csv
 refused '--output is missing' test.toml
 refused '.svg, .png or .pdf' test.toml -o a.csv --picture a.gif
 refused 'perhaps\|did you mean' test.toml -o a.csv --set shear_test.lenth=1

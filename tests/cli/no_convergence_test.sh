@@ -35,15 +35,10 @@ end
 BLOCKS
 # Shaken at 2 g, the blocks slip and lift off: states change, and one iteration with no smaller step left cannot follow.
 printf 'time (s),acceleration (m/s2)\n0,0\n0.1,20\n0.2,-20\n0.3,0\n' >record.csv
-cat >run.toml <<'MODEL'
-blocks = "stack.blocks"
-[block_material.rock]
-density = 2500
-youngs_modulus = "10 GPa"
-poissons_ratio = 0.25
-[joint_material.bedding]
-law = "mohr-coulomb"
-friction_angle = "20 deg"
+{
+    echo 'blocks = "stack.blocks"'
+    rock_and_bedding
+    cat <<'MODEL'
 [[stage]]
 name = "settle"
 kind = "static"
@@ -59,6 +54,7 @@ x = { file = "record.csv" }
 [output]
 frames = 10
 MODEL
+} >run.toml
 
 code=0
 timeout 60 "$run" run.toml -o out 2>err.txt || code=$?

@@ -23,15 +23,10 @@ name = "crest"
 at = [2, 3.9]
 MODEL
 printf 'x,y\n0,0\n4,0\n4,4\n0,4\n' >outline.csv
-cat >run.toml <<'MODEL'
-blocks = "slope.blocks"
-[block_material.rock]
-density = 2500
-youngs_modulus = "10 GPa"
-poissons_ratio = 0.25
-[joint_material.bedding]
-law = "mohr-coulomb"
-friction_angle = "20 deg"
+{
+    echo 'blocks = "slope.blocks"'
+    rock_and_bedding
+    cat <<'MODEL'
 [[stage]]
 name = "shake"
 kind = "dynamic"
@@ -41,6 +36,7 @@ x = { file = "record.csv" }
 [output]
 frames = 10
 MODEL
+} >run.toml
 printf 'time (s),acceleration (m/s2)\n0,0\n0.1,5\n0.2,-5\n0.3,0\n' >record.csv
 
 "$bin/blockgen" slope.toml >/dev/null

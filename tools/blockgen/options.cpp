@@ -5,6 +5,7 @@
 
 #include "blockgen/input/read_slope_model.hpp"
 #include "blockgen/picture/canvas.hpp"
+#include "support/model_file.hpp"
 #include "support/parse_words.hpp"
 
 namespace blockgen_tool {
@@ -61,17 +62,9 @@ void check_picture(const char* option, const std::filesystem::path& picture) {
                          ": expected a name that ends in .svg, .png or .pdf");
 }
 
-std::string model_of(const po::variables_map& given) {
-    const auto files =
-        given.count("file") ? given["file"].as<std::vector<std::string>>() : std::vector<std::string>{};
-    if (files.size() == 1) return files.front();
-    throw UsageError(std::string(files.empty() ? "no model file" : "more than one model file") +
-                     "; expected blockgen SLOPE.toml; see blockgen --help");
-}
-
 Options read_options(const po::variables_map& given) {
     Options options;
-    options.model = model_of(given);
+    options.model = tool_support::model_file_of("blockgen", given, "blockgen SLOPE.toml [options]");
     options.output = path_or_empty(given, "output");
     if (options.output.empty())
         options.output = std::filesystem::path(options.model).replace_extension(".blocks");

@@ -27,7 +27,7 @@ struct UsageError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// @throws UsageError with one line.
+/// @throws UsageError or blockgen::InputError with one line.
 Options parse_options(int argc, const char* const* argv);
 
 }  // namespace blockgen_tool

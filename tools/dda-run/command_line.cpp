@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "blockgen/base/input_error.hpp"
+#include "support/model_file.hpp"
 #include "support/parse_words.hpp"
 
 namespace po = boost::program_options;
@@ -55,15 +56,6 @@ int threads_of(const po::variables_map& values) {
     return threads;
 }
 
-std::filesystem::path run_file_of(const po::variables_map& values) {
-    const auto files =
-        values.count("file") ? values["file"].as<std::vector<std::string>>() : std::vector<std::string>{};
-    if (files.size() == 1) return files.front();
-    throw blockgen::InputError(
-        {"dda-run"}, files.empty() ? "no model file is given" : "more than one model file is given",
-        "dda-run RUN.toml [options]; --help lists them, --template prints a model file");
-}
-
 std::optional<std::filesystem::path> path_of(const po::variables_map& values, const char* name) {
     if (!values.count(name)) return std::nullopt;
     const std::string text = values[name].as<std::string>();
@@ -81,7 +73,7 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
     const bool needs_file =
         line.action == CommandLine::Action::simulate || line.action == CommandLine::Action::print_config;
     if (!needs_file) return line;
-    line.run_file = run_file_of(values);
+    line.run_file = tool_support::model_file_of("dda-run", values, "dda-run RUN.toml [options]");
     line.output = path_of(values, "output").value_or("out");
     line.blocks = path_of(values, "blocks");
     line.depfile = path_of(values, "depfile");

@@ -13,6 +13,7 @@
 #include "dda/io/read_shear_test.hpp"
 #include "dda/io/shear_table.hpp"
 #include "shear_picture.hpp"
+#include "support/model_file.hpp"
 #include "support/parse_words.hpp"
 
 namespace po = boost::program_options;
@@ -59,11 +60,8 @@ void print_summary(const dda::ShearTestInput& input, const std::vector<dda::Shea
 }
 
 int run(const po::variables_map& values) {
-    const auto files =
-        values.count("file") ? values["file"].as<std::vector<std::string>>() : std::vector<std::string>{};
-    if (files.size() != 1)
-        throw blockgen::InputError({"joint-shear"}, std::to_string(files.size()) + " model files are given",
-                                   "one: joint-shear TEST.toml -o ROWS.csv [options]");
+    const std::string file =
+        tool_support::model_file_of("joint-shear", values, "joint-shear TEST.toml -o ROWS.csv [options]");
     const std::string output = text_of(values, "output"), picture = text_of(values, "picture");
     const std::string measured_file = text_of(values, "compare");
     if (output.empty())
@@ -75,8 +73,8 @@ int run(const po::variables_map& values) {
         throw blockgen::InputError({"joint-shear"}, "--joint is given without --compare",
                                    "--compare joints.csv");
     const dda::ShearTestInput input =
-        dda::read_shear_test(files.front(), values.count("set") ? values["set"].as<std::vector<std::string>>()
-                                                                : std::vector<std::string>{});
+        dda::read_shear_test(file, values.count("set") ? values["set"].as<std::vector<std::string>>()
+                                                       : std::vector<std::string>{});
     std::vector<std::filesystem::path> read = input.files;
     std::optional<dda::ShearTable> measured;
     if (values.count("compare")) {

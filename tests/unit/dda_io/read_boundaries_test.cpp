@@ -10,12 +10,7 @@ namespace {
 using ::testing::Eq;
 using ::testing::HasSubstr;
 
-const char* const model_text = R"(blocks = "two.blocks"
-[block_material.rock]
-density = 2500
-youngs_modulus = "10 GPa"
-poissons_ratio = 0.25
-[joint_material.bedding]
+const std::string model_text = io_test::two_blocks_of_rock() + R"([joint_material.bedding]
 law = "elastic"
 normal_stiffness = "20 GPa/m"
 shear_stiffness = "5 GPa/m"
@@ -49,6 +44,9 @@ TEST_F(ReadBoundaries, EveryKeyArrives) {
     EXPECT_EQ(joint.shear_stiffness, 5e9);
     EXPECT_EQ(joint.corner_length, 0.05);
     EXPECT_EQ(joint.largest_closure, 0) << "linear";
+    const std::string stiffness = "corner_length = \"5 cm\"\n";
+    const RunInput closing = read(changed(stiffness, stiffness + "largest_closure = \"0.2 mm\"\n"));
+    EXPECT_DOUBLE_EQ(closing.model.joint_materials[0].largest_closure, 2e-4);
     ASSERT_EQ(input.model.viscous_boundaries.size(), 2u);
     const ViscousBoundary& top = input.model.viscous_boundaries[0];
     ASSERT_EQ(top.faces.size(), 1u);

@@ -11,15 +11,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-const char* const model_text = R"(blocks = "two.blocks"
-[block_material.rock]
-density = 2500
-youngs_modulus = "10 GPa"
-poissons_ratio = 0.25
-[joint_material.bedding]
-law = "mohr-coulomb"
-friction_angle = "30 deg"
-[joint_material.fault]
+const std::string model_text = io_test::two_blocks_with_friction("30 deg") + R"([joint_material.fault]
 law = "mohr-coulomb"
 friction_angle = "20 deg"
 [[line_load]]
@@ -106,12 +98,7 @@ TEST_F(ReadFaceLoads, PlacesFarFromZeroAreTheModelsOwn) {
     for (blockgen::Point& point : mesh.vertices) point = {point.x + 1000, point.y + 2000};
     for (auto& point : mesh.measured_points) point.position = {1002, 2002};
     blockgen::write_block_file(folder / "two.blocks", mesh);
-    const std::string text = R"(blocks = "two.blocks"
-[block_material.rock]
-density = 2500
-youngs_modulus = "10 GPa"
-poissons_ratio = 0.25
-[joint_material.bedding]
+    const std::string text = io_test::two_blocks_of_rock() + R"([joint_material.bedding]
 law = "elastic"
 [[line_load]]
 along = [[1001, 2002], [1003, 2002]]

@@ -52,15 +52,8 @@ TEST_P(RealBaseMotion, IsTheRecordAndEndsAtRest) {
     const io_test::Folder own;
     blockgen::write_block_file(own / "two.blocks", io_test::two_block_mesh());
     const auto file = (*folder / GetParam().file).string();
-    const RunInput input = read_run(own.write("run.toml", R"(blocks = "two.blocks"
-[block_material.rock]
-density = 2500
-youngs_modulus = "10 GPa"
-poissons_ratio = 0.25
-[joint_material.bedding]
-law = "mohr-coulomb"
-friction_angle = "60 deg"
-[[stage]]
+    const RunInput input = read_run(own.write("run.toml", io_test::two_blocks_with_friction("60 deg") +
+                                                              R"([[stage]]
 kind = "static"
 [[stage]]
 kind = "dynamic"

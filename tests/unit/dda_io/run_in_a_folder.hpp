@@ -20,15 +20,7 @@ class RunInAFolder : public ::testing::Test {
   protected:
     void SetUp() override {
         blockgen::write_block_file(folder / "two.blocks", io_test::two_block_mesh());
-        folder.write("run.toml", R"(blocks = "two.blocks"
-[block_material.rock]
-density = 2500
-youngs_modulus = "10 GPa"
-poissons_ratio = 0.25
-[joint_material.bedding]
-law = "mohr-coulomb"
-friction_angle = "20 deg"
-[[measured_joint]]
+        folder.write("run.toml", io_test::two_blocks_with_friction("20 deg") + R"([[measured_joint]]
 name = "bed"
 at = [2, 1]
 [[stage]]

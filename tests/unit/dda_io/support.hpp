@@ -59,4 +59,20 @@ inline blockgen::BlockMesh two_block_mesh() {
     return mesh;
 }
 
+/// How the text of a run of two_block_mesh() begins: its file, "two.blocks", and its rock.
+inline std::string two_blocks_of_rock() {
+    return R"(blocks = "two.blocks"
+[block_material.rock]
+density = 2500
+youngs_modulus = "10 GPa"
+poissons_ratio = 0.25
+)";
+}
+
+/// The same with the friction of their joint, such as "20 deg".
+inline std::string two_blocks_with_friction(const std::string& angle) {
+    return two_blocks_of_rock() + "[joint_material.bedding]\nlaw = \"mohr-coulomb\"\nfriction_angle = \"" +
+           angle + "\"\n";
+}
+
 }  // namespace io_test
