@@ -1,5 +1,7 @@
-// What the phases of steps take: bench_steps --wall COLUMNSxROWS | --model RUN.toml --blocks FILE, see `usage`.
+// What the phases of steps take: bench_steps --wall COLUMNSxROWS | --model RUN.toml --blocks FILE, see
+// `usage`.
 
+#include <malloc.h>
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -22,19 +24,25 @@ namespace {
 
 constexpr const char* usage =
     "bench_steps --wall COLUMNSxROWS [--penalty TIMES-E] [--jolt M/S] | --model RUN.toml --blocks FILE\n"
-    "    [--step S] [--steps N] [--warm N] [--threads N] [--solver multifrontal|cholmod] [--no-heading]\n"
-    "Takes WARM steps, then N that count, and prints what their phases took as CSV, in us per block and step:\n"
-    "CPU time on one thread, wall time on several. A jolt gives each block of a wall a velocity of that size\n"
+    "    [--step S] [--steps N] [--warm N] [--iterations N] [--threads N] [--solver multifrontal|cholmod] "
+    "[--no-heading]\n"
+    "Takes WARM steps, then N that count, and prints what their phases took as CSV, in us per block and "
+    "step:\n"
+    "CPU time on one thread, wall time on several. A jolt gives each block of a wall a velocity of that "
+    "size\n"
     "at random. `at four` is what a step of four open-close iterations takes: the phases of the iteration\n"
-    "are scaled to four of them, the others are as measured.\n";
+    "are scaled to four of them, the others are as measured. Where that many are asked for, each step's\n"
+    "equations are iterated so often, and the step is then taken as after the first of them: the wall goes "
+    "on\n"
+    "as a wall does, roughly, and every step has contacts that change.\n";
 
 using Options = std::map<std::string, std::string>;
 using dda::Phase;
 
 Options read_options(int argc, char** argv) {
-    Options options{{"--penalty", "100"}, {"--jolt", "0"},    {"--step", "0.005"},
-                    {"--steps", "20"},    {"--warm", "3"},    {"--threads", "1"},
-                    {"--solver", "multifrontal"}};
+    Options options{
+        {"--penalty", "100"}, {"--jolt", "0"},    {"--step", "0.005"},   {"--steps", "20"},
+        {"--warm", "3"},      {"--threads", "1"}, {"--iterations", "0"}, {"--solver", "multifrontal"}};
     for (int i = 1; i < argc; ++i) {
         const std::string name = argv[i];
         if (name == "--no-heading")
@@ -106,12 +114,15 @@ struct Figures {
     int steps = 0;
     double iterations = 0;
     double factorizations = 0;
-    dda::PhaseTimes times;
+    dda::PhaseTimes::Clock clock;
+    dda::PhaseTimes times{clock};
+    double update = 0;  ///< s of updates that were not in `times`
 
+    double seconds(Phase phase) const { return times.seconds(phase) + (phase == Phase::update ? update : 0); }
     double total() const {
         double sum = 0;
         for (std::size_t p = 0; p < static_cast<std::size_t>(Phase::count); ++p)
-            sum += times.seconds(static_cast<Phase>(p));
+            sum += seconds(static_cast<Phase>(p));
         return sum;
     }
     double at_four() const {
@@ -122,15 +133,41 @@ struct Figures {
     }
 };
 
+/// A step of that many iterations, see `usage`.
+dda::State iterated(dda::TimeStepper& stepper, dda::Stage stage, dda::State state, double dt, int iterations,
+                    Figures& figures, bool counts) {
+    dda::PhaseTimes first(figures.clock);
+    stepper.time_phases(counts ? &figures.times : nullptr);
+    stage.control.iteration_limit = iterations;
+    const dda::StepAttempt all = stepper.advance(stage, state, dt);
+    if (counts) {
+        figures.iterations += all.report.iterations;
+        figures.factorizations += all.report.factorizations;
+    }
+    if (all.rejection == dda::Rejection::none) return all.state;
+    stepper.time_phases(counts ? &first : nullptr);
+    stage.control.force_tolerance = 1e300;
+    dda::StepAttempt one = stepper.advance(stage, state, dt);
+    if (one.rejection != dda::Rejection::none) throw std::runtime_error("a step is refused");
+    figures.update += first.seconds(Phase::update);
+    return std::move(one.state);
+}
+
 Figures measure(const Scene& scene, const Options& options) {
     const int threads = read(options.at("--threads"), 1);
     const double dt = read(options.at("--step"), 1e-9);
     dda::TimeStepper stepper(scene.model, threads);
     dda::State state = dda::initial_state(scene.model);
-    Figures figures{0, 0, 0, dda::PhaseTimes(threads == 1 ? cpu_time : wall_time)};
+    Figures figures{0, 0, 0, threads == 1 ? cpu_time : wall_time};
     const int warm = read(options.at("--warm"), 0);
     const int steps = read(options.at("--steps"), 1);
+    const int iterations = read(options.at("--iterations"), 0);
     for (int k = 0; k < warm + steps; ++k) {
+        if (iterations > 0) {
+            state = iterated(stepper, scene.stage, std::move(state), dt, iterations, figures, k >= warm);
+            if (k >= warm) ++figures.steps;
+            continue;
+        }
         if (k == warm) stepper.time_phases(&figures.times);
         dda::StepAttempt attempt = stepper.advance(scene.stage, state, dt);
         if (attempt.rejection != dda::Rejection::none)
@@ -160,7 +197,7 @@ void print(const Scene& scene, const Options& options, const Figures& f) {
                 options.at("--step").c_str(), options.at("--penalty").c_str(), f.steps,
                 f.iterations / f.steps, f.factorizations / f.steps);
     for (std::size_t p = 0; p < static_cast<std::size_t>(Phase::count); ++p)
-        std::printf(",%.3g", per_block(f.times.seconds(static_cast<Phase>(p))));
+        std::printf(",%.3g", per_block(f.seconds(static_cast<Phase>(p))));
     std::printf(",%.3g,%.3g,%.3g\n", per_block(f.total()), per_block(f.at_four()),
                 1e-3 * peak_bytes() / blocks);
 }
@@ -168,6 +205,11 @@ void print(const Scene& scene, const Options& options, const Figures& f) {
 }  // namespace
 
 int main(int argc, char** argv) {
+#ifdef __GLIBC__
+    // As dda-run does.
+    if (mallopt(M_MMAP_THRESHOLD, 1 << 30) == 0) mallopt(M_MMAP_THRESHOLD, 32 << 20);
+    mallopt(M_TRIM_THRESHOLD, 1 << 30);
+#endif
     try {
         const Options options = read_options(argc, argv);
         Scene scene = options.count("--wall") ? wall(options) : slope(options);

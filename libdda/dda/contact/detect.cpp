@@ -1,8 +1,8 @@
 #include "dda/contact/detect.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <numeric>
 
 #include "dda/contact/by_corner.hpp"
 #include "dda/contact/candidates.hpp"
@@ -12,14 +12,31 @@ namespace dda {
 
 namespace {
 
-/// A contact in the making: what selection among a group needs besides the contact.
+/// A contact in the making: what is found out of a candidate before it is known which of them become
+/// contacts.
 struct Entry {
-    Contact contact;
+    CornerEdge pair;
+    Vec2 normal = Vec2::Zero();
+    Vec2 tangent = Vec2::Zero();
+    double gap = 0;          ///< m, less the dilation
+    double dilation = 0;     ///< m
+    double known_depth = 0;  ///< m
+    bool held_back = false;
     double inside = 0;    ///< m, projection inside the ends where the corner is expected to go
     int partner = -1;     ///< the edge's end that the corner is near, or -1
     bool holds = false;   ///< it carried force at the end of the last step, and its corner is on its edge
     bool stays = false;   ///< and is expected to stay on it
     bool behind = false;  ///< open, and its corner is behind it: it did not come in here
+};
+
+/// An entry that becomes a contact.
+struct Chosen {
+    const Entry* entry = nullptr;
+    ContactKind kind = ContactKind::vertex_edge;
+    double length = 0;
+    int group = -1;
+    int line = 0;
+    bool held_back = false;
 };
 
 /// Entries of one pair of corners whose normals are parallel.
@@ -53,86 +70,104 @@ class Detector {
         const auto [corner, edge] = candidate;
         const Vec2& vertex = at(corner);
         const CornerEdgeGeometry geometry = corner_edge_geometry(vertex, at(edge), at(next(edge)));
-        Contact& contact = entry.contact;
-        contact.corner = corner;
-        contact.edge = edge;
-        contact.corner_block = topology_.block_of[index(corner)];
-        contact.edge_block = topology_.block_of[index(edge)];
+        entry.pair = candidate;
         const Contact* old = find_previous(candidate);
         const bool enters = this->enters(candidate);
         if (!enters) {
             // An open contact farther off keeps what it knows, but nothing to close on: it may be off its
             // edge's end, on the line that goes on from there.
-            contact.held_back = (old == nullptr || old->state == ContactState::open) &&
-                                distance_to_segment(vertex, at(edge), at(next(edge))) > d_.reach;
-            if (old == nullptr && contact.held_back) return false;
+            entry.held_back = (old == nullptr || old->state == ContactState::open) &&
+                              distance_to_segment(vertex, at(edge), at(next(edge))) > d_.reach;
+            if (old == nullptr && entry.held_back) return false;
             // What bears force keeps the corner out until it opens or slides off the edge.
             const bool bears = old != nullptr && old->state != ContactState::open &&
                                geometry.inside() >= -end_slack * geometry.length;
             if (!bears && !faces_outwards(topology_, d_.vertices, corner, geometry.normal)) return false;
         }
 
-        contact.point = vertex;
-        contact.normal = geometry.normal;
-        contact.tangent = geometry.tangent;
-        contact.dilation = old != nullptr ? old->dilation : 0;
-        contact.gap = geometry.gap - contact.dilation;
-        contact.joint_material = joint_material_of(corner, edge);
-        contact.joint = topology_.joint[index(edge)];
+        entry.normal = geometry.normal;
+        entry.tangent = geometry.tangent;
+        entry.dilation = old != nullptr ? old->dilation : 0;
+        entry.gap = geometry.gap - entry.dilation;
         const int end = geometry.along < geometry.length / 2 ? edge : next(edge);
         const bool closed = old != nullptr && old->state != ContactState::open;
-        contact.known_depth =
+        entry.known_depth =
             std::max(known_.along(corner, geometry.normal), known_.along(end, -geometry.normal));
         entry.inside = corner_edge_geometry(expected(corner), expected(edge), expected(next(edge))).inside();
         entry.holds = closed && geometry.inside() >= -end_slack * geometry.length;
         entry.stays = entry.holds && entry.inside >= -end_slack * geometry.length;
-        entry.behind = !closed && !enters && contact.gap < -(d_.rounding + 2 * contact.known_depth);
+        entry.behind = !closed && !enters && entry.gap < -(d_.rounding + 2 * entry.known_depth);
         entry.partner = !enters && (vertex - at(end)).norm() <= d_.reach && !is_reflex(end) ? end : -1;
         return true;
     }
 
-    /// The contacts of one pair of corners, with a common group where they have more than one line: one for
-    /// each line, or one for each corner where both are in the other's face.
-    void resolve_group(std::span<const Entry* const> members, int group, std::vector<Contact>& out) const {
+    /// Chooses among the entries of one pair of corners, with a common group where they have more than one
+    /// line: one for each line, or one for each corner where both are in the other's face.
+    void choose_of_group(std::span<const Entry* const> members, int group, std::vector<Chosen>& out) const {
         std::vector<Line> lines;
-        for (const Entry* member : members) {
-            const Entry& entry = *member;
+        for (const Entry* entry : members) {
             const auto same = std::find_if(lines.begin(), lines.end(), [&](const Line& line) {
-                return std::abs(cross(line.best->contact.normal, entry.contact.normal)) < parallel_tolerance;
+                return std::abs(cross(line.best->normal, entry->normal)) < parallel_tolerance;
             });
             Line& line = same == lines.end() ? lines.emplace_back() : *same;
-            if (line.best == nullptr || better(entry, *line.best)) line.best = &entry;
-            line.holds = line.holds || entry.holds;
+            if (line.best == nullptr || better(*entry, *line.best)) line.best = entry;
+            line.holds = line.holds || entry->holds;
         }
         const auto holder =
             std::find_if(lines.begin(), lines.end(), [](const Line& line) { return line.holds; });
         for (std::size_t k = 0; k < lines.size(); ++k) {
             const Line& line = lines[k];
-            std::vector<Contact> contacts{line.best->contact};
+            // A line that holds keeps the group, however deep: the others cannot close.
+            const bool held_back = holder != lines.end() && &*holder != &line;
+            const auto choose = [&](const Entry* entry, double length) {
+                const ContactKind kind = length > 0 ? ContactKind::edge_edge : ContactKind::vertex_vertex;
+                out.push_back(
+                    {entry, kind, length, lines.size() > 1 ? group : -1, static_cast<int>(k), held_back});
+            };
             const Entry* other = overlaps(*line.best) ? other_corner(members, *line.best) : nullptr;
             if (other == nullptr) {
-                contacts[0].length =
-                    shared_length(contacts[0].corner, line.best->partner, contacts[0].tangent);
+                choose(line.best,
+                       shared_length(line.best->pair.corner, line.best->partner, line.best->tangent));
             } else {
-                contacts.push_back(other->contact);
-                for (Contact& contact : contacts) contact.length = overlap_length(contact);
-            }
-            for (Contact& contact : contacts) {
-                contact.kind = contact.length > 0 ? ContactKind::edge_edge : ContactKind::vertex_vertex;
-                if (lines.size() > 1) contact.group = group;
-                contact.line = static_cast<int>(k);
-                // A line that holds keeps the group, however deep: the others cannot close.
-                contact.held_back = holder != lines.end() && &*holder != &line;
-                out.push_back(contact);
+                choose(line.best, overlap_length(line.best->pair));
+                choose(other, overlap_length(other->pair));
             }
         }
     }
 
-    void resolve_single(const Entry& entry, std::vector<Contact>& out) const {
-        Contact contact = entry.contact;
-        contact.length = overlap_length(contact);
-        contact.kind = contact.length > 0 ? ContactKind::edge_edge : ContactKind::vertex_edge;
-        out.push_back(contact);
+    Chosen choose_single(const Entry& entry) const {
+        const double length = overlap_length(entry.pair);
+        const ContactKind kind = length > 0 ? ContactKind::edge_edge : ContactKind::vertex_edge;
+        return {&entry, kind, length, -1, 0, entry.held_back};
+    }
+
+    Contact contact_of(const Chosen& chosen) const {
+        const Entry& entry = *chosen.entry;
+        Contact contact;
+        contact.corner = entry.pair.corner;
+        contact.edge = entry.pair.edge;
+        contact.corner_block = topology_.block_of[index(contact.corner)];
+        contact.edge_block = topology_.block_of[index(contact.edge)];
+        contact.kind = chosen.kind;
+        contact.joint_material = joint_material_of(contact.corner, contact.edge);
+        contact.joint = topology_.joint[index(contact.edge)];
+        contact.group = chosen.group;
+        contact.line = chosen.line;
+        contact.held_back = chosen.held_back;
+        contact.known_depth = entry.known_depth;
+        contact.length = chosen.length;
+        contact.point = at(contact.corner);
+        contact.normal = entry.normal;
+        contact.tangent = entry.tangent;
+        contact.gap = entry.gap;
+        contact.dilation = entry.dilation;
+        return contact;
+    }
+
+    /// The order of contacts, see comes_before.
+    std::array<int, 4> place_of(const Chosen& chosen) const {
+        const auto [corner, edge] = chosen.entry->pair;
+        return {topology_.block_of[index(corner)], topology_.block_of[index(edge)], corner, edge};
     }
 
   private:
@@ -186,7 +221,7 @@ class Detector {
 
     /// Whether the corner is expected to be well within its edge's ends, and did not come there from behind.
     bool overlaps(const Entry& entry) const {
-        const double length = (at(next(entry.contact.edge)) - at(entry.contact.edge)).norm();
+        const double length = (at(next(entry.pair.edge)) - at(entry.pair.edge)).norm();
         return !entry.behind && entry.inside > (entry.stays ? end_slack : least_overlap) * length;
     }
 
@@ -196,9 +231,9 @@ class Detector {
         const Entry* other = nullptr;
         for (const Entry* member : members) {
             const Entry& entry = *member;
-            if (entry.contact.corner == best.contact.corner || !overlaps(entry) ||
-                entry.contact.normal.dot(best.contact.normal) > 0 ||
-                std::abs(cross(best.contact.normal, entry.contact.normal)) >= parallel_tolerance)
+            if (entry.pair.corner == best.pair.corner || !overlaps(entry) ||
+                entry.normal.dot(best.normal) > 0 ||
+                std::abs(cross(best.normal, entry.normal)) >= parallel_tolerance)
                 continue;
             if (other == nullptr || better(entry, *other)) other = &entry;
         }
@@ -206,9 +241,8 @@ class Detector {
     }
 
     /// The half overlaps of the corner's faces with its edge, m.
-    double overlap_length(const Contact& contact) const {
-        return half_overlap(contact.corner, contact.edge) +
-               half_overlap(previous(contact.corner), contact.edge);
+    double overlap_length(const CornerEdge& pair) const {
+        return half_overlap(pair.corner, pair.edge) + half_overlap(previous(pair.corner), pair.edge);
     }
 
     /// Half the length over which two faces lie on each other, m: zero unless they run against each other.
@@ -255,18 +289,6 @@ std::vector<std::size_t> choose(std::size_t count, const Crew& crew, const IsCho
     return indices;
 }
 
-/// In their order. Contacts are large: what is sorted is their places.
-std::vector<Contact> sorted(const std::vector<Contact>& contacts) {
-    std::vector<std::size_t> places(contacts.size());
-    std::iota(places.begin(), places.end(), std::size_t{0});
-    std::sort(places.begin(), places.end(),
-              [&](std::size_t a, std::size_t b) { return comes_before(contacts[a], contacts[b]); });
-    std::vector<Contact> in_order;
-    in_order.reserve(contacts.size());
-    for (const std::size_t place : places) in_order.push_back(contacts[place]);
-    return in_order;
-}
-
 }  // namespace
 
 CornerEdgeGeometry corner_edge_geometry(const Vec2& corner, const Vec2& first, const Vec2& second) {
@@ -300,14 +322,14 @@ std::vector<Contact> detect_contacts(const Model& model, const Detection& at,
     const std::vector<std::size_t> accepted = choose(
         near.size(), crew, [&](std::size_t k) { return detector.examine(candidates[near[k]], examined[k]); });
 
-    std::vector<Contact> contacts;
-    contacts.reserve(accepted.size());
+    std::vector<Chosen> chosen;
+    chosen.reserve(accepted.size());
     std::vector<std::pair<std::pair<int, int>, std::size_t>> grouped;  // (corner pair, entry)
     for (const std::size_t k : accepted) {
         if (examined[k].partner < 0) {
-            detector.resolve_single(examined[k], contacts);
+            chosen.push_back(detector.choose_single(examined[k]));
         } else {
-            grouped.push_back({std::minmax(examined[k].contact.corner, examined[k].partner), k});
+            grouped.push_back({std::minmax(examined[k].pair.corner, examined[k].partner), k});
         }
     }
     std::sort(grouped.begin(), grouped.end());
@@ -318,9 +340,15 @@ std::vector<Contact> detect_contacts(const Model& model, const Detection& at,
         const auto corners = grouped[k].first;
         for (; k < grouped.size() && grouped[k].first == corners; ++k)
             members.push_back(&examined[grouped[k].second]);
-        detector.resolve_group(members, group, contacts);
+        detector.choose_of_group(members, group, chosen);
     }
-    return sorted(contacts);
+    std::sort(chosen.begin(), chosen.end(),
+              [&](const Chosen& a, const Chosen& b) { return detector.place_of(a) < detector.place_of(b); });
+    std::vector<Contact> contacts(chosen.size());
+    crew.for_ranges(chosen.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) contacts[k] = detector.contact_of(chosen[k]);
+    });
+    return contacts;
 }
 
 }  // namespace dda
