@@ -31,10 +31,9 @@ constexpr const char* usage =
     "CPU time on one thread, wall time on several. A jolt gives each block of a wall a velocity of that "
     "size\n"
     "at random. `at four` is what a step of four open-close iterations takes: the phases of the iteration\n"
-    "are scaled to four of them, the others are as measured. Where that many are asked for, each step's\n"
-    "equations are iterated so often, and the step is then taken as after the first of them: the wall goes "
-    "on\n"
-    "as a wall does, roughly, and every step has contacts that change.\n";
+    "are scaled to four of them, the others are as measured. With --iterations\n"
+    "WARM steps are taken as after their first iteration; the next step's equations are then iterated that\n"
+    "often, N times over.\n";
 
 using Options = std::map<std::string, std::string>;
 using dda::Phase;
@@ -42,7 +41,7 @@ using dda::Phase;
 Options read_options(int argc, char** argv) {
     Options options{
         {"--penalty", "100"}, {"--jolt", "0"},    {"--step", "0.005"},   {"--steps", "20"},
-        {"--warm", "3"},      {"--threads", "1"}, {"--iterations", "0"}, {"--solver", "multifrontal"}};
+        {"--warm", "1"},      {"--threads", "1"}, {"--iterations", "0"}, {"--solver", "multifrontal"}};
     for (int i = 1; i < argc; ++i) {
         const std::string name = argv[i];
         if (name == "--no-heading")
@@ -133,24 +132,28 @@ struct Figures {
     }
 };
 
-/// A step of that many iterations, see `usage`.
-dda::State iterated(dda::TimeStepper& stepper, dda::Stage stage, dda::State state, double dt, int iterations,
-                    Figures& figures, bool counts) {
-    dda::PhaseTimes first(figures.clock);
-    stepper.time_phases(counts ? &figures.times : nullptr);
-    stage.control.iteration_limit = iterations;
-    const dda::StepAttempt all = stepper.advance(stage, state, dt);
-    if (counts) {
-        figures.iterations += all.report.iterations;
-        figures.factorizations += all.report.factorizations;
-    }
-    if (all.rejection == dda::Rejection::none) return all.state;
-    stepper.time_phases(counts ? &first : nullptr);
+/// The state after a step that is taken as after the first iteration.
+dda::State loosely_stepped(dda::TimeStepper& stepper, dda::Stage stage, const dda::State& state, double dt) {
     stage.control.force_tolerance = 1e300;
-    dda::StepAttempt one = stepper.advance(stage, state, dt);
-    if (one.rejection != dda::Rejection::none) throw std::runtime_error("a step is refused");
-    figures.update += first.seconds(Phase::update);
-    return std::move(one.state);
+    dda::StepAttempt attempt = stepper.advance(stage, state, dt);
+    if (attempt.rejection != dda::Rejection::none) throw std::runtime_error("a step is refused");
+    return std::move(attempt.state);
+}
+
+/// Times a step's equations, iterated so often; the update is that of a step taken after the first iteration.
+void iterate(dda::TimeStepper& stepper, dda::Stage stage, const dda::State& state, double dt, int iterations,
+             Figures& figures) {
+    stage.control.iteration_limit = iterations;
+    stepper.time_phases(&figures.times);
+    const dda::StepAttempt attempt = stepper.advance(stage, state, dt);
+    ++figures.steps;
+    figures.iterations += attempt.report.iterations;
+    figures.factorizations += attempt.report.factorizations;
+    if (attempt.rejection == dda::Rejection::none) return;
+    dda::PhaseTimes of_loose_step(figures.clock);
+    stepper.time_phases(&of_loose_step);
+    loosely_stepped(stepper, stage, state, dt);
+    figures.update += of_loose_step.seconds(Phase::update);
 }
 
 Figures measure(const Scene& scene, const Options& options) {
@@ -164,8 +167,10 @@ Figures measure(const Scene& scene, const Options& options) {
     const int iterations = read(options.at("--iterations"), 0);
     for (int k = 0; k < warm + steps; ++k) {
         if (iterations > 0) {
-            state = iterated(stepper, scene.stage, std::move(state), dt, iterations, figures, k >= warm);
-            if (k >= warm) ++figures.steps;
+            if (k < warm)
+                state = loosely_stepped(stepper, scene.stage, state, dt);
+            else
+                iterate(stepper, scene.stage, state, dt, iterations, figures);
             continue;
         }
         if (k == warm) stepper.time_phases(&figures.times);
