@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 #include "blockgen/base/input_error.hpp"
 #include "unit/blockgen/slopes.hpp"
@@ -109,6 +110,32 @@ TEST(Hazards, AJointThatEndsWithinHalfACellOfALevelJointOrTheRim) {
                     add_trace(rim, {{1.1, level - gap}, {1.1, -1}}, "short");
                     EXPECT_EQ(cut(rim).mesh.block_count(), 2u) << grid << ' ' << place << ' ' << gap;
                 }
+}
+
+// In any direction: the larger component of the gap counts, along x or along y.
+TEST(Hazards, AJointThatEndsWithinHalfACellOfAnotherInAnyDirection) {
+    std::mt19937 random(5);
+    const auto share = [&] { return static_cast<double>(random()) * 0x1p-32; };
+    for (const double grid : {0x1p-20, 0x1p-7})
+        for (int k = 0; k < 1000; ++k) {
+            SlopeModel model = rectangle(3, 3);
+            model.grid = grid;
+            // Every fourth is level or upright but for a hair.
+            const double angle = k % 4 == 0 ? (k % 8 == 0 ? 0 : std::numbers::pi / 2) +
+                                                  (share() - 0.5) * std::pow(10, -8 * share())
+                                            : std::numbers::pi * share();
+            const Point u{std::cos(angle), std::sin(angle)}, across{-u.y, u.x};
+            const Point middle{1.3 + 0.4 * share(), 1.3 + 0.4 * share()};
+            add_trace(model, {moved(middle, u, -5), moved(middle, u, 5)}, "long");
+            const double gap =
+                0.49 * grid / std::max(std::abs(u.x), std::abs(u.y)) * std::pow(10, -4 * share());
+            const Point end = moved(moved(middle, u, 0.4 * (share() - 0.5)), across, gap);
+            const double turn = angle + std::numbers::pi * (0.1 + 0.8 * share());
+            add_trace(model, {end, moved(end, {std::cos(turn), std::sin(turn)}, 5)}, "short");
+            const CutResult result = cut(model, false);
+            EXPECT_EQ(result.mesh.block_count(), 3u) << grid << ' ' << k << ' ' << angle;
+            EXPECT_LE(result.report.largest_snap, 1.5 * grid);
+        }
 }
 
 TEST(Hazards, AJointThroughCornersOfOthersAndOfTheOutline) {

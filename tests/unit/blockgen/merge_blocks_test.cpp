@@ -13,8 +13,6 @@
 namespace blockgen {
 namespace {
 
-using testing::HasSubstr;
-
 TEST(SmallBlocks, AreKeptUnlessAskedFor) {
     const CutResult result = cut(sliver(SmallPolicy::keep));
     EXPECT_EQ(areas(result.mesh), (std::vector<double>{0.5, 6, 10, 15.5}));
