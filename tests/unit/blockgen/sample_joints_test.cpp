@@ -11,6 +11,7 @@
 #include "blockgen/sampling/draw_stream.hpp"
 #include "blockgen/sampling/rock_measure.hpp"
 #include "unit/blockgen/slopes.hpp"
+#include "unit/blockgen/statistics.hpp"
 
 namespace blockgen {
 namespace {
@@ -26,20 +27,8 @@ std::vector<double> sample(const Distribution& d) {
     return values;
 }
 
-/// Kolmogorov and Smirnov's distance between sorted values and a distribution function.
-template <class Share>
-double distance(const std::vector<double>& values, const Share& share) {
-    double largest = 0;
-    for (std::size_t k = 0; k < values.size(); ++k) {
-        const double n = static_cast<double>(values.size()), f = share(values[k]);
-        largest = std::max({largest, std::abs(f - static_cast<double>(k) / n),
-                            std::abs(f - static_cast<double>(k + 1) / n)});
-    }
-    return largest;
-}
-
-/// Exceeded once in a thousand samples: 1.95 / sqrt(n).
-const double limit = 1.95 / std::sqrt(draws);
+/// Exceeded once in a thousand samples.
+const double limit = ks_limit(draws);
 
 double mean_of(const std::vector<double>& values) {
     double sum = 0;
@@ -55,20 +44,20 @@ TEST(Distribution, FollowsItsLaw) {
     EXPECT_EQ(mean_of(sample(constant_value(3))), 3);
 
     const auto uniform = sample({Law::uniform, 0, 0, 2, 5});
-    EXPECT_LT(distance(uniform, [](double x) { return (x - 2) / 3; }), limit);
+    EXPECT_LT(ks_distance(uniform, [](double x) { return (x - 2) / 3; }), limit);
     EXPECT_NEAR(mean_of(uniform), 3.5, 4 * 3 / std::sqrt(12.0 * draws));
 
     Distribution d{Law::normal, 10, 2};
-    EXPECT_LT(distance(sample(d), [](double x) { return normal((x - 10) / 2); }), limit);
+    EXPECT_LT(ks_distance(sample(d), [](double x) { return normal((x - 10) / 2); }), limit);
     EXPECT_NEAR(mean_of(sample(d)), 10, 4 * 2 / std::sqrt(draws));
 
     d = {Law::lognormal, 3, 0.6};
     const double s = std::sqrt(std::log(1.04)), m = std::log(3) - s * s / 2;
-    EXPECT_LT(distance(sample(d), [&](double x) { return normal((std::log(x) - m) / s); }), limit);
+    EXPECT_LT(ks_distance(sample(d), [&](double x) { return normal((std::log(x) - m) / s); }), limit);
     EXPECT_NEAR(mean_of(sample(d)), 3, 4 * 0.6 / std::sqrt(draws));
 
     d = {Law::exponential, 20};
-    EXPECT_LT(distance(sample(d), [](double x) { return 1 - std::exp(-x / 20); }), limit);
+    EXPECT_LT(ks_distance(sample(d), [](double x) { return 1 - std::exp(-x / 20); }), limit);
     EXPECT_NEAR(mean_of(sample(d)), 20, 4 * 20 / std::sqrt(draws));
 }
 
@@ -78,20 +67,21 @@ TEST(Distribution, TruncationKeepsTheShapeWithin) {
     EXPECT_GE(values.front(), 5);
     EXPECT_LE(values.back(), 30);
     const double low = std::exp(-0.25), high = std::exp(-1.5);
-    EXPECT_LT(distance(values, [&](double x) { return (low - std::exp(-x / 20)) / (low - high); }), limit);
+    EXPECT_LT(ks_distance(values, [&](double x) { return (low - std::exp(-x / 20)) / (low - high); }), limit);
     for (const auto& [from, to] : {std::pair(9.0, 9.5), std::pair(7.0, 12.0), std::pair(14.0, 30.0)}) {
         const double below = normal((from - 10) / 2), within = normal((to - 10) / 2) - below;
-        EXPECT_LT(distance(sample({Law::normal, 10, 2, from, to}),
-                           [&](double x) { return (normal((x - 10) / 2) - below) / within; }),
+        EXPECT_LT(ks_distance(sample({Law::normal, 10, 2, from, to}),
+                              [&](double x) { return (normal((x - 10) / 2) - below) / within; }),
                   limit)
             << from;
     }
     const double s = std::sqrt(std::log(1.04)), m = std::log(3) - s * s / 2;
     const auto lognormal = [&](double x) { return normal((std::log(x) - m) / s); };
-    EXPECT_LT(
-        distance(sample({Law::lognormal, 3, 0.6, 2.5, 4}),
-                 [&](double x) { return (lognormal(x) - lognormal(2.5)) / (lognormal(4) - lognormal(2.5)); }),
-        limit);
+    EXPECT_LT(ks_distance(sample({Law::lognormal, 3, 0.6, 2.5, 4}),
+                          [&](double x) {
+                              return (lognormal(x) - lognormal(2.5)) / (lognormal(4) - lognormal(2.5));
+                          }),
+              limit);
     const auto narrow = sample({Law::normal, 10, 2, 9, 9.5});
     EXPECT_GE(narrow.front(), 9);
     EXPECT_LE(narrow.back(), 9.5);
