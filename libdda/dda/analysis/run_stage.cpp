@@ -17,6 +17,9 @@ std::string describe(const Model& model, const StepAttempt& attempt) {
             std::snprintf(text, sizeof text, "a vertex moves %.3g m in a step",
                           attempt.report.largest_displacement);
             return text;
+        case Rejection::too_stiff:
+            return "contact springs are so stiff that rounding alone moves a force by a tenth of a block's "
+                   "weight; penalties or joint stiffnesses are too large for the model's coordinates";
         default:
             break;
     }

@@ -26,6 +26,9 @@ constexpr double unseen_depth = 1e-9;
 /// Depth to which a corner may clip another block and be out again within a step, likewise: arcs are looked
 /// at as straight ways, and strain moves the corners of a joint by less than this.
 constexpr double clipped_depth = 1e-5;
+/// Share of a block's weight by which rounding may move the force of the stiffest spring. All forces agree at
+/// convergence to no better than that, so a spring without bound would make anything pass for equilibrium.
+constexpr double lost_force = 0.1;
 
 double extent(std::span<const Vec2> vertices, int axis) {
     double low = std::numeric_limits<double>::infinity();
@@ -41,6 +44,15 @@ double largest_coordinate(std::span<const Vec2> vertices) {
     double largest = 0;
     for (const Vec2& v : vertices) largest = std::max(largest, v.cwiseAbs().maxCoeff());
     return largest;
+}
+
+/// N per metre, of the blocks with unknowns.
+double mean_weight(const Model& model, const RowMap& rows) {
+    if (rows.count() == 0) return 0;
+    const BlockSystem blocks = initial_block_system(model);
+    double mass = 0;
+    for (const int block : rows.block_of) mass += blocks.mass[static_cast<std::size_t>(block)];
+    return mass * model.gravity.norm() / rows.count();
 }
 
 double velocity_kept(const Stage& stage) {
@@ -90,6 +102,7 @@ TimeStepper::TimeStepper(const Model& model, int threads)
       rows_(model.motion),
       ledger_(model_, rows_),
       half_height_(extent(model.vertices, 1) / 2),
+      mean_weight_(mean_weight(model, rows_)),
       rounding_(8 * std::numeric_limits<double>::epsilon() * largest_coordinate(model.vertices)),
       solver_(make_linear_solver(model.solver, crew_)) {
     edge_length_ = median_edge_length(model.topology, model.vertices);
@@ -116,6 +129,10 @@ StepAttempt TimeStepper::look_at_step(const Stage& stage, const State& state, do
     StepAttempt attempt;
     look.wanted = false;
     const Step step = prepare(stage, state, dt, look);
+    if (is_lost_in_rounding(step)) {
+        attempt.rejection = Rejection::too_stiff;
+        return attempt;
+    }
     OpenCloseResult result = solve(stage, state, step, look.guess);
     attempt.report.iterations = result.iterations;
     attempt.report.factorizations = result.factorizations;
@@ -129,7 +146,7 @@ StepAttempt TimeStepper::look_at_step(const Stage& stage, const State& state, do
     const double moved = largest_displacement(state, displacement);
     attempt.report.largest_displacement = moved;
     attempt.rejection = Rejection::moved_too_far;
-    if (!(moved <= stage.control.displacement_ratio * half_height_)) return attempt;  // nor is not a number
+    if (!(moved <= stage.control.displacement_ratio * half_height_)) return attempt;  // or is not a number
     if (2 * moved > look.reach) {
         look.reach = 2.5 * moved;
         look.wanted = true;
@@ -164,6 +181,10 @@ StepAttempt TimeStepper::look_at_step(const Stage& stage, const State& state, do
     attempt.report.factorizations = counts.factorizations;
     attempt.report.largest_displacement = moved;
     return attempt;
+}
+
+bool TimeStepper::is_lost_in_rounding(const Step& step) const {
+    return mean_weight_ > 0 && rounding_ * stiffest_spring(step.springs) > lost_force * mean_weight_;
 }
 
 std::vector<Intrusion> TimeStepper::intrusions(const State& before, const State& after, double reach) const {

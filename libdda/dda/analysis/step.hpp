@@ -17,7 +17,7 @@
 
 namespace dda {
 
-enum class Rejection { none, not_converged, singular, moved_too_far, intruded };
+enum class Rejection { none, not_converged, singular, moved_too_far, intruded, too_stiff };
 
 /// What came of one attempt at a step.
 struct StepAttempt {
@@ -51,6 +51,8 @@ class TimeStepper {
     /// How far apart a corner and an edge may be and still meet within the step, m.
     double first_reach(const State& state, double dt) const;
     Step prepare(const Stage& stage, const State& state, double dt, const Look& look);
+    /// Whether springs are so stiff that rounding alone moves blocks' forces by much of their weight.
+    bool is_lost_in_rounding(const Step& step) const;
     /// Corners that got into another block in a step without a contact.
     std::vector<Intrusion> intrusions(const State& before, const State& after, double reach) const;
     void assemble_base(const Stage& stage, const State& state, Step& step) const;
@@ -66,6 +68,7 @@ class TimeStepper {
     RowMap rows_;
     Ledger ledger_;
     double half_height_ = 0;  ///< m, of the model
+    double mean_weight_ = 0;  ///< N per metre, of a block
     double rounding_ = 0;     ///< m, of a coordinate
     double edge_length_ = 0;  ///< m, median
     BlockPattern pattern_;

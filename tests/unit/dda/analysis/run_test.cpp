@@ -62,6 +62,26 @@ TEST(Run, EndsWithTheReasonWhereBlocksAreTooFast) {
     EXPECT_TRUE(sim.reports.empty());
 }
 
+// Coordinates of 2 m are rounded to 3.6e-15 m in a step, so a spring of 1e18 N/m forgets 3.6 kN of a block of
+// 24.5 kN: whatever state the blocks were in would pass for equilibrium. A thousandth of that is no danger.
+TEST(Run, EndsWithTheReasonWhereSpringsAreTooStiffForRounding) {
+    for (const double stiffness : {1e18, 1e15}) {
+        Scene s;
+        s.friction(35);
+        s.model.shear_penalty = stiffness;
+        s.box({0, 0}, 2, 1, dda::Motion::fixed);
+        s.box({.5, 1}, 1, 1);
+        Simulation sim(s);
+        const dda::RunOutcome outcome = sim.settle();
+        if (stiffness < 1e18) {
+            EXPECT_EQ(outcome.status, dda::RunStatus::completed) << outcome.message;
+            continue;
+        }
+        EXPECT_EQ(outcome.status, dda::RunStatus::not_converged);
+        EXPECT_NE(outcome.message.find("springs are so stiff"), std::string::npos) << outcome.message;
+    }
+}
+
 TEST(Run, TheSameModelRunsWhereTheControlLetsIt) {
     const Crash crash;
     Simulation sim(crash.s);
