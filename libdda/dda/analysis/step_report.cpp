@@ -23,8 +23,8 @@ void count_contacts(const Topology& topology, const State& after, StepReport& re
         ++(contact.state == ContactState::open      ? report.open
            : contact.state == ContactState::sliding ? report.sliding
                                                     : report.locked);
-        if (stands_for_its_depth(topology, after.blocks.vertices, contact))
-            report.largest_penetration = std::max(report.largest_penetration, -contact.gap);
+        const double depth = depth_stood_for(topology, after.blocks.vertices, contact).value_or(0);
+        report.largest_penetration = std::max(report.largest_penetration, depth);
     }
 }
 

@@ -12,12 +12,15 @@ namespace {
 
 /// Cosine of the angle between normals up to which two lines are one.
 const double facing = std::sqrt(1 - parallel_tolerance * parallel_tolerance);
+/// Cosine of the angle up to which a face of a corner lies over the line that the corner slides along.
+const double lying_over = std::sqrt(.5);
 
 }  // namespace
 
-bool stands_for_its_depth(const Topology& topology, std::span<const Vec2> vertices, const Contact& contact) {
-    if (contact.state != ContactState::open) return true;
-    if (contact.held_back || contact.known_depth == 0) return false;
+std::optional<double> depth_stood_for(const Topology& topology, std::span<const Vec2> vertices,
+                                      const Contact& contact) {
+    if (contact.state != ContactState::open) return -contact.gap;
+    if (contact.held_back || contact.known_depth == 0) return std::nullopt;
     const auto next = [&](int corner) { return topology.next[static_cast<std::size_t>(corner)]; };
     const auto at = [&](int corner) -> const Vec2& { return vertices[static_cast<std::size_t>(corner)]; };
     const auto geometry = [&](int corner, int edge) {
@@ -27,14 +30,14 @@ bool stands_for_its_depth(const Topology& topology, std::span<const Vec2> vertic
         return g.inside() >= -end_slack * g.length && g.gap < 0 && -g.gap <= 2 * contact.known_depth;
     };
     const CornerEdgeGeometry own = geometry(contact.corner, contact.edge);
-    if (is_in_as_known(own)) return true;
+    if (is_in_as_known(own)) return -own.gap;
     const int end = own.along < own.length / 2 ? contact.edge : next(contact.edge);
     const int arriving = topology.previous[static_cast<std::size_t>(contact.corner)];
-    const auto takes_its_place = [&](int face) {
+    for (const int face : {contact.corner, arriving}) {
         const CornerEdgeGeometry turned = geometry(end, face);
-        return is_in_as_known(turned) && turned.normal.dot(own.normal) <= -facing;
-    };
-    return takes_its_place(contact.corner) || takes_its_place(arriving);
+        if (is_in_as_known(turned) && turned.normal.dot(own.normal) <= -lying_over) return -turned.gap;
+    }
+    return std::nullopt;
 }
 
 struct KnownDepths::Found {
@@ -53,11 +56,13 @@ KnownDepths::Found KnownDepths::find(const Topology& topology, std::span<const V
         found.entries.push_back(entry);
     };
     for (const Contact& contact : contacts) {
-        if (!stands_for_its_depth(topology, vertices, contact)) continue;
+        const std::optional<double> stood_for = depth_stood_for(topology, vertices, contact);
+        if (!stood_for) continue;
         const int end = topology.next[static_cast<std::size_t>(contact.edge)];
         const double contracted = std::max(-contact.dilation, 0.0);
-        const double depth = contracted - contact.gap;
-        const double spring_depth = contracted + contact.rest_gap - contact.gap;
+        const double depth = contracted + *stood_for;
+        const double rest_gap = contact.state == ContactState::open ? 0 : contact.rest_gap;
+        const double spring_depth = depth + rest_gap;
         add(contact.corner, {contact.edge_block, contact.normal, depth, spring_depth});
         for (const int other : {contact.edge, end}) {
             if ((at(other) - at(contact.corner)).norm() <= reach)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -9,10 +10,13 @@
 
 namespace dda {
 
-/// Whether a contact stands for the depth that it is at: it bears force, or its corner was let on to the edge
-/// that deep (Contact::known_depth) and it bears what comes on top.
+/// The depth that a contact stands for, m: it bears force at that depth, or its corner was let on to the edge
+/// about as deep (Contact::known_depth) and it bears what comes on top. Where the corner has slid past the
+/// edge's end it is the depth of that end behind the face of the corner that now lies over it. Nothing if the
+/// contact stands for none.
 /// @param vertices at the contact's instant.
-bool stands_for_its_depth(const Topology& topology, std::span<const Vec2> vertices, const Contact& contact);
+std::optional<double> depth_stood_for(const Topology& topology, std::span<const Vec2> vertices,
+                                      const Contact& contact);
 
 /// How deep corners are in what bears them, or would if they got deeper. A contact tells it of its corner,
 /// and of the end of its edge where that is within reach of the corner: of two corners on each other only one

@@ -1,0 +1,57 @@
+#include "dda/contact/known_depth.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/scene.hpp"
+
+namespace {
+
+using namespace scene;
+
+/// A block's lowest corner, 0.3 mm deep in a box's top, has slid 70 um past the box's end; the face that
+/// comes after it leans by some angle. The box's corner is behind that face now.
+struct SlidPast {
+    Scene s;
+    dda::Contact contact;
+
+    SlidPast(double lean_degrees, double known_depth) {
+        s.box({-1, -1}, 1, 1);
+        const Vec2 corner(7e-5, -3e-4);
+        const double lean = radians(lean_degrees);
+        s.block({{corner, corner + Vec2(.5, 1), corner + Vec2(-std::cos(lean), std::sin(lean))}});
+        contact.corner = 4;
+        contact.corner_block = 1;
+        contact.edge = 2;
+        contact.edge_block = 0;
+        contact.normal = {0, 1};
+        contact.gap = -3e-4;
+        contact.known_depth = known_depth;
+    }
+    std::optional<double> depth() const {
+        return dda::depth_stood_for(s.model.topology, s.model.vertices, contact);
+    }
+};
+
+// In a slide one leant by 3.1 degrees, was not told of, and the steps went down to nanoseconds.
+TEST(KnownDepth, OfACornerThatSlidPastTheEndIsThatOfTheEndBehindIt) {
+    for (const double lean : {0., 3.5, 30.}) {
+        const double depth = 3e-4 * std::cos(radians(lean)) - 7e-5 * std::sin(radians(lean));
+        EXPECT_NEAR(SlidPast(lean, 3e-4).depth().value_or(0), depth, 1e-15) << lean;
+    }
+}
+
+TEST(KnownDepth, IsNotThatOfAFaceThatTurnsAway) {
+    EXPECT_EQ(SlidPast(60, 3e-4).depth(), std::nullopt);
+}
+
+TEST(KnownDepth, IsNoMoreThanTwiceWhatWasKnown) {
+    EXPECT_EQ(SlidPast(3.5, 1e-4).depth(), std::nullopt);
+}
+
+TEST(KnownDepth, IsNotThatOfAContactHeldBack) {
+    SlidPast slid(3.5, 3e-4);
+    slid.contact.held_back = true;
+    EXPECT_EQ(slid.depth(), std::nullopt);
+}
+
+}  // namespace
