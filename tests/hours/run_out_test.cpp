@@ -7,8 +7,12 @@ namespace {
 
 using namespace scene;
 
+// A block of 2.5 t that lands at 8 m/s goes v sqrt(m / k) = 1.8 mm into a spring of 50 GN/m, and whether one does
+// is chance. Contacts that would be deeper than 0.8 mm have their forces augmented instead.
 TEST(RunOut, LosesNoneOfThousandBlocksAndKeepsItsBooks) {
-    Slide slide(collapsing_slope(50, 20, 1), 1, 50);
+    Scene scene = collapsing_slope(50, 20, 1);
+    scene.model.penetration_tolerance = .8e-3;
+    Slide slide(scene, 1, 50);
     slide.tell_every(.5);
     slide.run(30);
     EXPECT_GT(slide.mean_way(), 40) << "it has run out";
