@@ -212,14 +212,16 @@ bool lies_between_ends(const FineSegment& s, const GridPoint& cell, std::int64_t
            distance < distance_along(s, cell_of(s.b, fineness), fineness);
 }
 
-/// Segments that pass an end within half a cell, though not through the end's cell: with the hits that they
-/// make of it, what ends so near another joint ends on it, wherever the two lie in their cells.
+/// Segments that pass an end within an eighth of a cell, though not through the end's cell: with the hits
+/// that they make of it, what ends so near another joint ends on it, wherever the two lie in their cells.
 void add_hits_beside_ends(std::span<const FineSegment> segments, std::span<const GridPoint> cells,
                           const BucketGrid& grid, std::int64_t fineness, std::vector<Hit>& hits) {
+    // Wider squares bend segments so far that on coarse grids an outline may come to lie over itself.
+    const std::int64_t width = fineness / 8 * 2;
     const auto add = [&](std::size_t ending, const GridPoint& end) {
         for (const std::int32_t s : grid.segments_of(grid.bucket_of(end))) {
             const auto k = static_cast<std::size_t>(s);
-            if (k == ending || !passes_by(segments[k], end, fineness)) continue;
+            if (k == ending || !passes_by(segments[k], end, width)) continue;
             const GridPoint cell = cell_of(end, fineness);
             if (passes_through(segments[k], cell, fineness) ||
                 !lies_between_ends(segments[k], cell, fineness))

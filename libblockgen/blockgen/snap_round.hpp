@@ -37,8 +37,8 @@ struct SnappedChains {
 SnappedChains snap_round(std::span<const FineSegment> segments, std::int64_t fineness,
                          std::vector<GridPoint> ends);
 
-/// The same, but a segment that passes an end within half a cell, in both directions, passes its cell, too;
-/// and hot cells that touch become one: the first of `anchors` wins, then the smallest.
+/// The same, but a segment that passes an end within an eighth of a cell, in both directions, passes its
+/// cell, too; and hot cells that touch become one: the first of `anchors` wins, then the smallest.
 SnappedChains snap_round_joining(std::span<const FineSegment> segments, std::int64_t fineness,
                                  std::span<const GridPoint> anchors);
 
