@@ -254,6 +254,8 @@ void TimeStepper::assemble_base(const Stage& stage, const State& state, Step& st
 }
 
 void TimeStepper::analyze_pattern(const ContactSet& contacts) {
+    if (pattern_.size == rows_.count() && contacts.candidates == pattern_of_) return;
+    pattern_of_ = contacts.candidates;
     std::vector<std::pair<int, int>> pairs;
     const auto add = [&](int first_block, int second_block) {
         const int i = rows_.row_of[static_cast<std::size_t>(first_block)];

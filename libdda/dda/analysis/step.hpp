@@ -56,6 +56,7 @@ class TimeStepper {
     /// Corners that got into another block in a step without a contact.
     std::vector<Intrusion> intrusions(const State& before, const State& after, double reach) const;
     void assemble_base(const Stage& stage, const State& state, Step& step) const;
+    /// Analyses the pattern of the contacts' candidates, if it is another one.
     void analyze_pattern(const ContactSet& contacts);
     OpenCloseResult solve(const Stage& stage, const State& state, const Step& step, const Guess& guess);
     std::vector<Vec6> all_displacements(const Step& step, const OpenCloseResult& result) const;
@@ -72,6 +73,7 @@ class TimeStepper {
     double rounding_ = 0;     ///< m, of a coordinate
     double edge_length_ = 0;  ///< m, median
     BlockPattern pattern_;
+    std::vector<CornerEdge> pattern_of_;  ///< the candidates that it was made of
     BlockMatrix matrix_;
     std::unique_ptr<LinearSolver> solver_;
     PhaseTimes* times_ = nullptr;
