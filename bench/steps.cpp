@@ -17,31 +17,26 @@
 
 #include "dda/analysis/step.hpp"
 #include "dda/io/read_run.hpp"
-#include "support/random_shapes.hpp"
 #include "support/walls.hpp"
 
 namespace {
 
 constexpr const char* usage =
-    "bench_steps --wall COLUMNSxROWS [--penalty TIMES-E] [--jolt M/S] | --model RUN.toml --blocks FILE\n"
-    "    [--step S] [--steps N] [--warm N] [--iterations N] [--threads N] [--solver multifrontal|cholmod] "
-    "[--no-heading]\n"
-    "Takes WARM steps, then N that count, and prints what their phases took as CSV, in us per block and "
-    "step:\n"
-    "CPU time on one thread, wall time on several. A jolt gives each block of a wall a velocity of that "
-    "size\n"
-    "at random. `at four` is what a step of four open-close iterations takes: the phases of the iteration\n"
-    "are scaled to four of them, the others are as measured. With --iterations\n"
-    "WARM steps are taken as after their first iteration; the next step's equations are then iterated that\n"
-    "often, N times over.\n";
+    "bench_steps --wall COLUMNSxROWS [--penalty TIMES-E] | --model RUN.toml --blocks FILE\n"
+    "    [--step S] [--steps N] [--warm N] [--iterations N] [--threads N]\n"
+    "    [--solver multifrontal|cholmod] [--no-heading]\n"
+    "Takes WARM steps, then N that count, and prints what their phases took as CSV, in us per block and\n"
+    "step: CPU time on one thread, wall time on several. `at four` is what a step of four open-close\n"
+    "iterations takes: the phases of the iteration are scaled to four of them, the others are as measured.\n"
+    "With --iterations WARM steps are taken as after their first iteration; the next step's equations are\n"
+    "then iterated that often, N times over.\n";
 
 using Options = std::map<std::string, std::string>;
 using dda::Phase;
 
 Options read_options(int argc, char** argv) {
-    Options options{
-        {"--penalty", "100"}, {"--jolt", "0"},    {"--step", "0.005"},   {"--steps", "20"},
-        {"--warm", "1"},      {"--threads", "1"}, {"--iterations", "0"}, {"--solver", "multifrontal"}};
+    Options options{{"--penalty", "100"}, {"--step", "0.005"},   {"--steps", "20"},           {"--warm", "1"},
+                    {"--threads", "1"},   {"--iterations", "0"}, {"--solver", "multifrontal"}};
     for (int i = 1; i < argc; ++i) {
         const std::string name = argv[i];
         if (name == "--no-heading")
@@ -92,14 +87,9 @@ Scene wall(const Options& options) {
     scene.model = scene::running_bond_wall(read(size.substr(0, cross), 1), read(size.substr(cross + 1), 1),
                                            read(options.at("--penalty"), 0.0))
                       .model;
-    const double jolt = read(options.at("--jolt"), 0.0);
-    scene.name = jolt > 0 ? "wall, jolted" : "wall, let go";
-    scene::Dice dice(1);
-    for (std::size_t b = 0; jolt > 0 && b < scene.model.motion.size(); ++b) {
-        scene.model.initial_velocity.resize(scene.model.motion.size(), dda::Vec6::Zero());
-        if (scene.model.motion[b] == dda::Motion::free)
-            scene.model.initial_velocity[b].head<2>() = jolt * dice.direction();
-    }
+    const int iterations = read(options.at("--iterations"), 0);
+    scene.name = iterations > 0 ? "wall of " + options.at("--iterations") + " iterations"
+                                : "wall after " + options.at("--warm") + " steps";
     return scene;
 }
 
@@ -199,8 +189,8 @@ void print(const Scene& scene, const Options& options, const Figures& f) {
             "peak kB/block");
     std::printf("\"%s\",%s,%s,%.2g,%.0f,%s,%s,%d,%.3g,%.3g", scene.name.c_str(),
                 options.at("--solver").c_str(), options.at("--threads").c_str(), load, blocks,
-                options.at("--step").c_str(), options.at("--penalty").c_str(), f.steps,
-                f.iterations / f.steps, f.factorizations / f.steps);
+                options.at("--step").c_str(), options.count("--wall") ? options.at("--penalty").c_str() : "",
+                f.steps, f.iterations / f.steps, f.factorizations / f.steps);
     for (std::size_t p = 0; p < static_cast<std::size_t>(Phase::count); ++p)
         std::printf(",%.3g", per_block(f.seconds(static_cast<Phase>(p))));
     std::printf(",%.3g,%.3g,%.3g\n", per_block(f.total()), per_block(f.at_four()),
