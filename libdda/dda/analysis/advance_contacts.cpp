@@ -2,14 +2,13 @@
 
 #include "dda/analysis/joint_motion.hpp"
 #include "dda/contact/detect.hpp"
-#include "dda/contact/joint_faces.hpp"
 
 namespace dda {
 
 namespace {
 
 /// Histories first: they are advanced from the forces at the step's start.
-void advance_histories(const Model& model, std::span<const JudgedContact> judged,
+void advance_histories(const Model& model, const JointFaces& faces, std::span<const JudgedContact> judged,
                        std::span<const ContactSprings> springs, double duration,
                        std::span<Contact> contacts) {
     const auto motion = [&](int k) {
@@ -25,7 +24,6 @@ void advance_histories(const Model& model, std::span<const JudgedContact> judged
         if (!belongs_to_faces(law))
             contacts[k].history = advance(law, contacts[k].history, motion(static_cast<int>(k)));
     }
-    const JointFaces faces(model, contacts);
     for (std::size_t f = 0; f < faces.count(); ++f) {
         const std::span<const int> members = faces.contacts_of(f);
         const int material = contacts[static_cast<std::size_t>(members[0])].joint_material;
@@ -40,11 +38,11 @@ void advance_histories(const Model& model, std::span<const JudgedContact> judged
 
 }  // namespace
 
-void advance_contacts(const Model& model, std::span<const Vec2> vertices,
+void advance_contacts(const Model& model, const JointFaces& faces, std::span<const Vec2> vertices,
                       std::span<const JudgedContact> judged, std::span<const ContactSprings> springs,
                       double duration, std::span<Contact> contacts) {
     const auto at = [&](int corner) { return vertices[static_cast<std::size_t>(corner)]; };
-    advance_histories(model, judged, springs, duration, contacts);
+    advance_histories(model, faces, judged, springs, duration, contacts);
     for (std::size_t k = 0; k < contacts.size(); ++k) {
         Contact& contact = contacts[k];
         const JudgedContact& result = judged[k];

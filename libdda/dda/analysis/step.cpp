@@ -88,6 +88,7 @@ struct TimeStepper::Step {
     PrescribedMotion prescribed;
     MidStep mid;
     ContactSet contacts;
+    JointFaces faces;
     std::vector<ContactSprings> springs;
     std::vector<BoltSpring> bolts;
     FreeFieldMotions fields;
@@ -229,6 +230,7 @@ TimeStepper::Step TimeStepper::prepare(const Stage& stage, const State& state, d
         {state.blocks.vertices, step.mid.vertices, look.entering, look.reach, edge_length_,
          unseen_depth * edge_length_ + rounding_, duration_of(stage, dt), state.step_count == 0},
         crew_, times_);
+    step.faces = JointFaces(model_, step.contacts.contacts);
     step.springs =
         contact_springs(model_, rows_, step.mid, step.prescribed.displacement, step.contacts.contacts, crew_);
     step.bolts = bolt_springs(model_, rows_, step.mid, step.prescribed.displacement);
@@ -295,6 +297,7 @@ OpenCloseResult TimeStepper::solve(const Stage& stage, const State& state, const
                               state.blocks,
                               step.prescribed.displacement,
                               step.contacts.contacts,
+                              step.faces,
                               first,
                               step.springs,
                               step.bolts,
@@ -361,7 +364,7 @@ State TimeStepper::updated(const Stage& stage, const State& state, const Step& s
                                                 after.blocks.moments[b], after.blocks.velocity[b]);
     }
 
-    advance_contacts(model_, after.blocks.vertices, result.contacts, step.springs,
+    advance_contacts(model_, step.faces, after.blocks.vertices, result.contacts, step.springs,
                      duration_of(stage, step.dt), after.contacts.contacts);
     const StepWork work{
         state.blocks,    step.mid, step.contacts.contacts, step.springs,       step.bolts, state.bolt_force,

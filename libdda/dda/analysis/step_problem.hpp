@@ -3,6 +3,7 @@
 #include <span>
 
 #include "dda/contact/contact.hpp"
+#include "dda/contact/joint_faces.hpp"
 #include "dda/model/model.hpp"
 #include "dda/model/stage.hpp"
 #include "dda/terms/springs.hpp"
@@ -32,6 +33,7 @@ struct StepProblem {
     const BlockSystem& blocks;          ///< at the start of the step
     std::span<const Vec6> prescribed;   ///< per block, known displacements
     std::span<const Contact> contacts;  ///< at the start of the step
+    const JointFaces& faces;            ///< of the contacts
     /// Per contact: what another look at the step found, null where there was none. A place to start from.
     std::span<const JudgedContact* const> guess;
     std::span<const ContactSprings> springs;

@@ -17,12 +17,11 @@ bool within(double force, const Strength& bounds) {
 
 }  // namespace
 
-TrialContacts::TrialContacts(const StepProblem& problem, const Crew& crew)
-    : p_(problem), crew_(crew), faces_(problem.model, problem.contacts) {
+TrialContacts::TrialContacts(const StepProblem& problem, const Crew& crew) : p_(problem), crew_(crew) {
     trials_.reserve(p_.contacts.size());
     faces_of_.assign(p_.contacts.size(), -1);
-    for (std::size_t f = 0; f < faces_.count(); ++f) {
-        for (const int k : faces_.contacts_of(f))
+    for (std::size_t f = 0; f < p_.faces.count(); ++f) {
+        for (const int k : p_.faces.contacts_of(f))
             faces_of_[static_cast<std::size_t>(k)] = static_cast<int>(f);
     }
     FacesStrengths of_faces = no_faces_strengths();
@@ -87,7 +86,7 @@ Strength TrialContacts::bounds_of(std::size_t k, double normal, const PressedOf&
     if (!(normal > 0)) return {};
     const auto f = static_cast<std::size_t>(faces_of_[k]);
     if (!of_faces[f]) {
-        const auto whole = faces_motion(faces_.contacts_of(f), p_.contacts, [&](int i) {
+        const auto whole = faces_motion(p_.faces.contacts_of(f), p_.contacts, [&](int i) {
             const auto c = static_cast<std::size_t>(i);
             return load(c, pressed_of(c));
         });
@@ -251,8 +250,8 @@ ContactMotion TrialContacts::motion(std::size_t k) const {
 
 /// Faces dilate as a whole, from the motion of both of their ends.
 void TrialContacts::update_dilation() {
-    for (std::size_t f = 0; f < faces_.count(); ++f) {
-        const std::span<const int> members = faces_.contacts_of(f);
+    for (std::size_t f = 0; f < p_.faces.count(); ++f) {
+        const std::span<const int> members = p_.faces.contacts_of(f);
         const JointLaw& law = law_of(static_cast<std::size_t>(members[0]));
         if (!dilates(law)) continue;
         const auto whole =

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "dda/analysis/step_problem.hpp"
-#include "dda/contact/joint_faces.hpp"
 #include "dda/linear/anderson.hpp"
 
 namespace dda {
@@ -81,7 +80,7 @@ class TrialContacts {
     void bound_by_held_force(std::size_t k);
     /// Strengths over the normal force, for each pair of faces that has been asked for.
     using FacesStrengths = std::vector<std::optional<Strength>>;
-    FacesStrengths no_faces_strengths() const { return FacesStrengths(faces_.count()); }
+    FacesStrengths no_faces_strengths() const { return FacesStrengths(p_.faces.count()); }
     /// The shear bounds of sliding contacts, with their signs, at the normal forces that the linear system
     /// gives for a displacement. @param of_faces pairs of faces that are in here keep their friction angle;
     /// the others get one at this displacement. @param bounds one for each of them.
@@ -192,7 +191,6 @@ class TrialContacts {
     std::vector<Trial> trials_;
     std::vector<int> yielding_;          ///< per bolt: the sign of its yielding force, 0 when elastic
     std::vector<double> elongation_;     ///< per bolt, of the step, m
-    JointFaces faces_;                   ///< of joints whose history belongs to their faces
     std::vector<int> faces_of_;          ///< per contact: its pair of them, or -1
     std::vector<std::size_t> dilating_;  ///< contacts that may dilate
     std::vector<std::size_t> chosen_;    ///< per group, the line that may close

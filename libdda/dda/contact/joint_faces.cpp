@@ -31,10 +31,11 @@ JointFaces::JointFaces(const Model& model, std::span<const Contact> contacts) {
     }
     std::sort(by_blocks.begin(), by_blocks.end());
     const auto at = [&](int k) -> const Contact& { return contacts[static_cast<std::size_t>(k)]; };
+    std::vector<int> left;
+    first_.clear();
     for (auto begin = by_blocks.begin(); begin != by_blocks.end();) {
         const auto end = std::find_if(begin, by_blocks.end(),
                                       [&](const auto& other) { return other.first != begin->first; });
-        std::vector<int> left;
         for (; begin != end; ++begin) left.push_back(begin->second);
         while (!left.empty()) {
             first_.push_back(members_.size());

@@ -13,6 +13,7 @@ namespace dda {
 /// whose law says so are here; one without a shared length stands alone.
 class JointFaces {
   public:
+    JointFaces() = default;
     JointFaces(const Model& model, std::span<const Contact> contacts);
 
     std::size_t count() const { return first_.size() - 1; }
@@ -23,7 +24,7 @@ class JointFaces {
 
   private:
     std::vector<int> members_;
-    std::vector<std::size_t> first_;
+    std::vector<std::size_t> first_ = {0};
 };
 
 }  // namespace dda

@@ -176,10 +176,9 @@ Contact* beside(const Contact& gone, std::span<Contact> contacts, double farthes
 }
 
 /// A contact that came into being where two rough faces have another has been through what that has.
-void tell_faces(const Model& model, std::span<char> knows, std::span<Contact> contacts) {
+void tell_faces(const JointFaces& faces, std::span<char> knows, std::span<Contact> contacts) {
     const auto known = [&](int k) -> char& { return knows[static_cast<std::size_t>(k)]; };
     const auto at = [&](int k) -> Contact& { return contacts[static_cast<std::size_t>(k)]; };
-    const JointFaces faces(model, contacts);
     for (std::size_t f = 0; f < faces.count(); ++f) {
         const Contact* longest = nullptr;
         for (const int k : faces.contacts_of(f)) {
@@ -245,7 +244,8 @@ void transfer_contacts(const Model& model, std::span<const Contact> old, double 
     // of its own, one contact becomes two: the second knows the joint, and bears nothing until it gets
     // deeper. While it waits for that in a face that others bear, it goes on to know what they do. Rough
     // faces know better what they have been through themselves.
-    tell_faces(model, knows, contacts);
+    const JointFaces faces(model, contacts);
+    tell_faces(faces, knows, contacts);
     std::optional<Bearers> bearers;
     for (const std::size_t k : heirs) {
         Contact& contact = contacts[k];
@@ -258,7 +258,7 @@ void transfer_contacts(const Model& model, std::span<const Contact> old, double 
         contact.take_history(bearer->history, bearer->dilation);
         knows[k] = 1;
     }
-    tell_faces(model, knows, contacts);
+    tell_faces(faces, knows, contacts);
 }
 
 }  // namespace dda

@@ -20,6 +20,7 @@ struct FirstStep {
     dda::MidStep mid = dda::predict_mid_step(model, state.blocks, still);
     dda::ContactSet set = dda::find_contacts(
         model, state.contacts, {state.blocks.vertices, mid.vertices, {}, 1e-3, 1, 1e-9, 0.005, true}, crew);
+    dda::JointFaces faces = dda::JointFaces(model, set.contacts);
     std::vector<dda::ContactSprings> springs =
         dda::contact_springs(model, rows, mid, still, set.contacts, crew);
     std::vector<const dda::JudgedContact*> guess =
@@ -38,7 +39,8 @@ struct FirstStep {
         base.load.assign(static_cast<std::size_t>(rows.count()), Vec6::Zero());
     }
     dda::StepProblem problem() const {
-        return {model, control, rows, base, state.blocks, still, set.contacts, guess, springs, {}, {}, 1};
+        return {model, control, rows,    base, state.blocks, still, set.contacts,
+                faces, guess,   springs, {},   {},           1};
     }
 };
 
