@@ -18,6 +18,8 @@ constexpr int following_iterations = 16;
 /// earlier ones remembered.
 constexpr int friction_iterations = 12;
 constexpr int friction_memory = 6;
+/// Of the first difference between held forces and bounds: nearer than that the springs will change anyway.
+constexpr double friction_share = 0.1;
 
 /// Augmentations of the contact forces in a step; what is left of the penetration then is for the next step.
 constexpr int largest_augmentations = 60;
@@ -120,11 +122,14 @@ class Iteration {
         Eigen::VectorXd image(held.size());
         AndersonMixing mixing(friction_memory);
         TrialContacts::FacesStrengths of_faces = trials_.no_faces_strengths();
+        double enough = 0;
         for (int k = 0; k < friction_iterations && !sliding.empty(); ++k) {
             for (std::size_t s = 0; s < sliding.size(); ++s)
                 held[static_cast<Eigen::Index>(s)] = trials_.held_force(sliding[s]);
             trials_.bounds_at(sliding, d, of_faces, image);
-            if ((image - held).cwiseAbs().maxCoeff() <= trials_.tolerance() / 2) break;
+            const double off = (image - held).cwiseAbs().maxCoeff();
+            if (k == 0) enough = std::max(trials_.tolerance() / 2, friction_share * off);
+            if (off <= enough) break;
             const Eigen::VectorXd next = mixing.next(held, image);
             for (std::size_t s = 0; s < sliding.size(); ++s)
                 trials_.hold(sliding[s], next[static_cast<Eigen::Index>(s)]);
