@@ -7,8 +7,8 @@ namespace {
 
 using namespace scene;
 
-// A block of 2.5 t that lands at 8 m/s goes v sqrt(m / k) = 1.8 mm into a spring of 50 GN/m, and whether one does
-// is chance. Contacts that would be deeper than 0.8 mm have their forces augmented instead.
+// A block of 2.5 t that lands at 8 m/s goes v sqrt(m / k) = 1.8 mm into a spring of 50 GN/m, and whether one
+// does is chance. Contacts that would be deeper than 0.8 mm have their forces augmented instead.
 TEST(RunOut, LosesNoneOfThousandBlocksAndKeepsItsBooks) {
     Scene scene = collapsing_slope(50, 20, 1);
     scene.model.penetration_tolerance = .8e-3;
