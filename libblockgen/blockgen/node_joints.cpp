@@ -69,12 +69,17 @@ std::int64_t first_fineness(const Box& box, double step) {
     return fineness;
 }
 
+/// Segments in units of the first round's grid. @param largest_move m, grows to how far an end moves.
 std::vector<Piece> fine_pieces(std::span<const SourceSegment> segments, const GridFrame& frame,
-                               std::int64_t fineness) {
+                               std::int64_t fineness, double& largest_move) {
     const double scale = static_cast<double>(fineness) / frame.step;
     const auto fine = [&](const Point& p) {
-        return GridPoint{std::llround((p.x - frame.origin.x) * scale),
-                         std::llround((p.y - frame.origin.y) * scale)};
+        const double x = (p.x - frame.origin.x) * scale, y = (p.y - frame.origin.y) * scale;
+        const GridPoint unit{std::llround(x), std::llround(y)};
+        const double moved =
+            std::hypot(x - static_cast<double>(unit.x), y - static_cast<double>(unit.y)) / scale;
+        largest_move = std::max(largest_move, moved);
+        return unit;
     };
     std::vector<Piece> pieces;
     pieces.reserve(segments.size());
@@ -172,13 +177,15 @@ NodedEdges node_joints(std::span<const SourceSegment> segments, double step) {
     result.frame = frame_of(box, step);
     {
         const std::int64_t fineness = first_fineness(box, step);
-        std::vector<Piece> pieces = fine_pieces(segments, result.frame, fineness);
+        double rounded = 0;
+        std::vector<Piece> pieces = fine_pieces(segments, result.frame, fineness, rounded);
         const std::vector<GridPoint> anchors = anchors_of(pieces, fineness);
         const Lines lines = distinct_lines(std::move(pieces));
         const SnappedChains chains = snap_round_joining(lines.lines, fineness, anchors);
         for (std::size_t k = 0; k < lines.lines.size(); ++k)
             result.largest_snap =
                 std::max(result.largest_snap, step * largest_move(lines.lines[k], chains, k, fineness));
+        result.largest_snap += rounded;
         link_chains(chains, lines.along, result);
     }
     std::vector<char> changed;  // in the first round, all

@@ -22,6 +22,12 @@ TEST(NodeJoints, ACrossingIsOneVertex) {
     EXPECT_EQ(noded.largest_snap, 0);
 }
 
+// Ends move on to the first round's finer grid, too: on a coarse one that is what lengthens a joint most.
+TEST(NodeJoints, TheLargestSnapCountsAnEndThatMovesLessThanTheFinestUnit) {
+    const double off = 2.24e-8;
+    EXPECT_NEAR(node({{{0, 3}, {3, off}, 0}}, 1).largest_snap, off, 1e-15);
+}
+
 TEST(NodeJoints, ATouchWithinHalfACellCuts) {
     for (const double gap : {-0.4, -1e-6, 0.0, 1e-6, 0.4})
         EXPECT_EQ(node({{{0, 0}, {2, 0}, 0}, {{1, gap * cell}, {1, 1}, 1}}).edges.size(), 3u) << gap;
