@@ -164,15 +164,18 @@ Figures measure(const Scene& scene, const Options& options) {
             continue;
         }
         if (k == warm) stepper.time_phases(&figures.times);
-        dda::StepAttempt attempt = stepper.advance(scene.stage, state, dt);
-        if (attempt.rejection != dda::Rejection::none)
-            throw std::runtime_error("step " + std::to_string(k) + " is refused, for reason " +
-                                     std::to_string(static_cast<int>(attempt.rejection)));
+        const bool counts = k >= warm;
+        // A step that is refused is taken again at a third, as in a run, and costs what both cost.
+        dda::StepAttempt attempt;
+        for (double size = dt;; size /= 3) {
+            if (size < dt / 1000) throw std::runtime_error("step " + std::to_string(k) + " is refused");
+            attempt = stepper.advance(scene.stage, state, size);
+            if (counts) figures.iterations += attempt.report.iterations;
+            if (counts) figures.factorizations += attempt.report.factorizations;
+            if (attempt.rejection == dda::Rejection::none) break;
+        }
         state = std::move(attempt.state);
-        if (k < warm) continue;
-        ++figures.steps;
-        figures.iterations += attempt.report.iterations;
-        figures.factorizations += attempt.report.factorizations;
+        if (counts) ++figures.steps;
     }
     return figures;
 }
