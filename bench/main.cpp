@@ -1,11 +1,10 @@
-#include <algorithm>
-#include <charconv>
 #include <cstdio>
 #include <exception>
-#include <map>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
+#include "options.hpp"
 #include "row.hpp"
 #include "scenes.hpp"
 
@@ -17,51 +16,26 @@ constexpr const char* usage =
     "    [--threads N] [--repeat N] [--commit NAME] [--no-heading]\n"
     "Runs a scene N times and prints the median run as CSV, a row for each stage.\n";
 
-using Options = std::map<std::string, std::string>;
+using bench::Options;
+using bench::read_number;
 
-Options read_options(int argc, char** argv) {
-    Options options{{"--step", "0.005"},
-                    {"--duration", "1"},
-                    {"--threads", "1"},
-                    {"--repeat", "1"},
-                    {"--commit", "unnamed"}};
-    for (int i = 1; i < argc; ++i) {
-        const std::string name = argv[i];
-        if (name == "--no-heading")
-            options[name] = "yes";
-        else if (name.rfind("--", 0) == 0 && i + 1 < argc)
-            options[name] = argv[++i];
-        else
-            throw std::invalid_argument(name);
-    }
-    return options;
-}
-
-template <class Number>
-Number positive(const std::string& text) {
-    Number value{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size() || !(value > 0))
-        throw std::invalid_argument(text + " is not a positive number");
-    return value;
-}
+/// s, the shortest step and duration that are taken for meant.
+constexpr double least_time = 1e-9;
 
 bench::Outcome run_once(const Options& options, int threads) {
     if (options.count("--model"))
         return bench::run_model(options.at("--model"), options.at("--blocks"), options.at("--out"), threads);
-    const std::string& size = options.at("--wall");
-    const std::size_t cross = std::min(size.find('x'), size.size());
-    return bench::run_wall(
-        positive<int>(size.substr(0, cross)), positive<int>(size.substr(std::min(cross + 1, size.size()))),
-        positive<double>(options.at("--step")), positive<double>(options.at("--duration")), threads);
+    const bench::WallSize size = bench::read_wall_size(options.at("--wall"));
+    return bench::run_wall(size.columns, size.rows, read_number(options.at("--step"), least_time),
+                           read_number(options.at("--duration"), least_time), threads);
 }
 
 void measure(const Options& options) {
-    const int threads = positive<int>(options.at("--threads"));
+    const int threads = read_number(options.at("--threads"), 1);
     const bench::Conditions conditions = bench::present_conditions(options.at("--commit"), threads);
     bench::Outcome outcome;
     std::vector<std::vector<bench::StageFigures>> runs;
-    for (int i = positive<int>(options.at("--repeat")); i > 0; --i) {
+    for (int i = read_number(options.at("--repeat"), 1); i > 0; --i) {
         outcome = run_once(options, threads);
         runs.push_back(outcome.stages);
     }
@@ -74,7 +48,12 @@ void measure(const Options& options) {
 
 int main(int argc, char** argv) {
     try {
-        measure(read_options(argc, argv));
+        measure(bench::read_options(argc, argv,
+                                    {{"--step", "0.005"},
+                                     {"--duration", "1"},
+                                     {"--threads", "1"},
+                                     {"--repeat", "1"},
+                                     {"--commit", "unnamed"}}));
     } catch (const std::logic_error&) {
         std::fputs(usage, stderr);
         return 2;

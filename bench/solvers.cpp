@@ -2,14 +2,15 @@
 // COLUMNSxROWS...
 
 #include <algorithm>
-#include <charconv>
 #include <cstdio>
 #include <ctime>
 #include <limits>
-#include <string>
+#include <stdexcept>
+#include <vector>
 
 #include "dda/linear/linear_solver.hpp"
 #include "dda/linear/multifrontal_factor.hpp"
+#include "options.hpp"
 #include "support/step_system.hpp"
 #include "support/walls.hpp"
 
@@ -78,34 +79,28 @@ Row multifrontal(const scene::StepSystem& system) {
     return row;
 }
 
-/// @return whether the text is a number and nothing else.
-template <class Number>
-bool read(const std::string& text, Number& value) {
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    return error == std::errc{} && end == text.data() + text.size() && value > 0;
+void measure(double step, double penalty, const bench::WallSize& size) {
+    const scene::StepSystem system =
+        scene::step_system(scene::running_bond_wall(size.columns, size.rows, penalty).model, step);
+    print(system, "CHOLMOD", cholmod(system));
+    print(system, "multifrontal", multifrontal<double>(system));
+    print(system, "multifrontal in single precision", multifrontal<float>(system));
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    double step = 0;
-    double penalty = 0;
-    bool understood = argc > 3 && read(argv[1], step) && read(argv[2], penalty);
-    for (int k = 3; k < argc && understood; ++k) {
-        const std::string size = argv[k];
-        const std::size_t cross = std::min(size.find('x'), size.size() - 1);
-        int columns = 0;
-        int rows = 0;
-        understood = read(size.substr(0, cross), columns) && read(size.substr(cross + 1), rows);
-        if (!understood) break;
-        if (k == 3)
-            std::puts("blocks,solver,analysis (us/block),factor (us/block),solution (us/block),kB/block");
-        const scene::StepSystem system =
-            scene::step_system(scene::running_bond_wall(columns, rows, penalty).model, step);
-        print(system, "CHOLMOD", cholmod(system));
-        print(system, "multifrontal", multifrontal<double>(system));
-        print(system, "multifrontal in single precision", multifrontal<float>(system));
+    try {
+        if (argc < 4) throw std::invalid_argument("walls");
+        const double step = bench::read_number(argv[1], 1e-9);
+        const double penalty = bench::read_number(argv[2], 1e-9);
+        std::vector<bench::WallSize> walls;
+        for (int k = 3; k < argc; ++k) walls.push_back(bench::read_wall_size(argv[k]));
+        std::puts("blocks,solver,analysis (us/block),factor (us/block),solution (us/block),kB/block");
+        for (const bench::WallSize& wall : walls) measure(step, penalty, wall);
+    } catch (const std::invalid_argument&) {
+        std::fputs("usage: bench_solvers STEP PENALTY/E COLUMNSxROWS...\n", stderr);
+        return 2;
     }
-    if (!understood) std::fputs("usage: bench_solvers STEP PENALTY/E COLUMNSxROWS...\n", stderr);
-    return understood ? 0 : 2;
+    return 0;
 }

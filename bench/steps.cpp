@@ -5,18 +5,17 @@
 #include <sys/resource.h>
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <exception>
-#include <map>
 #include <stdexcept>
 #include <string>
 
 #include "dda/analysis/step.hpp"
 #include "dda/io/read_run.hpp"
+#include "options.hpp"
 #include "support/walls.hpp"
 
 namespace {
@@ -31,32 +30,9 @@ constexpr const char* usage =
     "With --iterations WARM steps are taken as after their first iteration; the next step's equations are\n"
     "then iterated that often, N times over.\n";
 
-using Options = std::map<std::string, std::string>;
+using bench::Options;
+using bench::read_number;
 using dda::Phase;
-
-Options read_options(int argc, char** argv) {
-    Options options{{"--penalty", "100"}, {"--step", "0.005"},   {"--steps", "20"},           {"--warm", "1"},
-                    {"--threads", "1"},   {"--iterations", "0"}, {"--solver", "multifrontal"}};
-    for (int i = 1; i < argc; ++i) {
-        const std::string name = argv[i];
-        if (name == "--no-heading")
-            options[name] = "yes";
-        else if (name.rfind("--", 0) == 0 && i + 1 < argc)
-            options[name] = argv[++i];
-        else
-            throw std::invalid_argument(name);
-    }
-    return options;
-}
-
-template <class Number>
-Number read(const std::string& text, Number least) {
-    Number value{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size() || value < least)
-        throw std::invalid_argument(text);
-    return value;
-}
 
 double cpu_time() {
     timespec now{};
@@ -81,13 +57,11 @@ struct Scene {
 };
 
 Scene wall(const Options& options) {
-    const std::string& size = options.at("--wall");
-    const std::size_t cross = std::min(size.find('x'), size.size() - 1);
+    const bench::WallSize size = bench::read_wall_size(options.at("--wall"));
     Scene scene;
-    scene.model = scene::running_bond_wall(read(size.substr(0, cross), 1), read(size.substr(cross + 1), 1),
-                                           read(options.at("--penalty"), 0.0))
-                      .model;
-    const int iterations = read(options.at("--iterations"), 0);
+    scene.model =
+        scene::running_bond_wall(size.columns, size.rows, read_number(options.at("--penalty"), 0.0)).model;
+    const int iterations = read_number(options.at("--iterations"), 0);
     scene.name = iterations > 0 ? "wall of " + options.at("--iterations") + " iterations"
                                 : "wall after " + options.at("--warm") + " steps";
     return scene;
@@ -147,14 +121,14 @@ void iterate(dda::TimeStepper& stepper, dda::Stage stage, const dda::State& stat
 }
 
 Figures measure(const Scene& scene, const Options& options) {
-    const int threads = read(options.at("--threads"), 1);
-    const double dt = read(options.at("--step"), 1e-9);
+    const int threads = read_number(options.at("--threads"), 1);
+    const double dt = read_number(options.at("--step"), 1e-9);
     dda::TimeStepper stepper(scene.model, threads);
     dda::State state = dda::initial_state(scene.model);
     Figures figures{0, 0, 0, threads == 1 ? cpu_time : wall_time};
-    const int warm = read(options.at("--warm"), 0);
-    const int steps = read(options.at("--steps"), 1);
-    const int iterations = read(options.at("--iterations"), 0);
+    const int warm = read_number(options.at("--warm"), 0);
+    const int steps = read_number(options.at("--steps"), 1);
+    const int iterations = read_number(options.at("--iterations"), 0);
     for (int k = 0; k < warm + steps; ++k) {
         if (iterations > 0) {
             if (k < warm)
@@ -209,7 +183,14 @@ int main(int argc, char** argv) {
     mallopt(M_TRIM_THRESHOLD, 1 << 30);
 #endif
     try {
-        const Options options = read_options(argc, argv);
+        const Options options = bench::read_options(argc, argv,
+                                                    {{"--penalty", "100"},
+                                                     {"--step", "0.005"},
+                                                     {"--steps", "20"},
+                                                     {"--warm", "1"},
+                                                     {"--threads", "1"},
+                                                     {"--iterations", "0"},
+                                                     {"--solver", "multifrontal"}});
         Scene scene = options.count("--wall") ? wall(options) : slope(options);
         if (const std::string& solver = options.at("--solver"); solver == "cholmod")
             scene.model.solver = dda::SolverKind::cholmod;
