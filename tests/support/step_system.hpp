@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dda/contact/find_contacts.hpp"
+#include "dda/linear/block_matrix.hpp"
 #include "dda/terms/springs.hpp"
 #include "support/scene.hpp"
 
@@ -12,6 +13,15 @@ struct StepSystem {
     dda::BlockMatrix matrix;
     std::vector<Vec6> load;
 };
+
+/// Adds stiffness * (measure)^2 / 2 to the system.
+inline void add_stiffness(const dda::PairRows& rows, const dda::Relative& relative, double stiffness,
+                          const dda::BlockPattern& pattern, dda::BlockMatrix& matrix) {
+    if (rows.first >= 0) matrix.add_square(rows.first, relative.first, stiffness);
+    if (rows.second >= 0) matrix.add_square(rows.second, relative.second, stiffness);
+    if (rows.first >= 0 && rows.second >= 0)
+        matrix.add_outer(pattern, rows.first, rows.second, stiffness * relative.first, relative.second);
+}
 
 /// The system of a step of `dt` with every contact that touches locked, except where `open` says so.
 inline StepSystem step_system(
@@ -47,10 +57,9 @@ inline StepSystem step_system(
     system.load = base.load;
     for (std::size_t k = 0; k < springs.size(); ++k) {
         if (open(k)) continue;
-        springs[k].rows.add_stiffness(springs[k].normal, springs[k].normal_stiffness, system.pattern,
-                                      system.matrix);
-        springs[k].rows.add_stiffness(springs[k].shear, springs[k].shear_stiffness, system.pattern,
-                                      system.matrix);
+        const dda::ContactSprings& s = springs[k];
+        add_stiffness(s.rows, s.normal, s.normal_stiffness, system.pattern, system.matrix);
+        add_stiffness(s.rows, s.shear, s.shear_stiffness, system.pattern, system.matrix);
     }
     return system;
 }

@@ -32,15 +32,6 @@ double PairRows::measure(const Relative& relative, std::span<const Vec6> d) cons
     return sum;
 }
 
-void PairRows::add_stiffness(const Relative& relative, double stiffness, const BlockPattern& pattern,
-                             BlockMatrix& matrix) const {
-    if (first >= 0) matrix.add_square(first, relative.first, stiffness);
-    if (second >= 0) matrix.add_square(second, relative.second, stiffness);
-    if (first >= 0 && second >= 0 && first != second) {
-        matrix.add_outer(pattern, first, second, stiffness * relative.first, relative.second);
-    }
-}
-
 void PairRows::add_force(const Relative& relative, double force, std::span<Vec6> load) const {
     if (first >= 0) load[static_cast<std::size_t>(first)] += force * relative.first;
     if (second >= 0) load[static_cast<std::size_t>(second)] += force * relative.second;

@@ -5,7 +5,6 @@
 
 #include "dda/base/parallel.hpp"
 #include "dda/contact/contact.hpp"
-#include "dda/linear/block_matrix.hpp"
 #include "dda/terms/system.hpp"
 
 namespace dda {
@@ -25,9 +24,6 @@ struct PairRows {
     int second = -1;  ///< row of the second block, or -1
 
     double measure(const Relative& relative, std::span<const Vec6> d) const;
-    /// Adds stiffness * (measure)^2 / 2 to the system.
-    void add_stiffness(const Relative& relative, double stiffness, const BlockPattern& pattern,
-                       BlockMatrix& matrix) const;
     /// Adds a force that works on the measure.
     void add_force(const Relative& relative, double force, std::span<Vec6> load) const;
 };
