@@ -21,6 +21,12 @@ constexpr int friction_memory = 6;
 /// Of the first difference between held forces and bounds: nearer than that the springs will change anyway.
 constexpr double friction_share = 0.1;
 
+/// Iterations in which the dilation follows every iterate, and minima of the potential at which it is brought
+/// to where they are. It depends on the displacement and on the normal force that it brings about itself: of
+/// many joints it may not settle within a step, and what is left then acts from the next one on.
+constexpr int dilation_iterations = 8;
+constexpr int dilation_minima = 2;
+
 /// Augmentations of the contact forces in a step; what is left of the penetration then is for the next step.
 constexpr int largest_augmentations = 60;
 constexpr int augmentation_memory = 10;
@@ -40,8 +46,9 @@ class Iteration {
     OpenCloseResult run() {
         OpenCloseResult result;
         bool changed = true;
-        int began = 0;  // the iterations before the last augmentation
+        int began = 0;  // the iterations before springs were last given another rest
         int augmentations = 0;
+        int minima = 0;  // since the last of them
         AndersonMixing shifting(augmentation_memory);
         AndersonMixing mixing(friction_memory);
         while (result.iterations - began < p_.control.iteration_limit) {
@@ -66,11 +73,16 @@ class Iteration {
             if (follow || is_at_minimum(result, full_step)) {
                 const Eigen::VectorXd held = trials_.coupling();
                 trials_.choose_lines();
+                if (result.iterations <= dilation_iterations) trials_.update_dilation();
                 trials_.update_bounds();
                 if (is_at_minimum(result, full_step) && !trials_.tear()) {
-                    result.converged = augmentations == largest_augmentations || !trials_.augment(shifting);
-                    if (result.converged) break;
-                    ++augmentations;
+                    if (!dilate_at(++minima)) {
+                        result.converged =
+                            augmentations == largest_augmentations || !trials_.augment(shifting);
+                        if (result.converged) break;
+                        ++augmentations;
+                        minima = 0;
+                    }
                     began = result.iterations;
                     mixing = AndersonMixing(friction_memory);
                 } else if (!follow) {
@@ -156,6 +168,14 @@ class Iteration {
         if (change.contact >= 0) result.worst_contact = change.contact;
         result.force_change = change.largest;
         return full_step && change.largest <= trials_.tolerance();
+    }
+
+    /// Brings the dilation to where a minimum of the potential is. @return whether that moves anything.
+    bool dilate_at(int minimum) {
+        if (minimum > dilation_minima) return trials_.postpone_dilation();
+        if (!trials_.dilation_is_off()) return false;
+        trials_.update_dilation();
+        return true;
     }
 
     void finish(OpenCloseResult& result) const {

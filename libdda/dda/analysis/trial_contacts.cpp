@@ -15,6 +15,10 @@ bool within(double force, const Strength& bounds) {
     return force <= bounds.forward && force >= -bounds.backward && bounds.forward + bounds.backward > 0;
 }
 
+/// Of the force tolerance: what the normal force of a dilation may be off by at the end of a step. It acts
+/// from the next one on.
+constexpr double dilation_tolerance = 10;
+
 }  // namespace
 
 TrialContacts::TrialContacts(const StepProblem& problem, const Crew& crew) : p_(problem), crew_(crew) {
@@ -27,7 +31,7 @@ TrialContacts::TrialContacts(const StepProblem& problem, const Crew& crew) : p_(
     FacesStrengths of_faces = no_faces_strengths();
     for (std::size_t k = 0; k < p_.contacts.size(); ++k) {
         trials_.push_back(started(k, of_faces));
-        if (dilates(law_of(k))) dilating_.push_back(k);
+        dilates_ = dilates_ || dilates(law_of(k));
     }
     yielding_.assign(p_.bolts.size(), 0);
     elongation_.assign(p_.bolts.size(), 0);
@@ -238,7 +242,6 @@ void TrialContacts::update_bounds() {
         const bool open = !trials_[k].may_close || (normal <= 0 && !is_bonded(k));
         trials_[k].bounds = open ? Strength{} : bounds_of(k, normal, here, of_faces);
     }
-    if (!dilating_.empty()) update_dilation();
 }
 
 ContactMotion TrialContacts::motion(std::size_t k) const {
@@ -249,7 +252,9 @@ ContactMotion TrialContacts::motion(std::size_t k) const {
 }
 
 /// Faces dilate as a whole, from the motion of both of their ends.
-void TrialContacts::update_dilation() {
+template <class Take>
+void TrialContacts::dilation_by_law(const Take& take) const {
+    if (!dilates_) return;
     for (std::size_t f = 0; f < p_.faces.count(); ++f) {
         const std::span<const int> members = p_.faces.contacts_of(f);
         const JointLaw& law = law_of(static_cast<std::size_t>(members[0]));
@@ -259,20 +264,46 @@ void TrialContacts::update_dilation() {
         const double moved = whole ? dilation(law, advance(law, *whole->history, whole->motion)) : 0;
         for (const int k : members) {
             const auto i = static_cast<std::size_t>(k);
-            trials_[i].dilating = whole ? moved - p_.contacts[i].dilation : 0;
+            take(i, whole ? moved - p_.contacts[i].dilation : 0);
         }
     }
 }
 
+void TrialContacts::update_dilation() {
+    dilation_by_law([&](std::size_t k, double by_law) {
+        if (!trials_[k].postponed) trials_[k].dilating = by_law;
+    });
+}
+
+bool TrialContacts::dilation_is_off() const {
+    double largest = 0;
+    dilation_by_law([&](std::size_t k, double by_law) {
+        if (trials_[k].postponed) return;
+        const double off = std::abs(by_law - trials_[k].dilating);
+        largest = std::max(largest, p_.springs[k].normal_stiffness * off);
+    });
+    return largest > dilation_tolerance * tolerance();
+}
+
+bool TrialContacts::postpone_dilation() {
+    bool any = false;
+    dilation_by_law([&](std::size_t k, double by_law) {
+        Trial& trial = trials_[k];
+        if (trial.postponed || std::abs(by_law - trial.dilating) <= std::abs(by_law)) return;
+        trial.dilating = 0;
+        trial.postponed = true;
+        any = true;
+    });
+    return any;
+}
+
 Eigen::VectorXd TrialContacts::coupling() const {
-    Eigen::VectorXd coupling(static_cast<Eigen::Index>(2 * trials_.size() + dilating_.size()));
+    Eigen::VectorXd coupling(static_cast<Eigen::Index>(2 * trials_.size()));
     Eigen::Index row = 0;
     for (const Trial& trial : trials_) {
         coupling[row++] = trial.bounds.forward;
         coupling[row++] = trial.bounds.backward;
     }
-    for (const std::size_t k : dilating_)
-        coupling[row++] = p_.springs[k].normal_stiffness * trials_[k].dilating;
     return coupling;
 }
 
@@ -282,8 +313,6 @@ void TrialContacts::set_coupling(const Eigen::VectorXd& coupling) {
         trial.bounds.forward = std::max(coupling[row++], 0.0);
         trial.bounds.backward = std::max(coupling[row++], 0.0);
     }
-    for (const std::size_t k : dilating_)
-        trials_[k].dilating = coupling[row++] / p_.springs[k].normal_stiffness;
 }
 
 bool TrialContacts::tear() {

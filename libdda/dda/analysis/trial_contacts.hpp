@@ -101,10 +101,18 @@ class TrialContacts {
     ForceChange force_change();
     /// What a force may still move by at convergence, N per metre.
     double tolerance() const;
-    /// Moves the shear bounds and the dilation to those of the present normal forces and displacements.
+    /// Moves the shear bounds to those of the present normal forces and displacements.
     void update_bounds();
+    /// Moves the dilation likewise, except where it has been postponed.
+    void update_dilation();
+    /// Whether that would change a normal force by much.
+    bool dilation_is_off() const;
+    /// Joints whose present dilation is farther from what their law says than none would be do not dilate any
+    /// more in this step: the dilation of their history acts from the next one on. @return whether there are
+    /// any.
+    bool postpone_dilation();
     /// What couples normal and shear forces, N per metre: the shear bounds, forward and backward of each
-    /// contact in turn, and the forces that dilation gives the normal springs of those that may dilate.
+    /// contact in turn.
     Eigen::VectorXd coupling() const;
     /// Sets it; negative bounds to zero.
     void set_coupling(const Eigen::VectorXd& coupling);
@@ -140,11 +148,12 @@ class TrialContacts {
         double gap_offset = 0;    ///< m, gap less the linear measure of the present displacement
         bool torn = false;
         bool may_close = true;
-        double dilating = 0;  ///< m, by which shearing has moved the faces apart since the step's start
-        double opening = 0;   ///< linear measure of the normal displacement, m
-        double shearing = 0;  ///< of the tangential displacement, m
-        Forces linear;        ///< in the linear system, at the present displacement
-        Tangent tangent;      ///< the normal spring in the linear system
+        double dilating = 0;     ///< m, by which shearing has moved the faces apart since the step's start
+        bool postponed = false;  ///< dilates after the step
+        double opening = 0;      ///< linear measure of the normal displacement, m
+        double shearing = 0;     ///< of the tangential displacement, m
+        Forces linear;           ///< in the linear system, at the present displacement
+        Tangent tangent;         ///< the normal spring in the linear system
     };
 
     Trial started(std::size_t k, FacesStrengths& of_faces) const;
@@ -165,7 +174,10 @@ class TrialContacts {
     }
     /// The contact's motion so far, with its plastic part.
     ContactMotion motion(std::size_t k) const;
-    void update_dilation();
+    /// What shearing has moved a pair of faces apart in the step by their law, m; for each of its contacts
+    /// calls `take` with it.
+    template <class Take>
+    void dilation_by_law(const Take& take) const;
     bool is_bonded(std::size_t k) const { return p_.contacts[k].bonded && !trials_[k].torn; }
     double gap(std::size_t k) const {
         return trials_[k].gap_offset + trials_[k].opening - trials_[k].dilating;
@@ -189,12 +201,12 @@ class TrialContacts {
     const StepProblem& p_;
     const Crew& crew_;
     std::vector<Trial> trials_;
-    std::vector<int> yielding_;          ///< per bolt: the sign of its yielding force, 0 when elastic
-    std::vector<double> elongation_;     ///< per bolt, of the step, m
-    std::vector<int> faces_of_;          ///< per contact: its pair of them, or -1
-    std::vector<std::size_t> dilating_;  ///< contacts that may dilate
-    std::vector<std::size_t> chosen_;    ///< per group, the line that may close
-    double reference_ = 0;               ///< the largest force of a law, N per metre
+    std::vector<int> yielding_;        ///< per bolt: the sign of its yielding force, 0 when elastic
+    std::vector<double> elongation_;   ///< per bolt, of the step, m
+    std::vector<int> faces_of_;        ///< per contact: its pair of them, or -1
+    bool dilates_ = false;             ///< whether any contact may
+    std::vector<std::size_t> chosen_;  ///< per group, the line that may close
+    double reference_ = 0;             ///< the largest force of a law, N per metre
 };
 
 inline double TrialContacts::closed(std::size_t k, double opening) const {

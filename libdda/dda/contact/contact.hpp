@@ -52,6 +52,10 @@ struct Contact {
     bool bonded = false;      ///< the joint bears tension here
     JointHistory history;
 
+    /// Distance of the corner from the rock of the edge, or from where contraction lets it come, m. Between
+    /// the rock and where shearing has moved the faces apart a corner is in nothing.
+    double from_rock() const { return gap + (dilation > 0 ? dilation : 0); }
+
     /// Takes over what a joint has been through.
     void take_history(const JointHistory& of_joint, double its_dilation) {
         history = of_joint;

@@ -96,7 +96,8 @@ class Detector {
         entry.inside = corner_edge_geometry(expected(corner), expected(edge), expected(next(edge))).inside();
         entry.holds = closed && geometry.inside() >= -end_slack * geometry.length;
         entry.stays = entry.holds && entry.inside >= -end_slack * geometry.length;
-        entry.behind = !closed && !enters && entry.gap < -(d_.rounding + 2 * entry.known_depth);
+        entry.behind = !closed && !enters &&
+                       entry.gap + std::max(entry.dilation, 0.0) < -(d_.rounding + 2 * entry.known_depth);
         entry.partner = !enters && (vertex - at(end)).norm() <= d_.reach && !is_reflex(end) ? end : -1;
         return true;
     }

@@ -76,7 +76,8 @@ ContactSet find_contacts(const Model& model, const ContactSet& last, const Conta
         // A corner enters through a line that it was outside of: one that is open and behind the line belongs
         // elsewhere. Sliding on to a neighbour's face it is as far behind that as it is in the face it
         // leaves.
-        if (c.state == ContactState::open && c.gap < -(search.rounding + 2 * c.known_depth) && !enters)
+        if (c.state == ContactState::open && c.from_rock() < -(search.rounding + 2 * c.known_depth) &&
+            !enters)
             c.held_back = true;
     }
     end_of(Phase::transfer, times);

@@ -57,10 +57,11 @@ KnownDepths::Found KnownDepths::find(const Topology& topology, std::span<const V
     };
     for (const Contact& contact : contacts) {
         const std::optional<double> stood_for = depth_stood_for(topology, vertices, contact);
-        if (!stood_for) continue;
+        // Faces that shearing has moved together let corners in that far, whether or not they bear.
+        const double contracted = contact.held_back ? 0 : std::max(-contact.dilation, 0.0);
+        if (!stood_for && contracted == 0) continue;
         const int end = topology.next[static_cast<std::size_t>(contact.edge)];
-        const double contracted = std::max(-contact.dilation, 0.0);
-        const double depth = contracted + *stood_for;
+        const double depth = contracted + stood_for.value_or(0);
         const double rest_gap = contact.state == ContactState::open ? 0 : contact.rest_gap;
         const double spring_depth = depth + rest_gap;
         add(contact.corner, {contact.edge_block, contact.normal, depth, spring_depth});

@@ -48,6 +48,28 @@ TEST(KnownDepth, IsNoMoreThanTwiceWhatWasKnown) {
     EXPECT_EQ(SlidPast(3.5, 1e-4).depth(), std::nullopt);
 }
 
+// A joint that has contracted by 0.4 um lets its corners in that far, before it bears.
+TEST(KnownDepth, OfAContractedJointIsItsContractionAtLeast) {
+    Scene s;
+    s.box({0, 0}, 2, 1);
+    s.box({.5, 1 - 3e-7}, 1, 1);
+    dda::Contact contact;
+    contact.corner = 4;
+    contact.corner_block = 1;
+    contact.edge = 2;
+    contact.edge_block = 0;
+    contact.normal = {0, 1};
+    contact.dilation = -4e-7;
+    contact.gap = -3e-7 - contact.dilation;
+    const auto known = [&] {
+        return dda::KnownDepths(s.model.topology, s.model.vertices, std::vector{contact}, 1e-3)
+            .in_block(4, 0);
+    };
+    EXPECT_DOUBLE_EQ(known(), 4e-7);
+    contact.held_back = true;
+    EXPECT_EQ(known(), 0);
+}
+
 TEST(KnownDepth, IsNotThatOfAContactHeldBack) {
     SlidPast slid(3.5, 3e-4);
     slid.contact.held_back = true;
