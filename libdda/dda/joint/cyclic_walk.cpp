@@ -33,19 +33,20 @@ double outrun(const AnglePiece& piece, double normal_force, double stiffness) {
 /// Where a shear force that starts below the bound and climbs with the spring meets it; infinity if nowhere.
 /// Force minus bound is concave up to where the bound outruns the spring, so Newton's steps from the left
 /// approach the root from the left.
-double meeting(double force, const AnglePiece& piece, double normal_force, double stiffness) {
-    const double lowest = normal_force * std::tan(std::min(piece.first, piece.last));
+double meeting(double force, const AnglePiece& piece, double normal_force, double stiffness,
+               const Tangents& tan) {
+    const double lowest = normal_force * tan(std::min(piece.first, piece.last));
     if (force + stiffness * piece.length < lowest) return nowhere;
     if (piece.first == piece.last) return std::max((lowest - force) / stiffness, 0.0);
     const double last = outrun(piece, normal_force, stiffness);
     const auto short_of = [&](double along) {
-        return normal_force * std::tan(piece.angle_at(along)) - force - stiffness * along;
+        return normal_force * tan(piece.angle_at(along)) - force - stiffness * along;
     };
     if (short_of(last) > 0) return nowhere;
     const double turn = (piece.last - piece.first) / piece.length;
     double along = 0;
     for (int k = 0; k < 100; ++k) {
-        const double tangent = std::tan(piece.angle_at(along));
+        const double tangent = tan(piece.angle_at(along));
         const double gap = normal_force * tangent - force - stiffness * along;
         const double slope = stiffness - normal_force * turn * (1 + tangent * tangent);
         if (!(gap > 0) || !(slope > 0)) break;
@@ -58,6 +59,15 @@ double meeting(double force, const AnglePiece& piece, double normal_force, doubl
 }
 
 }  // namespace
+
+double Tangents::operator()(double angle) const {
+    for (const Known& known : known_)
+        if (known.angle == angle) return known.tangent;
+    const double tangent = std::tan(angle);
+    known_[oldest_] = {angle, tangent};
+    oldest_ = (oldest_ + 1) % known_.size();
+    return tangent;
+}
 
 CyclicWalk::CyclicWalk(const Law& law, const Law::History& history, double normal_force, double length,
                        double stiffness, double shear_force, Purpose purpose)
@@ -168,7 +178,7 @@ double CyclicWalk::bound_ratio(int direction) const {
 double CyclicWalk::bound(int direction) const {
     const double opposing = law_.barton.residual_friction_angle + bound_ratio(direction) * roughness_;
     return normal_force_ *
-           std::tan(std::clamp(resisting(direction, opposing), 0.0, BartonStrength::largest_angle));
+           tan_(std::clamp(resisting(direction, opposing), 0.0, BartonStrength::largest_angle));
 }
 
 /// The angle that resists motion in a direction, from phi_r + ratio i: where only forward motion climbs the
@@ -277,12 +287,12 @@ double CyclicWalk::cross(const Place& place, const Piece& piece) {
         return length;
     }
     double along = 0;
-    bool below = direction_ * force_ < normal_force_ * std::tan(piece.bound.first);
+    bool below = direction_ * force_ < normal_force_ * tan_(piece.bound.first);
     while (along < length) {
         const AnglePiece rest = part_of(piece.bound, along, length);
         if (below || outrun(rest, normal_force_, stiffness_) == 0) {
             const double met =
-                below ? meeting(direction_ * force_, rest, normal_force_, stiffness_) : nowhere;
+                below ? meeting(direction_ * force_, rest, normal_force_, stiffness_, tan_) : nowhere;
             const double locked = std::min(met, rest.length);
             move(place, piece, along, along + locked, false);
             force_ += direction_ * stiffness_ * locked;
@@ -300,7 +310,7 @@ double CyclicWalk::cross(const Place& place, const Piece& piece) {
 /// Slides along a piece until the bound outruns the spring, or until the slip changes the laws.
 double CyclicWalk::slide(const Place& place, const Piece& piece, double along, bool& interrupted) {
     const AnglePiece rest = part_of(piece.bound, along, piece.bound.length);
-    const double bound = normal_force_ * std::tan(rest.first);
+    const double bound = normal_force_ * tan_(rest.first);
     const double drop = (direction_ * force_ - bound) / stiffness_;
     interrupted = begin_slip(place, direction_);
     if (interrupted) return along;
@@ -312,11 +322,11 @@ double CyclicWalk::slide(const Place& place, const Piece& piece, double along, b
     if (opposite) {
         // The slip left until it counts as a reversal is a force left to a joint that had not slipped.
         const double left = law_.min_slip - history_.reverse_slip;
-        const double turned = meeting(bound - stiffness_ * left, rest, normal_force_, stiffness_);
+        const double turned = meeting(bound - stiffness_ * left, rest, normal_force_, stiffness_, tan_);
         interrupted = turned < end;
         end = std::min(end, turned);
     }
-    const double after = normal_force_ * std::tan(rest.angle_at(end));
+    const double after = normal_force_ * tan_(rest.angle_at(end));
     move(place, piece, along, along + end, true);
     force_ = direction_ * after;
     const double slip = end - (after - bound) / stiffness_;

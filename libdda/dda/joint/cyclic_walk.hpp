@@ -1,9 +1,27 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
+
 #include "dda/joint/angle_piece.hpp"
 #include "dda/joint/cyclic_barton_bandis.hpp"
 
 namespace dda {
+
+/// tan(angle), with the angles asked for last kept: on an even piece of a way, which most are, the bound at
+/// its start, at its end and against the way back have one angle.
+class Tangents {
+  public:
+    double operator()(double angle) const;
+
+  private:
+    struct Known {
+        double angle = 0;  ///< rad
+        double tangent = 0;
+    };
+    mutable std::array<Known, 4> known_;
+    mutable std::size_t oldest_ = 0;
+};
 
 /// What a displacement does to a cyclic joint under a constant normal force. The way is walked in pieces on
 /// which strength and dilation angle are smooth, and each piece in phases, locked or sliding, that are solved
@@ -87,6 +105,7 @@ class CyclicWalk {
     int last_side_ = 0;      ///< where it moved last, 0 if it did not
     bool last_away_ = false;
     Purpose purpose_;
+    Tangents tan_;
     Strength bounds_;
 };
 
