@@ -22,6 +22,13 @@ struct FacesMotion {
     const JointHistory* history = nullptr;
 };
 
+/// Whether a contact of a pair of faces was closed at the step's start.
+inline bool any_closed(std::span<const int> members, std::span<const Contact> contacts) {
+    return std::any_of(members.begin(), members.end(), [&](int k) {
+        return contacts[static_cast<std::size_t>(k)].state != ContactState::open;
+    });
+}
+
 /// The motion of a pair of faces, whose contacts in `members` move together; nothing if none is pressed. They
 /// are those that were closed at the step's start, or all if none was: length and stiffness must not jump
 /// where a contact opens or closes on the way, or there may be no state that the joint could come to.
@@ -30,14 +37,13 @@ template <class MotionOf>
 std::optional<FacesMotion> faces_motion(std::span<const int> members, std::span<const Contact> contacts,
                                         const MotionOf& motion_of) {
     const auto at = [&](int k) -> const Contact& { return contacts[static_cast<std::size_t>(k)]; };
-    const auto was_closed = [&](int k) { return at(k).state != ContactState::open; };
-    const bool any_was = std::any_of(members.begin(), members.end(), was_closed);
+    const bool any_was = any_closed(members, contacts);
     std::optional<FacesMotion> whole;
     double borne = 0, pressing = 0;
     for (const int k : members) {
         const ContactMotion motion = motion_of(k);
         pressing += std::max(motion.normal_force, 0.0);
-        if (any_was && !was_closed(k)) continue;
+        if (any_was && at(k).state == ContactState::open) continue;
         if (!whole)
             whole = {motion, &at(k).history};
         else

@@ -19,15 +19,18 @@ bool within(double force, const Strength& bounds) {
 /// from the next one on.
 constexpr double dilation_tolerance = 10;
 
+/// Of a contact between faces that bear so much for each newton; none where it is open.
+Strength of_share(const Strength& over_normal_force, double normal_force) {
+    if (!(normal_force > 0)) return {};
+    return {normal_force * over_normal_force.forward, normal_force * over_normal_force.backward,
+            normal_force * over_normal_force.tensile};
+}
+
 }  // namespace
 
-TrialContacts::TrialContacts(const StepProblem& problem, const Crew& crew) : p_(problem), crew_(crew) {
+TrialContacts::TrialContacts(const StepProblem& problem, const Crew& crew)
+    : p_(problem), crew_(crew), faces_(problem) {
     trials_.reserve(p_.contacts.size());
-    faces_of_.assign(p_.contacts.size(), -1);
-    for (std::size_t f = 0; f < p_.faces.count(); ++f) {
-        for (const int k : p_.faces.contacts_of(f))
-            faces_of_[static_cast<std::size_t>(k)] = static_cast<int>(f);
-    }
     FacesStrengths of_faces = no_faces_strengths();
     for (std::size_t k = 0; k < p_.contacts.size(); ++k) {
         trials_.push_back(started(k, of_faces));
@@ -66,7 +69,7 @@ TrialContacts::Trial TrialContacts::started(std::size_t k, FacesStrengths& of_fa
     return trial;
 }
 
-TrialContacts::Pressed TrialContacts::pressed_at_start(std::size_t k) const {
+Pressed TrialContacts::pressed_at_start(std::size_t k) const {
     if (const JudgedContact* guess = p_.guess[k]; guess != nullptr)
         return {guess->normal_force, guess->displacement};
     return {p_.contacts[k].normal_force, 0};
@@ -75,30 +78,21 @@ TrialContacts::Pressed TrialContacts::pressed_at_start(std::size_t k) const {
 template <class PressedOf>
 Strength TrialContacts::bounds_of(std::size_t k, double normal, const PressedOf& pressed_of,
                                   FacesStrengths& of_faces) const {
-    const auto load = [&](std::size_t c, const Pressed& pressed) {
-        return contact_motion(p_.model, p_.contacts[c], p_.springs[c].shear_stiffness, pressed.normal,
-                              pressed.shearing, 0);
-    };
-    const auto bounds = [&](const ContactMotion& motion, const JointHistory& history, double share) {
-        Strength strengths = strength(law_of(k), history, motion.normal_force, motion.length,
-                                      {motion.displacement, motion.shear_force, motion.stiffness});
-        for (double* one : {&strengths.forward, &strengths.backward, &strengths.tensile}) *one *= share;
-        return strengths;
-    };
-    const double reduced = 1 / p_.model.strength_reduction;
-    if (faces_of_[k] < 0) return bounds(load(k, pressed_of(k)), p_.contacts[k].history, reduced);
+    const int pair = faces_.pair_of(k);
+    if (pair < 0) return bounds_by_itself(k, pressed_of(k));
     if (!(normal > 0)) return {};
-    const auto f = static_cast<std::size_t>(faces_of_[k]);
-    if (!of_faces[f]) {
-        const auto whole = faces_motion(p_.faces.contacts_of(f), p_.contacts, [&](int i) {
-            const auto c = static_cast<std::size_t>(i);
-            return load(c, pressed_of(c));
-        });
-        of_faces[f] =
-            whole ? bounds(whole->motion, *whole->history, reduced / whole->motion.normal_force) : Strength{};
-    }
-    const Strength& angle = *of_faces[f];
-    return {normal * angle.forward, normal * angle.backward, normal * angle.tensile};
+    std::optional<Strength>& found = of_faces[static_cast<std::size_t>(pair)];
+    if (!found) found = faces_.over_normal_force(static_cast<std::size_t>(pair), pressed_of);
+    return of_share(*found, normal);
+}
+
+Strength TrialContacts::bounds_by_itself(std::size_t k, const Pressed& pressed) const {
+    const ContactMotion motion = contact_motion(p_.model, p_.contacts[k], p_.springs[k].shear_stiffness,
+                                                pressed.normal, pressed.shearing, 0);
+    const Strength strengths = strength(law_of(k), p_.contacts[k].history, motion.normal_force, motion.length,
+                                        {motion.displacement, motion.shear_force, motion.stiffness});
+    const double reduced = 1 / p_.model.strength_reduction;
+    return {strengths.forward * reduced, strengths.backward * reduced, strengths.tensile * reduced};
 }
 
 // --- the linear system
@@ -233,14 +227,20 @@ double TrialContacts::tolerance() const {
 }
 
 void TrialContacts::update_bounds() {
-    const auto here = [this](std::size_t k) -> Pressed {
-        return {present_forces(k).normal, trials_[k].shearing};
-    };
-    FacesStrengths of_faces = no_faces_strengths();
+    // Contacts in their order, faces from a short list of numbers: a pair's contacts lie far apart in memory.
+    std::vector<Pressed> here(trials_.size());
     for (std::size_t k = 0; k < trials_.size(); ++k) {
-        const double normal = present_forces(k).normal;
-        const bool open = !trials_[k].may_close || (normal <= 0 && !is_bonded(k));
-        trials_[k].bounds = open ? Strength{} : bounds_of(k, normal, here, of_faces);
+        here[k] = {present_forces(k).normal, trials_[k].shearing};
+        if (faces_.pair_of(k) >= 0) continue;
+        const bool open = !trials_[k].may_close || (here[k].normal <= 0 && !is_bonded(k));
+        trials_[k].bounds = open ? Strength{} : bounds_by_itself(k, here[k]);
+    }
+    std::vector<Strength> of_faces(faces_.count());
+    for (std::size_t pair = 0; pair < of_faces.size(); ++pair)
+        of_faces[pair] = faces_.over_normal_force(pair, [&](std::size_t k) { return here[k]; });
+    for (std::size_t k = 0; k < trials_.size() && !of_faces.empty(); ++k) {
+        if (const int pair = faces_.pair_of(k); pair >= 0)
+            trials_[k].bounds = of_share(of_faces[static_cast<std::size_t>(pair)], here[k].normal);
     }
 }
 

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "dda/analysis/faces_strength.hpp"
 #include "dda/analysis/step_problem.hpp"
 #include "dda/linear/anderson.hpp"
 
@@ -80,7 +81,7 @@ class TrialContacts {
     void bound_by_held_force(std::size_t k);
     /// Strengths over the normal force, for each pair of faces that has been asked for.
     using FacesStrengths = std::vector<std::optional<Strength>>;
-    FacesStrengths no_faces_strengths() const { return FacesStrengths(p_.faces.count()); }
+    FacesStrengths no_faces_strengths() const { return FacesStrengths(faces_.count()); }
     /// The shear bounds of sliding contacts, with their signs, at the normal forces that the linear system
     /// gives for a displacement. @param of_faces pairs of faces that are in here keep their friction angle;
     /// the others get one at this displacement. @param bounds one for each of them.
@@ -157,17 +158,14 @@ class TrialContacts {
     };
 
     Trial started(std::size_t k, FacesStrengths& of_faces) const;
-    /// Normal force (N per metre) and tangential displacement (m) of a contact at some displacement.
-    struct Pressed {
-        double normal = 0;
-        double shearing = 0;
-    };
     /// What the contact's law bears there. Rough faces have one friction angle, that of their mean stress.
     /// @param normal its normal force; @param pressed_of gives the Pressed of a contact's index; @param
     /// of_faces what has been found out for the same Pressed before.
     template <class PressedOf>
     Strength bounds_of(std::size_t k, double normal, const PressedOf& pressed_of,
                        FacesStrengths& of_faces) const;
+    /// Of a contact whose law knows of no faces.
+    Strength bounds_by_itself(std::size_t k, const Pressed& pressed) const;
     Pressed pressed_at_start(std::size_t k) const;
     const JointLaw& law_of(std::size_t k) const {
         return p_.model.joint_material_at(p_.contacts[k].joint_material).law;
@@ -200,10 +198,10 @@ class TrialContacts {
 
     const StepProblem& p_;
     const Crew& crew_;
+    FacesStrength faces_;
     std::vector<Trial> trials_;
     std::vector<int> yielding_;        ///< per bolt: the sign of its yielding force, 0 when elastic
     std::vector<double> elongation_;   ///< per bolt, of the step, m
-    std::vector<int> faces_of_;        ///< per contact: its pair of them, or -1
     bool dilates_ = false;             ///< whether any contact may
     std::vector<std::size_t> chosen_;  ///< per group, the line that may close
     double reference_ = 0;             ///< the largest force of a law, N per metre

@@ -1,0 +1,66 @@
+#include "dda/analysis/faces_strength.hpp"
+
+#include <optional>
+
+#include "dda/analysis/joint_motion.hpp"
+
+namespace dda {
+
+FacesStrength::FacesStrength(const StepProblem& problem) : p_(problem) {
+    pair_of_.assign(p_.contacts.size(), -1);
+    pairs_.reserve(p_.faces.count());
+    for (std::size_t f = 0; f < p_.faces.count(); ++f) {
+        const std::span<const int> members = p_.faces.contacts_of(f);
+        const auto& first = p_.contacts[static_cast<std::size_t>(members[0])];
+        Pair& pair = pairs_.emplace_back();
+        pair.begin = members_.size();
+        pair.law = &p_.model.joint_material_at(first.joint_material).law;
+        // Any force will do: which contacts tell the faces' motion and history is a matter of the step's
+        // start.
+        const std::optional<FacesMotion> whole = faces_motion(members, p_.contacts, [&](int k) {
+            const auto c = static_cast<std::size_t>(k);
+            return contact_motion(p_.model, p_.contacts[c], p_.springs[c].shear_stiffness, 1, 0, 0);
+        });
+        pair.history = *whole->history;
+        pair.length = whole->motion.length;
+        pair.shear_force = whole->motion.shear_force;
+        pair.shear_stiffness = whole->motion.stiffness;
+        for (const int k : members) pair_of_[static_cast<std::size_t>(k)] = static_cast<int>(f);
+        add_members(members);
+        pair.end = members_.size();
+    }
+}
+
+/// As `together` weights displacements, one contact after the other.
+void FacesStrength::add_members(std::span<const int> contacts) {
+    const bool any_was = any_closed(contacts, p_.contacts);
+    std::optional<ContactMotion> so_far;
+    for (const int k : contacts) {
+        const auto c = static_cast<std::size_t>(k);
+        const Contact& contact = p_.contacts[c];
+        Member member{k, !any_was || contact.state != ContactState::open, 0, 1};
+        if (member.moves) {
+            const ContactMotion one =
+                contact_motion(p_.model, contact, p_.springs[c].shear_stiffness, 1, 0, 0);
+            if (so_far) {
+                so_far->displacement = 1;
+                so_far = together(*so_far, one);
+                member.before = so_far->displacement;
+                member.share = 1 - member.before;
+            } else {
+                so_far = one;
+            }
+        }
+        members_.push_back(member);
+    }
+}
+
+Strength FacesStrength::strength_at(const Pair& pair, double pressing, double displacement) const {
+    Strength strengths = strength(*pair.law, pair.history, pressing, pair.length,
+                                  {displacement, pair.shear_force, pair.shear_stiffness});
+    const double share = 1 / p_.model.strength_reduction / pressing;
+    for (double* one : {&strengths.forward, &strengths.backward, &strengths.tensile}) *one *= share;
+    return strengths;
+}
+
+}  // namespace dda

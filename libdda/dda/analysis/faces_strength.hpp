@@ -1,0 +1,68 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "dda/analysis/step_problem.hpp"
+
+namespace dda {
+
+/// Normal force (N per metre) and tangential displacement (m) of a contact at some displacement of a step.
+struct Pressed {
+    double normal = 0;
+    double shearing = 0;
+};
+
+/// What the pairs of rough faces bear in a step. In the many displacements that a step tries only normal
+/// forces and shear displacements change: what a pair's law asks for besides is put together once, the same
+/// as `faces_motion` makes of it.
+class FacesStrength {
+  public:
+    explicit FacesStrength(const StepProblem& problem);
+
+    std::size_t count() const { return pairs_.size(); }
+    /// The pair of faces that a contact is between, or -1.
+    int pair_of(std::size_t contact) const { return pair_of_[contact]; }
+    /// Strengths over the normal force of a pair of faces, the same for each of its contacts; reduced if the
+    /// model's strengths are. @param pressed_of gives the Pressed of a contact's index.
+    template <class PressedOf>
+    Strength over_normal_force(std::size_t pair, const PressedOf& pressed_of) const {
+        double pressing = 0, displacement = 0;
+        for (std::size_t m = pairs_[pair].begin; m < pairs_[pair].end; ++m) {
+            const Member& member = members_[m];
+            const Pressed pressed = pressed_of(static_cast<std::size_t>(member.contact));
+            pressing += std::max(pressed.normal, 0.0);
+            if (member.moves) displacement = member.before * displacement + member.share * pressed.shearing;
+        }
+        return pressing > 0 ? strength_at(pairs_[pair], pressing, displacement) : Strength{};
+    }
+
+  private:
+    struct Member {
+        int contact = 0;
+        bool moves = true;  ///< closed at the step's start, or all are open: it tells how the faces move
+        double before = 0;  ///< share in the faces' displacement of the members before it
+        double share = 1;   ///< and its own
+    };
+    struct Pair {
+        std::size_t begin = 0;  ///< of its members
+        std::size_t end = 0;
+        const JointLaw* law = nullptr;
+        JointHistory history;    ///< here, and not at a contact, so that pairs follow each other in memory
+        double length = 0;       ///< m
+        double shear_force = 0;  ///< at the step's start, N per metre
+        double shear_stiffness = 0;  ///< N/m per metre
+    };
+
+    void add_members(std::span<const int> contacts);
+    Strength strength_at(const Pair& pair, double pressing, double displacement) const;
+
+    const StepProblem& p_;
+    std::vector<int> pair_of_;
+    std::vector<Member> members_;
+    std::vector<Pair> pairs_;
+};
+
+}  // namespace dda
