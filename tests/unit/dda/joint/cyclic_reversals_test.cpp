@@ -1,0 +1,267 @@
+// Irregular paths of the cyclic joint, as an earthquake's, against values worked out by hand from Eqs. (51)
+// to (58). Granite at 1 MPa, displacements in mm; tau(r) and open(r) are strength and dilation angle at a
+// ratio r, k is the spring to the peak. A turn between the bounds tau(a) and -tau(b) takes (tau(a) + tau(b))
+// / k.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "dda/joint/shear_step.hpp"
+#include "dda/joint/shear_test.hpp"
+#include "support/cyclic_joints.hpp"
+
+namespace {
+
+using dda::CyclicBartonBandis;
+using dda::JointStage;
+using dda::ShearTestRow;
+using joint_tests::granite;
+
+constexpr double degree = 0.017453292519943295;
+constexpr double mm = 1e-3, length = 0.1, stress = 1e6;
+
+double roughness_angle(double ratio, double megapascals = 1) {
+    return ratio * 12.8 * std::log10(151 / megapascals) * degree;
+}
+double tau(double ratio) {
+    return stress * std::tan(34.6 * degree + roughness_angle(ratio));
+}
+double rate(double ratio) {
+    return std::tan(roughness_angle(ratio));
+}
+/// What a way opens along which the ratio goes evenly from one value to another, Eq. (55).
+double opening(double from, double to, double way) {
+    const double a = roughness_angle(from), b = roughness_angle(to);
+    return way * std::log(std::cos(a) / std::cos(b)) / (b - a);
+}
+const double k = tau(1) / (1.25 * mm);  ///< Pa/m
+
+/// A row at the start and one at each turning point.
+std::vector<ShearTestRow> rows(const CyclicBartonBandis& law, std::vector<double> path) {
+    for (double& displacement : path) displacement *= mm;
+    dda::ShearTest test;
+    test.material.law = law;
+    test.length = length;
+    test.normal_stress = stress;
+    test.path = std::move(path);
+    test.increment = 1;
+    return dda::run_shear_test(test);
+}
+ShearTestRow end_of(const CyclicBartonBandis& law, const std::vector<double>& path) {
+    return rows(law, path).back();
+}
+void expect_stress(const ShearTestRow& row, double expected) {
+    EXPECT_NEAR(row.shear_stress, expected, 1e-3);
+}
+/// Dilation from one row to another.
+void expect_opening(const ShearTestRow& from, const ShearTestRow& to, double expected) {
+    EXPECT_NEAR(to.dilation - from.dilation, expected, 1e-13);
+}
+
+// Before the peak the joint is locked, whatever the path: the force is k d, and the peak is there in the end.
+// The dilation of a turn is not undone on the way back: out to d it gains the mean over the table, ratio x,
+// and back it loses at the ratio of the turning point, Eq. (58).
+TEST(CyclicReversals, BeforeThePeakTheForceIsThatOfTheSpring) {
+    const auto out = [](double d) { return opening(0, d / 1.25, d * mm); };
+    const auto turned = rows(granite(), {0.6, 0.2, 0.9, 1.25});
+    for (const auto& row : turned) EXPECT_NEAR(row.shear_stress, k * row.displacement, 1e-3);
+    expect_opening(turned[0], turned[1], out(0.6));
+    expect_opening(turned[1], turned[2], -0.4 * mm * rate(0.6 / 1.25));
+    expect_opening(turned[2], turned[3], out(0.9) - out(0.2));
+    expect_opening(turned[3], turned[4], out(1.25) - out(0.9));
+    EXPECT_EQ(turned[4].record.reversals, 0);
+}
+
+// The same across the origin: a joint that has never slipped climbs its table on either side.
+TEST(CyclicReversals, BeforeThePeakAcrossTheOrigin) {
+    const auto out = [](double d) { return opening(0, d / 1.25, d * mm); };
+    const auto turned = rows(granite(), {0.4, -0.3, 1.25});
+    for (const auto& row : turned) EXPECT_NEAR(row.shear_stress, k * row.displacement, 1e-3);
+    expect_opening(turned[1], turned[2], -0.4 * mm * rate(0.4 / 1.25) + out(0.3));
+    expect_opening(turned[2], turned[3], -0.3 * mm * rate(0.3 / 1.25) + out(1.25));
+    EXPECT_EQ(turned[3].record.cycle, 1);
+    EXPECT_EQ(turned[3].record.reversals, 0);
+}
+
+// In the forward unloading. Out to 5 mm, x = 4 and ratio 0.3; half a millimetre back is less than the turn
+// takes, so the force comes down the spring and up again, and the joint opens by as much as it closed: on the
+// way out the worn ratio is 0.3 too. At 7.5 mm, x = 6, the table has 0.225.
+TEST(CyclicReversals, InTheUnloading) {
+    const auto turned = rows(granite(), {5, 4.5, 5, 7.5});
+    expect_stress(turned[2], tau(0.3) - k * 0.5 * mm);
+    EXPECT_EQ(turned[2].record.stage, JointStage::forward_unloading);
+    expect_opening(turned[1], turned[2], -0.5 * mm * rate(0.3));
+    expect_stress(turned[3], tau(0.3));
+    expect_opening(turned[2], turned[3], 0.5 * mm * rate(0.3));
+    expect_stress(turned[4], tau(0.225));
+    expect_opening(turned[3], turned[4], opening(0.3, 0.225, 2.5 * mm));
+    EXPECT_EQ(turned[4].record.reversals, 0);
+}
+
+// In the forward return, sliding at -tau(-0.3). 0.4 mm out again is all spring: it opens at the worn ratio,
+// 0.3 of the farthest point, and closes at the same on the way back, after which the joint slides on: at -0.3
+// to x = 2, from there towards -0.38 at x = 1, so -0.332 at 2 mm.
+TEST(CyclicReversals, InTheReturn) {
+    const auto turned = rows(granite(), {5, 3, 3.4, 2});
+    expect_stress(turned[2], -tau(-0.3));
+    EXPECT_EQ(turned[2].record.stage, JointStage::forward_return);
+    expect_stress(turned[3], -tau(-0.3) + k * 0.4 * mm);
+    EXPECT_EQ(turned[3].record.stage, JointStage::forward_advance);
+    expect_opening(turned[2], turned[3], 0.4 * mm * rate(0.3));
+    expect_stress(turned[4], -tau(-0.332));
+    expect_opening(turned[3], turned[4],
+                   -0.4 * mm * rate(0.3) - 0.5 * mm * rate(0.3) - opening(0.3, 0.332, 0.5 * mm));
+    EXPECT_EQ(turned[4].record.reversals, 1);
+}
+
+// In the backward advance at -10 mm, x = 8 and ratio 0.2, back to -7 mm, where the return has -0.3, and out
+// again: the worn ratio is 0.2 up to -10 mm. Beyond, at x = 12, the table has 0.2 - 0.05 / 3.
+TEST(CyclicReversals, InTheBackwardAdvance) {
+    const double turn = (tau(0.2) + tau(-0.3)) / k;
+    ASSERT_LT(turn, 3 * mm);
+    const auto turned = rows(granite(), {15, -10, -7, -10, -15});
+    expect_stress(turned[2], -tau(0.2));
+    expect_stress(turned[3], tau(-0.3));
+    EXPECT_EQ(turned[3].record.stage, JointStage::backward_return);
+    expect_opening(turned[2], turned[3], -turn * rate(0.2) - (3 * mm - turn) * rate(0.3));
+    expect_stress(turned[4], -tau(0.2));
+    expect_opening(turned[3], turned[4], 3 * mm * rate(0.2));
+    expect_stress(turned[5], -tau(0.2 - 0.05 / 3));
+    expect_opening(turned[4], turned[5], opening(0.2, 0.2 - 0.05 / 3, 5 * mm));
+    EXPECT_EQ(turned[5].record.reversals, 3);
+}
+
+// In the backward return, as in the forward one: 0.4 mm of spring, at the worn 0.2 both ways, then on at 0.3.
+TEST(CyclicReversals, InTheBackwardReturn) {
+    const auto turned = rows(granite(), {15, -10, -7, -7.4, -6});
+    expect_stress(turned[4], tau(-0.3) - k * 0.4 * mm);
+    EXPECT_EQ(turned[4].record.stage, JointStage::backward_advance);
+    expect_opening(turned[3], turned[4], 0.4 * mm * rate(0.2));
+    expect_stress(turned[5], tau(-0.3));
+    expect_opening(turned[4], turned[5], -0.4 * mm * rate(0.2) - 1 * mm * rate(0.3));
+    EXPECT_EQ(turned[5].record.reversals, 2);
+}
+
+// Half a millimetre behind the origin and back. The backward advance goes from -0.4 at the origin to 0.5 at x
+// = 1, and has -0.04 at x = 0.4. It turns there, and unloading at minus that ratio opens it. Ahead of the
+// origin the roughness is worn to the 0.15 of 15 mm: the table's x up to 0.15, then 0.15, and the spring, 1
+// mm from -tau(-0.04), has just met it.
+TEST(CyclicReversals, AcrossTheOriginAndBack) {
+    ASSERT_GT(1 * mm * k - tau(-0.04), tau(0.15));
+    ASSERT_LT(1 * mm * k - tau(-0.04) - tau(0.15), 0.1 * mm * k) << "no reversal";
+    const auto turned = rows(granite(), {15, 0, -0.5, 0, 0.5});
+    expect_stress(turned[3], -tau(-0.04));
+    expect_opening(turned[2], turned[3], opening(-0.4, -0.04, 0.5 * mm));
+    expect_stress(turned[4], -tau(-0.04) + k * 0.5 * mm);
+    expect_opening(turned[3], turned[4], 0.5 * mm * rate(0.04));
+    expect_stress(turned[5], tau(0.15));
+    expect_opening(turned[4], turned[5], opening(0, 0.15, 0.1875 * mm) + 0.3125 * mm * rate(0.15));
+    EXPECT_EQ(turned[5].record.cycle, 1);
+    EXPECT_EQ(turned[5].record.reversals, 1);
+}
+
+// Turns within the spring leave nothing behind. Turns that slip do, each two reversals, but no dilation: at
+// constant ratios, 0.3 both ways, it closes. What follows is the path without them, times the wear.
+TEST(CyclicReversals, SmallCyclesAndThenABigOne) {
+    std::vector<double> within = {5}, slipping = {5};
+    for (int n = 0; n < 10; ++n) within.insert(within.end(), {4.6, 5});
+    for (int n = 0; n < 3; ++n) slipping.insert(slipping.end(), {3.5, 5});
+    auto wearing = granite();
+    wearing.reversal_factor = 0.9;
+    const double f = std::pow(0.9, 6);
+    expect_stress(end_of(wearing, within), tau(0.3));
+    expect_stress(end_of(granite(), slipping), tau(0.3));
+    expect_stress(end_of(wearing, slipping), tau(f * 0.3));
+    EXPECT_EQ(end_of(wearing, slipping).record.reversals, 6);
+    const std::vector<double> big = {15, -15, 0};
+    auto after_within = within, after_slipping = slipping;
+    after_within.insert(after_within.end(), big.begin(), big.end());
+    after_slipping.insert(after_slipping.end(), big.begin(), big.end());
+    const auto plain = end_of(granite(), big);
+    for (const auto& path : {after_within, after_slipping}) {
+        const auto row = end_of(granite(), path);
+        expect_stress(row, plain.shear_stress);
+        EXPECT_NEAR(row.dilation, plain.dilation, 1e-13);
+        EXPECT_EQ(row.record.reversals, plain.record.reversals + (path == after_within ? 0 : 6));
+    }
+    expect_stress(end_of(wearing, {5, 3.5, 5, 3.5, 5, 3.5, 5, 15}), tau(f * 0.15));
+}
+
+// Slip of less than min_slip, 0.1 mm, is no reversal and wears nothing: at 6 mm, x = 4.8, the table's 0.27. A
+// micron more, and the way back is one and the way out another.
+TEST(CyclicReversals, ByLessThanTheSlipThatCounts) {
+    auto law = granite();
+    law.reversal_factor = 0.9;
+    const double turn = (tau(0.3) + tau(-0.3)) / k / mm;
+    const auto less = rows(law, {5, 5 - turn - 0.099, 6});
+    expect_stress(less[2], -tau(-0.3));
+    expect_stress(less[3], tau(0.27));
+    EXPECT_EQ(less[3].record.reversals, 0);
+    // Counted with a micron to go: the bound has become -tau(-0.27), beyond the spring's reach.
+    const auto more = rows(law, {5, 5 - turn - 0.101, 6});
+    expect_stress(more[2], -tau(-0.3) - k * 0.001 * mm);
+    EXPECT_EQ(more[2].record.reversals, 1);
+    expect_stress(more[3], tau(0.81 * 0.27));
+    EXPECT_EQ(more[3].record.reversals, 2);
+}
+
+// Out again after a reversal: the wear is that of one until the slip forward counts, then that of two, and
+// the strength drops at that.
+TEST(CyclicReversals, TheSecondCountsOnItsOwnWay) {
+    auto law = granite();
+    law.reversal_factor = 0.9;
+    const double back = 5 - (tau(0.3) + tau(-0.3)) / k / mm - 1;
+    const double turn = (tau(0.27) + tau(-0.27)) / k / mm;
+    expect_stress(end_of(law, {5, back}), -tau(-0.27));
+    const auto before = end_of(law, {5, back, back + turn + 0.06});
+    expect_stress(before, tau(0.27));
+    EXPECT_EQ(before.record.reversals, 1);
+    const auto after = end_of(law, {5, back, back + turn + 0.14});
+    expect_stress(after, tau(0.81 * 0.3));
+    EXPECT_EQ(after.record.reversals, 2);
+}
+
+/// A joint of 0.1 m at 5 mm, sliding under 1 MPa, on a spring of 1.5e8 N/m per metre.
+constexpr double stiffness = 1.5e8;
+dda::ShearedJoint slid() {
+    return dda::shear(granite(), {dda::fresh_history(granite(), true)}, 5 * mm, {1e5, length, stiffness});
+}
+/// tan of the total angle at a ratio under another stress, MPa.
+double friction(double ratio, double megapascals) {
+    return std::tan(34.6 * degree + roughness_angle(ratio, megapascals));
+}
+
+// The pressure doubles as the joint turns: the force takes up where it was, and meets the bound of the new
+// stress. The dilation angle of the unloading is the ratio of the turning point times i of the new stress.
+TEST(CyclicReversals, UnderMorePressure) {
+    const auto there = slid();
+    ASSERT_NEAR(there.shear_force, 1e5 * friction(0.3, 1), 1e-4);
+    const double turn = (there.shear_force + 2e5 * friction(-0.3, 2)) / stiffness;
+    ASSERT_LT(turn, 2 * mm);
+    const auto back = dda::shear(granite(), there, -2 * mm, {2e5, length, stiffness});
+    EXPECT_NEAR(back.shear_force, -2e5 * friction(-0.3, 2), 1e-4);
+    EXPECT_NEAR(back.slip - there.slip, turn - 2 * mm, 1e-15);
+    EXPECT_NEAR(dda::dilation(granite(), back.history) - dda::dilation(granite(), there.history),
+                -2 * mm * std::tan(roughness_angle(0.3, 2)), 1e-13);
+    EXPECT_EQ(dda::record(granite(), back.history).reversals, 1);
+}
+
+// It halves as the joint turns: the bound comes down on the force, which makes the joint slip on the way it
+// went before, though it is moved back by 10 um. That is no reversal; the way back from there is that of the
+// new force.
+TEST(CyclicReversals, UnderLessPressure) {
+    const auto there = slid();
+    const double held = 5e4 * friction(0.3, 0.5);
+    const auto let_go = dda::shear(granite(), there, -0.01 * mm, {5e4, length, stiffness});
+    EXPECT_NEAR(let_go.shear_force, held, 1e-4);
+    EXPECT_NEAR(let_go.slip - there.slip, (there.shear_force - held) / stiffness - 0.01 * mm, 1e-15);
+    EXPECT_EQ(dda::record(granite(), let_go.history).reversals, 0);
+    const double turn = (held + 5e4 * friction(-0.3, 0.5)) / stiffness;
+    const auto back = dda::shear(granite(), let_go, -turn - 0.05 * mm, {5e4, length, stiffness});
+    EXPECT_NEAR(back.shear_force, -5e4 * friction(-0.3, 0.5), 1e-4);
+    EXPECT_NEAR(back.slip - let_go.slip, -0.05 * mm, 1e-15);
+    EXPECT_EQ(dda::record(granite(), back.history).reversals, 0);
+}
+
+}  // namespace
