@@ -6,7 +6,8 @@
 
 namespace dda {
 
-FacesStrength::FacesStrength(const StepProblem& problem) : p_(problem) {
+FacesStrength::FacesStrength(const StepProblem& problem)
+    : p_(problem), reduced_(1 / problem.model.strength_reduction) {
     pair_of_.assign(p_.contacts.size(), -1);
     pairs_.reserve(p_.faces.count());
     for (std::size_t f = 0; f < p_.faces.count(); ++f) {
@@ -58,7 +59,7 @@ void FacesStrength::add_members(std::span<const int> contacts) {
 Strength FacesStrength::strength_at(const Pair& pair, double pressing, double displacement) const {
     Strength strengths = strength(*pair.law, pair.history, pressing, pair.length,
                                   {displacement, pair.shear_force, pair.shear_stiffness});
-    const double share = 1 / p_.model.strength_reduction / pressing;
+    const double share = reduced_ / pressing;
     for (double* one : {&strengths.forward, &strengths.backward, &strengths.tensile}) *one *= share;
     return strengths;
 }

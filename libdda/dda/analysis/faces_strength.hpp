@@ -60,6 +60,7 @@ class FacesStrength {
     Strength strength_at(const Pair& pair, double pressing, double displacement) const;
 
     const StepProblem& p_;
+    double reduced_;  ///< strength, of the full one
     std::vector<int> pair_of_;
     std::vector<Member> members_;
     std::vector<Pair> pairs_;

@@ -17,6 +17,7 @@ int sign_of(double value) {
 }
 
 AnglePiece part_of(const AnglePiece& piece, double from, double to) {
+    if (from == 0 && to == piece.length && to > 0) return piece;
     return {to - from, piece.angle_at(from), to == piece.length ? piece.last : piece.angle_at(to)};
 }
 
@@ -198,7 +199,11 @@ double CyclicWalk::next_knot(const Place& place) const {
         if (!place.away && distance < place.distance) nearest = std::max(nearest, distance);
     };
     const auto offer_all = [&](const RoughnessTable& table) {
-        for (const RoughnessTable::Entry& entry : table.entries) offer(entry.x * law_.peak_displacement);
+        for (const RoughnessTable::Entry& entry : table.entries) {
+            const double distance = entry.x * law_.peak_displacement;
+            offer(distance);
+            if (distance > place.distance) return;  // what follows is farther out
+        }
     };
     const RoughnessTable& bounding = bound_table(place);
     offer_all(bounding);
