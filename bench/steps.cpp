@@ -77,6 +77,7 @@ struct Figures {
     int steps = 0;
     double iterations = 0;
     double factorizations = 0;
+    double substitutions = 0;
     dda::PhaseTimes::Clock clock;
     dda::PhaseTimes times{clock};
     double update = 0;  ///< s of updates that were not in `times`
@@ -113,6 +114,7 @@ void iterate(dda::TimeStepper& stepper, dda::Stage stage, const dda::State& stat
     ++figures.steps;
     figures.iterations += attempt.report.iterations;
     figures.factorizations += attempt.report.factorizations;
+    figures.substitutions += attempt.report.substitutions;
     if (attempt.rejection == dda::Rejection::none) return;
     dda::PhaseTimes of_loose_step(figures.clock);
     stepper.time_phases(&of_loose_step);
@@ -125,7 +127,7 @@ Figures measure(const Scene& scene, const Options& options) {
     const double dt = read_number(options.at("--step"), 1e-9);
     dda::TimeStepper stepper(scene.model, threads);
     dda::State state = dda::initial_state(scene.model);
-    Figures figures{0, 0, 0, threads == 1 ? cpu_time : wall_time};
+    Figures figures{0, 0, 0, 0, threads == 1 ? cpu_time : wall_time};
     const int warm = read_number(options.at("--warm"), 0);
     const int steps = read_number(options.at("--steps"), 1);
     const int iterations = read_number(options.at("--iterations"), 0);
@@ -146,6 +148,7 @@ Figures measure(const Scene& scene, const Options& options) {
             attempt = stepper.advance(scene.stage, state, size);
             if (counts) figures.iterations += attempt.report.iterations;
             if (counts) figures.factorizations += attempt.report.factorizations;
+            if (counts) figures.substitutions += attempt.report.substitutions;
             if (attempt.rejection == dda::Rejection::none) break;
         }
         state = std::move(attempt.state);
@@ -161,13 +164,13 @@ void print(const Scene& scene, const Options& options, const Figures& f) {
     if (getloadavg(&load, 1) != 1) load = -1;
     if (!options.count("--no-heading"))
         std::puts(
-            "scene,solver,threads,load,blocks,step (s),penalty,steps,iterations,factorisations,detection,"
-            "transfer,preparation,analysis,assembly,factorisation,solution,judging,update,total,at four,"
-            "peak kB/block");
-    std::printf("\"%s\",%s,%s,%.2g,%.0f,%s,%s,%d,%.3g,%.3g", scene.name.c_str(),
+            "scene,solver,threads,load,blocks,step (s),penalty,steps,iterations,factorisations,"
+            "substitutions,detection,transfer,preparation,analysis,assembly,factorisation,solution,judging,"
+            "update,total,at four,peak kB/block");
+    std::printf("\"%s\",%s,%s,%.2g,%.0f,%s,%s,%d,%.3g,%.3g,%.3g", scene.name.c_str(),
                 options.at("--solver").c_str(), options.at("--threads").c_str(), load, blocks,
                 options.at("--step").c_str(), options.count("--wall") ? options.at("--penalty").c_str() : "",
-                f.steps, f.iterations / f.steps, f.factorizations / f.steps);
+                f.steps, f.iterations / f.steps, f.factorizations / f.steps, f.substitutions / f.steps);
     for (std::size_t p = 0; p < static_cast<std::size_t>(Phase::count); ++p)
         std::printf(",%.3g", per_block(f.seconds(static_cast<Phase>(p))));
     std::printf(",%.3g,%.3g,%.3g\n", per_block(f.total()), per_block(f.at_four()),

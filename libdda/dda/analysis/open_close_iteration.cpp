@@ -119,6 +119,7 @@ class Iteration {
     std::vector<Vec6> solve_as_held() {
         std::vector<Vec6> d = right_hand_side();
         solver_.solve(d);
+        ++substitutions_;
         return d;
     }
 
@@ -179,6 +180,7 @@ class Iteration {
     }
 
     void finish(OpenCloseResult& result) const {
+        result.substitutions = substitutions_;
         result.displacement = displacement_;
         for (std::size_t k = 0; k < trials_.count(); ++k) result.contacts.push_back(trials_.judged(k));
         for (std::size_t k = 0; k < p_.bolts.size(); ++k) result.bolt_force.push_back(trials_.bolt_force(k));
@@ -190,6 +192,7 @@ class Iteration {
     PhaseTimes* times_;
     TrialContacts trials_;
     std::vector<Vec6> displacement_;  ///< per row
+    int substitutions_ = 0;
 };
 
 }  // namespace

@@ -13,6 +13,7 @@ struct OpenCloseResult {
     bool singular = false;  ///< the system was not positive definite
     int iterations = 0;     ///< linear solutions
     int factorizations = 0;
+    int substitutions = 0;                ///< forward and backward, of one right-hand side
     int worst_contact = -1;               ///< the contact whose force moved most in the last iteration
     double force_change = 0;              ///< N per metre, that movement
     std::vector<Vec6> displacement;       ///< per row

@@ -113,16 +113,19 @@ StepAttempt TimeStepper::advance(const Stage& stage, const State& state, double 
     StepAttempt attempt;
     int iterations = 0;
     int factorizations = 0;
+    int substitutions = 0;
     if (times_ != nullptr) times_->start();
     Look look = first_look(stage, state, dt);
     for (int k = 0; k < look_limit && look.wanted; ++k) {
         attempt = look_at_step(stage, state, dt, look);
         iterations += attempt.report.iterations;
         factorizations += attempt.report.factorizations;
+        substitutions += attempt.report.substitutions;
     }
     end_of(Phase::update, times_);
     attempt.report.iterations = iterations;
     attempt.report.factorizations = factorizations;
+    attempt.report.substitutions = substitutions;
     return attempt;
 }
 
@@ -137,6 +140,7 @@ StepAttempt TimeStepper::look_at_step(const Stage& stage, const State& state, do
     OpenCloseResult result = solve(stage, state, step, look.guess);
     attempt.report.iterations = result.iterations;
     attempt.report.factorizations = result.factorizations;
+    attempt.report.substitutions = result.substitutions;
     if (!result.converged) {
         attempt.rejection = result.singular ? Rejection::singular : Rejection::not_converged;
         if (result.worst_contact >= 0)
@@ -180,6 +184,7 @@ StepAttempt TimeStepper::look_at_step(const Stage& stage, const State& state, do
     attempt.report = report_step(model_, rows_, attempt.state, step.dt, stiffest_spring(step.springs));
     attempt.report.iterations = counts.iterations;
     attempt.report.factorizations = counts.factorizations;
+    attempt.report.substitutions = counts.substitutions;
     attempt.report.largest_displacement = moved;
     return attempt;
 }

@@ -12,6 +12,7 @@ struct StepReport {
     double step = 0;     ///< s
     int iterations = 0;  ///< open-close iterations, all attempts
     int factorizations = 0;
+    int substitutions = 0;                  ///< forward and backward, of one right-hand side
     int cuts = 0;                           ///< attempts rejected before this one
     int open = 0, sliding = 0, locked = 0;  ///< contacts by state
     double largest_penetration = 0;         ///< m, of contacts that stand for their depth
