@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "dda/analysis/held_friction.hpp"
 #include "dda/analysis/line_search.hpp"
 #include "dda/analysis/step_matrix.hpp"
 #include "dda/analysis/trial_contacts.hpp"
@@ -14,12 +15,8 @@ namespace {
 /// Iterations in which the shear bounds follow every iterate; past these they wait for the minimum of the
 /// potential, and from one minimum to the next they are a fixed point to be found.
 constexpr int following_iterations = 16;
-/// Back-substitutions spent on the coupling of shear bounds and normal forces in one iteration, and the
-/// earlier ones remembered.
-constexpr int friction_iterations = 12;
+/// Earlier minima remembered in the search for that fixed point.
 constexpr int friction_memory = 6;
-/// Of the first difference between held forces and bounds: nearer than that the springs will change anyway.
-constexpr double friction_share = 0.1;
 
 /// Iterations in which the dilation follows every iterate, and minima of the potential at which it is brought
 /// to where they are. It depends on the displacement and on the normal force that it brings about itself: of
@@ -39,7 +36,8 @@ class Iteration {
           solver_(solver),
           matrix_(problem, pattern, work),
           times_(times),
-          trials_(problem, crew) {
+          trials_(problem, crew),
+          friction_(problem, trials_, solver) {
         displacement_.assign(static_cast<std::size_t>(p_.rows.count()), Vec6::Zero());
     }
 
@@ -124,31 +122,10 @@ class Iteration {
     }
 
     /// Solves the linear system with the sliding contacts' shear forces at the bounds that belong to its own
-    /// normal forces. The coupling makes the equations unsymmetric; instead of a second kind of factor, the
-    /// held forces are found as a fixed point, accelerated, at one back-substitution each. Rough faces keep
-    /// the friction angle of the first solution meanwhile: it changes little with the stress, and finding it
-    /// costs more than a back-substitution.
+    /// normal forces.
     std::vector<Vec6> solve_with_friction() {
-        const std::vector<std::size_t> sliding = trials_.sliding();
         std::vector<Vec6> d = solve_as_held();
-        Eigen::VectorXd held(static_cast<Eigen::Index>(sliding.size()));
-        Eigen::VectorXd image(held.size());
-        AndersonMixing mixing(friction_memory);
-        TrialContacts::FacesStrengths of_faces = trials_.no_faces_strengths();
-        double enough = 0;
-        for (int k = 0; k < friction_iterations && !sliding.empty(); ++k) {
-            for (std::size_t s = 0; s < sliding.size(); ++s)
-                held[static_cast<Eigen::Index>(s)] = trials_.held_force(sliding[s]);
-            trials_.bounds_at(sliding, d, of_faces, image);
-            const double off = (image - held).cwiseAbs().maxCoeff();
-            if (k == 0) enough = std::max(trials_.tolerance() / 2, friction_share * off);
-            if (off <= enough) break;
-            const Eigen::VectorXd next = mixing.next(held, image);
-            for (std::size_t s = 0; s < sliding.size(); ++s)
-                trials_.hold(sliding[s], next[static_cast<Eigen::Index>(s)]);
-            d = solve_as_held();
-        }
-        for (const std::size_t k : sliding) trials_.bound_by_held_force(k);
+        substitutions_ += friction_.agree(d);
         return d;
     }
 
@@ -191,6 +168,7 @@ class Iteration {
     StepMatrix matrix_;
     PhaseTimes* times_;
     TrialContacts trials_;
+    HeldFriction friction_;
     std::vector<Vec6> displacement_;  ///< per row
     int substitutions_ = 0;
 };

@@ -123,33 +123,20 @@ double TrialContacts::law_bolt_force(std::size_t k, double elongation) const {
 
 // --- the shear forces of sliding contacts
 
-std::vector<std::size_t> TrialContacts::sliding() const {
-    std::vector<std::size_t> indices;
-    for (std::size_t k = 0; k < trials_.size(); ++k) {
-        if (trials_[k].pressed && !trials_[k].locked) indices.push_back(k);
-    }
-    return indices;
-}
-
 void TrialContacts::bound_by_held_force(std::size_t k) {
     Trial& trial = trials_[k];
     (trial.forward ? trial.bounds.forward : trial.bounds.backward) = std::abs(trial.held_force);
 }
 
-void TrialContacts::bounds_at(std::span<const std::size_t> sliding, std::span<const Vec6> d,
-                              FacesStrengths& of_faces, Eigen::VectorXd& bounds) const {
-    const auto there = [&](std::size_t c) -> Pressed {
+double TrialContacts::bound_at(std::size_t k, double normal, std::span<const Vec6> d,
+                               FacesStrengths& of_faces) const {
+    const auto pressed = [&](std::size_t c) -> Pressed {
         const ContactSprings& s = p_.springs[c];
-        return {linear_normal(c, s.rows.measure(s.normal, d)), s.rows.measure(s.shear, d)};
+        const double there = c == k ? normal : linear_normal(c, s.rows.measure(s.normal, d));
+        return {there, s.rows.measure(s.shear, d)};
     };
-    for (std::size_t s = 0; s < sliding.size(); ++s) {
-        const std::size_t k = sliding[s];
-        const ContactSprings& springs = p_.springs[k];
-        const double normal = linear_normal(k, springs.rows.measure(springs.normal, d));
-        Strength strengths;
-        if (normal > 0 || is_bonded(k)) strengths = bounds_of(k, normal, there, of_faces);
-        bounds[static_cast<Eigen::Index>(s)] = trials_[k].forward ? strengths.forward : -strengths.backward;
-    }
+    const Strength strengths = bounds_of(k, normal, pressed, of_faces);
+    return trials_[k].forward ? strengths.forward : strengths.backward;
 }
 
 // --- judging

@@ -74,7 +74,7 @@ class TrialContacts {
     double law_bolt_force(std::size_t k, double elongation) const;
 
     // --- the shear forces of sliding contacts, which the linear system holds
-    std::vector<std::size_t> sliding() const;
+    bool slides_forward(std::size_t k) const { return trials_[k].forward; }
     double held_force(std::size_t k) const { return trials_[k].held_force; }
     void hold(std::size_t k, double force) { trials_[k].held_force = force; }
     /// The bounds become those that the held force is at.
@@ -82,11 +82,16 @@ class TrialContacts {
     /// Strengths over the normal force, for each pair of faces that has been asked for.
     using FacesStrengths = std::vector<std::optional<Strength>>;
     FacesStrengths no_faces_strengths() const { return FacesStrengths(faces_.count()); }
-    /// The shear bounds of sliding contacts, with their signs, at the normal forces that the linear system
-    /// gives for a displacement. @param of_faces pairs of faces that are in here keep their friction angle;
-    /// the others get one at this displacement. @param bounds one for each of them.
-    void bounds_at(std::span<const std::size_t> sliding, std::span<const Vec6> d, FacesStrengths& of_faces,
-                   Eigen::VectorXd& bounds) const;
+    /// The largest shear force of a sliding contact in the direction that it slides in, N per metre.
+    /// @param normal its normal force; @param d gives the motion of its faces, by the linear system.
+    /// @param of_faces pairs of faces that are in here keep their friction angle; the others get one at `d`.
+    double bound_at(std::size_t k, double normal, std::span<const Vec6> d, FacesStrengths& of_faces) const;
+    const JointLaw& law_of(std::size_t k) const {
+        return p_.model.joint_material_at(p_.contacts[k].joint_material).law;
+    }
+    bool is_bonded(std::size_t k) const { return p_.contacts[k].bonded && !trials_[k].torn; }
+    /// The normal spring's force in the linear system, tension negative.
+    double linear_normal(std::size_t k, double opening) const;
 
     // --- judging
     /// Takes measures and true gaps at a displacement; the linear measure of the gap is kept exact there.
@@ -167,16 +172,12 @@ class TrialContacts {
     /// Of a contact whose law knows of no faces.
     Strength bounds_by_itself(std::size_t k, const Pressed& pressed) const;
     Pressed pressed_at_start(std::size_t k) const;
-    const JointLaw& law_of(std::size_t k) const {
-        return p_.model.joint_material_at(p_.contacts[k].joint_material).law;
-    }
     /// The contact's motion so far, with its plastic part.
     ContactMotion motion(std::size_t k) const;
     /// What shearing has moved a pair of faces apart in the step by their law, m; for each of its contacts
     /// calls `take` with it.
     template <class Take>
     void dilation_by_law(const Take& take) const;
-    bool is_bonded(std::size_t k) const { return p_.contacts[k].bonded && !trials_[k].torn; }
     double gap(std::size_t k) const {
         return trials_[k].gap_offset + trials_[k].opening - trials_[k].dilating;
     }
@@ -185,9 +186,7 @@ class TrialContacts {
     /// The line that touches the normal spring's curve where it bears a force; the curve itself if it is
     /// straight.
     Tangent tangent_at(std::size_t k, double force) const;
-    /// The normal spring's force in the linear system, tension negative, and the shear spring's, before the
-    /// laws have their say.
-    double linear_normal(std::size_t k, double opening) const;
+    /// The shear spring's force before the laws have their say.
     double elastic_shear(std::size_t k, double shearing) const;
     Forces present_forces(std::size_t k) const;
     /// Whether an augmented contact bears a force without touching, is too deep, moves though it is stuck, or

@@ -1,0 +1,175 @@
+#include "dda/analysis/held_friction.hpp"
+
+#include <Eigen/Cholesky>
+#include <cmath>
+#include <limits>
+
+namespace dda {
+
+namespace {
+
+/// Changes told in one iteration, at one back-substitution each.
+constexpr int most_changes = 12;
+/// Of the first difference between held forces and bounds: nearer than that the springs will change anyway.
+constexpr double share_left = 0.05;
+/// A back-substitution after which more than this share of the differences is left is the last.
+constexpr double poor_gain = 0.8;
+/// What is added to the products of changes of length one, lest one that hardly differs from others is taken
+/// many times over.
+constexpr double independence = 1e-14;
+
+using Products = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_changes, most_changes>;
+using Shares = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_changes, 1>;
+
+double product(const std::vector<double>& a, const std::vector<double>& b) {
+    const auto size = static_cast<Eigen::Index>(a.size());
+    return Eigen::Map<const Eigen::VectorXd>(a.data(), size)
+        .dot(Eigen::Map<const Eigen::VectorXd>(b.data(), size));
+}
+
+/// The shares of the columns that bring a vector nearest to zero.
+/// @param products of the columns; the lower half counts; @param sought of the columns and minus the vector.
+Shares least_squares(Products products, Shares sought) {
+    Shares scale(sought.size());
+    for (Eigen::Index j = 0; j < scale.size(); ++j)
+        scale[j] = products(j, j) > 0 ? 1 / std::sqrt(products(j, j)) : 0;
+    products = (scale.asDiagonal() * products * scale.asDiagonal()).eval();
+    products.diagonal().array() += independence;
+    sought = scale.cwiseProduct(sought).eval();
+    return scale.cwiseProduct(products.ldlt().solve(sought));
+}
+
+}  // namespace
+
+HeldFriction::HeldFriction(const StepProblem& problem, TrialContacts& trials, LinearSolver& solver)
+    : p_(problem), trials_(trials), solver_(solver) {
+    changes_.reserve(most_changes);
+}
+
+void HeldFriction::draw_line(Sliding& sliding, std::span<const Vec6> d,
+                             TrialContacts::FacesStrengths& of_faces) const {
+    const Contact& contact = p_.contacts[sliding.contact];
+    if (const auto* law = std::get_if<MohrCoulomb>(&trials_.law_of(sliding.contact))) {
+        const JointHistory& history = contact.history;
+        const bool broken = std::get<MohrCoulomb::History>(history).broken;
+        const double reduced = 1 / p_.model.strength_reduction;
+        sliding.slope = reduced * std::tan(broken ? law->residual_friction_angle : law->friction_angle);
+        sliding.cohesion = reduced * (broken ? law->residual_cohesion : law->cohesion) * contact.length;
+        sliding.least = broken ? 0 : -std::numeric_limits<double>::infinity();
+        return;
+    }
+    if (!(sliding.normal > 0) && !sliding.bonded) return;
+    const auto bound_at = [&](double normal) {
+        return trials_.bound_at(sliding.contact, normal, d, of_faces);
+    };
+    sliding.cohesion = bound_at(sliding.normal);
+    if (!(sliding.normal > 0)) return;
+    const double half = sliding.normal / 2;
+    sliding.slope = (sliding.cohesion - bound_at(half)) / half;
+    sliding.cohesion -= sliding.slope * sliding.normal;
+}
+
+void HeldFriction::find_sliding(std::span<const Vec6> d) {
+    TrialContacts::FacesStrengths of_faces = trials_.no_faces_strengths();
+    sliding_.clear();
+    for (std::size_t k = 0; k < trials_.count(); ++k) {
+        if (!trials_.is_pressed(k) || trials_.is_locked(k)) continue;
+        const ContactSprings& springs = p_.springs[k];
+        Sliding sliding;
+        sliding.contact = k;
+        sliding.sign = trials_.slides_forward(k) ? 1 : -1;
+        sliding.bonded = trials_.is_bonded(k);
+        sliding.held = trials_.held_force(k);
+        sliding.normal = trials_.linear_normal(k, springs.rows.measure(springs.normal, d));
+        draw_line(sliding, d, of_faces);
+        sliding_.push_back(sliding);
+    }
+}
+
+double HeldFriction::find_differences() {
+    double largest = 0;
+    for (Sliding& sliding : sliding_) {
+        sliding.difference = sliding.bound() - sliding.held;
+        largest = std::max(largest, std::abs(sliding.difference));
+    }
+    return largest;
+}
+
+double HeldFriction::norm_of_differences() const {
+    double squares = 0;
+    for (const Sliding& sliding : sliding_) squares += sliding.difference * sliding.difference;
+    return std::sqrt(squares);
+}
+
+void HeldFriction::tell(Change& change, std::size_t rows) {
+    change.share = 0;
+    change.held.clear();
+    change.normal.clear();
+    change.difference.resize(sliding_.size());
+    change.displacement.assign(rows, Vec6::Zero());
+    for (const Sliding& sliding : sliding_) {
+        const ContactSprings& springs = p_.springs[sliding.contact];
+        springs.rows.add_force(springs.shear, -sliding.difference, change.displacement);
+        change.held.push_back(sliding.difference);
+    }
+    solver_.solve(change.displacement);
+    for (const Sliding& sliding : sliding_) {
+        const ContactSprings& springs = p_.springs[sliding.contact];
+        const double opening =
+            springs.rows.measure(springs.normal, change.displacement) - springs.normal.known;
+        change.normal.push_back(-trials_.normal_stiffness(sliding.contact) * opening);
+    }
+}
+
+void HeldFriction::make_least(int count) {
+    const std::span<Change> changes = std::span(changes_).first(static_cast<std::size_t>(count));
+    Products products(count, count);
+    Shares sought(count);
+    for (int j = 0; j < count; ++j) {
+        Change& change = changes[static_cast<std::size_t>(j)];
+        sought[j] = 0;
+        for (std::size_t i = 0; i < sliding_.size(); ++i) {
+            change.difference[i] = sliding_[i].bound_slope() * change.normal[i] - change.held[i];
+            sought[j] -= change.difference[i] * sliding_[i].difference;
+        }
+        for (int k = 0; k <= j; ++k) {
+            products(j, k) = product(change.difference, changes[static_cast<std::size_t>(k)].difference);
+            products(k, j) = products(j, k);
+        }
+    }
+    const Shares shares = least_squares(products, sought);
+    for (int j = 0; j < count; ++j) {
+        Change& change = changes[static_cast<std::size_t>(j)];
+        change.share += shares[j];
+        for (std::size_t i = 0; i < sliding_.size(); ++i) {
+            sliding_[i].held += shares[j] * change.held[i];
+            sliding_[i].normal += shares[j] * change.normal[i];
+        }
+    }
+}
+
+int HeldFriction::agree(std::span<Vec6> d) {
+    find_sliding(d);
+    double off = find_differences();
+    const double enough = std::max(trials_.tolerance() / 2, share_left * off);
+    int count = 0;
+    for (double gain = 0; off > enough && gain <= poor_gain && count < most_changes;) {
+        const double before = norm_of_differences();
+        if (static_cast<int>(changes_.size()) == count) changes_.emplace_back();
+        tell(changes_[static_cast<std::size_t>(count++)], d.size());
+        make_least(count);
+        off = find_differences();
+        gain = norm_of_differences() / before;
+    }
+    for (int j = 0; j < count; ++j) {
+        const Change& change = changes_[static_cast<std::size_t>(j)];
+        for (std::size_t r = 0; r < d.size(); ++r) d[r] += change.share * change.displacement[r];
+    }
+    for (const Sliding& sliding : sliding_) {
+        trials_.hold(sliding.contact, sliding.held);
+        trials_.bound_by_held_force(sliding.contact);
+    }
+    return count;
+}
+
+}  // namespace dda

@@ -1,0 +1,94 @@
+#include "dda/analysis/held_friction.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "dda/analysis/step_matrix.hpp"
+#include "support/first_step.hpp"
+
+namespace {
+
+using namespace scene;
+
+/// The first step of a wall whose blocks have been moved at random, so that many contacts slide.
+struct SlidingWall {
+    FirstStep step;
+    dda::StepProblem problem = step.problem();
+    dda::TrialContacts trials{problem, step.crew};
+    std::unique_ptr<dda::LinearSolver> solver = dda::make_multifrontal_solver(step.crew);
+
+    explicit SlidingWall(unsigned seed) {
+        Dice dice(seed);
+        trials.move_to(moved(dice, step.rows.count(), 1));
+        trials.choose_lines();
+        trials.update_bounds();
+        trials.choose_springs();
+        trials.force_change();  // sets what counts as converged
+        dda::BlockMatrix work;
+        dda::StepMatrix matrix(problem, step.pattern, work);
+        matrix.assemble(trials);
+        solver->analyze(step.pattern);
+        EXPECT_TRUE(solver->factorize(matrix.matrix()));
+    }
+    std::vector<Vec6> solution() const {
+        std::vector<Vec6> d = step.base.load;
+        for (std::size_t k = 0; k < trials.count(); ++k) {
+            const dda::ContactSprings& s = step.springs[k];
+            const dda::Forces forces = trials.linear_forces(k, s.normal.known, s.shear.known);
+            s.rows.add_force(s.normal, forces.normal, d);
+            s.rows.add_force(s.shear, -forces.shear, d);
+        }
+        solver->solve(d);
+        return d;
+    }
+    /// The largest difference between held forces and what the laws bear at a solution's normal forces.
+    double difference(const std::vector<Vec6>& d) const {
+        double largest = 0;
+        for (std::size_t k = 0; k < trials.count(); ++k) {
+            if (!trials.is_pressed(k) || trials.is_locked(k)) continue;
+            const dda::ContactSprings& s = step.springs[k];
+            const double normal = trials.linear_normal(k, s.rows.measure(s.normal, d));
+            const dda::Contact& contact = step.set.contacts[k];
+            const double bound =
+                normal > 0 || trials.is_bonded(k)
+                    ? strength(trials.law_of(k), contact.history, normal, contact.length).forward
+                    : 0;
+            const double sign = trials.slides_forward(k) ? 1 : -1;
+            largest = std::max(largest, std::abs(sign * bound - trials.held_force(k)));
+        }
+        return largest;
+    }
+};
+
+class HeldFrictionOfMovedWalls : public testing::TestWithParam<unsigned> {};
+
+// What comes back is the linear system's solution with the forces that are held in the end, up to rounding,
+// though it has been put together from others; and these forces are nearer to the laws' than at first.
+TEST_P(HeldFrictionOfMovedWalls, AgreesWithTheLawsAndSolvesTheSystem) {
+    SlidingWall wall(GetParam());
+    std::vector<Vec6> d = wall.solution();
+    const double before = wall.difference(d);
+    ASSERT_GT(before, wall.trials.tolerance()) << "nothing to agree on";
+    dda::HeldFriction friction(wall.problem, wall.trials, *wall.solver);
+    const int taken = friction.agree(d);
+    EXPECT_GT(taken, 0);
+    EXPECT_LE(taken, 12);
+    EXPECT_LE(wall.difference(d), 0.05 * before);
+    const std::vector<Vec6> solution = wall.solution();
+    double size = 0;
+    for (const Vec6& of_row : solution) size = std::max(size, of_row.cwiseAbs().maxCoeff());
+    for (std::size_t r = 0; r < d.size(); ++r)
+        EXPECT_LT((d[r] - solution[r]).cwiseAbs().maxCoeff(), 1e-10 * size) << "row " << r;
+
+    // Where nothing is left to be done nothing is.
+    const std::vector<Vec6> agreed = d;
+    wall.trials.force_change();
+    if (wall.difference(d) <= wall.trials.tolerance() / 2) {
+        EXPECT_EQ(friction.agree(d), 0);
+        EXPECT_EQ(d, agreed);
+    }
+}
+INSTANTIATE_TEST_SUITE_P(Seeds, HeldFrictionOfMovedWalls, testing::Values(1u, 2u, 3u, 4u, 5u));
+
+}  // namespace
