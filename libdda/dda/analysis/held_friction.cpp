@@ -44,6 +44,12 @@ Shares least_squares(Products products, Shares sought) {
 HeldFriction::HeldFriction(const StepProblem& problem, TrialContacts& trials, LinearSolver& solver)
     : p_(problem), trials_(trials), solver_(solver) {
     changes_.reserve(most_changes);
+    for (const JointMaterial& material : p_.model.joint_materials) {
+        const auto* law = std::get_if<MohrCoulomb>(&material.law);
+        friction_.push_back(
+            law == nullptr ? Friction{}
+                           : Friction{std::tan(law->friction_angle), std::tan(law->residual_friction_angle)});
+    }
 }
 
 void HeldFriction::draw_line(Sliding& sliding, std::span<const Vec6> d,
@@ -53,7 +59,8 @@ void HeldFriction::draw_line(Sliding& sliding, std::span<const Vec6> d,
         const JointHistory& history = contact.history;
         const bool broken = std::get<MohrCoulomb::History>(history).broken;
         const double reduced = 1 / p_.model.strength_reduction;
-        sliding.slope = reduced * std::tan(broken ? law->residual_friction_angle : law->friction_angle);
+        const Friction& friction = friction_[static_cast<std::size_t>(contact.joint_material)];
+        sliding.slope = reduced * (broken ? friction.residual : friction.intact);
         sliding.cohesion = reduced * (broken ? law->residual_cohesion : law->cohesion) * contact.length;
         sliding.least = broken ? 0 : -std::numeric_limits<double>::infinity();
         return;

@@ -52,6 +52,12 @@ class HeldFriction {
         double share = 0;                ///< of it that has been made
     };
 
+    /// Coefficients of friction of a joint material of Mohr and Coulomb's law.
+    struct Friction {
+        double intact = 0;
+        double residual = 0;
+    };
+
     void find_sliding(std::span<const Vec6> d);
     /// Sets the line. Mohr and Coulomb's is the law itself. Of the others it is the chord from the first
     /// solution to half its normal force: finding the bound anew costs more than a back-substitution, and
@@ -68,6 +74,7 @@ class HeldFriction {
     const StepProblem& p_;
     TrialContacts& trials_;
     LinearSolver& solver_;
+    std::vector<Friction> friction_;  ///< per joint material
     std::vector<Sliding> sliding_;
     std::vector<Change> changes_;
 };

@@ -55,11 +55,13 @@ void MultifrontalFactor<Scalar>::analyze(const BlockPattern& pattern, const Supe
     complete_ = false;
     factor_.resize(plan_.factor_size);
     shared_updates_.resize(plan_.shared_space);
-    std::size_t tallest = 0;
-    for (const Front& front : plan_.fronts)
-        tallest = std::max(tallest, static_cast<std::size_t>(front.pivot_strips + front.row_strips));
-    front_solution_.resize(tallest * strip_rows<Scalar>);
-    solution_.resize(plan_.order.size() * unknowns);
+    vector_begin_.clear();
+    std::size_t end = 0;
+    for (const Front& front : plan_.fronts) {
+        vector_begin_.push_back(end);
+        end += static_cast<std::size_t>(front.pivot_strips + front.row_strips) * strip_rows<Scalar>;
+    }
+    vectors_.resize(end);
 }
 
 template <class Scalar>
@@ -146,15 +148,14 @@ void MultifrontalFactor<Scalar>::add_updates_to_update(std::size_t f, Scalar* sp
 
 template <class Scalar>
 bool MultifrontalFactor<Scalar>::eliminate(std::size_t f, Scalar* space, const Crew& crew) {
-    const FrontKernels<Scalar>& kernels = front_kernels<Scalar>().front();
     const Front& front = plan_.fronts[f];
-    if (!kernels.factor_pivots(panel(front), front.pivots)) return false;
+    if (!kernels_.factor_pivots(panel(front), front.pivots)) return false;
     const auto strips = [&](int begin, int end) {
-        kernels.solve_rows(panel(front), front.pivots, begin, end);
+        kernels_.solve_rows(panel(front), front.pivots, begin, end);
     };
     const auto columns = [&](int begin, int end) {
-        kernels.form_update(panel(front), front.pivots, front.row_strips, update(front, space),
-                            static_cast<long>(front.stride), begin, end);
+        kernels_.form_update(panel(front), front.pivots, front.row_strips, update(front, space),
+                             static_cast<long>(front.stride), begin, end);
     };
     share(crew, front.cost, front.row_strips, strips);
     share(crew, front.cost, front.rows, columns);
@@ -219,55 +220,68 @@ bool MultifrontalFactor<Scalar>::factorize(const BlockMatrix& matrix, const Crew
 }
 
 template <class Scalar>
-Scalar* MultifrontalFactor<Scalar>::gather(std::size_t f) {
+void MultifrontalFactor<Scalar>::solve_forward(std::size_t f, std::span<const Vec6> b) {
     const Front& front = plan_.fronts[f];
     const int padded = front.pivot_strips * strip_rows<Scalar>;
-    Scalar* x = front_solution_.data();
-    std::fill_n(x, padded + front.row_strips * strip_rows<Scalar>, Scalar(0));
-    std::copy_n(solution_.data() + static_cast<std::ptrdiff_t>(front.first) * unknowns,
-                front.pivots * unknowns, x);
-    Scalar* at = x + padded;
-    for (const int row : plan_.rows_of(f)) {
-        std::copy_n(solution_.data() + static_cast<std::ptrdiff_t>(row) * unknowns, unknowns, at);
-        at += unknowns;
+    Scalar* x = vector(f);
+    for (int k = 0; k < front.pivots; ++k) block(x, k) = b[row_of_pivot(front, k)].template cast<Scalar>();
+    Scalar* rows = x + padded;
+    std::fill(x + front.pivots * unknowns, rows + front.row_strips * strip_rows<Scalar>, Scalar(0));
+    for (const int c : plan_.children_of(f)) {
+        const auto child = static_cast<std::size_t>(c);
+        const Scalar* from = vector(child) + plan_.fronts[child].pivot_strips * strip_rows<Scalar>;
+        for (const int target : plan_.targets_of(child)) {
+            Scalar* to =
+                target < front.pivots ? x + target * unknowns : rows + (target - front.pivots) * unknowns;
+            for (int q = 0; q < unknowns; ++q) to[q] += from[q];
+            from += unknowns;
+        }
     }
-    return x;
+    kernels_.forward(panel(front), front.pivots, front.pivot_strips + front.row_strips, x);
 }
 
 template <class Scalar>
-void MultifrontalFactor<Scalar>::scatter(std::size_t f) {
+void MultifrontalFactor<Scalar>::solve_backward(std::size_t f, std::span<Vec6> solution) {
     const Front& front = plan_.fronts[f];
-    const Scalar* x = front_solution_.data();
-    std::copy_n(x, front.pivots * unknowns,
-                solution_.data() + static_cast<std::ptrdiff_t>(front.first) * unknowns);
-    const Scalar* at = x + front.pivot_strips * strip_rows<Scalar>;
-    for (const int row : plan_.rows_of(f)) {
-        std::copy_n(at, unknowns, solution_.data() + static_cast<std::ptrdiff_t>(row) * unknowns);
-        at += unknowns;
+    Scalar* x = vector(f);
+    if (front.parent >= 0) {
+        const auto p = static_cast<std::size_t>(front.parent);
+        const Front& parent = plan_.fronts[p];
+        const Scalar* pivots = vector(p);
+        const Scalar* rows = pivots + parent.pivot_strips * strip_rows<Scalar>;
+        Scalar* to = x + front.pivot_strips * strip_rows<Scalar>;
+        for (const int target : plan_.targets_of(f)) {
+            std::copy_n(target < parent.pivots ? pivots + target * unknowns
+                                               : rows + (target - parent.pivots) * unknowns,
+                        unknowns, to);
+            to += unknowns;
+        }
     }
+    kernels_.backward(panel(front), front.pivots, front.pivot_strips + front.row_strips, x);
+    for (int k = 0; k < front.pivots; ++k)
+        solution[row_of_pivot(front, k)] = block(x, k).template cast<double>();
 }
 
 template <class Scalar>
-void MultifrontalFactor<Scalar>::solve(std::span<Vec6> x) {
-    const FrontKernels<Scalar>& kernels = front_kernels<Scalar>().front();
-    using Block = Eigen::Matrix<Scalar, unknowns, 1>;
-    for (std::size_t k = 0; k < plan_.order.size(); ++k)
-        Eigen::Map<Block>(solution_.data() + k * unknowns) =
-            x[static_cast<std::size_t>(plan_.order[k])].template cast<Scalar>();
-    for (std::size_t f = 0; f < plan_.count(); ++f) {
-        const Front& front = plan_.fronts[f];
-        kernels.forward(panel(front), front.pivots, front.pivot_strips + front.row_strips, gather(f));
-        scatter(f);
-    }
-    for (std::size_t f = plan_.count(); f-- > 0;) {
-        const Front& front = plan_.fronts[f];
-        kernels.backward(panel(front), front.pivots, front.pivot_strips + front.row_strips, gather(f));
-        std::copy_n(front_solution_.data(), front.pivots * unknowns,
-                    solution_.data() + static_cast<std::ptrdiff_t>(front.first) * unknowns);
-    }
-    for (std::size_t k = 0; k < plan_.order.size(); ++k)
-        x[static_cast<std::size_t>(plan_.order[k])] =
-            Eigen::Map<const Block>(solution_.data() + k * unknowns).template cast<double>();
+void MultifrontalFactor<Scalar>::solve(std::span<Vec6> x, const Crew& crew) {
+    const bool alone = plan_.factor_size < least_shared_factor;
+    const auto for_subtrees = [&](const auto& work_through_subtree) {
+        const auto task = [&](std::size_t s, std::size_t) { work_through_subtree(plan_.subtrees[s]); };
+        if (alone) {
+            for (std::size_t s = 0; s < plan_.subtrees.size(); ++s) task(s, 0);
+        } else {
+            crew.for_tasks(plan_.subtrees.size(), std::ref(task));
+        }
+    };
+    for_subtrees([&](const Subtree& subtree) {
+        for (int f = subtree.begin; f < subtree.end; ++f) solve_forward(static_cast<std::size_t>(f), x);
+    });
+    for (const int f : plan_.top) solve_forward(static_cast<std::size_t>(f), x);
+    for (std::size_t k = plan_.top.size(); k-- > 0;)
+        solve_backward(static_cast<std::size_t>(plan_.top[k]), x);
+    for_subtrees([&](const Subtree& subtree) {
+        for (int f = subtree.end; f-- > subtree.begin;) solve_backward(static_cast<std::size_t>(f), x);
+    });
 }
 
 template class MultifrontalFactor<float>;

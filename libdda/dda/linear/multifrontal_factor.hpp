@@ -5,9 +5,14 @@
 
 #include "dda/base/parallel.hpp"
 #include "dda/linear/aligned_buffer.hpp"
+#include "dda/linear/front_kernels.hpp"
 #include "dda/linear/front_plan.hpp"
 
 namespace dda {
+
+/// Scalars of a factor up to which its substitutions are not shared: half a millisecond of work, which
+/// handing over twice would lengthen as often as shorten.
+inline constexpr std::size_t least_shared_factor = std::size_t{1} << 21;
 
 /// Cholesky factorisation of a symmetric block matrix by fronts: dense work only, the subtrees of the
 /// assembly tree shared among threads. The factor is the same bytes with any number of threads. [Duff & Reid
@@ -24,8 +29,9 @@ class MultifrontalFactor {
     /// bytes.
     /// @return false when the matrix is not positive definite in this precision; there is no factor then.
     bool factorize(const BlockMatrix& matrix, const Crew& crew, std::span<const char> changed = {});
-    /// x = A^-1 b in place, with the factor's precision.
-    void solve(std::span<Vec6> x);
+    /// x = A^-1 b in place, with the factor's precision; the same bytes with any number of threads.
+    void solve(std::span<Vec6> x, const Crew& crew);
+    void solve(std::span<Vec6> x) { solve(x, Crew(1)); }
 
     const FrontPlan& plan() const { return plan_; }
 
@@ -43,18 +49,26 @@ class MultifrontalFactor {
         return (front.in_subtree ? space : shared_updates_.data()) + front.update;
     }
     Scalar* panel(const Front& front) { return factor_.data() + front.panel; }
-    /// The present solution by rows of the front's panel; `scatter` takes it back.
-    Scalar* gather(std::size_t f);
-    void scatter(std::size_t f);
+    // Substitution: each front has a vector by the rows of its panel. Going up, its pivots' part is the load
+    // less what the fronts below take from it, and the rest what they and this one take from the rows above;
+    // going down, it is the solution.
+    void solve_forward(std::size_t f, std::span<const Vec6> b);
+    void solve_backward(std::size_t f, std::span<Vec6> solution);
+    Scalar* vector(std::size_t f) { return vectors_.data() + vector_begin_[f]; }
+    static auto block(Scalar* x, int k) { return Eigen::Map<Eigen::Matrix<Scalar, 6, 1>>(x + 6 * k); }
+    std::size_t row_of_pivot(const Front& front, int k) const {
+        return static_cast<std::size_t>(plan_.order[static_cast<std::size_t>(front.first + k)]);
+    }
 
+    const FrontKernels<Scalar>& kernels_ = front_kernels<Scalar>().front();
     FrontPlan plan_;
     bool complete_ = false;       ///< there is a factor
     std::vector<char> outdated_;  ///< per front
     AlignedBuffer<Scalar> factor_;
     AlignedBuffer<Scalar> shared_updates_;
     AlignedBuffer<Scalar> subtree_updates_;  ///< a space for each thread
-    AlignedBuffer<Scalar> front_solution_;   ///< by rows of one panel
-    std::vector<Scalar> solution_;           ///< by place in the order
+    std::vector<std::size_t> vector_begin_;  ///< per front
+    AlignedBuffer<Scalar> vectors_;
 };
 
 extern template class MultifrontalFactor<float>;

@@ -16,7 +16,7 @@ class MultifrontalSolver final : public LinearSolver {
     bool refactorize(const BlockMatrix& matrix, std::span<const char> changed) override {
         return factor_.factorize(matrix, crew_, changed);
     }
-    void solve(std::vector<Vec6>& right_hand_side) override { factor_.solve(right_hand_side); }
+    void solve(std::vector<Vec6>& right_hand_side) override { factor_.solve(right_hand_side, crew_); }
 
   private:
     const Crew& crew_;

@@ -114,7 +114,7 @@ std::vector<Vec6> solution(const scene::StepSystem& system, int threads) {
     factor.analyze(system.pattern, tree_of(system.pattern));
     EXPECT_TRUE(factor.factorize(system.matrix, crew));
     std::vector<Vec6> x = system.load;
-    factor.solve(x);
+    factor.solve(x, crew);
     return x;
 }
 
@@ -127,6 +127,24 @@ TEST(MultifrontalFactor, IsTheSameBytesOnOneThreadAndTwo) {
     const scene::StepSystem system = large_system();
     EXPECT_EQ(solution<double>(system, 1), solution<double>(system, 2));
     EXPECT_EQ(solution<float>(system, 1), solution<float>(system, 2));
+}
+
+TEST(MultifrontalFactor, SubstitutesTheSameBytesOnAnyNumberOfThreads) {
+    const scene::StepSystem system = scene::step_system(scene::running_bond_wall(50, 50, 10).model, 0.005);
+    dda::MultifrontalFactor<double> factor;
+    factor.analyze(system.pattern, tree_of(system.pattern));
+    ASSERT_GT(factor.plan().factor_size, dda::least_shared_factor);
+    ASSERT_TRUE(factor.factorize(system.matrix, dda::Crew(1)));
+    std::vector<Vec6> expected = system.load;
+    factor.solve(expected);
+    for (const int threads : {2, 3}) {
+        const dda::Crew crew(threads);
+        for (int k = 0; k < 5; ++k) {
+            std::vector<Vec6> x = system.load;
+            factor.solve(x, crew);
+            EXPECT_EQ(x, expected) << threads << " threads";
+        }
+    }
 }
 
 /// The wall with some of its contacts open.
