@@ -65,7 +65,10 @@ void HeldFriction::draw_line(Sliding& sliding, std::span<const Vec6> d,
         sliding.least = broken ? 0 : -std::numeric_limits<double>::infinity();
         return;
     }
-    if (!(sliding.normal > 0) && !sliding.bonded) return;
+    if (!(sliding.normal > 0) && !sliding.bonded) {
+        sliding.slope = trials_.judged_slope(sliding.contact);
+        return;
+    }
     const auto bound_at = [&](double normal) {
         return trials_.bound_at(sliding.contact, normal, d, of_faces);
     };

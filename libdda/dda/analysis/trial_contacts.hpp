@@ -86,6 +86,12 @@ class TrialContacts {
     /// @param normal its normal force; @param d gives the motion of its faces, by the linear system.
     /// @param of_faces pairs of faces that are in here keep their friction angle; the others get one at `d`.
     double bound_at(std::size_t k, double normal, std::span<const Vec6> d, FacesStrengths& of_faces) const;
+    /// Bound over normal force where the contact was judged last, in the direction that it slides in.
+    double judged_slope(std::size_t k) const {
+        const double normal = present_forces(k).normal;
+        const Trial& trial = trials_[k];
+        return normal > 0 ? (trial.forward ? trial.bounds.forward : trial.bounds.backward) / normal : 0;
+    }
     const JointLaw& law_of(std::size_t k) const {
         return p_.model.joint_material_at(p_.contacts[k].joint_material).law;
     }
