@@ -17,10 +17,11 @@ struct StepSystem {
 /// Adds stiffness * (measure)^2 / 2 to the system.
 inline void add_stiffness(const dda::PairRows& rows, const dda::Relative& relative, double stiffness,
                           const dda::BlockPattern& pattern, dda::BlockMatrix& matrix) {
-    if (rows.first >= 0) matrix.add_square(rows.first, relative.first, stiffness);
-    if (rows.second >= 0) matrix.add_square(rows.second, relative.second, stiffness);
+    if (rows.first >= 0) matrix.add_square(rows.first, rows.of_first(relative), stiffness);
+    if (rows.second >= 0) matrix.add_square(rows.second, rows.of_second(relative), stiffness);
     if (rows.first >= 0 && rows.second >= 0)
-        matrix.add_outer(pattern, rows.first, rows.second, stiffness * relative.first, relative.second);
+        matrix.add_outer(pattern, rows.first, rows.second, stiffness * rows.of_first(relative),
+                         rows.of_second(relative));
 }
 
 /// The system of a step of `dt` with every contact that touches locked, except where `open` says so.

@@ -63,10 +63,11 @@ void StepMatrix::clear_changed() {
 void StepMatrix::add_spring(const PairRows& rows, const Relative& relative, double stiffness) {
     const bool first = is_changed(rows.first);
     const bool second = is_changed(rows.second);
-    if (first) matrix_.add_square(rows.first, relative.first, stiffness);
-    if (second) matrix_.add_square(rows.second, relative.second, stiffness);
+    if (first) matrix_.add_square(rows.first, rows.of_first(relative), stiffness);
+    if (second) matrix_.add_square(rows.second, rows.of_second(relative), stiffness);
     if (first && second && rows.first != rows.second)
-        matrix_.add_outer(pattern_, rows.first, rows.second, stiffness * relative.first, relative.second);
+        matrix_.add_outer(pattern_, rows.first, rows.second, stiffness * rows.of_first(relative),
+                          rows.of_second(relative));
 }
 
 }  // namespace dda

@@ -9,17 +9,22 @@ namespace dda {
 
 namespace {
 
-/// The displacement of `point` along `direction` as block `a` carries it, less that as block `b` carries it.
-Relative relative_displacement(const RowMap& rows, const MidStep& mid, std::span<const Vec6> prescribed,
-                               const Vec2& direction, int a, const Vec2& point_on_a, int b,
-                               const Vec2& point_on_b) {
-    Relative relative;
+/// The two blocks' unknowns, where they have any, and a point of each.
+PairRows fasten(const RowMap& rows, const MidStep& mid, int a, const Vec2& point_on_a, int b,
+                const Vec2& point_on_b) {
     const auto ia = static_cast<std::size_t>(a);
     const auto ib = static_cast<std::size_t>(b);
-    relative.first = project(direction, point_on_a - mid.centroid[ia]);
-    relative.second = -project(direction, point_on_b - mid.centroid[ib]);
-    if (rows.row_of[ia] < 0) relative.known += relative.first.dot(prescribed[ia]);
-    if (rows.row_of[ib] < 0) relative.known += relative.second.dot(prescribed[ib]);
+    return {rows.row_of[ia], rows.row_of[ib], point_on_a - mid.centroid[ia], point_on_b - mid.centroid[ib]};
+}
+
+/// The displacement of the point of block `a` along `direction`, less that of the point of block `b`.
+Relative relative_displacement(const PairRows& pair, std::span<const Vec6> prescribed, const Vec2& direction,
+                               int a, int b) {
+    Relative relative{direction, 0};
+    if (pair.first < 0)
+        relative.known += pair.of_first(relative).dot(prescribed[static_cast<std::size_t>(a)]);
+    if (pair.second < 0)
+        relative.known += pair.of_second(relative).dot(prescribed[static_cast<std::size_t>(b)]);
     return relative;
 }
 
@@ -27,14 +32,14 @@ Relative relative_displacement(const RowMap& rows, const MidStep& mid, std::span
 
 double PairRows::measure(const Relative& relative, std::span<const Vec6> d) const {
     double sum = relative.known;
-    if (first >= 0) sum += relative.first.dot(d[static_cast<std::size_t>(first)]);
-    if (second >= 0) sum += relative.second.dot(d[static_cast<std::size_t>(second)]);
+    if (first >= 0) sum += of_first(relative).dot(d[static_cast<std::size_t>(first)]);
+    if (second >= 0) sum += of_second(relative).dot(d[static_cast<std::size_t>(second)]);
     return sum;
 }
 
 void PairRows::add_force(const Relative& relative, double force, std::span<Vec6> load) const {
-    if (first >= 0) load[static_cast<std::size_t>(first)] += force * relative.first;
-    if (second >= 0) load[static_cast<std::size_t>(second)] += force * relative.second;
+    if (first >= 0) load[static_cast<std::size_t>(first)] += force * of_first(relative);
+    if (second >= 0) load[static_cast<std::size_t>(second)] += force * of_second(relative);
 }
 
 std::vector<ContactSprings> contact_springs(const Model& model, const RowMap& rows, const MidStep& mid,
@@ -52,13 +57,12 @@ std::vector<ContactSprings> contact_springs(const Model& model, const RowMap& ro
             // The force acts half-way between the corner and the face it lies on: the same place when corner
             // and edge exchange roles.
             const Vec2 meeting = point - geometry.gap / 2 * geometry.normal;
-            const auto measure = [&](const Vec2& direction) {
-                return relative_displacement(rows, mid, prescribed, direction, contact.corner_block, meeting,
-                                             contact.edge_block, meeting);
-            };
             ContactSprings& spring = springs[k];
-            spring.rows = {rows.row_of[static_cast<std::size_t>(contact.corner_block)],
-                           rows.row_of[static_cast<std::size_t>(contact.edge_block)]};
+            spring.rows = fasten(rows, mid, contact.corner_block, meeting, contact.edge_block, meeting);
+            const auto measure = [&](const Vec2& direction) {
+                return relative_displacement(spring.rows, prescribed, direction, contact.corner_block,
+                                             contact.edge_block);
+            };
             spring.normal = measure(geometry.normal);
             spring.shear = measure(geometry.tangent);
             spring.closing = normal_spring(model, contact);
@@ -78,10 +82,9 @@ std::vector<BoltSpring> bolt_springs(const Model& model, const RowMap& rows, con
         const Vec2& from = mid.points[static_cast<std::size_t>(bolt.first)];
         const Vec2& to = mid.points[static_cast<std::size_t>(bolt.second)];
         BoltSpring spring;
-        spring.rows = {rows.row_of[static_cast<std::size_t>(second.block)],
-                       rows.row_of[static_cast<std::size_t>(first.block)]};
-        spring.elongation = relative_displacement(rows, mid, prescribed, (to - from).normalized(),
-                                                  second.block, to, first.block, from);
+        spring.rows = fasten(rows, mid, second.block, to, first.block, from);
+        spring.elongation = relative_displacement(spring.rows, prescribed, (to - from).normalized(),
+                                                  second.block, first.block);
         spring.stiffness = bolt.axial_stiffness / (second.position - first.position).norm();
         springs.push_back(spring);
     }

@@ -9,19 +9,25 @@
 
 namespace dda {
 
-/// A scalar measure of the relative displacement of two blocks, linear in their unknowns: first^T d_i +
-/// second^T d_j + known, where `known` is the share of blocks without unknowns.
+/// A scalar measure of the relative displacement of two blocks, linear in their unknowns: the displacement of
+/// a point of the first along a direction, less that of a point of the second, see PairRows.
 struct Relative {
-    Vec6 first = Vec6::Zero();
-    Vec6 second = Vec6::Zero();
-    double known = 0;
+    Vec2 direction = Vec2::Zero();
+    double known = 0;  ///< m, the share of blocks without unknowns
 };
 
-/// The springs between two blocks work on measures of their relative displacement; this is the pair and its
-/// rows.
+/// The springs between two blocks work on measures of their relative displacement; this is the pair, the
+/// points that the springs are fastened to and the pair's rows. Gradients are made of arm and direction each
+/// time: that reads less than half of what keeping them would.
 struct PairRows {
-    int first = -1;   ///< row of the first block, or -1
-    int second = -1;  ///< row of the second block, or -1
+    int first = -1;                  ///< row of the first block, or -1
+    int second = -1;                 ///< row of the second block, or -1
+    Vec2 first_arm = Vec2::Zero();   ///< m, from the first block's centroid to its point
+    Vec2 second_arm = Vec2::Zero();  ///< likewise
+
+    /// Gradients of a measure with respect to the blocks' unknowns.
+    Vec6 of_first(const Relative& relative) const { return project(relative.direction, first_arm); }
+    Vec6 of_second(const Relative& relative) const { return -project(relative.direction, second_arm); }
 
     double measure(const Relative& relative, std::span<const Vec6> d) const;
     /// Adds a force that works on the measure.

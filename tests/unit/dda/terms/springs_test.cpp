@@ -51,11 +51,13 @@ TEST(ContactSprings, AddNeitherMomentumNorMoment) {
     const dda::MidStep mid{blocks.vertices, {}, {blocks.centroid(0), blocks.centroid(1)}};
     const auto spring = t.springs(dda::RowMap(t.s.model.motion), mid, {Vec6::Zero(), Vec6::Zero()});
     for (const dda::Relative& relative : {spring.normal, spring.shear}) {
-        const Vec2 on_corner = relative.first.head<2>();
-        const Vec2 on_edge = relative.second.head<2>();
+        const Vec6 of_corner = spring.rows.of_first(relative);
+        const Vec6 of_edge = spring.rows.of_second(relative);
+        const Vec2 on_corner = of_corner.head<2>();
+        const Vec2 on_edge = of_edge.head<2>();
         EXPECT_LT((on_corner + on_edge).norm(), 1e-15);
-        const double moment = relative.first[2] + dda::cross(blocks.centroid(1), on_corner) +
-                              relative.second[2] + dda::cross(blocks.centroid(0), on_edge);
+        const double moment = of_corner[2] + dda::cross(blocks.centroid(1), on_corner) + of_edge[2] +
+                              dda::cross(blocks.centroid(0), on_edge);
         EXPECT_NEAR(moment, 0, 1e-14);
     }
 }
@@ -75,9 +77,10 @@ TEST(ContactSprings, KnowADisplacementWithoutUnknowns) {
 }
 
 TEST(PairRows, WorkAForceOnTheirMeasureInEitherOrder) {
-    for (const dda::PairRows rows :
-         {dda::PairRows{0, 2}, dda::PairRows{2, 0}, dda::PairRows{1, -1}, dda::PairRows{-1, 1}}) {
-        const dda::Relative relative{lower, upper, .5};
+    for (const auto& [first, second] :
+         {std::pair(0, 2), std::pair(2, 0), std::pair(1, -1), std::pair(-1, 1)}) {
+        const dda::PairRows rows{first, second, {.3, -.7}, {-.4, .2}};
+        const dda::Relative relative{{.6, .8}, .5};
         std::vector<Vec6> force(3, Vec6::Zero());
         rows.add_force(relative, 7, force);
         // The work of a force in a displacement is the force times what the measure grows by.
