@@ -108,8 +108,9 @@ inline void SeismicSlide::count_reversal(dda::State& state) const {
     const double factor = std::get<dda::CyclicBartonBandis>(plane).reversal_factor;
     for (dda::Contact& contact : state.contacts.contacts) {
         if (contact.joint_material != 0) continue;
-        auto& history = std::get<dda::CyclicBartonBandis::History>(contact.history);
+        auto history = std::get<dda::CyclicBartonBandis::History>(*contact.history);
         history.wear = std::pow(factor, ++history.reversals);
+        contact.history = dda::JointHistory(history);
     }
 }
 

@@ -21,8 +21,9 @@ void advance_histories(const Model& model, const JointFaces& faces, std::span<co
     };
     for (std::size_t k = 0; k < contacts.size(); ++k) {
         const JointLaw& law = model.joint_material_at(contacts[k].joint_material).law;
-        if (!belongs_to_faces(law))
-            contacts[k].history = advance(law, contacts[k].history, motion(static_cast<int>(k)));
+        if (belongs_to_faces(law)) continue;
+        const JointHistory moved = advance(law, contacts[k].history, motion(static_cast<int>(k)));
+        if (moved != *contacts[k].history) contacts[k].history = moved;
     }
     for (std::size_t f = 0; f < faces.count(); ++f) {
         const std::span<const int> members = faces.contacts_of(f);
@@ -30,7 +31,7 @@ void advance_histories(const Model& model, const JointFaces& faces, std::span<co
         const JointLaw& law = model.joint_material_at(material).law;
         const std::optional<FacesMotion> whole = faces_motion(members, contacts, motion);
         if (!whole) continue;
-        const JointHistory moved = advance(law, *whole->history, whole->motion);
+        const SharedHistory moved = advance(law, *whole->history, whole->motion);
         for (const int k : members)
             contacts[static_cast<std::size_t>(k)].take_history(moved, dilation(law, moved));
     }

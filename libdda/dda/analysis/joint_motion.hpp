@@ -19,7 +19,7 @@ ContactMotion contact_motion(const Model& model, const Contact& contact, double 
 /// What a pair of faces does, and what it has been through so far.
 struct FacesMotion {
     ContactMotion motion;
-    const JointHistory* history = nullptr;
+    const SharedHistory* history = nullptr;
 };
 
 /// Whether a contact of a pair of faces was closed at the step's start.

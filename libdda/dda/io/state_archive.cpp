@@ -58,9 +58,11 @@ class Reader {
         vector.resize(static_cast<std::size_t>(size));
         return vector.size();
     }
-    void history(JointHistory& history) {
+    void history(SharedHistory& shared) {
+        JointHistory history;
         make_history(static_cast<std::size_t>(next(archive_.integers, integer_)), history,
                      std::make_index_sequence<std::variant_size_v<JointHistory>>{});
+        shared = history;
     }
     void finish() const {
         if (real_ != archive_.reals.size() || integer_ != archive_.integers.size() ||
@@ -139,9 +141,9 @@ void blocks(Walker& walker, B& value) {
 
 template <class Walker, class C>
 void contact(Walker& walker, C& value) {
-    auto& [corner, edge, corner_block, edge_block, kind, joint_material, joint, group, line, held_back,
-           known_depth, length, point, normal, tangent, gap, dilation, rest_gap, state, normal_force,
-           shear_force, slip, bonded, history] = value;
+    auto& [point, normal, tangent, corner, edge, corner_block, edge_block, joint_material, joint, group, line,
+           kind, state, held_back, bonded, known_depth, length, gap, dilation, rest_gap, normal_force,
+           shear_force, slip, history] = value;
     integers(walker, corner, edge, corner_block, edge_block, kind, joint_material, joint, group, line,
              held_back, state, bonded);
     reals(walker, known_depth, length, gap, dilation, rest_gap, normal_force, shear_force, slip);

@@ -12,7 +12,7 @@ Contact contact(ContactState state, double normal_force) {
     Contact c;
     c.state = state;
     c.normal_force = normal_force;
-    c.history = dda::MohrCoulomb::History{normal_force > 1};
+    c.history = dda::JointHistory(dda::MohrCoulomb::History{normal_force > 1});
     return c;
 }
 

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <utility>
+
+#include "dda/joint/joint_law.hpp"
+
+namespace dda {
+
+/// What a joint has been through, as a contact keeps it: a value that never changes, shared by those that
+/// have been through the same, as both ends of a pair of faces and the states before and after a step in
+/// which nothing moved. A copy costs a count instead of the history's bytes.
+class SharedHistory {
+  public:
+    SharedHistory();
+    SharedHistory(const JointHistory& history);  // NOLINT(google-explicit-constructor): it is the same value
+    SharedHistory(const SharedHistory& other) noexcept;
+    SharedHistory(SharedHistory&& other) noexcept : kept_(std::exchange(other.kept_, nullptr)) {}
+    SharedHistory& operator=(SharedHistory other) noexcept {
+        std::swap(kept_, other.kept_);
+        return *this;
+    }
+    ~SharedHistory();
+
+    const JointHistory& operator*() const;
+    operator const JointHistory&() const { return **this; }  // NOLINT(google-explicit-constructor): likewise
+    friend bool operator==(const SharedHistory& a, const SharedHistory& b) {
+        return a.kept_ == b.kept_ || *a == *b;
+    }
+
+  private:
+    struct Kept;
+    /// The one of those that are always there, and are not counted, that is the history; null if none is.
+    static const Kept* always(const JointHistory& history);
+
+    const Kept* kept_;  ///< null once moved from
+};
+
+}  // namespace dda
