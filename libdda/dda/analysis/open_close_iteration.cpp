@@ -159,6 +159,7 @@ class Iteration {
     void finish(OpenCloseResult& result) const {
         result.substitutions = substitutions_;
         result.displacement = displacement_;
+        result.contacts.reserve(trials_.count());
         for (std::size_t k = 0; k < trials_.count(); ++k) result.contacts.push_back(trials_.judged(k));
         for (std::size_t k = 0; k < p_.bolts.size(); ++k) result.bolt_force.push_back(trials_.bolt_force(k));
     }

@@ -132,7 +132,7 @@ StepAttempt TimeStepper::advance(const Stage& stage, const State& state, double 
 StepAttempt TimeStepper::look_at_step(const Stage& stage, const State& state, double dt, Look& look) {
     StepAttempt attempt;
     look.wanted = false;
-    const Step step = prepare(stage, state, dt, look);
+    Step step = prepare(stage, state, dt, look);
     if (is_lost_in_rounding(step)) {
         attempt.rejection = Rejection::too_stiff;
         return attempt;
@@ -170,6 +170,8 @@ StepAttempt TimeStepper::look_at_step(const Stage& stage, const State& state, do
         return attempt;
     }
     attempt.state = updated(stage, state, step, result, displacement);
+    const double stiffest = stiffest_spring(step.springs);
+    step.springs = std::vector<ContactSprings>();  // the search for intrusions takes as much
     const std::vector<Intrusion> unseen = intrusions(state, attempt.state, look.reach);
     if (!unseen.empty()) {
         attempt.rejection = Rejection::intruded;
@@ -181,7 +183,7 @@ StepAttempt TimeStepper::look_at_step(const Stage& stage, const State& state, do
     }
     attempt.rejection = Rejection::none;
     const StepReport counts = attempt.report;
-    attempt.report = report_step(model_, rows_, attempt.state, step.dt, stiffest_spring(step.springs));
+    attempt.report = report_step(model_, rows_, attempt.state, step.dt, stiffest);
     attempt.report.iterations = counts.iterations;
     attempt.report.factorizations = counts.factorizations;
     attempt.report.substitutions = counts.substitutions;

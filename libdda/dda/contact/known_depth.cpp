@@ -55,7 +55,8 @@ KnownDepths::Found KnownDepths::find(const Topology& topology, std::span<const V
         found.corners.push_back(corner);
         found.entries.push_back(entry);
     };
-    for (const Contact& contact : contacts) {
+    for (std::size_t k = 0; k < contacts.size(); ++k) {
+        const Contact& contact = contacts[k];
         const std::optional<double> stood_for = depth_stood_for(topology, vertices, contact);
         // Faces that shearing has moved together let corners in that far, whether or not they bear.
         const double contracted = contact.held_back ? 0 : std::max(-contact.dilation, 0.0);
@@ -64,26 +65,27 @@ KnownDepths::Found KnownDepths::find(const Topology& topology, std::span<const V
         const double depth = contracted + stood_for.value_or(0);
         const double rest_gap = contact.state == ContactState::open ? 0 : contact.rest_gap;
         const double spring_depth = depth + rest_gap;
-        add(contact.corner, {contact.edge_block, contact.normal, depth, spring_depth});
+        const int index = static_cast<int>(k);
+        add(contact.corner, {index, contact.edge_block, depth, spring_depth});
         for (const int other : {contact.edge, end}) {
             if ((at(other) - at(contact.corner)).norm() <= reach)
-                add(other, {contact.corner_block, -contact.normal, depth, spring_depth});
+                add(other, {index, contact.corner_block, depth, spring_depth});
         }
     }
     return found;
 }
 
-KnownDepths::KnownDepths(int corners, Found found)
-    : entries_(std::move(found.entries)), by_corner_(corners, found.corners) {}
+KnownDepths::KnownDepths(std::span<const Contact> contacts, int corners, Found found)
+    : contacts_(contacts), entries_(std::move(found.entries)), by_corner_(corners, found.corners) {}
 
 KnownDepths::KnownDepths(const Topology& topology, std::span<const Vec2> vertices,
                          std::span<const Contact> contacts, double reach)
-    : KnownDepths(topology.corner_count(), find(topology, vertices, contacts, reach)) {}
+    : KnownDepths(contacts, topology.corner_count(), find(topology, vertices, contacts, reach)) {}
 
 double KnownDepths::along(int corner, const Vec2& normal) const {
     double deepest = 0;
     for (const int k : by_corner_.of(corner)) {
-        if (entry(k).normal.dot(normal) >= facing) deepest = std::max(deepest, entry(k).depth);
+        if (normal_of(entry(k)).dot(normal) >= facing) deepest = std::max(deepest, entry(k).depth);
     }
     return deepest;
 }

@@ -23,7 +23,8 @@ std::optional<double> depth_stood_for(const Topology& topology, std::span<const 
 /// has a contact.
 class KnownDepths {
   public:
-    /// @param vertices, contacts at the same instant; @param reach m, see detect_contacts.
+    /// @param vertices, contacts at the same instant; the contacts outlive this; @param reach m, see
+    /// detect_contacts.
     KnownDepths(const Topology& topology, std::span<const Vec2> vertices, std::span<const Contact> contacts,
                 double reach);
 
@@ -38,17 +39,23 @@ class KnownDepths {
 
   private:
     struct Entry {
-        int block = 0;  ///< whose face bears it
-        Vec2 normal = Vec2::Zero();
+        int contact = 0;          ///< that tells of it
+        int block = 0;            ///< whose face bears it
         double depth = 0;         ///< m
         double spring_depth = 0;  ///< m, by which the contact's spring is compressed
     };
     struct Found;
-    explicit KnownDepths(int corners, Found found);
+    KnownDepths(std::span<const Contact> contacts, int corners, Found found);
     static Found find(const Topology& topology, std::span<const Vec2> vertices,
                       std::span<const Contact> contacts, double reach);
     const Entry& entry(int k) const { return entries_[static_cast<std::size_t>(k)]; }
+    /// Of the face that bears it, away from its rock.
+    Vec2 normal_of(const Entry& entry) const {
+        const Contact& contact = contacts_[static_cast<std::size_t>(entry.contact)];
+        return entry.block == contact.edge_block ? contact.normal : Vec2(-contact.normal);
+    }
 
+    std::span<const Contact> contacts_;
     std::vector<Entry> entries_;
     ByCorner by_corner_;
 };
