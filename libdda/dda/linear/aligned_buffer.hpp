@@ -6,7 +6,8 @@
 
 namespace dda {
 
-/// Scalars without initial values, aligned to a cache line. Keeps its memory until more is asked for.
+/// Scalars without initial values, aligned to a cache line. Keeps its memory until more is asked for, or none
+/// is needed.
 template <class Scalar>
 class AlignedBuffer {
   public:
@@ -15,6 +16,10 @@ class AlignedBuffer {
         data_.reset();
         data_.reset(static_cast<Scalar*>(::operator new(size * sizeof(Scalar), line)));
         size_ = size;
+    }
+    void release() {
+        data_.reset();
+        size_ = 0;
     }
     Scalar* data() { return data_.get(); }
     const Scalar* data() const { return data_.get(); }

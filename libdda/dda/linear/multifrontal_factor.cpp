@@ -54,7 +54,6 @@ void MultifrontalFactor<Scalar>::analyze(const BlockPattern& pattern, const Supe
     plan_ = plan_fronts(pattern, tree, strip_rows<Scalar>, most_kept);
     complete_ = false;
     factor_.resize(plan_.factor_size);
-    shared_updates_.resize(plan_.shared_space);
     vector_begin_.clear();
     std::size_t end = 0;
     for (const Front& front : plan_.fronts) {
@@ -196,6 +195,7 @@ bool MultifrontalFactor<Scalar>::factorize(const BlockMatrix& matrix, const Crew
                                            std::span<const char> changed) {
     const Crew alone(1);
     find_outdated(changed);
+    shared_updates_.resize(plan_.shared_space);
     subtree_updates_.resize(plan_.subtree_space * static_cast<std::size_t>(crew.size()));
     std::atomic<bool> definite{true};
     const auto work_through_subtree = [&](std::size_t s, std::size_t thread) {
@@ -214,6 +214,10 @@ bool MultifrontalFactor<Scalar>::factorize(const BlockMatrix& matrix, const Crew
     for (std::size_t k = 0; k < plan_.top.size() && definite; ++k) {
         const auto front = static_cast<std::size_t>(plan_.top[k]);
         if (outdated_[front] != 0 && !work_through(front, matrix, nullptr, crew)) definite = false;
+    }
+    if (!plan_.keeps_updates) {
+        shared_updates_.release();
+        subtree_updates_.release();
     }
     complete_ = definite;
     return definite;

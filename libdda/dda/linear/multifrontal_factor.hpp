@@ -21,7 +21,7 @@ inline constexpr std::size_t least_shared_factor = std::size_t{1} << 21;
 template <class Scalar>
 class MultifrontalFactor {
   public:
-    /// Lays out the fronts and takes the memory that the factorisation needs.
+    /// Lays out the fronts and takes the memory that the factor needs.
     void analyze(const BlockPattern& pattern, const SupernodeTree& tree,
                  std::size_t most_kept = most_kept_updates);
     /// @param changed per row, where the matrix may differ from the last one, with the columns of that index;
