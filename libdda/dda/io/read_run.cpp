@@ -58,9 +58,11 @@ void read_analysis(const ConfigTable& analysis, Model& model) {
     model.fixed_point_penalty =
         positive(analysis, "fixed_point_penalty", Dimension::stiffness, model.normal_penalty);
     model.default_joint_material = read_default_joint_material(analysis, model);
-    model.solver = analysis.choice("solver", {"multifrontal", "cholmod"}, "multifrontal") == "cholmod"
-                       ? SolverKind::cholmod
-                       : SolverKind::multifrontal;
+    const std::string solver =
+        analysis.choice("solver", {"multifrontal", "refined", "cholmod"}, "multifrontal");
+    model.solver = solver == "cholmod"   ? SolverKind::cholmod
+                   : solver == "refined" ? SolverKind::refined
+                                         : SolverKind::multifrontal;
 }
 
 int count_up_to_a_million(const ConfigTable& output, std::string_view key, int fallback) {

@@ -37,6 +37,18 @@ void BlockMatrix::reset(const BlockPattern& pattern) {
     upper.assign(pattern.columns.size(), Mat6::Zero());
 }
 
+void BlockMatrix::multiply(const BlockPattern& pattern, std::span<const Vec6> x, std::span<Vec6> y) const {
+    for (std::size_t i = 0; i < x.size(); ++i) y[i].noalias() = diagonal[i] * x[i];
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        for (int k = pattern.start[i]; k < pattern.start[i + 1]; ++k) {
+            const auto place = static_cast<std::size_t>(k);
+            const auto j = static_cast<std::size_t>(pattern.columns[place]);
+            y[i].noalias() += upper[place] * x[j];
+            y[j].noalias() += upper[place].transpose() * x[i];
+        }
+    }
+}
+
 void BlockMatrix::add_outer(const BlockPattern& pattern, int i, int j, const Vec6& first,
                             const Vec6& second) {
     if (i < j) {

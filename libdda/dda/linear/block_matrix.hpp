@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -27,6 +28,8 @@ struct BlockMatrix {
     std::vector<Mat6> upper;     ///< one per column entry of the pattern, K_ij with i < j
 
     void reset(const BlockPattern& pattern);
+    /// y = A x.
+    void multiply(const BlockPattern& pattern, std::span<const Vec6> x, std::span<Vec6> y) const;
     /// Adds stiffness * vector * vector^T on the diagonal.
     void add_square(int row, const Vec6& vector, double stiffness) {
         diagonal[static_cast<std::size_t>(row)].noalias() += (stiffness * vector) * vector.transpose();

@@ -17,6 +17,7 @@ class LinearSolver {
     /// Orders and analyses a pattern; called only when the pattern changes.
     virtual void analyze(const BlockPattern& pattern) = 0;
     /// Factorises. @return false when the matrix is not positive definite (the caller rejects the step).
+    /// @param matrix stays as it is until the last solution.
     virtual bool factorize(const BlockMatrix& matrix) = 0;
     /// Likewise, of a matrix that differs from the last one only in rows (and columns) where `changed` says
     /// so.
@@ -31,9 +32,15 @@ class LinearSolver {
 /// @param crew outlives the solver.
 std::unique_ptr<LinearSolver> make_linear_solver(SolverKind kind, const Crew& crew);
 
-/// Cholesky factorisation by dense fronts, see multifrontal_factor.hpp, in double precision. The same bytes
-/// with any number of threads. @param crew outlives the solver.
-std::unique_ptr<LinearSolver> make_multifrontal_solver(const Crew& crew);
+/// 6x6 submatrices of a factor, 288 bytes each in double precision, up to which it is in double precision:
+/// 1 GiB, some 80 thousand blocks.
+inline constexpr double most_in_double = 3.7e6;
+
+/// Cholesky factorisation by dense fronts, see multifrontal_factor.hpp, in double precision; of large systems
+/// in single precision, refined, see refined_factor.hpp. The same bytes with any number of threads. @param
+/// crew outlives the solver. @param most_submatrices up to which a factor is in double precision.
+std::unique_ptr<LinearSolver> make_multifrontal_solver(const Crew& crew,
+                                                       double most_submatrices = most_in_double);
 
 /// CHOLMOD's supernodal Cholesky factorisation, ordered on the graph of the blocks.
 std::unique_ptr<LinearSolver> make_cholmod_solver();

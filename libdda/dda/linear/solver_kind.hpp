@@ -2,7 +2,8 @@
 
 namespace dda {
 
-/// Which factorisation solves a step's equations. Both are exact; CHOLMOD's is the reference to compare with.
-enum class SolverKind { multifrontal, cholmod };
+/// Which factorisation solves a step's equations. All are as exact; `refined` keeps its factor in single
+/// precision whatever its size, and CHOLMOD's is the reference to compare with.
+enum class SolverKind { multifrontal, refined, cholmod };
 
 }  // namespace dda

@@ -128,6 +128,13 @@ double front_cost(int pivots, int rows) {
     return per_front + per_pivot * pivots + flops / flops_per_ns + per_assembled * rows * rows / 2;
 }
 
+double submatrices(const SupernodeTree& tree) {
+    double sum = 0;
+    for (const Supernode& node : tree.nodes)
+        sum += node.pivots * ((node.pivots + 1) / 2.0 + static_cast<double>(node.rows.size()));
+    return sum;
+}
+
 SupernodeTree find_supernodes(const BlockPattern& pattern, const std::vector<int>& order) {
     std::vector<Candidate> candidates = fundamental_supernodes(pattern, order);
     for (std::size_t s = 0; s < candidates.size(); ++s) absorb_children(candidates, s);

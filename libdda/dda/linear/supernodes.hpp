@@ -21,6 +21,9 @@ struct SupernodeTree {
     std::vector<Supernode> nodes;  ///< each subtree together, its root last
 };
 
+/// Submatrices of the factor: on and below the diagonal of the fronts.
+double submatrices(const SupernodeTree& tree);
+
 /// What a front is predicted to take, ns on one thread: a figure for comparisons.
 double front_cost(int pivots, int rows);
 

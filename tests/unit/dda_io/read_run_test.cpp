@@ -193,7 +193,8 @@ TEST_F(ReadRun, OverridesAndBlocksOfTheCommandLine) {
 TEST_F(ReadRun, ChoosesTheSolver) {
     EXPECT_EQ(read(full_model).model.solver, SolverKind::multifrontal);
     for (const auto& [name, kind] :
-         {std::pair{"cholmod", SolverKind::cholmod}, std::pair{"multifrontal", SolverKind::multifrontal}}) {
+         {std::pair{"cholmod", SolverKind::cholmod}, std::pair{"refined", SolverKind::refined},
+          std::pair{"multifrontal", SolverKind::multifrontal}}) {
         RunReadOptions options;
         options.overrides = {std::string("analysis.solver=") + name};
         EXPECT_EQ(read(full_model, options).model.solver, kind) << name;

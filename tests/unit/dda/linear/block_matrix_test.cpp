@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "unit/dda/linear/dense.hpp"
+#include "unit/dda/linear/random_systems.hpp"
 
 namespace {
 
@@ -35,6 +35,19 @@ TEST(BlockPattern, WithoutPairs) {
 TEST(BlockPattern, DoesNotDependOnTheOrderOfPairs) {
     EXPECT_EQ(BlockPattern::from_pairs(3, {{0, 1}, {1, 2}}),
               BlockPattern::from_pairs(3, {{2, 1}, {1, 0}, {0, 1}}));
+}
+
+TEST(BlockMatrix, MultipliesAsTheDenseOneDoes) {
+    const RandomSystem system(20, 60, 3);
+    std::vector<Vec6> product(20);
+    system.matrix.multiply(system.pattern, system.load, product);
+    Eigen::VectorXd x(120);
+    Eigen::VectorXd y(120);
+    for (int i = 0; i < 20; ++i) {
+        x.segment<6>(6 * i) = system.load[static_cast<std::size_t>(i)];
+        y.segment<6>(6 * i) = product[static_cast<std::size_t>(i)];
+    }
+    EXPECT_LT((y - dense(system.pattern, system.matrix) * x).norm(), 1e-13 * y.norm());
 }
 
 TEST(BlockMatrix, AddsOuterProductsAboveAndBelowTheDiagonal) {

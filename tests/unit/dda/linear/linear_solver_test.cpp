@@ -24,7 +24,8 @@ struct Kind {
     std::unique_ptr<dda::LinearSolver> make() const { return dda::make_linear_solver(kind, two_threads); }
 };
 const Kind solver_kinds[] = {{"cholmod", dda::SolverKind::cholmod},
-                             {"multifrontal", dda::SolverKind::multifrontal}};
+                             {"multifrontal", dda::SolverKind::multifrontal},
+                             {"refined", dda::SolverKind::refined}};
 
 struct Size {
     int blocks, springs;
@@ -165,6 +166,46 @@ TEST_P(Solvers, SolveTheStepsOfAWall) {
             solver->solve(x);
             EXPECT_LT(residual(system, x), 1e-10) << "penalty " << penalty << " E, dt " << dt;
         }
+    }
+}
+
+// Fewer springs than unknowns, and a mass that single precision cannot see beside them: the factor is the one
+// in double precision then, to the byte.
+TEST(RefinedSolver, TakesDoublePrecisionWhereSingleIsTooLittle) {
+    RandomSystem system(12, 40, 7, 1e-12);
+    std::vector<std::vector<Vec6>> solutions;
+    for (const dda::SolverKind kind : {dda::SolverKind::multifrontal, dda::SolverKind::refined}) {
+        const auto solver = dda::make_linear_solver(kind, two_threads);
+        solver->analyze(system.pattern);
+        ASSERT_TRUE(solver->factorize(system.matrix));
+        solutions.push_back(system.load);
+        solver->solve(solutions.back());
+    }
+    EXPECT_EQ(solutions[0], solutions[1]);
+}
+
+// A step's right-hand sides are near each other, and its matrices too: solutions that start from the one
+// before are as near.
+TEST_P(Solvers, SolveOneRightHandSideAfterAnother) {
+    RandomSystem system(30, 90, 4);
+    const auto solver = GetParam().make();
+    solver->analyze(system.pattern);
+    ASSERT_TRUE(solver->factorize(system.matrix));
+    std::vector<Vec6> x = system.load;
+    solver->solve(x);
+    const std::vector<Vec6> load = system.load;
+    for (const double share : {1e-9, 1e-3, 1.0, 1e3}) {
+        system.matrix.diagonal[3] *= 1 + share / 1e4;
+        std::vector<char> changed(30, 0);
+        changed[3] = 1;
+        ASSERT_TRUE(solver->refactorize(system.matrix, changed));
+        for (std::size_t i = 0; i < load.size(); ++i) system.load[i] = load[i] + share * load[29 - i];
+        x = system.load;
+        solver->solve(x);
+        EXPECT_LT(system.error_of(x), 1e-11);
+        x.assign(30, Vec6::Zero());
+        solver->solve(x);
+        EXPECT_EQ(x, std::vector<Vec6>(30, Vec6::Zero()));
     }
 }
 
