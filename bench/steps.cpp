@@ -23,7 +23,7 @@ namespace {
 constexpr const char* usage =
     "bench_steps --wall COLUMNSxROWS [--penalty TIMES-E] | --model RUN.toml --blocks FILE\n"
     "    [--step S] [--steps N] [--warm N] [--iterations N] [--threads N]\n"
-    "    [--solver multifrontal|cholmod] [--no-heading]\n"
+    "    [--solver multifrontal|refined|cholmod] [--no-heading]\n"
     "Takes WARM steps, then N that count, and prints what their phases took as CSV, in us per block and\n"
     "step: CPU time on one thread, wall time on several. `at four` is what a step of four open-close\n"
     "iterations takes: the phases of the iteration are scaled to four of them, the others are as measured.\n"
@@ -182,7 +182,7 @@ void print(const Scene& scene, const Options& options, const Figures& f) {
 int main(int argc, char** argv) {
 #ifdef __GLIBC__
     // As dda-run does.
-    if (mallopt(M_MMAP_THRESHOLD, 1 << 30) == 0) mallopt(M_MMAP_THRESHOLD, 32 << 20);
+    mallopt(M_MMAP_THRESHOLD, 32 << 20);
     mallopt(M_TRIM_THRESHOLD, 1 << 30);
 #endif
     try {
@@ -197,6 +197,8 @@ int main(int argc, char** argv) {
         Scene scene = options.count("--wall") ? wall(options) : slope(options);
         if (const std::string& solver = options.at("--solver"); solver == "cholmod")
             scene.model.solver = dda::SolverKind::cholmod;
+        else if (solver == "refined")
+            scene.model.solver = dda::SolverKind::refined;
         else if (solver != "multifrontal")
             throw std::invalid_argument(solver);
         print(scene, options, measure(scene, options));
