@@ -13,6 +13,10 @@ constexpr double residual_share = 1e-11;
 /// Three to nine are normal. Where they do not suffice single precision is too little.
 constexpr int most_iterations = 30;
 
+/// Of the diagonal, by which it is raised where rounding in single precision takes a pivot below zero, as of
+/// a splinter between stiff springs: the preconditioner need not be exact.
+constexpr double hold = 4e-6;
+
 double dot(std::span<const Vec6> a, std::span<const Vec6> b) {
     double sum = 0;
     for (std::size_t i = 0; i < a.size(); ++i) sum += a[i].dot(b[i]);
@@ -33,7 +37,10 @@ bool RefinedFactor::factorize(const BlockMatrix& matrix, const Crew& crew, std::
     weight_.resize(matrix.diagonal.size());
     for (std::size_t i = 0; i < weight_.size(); ++i)
         weight_[i] = matrix.diagonal[i].diagonal().cwiseInverse();
-    return factor_.factorize(matrix, crew, changed);
+    if (factor_.factorize(matrix, crew, changed)) return true;
+    BlockMatrix held = matrix;
+    for (Mat6& diagonal : held.diagonal) diagonal.diagonal() *= 1 + hold;
+    return factor_.factorize(held, crew);
 }
 
 double RefinedFactor::scaled_square(std::span<const Vec6> v) const {
