@@ -50,20 +50,15 @@ double RefinedFactor::scaled_square(std::span<const Vec6> v) const {
 }
 
 bool RefinedFactor::solve(std::span<Vec6> x, const Crew& crew) {
-    const double enough = residual_share * residual_share * scaled_square(x);
+    const double whole = scaled_square(x);
+    const double enough = residual_share * residual_share * whole;
     if (enough == 0) return true;
-    residual_.assign(x.begin(), x.end());
-    image_.resize(x.size());
-    if (solution_.size() == x.size()) {
-        matrix_->multiply(pattern_, solution_, image_);
-        for (std::size_t i = 0; i < x.size(); ++i) residual_[i] -= image_[i];
-    } else {
-        solution_.assign(x.size(), Vec6::Zero());
-    }
+    const bool goes_on = start(x, whole);
     double last = 0;
     for (int k = 0; k <= most_iterations; ++k) {
         if (scaled_square(residual_) <= enough) {
-            std::copy(solution_.begin(), solution_.end(), x.begin());
+            std::copy(found_.begin(), found_.end(), x.begin());
+            if (goes_on || solution_.empty()) solution_ = found_;
             return true;
         }
         refined_ = residual_;
@@ -79,11 +74,27 @@ bool RefinedFactor::solve(std::span<Vec6> x, const Crew& crew) {
         const double step = energy / dot(direction_, image_);
         if (!std::isfinite(step)) break;
         for (std::size_t i = 0; i < x.size(); ++i) {
-            solution_[i] += step * direction_[i];
+            found_[i] += step * direction_[i];
             residual_[i] -= step * image_[i];
         }
     }
     solution_.clear();
+    return false;
+}
+
+/// Begins with the solution before if it leaves less than nothing does: the right-hand sides of a step follow
+/// each other, what a change of them does is another matter.
+bool RefinedFactor::start(std::span<const Vec6> b, double whole) {
+    image_.resize(b.size());
+    residual_.assign(b.begin(), b.end());
+    if (solution_.size() == b.size()) {
+        matrix_->multiply(pattern_, solution_, image_);
+        for (std::size_t i = 0; i < b.size(); ++i) residual_[i] -= image_[i];
+        found_ = solution_;
+        if (scaled_square(residual_) < whole) return true;
+        residual_.assign(b.begin(), b.end());
+    }
+    found_.assign(b.size(), Vec6::Zero());
     return false;
 }
 
