@@ -47,8 +47,7 @@ std::size_t extension_of(const FilterCase& tested) {
 
 // The required 1e-9 of values up to 2; thirteen digits are kept of SciPy's.
 TEST(Butterworth, IsSciPysZeroPhaseFilter) {
-    const std::filesystem::path folder = std::filesystem::path(__FILE__).parent_path() / "reference";
-    std::ifstream file(folder / "zero_phase.csv");
+    std::ifstream file(std::filesystem::path(REFERENCE_FOLDER) / "zero_phase.csv");
     const FilterCase cases[] = {{Pass::high, 2, 0.1, 0},  {Pass::high, 4, 0.05, 0}, {Pass::high, 4, 0.2, -1},
                                 {Pass::high, 3, 0.1, -1}, {Pass::low, 8, 20.0, -1}, {Pass::high, 1, 0.5, -1}};
     const std::vector<double> record = reference_record();
