@@ -57,7 +57,8 @@ class MultifrontalFactor {
     Scalar* vector(std::size_t f) { return vectors_.data() + vector_begin_[f]; }
     static auto block(Scalar* x, int k) { return Eigen::Map<Eigen::Matrix<Scalar, 6, 1>>(x + 6 * k); }
     std::size_t row_of_pivot(const Front& front, int k) const {
-        return static_cast<std::size_t>(plan_.order[static_cast<std::size_t>(front.first + k)]);
+        const int column = front.first + k;
+        return static_cast<std::size_t>(plan_.order[static_cast<std::size_t>(column)]);
     }
 
     const FrontKernels<Scalar>& kernels_ = front_kernels<Scalar>().front();
