@@ -1,4 +1,4 @@
-#include <stdexcept>
+#include <limits>
 
 #include "dda/linear/linear_solver.hpp"
 #include "dda/linear/multifrontal_factor.hpp"
@@ -7,6 +7,8 @@
 namespace dda {
 
 namespace {
+
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
 /// In double precision up to so many submatrices of the factor; beyond, memory is worth more than the time
 /// that refining takes.
@@ -33,8 +35,11 @@ class MultifrontalSolver final : public LinearSolver {
     void solve(std::vector<Vec6>& right_hand_side) override {
         if (single_ && !instead_) {
             if (refined_.solve(right_hand_side, crew_)) return;
-            if (!factorize_instead())
-                throw std::runtime_error("a matrix has a factor in single precision only");
+            if (!factorize_instead()) {
+                // Indefinite by less than single precision tells: the step is refused for what is no number.
+                right_hand_side.assign(right_hand_side.size(), Vec6::Constant(no_number));
+                return;
+            }
         }
         factor_.solve(right_hand_side, crew_);
     }

@@ -1,7 +1,6 @@
 #include "dda/linear/refined_factor.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace dda {
 
@@ -71,8 +70,9 @@ bool RefinedFactor::solve(std::span<Vec6> x, const Crew& crew) {
                 direction_[i] = refined_[i] + (energy / last) * direction_[i];
         last = energy;
         matrix_->multiply(pattern_, direction_, image_);
-        const double step = energy / dot(direction_, image_);
-        if (!std::isfinite(step)) break;
+        const double curvature = dot(direction_, image_);
+        if (!(curvature > 0)) break;  // rounding, or the matrix is indefinite
+        const double step = energy / curvature;
         for (std::size_t i = 0; i < x.size(); ++i) {
             found_[i] += step * direction_[i];
             residual_[i] -= step * image_[i];
