@@ -1,11 +1,27 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "dda/joint/barton_bandis.hpp"
 #include "dda/joint/cyclic_barton_bandis.hpp"
+#include "dda/joint/shear_test.hpp"
 
 namespace joint_tests {
+
+/// Rows of a test of 0.1 m of joint under constant stress (Pa), one at least for the start and for each
+/// turning point (mm).
+inline std::vector<dda::ShearTestRow> sheared(const dda::CyclicBartonBandis& law, double stress,
+                                              std::vector<double> path, double increment = 1) {
+    for (double& displacement : path) displacement *= 1e-3;
+    dda::ShearTest test;
+    test.material.law = law;
+    test.length = 0.1;
+    test.normal_stress = stress;
+    test.path = std::move(path);
+    test.increment = increment;
+    return dda::run_shear_test(test);
+}
 
 /// The granite joint of Ma et al. (2017), Table 3, and the marble one.
 inline dda::BartonStrength granite_strength() {

@@ -20,25 +20,14 @@ using dda::JointStage;
 using dda::ShearTestRow;
 using joint_tests::granite;
 using joint_tests::marble;
+using joint_tests::sheared;
 using joint_tests::sliding_plane;
 
 constexpr double degree = 0.017453292519943295;
 constexpr double mm = 1e-3, length = 0.1;
 
-/// Rows of a test under constant stress, one at least for each turning point (mm).
-std::vector<ShearTestRow> rows(const CyclicBartonBandis& law, double stress, std::vector<double> path,
-                               double increment = 1) {
-    for (double& displacement : path) displacement *= mm;
-    dda::ShearTest test;
-    test.material.law = law;
-    test.length = length;
-    test.normal_stress = stress;
-    test.path = std::move(path);
-    test.increment = increment;
-    return dda::run_shear_test(test);
-}
 ShearTestRow end_of(const CyclicBartonBandis& law, double stress, std::vector<double> path) {
-    return rows(law, stress, std::move(path)).back();
+    return sheared(law, stress, std::move(path)).back();
 }
 double granite_stress(double ratio) {
     return 1e6 * std::tan((34.6 + ratio * 12.8 * std::log10(151.)) * degree);
@@ -95,9 +84,9 @@ TEST(CyclicMarble, HasTheStrengthsOfItsTables) {
 // spring.
 TEST(CyclicJoint, StrengthJumpsAtTheOriginAndTheForceDoesNot) {
     const auto law = granite();
-    const auto there = rows(law, 1e6, {15, 0, -15, 0});
+    const auto there = sheared(law, 1e6, {15, 0, -15, 0});
     EXPECT_NEAR(there.back().shear_stress, 0.4336e6, 51);
-    const auto on = rows(law, 1e6, {15, 0, -15, 0, 0.1});
+    const auto on = sheared(law, 1e6, {15, 0, -15, 0, 0.1});
     const double k = 1.92024e6 / 1.25e-3;
     EXPECT_NEAR(on.back().shear_stress, 0.43364e6 + k * 0.1 * mm, 10);
     EXPECT_FALSE(on.back().sliding && on.back().shear_stress > 0.6899e6);
@@ -106,7 +95,7 @@ TEST(CyclicJoint, StrengthJumpsAtTheOriginAndTheForceDoesNot) {
 /// Two cycles of 15 mm and what each quarter ends with, to the digits that the reference gives.
 void expect_reference(const CyclicBartonBandis& law, double stress,
                       const std::vector<joint_tests::Quarter>& expected, double net_work) {
-    const auto quarters = rows(law, stress, two_cycles);
+    const auto quarters = sheared(law, stress, two_cycles);
     ASSERT_EQ(quarters.size(), expected.size() + 1);
     for (std::size_t k = 0; k < expected.size(); ++k) {
         // At the jumps the reference is an increment up its spring: 62.5 nm of granite are 1.0e-4 MPa.
@@ -115,7 +104,7 @@ void expect_reference(const CyclicBartonBandis& law, double stress,
     }
     // Shear work less that of the normal stress; the trapezoidal rule misses a kink by half an increment.
     double work = 0;
-    const auto fine = rows(law, stress, two_cycles, 1e-6);
+    const auto fine = sheared(law, stress, two_cycles, 1e-6);
     for (std::size_t k = 1; k < fine.size(); ++k) {
         work += (fine[k].shear_stress + fine[k - 1].shear_stress) / 2 *
                 (fine[k].displacement - fine[k - 1].displacement);
@@ -133,9 +122,9 @@ TEST(CyclicMarble, TwoCyclesAreThoseOfTheReference) {
 TEST(CyclicJoint, TheIncrementDoesNotMatter) {
     for (const auto& [law, stress] : {std::pair(granite(), 1e6), std::pair(marble(), 0.5e6)}) {
         for (const auto& path : {two_cycles, {3, 1, 2, -0.4, 0.2, -5, -3.3, 8, 6.2, 7, -2}}) {
-            const auto whole = rows(law, stress, path).back();
+            const auto whole = sheared(law, stress, path).back();
             for (const double increment : {5e-3, 1.3e-4, 1e-5}) {
-                const auto parts = rows(law, stress, path, increment).back();
+                const auto parts = sheared(law, stress, path, increment).back();
                 EXPECT_NEAR(parts.shear_stress, whole.shear_stress, 1e-8 * stress) << increment;
                 EXPECT_NEAR(parts.dilation, whole.dilation, 1e-13) << increment;
                 EXPECT_EQ(parts.record.stage, whole.record.stage);
@@ -163,7 +152,7 @@ TEST(CyclicJoint, GoesThroughSixStages) {
 // Resolution 8: while unloading the joint contracts at the angle of the advance at the reversal point, then
 // at that of the return. Granite at 15 mm: 0.15 i = 4.18 deg, then 0.3 i = 8.37 deg.
 TEST(CyclicJoint, ContractsSlowlyWhileUnloadingAndFasterBack) {
-    const auto turned = rows(granite(), 1e6, {15, 14.9, 14.8, 13, 12});
+    const auto turned = sheared(granite(), 1e6, {15, 14.9, 14.8, 13, 12});
     EXPECT_NEAR(turned[2].dilation - turned[3].dilation, 0.1 * mm * std::tan(4.1836 * degree), 1e-9);
     EXPECT_NEAR(turned[4].dilation - turned[5].dilation, 1 * mm * std::tan(8.3673 * degree), 1e-9);
 }
@@ -191,7 +180,7 @@ TEST(CyclicJoint, APartialReversalInClosedForm) {
     const double unloading = locked * std::tan(roughness(0.3));
     const double returning = (2 * mm - locked) * std::tan(roughness(0.3));
     const double advancing = 2 * mm * std::tan(roughness(0.3));
-    const auto turned = rows(granite(), 1e6, {5, 3, 5});
+    const auto turned = sheared(granite(), 1e6, {5, 3, 5});
     EXPECT_NEAR(turned[2].shear_stress, -granite_stress(-0.3), 1e-3);
     EXPECT_NEAR(turned[2].dilation - turned[1].dilation, -unloading - returning, 1e-12);
     EXPECT_NEAR(turned[3].shear_stress, granite_stress(0.3), 1e-3);
@@ -221,8 +210,8 @@ TEST(CyclicJoint, FurtherCyclesAreLikeTheLast) {
 
 // Resolution 11: forward is where it slips first.
 TEST(CyclicJoint, ForwardIsTheDirectionOfTheFirstSlip) {
-    const auto there = rows(granite(), 1e6, {0.3, -15, 2});
-    auto mirrored = rows(granite(), 1e6, {-0.3, 15, -2});
+    const auto there = sheared(granite(), 1e6, {0.3, -15, 2});
+    auto mirrored = sheared(granite(), 1e6, {-0.3, 15, -2});
     for (std::size_t k = 0; k < there.size(); ++k) {
         EXPECT_EQ(there[k].shear_stress, -mirrored[k].shear_stress);
         EXPECT_EQ(there[k].dilation, mirrored[k].dilation);
@@ -293,7 +282,7 @@ TEST(CyclicJoint, DilationIsOfTheDamageAndMayBeFloored) {
     EXPECT_NEAR(end_of(half, 1e6, {1.25}).dilation, -1.25 * mm * std::log(std::cos(i / 2)) / (i / 2), 1e-12);
     EXPECT_EQ(end_of(none, 1e6, {15, -15, 0}).dilation, 0);
     EXPECT_EQ(end_of(floored, 1e6, {15, 0}).dilation, 0);
-    for (const auto& row : rows(floored, 1e6, two_cycles, 1e-5)) EXPECT_GE(row.dilation, 0);
+    for (const auto& row : sheared(floored, 1e6, two_cycles, 1e-5)) EXPECT_GE(row.dilation, 0);
 }
 
 TEST(CyclicJoint, AnOpenJointKeepsItsHistory) {
@@ -341,7 +330,8 @@ TEST_P(ReferenceCurve, IsFollowedRowByRow) {
     const bool is_granite = GetParam() == std::string("granite");
     const double stress = is_granite ? 1e6 : 0.5e6, strength = is_granite ? 1.92024e6 : 1.13060e6;
     const double peak = is_granite ? joint_tests::granite_peak : joint_tests::marble_peak;
-    const auto ours = rows(is_granite ? granite() : marble(), stress, two_cycles, is_granite ? 2.5e-5 : 3e-5);
+    const auto ours =
+        sheared(is_granite ? granite() : marble(), stress, two_cycles, is_granite ? 2.5e-5 : 3e-5);
     std::string line;
     std::size_t row = 0;
     while (std::getline(file, line)) {

@@ -37,16 +37,8 @@ double opening(double from, double to, double way) {
 }
 const double k = tau(1) / (1.25 * mm);  ///< Pa/m
 
-/// A row at the start and one at each turning point.
-std::vector<ShearTestRow> rows(const CyclicBartonBandis& law, std::vector<double> path) {
-    for (double& displacement : path) displacement *= mm;
-    dda::ShearTest test;
-    test.material.law = law;
-    test.length = length;
-    test.normal_stress = stress;
-    test.path = std::move(path);
-    test.increment = 1;
-    return dda::run_shear_test(test);
+std::vector<ShearTestRow> rows(const CyclicBartonBandis& law, const std::vector<double>& path) {
+    return joint_tests::sheared(law, stress, path);
 }
 ShearTestRow end_of(const CyclicBartonBandis& law, const std::vector<double>& path) {
     return rows(law, path).back();
