@@ -14,7 +14,7 @@ constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 /// that refining takes.
 class MultifrontalSolver final : public LinearSolver {
   public:
-    MultifrontalSolver(const Crew& crew, double most_in_double) : crew_(crew), most_(most_in_double) {}
+    MultifrontalSolver(const Crew& crew, double most_submatrices) : crew_(crew), most_(most_submatrices) {}
 
     void analyze(const BlockPattern& pattern) override {
         pattern_ = pattern;
@@ -67,8 +67,8 @@ class MultifrontalSolver final : public LinearSolver {
 
 }  // namespace
 
-std::unique_ptr<LinearSolver> make_multifrontal_solver(const Crew& crew, double most_in_double) {
-    return std::make_unique<MultifrontalSolver>(crew, most_in_double);
+std::unique_ptr<LinearSolver> make_multifrontal_solver(const Crew& crew, double most_submatrices) {
+    return std::make_unique<MultifrontalSolver>(crew, most_submatrices);
 }
 
 std::unique_ptr<LinearSolver> make_linear_solver(SolverKind kind, const Crew& crew) {
