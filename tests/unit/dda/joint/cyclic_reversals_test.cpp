@@ -1,7 +1,8 @@
 // Irregular paths of the cyclic joint, as an earthquake's, against values worked out by hand from Eqs. (51)
 // to (58). Granite at 1 MPa, displacements in mm; tau(r) and open(r) are strength and dilation angle at a
 // ratio r, k is the spring to the peak. A turn between the bounds tau(a) and -tau(b) takes (tau(a) + tau(b))
-// / k.
+// / k. Those of the second cycle are in cyclic_second_cycle_test.cpp, those of marble in
+// cyclic_marble_test.cpp.
 
 #include <gtest/gtest.h>
 
@@ -9,6 +10,7 @@
 
 #include "dda/joint/shear_step.hpp"
 #include "dda/joint/shear_test.hpp"
+#include "support/cyclic_by_hand.hpp"
 #include "support/cyclic_joints.hpp"
 
 namespace {
@@ -16,46 +18,31 @@ namespace {
 using dda::CyclicBartonBandis;
 using dda::JointStage;
 using dda::ShearTestRow;
+using joint_tests::expect_opening;
+using joint_tests::expect_stress;
 using joint_tests::granite;
+using joint_tests::granite_by_hand;
 
-constexpr double degree = 0.017453292519943295;
-constexpr double mm = 1e-3, length = 0.1, stress = 1e6;
+constexpr double mm = joint_tests::ByHand::mm, length = 0.1;
 
-double roughness_angle(double ratio, double megapascals = 1) {
-    return ratio * 12.8 * std::log10(151 / megapascals) * degree;
-}
-double tau(double ratio) {
-    return stress * std::tan(34.6 * degree + roughness_angle(ratio));
-}
-double rate(double ratio) {
-    return std::tan(roughness_angle(ratio));
-}
-/// What a way opens along which the ratio goes evenly from one value to another, Eq. (55).
-double opening(double from, double to, double way) {
-    const double a = roughness_angle(from), b = roughness_angle(to);
-    return way * std::log(std::cos(a) / std::cos(b)) / (b - a);
-}
-const double k = tau(1) / (1.25 * mm);  ///< Pa/m
+class CyclicReversals : public testing::Test, protected joint_tests::ByHand {
+  protected:
+    CyclicReversals() : ByHand(granite_by_hand()) {}
+    const double k = spring();  ///< Pa/m
+};
 
 std::vector<ShearTestRow> rows(const CyclicBartonBandis& law, const std::vector<double>& path) {
-    return joint_tests::sheared(law, stress, path);
+    return joint_tests::sheared(law, 1e6, path);
 }
 ShearTestRow end_of(const CyclicBartonBandis& law, const std::vector<double>& path) {
     return rows(law, path).back();
-}
-void expect_stress(const ShearTestRow& row, double expected) {
-    EXPECT_NEAR(row.shear_stress, expected, 1e-3);
-}
-/// Dilation from one row to another.
-void expect_opening(const ShearTestRow& from, const ShearTestRow& to, double expected) {
-    EXPECT_NEAR(to.dilation - from.dilation, expected, 1e-13);
 }
 
 // Before the peak the joint is locked, whatever the path: the force is k d, and the peak is there in the end.
 // The dilation of a turn is not undone on the way back: out to d it gains the mean over the table, ratio x,
 // and back it loses at the ratio of the turning point, Eq. (58).
-TEST(CyclicReversals, BeforeThePeakTheForceIsThatOfTheSpring) {
-    const auto out = [](double d) { return opening(0, d / 1.25, d * mm); };
+TEST_F(CyclicReversals, BeforeThePeakTheForceIsThatOfTheSpring) {
+    const auto out = [this](double d) { return opening(0, d / 1.25, d * mm); };
     const auto turned = rows(granite(), {0.6, 0.2, 0.9, 1.25});
     for (const auto& row : turned) EXPECT_NEAR(row.shear_stress, k * row.displacement, 1e-3);
     expect_opening(turned[0], turned[1], out(0.6));
@@ -66,8 +53,8 @@ TEST(CyclicReversals, BeforeThePeakTheForceIsThatOfTheSpring) {
 }
 
 // The same across the origin: a joint that has never slipped climbs its table on either side.
-TEST(CyclicReversals, BeforeThePeakAcrossTheOrigin) {
-    const auto out = [](double d) { return opening(0, d / 1.25, d * mm); };
+TEST_F(CyclicReversals, BeforeThePeakAcrossTheOrigin) {
+    const auto out = [this](double d) { return opening(0, d / 1.25, d * mm); };
     const auto turned = rows(granite(), {0.4, -0.3, 1.25});
     for (const auto& row : turned) EXPECT_NEAR(row.shear_stress, k * row.displacement, 1e-3);
     expect_opening(turned[1], turned[2], -0.4 * mm * rate(0.4 / 1.25) + out(0.3));
@@ -79,7 +66,7 @@ TEST(CyclicReversals, BeforeThePeakAcrossTheOrigin) {
 // In the forward unloading. Out to 5 mm, x = 4 and ratio 0.3; half a millimetre back is less than the turn
 // takes, so the force comes down the spring and up again, and the joint opens by as much as it closed: on the
 // way out the worn ratio is 0.3 too. At 7.5 mm, x = 6, the table has 0.225.
-TEST(CyclicReversals, InTheUnloading) {
+TEST_F(CyclicReversals, InTheUnloading) {
     const auto turned = rows(granite(), {5, 4.5, 5, 7.5});
     expect_stress(turned[2], tau(0.3) - k * 0.5 * mm);
     EXPECT_EQ(turned[2].record.stage, JointStage::forward_unloading);
@@ -94,7 +81,7 @@ TEST(CyclicReversals, InTheUnloading) {
 // In the forward return, sliding at -tau(-0.3). 0.4 mm out again is all spring: it opens at the worn ratio,
 // 0.3 of the farthest point, and closes at the same on the way back, after which the joint slides on: at -0.3
 // to x = 2, from there towards -0.38 at x = 1, so -0.332 at 2 mm.
-TEST(CyclicReversals, InTheReturn) {
+TEST_F(CyclicReversals, InTheReturn) {
     const auto turned = rows(granite(), {5, 3, 3.4, 2});
     expect_stress(turned[2], -tau(-0.3));
     EXPECT_EQ(turned[2].record.stage, JointStage::forward_return);
@@ -109,7 +96,7 @@ TEST(CyclicReversals, InTheReturn) {
 
 // In the backward advance at -10 mm, x = 8 and ratio 0.2, back to -7 mm, where the return has -0.3, and out
 // again: the worn ratio is 0.2 up to -10 mm. Beyond, at x = 12, the table has 0.2 - 0.05 / 3.
-TEST(CyclicReversals, InTheBackwardAdvance) {
+TEST_F(CyclicReversals, InTheBackwardAdvance) {
     const double turn = (tau(0.2) + tau(-0.3)) / k;
     ASSERT_LT(turn, 3 * mm);
     const auto turned = rows(granite(), {15, -10, -7, -10, -15});
@@ -125,7 +112,7 @@ TEST(CyclicReversals, InTheBackwardAdvance) {
 }
 
 // In the backward return, as in the forward one: 0.4 mm of spring, at the worn 0.2 both ways, then on at 0.3.
-TEST(CyclicReversals, InTheBackwardReturn) {
+TEST_F(CyclicReversals, InTheBackwardReturn) {
     const auto turned = rows(granite(), {15, -10, -7, -7.4, -6});
     expect_stress(turned[4], tau(-0.3) - k * 0.4 * mm);
     EXPECT_EQ(turned[4].record.stage, JointStage::backward_advance);
@@ -139,7 +126,7 @@ TEST(CyclicReversals, InTheBackwardReturn) {
 // = 1, and has -0.04 at x = 0.4. It turns there, and unloading at minus that ratio opens it. Ahead of the
 // origin the roughness is worn to the 0.15 of 15 mm: the table's x up to 0.15, then 0.15, and the spring, 1
 // mm from -tau(-0.04), has just met it.
-TEST(CyclicReversals, AcrossTheOriginAndBack) {
+TEST_F(CyclicReversals, AcrossTheOriginAndBack) {
     ASSERT_GT(1 * mm * k - tau(-0.04), tau(0.15));
     ASSERT_LT(1 * mm * k - tau(-0.04) - tau(0.15), 0.1 * mm * k) << "no reversal";
     const auto turned = rows(granite(), {15, 0, -0.5, 0, 0.5});
@@ -155,7 +142,7 @@ TEST(CyclicReversals, AcrossTheOriginAndBack) {
 
 // Turns within the spring leave nothing behind. Turns that slip do, each two reversals, but no dilation: at
 // constant ratios, 0.3 both ways, it closes. What follows is the path without them, times the wear.
-TEST(CyclicReversals, SmallCyclesAndThenABigOne) {
+TEST_F(CyclicReversals, SmallCyclesAndThenABigOne) {
     std::vector<double> within = {5}, slipping = {5};
     for (int n = 0; n < 10; ++n) within.insert(within.end(), {4.6, 5});
     for (int n = 0; n < 3; ++n) slipping.insert(slipping.end(), {3.5, 5});
@@ -182,7 +169,7 @@ TEST(CyclicReversals, SmallCyclesAndThenABigOne) {
 
 // Slip of less than min_slip, 0.1 mm, is no reversal and wears nothing: at 6 mm, x = 4.8, the table's 0.27. A
 // micron more, and the way back is one and the way out another.
-TEST(CyclicReversals, ByLessThanTheSlipThatCounts) {
+TEST_F(CyclicReversals, ByLessThanTheSlipThatCounts) {
     auto law = granite();
     law.reversal_factor = 0.9;
     const double turn = (tau(0.3) + tau(-0.3)) / k / mm;
@@ -200,7 +187,7 @@ TEST(CyclicReversals, ByLessThanTheSlipThatCounts) {
 
 // Out again after a reversal: the wear is that of one until the slip forward counts, then that of two, and
 // the strength drops at that.
-TEST(CyclicReversals, TheSecondCountsOnItsOwnWay) {
+TEST_F(CyclicReversals, TheSecondCountsOnItsOwnWay) {
     auto law = granite();
     law.reversal_factor = 0.9;
     const double back = 5 - (tau(0.3) + tau(-0.3)) / k / mm - 1;
@@ -219,39 +206,39 @@ constexpr double stiffness = 1.5e8;
 dda::ShearedJoint slid() {
     return dda::shear(granite(), {dda::fresh_history(granite(), true)}, 5 * mm, {1e5, length, stiffness});
 }
-/// tan of the total angle at a ratio under another stress, MPa.
-double friction(double ratio, double megapascals) {
-    return std::tan(34.6 * degree + roughness_angle(ratio, megapascals));
+/// N per metre, under another stress, MPa.
+double bearing(double ratio, double megapascals) {
+    return length * granite_by_hand(megapascals).tau(ratio);
 }
 
 // The pressure doubles as the joint turns: the force takes up where it was, and meets the bound of the new
 // stress. The dilation angle of the unloading is the ratio of the turning point times i of the new stress.
-TEST(CyclicReversals, UnderMorePressure) {
+TEST_F(CyclicReversals, UnderMorePressure) {
     const auto there = slid();
-    ASSERT_NEAR(there.shear_force, 1e5 * friction(0.3, 1), 1e-4);
-    const double turn = (there.shear_force + 2e5 * friction(-0.3, 2)) / stiffness;
+    ASSERT_NEAR(there.shear_force, bearing(0.3, 1), 1e-4);
+    const double turn = (there.shear_force + bearing(-0.3, 2)) / stiffness;
     ASSERT_LT(turn, 2 * mm);
     const auto back = dda::shear(granite(), there, -2 * mm, {2e5, length, stiffness});
-    EXPECT_NEAR(back.shear_force, -2e5 * friction(-0.3, 2), 1e-4);
+    EXPECT_NEAR(back.shear_force, -bearing(-0.3, 2), 1e-4);
     EXPECT_NEAR(back.slip - there.slip, turn - 2 * mm, 1e-15);
     EXPECT_NEAR(dda::dilation(granite(), back.history) - dda::dilation(granite(), there.history),
-                -2 * mm * std::tan(roughness_angle(0.3, 2)), 1e-13);
+                -2 * mm * granite_by_hand(2).rate(0.3), 1e-13);
     EXPECT_EQ(dda::record(granite(), back.history).reversals, 1);
 }
 
 // It halves as the joint turns: the bound comes down on the force, which makes the joint slip on the way it
 // went before, though it is moved back by 10 um. That is no reversal; the way back from there is that of the
 // new force.
-TEST(CyclicReversals, UnderLessPressure) {
+TEST_F(CyclicReversals, UnderLessPressure) {
     const auto there = slid();
-    const double held = 5e4 * friction(0.3, 0.5);
+    const double held = bearing(0.3, 0.5);
     const auto let_go = dda::shear(granite(), there, -0.01 * mm, {5e4, length, stiffness});
     EXPECT_NEAR(let_go.shear_force, held, 1e-4);
     EXPECT_NEAR(let_go.slip - there.slip, (there.shear_force - held) / stiffness - 0.01 * mm, 1e-15);
     EXPECT_EQ(dda::record(granite(), let_go.history).reversals, 0);
-    const double turn = (held + 5e4 * friction(-0.3, 0.5)) / stiffness;
+    const double turn = (held + bearing(-0.3, 0.5)) / stiffness;
     const auto back = dda::shear(granite(), let_go, -turn - 0.05 * mm, {5e4, length, stiffness});
-    EXPECT_NEAR(back.shear_force, -5e4 * friction(-0.3, 0.5), 1e-4);
+    EXPECT_NEAR(back.shear_force, -bearing(-0.3, 0.5), 1e-4);
     EXPECT_NEAR(back.slip - let_go.slip, -0.05 * mm, 1e-15);
     EXPECT_EQ(dda::record(granite(), back.history).reversals, 0);
 }
