@@ -188,6 +188,8 @@ StepAttempt TimeStepper::look_at_step(const Stage& stage, const State& state, do
     attempt.report.factorizations = counts.factorizations;
     attempt.report.substitutions = counts.substitutions;
     attempt.report.largest_displacement = moved;
+    attempt.report.dilation_left =
+        dilation_left(step.contacts.contacts, result.contacts, attempt.state.contacts.contacts);
     return attempt;
 }
 

@@ -52,4 +52,15 @@ StepReport report_step(const Model& model, const RowMap& rows, const State& afte
     return report;
 }
 
+double dilation_left(std::span<const Contact> before, std::span<const JudgedContact> judged,
+                     std::span<const Contact> after) {
+    double largest = 0;
+    for (std::size_t k = 0; k < after.size(); ++k) {
+        if (after[k].state == ContactState::open && !(after[k].gap < 0)) continue;
+        const double dilated = after[k].dilation - before[k].dilation;
+        largest = std::max(largest, std::abs(dilated - judged[k].dilating));
+    }
+    return largest;
+}
+
 }  // namespace dda

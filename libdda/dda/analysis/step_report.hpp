@@ -1,6 +1,9 @@
 #pragma once
 
+#include <span>
+
 #include "dda/analysis/state.hpp"
+#include "dda/analysis/step_problem.hpp"
 #include "dda/model/model.hpp"
 #include "dda/terms/system.hpp"
 
@@ -16,6 +19,7 @@ struct StepReport {
     int cuts = 0;                           ///< attempts rejected before this one
     int open = 0, sliding = 0, locked = 0;  ///< contacts by state
     double largest_penetration = 0;         ///< m, of contacts that stand for their depth
+    double dilation_left = 0;               ///< m, see dilation_left()
     double largest_displacement = 0;        ///< of a vertex in this step, m
     double unbalanced_force = 0;  ///< largest over the blocks, of all six unknowns, over the block's weight
     double contact_frequency_step = 0;  ///< omega_contact * dt, the largest of sqrt(k_n / m_block) * dt
@@ -25,5 +29,11 @@ struct StepReport {
 /// @param stiffest N/m per metre, of the contacts' springs.
 StepReport report_step(const Model& model, const RowMap& rows, const State& after, double step,
                        double stiffest);
+
+/// What of a step's dilation acts from the next one on, m: by how much the histories of contacts have moved
+/// their faces beyond what the step was solved with, the largest of those that are closed at its end or
+/// overlap by then. @param before at the step's start; @param after at its end.
+double dilation_left(std::span<const Contact> before, std::span<const JudgedContact> judged,
+                     std::span<const Contact> after);
 
 }  // namespace dda

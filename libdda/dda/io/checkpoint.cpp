@@ -13,7 +13,7 @@ namespace dda {
 
 namespace {
 
-constexpr std::int64_t checkpoint_version = 10;
+constexpr std::int64_t checkpoint_version = 11;
 constexpr std::size_t chunk = 1 << 16;  // elements
 
 template <class T>
@@ -97,6 +97,11 @@ std::vector<std::int64_t> counts_of(const ResultsState& results) {
             results.last_history_step};
 }
 
+/// Reals that there is one of each.
+std::vector<double> figures_of(const ResultsState& results) {
+    return {results.wall_time, results.dilation_left};
+}
+
 template <class T>
 void append_bytes(std::string& text, const std::vector<T>& values) {
     text.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
@@ -110,7 +115,7 @@ std::string digest_of(const Checkpoint& checkpoint, const StateArchive& state) {
     append_bytes(text, state.integers);
     append_bytes(text, state.bytes);
     append_bytes(text, counts_of(checkpoint.results));
-    append_bytes(text, std::vector<double>{checkpoint.results.wall_time});
+    append_bytes(text, figures_of(checkpoint.results));
     append_bytes(text, peak_values(checkpoint.results.peaks));
     append_bytes(text, trial_values(checkpoint.results.trials));
     append_bytes(text, slip_values(checkpoint.results.first_slips));
@@ -122,7 +127,7 @@ std::string digest_of(const Checkpoint& checkpoint, const StateArchive& state) {
 
 void write_results_state(HdfFile& file, const ResultsState& results) {
     store(file, "/results", counts_of(results));
-    store<double>(file, "/wall_time", {results.wall_time});
+    store(file, "/figures", figures_of(results));
     store(file, "/peaks", peak_values(results.peaks));
     store(file, "/trials", trial_values(results.trials));
     store(file, "/first_slips", slip_values(results.first_slips));
@@ -131,9 +136,15 @@ void write_results_state(HdfFile& file, const ResultsState& results) {
 
 ResultsState read_results_state(const HdfFile& file) {
     const auto counts = file.read<std::int64_t>("/results", 0, 5);
-    ResultsState results{
-        static_cast<int>(counts[0]), counts[1], counts[2], counts[3], counts[4], 0, {}, {}, {}, {}};
-    results.wall_time = file.read<double>("/wall_time", 0, 1).front();
+    const auto figures = file.read<double>("/figures", 0, 2);
+    ResultsState results;
+    results.stage = static_cast<int>(counts[0]);
+    results.next_frame = counts[1];
+    results.next_history = counts[2];
+    results.last_frame_step = counts[3];
+    results.last_history_step = counts[4];
+    results.wall_time = figures[0];
+    results.dilation_left = figures[1];
     results.peaks = peaks_of(file.read_all<double>("/peaks"));
     results.trials = trials_of(file.read_all<double>("/trials"));
     results.first_slips = slips_of(file.read_all<double>("/first_slips"));

@@ -29,6 +29,7 @@ struct ResultsState {
     std::int64_t last_frame_step = -1;    ///< step count of the last kept frame
     std::int64_t last_history_step = -1;  ///< likewise
     double wall_time = 0;                 ///< s, of this and the earlier parts of the run
+    double dilation_left = 0;             ///< m, as in StepReport, the largest so far
     std::vector<Peaks> peaks;             ///< per tracked point
     std::vector<ReductionTrial> trials;   ///< of the strength reduction, in the order they were made
     std::vector<FirstSlip> first_slips;   ///< per block

@@ -15,6 +15,7 @@ constexpr const char* headings[] = {"time (s)",
                                     "sliding",
                                     "locked",
                                     "largest penetration (m)",
+                                    "dilation left (m)",
                                     "largest displacement (m)",
                                     "unbalanced force (weight)",
                                     "omega_contact dt",
@@ -49,8 +50,9 @@ class StepsCsv : public ResultWriter {
         for (const int count : {report.iterations, report.factorizations, report.cuts, report.open,
                                 report.sliding, report.locked})
             row.integer(count);
-        for (const double value : {report.largest_penetration, report.largest_displacement,
-                                   report.unbalanced_force, report.contact_frequency_step})
+        for (const double value :
+             {report.largest_penetration, report.dilation_left, report.largest_displacement,
+              report.unbalanced_force, report.contact_frequency_step})
             row.number(value, "a figure of the step");
         for (const double value :
              {e.kinetic, e.strain, e.contact, e.constraint, e.gravity, e.friction_loss, e.damping_loss,

@@ -123,6 +123,33 @@ TEST_F(ContinuedRun, KnowsWhatSlippedBefore) {
     EXPECT_EQ(table_of("stopped", steps - 30), whole);
 }
 
+// A joint that parts as it is sheared: the largest of the step log's column so far goes on with the run.
+TEST_F(ContinuedRun, KnowsTheLargestDilationLeft) {
+    CyclicBartonBandis law;
+    law.barton = {8, 100e6, .3};
+    law.peak_displacement = 1e-3;
+    law.damage = 1;
+    const RoughnessTable rough = {{{0, 1}}};
+    law.cycles = {{rough, rough, rough, rough}};
+    for (JointMaterial& material : input.model.joint_materials) material.law = law;
+    int step = 0;
+    ASSERT_EQ(simulate("a", [&](const Progress&) { return ++step < 80; }).status, RunStatus::stopped);
+
+    const auto cell = [](const std::string& line, int column) {
+        std::istringstream cells(line);
+        std::string text;
+        for (int k = 0; k <= column; ++k) std::getline(cells, text, ',');
+        return text;
+    };
+    const auto log = lines_of(folder / "a" / "steps.csv");
+    int column = 0;
+    while (cell(log[0], column) != "dilation left (m)") ++column;
+    double largest = 0;
+    for (std::size_t k = 1; k < log.size(); ++k) largest = std::max(largest, std::stod(cell(log[k], column)));
+    EXPECT_GT(largest, 0);
+    EXPECT_EQ(read_checkpoint(folder / "a" / "checkpoint.h5").results.dilation_left, largest);
+}
+
 TEST_F(ContinuedRun, ACheckpointOfOtherContentIsRefused) {
     folder.write("checkpoint.h5", "not HDF5");
     EXPECT_THAT(io_test::error_of([&] { read_checkpoint(folder / "checkpoint.h5"); }),
