@@ -11,9 +11,10 @@ namespace {
 /// Changes told in one iteration, at one back-substitution each.
 constexpr int most_changes = 12;
 /// Of the first difference between held forces and bounds: nearer than that the springs will change anyway.
-constexpr double share_left = 0.05;
-/// A back-substitution after which more than this share of the differences is left is the last.
+constexpr double share_left = 0.02;
+/// Of the differences, left by a back-substitution that gained little. The third of these is the last.
 constexpr double poor_gain = 0.8;
+constexpr int most_poor_gains = 3;
 /// What is added to the products of changes of length one, lest one that hardly differs from others is taken
 /// many times over.
 constexpr double independence = 1e-14;
@@ -163,13 +164,13 @@ int HeldFriction::agree(std::span<Vec6> d) {
     double off = find_differences();
     const double enough = std::max(trials_.tolerance() / 2, share_left * off);
     int count = 0;
-    for (double gain = 0; off > enough && gain <= poor_gain && count < most_changes;) {
+    for (int poor = 0; off > enough && poor < most_poor_gains && count < most_changes;) {
         const double before = norm_of_differences();
         if (static_cast<int>(changes_.size()) == count) changes_.emplace_back();
         tell(changes_[static_cast<std::size_t>(count++)], d.size());
         make_least(count);
         off = find_differences();
-        gain = norm_of_differences() / before;
+        if (norm_of_differences() > poor_gain * before) ++poor;
     }
     for (int j = 0; j < count; ++j) {
         const Change& change = changes_[static_cast<std::size_t>(j)];
