@@ -56,10 +56,11 @@ void FacesStrength::add_members(std::span<const int> contacts) {
     }
 }
 
-Strength FacesStrength::strength_at(const Pair& pair, double pressing, double displacement) const {
-    Strength strengths = strength(*pair.law, pair.history, pressing, pair.length,
-                                  {displacement, pair.shear_force, pair.shear_stiffness});
-    const double share = reduced_ / pressing;
+Strength FacesStrength::over_normal_force(std::size_t index, const FacesPressed& pressed) const {
+    const Pair& pair = pairs_[index];
+    Strength strengths = strength(*pair.law, pair.history, pressed.normal, pair.length,
+                                  {pressed.displacement, pair.shear_force, pair.shear_stiffness});
+    const double share = reduced_ / pressed.normal;
     for (double* one : {&strengths.forward, &strengths.backward, &strengths.tensile}) *one *= share;
     return strengths;
 }

@@ -15,6 +15,12 @@ struct Pressed {
     double shearing = 0;
 };
 
+/// What presses a pair of faces, N per metre, and how far they have been sheared, m.
+struct FacesPressed {
+    double normal = 0;
+    double displacement = 0;
+};
+
 /// What the pairs of rough faces bear in a step. In the many displacements that a step tries only normal
 /// forces and shear displacements change: what a pair's law asks for besides is put together once, the same
 /// as `faces_motion` makes of it.
@@ -25,19 +31,22 @@ class FacesStrength {
     std::size_t count() const { return pairs_.size(); }
     /// The pair of faces that a contact is between, or -1.
     int pair_of(std::size_t contact) const { return pair_of_[contact]; }
-    /// Strengths over the normal force of a pair of faces, the same for each of its contacts; reduced if the
-    /// model's strengths are. @param pressed_of gives the Pressed of a contact's index.
+    /// @param pressed_of gives the Pressed of a contact's index.
     template <class PressedOf>
-    Strength over_normal_force(std::size_t pair, const PressedOf& pressed_of) const {
-        double pressing = 0, displacement = 0;
+    FacesPressed pressed(std::size_t pair, const PressedOf& pressed_of) const {
+        FacesPressed whole;
         for (std::size_t m = pairs_[pair].begin; m < pairs_[pair].end; ++m) {
             const Member& member = members_[m];
-            const Pressed pressed = pressed_of(static_cast<std::size_t>(member.contact));
-            pressing += std::max(pressed.normal, 0.0);
-            if (member.moves) displacement = member.before * displacement + member.share * pressed.shearing;
+            const Pressed one = pressed_of(static_cast<std::size_t>(member.contact));
+            whole.normal += std::max(one.normal, 0.0);
+            if (member.moves)
+                whole.displacement = member.before * whole.displacement + member.share * one.shearing;
         }
-        return pressing > 0 ? strength_at(pairs_[pair], pressing, displacement) : Strength{};
+        return whole;
     }
+    /// Strengths over the normal force of a pair of faces, the same for each of its contacts; reduced if the
+    /// model's strengths are. @param pressed with a positive normal force.
+    Strength over_normal_force(std::size_t pair, const FacesPressed& pressed) const;
 
   private:
     struct Member {
@@ -57,7 +66,6 @@ class FacesStrength {
     };
 
     void add_members(std::span<const int> contacts);
-    Strength strength_at(const Pair& pair, double pressing, double displacement) const;
 
     const StepProblem& p_;
     double reduced_;  ///< strength, of the full one

@@ -53,8 +53,7 @@ HeldFriction::HeldFriction(const StepProblem& problem, TrialContacts& trials, Li
     }
 }
 
-void HeldFriction::draw_line(Sliding& sliding, std::span<const Vec6> d,
-                             TrialContacts::FacesStrengths& of_faces) const {
+void HeldFriction::draw_line(Sliding& sliding, std::span<const Vec6> d) const {
     const Contact& contact = p_.contacts[sliding.contact];
     if (const auto* law = std::get_if<MohrCoulomb>(&trials_.law_of(sliding.contact))) {
         const JointHistory& history = contact.history;
@@ -66,13 +65,17 @@ void HeldFriction::draw_line(Sliding& sliding, std::span<const Vec6> d,
         sliding.least = broken ? 0 : -std::numeric_limits<double>::infinity();
         return;
     }
+    if (trials_.is_of_faces(sliding.contact)) {
+        const TrialContacts::BoundLine line = trials_.judged_line(sliding.contact);
+        sliding.slope = line.slope;
+        sliding.cohesion = line.cohesion;
+        return;
+    }
     if (!(sliding.normal > 0) && !sliding.bonded) {
         sliding.slope = trials_.judged_slope(sliding.contact);
         return;
     }
-    const auto bound_at = [&](double normal) {
-        return trials_.bound_at(sliding.contact, normal, d, of_faces);
-    };
+    const auto bound_at = [&](double normal) { return trials_.bound_at(sliding.contact, normal, d); };
     sliding.cohesion = bound_at(sliding.normal);
     if (!(sliding.normal > 0)) return;
     const double half = sliding.normal / 2;
@@ -81,7 +84,6 @@ void HeldFriction::draw_line(Sliding& sliding, std::span<const Vec6> d,
 }
 
 void HeldFriction::find_sliding(std::span<const Vec6> d) {
-    TrialContacts::FacesStrengths of_faces = trials_.no_faces_strengths();
     sliding_.clear();
     for (std::size_t k = 0; k < trials_.count(); ++k) {
         if (!trials_.is_pressed(k) || trials_.is_locked(k)) continue;
@@ -92,7 +94,7 @@ void HeldFriction::find_sliding(std::span<const Vec6> d) {
         sliding.bonded = trials_.is_bonded(k);
         sliding.held = trials_.held_force(k);
         sliding.normal = trials_.linear_normal(k, springs.rows.measure(springs.normal, d));
-        draw_line(sliding, d, of_faces);
+        draw_line(sliding, d);
         sliding_.push_back(sliding);
     }
 }

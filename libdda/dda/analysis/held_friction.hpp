@@ -59,10 +59,10 @@ class HeldFriction {
     };
 
     void find_sliding(std::span<const Vec6> d);
-    /// Sets the line. Mohr and Coulomb's is the law itself. Of the others it is the chord from the first
-    /// solution to half its normal force: finding the bound anew costs more than a back-substitution, and
-    /// rough faces' friction angle changes little meanwhile.
-    void draw_line(Sliding& sliding, std::span<const Vec6> d, TrialContacts::FacesStrengths& of_faces) const;
+    /// Sets the line. Mohr and Coulomb's is the law itself. Rough faces' touches their bound where the
+    /// contacts were judged last; of the others it is the chord from the first solution to half its normal
+    /// force. Finding the bound anew costs more than a back-substitution.
+    void draw_line(Sliding& sliding, std::span<const Vec6> d) const;
     /// @return the largest of them.
     double find_differences();
     double norm_of_differences() const;

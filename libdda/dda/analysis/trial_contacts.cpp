@@ -19,6 +19,12 @@ bool within(double force, const Strength& bounds) {
 /// from the next one on.
 constexpr double dilation_tolerance = 10;
 
+/// Of the normal force, that a strength over it goes with. @param half, @param whole that strength under half
+/// of the force and under all of it.
+double exponent(double half, double whole) {
+    return half > 0 && whole > 0 ? std::log2(whole / half) : 0;
+}
+
 /// Of a contact between faces that bear so much for each newton; none where it is open.
 Strength of_share(const Strength& over_normal_force, double normal_force) {
     if (!(normal_force > 0)) return {};
@@ -29,18 +35,19 @@ Strength of_share(const Strength& over_normal_force, double normal_force) {
 }  // namespace
 
 TrialContacts::TrialContacts(const StepProblem& problem, const Crew& crew)
-    : p_(problem), crew_(crew), faces_(problem) {
+    : p_(problem), crew_(crew), faces_(problem), friction_(faces_.count()) {
+    const auto at_start = [this](std::size_t k) { return pressed_at_start(k); };
+    for (std::size_t pair = 0; pair < friction_.size(); ++pair) find_friction(pair, at_start);
     trials_.reserve(p_.contacts.size());
-    FacesStrengths of_faces = no_faces_strengths();
     for (std::size_t k = 0; k < p_.contacts.size(); ++k) {
-        trials_.push_back(started(k, of_faces));
+        trials_.push_back(started(k));
         dilates_ = dilates_ || dilates(law_of(k));
     }
     yielding_.assign(p_.bolts.size(), 0);
     elongation_.assign(p_.bolts.size(), 0);
 }
 
-TrialContacts::Trial TrialContacts::started(std::size_t k, FacesStrengths& of_faces) const {
+TrialContacts::Trial TrialContacts::started(std::size_t k) const {
     const Contact& contact = p_.contacts[k];
     Trial trial;
     trial.may_close = !contact.held_back;
@@ -50,11 +57,7 @@ TrialContacts::Trial TrialContacts::started(std::size_t k, FacesStrengths& of_fa
     const bool was_closed = contact.state != ContactState::open;
     trial.pressed = trial.may_close && (was_closed || (contact.gap < 0 && contact.group < 0));
     trial.locked = trial.pressed && contact.state != ContactState::sliding;
-    const auto bounds = [&] {
-        const auto at_start = [this](std::size_t c) { return pressed_at_start(c); };
-        return bounds_of(k, at_start(k).normal, at_start, of_faces);
-    };
-    if (trial.pressed) trial.bounds = bounds();
+    if (trial.pressed) trial.bounds = bounds_of(k, pressed_at_start(k));
     trial.held_force = contact.shear_force;
     trial.forward = contact.shear_force >= 0;
     if (const JudgedContact* guess = p_.guess[k]; guess != nullptr && trial.may_close) {
@@ -62,7 +65,7 @@ TrialContacts::Trial TrialContacts::started(std::size_t k, FacesStrengths& of_fa
         trial.locked = guess->state == ContactState::locked;
         trial.held_force = guess->shear_force;
         trial.forward = guess->shear_force >= 0;
-        trial.bounds = bounds();
+        trial.bounds = bounds_of(k, pressed_at_start(k));
         trial.dilating = guess->dilating;
     }
     trial.tangent = tangent_at(k, trial.pressed ? pressed_at_start(k).normal : 0);
@@ -76,14 +79,22 @@ Pressed TrialContacts::pressed_at_start(std::size_t k) const {
 }
 
 template <class PressedOf>
-Strength TrialContacts::bounds_of(std::size_t k, double normal, const PressedOf& pressed_of,
-                                  FacesStrengths& of_faces) const {
+void TrialContacts::find_friction(std::size_t pair, const PressedOf& pressed_of) {
+    FacesFriction& friction = friction_[pair];
+    const FacesPressed pressed = faces_.pressed(pair, pressed_of);
+    const bool any = pressed.normal > 0;
+    friction.over_normal_force = any ? faces_.over_normal_force(pair, pressed) : Strength{};
+    if (friction.curved || !any) return;
+    const Strength& here = friction.over_normal_force;
+    const Strength half = faces_.over_normal_force(pair, {pressed.normal / 2, pressed.displacement});
+    friction.exponent = {exponent(half.forward, here.forward), exponent(half.backward, here.backward), 0};
+    friction.curved = true;
+}
+
+Strength TrialContacts::bounds_of(std::size_t k, const Pressed& pressed) const {
     const int pair = faces_.pair_of(k);
-    if (pair < 0) return bounds_by_itself(k, pressed_of(k));
-    if (!(normal > 0)) return {};
-    std::optional<Strength>& found = of_faces[static_cast<std::size_t>(pair)];
-    if (!found) found = faces_.over_normal_force(static_cast<std::size_t>(pair), pressed_of);
-    return of_share(*found, normal);
+    if (pair < 0) return bounds_by_itself(k, pressed);
+    return of_share(friction_[static_cast<std::size_t>(pair)].over_normal_force, pressed.normal);
 }
 
 Strength TrialContacts::bounds_by_itself(std::size_t k, const Pressed& pressed) const {
@@ -128,15 +139,16 @@ void TrialContacts::bound_by_held_force(std::size_t k) {
     (trial.forward ? trial.bounds.forward : trial.bounds.backward) = std::abs(trial.held_force);
 }
 
-double TrialContacts::bound_at(std::size_t k, double normal, std::span<const Vec6> d,
-                               FacesStrengths& of_faces) const {
-    const auto pressed = [&](std::size_t c) -> Pressed {
-        const ContactSprings& s = p_.springs[c];
-        const double there = c == k ? normal : linear_normal(c, s.rows.measure(s.normal, d));
-        return {there, s.rows.measure(s.shear, d)};
-    };
-    const Strength strengths = bounds_of(k, normal, pressed, of_faces);
-    return trials_[k].forward ? strengths.forward : strengths.backward;
+TrialContacts::BoundLine TrialContacts::judged_line(std::size_t k) const {
+    const FacesFriction& friction = friction_[static_cast<std::size_t>(faces_.pair_of(k))];
+    const double ratio = in_direction(k, friction.over_normal_force);
+    const double curving = ratio * in_direction(k, friction.exponent);
+    return {ratio + curving, -curving * std::max(present_forces(k).normal, 0.0)};
+}
+
+double TrialContacts::bound_at(std::size_t k, double normal, std::span<const Vec6> d) const {
+    const ContactSprings& s = p_.springs[k];
+    return in_direction(k, bounds_by_itself(k, {normal, s.rows.measure(s.shear, d)}));
 }
 
 // --- judging
@@ -222,12 +234,10 @@ void TrialContacts::update_bounds() {
         const bool open = !trials_[k].may_close || (here[k].normal <= 0 && !is_bonded(k));
         trials_[k].bounds = open ? Strength{} : bounds_by_itself(k, here[k]);
     }
-    std::vector<Strength> of_faces(faces_.count());
-    for (std::size_t pair = 0; pair < of_faces.size(); ++pair)
-        of_faces[pair] = faces_.over_normal_force(pair, [&](std::size_t k) { return here[k]; });
-    for (std::size_t k = 0; k < trials_.size() && !of_faces.empty(); ++k) {
-        if (const int pair = faces_.pair_of(k); pair >= 0)
-            trials_[k].bounds = of_share(of_faces[static_cast<std::size_t>(pair)], here[k].normal);
+    for (std::size_t pair = 0; pair < friction_.size(); ++pair)
+        find_friction(pair, [&](std::size_t k) { return here[k]; });
+    for (std::size_t k = 0; k < trials_.size() && !friction_.empty(); ++k) {
+        if (is_of_faces(k)) trials_[k].bounds = bounds_of(k, here[k]);
     }
 }
 

@@ -79,18 +79,23 @@ class TrialContacts {
     void hold(std::size_t k, double force) { trials_[k].held_force = force; }
     /// The bounds become those that the held force is at.
     void bound_by_held_force(std::size_t k);
-    /// Strengths over the normal force, for each pair of faces that has been asked for.
-    using FacesStrengths = std::vector<std::optional<Strength>>;
-    FacesStrengths no_faces_strengths() const { return FacesStrengths(faces_.count()); }
-    /// The largest shear force of a sliding contact in the direction that it slides in, N per metre.
-    /// @param normal its normal force; @param d gives the motion of its faces, by the linear system.
-    /// @param of_faces pairs of faces that are in here keep their friction angle; the others get one at `d`.
-    double bound_at(std::size_t k, double normal, std::span<const Vec6> d, FacesStrengths& of_faces) const;
+    /// Whether a contact is between rough faces, which share one friction.
+    bool is_of_faces(std::size_t k) const { return faces_.pair_of(k) >= 0; }
+    /// A shear bound as a line over the normal force: its slope, and what it is without any, N per metre.
+    struct BoundLine {
+        double slope = 0;
+        double cohesion = 0;
+    };
+    /// The line that touches the bound of a contact of theirs where the contacts were judged last, as if it
+    /// bore its share of their force for good, in the direction that it slides in.
+    BoundLine judged_line(std::size_t k) const;
+    /// The largest shear force of another sliding contact in the direction that it slides in, N per metre.
+    /// @param normal its normal force; @param d gives its displacement, by the linear system.
+    double bound_at(std::size_t k, double normal, std::span<const Vec6> d) const;
     /// Bound over normal force where the contact was judged last, in the direction that it slides in.
     double judged_slope(std::size_t k) const {
         const double normal = present_forces(k).normal;
-        const Trial& trial = trials_[k];
-        return normal > 0 ? (trial.forward ? trial.bounds.forward : trial.bounds.backward) / normal : 0;
+        return normal > 0 ? in_direction(k, trials_[k].bounds) / normal : 0;
     }
     const JointLaw& law_of(std::size_t k) const {
         return p_.model.joint_material_at(p_.contacts[k].joint_material).law;
@@ -168,13 +173,22 @@ class TrialContacts {
         Tangent tangent;         ///< the normal spring in the linear system
     };
 
-    Trial started(std::size_t k, FacesStrengths& of_faces) const;
-    /// What the contact's law bears there. Rough faces have one friction angle, that of their mean stress.
-    /// @param normal its normal force; @param pressed_of gives the Pressed of a contact's index; @param
-    /// of_faces what has been found out for the same Pressed before.
+    /// The friction of a pair of rough faces, one for all of its contacts: that of their mean stress.
+    struct FacesFriction {
+        Strength over_normal_force;  ///< where the contacts were judged last, or at the start
+        bool curved = false;         ///< whether the exponents are known; they stay for the step
+        Strength exponent;           ///< of the normal force, that the strength over it goes with
+    };
+
+    Trial started(std::size_t k) const;
+    /// @param pressed_of gives the Pressed of a contact's index.
     template <class PressedOf>
-    Strength bounds_of(std::size_t k, double normal, const PressedOf& pressed_of,
-                       FacesStrengths& of_faces) const;
+    void find_friction(std::size_t pair, const PressedOf& pressed_of);
+    /// What the contact's law bears there; between rough faces with the friction found last.
+    Strength bounds_of(std::size_t k, const Pressed& pressed) const;
+    double in_direction(std::size_t k, const Strength& strength) const {
+        return trials_[k].forward ? strength.forward : strength.backward;
+    }
     /// Of a contact whose law knows of no faces.
     Strength bounds_by_itself(std::size_t k, const Pressed& pressed) const;
     Pressed pressed_at_start(std::size_t k) const;
@@ -204,6 +218,7 @@ class TrialContacts {
     const StepProblem& p_;
     const Crew& crew_;
     FacesStrength faces_;
+    std::vector<FacesFriction> friction_;  ///< per pair of faces
     std::vector<Trial> trials_;
     std::vector<int> yielding_;        ///< per bolt: the sign of its yielding force, 0 when elastic
     std::vector<double> elongation_;   ///< per bolt, of the step, m

@@ -76,8 +76,10 @@ TEST(FacesStrength, IsThatOfTheFacesMotion) {
             const std::span<const int> members = step.faces.contacts_of(pair);
             for (const int k : members)
                 EXPECT_EQ(strengths.pair_of(static_cast<std::size_t>(k)), static_cast<int>(pair));
-            const auto found =
-                strengths.over_normal_force(pair, [&](std::size_t contact) { return pressed[contact]; });
+            const dda::FacesPressed together =
+                strengths.pressed(pair, [&](std::size_t contact) { return pressed[contact]; });
+            const dda::Strength found =
+                together.normal > 0 ? strengths.over_normal_force(pair, together) : dda::Strength{};
             const auto whole = dda::faces_motion(members, step.contacts, [&](int k) {
                 const auto c = static_cast<std::size_t>(k);
                 return dda::contact_motion(step.model, step.contacts[c], step.springs[c].shear_stiffness,
