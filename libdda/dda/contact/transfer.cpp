@@ -217,12 +217,12 @@ void transfer_contacts(const Model& model, std::span<const Contact> old, double 
     const Estate estate(donors, moved);
     std::vector<const Contact*> given;
     // A corner takes what it bears with it on to the next face; what is left goes to the blocks' other
-    // contacts.
+    // contacts. One that bears nothing leaves those that were there what they have been through.
     for (const Kin kin : {Kin::same_corner, Kin::same_blocks}) {
         for (const std::size_t k : heirs) {
             if (contacts[k].state != ContactState::open) continue;
             const Contact* donor = estate.nearest(contacts[k], kin, given);
-            if (donor == nullptr) continue;
+            if (donor == nullptr || (knows[k] != 0 && donor->state == ContactState::open)) continue;
             hand_over(*donor, contacts[k]);
             knows[k] = 1;
             keep_force(model, contacts[k]);

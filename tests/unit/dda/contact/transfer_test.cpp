@@ -128,6 +128,18 @@ TEST_F(Transfer, ACornerTakesItsForceToAContactThatWasThereAndBoreNothing) {
     expect_carried(contacts[0]);
 }
 
+// Both are between other blocks: what the corner has been through there is not what these have.
+TEST_F(Transfer, ACornerThatBoreNothingLeavesAContactThatWasThereItsHistory) {
+    old.state = ContactState::open;
+    const Contact next = contact(1, 2, 4, 9, {.02, 0}, up);
+    std::vector<Contact> contacts = {next};
+    dda::transfer_contacts(s.model, std::vector{old, next}, .1, false, contacts);
+    EXPECT_EQ(contacts[0].history, next.history);
+    EXPECT_EQ(contacts[0].slip, 0);
+    dda::transfer_contacts(s.model, std::vector{old}, .1, false, contacts);
+    EXPECT_EQ(contacts[0].history, old.history) << "one that comes into being takes it";
+}
+
 TEST_F(Transfer, TheForceStaysTheSameAtAnotherDepth) {
     old.gap = -2e-9;  // 100 N over 5e10 N/m
     Contact now = contact(1, 0, 4, 3, {.05, 0}, up);
