@@ -125,7 +125,7 @@ void HeldFriction::tell(Change& change, std::size_t rows) {
         springs.rows.add_force(springs.shear, -sliding.difference, change.displacement);
         change.held.push_back(sliding.difference);
     }
-    solver_.solve(change.displacement);
+    solver_.solve_roughly(change.displacement);
     for (const Sliding& sliding : sliding_) {
         const ContactSprings& springs = p_.springs[sliding.contact];
         const double opening =

@@ -115,17 +115,20 @@ class Iteration {
     }
 
     std::vector<Vec6> solve_as_held() {
-        std::vector<Vec6> d = right_hand_side();
-        solver_.solve(d);
-        ++substitutions_;
+        std::vector<Vec6> d = displacement_;
+        const std::vector<Vec6> load = right_hand_side();
+        substitutions_ += solver_.approach(d, load);
+        substitutions_ += solver_.refine(d, load);
         return d;
     }
 
     /// Solves the linear system with the sliding contacts' shear forces at the bounds that belong to its own
     /// normal forces.
     std::vector<Vec6> solve_with_friction() {
-        std::vector<Vec6> d = solve_as_held();
+        std::vector<Vec6> d = displacement_;
+        substitutions_ += solver_.approach(d, right_hand_side());
         substitutions_ += friction_.agree(d);
+        substitutions_ += solver_.refine(d, right_hand_side());
         return d;
     }
 

@@ -27,18 +27,31 @@ class LinearSolver {
     }
     /// Solves with the present factor, in place.
     virtual void solve(std::vector<Vec6>& right_hand_side) = 0;
+
+    // A solution in three strokes, for those who change b meanwhile: near enough to judge it, directions to
+    // add to it, and what rounding has left taken away. Here the first is exact and leaves nothing to do.
+    /// Brings x to A^-1 b, to a residual of a hundred-thousandth of b. @return substitutions taken.
+    virtual int approach(std::vector<Vec6>& x, const std::vector<Vec6>& b) {
+        x = b;
+        solve(x);
+        return 1;
+    }
+    /// Solves in place by one substitution, to as many digits as the factor has.
+    virtual void solve_roughly(std::vector<Vec6>& right_hand_side) { solve(right_hand_side); }
+    /// Brings x, put together from these, to A^-1 b, as near as `solve`. @return substitutions taken.
+    virtual int refine(std::vector<Vec6>& /*x*/, const std::vector<Vec6>& /*b*/) { return 0; }
 };
 
 /// @param crew outlives the solver.
 std::unique_ptr<LinearSolver> make_linear_solver(SolverKind kind, const Crew& crew);
 
-/// 6x6 submatrices of a factor, 288 bytes each in double precision, up to which it is in double precision:
-/// 1 GiB, some 80 thousand blocks.
-inline constexpr double most_in_double = 3.7e6;
+/// 6x6 submatrices of a factor up to which it is in double precision: some five hundred blocks. Of less than
+/// that, what refining takes is as much as what a factor in single precision saves.
+inline constexpr double most_in_double = 8e3;
 
-/// Cholesky factorisation by dense fronts, see multifrontal_factor.hpp, in double precision; of large systems
-/// in single precision, refined, see refined_factor.hpp. The same bytes with any number of threads. @param
-/// crew outlives the solver. @param most_submatrices up to which a factor is in double precision.
+/// Cholesky factorisation by dense fronts, see multifrontal_factor.hpp: of small systems in double precision,
+/// of others in single precision, refined, see refined_factor.hpp. The same bytes with any number of threads.
+/// @param crew outlives the solver. @param most_submatrices up to which a factor is in double precision.
 std::unique_ptr<LinearSolver> make_multifrontal_solver(const Crew& crew,
                                                        double most_submatrices = most_in_double);
 

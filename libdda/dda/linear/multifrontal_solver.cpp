@@ -1,4 +1,5 @@
 #include <limits>
+#include <utility>
 
 #include "dda/linear/linear_solver.hpp"
 #include "dda/linear/multifrontal_factor.hpp"
@@ -8,10 +9,15 @@ namespace dda {
 
 namespace {
 
+/// Residuals' shares of the right-hand side, as RefinedFactor measures them. What a factor in double
+/// precision leaves of walls with springs of 100 E is as much.
+constexpr double exact_share = 1e-11;
+/// At 1e-3 the walls that `bench_steps` lets go took three iterations for two, at 1e-4 as many as exactly.
+constexpr double near_share = 1e-5;
+
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
-/// In double precision up to so many submatrices of the factor; beyond, memory is worth more than the time
-/// that refining takes.
+/// In double precision up to so many submatrices of the factor.
 class MultifrontalSolver final : public LinearSolver {
   public:
     MultifrontalSolver(const Crew& crew, double most_submatrices) : crew_(crew), most_(most_submatrices) {}
@@ -33,20 +39,45 @@ class MultifrontalSolver final : public LinearSolver {
         return refined_.factorize(matrix, crew_, changed) || factorize_instead();
     }
     void solve(std::vector<Vec6>& right_hand_side) override {
-        if (single_ && !instead_) {
-            if (refined_.solve(right_hand_side, crew_)) return;
-            if (!factorize_instead()) {
-                // Indefinite by less than single precision tells: the step is refused for what is no number.
-                right_hand_side.assign(right_hand_side.size(), Vec6::Constant(no_number));
-                return;
-            }
-        }
-        factor_.solve(right_hand_side, crew_);
+        std::vector<Vec6> x(right_hand_side.size(), Vec6::Zero());
+        solve_from(x, right_hand_side, exact_share);
+        right_hand_side = std::move(x);
+    }
+    int approach(std::vector<Vec6>& x, const std::vector<Vec6>& b) override {
+        return solve_from(x, b, near_share);
+    }
+    void solve_roughly(std::vector<Vec6>& right_hand_side) override {
+        if (is_rough())
+            refined_.solve_roughly(right_hand_side, crew_);
+        else
+            factor_.solve(right_hand_side, crew_);
+    }
+    int refine(std::vector<Vec6>& x, const std::vector<Vec6>& b) override {
+        return is_rough() ? solve_from(x, b, exact_share) : 0;
     }
 
   private:
     static SupernodeTree tree_of(const BlockPattern& pattern) {
         return find_supernodes(pattern, fill_reducing_order(pattern));
+    }
+    /// Whether the present factor is in single precision.
+    bool is_rough() const { return single_ && !instead_; }
+    /// Brings x to A^-1 b: a rough factor to a residual of that share. @return substitutions taken.
+    int solve_from(std::vector<Vec6>& x, const std::vector<Vec6>& b, double share) {
+        int taken = 0;
+        if (is_rough()) {
+            const RefinedFactor::Outcome outcome = refined_.refine(x, b, share, crew_);
+            taken = outcome.substitutions;
+            if (outcome.converged) return taken;
+            if (!factorize_instead()) {
+                // Indefinite by less than single precision tells: the step is refused for what is no number.
+                x.assign(x.size(), Vec6::Constant(no_number));
+                return taken;
+            }
+        }
+        x = b;
+        factor_.solve(x, crew_);
+        return taken + 1;
     }
     /// The present matrix in double precision, where single precision is too little for it.
     bool factorize_instead() {

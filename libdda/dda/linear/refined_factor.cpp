@@ -6,9 +6,6 @@ namespace dda {
 
 namespace {
 
-/// Of the right-hand side's norm, both scaled by the matrix' diagonal: what a factor in double precision
-/// leaves of walls with springs of 100 E is as much.
-constexpr double residual_share = 1e-11;
 /// Three to nine are normal. Where they do not suffice single precision is too little.
 constexpr int most_iterations = 30;
 
@@ -27,12 +24,10 @@ double dot(std::span<const Vec6> a, std::span<const Vec6> b) {
 void RefinedFactor::analyze(const BlockPattern& pattern, const SupernodeTree& tree) {
     pattern_ = pattern;
     factor_.analyze(pattern, tree);
-    solution_.clear();
 }
 
 bool RefinedFactor::factorize(const BlockMatrix& matrix, const Crew& crew, std::span<const char> changed) {
     matrix_ = &matrix;
-    if (changed.empty()) solution_.clear();
     weight_.resize(matrix.diagonal.size());
     for (std::size_t i = 0; i < weight_.size(); ++i)
         weight_[i] = matrix.diagonal[i].diagonal().cwiseInverse();
@@ -48,18 +43,14 @@ double RefinedFactor::scaled_square(std::span<const Vec6> v) const {
     return sum;
 }
 
-bool RefinedFactor::solve(std::span<Vec6> x, const Crew& crew) {
-    const double whole = scaled_square(x);
-    const double enough = residual_share * residual_share * whole;
-    if (enough == 0) return true;
-    const bool goes_on = start(x, whole);
+RefinedFactor::Outcome RefinedFactor::refine(std::span<Vec6> x, std::span<const Vec6> b, double share,
+                                             const Crew& crew) {
+    const double whole = scaled_square(b);
+    const double enough = share * share * whole;
+    start(x, b, whole);
     double last = 0;
     for (int k = 0; k <= most_iterations; ++k) {
-        if (scaled_square(residual_) <= enough) {
-            std::copy(found_.begin(), found_.end(), x.begin());
-            if (goes_on || solution_.empty()) solution_ = found_;
-            return true;
-        }
+        if (scaled_square(residual_) <= enough) return {true, k};
         refined_ = residual_;
         factor_.solve(refined_, crew);
         const double energy = dot(residual_, refined_);
@@ -71,31 +62,24 @@ bool RefinedFactor::solve(std::span<Vec6> x, const Crew& crew) {
         last = energy;
         matrix_->multiply(pattern_, direction_, image_);
         const double curvature = dot(direction_, image_);
-        if (!(curvature > 0)) break;  // rounding, or the matrix is indefinite
+        if (!(curvature > 0)) return {false, k + 1};  // rounding, or the matrix is indefinite
         const double step = energy / curvature;
         for (std::size_t i = 0; i < x.size(); ++i) {
-            found_[i] += step * direction_[i];
+            x[i] += step * direction_[i];
             residual_[i] -= step * image_[i];
         }
     }
-    solution_.clear();
-    return false;
+    return {false, most_iterations + 1};
 }
 
-/// Begins with the solution before if it leaves less than nothing does: the right-hand sides of a step follow
-/// each other, what a change of them does is another matter.
-bool RefinedFactor::start(std::span<const Vec6> b, double whole) {
+void RefinedFactor::start(std::span<Vec6> x, std::span<const Vec6> b, double whole) {
     image_.resize(b.size());
+    matrix_->multiply(pattern_, x, image_);
+    residual_.resize(b.size());
+    for (std::size_t i = 0; i < b.size(); ++i) residual_[i] = b[i] - image_[i];
+    if (scaled_square(residual_) <= whole) return;
+    std::fill(x.begin(), x.end(), Vec6::Zero());
     residual_.assign(b.begin(), b.end());
-    if (solution_.size() == b.size()) {
-        matrix_->multiply(pattern_, solution_, image_);
-        for (std::size_t i = 0; i < b.size(); ++i) residual_[i] -= image_[i];
-        found_ = solution_;
-        if (scaled_square(residual_) < whole) return true;
-        residual_.assign(b.begin(), b.end());
-    }
-    found_.assign(b.size(), Vec6::Zero());
-    return false;
 }
 
 }  // namespace dda

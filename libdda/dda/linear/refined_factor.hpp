@@ -14,22 +14,26 @@ class RefinedFactor {
     void analyze(const BlockPattern& pattern, const SupernodeTree& tree);
     /// As MultifrontalFactor::factorize. @param matrix must stay as it is until the last solution.
     bool factorize(const BlockMatrix& matrix, const Crew& crew, std::span<const char> changed = {});
-    /// x = A^-1 b in place. Starts from a solution before where that is nearer than nothing.
-    /// @return false where single precision is too little; x is b then.
-    bool solve(std::span<Vec6> x, const Crew& crew);
+    /// x = A^-1 b in place, as nearly as the factor is.
+    void solve_roughly(std::span<Vec6> x, const Crew& crew) { factor_.solve(x, crew); }
+    struct Outcome {
+        bool converged = false;  ///< where not, single precision is too little
+        int substitutions = 0;
+    };
+    /// Brings x to A^-1 b from where it is, or from zero where that is nearer.
+    /// @param share of b that may be left in the residual, norms scaled by the matrix' diagonal.
+    Outcome refine(std::span<Vec6> x, std::span<const Vec6> b, double share, const Crew& crew);
 
   private:
     double scaled_square(std::span<const Vec6> v) const;
-    /// Sets where the iterations begin. @param whole scaled_square(b). @return whether at the solution
-    /// before.
-    bool start(std::span<const Vec6> b, double whole);
+    /// Sets the residual, and x to zero where that leaves less. @param whole scaled_square(b).
+    void start(std::span<Vec6> x, std::span<const Vec6> b, double whole);
 
     BlockPattern pattern_;
     const BlockMatrix* matrix_ = nullptr;
     MultifrontalFactor<float> factor_;
-    std::vector<Vec6> weight_;    ///< reciprocals of the matrix' diagonal
-    std::vector<Vec6> solution_;  ///< the last one whose right-hand side was like the one before
-    std::vector<Vec6> found_, residual_, refined_, direction_, image_;  ///< of the conjugate gradients
+    std::vector<Vec6> weight_;                                  ///< reciprocals of the matrix' diagonal
+    std::vector<Vec6> residual_, refined_, direction_, image_;  ///< of the conjugate gradients
 };
 
 }  // namespace dda

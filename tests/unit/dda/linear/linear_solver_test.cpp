@@ -209,6 +209,26 @@ TEST_P(Solvers, SolveOneRightHandSideAfterAnother) {
     }
 }
 
+// From anywhere to a first solution, whose residual is below 1e-5 of the load (the condition number is below
+// 1e4); to it one for a change of the load; then the rounding of both is taken away.
+TEST_P(Solvers, SolveInThreeStrokes) {
+    for (const double guess : {0.0, 1.0, 1e6}) {
+        RandomSystem system(60, 200, 9);
+        const auto solver = GetParam().make();
+        solver->analyze(system.pattern);
+        ASSERT_TRUE(solver->factorize(system.matrix));
+        std::vector<Vec6> x(system.load.size(), Vec6::Constant(guess));
+        EXPECT_GT(solver->approach(x, system.load), 0);
+        EXPECT_LT(system.error_of(x), 1e-1);
+        std::vector<Vec6> change(system.load.rbegin(), system.load.rend());
+        for (std::size_t i = 0; i < change.size(); ++i) system.load[i] += change[i];
+        solver->solve_roughly(change);
+        for (std::size_t i = 0; i < change.size(); ++i) x[i] += change[i];
+        solver->refine(x, system.load);
+        EXPECT_LT(system.error_of(x), 1e-11) << "from " << guess;
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Kinds, Solvers, testing::ValuesIn(solver_kinds),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
