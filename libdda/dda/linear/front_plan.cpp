@@ -16,6 +16,9 @@ constexpr double largest_share = 1.0 / 12;
 /// ns up to which a subtree is worked through as a whole where anything in it has changed: its inner updates
 /// then need not be kept, and stay in the cache.
 constexpr double unit_cost = 7e4;
+/// ns from which on the work of a front is divided among threads: each portion is long beside its hand-over,
+/// and there are few fronts beside it.
+constexpr double least_divided_cost = 5e5;
 
 /// Hands out intervals of the work space, first fit, and takes them back.
 class Space {
@@ -80,6 +83,7 @@ class Planner {
         find_entries();
         divide();
         place_updates();
+        choose_divided();
         return std::move(plan_);
     }
 
@@ -195,6 +199,23 @@ class Planner {
         }
         std::stable_sort(plan_.subtrees.begin(), plan_.subtrees.end(),
                          [](const Subtree& a, const Subtree& b) { return a.cost > b.cost; });
+        plan_.tasks = find_tasks();
+    }
+
+    TaskForest find_tasks() const {
+        std::vector<int> task_of(plan_.count(), -1);  // of the fronts of `top`
+        for (std::size_t k = 0; k < plan_.top.size(); ++k)
+            task_of[static_cast<std::size_t>(plan_.top[k])] = static_cast<int>(plan_.subtrees.size() + k);
+        std::vector<int> parent;
+        std::vector<double> cost;
+        const auto add = [&](int front, double its_cost) {
+            const int above = plan_.fronts[static_cast<std::size_t>(front)].parent;
+            parent.push_back(above < 0 ? -1 : task_of[static_cast<std::size_t>(above)]);
+            cost.push_back(its_cost);
+        };
+        for (const Subtree& subtree : plan_.subtrees) add(subtree.end - 1, subtree.cost);
+        for (const int f : plan_.top) add(f, plan_.fronts[static_cast<std::size_t>(f)].cost);
+        return {parent, cost};
     }
 
     /// The largest subtrees that cost no more, ascending.
@@ -229,6 +250,16 @@ class Planner {
         }
         plan_.keeps_updates = plan_.shared_space <= most_kept_;
         if (!plan_.keeps_updates) share_space();
+    }
+
+    /// Fronts above such a front are, too. Where space for updates is shared each has to wait for the last.
+    void choose_divided() {
+        for (const int f : plan_.top) {
+            Front& front = plan_.fronts[static_cast<std::size_t>(f)];
+            front.divided = front.divided || !plan_.keeps_updates || front.cost > least_divided_cost;
+            if (front.parent >= 0 && front.divided)
+                plan_.fronts[static_cast<std::size_t>(front.parent)].divided = true;
+        }
     }
 
     /// A thread works on one subtree at a time and needs one space for all. The updates of their roots are

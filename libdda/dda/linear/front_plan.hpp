@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dda/linear/supernodes.hpp"
+#include "dda/linear/task_forest.hpp"
 
 namespace dda {
 
@@ -71,6 +72,7 @@ struct Front {
     std::size_t update = 0;       ///< offset in its space, scalars
     std::size_t stride = 0;       ///< scalar rows of its update, in whole strips
     double cost = 0;              ///< ns, predicted
+    bool divided = false;         ///< threads divide its work, when all tasks are done
 };
 
 /// Fronts whose subtrees a thread can work through without asking others: fronts [begin, end).
@@ -92,6 +94,7 @@ struct FrontPlan {
     std::vector<Subtree> subtrees;    ///< independent of each other, the dearest first
     std::vector<Subtree> units;       ///< likewise, smaller: each is worked through as a whole or not at all
     std::vector<int> top;             ///< the fronts above them, ascending
+    TaskForest tasks;                 ///< the subtrees, then the fronts of `top`
     double cost = 0;                  ///< ns, predicted
     std::size_t factor_size = 0;      ///< scalars
     bool keeps_updates = false;       ///< those of units' roots and above, each in a place of its own
@@ -99,6 +102,11 @@ struct FrontPlan {
     std::size_t shared_space = 0;     ///< scalars, for those of the subtrees' roots and above
 
     std::size_t count() const { return fronts.size() - 1; }
+    Subtree fronts_of(std::size_t task) const {
+        if (task < subtrees.size()) return subtrees[task];
+        const int front = top[task - subtrees.size()];
+        return {front, front + 1, fronts[static_cast<std::size_t>(front)].cost};
+    }
     std::span<const int> rows_of(std::size_t f) const {
         return {rows.data() + fronts[f].row_begin, static_cast<std::size_t>(fronts[f].rows)};
     }

@@ -198,22 +198,24 @@ bool MultifrontalFactor<Scalar>::factorize(const BlockMatrix& matrix, const Crew
     shared_updates_.resize(plan_.shared_space);
     subtree_updates_.resize(plan_.subtree_space * static_cast<std::size_t>(crew.size()));
     std::atomic<bool> definite{true};
-    const auto work_through_subtree = [&](std::size_t s, std::size_t thread) {
-        const Subtree& subtree = plan_.subtrees[s];
-        Scalar* space = subtree_updates_.data() + thread * plan_.subtree_space;
-        for (int f = subtree.begin; f < subtree.end && definite; ++f) {
+    const auto work_through_fronts = [&](const Subtree& fronts, Scalar* space, const Crew& helpers) {
+        for (int f = fronts.begin; f < fronts.end && definite; ++f) {
             const auto front = static_cast<std::size_t>(f);
-            if (outdated_[front] != 0 && !work_through(front, matrix, space, alone)) definite = false;
+            if (outdated_[front] != 0 && !work_through(front, matrix, space, helpers)) definite = false;
         }
     };
-    if (plan_.cost < least_shared_cost) {
-        for (std::size_t s = 0; s < plan_.subtrees.size(); ++s) work_through_subtree(s, 0);
-    } else {
-        crew.for_tasks(plan_.subtrees.size(), std::ref(work_through_subtree));
-    }
-    for (std::size_t k = 0; k < plan_.top.size() && definite; ++k) {
-        const auto front = static_cast<std::size_t>(plan_.top[k]);
-        if (outdated_[front] != 0 && !work_through(front, matrix, nullptr, crew)) definite = false;
+    const auto is_divided = [&](const Subtree& fronts) {
+        return plan_.fronts[static_cast<std::size_t>(fronts.begin)].divided;
+    };
+    plan_.tasks.rise(plan_.cost < least_shared_cost ? alone : crew,
+                     [&](std::size_t task, std::size_t thread) {
+                         const Subtree fronts = plan_.fronts_of(task);
+                         Scalar* space = subtree_updates_.data() + thread * plan_.subtree_space;
+                         if (!is_divided(fronts)) work_through_fronts(fronts, space, alone);
+                     });
+    for (std::size_t task = plan_.subtrees.size(); task < plan_.tasks.count(); ++task) {
+        const Subtree fronts = plan_.fronts_of(task);
+        if (is_divided(fronts)) work_through_fronts(fronts, nullptr, crew);
     }
     if (!plan_.keeps_updates) {
         shared_updates_.release();
@@ -268,23 +270,15 @@ void MultifrontalFactor<Scalar>::solve_backward(std::size_t f, std::span<Vec6> s
 
 template <class Scalar>
 void MultifrontalFactor<Scalar>::solve(std::span<Vec6> x, const Crew& crew) {
-    const bool alone = plan_.factor_size < least_shared_factor;
-    const auto for_subtrees = [&](const auto& work_through_subtree) {
-        const auto task = [&](std::size_t s, std::size_t) { work_through_subtree(plan_.subtrees[s]); };
-        if (alone) {
-            for (std::size_t s = 0; s < plan_.subtrees.size(); ++s) task(s, 0);
-        } else {
-            crew.for_tasks(plan_.subtrees.size(), std::ref(task));
-        }
-    };
-    for_subtrees([&](const Subtree& subtree) {
-        for (int f = subtree.begin; f < subtree.end; ++f) solve_forward(static_cast<std::size_t>(f), x);
+    const Crew alone(1);
+    const Crew& helpers = plan_.factor_size < least_shared_factor ? alone : crew;
+    plan_.tasks.rise(helpers, [&](std::size_t task, std::size_t) {
+        const Subtree fronts = plan_.fronts_of(task);
+        for (int f = fronts.begin; f < fronts.end; ++f) solve_forward(static_cast<std::size_t>(f), x);
     });
-    for (const int f : plan_.top) solve_forward(static_cast<std::size_t>(f), x);
-    for (std::size_t k = plan_.top.size(); k-- > 0;)
-        solve_backward(static_cast<std::size_t>(plan_.top[k]), x);
-    for_subtrees([&](const Subtree& subtree) {
-        for (int f = subtree.end; f-- > subtree.begin;) solve_backward(static_cast<std::size_t>(f), x);
+    plan_.tasks.descend(helpers, [&](std::size_t task, std::size_t) {
+        const Subtree fronts = plan_.fronts_of(task);
+        for (int f = fronts.end; f-- > fronts.begin;) solve_backward(static_cast<std::size_t>(f), x);
     });
 }
 

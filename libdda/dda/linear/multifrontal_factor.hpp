@@ -10,9 +10,8 @@
 
 namespace dda {
 
-/// Scalars of a factor up to which its substitutions are not shared: half a millisecond of work, which
-/// handing over twice would lengthen as often as shorten.
-inline constexpr std::size_t least_shared_factor = std::size_t{1} << 21;
+/// Scalars of a factor up to which its substitutions are not shared: some 70 us of work.
+inline constexpr std::size_t least_shared_factor = std::size_t{1} << 19;
 
 /// Cholesky factorisation of a symmetric block matrix by fronts: dense work only, the subtrees of the
 /// assembly tree shared among threads. The factor is the same bytes with any number of threads. [Duff & Reid

@@ -1,0 +1,49 @@
+#include "dda/linear/task_forest.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+
+namespace {
+
+const std::vector<int> no_tasks;
+const std::vector<int> one_task = {-1};
+const std::vector<int> chain = {1, 2, 3, -1};
+const std::vector<int> star = {4, 4, 4, 4, -1};
+const std::vector<int> two_trees = {2, 2, 6, 5, 5, -1, -1};
+
+class TaskForests : public testing::TestWithParam<std::vector<int>> {};
+
+// Each task is done once; going up when its children have been, going down when its parent has.
+TEST_P(TaskForests, DoTasksInOrder) {
+    const std::vector<int>& parent = GetParam();
+    const std::size_t count = parent.size();
+    const dda::TaskForest forest(parent, std::vector<double>(count, 1.0));
+    ASSERT_EQ(forest.count(), count);
+    for (const int threads : {1, 2, 3}) {
+        const dda::Crew crew(threads);
+        for (int again = 0; again < 50; ++again) {
+            std::vector<std::atomic<int>> done(count);
+            forest.rise(crew, [&](std::size_t task, std::size_t thread) {
+                EXPECT_LT(thread, static_cast<std::size_t>(threads));
+                for (std::size_t k = 0; k < count; ++k) {
+                    if (parent[k] == static_cast<int>(task)) {
+                        EXPECT_EQ(done[k], 1);
+                    }
+                }
+                ++done[task];
+            });
+            for (const auto& times : done) EXPECT_EQ(times, 1);
+            forest.descend(crew, [&](std::size_t task, std::size_t) {
+                if (parent[task] >= 0) {
+                    EXPECT_EQ(done[static_cast<std::size_t>(parent[task])], 2);
+                }
+                ++done[task];
+            });
+            for (const auto& times : done) EXPECT_EQ(times, 2);
+        }
+    }
+}
+INSTANTIATE_TEST_SUITE_P(Shapes, TaskForests, testing::Values(no_tasks, one_task, chain, star, two_trees));
+
+}  // namespace
