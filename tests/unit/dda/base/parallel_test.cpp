@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <atomic>
+#include <chrono>
+#include <ctime>
+#include <functional>
 #include <stdexcept>
 #include <thread>
 #include <vector>
@@ -74,14 +78,78 @@ TEST(Crew, HasAtLeastOneThread) {
     EXPECT_EQ(Crew(2).size(), 2);
 }
 
+/// Waits until both of a crew's two threads are in the same loop.
+class Meeting {
+  public:
+    void attend() {
+        ++here_;
+        const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+        while (here_ < 2 && std::chrono::steady_clock::now() < end) std::this_thread::yield();
+    }
+    bool took_place() const { return here_ == 2; }
+
+  private:
+    std::atomic<int> here_ = 0;
+};
+
 TEST(Crew, SharesLongLoops) {
     const Crew crew(2);
-    std::vector<std::thread::id> by(10000);
-    crew.for_ranges(by.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t k = begin; k < end; ++k) by[k] = std::this_thread::get_id();
-    });
-    EXPECT_EQ(by.front(), std::this_thread::get_id());
-    EXPECT_NE(by.back(), std::this_thread::get_id());
+    Meeting meeting;
+    crew.for_ranges(10000, [&](std::size_t, std::size_t) { meeting.attend(); });
+    EXPECT_TRUE(meeting.took_place());
+}
+
+TEST(Crew, WakesThreadsThatSleep) {
+    const Crew crew(2);
+    for (const int idle_ms : {0, 1, 20}) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(idle_ms));
+        Meeting meeting;
+        crew.for_tasks(2, [&](std::size_t, std::size_t) { meeting.attend(); });
+        EXPECT_TRUE(meeting.took_place()) << "after " << idle_ms << " ms";
+    }
+}
+
+// Other threads of the process, a BLAS library's, may take a while until they sleep, too.
+TEST(Crew, SleepsWhenNothingIsToBeDone) {
+    const Crew crew(2);
+    crew.for_tasks(2, [](std::size_t, std::size_t) {});
+    double busy = 1;  // share of a tenth of a second, of the whole process
+    for (int attempt = 0; attempt < 20 && busy > 0.2; ++attempt) {
+        const std::clock_t before = std::clock();
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        busy = 10 * static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
+    }
+    EXPECT_LE(busy, 0.2);
+}
+
+// Many short loops one after the other, so that helpers come early, late and not at all.
+TEST(Crew, NoCallIsLostOrDoneTwice) {
+    const Crew crew(3);
+    for (int round = 0; round < 20000; ++round) {
+        std::array<int, 5> visits{};
+        crew.for_tasks(visits.size(), [&](std::size_t k, std::size_t) { ++visits[k]; });
+        ASSERT_EQ(visits, (std::array{1, 1, 1, 1, 1})) << "round " << round;
+    }
+}
+
+TEST(Crew, TakesSumsTogetherAlikeWithAnyNumberOfThreads) {
+    for (const std::size_t count : {0u, 1u, 63u, 64u, 65u, 4096u, 4097u, 100003u}) {
+        const auto sum = [&](int threads) {
+            return Crew(threads).taken_together(
+                count, 0.5,
+                [](std::size_t begin, std::size_t end) {
+                    double portion = 0;
+                    for (std::size_t k = begin; k < end; ++k) portion += 1 / static_cast<double>(k + 1);
+                    return portion;
+                },
+                std::plus<>());
+        };
+        const double alone = sum(1);
+        double expected = 0.5;
+        for (std::size_t k = 0; k < count; ++k) expected += 1 / static_cast<double>(k + 1);
+        EXPECT_NEAR(alone, expected, 1e-12 * expected) << count;
+        for (const int threads : {2, 3, 5}) EXPECT_EQ(sum(threads), alone) << count << ", " << threads;
+    }
 }
 
 }  // namespace
