@@ -37,6 +37,7 @@ class Iteration {
           matrix_(problem, pattern, work),
           times_(times),
           trials_(problem, crew),
+          line_search_(problem, trials_, crew),
           friction_(problem, trials_, solver) {
         displacement_.assign(static_cast<std::size_t>(p_.rows.count()), Vec6::Zero());
     }
@@ -69,7 +70,7 @@ class Iteration {
 
             trials_.move_to(displacement_);
             if (follow || is_at_minimum(result, full_step)) {
-                const Eigen::VectorXd held = trials_.coupling();
+                const Eigen::VectorXd held = follow ? Eigen::VectorXd() : trials_.coupling();
                 trials_.choose_lines();
                 if (result.iterations <= dilation_iterations) trials_.update_dilation();
                 trials_.update_bounds();
@@ -135,7 +136,7 @@ class Iteration {
     /// Goes from the present displacement towards the linear system's solution, as far as the potential
     /// falls. @return whether it went all the way.
     bool advance_towards(const std::vector<Vec6>& target, bool first) {
-        const double share = first ? 1 : line_search(p_, trials_, displacement_, target);
+        const double share = first ? 1 : line_search_.share(displacement_, target);
         for (std::size_t r = 0; r < displacement_.size(); ++r)
             displacement_[r] += share * (target[r] - displacement_[r]);
         if (share == 1) displacement_ = target;
@@ -162,8 +163,8 @@ class Iteration {
     void finish(OpenCloseResult& result) const {
         result.substitutions = substitutions_;
         result.displacement = displacement_;
-        result.contacts.reserve(trials_.count());
-        for (std::size_t k = 0; k < trials_.count(); ++k) result.contacts.push_back(trials_.judged(k));
+        result.contacts.resize(trials_.count());
+        trials_.judge(result.contacts);
         for (std::size_t k = 0; k < p_.bolts.size(); ++k) result.bolt_force.push_back(trials_.bolt_force(k));
     }
 
@@ -172,6 +173,7 @@ class Iteration {
     StepMatrix matrix_;
     PhaseTimes* times_;
     TrialContacts trials_;
+    LineSearch line_search_;
     HeldFriction friction_;
     std::vector<Vec6> displacement_;  ///< per row
     int substitutions_ = 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "dda/analysis/joint_motion.hpp"
 #include "dda/contact/detect.hpp"
@@ -35,16 +36,37 @@ Strength of_share(const Strength& over_normal_force, double normal_force) {
 }  // namespace
 
 TrialContacts::TrialContacts(const StepProblem& problem, const Crew& crew)
-    : p_(problem), crew_(crew), faces_(problem), friction_(faces_.count()) {
-    const auto at_start = [this](std::size_t k) { return pressed_at_start(k); };
-    for (std::size_t pair = 0; pair < friction_.size(); ++pair) find_friction(pair, at_start);
-    trials_.reserve(p_.contacts.size());
-    for (std::size_t k = 0; k < p_.contacts.size(); ++k) {
-        trials_.push_back(started(k));
-        dilates_ = dilates_ || dilates(law_of(k));
-    }
+    : p_(problem), crew_(crew), faces_(problem), friction_(faces_.count()), trials_(problem.contacts.size()) {
+    find_frictions([this](std::size_t k) { return pressed_at_start(k); });
+    for_contacts([&](std::size_t k) { trials_[k] = started(k); });
+    dilates_ = std::any_of(p_.model.joint_materials.begin(), p_.model.joint_materials.end(),
+                           [](const JointMaterial& material) { return dilates(material.law); });
     yielding_.assign(p_.bolts.size(), 0);
     elongation_.assign(p_.bolts.size(), 0);
+}
+
+template <class Body>
+void TrialContacts::for_contacts(const Body& body) const {
+    crew_.for_ranges(count(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) body(k);
+    });
+}
+
+template <class IsOne>
+bool TrialContacts::for_any_contact(const IsOne& is_one) const {
+    const auto any_of_portion = [&](std::size_t begin, std::size_t end) {
+        bool any = false;
+        for (std::size_t k = begin; k < end; ++k) any = is_one(k) || any;
+        return any;
+    };
+    return crew_.taken_together(count(), false, any_of_portion, std::logical_or<>());
+}
+
+template <class PressedOf>
+void TrialContacts::find_frictions(const PressedOf& pressed_of) {
+    crew_.for_ranges(friction_.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t pair = begin; pair < end; ++pair) find_friction(pair, pressed_of);
+    });
 }
 
 TrialContacts::Trial TrialContacts::started(std::size_t k) const {
@@ -154,31 +176,30 @@ double TrialContacts::bound_at(std::size_t k, double normal, std::span<const Vec
 // --- judging
 
 void TrialContacts::move_to(std::span<const Vec6> d) {
-    std::vector<BlockMap> maps;
-    maps.reserve(p_.prescribed.size());
-    for (std::size_t b = 0; b < p_.prescribed.size(); ++b) {
-        const int row = p_.rows.row_of[b];
-        maps.emplace_back(p_.blocks.moments[b].centroid,
-                          row < 0 ? p_.prescribed[b] : d[static_cast<std::size_t>(row)]);
-    }
-    const auto moved = [&](int block, int corner) {
-        return maps[static_cast<std::size_t>(block)](p_.blocks.vertices[static_cast<std::size_t>(corner)]);
-    };
-    crew_.for_ranges(trials_.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t k = begin; k < end; ++k) {
-            const Contact& contact = p_.contacts[k];
-            const ContactSprings& s = p_.springs[k];
-            Trial& trial = trials_[k];
-            trial.opening = s.rows.measure(s.normal, d);
-            trial.shearing = s.rows.measure(s.shear, d);
-            trial.linear = linear_forces(k, trial.opening, trial.shearing);
-            const int edge_end = p_.model.topology.next[static_cast<std::size_t>(contact.edge)];
-            const double gap = corner_edge_geometry(moved(contact.corner_block, contact.corner),
-                                                    moved(contact.edge_block, contact.edge),
-                                                    moved(contact.edge_block, edge_end))
-                                   .gap;
-            trial.gap_offset = gap - contact.dilation - trial.opening;
+    const Topology& topology = p_.model.topology;
+    moved_.resize(p_.blocks.vertices.size());
+    crew_.for_ranges(p_.prescribed.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t b = begin; b < end; ++b) {
+            const int row = p_.rows.row_of[b];
+            const BlockMap map(p_.blocks.moments[b].centroid,
+                               row < 0 ? p_.prescribed[b] : d[static_cast<std::size_t>(row)]);
+            for (int c = topology.block_corners[b]; c < topology.block_corners[b + 1]; ++c)
+                moved_[static_cast<std::size_t>(c)] = map(p_.blocks.vertices[static_cast<std::size_t>(c)]);
         }
+    });
+    const auto moved = [&](int corner) -> const Vec2& { return moved_[static_cast<std::size_t>(corner)]; };
+    for_contacts([&](std::size_t k) {
+        const Contact& contact = p_.contacts[k];
+        const ContactSprings& s = p_.springs[k];
+        Trial& trial = trials_[k];
+        const Vec2 apart = s.rows.apart(d);
+        trial.opening = s.normal.at(apart);
+        trial.shearing = s.shear.at(apart);
+        trial.linear = linear_forces(k, trial.opening, trial.shearing);
+        const CornerEdgeGeometry geometry =
+            corner_edge_geometry(moved(contact.corner), moved(contact.edge),
+                                 moved(topology.next[static_cast<std::size_t>(contact.edge)]));
+        trial.gap_offset = geometry.gap - contact.dilation - trial.opening;
     });
     for (std::size_t k = 0; k < elongation_.size(); ++k)
         elongation_[k] = p_.bolts[k].rows.measure(p_.bolts[k].elongation, d);
@@ -195,25 +216,37 @@ void TrialContacts::choose_lines() {
         const auto entered = [&](std::size_t line) { return gap(line) + 2 * p_.contacts[line].known_depth; };
         if (best == trials_.size() || entered(k) > entered(best)) best = k;
     }
-    for (std::size_t k = 0; k < trials_.size(); ++k) {
+    for_contacts([&](std::size_t k) {
         const int group = p_.contacts[k].group;
         if (group >= 0 && !p_.contacts[k].held_back)
             trials_[k].may_close =
                 p_.contacts[chosen_[static_cast<std::size_t>(group)]].line == p_.contacts[k].line;
-    }
+    });
 }
 
 TrialContacts::ForceChange TrialContacts::force_change() {
-    ForceChange change;
-    reference_ = 0;
-    for (std::size_t k = 0; k < trials_.size(); ++k) {
-        const Forces law = present_forces(k);
-        const Forces& linear = trials_[k].linear;
-        const double moved =
-            std::max(std::abs(law.normal - linear.normal), std::abs(law.shear - linear.shear));
-        reference_ = std::max({reference_, std::abs(law.normal), std::abs(law.shear)});
-        if (moved > change.largest) change = {moved, static_cast<int>(k)};
-    }
+    struct Largest {
+        ForceChange change;
+        double force = 0;  ///< of a law
+    };
+    const auto of_portion = [&](std::size_t begin, std::size_t end) {
+        Largest found;
+        for (std::size_t k = begin; k < end; ++k) {
+            const Forces law = present_forces(k);
+            const Forces& linear = trials_[k].linear;
+            const double moved =
+                std::max(std::abs(law.normal - linear.normal), std::abs(law.shear - linear.shear));
+            found.force = std::max({found.force, std::abs(law.normal), std::abs(law.shear)});
+            if (moved > found.change.largest) found.change = {moved, static_cast<int>(k)};
+        }
+        return found;
+    };
+    const auto larger = [](const Largest& a, const Largest& b) {
+        return Largest{b.change.largest > a.change.largest ? b.change : a.change, std::max(a.force, b.force)};
+    };
+    const Largest largest = crew_.taken_together(count(), Largest(), of_portion, larger);
+    reference_ = largest.force;
+    ForceChange change = largest.change;
     for (std::size_t k = 0; k < elongation_.size(); ++k) {
         const double moved = std::abs(bolt_force(k) - linear_bolt_force(k, elongation_[k]));
         change.largest = std::max(change.largest, moved);
@@ -227,18 +260,21 @@ double TrialContacts::tolerance() const {
 
 void TrialContacts::update_bounds() {
     // Contacts in their order, faces from a short list of numbers: a pair's contacts lie far apart in memory.
-    std::vector<Pressed> here(trials_.size());
-    for (std::size_t k = 0; k < trials_.size(); ++k) {
-        here[k] = {present_forces(k).normal, trials_[k].shearing};
-        if (faces_.pair_of(k) >= 0) continue;
-        const bool open = !trials_[k].may_close || (here[k].normal <= 0 && !is_bonded(k));
-        trials_[k].bounds = open ? Strength{} : bounds_by_itself(k, here[k]);
-    }
-    for (std::size_t pair = 0; pair < friction_.size(); ++pair)
-        find_friction(pair, [&](std::size_t k) { return here[k]; });
-    for (std::size_t k = 0; k < trials_.size() && !friction_.empty(); ++k) {
-        if (is_of_faces(k)) trials_[k].bounds = bounds_of(k, here[k]);
-    }
+    pressed_.resize(friction_.empty() ? 0 : count());
+    for_contacts([&](std::size_t k) {
+        const Pressed here{present_forces(k).normal, trials_[k].shearing};
+        if (is_of_faces(k)) {
+            pressed_[k] = here;
+            return;
+        }
+        const bool open = !trials_[k].may_close || (here.normal <= 0 && !is_bonded(k));
+        trials_[k].bounds = open ? Strength{} : bounds_by_itself(k, here);
+    });
+    if (pressed_.empty()) return;
+    find_frictions([this](std::size_t k) { return pressed_[k]; });
+    for_contacts([&](std::size_t k) {
+        if (is_of_faces(k)) trials_[k].bounds = bounds_of(k, pressed_[k]);
+    });
 }
 
 ContactMotion TrialContacts::motion(std::size_t k) const {
@@ -313,13 +349,11 @@ void TrialContacts::set_coupling(const Eigen::VectorXd& coupling) {
 }
 
 bool TrialContacts::tear() {
-    bool any = false;
-    for (std::size_t k = 0; k < trials_.size(); ++k) {
-        if (!is_bonded(k) || present_forces(k).normal >= -trials_[k].bounds.tensile) continue;
-        trials_[k].torn = true;
-        any = true;
-    }
-    return any;
+    return for_any_contact([&](std::size_t k) {
+        const bool tears = is_bonded(k) && present_forces(k).normal < -trials_[k].bounds.tensile;
+        trials_[k].torn = trials_[k].torn || tears;
+        return tears;
+    });
 }
 
 bool TrialContacts::is_off(std::size_t k, double tolerance) const {
@@ -360,24 +394,7 @@ bool TrialContacts::augment(AndersonMixing& mixing) {
 }
 
 bool TrialContacts::choose_springs() {
-    bool changed = false;
-    for (std::size_t k = 0; k < trials_.size(); ++k) {
-        Trial& trial = trials_[k];
-        const Forces law = present_forces(k);
-        const double elastic = elastic_shear(k, trial.shearing);
-        const bool pressed = trial.may_close && (law.normal > 0 || is_bonded(k));
-        const bool locked = trial.may_close && within(elastic, trial.bounds);
-        changed = changed || pressed != trial.pressed || locked != trial.locked;
-        if (pressed && std::abs(law.normal - trial.linear.normal) > tolerance()) {
-            const Tangent tangent = tangent_at(k, law.normal);
-            changed = changed || tangent.stiffness != trial.tangent.stiffness;
-            trial.tangent = tangent;
-        }
-        trial.pressed = pressed;
-        trial.locked = locked;
-        trial.held_force = law.shear;
-        trial.forward = elastic >= 0;
-    }
+    bool changed = for_any_contact([&](std::size_t k) { return choose_springs_of(k); });
     for (std::size_t k = 0; k < elongation_.size(); ++k) {
         const double elastic = p_.bolt_force[k] + p_.bolts[k].stiffness * elongation_[k];
         const double law = bolt_force(k);
@@ -388,11 +405,34 @@ bool TrialContacts::choose_springs() {
     return changed;
 }
 
+bool TrialContacts::choose_springs_of(std::size_t k) {
+    Trial& trial = trials_[k];
+    const Forces law = present_forces(k);
+    const double elastic = elastic_shear(k, trial.shearing);
+    const bool pressed = trial.may_close && (law.normal > 0 || is_bonded(k));
+    const bool locked = trial.may_close && within(elastic, trial.bounds);
+    bool changed = pressed != trial.pressed || locked != trial.locked;
+    if (pressed && std::abs(law.normal - trial.linear.normal) > tolerance()) {
+        const Tangent tangent = tangent_at(k, law.normal);
+        changed = changed || tangent.stiffness != trial.tangent.stiffness;
+        trial.tangent = tangent;
+    }
+    trial.pressed = pressed;
+    trial.locked = locked;
+    trial.held_force = law.shear;
+    trial.forward = elastic >= 0;
+    return changed;
+}
+
 double TrialContacts::slip(std::size_t k, double elastic, double force) const {
     if (!p_.model.augments(p_.contacts[k].joint_material))
         return (elastic - force) / p_.springs[k].shear_stiffness;
     if (elastic == force) return 0;
     return force >= 0 ? std::max(trials_[k].shearing, 0.0) : std::min(trials_[k].shearing, 0.0);
+}
+
+void TrialContacts::judge(std::span<JudgedContact> judged_contacts) const {
+    for_contacts([&](std::size_t k) { judged_contacts[k] = judged(k); });
 }
 
 JudgedContact TrialContacts::judged(std::size_t k) const {

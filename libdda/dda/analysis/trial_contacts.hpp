@@ -143,7 +143,8 @@ class TrialContacts {
     /// Sets the linear system's springs to the judged states. @return whether its matrix changes.
     bool choose_springs();
 
-    JudgedContact judged(std::size_t k) const;
+    /// What each contact does. @param judged_contacts as many as contacts.
+    void judge(std::span<JudgedContact> judged_contacts) const;
     double bolt_force(std::size_t k) const { return law_bolt_force(k, elongation_[k]); }
 
   private:
@@ -180,8 +181,16 @@ class TrialContacts {
         Strength exponent;           ///< of the normal force, that the strength over it goes with
     };
 
+    /// Calls body(k) for each contact; on several threads, so it may write what is the contact's own only.
+    template <class Body>
+    void for_contacts(const Body& body) const;
+    /// Likewise is_one(k). @return whether any is.
+    template <class IsOne>
+    bool for_any_contact(const IsOne& is_one) const;
     Trial started(std::size_t k) const;
     /// @param pressed_of gives the Pressed of a contact's index.
+    template <class PressedOf>
+    void find_frictions(const PressedOf& pressed_of);
     template <class PressedOf>
     void find_friction(std::size_t pair, const PressedOf& pressed_of);
     /// What the contact's law bears there; between rough faces with the friction found last.
@@ -192,6 +201,9 @@ class TrialContacts {
     /// Of a contact whose law knows of no faces.
     Strength bounds_by_itself(std::size_t k, const Pressed& pressed) const;
     Pressed pressed_at_start(std::size_t k) const;
+    /// @return whether the matrix changes.
+    bool choose_springs_of(std::size_t k);
+    JudgedContact judged(std::size_t k) const;
     /// The contact's motion so far, with its plastic part.
     ContactMotion motion(std::size_t k) const;
     /// What shearing has moved a pair of faces apart in the step by their law, m; for each of its contacts
@@ -220,6 +232,8 @@ class TrialContacts {
     FacesStrength faces_;
     std::vector<FacesFriction> friction_;  ///< per pair of faces
     std::vector<Trial> trials_;
+    std::vector<Vec2> moved_;          ///< per corner: its place at the present displacement
+    std::vector<Pressed> pressed_;     ///< per contact, there, of those between rough faces
     std::vector<int> yielding_;        ///< per bolt: the sign of its yielding force, 0 when elastic
     std::vector<double> elongation_;   ///< per bolt, of the step, m
     bool dilates_ = false;             ///< whether any contact may

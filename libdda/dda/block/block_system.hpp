@@ -46,6 +46,12 @@ inline Eigen::Matrix<double, 2, 6> displacement_matrix(const Vec2& arm) {
     return t;
 }
 
+/// T(arm) d.
+inline Vec2 displacement_at(const Vec2& arm, const Vec6& d) {
+    return {d[0] - arm.y() * d[2] + arm.x() * d[3] + arm.y() / 2 * d[5],
+            d[1] + arm.x() * d[2] + arm.y() * d[4] + arm.x() / 2 * d[5]};
+}
+
 /// direction^T T(arm): what a displacement along `direction` at a point is in the block's unknowns.
 inline Vec6 project(const Vec2& direction, const Vec2& arm) {
     return {direction.x(),           direction.y(),

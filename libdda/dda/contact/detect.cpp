@@ -292,17 +292,6 @@ std::vector<std::size_t> choose(std::size_t count, const Crew& crew, const IsCho
 
 }  // namespace
 
-CornerEdgeGeometry corner_edge_geometry(const Vec2& corner, const Vec2& first, const Vec2& second) {
-    CornerEdgeGeometry geometry;
-    const Vec2 edge = second - first;
-    geometry.length = edge.norm();
-    geometry.tangent = edge / geometry.length;
-    geometry.normal = -perpendicular(geometry.tangent);
-    geometry.gap = (corner - first).dot(geometry.normal);
-    geometry.along = (corner - first).dot(geometry.tangent);
-    return geometry;
-}
-
 bool faces_outwards(const Topology& topology, std::span<const Vec2> vertices, int corner,
                     const Vec2& normal) {
     const auto k = static_cast<std::size_t>(corner);

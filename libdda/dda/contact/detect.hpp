@@ -29,7 +29,16 @@ struct CornerEdgeGeometry {
     /// How far the projection lies inside the edge's ends, m; negative beyond an end.
     double inside() const { return along < length - along ? along : length - along; }
 };
-CornerEdgeGeometry corner_edge_geometry(const Vec2& corner, const Vec2& first, const Vec2& second);
+inline CornerEdgeGeometry corner_edge_geometry(const Vec2& corner, const Vec2& first, const Vec2& second) {
+    CornerEdgeGeometry geometry;
+    const Vec2 edge = second - first;
+    geometry.length = edge.norm();
+    geometry.tangent = edge / geometry.length;
+    geometry.normal = -perpendicular(geometry.tangent);
+    geometry.gap = (corner - first).dot(geometry.normal);
+    geometry.along = (corner - first).dot(geometry.tangent);
+    return geometry;
+}
 
 /// Whether the rock at a corner lies on the outer side of a line with the given normal, Eq. (27): both its
 /// edges, and the side they enclose, which decides for a straight corner.

@@ -30,13 +30,6 @@ Relative relative_displacement(const PairRows& pair, std::span<const Vec6> presc
 
 }  // namespace
 
-double PairRows::measure(const Relative& relative, std::span<const Vec6> d) const {
-    double sum = relative.known;
-    if (first >= 0) sum += of_first(relative).dot(d[static_cast<std::size_t>(first)]);
-    if (second >= 0) sum += of_second(relative).dot(d[static_cast<std::size_t>(second)]);
-    return sum;
-}
-
 void PairRows::add_force(const Relative& relative, double force, std::span<Vec6> load) const {
     if (first >= 0) load[static_cast<std::size_t>(first)] += force * of_first(relative);
     if (second >= 0) load[static_cast<std::size_t>(second)] += force * of_second(relative);

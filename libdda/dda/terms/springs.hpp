@@ -14,6 +14,9 @@ namespace dda {
 struct Relative {
     Vec2 direction = Vec2::Zero();
     double known = 0;  ///< m, the share of blocks without unknowns
+
+    /// @param apart see PairRows.
+    double at(const Vec2& apart) const { return known + direction.dot(apart); }
 };
 
 /// The springs between two blocks work on measures of their relative displacement; this is the pair, the
@@ -29,7 +32,14 @@ struct PairRows {
     Vec6 of_first(const Relative& relative) const { return project(relative.direction, first_arm); }
     Vec6 of_second(const Relative& relative) const { return -project(relative.direction, second_arm); }
 
-    double measure(const Relative& relative, std::span<const Vec6> d) const;
+    /// The displacement of the first block's point less that of the second's, m, of blocks with unknowns.
+    Vec2 apart(std::span<const Vec6> d) const {
+        Vec2 sum = Vec2::Zero();
+        if (first >= 0) sum += displacement_at(first_arm, d[static_cast<std::size_t>(first)]);
+        if (second >= 0) sum -= displacement_at(second_arm, d[static_cast<std::size_t>(second)]);
+        return sum;
+    }
+    double measure(const Relative& relative, std::span<const Vec6> d) const { return relative.at(apart(d)); }
     /// Adds a force that works on the measure.
     void add_force(const Relative& relative, double force, std::span<Vec6> load) const;
 };
