@@ -26,7 +26,10 @@ struct FirstStep {
     dda::StepControl control;
     dda::BlockPattern pattern;
 
+    dda::RowContacts row_contacts;
+
     FirstStep() {
+        row_contacts.find(rows.count(), springs);
         std::vector<std::pair<int, int>> pairs;
         for (const auto& s : springs) {
             if (s.rows.first >= 0 && s.rows.second >= 0) pairs.emplace_back(s.rows.first, s.rows.second);
@@ -36,8 +39,8 @@ struct FirstStep {
         base.load.assign(static_cast<std::size_t>(rows.count()), Vec6::Zero());
     }
     dda::StepProblem problem() const {
-        return {model, control, rows,    base, state.blocks, still, set.contacts,
-                faces, guess,   springs, {},   {},           1};
+        return {model, control, rows,    base,         state.blocks, still, set.contacts,
+                faces, guess,   springs, row_contacts, {},           {},    1};
     }
 };
 

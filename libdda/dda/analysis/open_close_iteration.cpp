@@ -34,11 +34,13 @@ class Iteration {
               BlockMatrix& work, const Crew& crew, PhaseTimes* times)
         : p_(problem),
           solver_(solver),
-          matrix_(problem, pattern, work),
+          matrix_(problem, pattern, work, crew),
+          crew_(crew),
           times_(times),
           trials_(problem, crew),
           line_search_(problem, trials_, crew),
-          friction_(problem, trials_, solver) {
+          friction_(problem, trials_, solver),
+          force_(problem.contacts.size()) {
         displacement_.assign(static_cast<std::size_t>(p_.rows.count()), Vec6::Zero());
     }
 
@@ -100,14 +102,23 @@ class Iteration {
   private:
     /// The load, and the springs' forces at zero unknowns: the known displacement of blocks without unknowns
     /// is in Relative::known.
-    std::vector<Vec6> right_hand_side() const {
+    std::vector<Vec6> right_hand_side() {
+        crew_.for_ranges(force_.size(), [&](std::size_t begin, std::size_t end) {
+            for (std::size_t k = begin; k < end; ++k) {
+                const ContactSprings& s = p_.springs[k];
+                const Forces forces = trials_.linear_forces(k, s.normal.known, s.shear.known);
+                force_[k] = forces.normal * s.normal.direction - forces.shear * s.shear.direction;
+            }
+        });
         std::vector<Vec6> load = p_.base.load;
-        for (std::size_t k = 0; k < trials_.count(); ++k) {
-            const ContactSprings& s = p_.springs[k];
-            const Forces forces = trials_.linear_forces(k, s.normal.known, s.shear.known);
-            if (forces.normal != 0) s.rows.add_force(s.normal, forces.normal, load);
-            if (forces.shear != 0) s.rows.add_force(s.shear, -forces.shear, load);
-        }
+        crew_.for_ranges(load.size(), [&](std::size_t begin, std::size_t end) {
+            for (std::size_t row = begin; row < end; ++row) {
+                for (const int contact : p_.row_contacts.of(row)) {
+                    const auto k = static_cast<std::size_t>(contact);
+                    load[row] += p_.springs[k].rows.of_row(static_cast<int>(row), force_[k]);
+                }
+            }
+        });
         for (std::size_t k = 0; k < p_.bolts.size(); ++k) {
             const BoltSpring& b = p_.bolts[k];
             b.rows.add_force(b.elongation, -trials_.linear_bolt_force(k, b.elongation.known), load);
@@ -171,10 +182,12 @@ class Iteration {
     const StepProblem& p_;
     LinearSolver& solver_;
     StepMatrix matrix_;
+    const Crew& crew_;
     PhaseTimes* times_;
     TrialContacts trials_;
     LineSearch line_search_;
     HeldFriction friction_;
+    std::vector<Vec2> force_;         ///< per contact, on the first block's point, N per metre
     std::vector<Vec6> displacement_;  ///< per row
     int substitutions_ = 0;
 };

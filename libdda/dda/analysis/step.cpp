@@ -298,6 +298,7 @@ OpenCloseResult TimeStepper::solve(const Stage& stage, const State& state, const
     }
     analyze_pattern(step.contacts);
     end_of(Phase::analysis, times_);
+    row_contacts_.find(rows_.count(), step.springs);
     const std::vector<const JudgedContact*> first = guess.of(step.contacts.contacts);
     const StepProblem problem{model_,
                               stage.control,
@@ -309,6 +310,7 @@ OpenCloseResult TimeStepper::solve(const Stage& stage, const State& state, const
                               step.faces,
                               first,
                               step.springs,
+                              row_contacts_,
                               step.bolts,
                               state.bolt_force,
                               rounding_ * std::max(stiffest_spring(step.springs), model_.normal_penalty)};

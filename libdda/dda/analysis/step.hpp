@@ -75,6 +75,7 @@ class TimeStepper {
     BlockPattern pattern_;
     std::vector<CornerEdge> pattern_of_;  ///< the candidates that it was made of
     BlockMatrix matrix_;
+    RowContacts row_contacts_;
     std::unique_ptr<LinearSolver> solver_;
     PhaseTimes* times_ = nullptr;
 };

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "dda/analysis/trial_contacts.hpp"
+#include "dda/base/parallel.hpp"
 #include "dda/linear/block_matrix.hpp"
 
 namespace dda {
@@ -14,7 +15,7 @@ namespace dda {
 class StepMatrix {
   public:
     /// @param work the matrix itself, whose memory outlives the step.
-    StepMatrix(const StepProblem& problem, const BlockPattern& pattern, BlockMatrix& work);
+    StepMatrix(const StepProblem& problem, const BlockPattern& pattern, BlockMatrix& work, const Crew& crew);
 
     /// Brings the matrix to the springs' present states.
     void assemble(const TrialContacts& trials);
@@ -34,17 +35,21 @@ class StepMatrix {
     bool is_changed(int row) const {
         return row >= 0 && (changed_.empty() || changed_[static_cast<std::size_t>(row)] != 0);
     }
-    void mark(const PairRows& rows);
-    /// Sets the changed rows to what does not depend on contacts.
-    void clear_changed();
-    void add_spring(const PairRows& rows, const Relative& relative, double stiffness);
+    /// Takes the springs' present stiffnesses, and marks the rows of those that have changed.
+    void take_springs(const TrialContacts& trials);
+    void take_bolts(const TrialContacts& trials);
+    /// Puts together what a row has on the diagonal and above it, without bolts.
+    void put_together(std::size_t row);
+    void add_bolt(const BoltSpring& bolt, double stiffness);
 
     const StepProblem& p_;
     const BlockPattern& pattern_;
     BlockMatrix& matrix_;
+    const Crew& crew_;
     bool assembled_ = false;
     std::vector<char> changed_;
     std::vector<Springs> contacts_;  ///< in the matrix
+    std::vector<char> moved_;        ///< per contact, whether its springs have changed
     std::vector<double> bolts_;      ///< likewise
 };
 

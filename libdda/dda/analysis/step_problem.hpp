@@ -6,6 +6,7 @@
 #include "dda/contact/joint_faces.hpp"
 #include "dda/model/model.hpp"
 #include "dda/model/stage.hpp"
+#include "dda/terms/row_contacts.hpp"
 #include "dda/terms/springs.hpp"
 #include "dda/terms/system.hpp"
 
@@ -37,6 +38,7 @@ struct StepProblem {
     /// Per contact: what another look at the step found, null where there was none. A place to start from.
     std::span<const JudgedContact* const> guess;
     std::span<const ContactSprings> springs;
+    const RowContacts& row_contacts;  ///< by the rows of the springs
     std::span<const BoltSpring> bolts;
     std::span<const double> bolt_force;  ///< at the start of the step, N per metre
     double smallest_force = 0;           ///< N per metre, below which force differences are rounding

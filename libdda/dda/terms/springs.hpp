@@ -32,6 +32,11 @@ struct PairRows {
     Vec6 of_first(const Relative& relative) const { return project(relative.direction, first_arm); }
     Vec6 of_second(const Relative& relative) const { return -project(relative.direction, second_arm); }
 
+    /// What a force between the two points, along its direction on the first, is in a row's unknowns.
+    Vec6 of_row(int row, const Vec2& force) const {
+        return row == first ? project(force, first_arm) : Vec6(-project(force, second_arm));
+    }
+
     /// The displacement of the first block's point less that of the second's, m, of blocks with unknowns.
     Vec2 apart(std::span<const Vec6> d) const {
         Vec2 sum = Vec2::Zero();

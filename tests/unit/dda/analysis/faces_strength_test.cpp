@@ -22,6 +22,7 @@ struct Faces {
     std::vector<Contact> contacts;
     dda::JointFaces faces;
     std::vector<dda::ContactSprings> springs;
+    dda::RowContacts row_contacts;
     dda::StepControl control;
     dda::BlockSystem blocks;
     dda::BaseSystem base;
@@ -38,7 +39,8 @@ struct Faces {
         faces = dda::JointFaces(model, contacts);
     }
     dda::StepProblem problem() const {
-        return {model, control, rows, base, blocks, {}, contacts, faces, {}, springs, {}, {}, 1};
+        return {model, control, rows,    base,         blocks, {}, contacts,
+                faces, {},      springs, row_contacts, {},     {}, 1};
     }
 
   private:

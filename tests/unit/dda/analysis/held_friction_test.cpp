@@ -27,7 +27,7 @@ struct SlidingWall {
         trials.update_bounds();
         trials.choose_springs();
         trials.force_change();  // sets what counts as converged
-        dda::StepMatrix matrix(problem, step.pattern, work);
+        dda::StepMatrix matrix(problem, step.pattern, work, step.crew);
         matrix.assemble(trials);
         solver->analyze(step.pattern);
         EXPECT_TRUE(solver->factorize(matrix.matrix()));

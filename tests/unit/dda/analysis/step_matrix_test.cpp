@@ -15,7 +15,7 @@ TEST(StepMatrix, OfWhatHasChangedIsTheSameBytesAsAFreshOne) {
     const dda::StepProblem problem = step.problem();
     dda::TrialContacts trials(problem, step.crew);
     dda::BlockMatrix work;
-    dda::StepMatrix matrix(problem, step.pattern, work);
+    dda::StepMatrix matrix(problem, step.pattern, work, step.crew);
     matrix.assemble(trials);
     EXPECT_TRUE(matrix.changed().empty());
     Dice dice(5);
@@ -30,7 +30,7 @@ TEST(StepMatrix, OfWhatHasChangedIsTheSameBytesAsAFreshOne) {
         matrix.assemble(trials);
 
         dda::BlockMatrix other_work;
-        dda::StepMatrix fresh(problem, step.pattern, other_work);
+        dda::StepMatrix fresh(problem, step.pattern, other_work, step.crew);
         fresh.assemble(trials);
         EXPECT_EQ(work.diagonal, other_work.diagonal);
         EXPECT_EQ(work.upper, other_work.upper);
