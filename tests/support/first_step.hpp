@@ -14,7 +14,7 @@ struct FirstStep {
     dda::RowMap rows{model.motion};
     dda::State state = dda::initial_state(model);
     std::vector<Vec6> still = std::vector<Vec6>(state.blocks.velocity.size(), Vec6::Zero());
-    dda::MidStep mid = dda::predict_mid_step(model, state.blocks, still);
+    dda::MidStep mid = dda::predict_mid_step(model, state.blocks, still, crew);
     dda::ContactSet set = dda::find_contacts(
         model, state.contacts, {state.blocks.vertices, mid.vertices, {}, 1e-3, 1, 1e-9, 0.005, true}, crew);
     dda::JointFaces faces = dda::JointFaces(model, set.contacts);

@@ -9,7 +9,7 @@ namespace {
 
 /// Histories first: they are advanced from the forces at the step's start.
 void advance_histories(const Model& model, const JointFaces& faces, std::span<const JudgedContact> judged,
-                       std::span<const ContactSprings> springs, double duration,
+                       std::span<const ContactSprings> springs, double duration, const Crew& crew,
                        std::span<Contact> contacts) {
     const auto motion = [&](int k) {
         const auto i = static_cast<std::size_t>(k);
@@ -19,12 +19,14 @@ void advance_histories(const Model& model, const JointFaces& faces, std::span<co
         made.duration = duration;
         return made;
     };
-    for (std::size_t k = 0; k < contacts.size(); ++k) {
-        const JointLaw& law = model.joint_material_at(contacts[k].joint_material).law;
-        if (belongs_to_faces(law)) continue;
-        const JointHistory moved = advance(law, contacts[k].history, motion(static_cast<int>(k)));
-        if (moved != *contacts[k].history) contacts[k].history = moved;
-    }
+    crew.for_ranges(contacts.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+            const JointLaw& law = model.joint_material_at(contacts[k].joint_material).law;
+            if (belongs_to_faces(law)) continue;
+            const JointHistory moved = advance(law, contacts[k].history, motion(static_cast<int>(k)));
+            if (moved != *contacts[k].history) contacts[k].history = moved;
+        }
+    });
     for (std::size_t f = 0; f < faces.count(); ++f) {
         const std::span<const int> members = faces.contacts_of(f);
         const int material = contacts[static_cast<std::size_t>(members[0])].joint_material;
@@ -37,32 +39,37 @@ void advance_histories(const Model& model, const JointFaces& faces, std::span<co
     }
 }
 
+/// What a contact is at the step's end. @param law its joint's; @param next corner of its edge.
+void advance_contact(const JointLaw& law, std::span<const Vec2> vertices, int next,
+                     const JudgedContact& result, Contact& contact) {
+    const auto at = [&](int corner) { return vertices[static_cast<std::size_t>(corner)]; };
+    const CornerEdgeGeometry geometry = corner_edge_geometry(at(contact.corner), at(contact.edge), at(next));
+    contact.point = at(contact.corner);
+    contact.normal = geometry.normal;
+    contact.tangent = geometry.tangent;
+    contact.gap = geometry.gap - contact.dilation;
+    contact.state = result.state;
+    contact.rest_gap = result.rest_gap;
+    contact.normal_force = result.normal_force;
+    contact.shear_force = result.shear_force;
+    contact.slip += result.slip;
+    contact.bonded =
+        contact.bonded && !result.torn && strength(law, contact.history, 0, contact.length).tensile > 0;
+}
+
 }  // namespace
 
 void advance_contacts(const Model& model, const JointFaces& faces, std::span<const Vec2> vertices,
                       std::span<const JudgedContact> judged, std::span<const ContactSprings> springs,
-                      double duration, std::span<Contact> contacts) {
-    const auto at = [&](int corner) { return vertices[static_cast<std::size_t>(corner)]; };
-    advance_histories(model, faces, judged, springs, duration, contacts);
-    for (std::size_t k = 0; k < contacts.size(); ++k) {
-        Contact& contact = contacts[k];
-        const JudgedContact& result = judged[k];
-        const JointLaw& law = model.joint_material_at(contact.joint_material).law;
-        const CornerEdgeGeometry geometry =
-            corner_edge_geometry(at(contact.corner), at(contact.edge),
-                                 at(model.topology.next[static_cast<std::size_t>(contact.edge)]));
-        contact.point = at(contact.corner);
-        contact.normal = geometry.normal;
-        contact.tangent = geometry.tangent;
-        contact.gap = geometry.gap - contact.dilation;
-        contact.state = result.state;
-        contact.rest_gap = result.rest_gap;
-        contact.normal_force = result.normal_force;
-        contact.shear_force = result.shear_force;
-        contact.slip += result.slip;
-        contact.bonded =
-            contact.bonded && !result.torn && strength(law, contact.history, 0, contact.length).tensile > 0;
-    }
+                      double duration, const Crew& crew, std::span<Contact> contacts) {
+    advance_histories(model, faces, judged, springs, duration, crew, contacts);
+    crew.for_ranges(contacts.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+            Contact& contact = contacts[k];
+            advance_contact(model.joint_material_at(contact.joint_material).law, vertices,
+                            model.topology.next[static_cast<std::size_t>(contact.edge)], judged[k], contact);
+        }
+    });
 }
 
 }  // namespace dda

@@ -12,6 +12,6 @@ namespace dda {
 /// of the step; @param duration s, 0 where a step is no time.
 void advance_contacts(const Model& model, const JointFaces& faces, std::span<const Vec2> vertices,
                       std::span<const JudgedContact> judged, std::span<const ContactSprings> springs,
-                      double duration, std::span<Contact> contacts);
+                      double duration, const Crew& crew, std::span<Contact> contacts);
 
 }  // namespace dda

@@ -85,6 +85,7 @@ void HeldFriction::draw_line(Sliding& sliding, std::span<const Vec6> d) const {
 
 void HeldFriction::find_sliding(std::span<const Vec6> d) {
     sliding_.clear();
+    sliding_.reserve(trials_.count());
     for (std::size_t k = 0; k < trials_.count(); ++k) {
         if (!trials_.is_pressed(k) || trials_.is_locked(k)) continue;
         const ContactSprings& springs = p_.springs[k];
@@ -116,8 +117,10 @@ double HeldFriction::norm_of_differences() const {
 
 void HeldFriction::tell(Change& change, std::size_t rows) {
     change.share = 0;
-    change.held.clear();
-    change.normal.clear();
+    for (std::vector<double>* of_sliding : {&change.held, &change.normal, &change.difference}) {
+        of_sliding->clear();
+        of_sliding->reserve(trials_.count());  // once for the step, however many slide
+    }
     change.difference.resize(sliding_.size());
     change.displacement.assign(rows, Vec6::Zero());
     for (const Sliding& sliding : sliding_) {

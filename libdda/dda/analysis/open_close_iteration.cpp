@@ -66,9 +66,9 @@ class Iteration {
             }
             ++result.iterations;
             const bool follow = result.iterations - began <= following_iterations;
-            const std::vector<Vec6> target = follow ? solve_with_friction() : solve_as_held();
+            follow ? solve_with_friction() : solve_as_held();
             end_of(Phase::solution, times_);
-            const bool full_step = advance_towards(target, result.iterations == 1);
+            const bool full_step = advance_to_target(result.iterations == 1);
 
             trials_.move_to(displacement_);
             if (follow || is_at_minimum(result, full_step)) {
@@ -102,7 +102,7 @@ class Iteration {
   private:
     /// The load, and the springs' forces at zero unknowns: the known displacement of blocks without unknowns
     /// is in Relative::known.
-    std::vector<Vec6> right_hand_side() {
+    void set_right_hand_side() {
         crew_.for_ranges(force_.size(), [&](std::size_t begin, std::size_t end) {
             for (std::size_t k = begin; k < end; ++k) {
                 const ContactSprings& s = p_.springs[k];
@@ -110,47 +110,46 @@ class Iteration {
                 force_[k] = forces.normal * s.normal.direction - forces.shear * s.shear.direction;
             }
         });
-        std::vector<Vec6> load = p_.base.load;
-        crew_.for_ranges(load.size(), [&](std::size_t begin, std::size_t end) {
+        load_ = p_.base.load;
+        crew_.for_ranges(load_.size(), [&](std::size_t begin, std::size_t end) {
             for (std::size_t row = begin; row < end; ++row) {
                 for (const int contact : p_.row_contacts.of(row)) {
                     const auto k = static_cast<std::size_t>(contact);
-                    load[row] += p_.springs[k].rows.of_row(static_cast<int>(row), force_[k]);
+                    load_[row] += p_.springs[k].rows.of_row(static_cast<int>(row), force_[k]);
                 }
             }
         });
         for (std::size_t k = 0; k < p_.bolts.size(); ++k) {
             const BoltSpring& b = p_.bolts[k];
-            b.rows.add_force(b.elongation, -trials_.linear_bolt_force(k, b.elongation.known), load);
+            b.rows.add_force(b.elongation, -trials_.linear_bolt_force(k, b.elongation.known), load_);
         }
-        return load;
     }
 
-    std::vector<Vec6> solve_as_held() {
-        std::vector<Vec6> d = displacement_;
-        const std::vector<Vec6> load = right_hand_side();
-        substitutions_ += solver_.approach(d, load);
-        substitutions_ += solver_.refine(d, load);
-        return d;
+    /// Solves the linear system with the shear forces of sliding contacts as they are held.
+    void solve_as_held() {
+        target_ = displacement_;
+        set_right_hand_side();
+        substitutions_ += solver_.approach(target_, load_);
+        substitutions_ += solver_.refine(target_, load_);
     }
 
-    /// Solves the linear system with the sliding contacts' shear forces at the bounds that belong to its own
-    /// normal forces.
-    std::vector<Vec6> solve_with_friction() {
-        std::vector<Vec6> d = displacement_;
-        substitutions_ += solver_.approach(d, right_hand_side());
-        substitutions_ += friction_.agree(d);
-        substitutions_ += solver_.refine(d, right_hand_side());
-        return d;
+    /// Likewise, with these at the bounds that belong to the solution's own normal forces.
+    void solve_with_friction() {
+        target_ = displacement_;
+        set_right_hand_side();
+        substitutions_ += solver_.approach(target_, load_);
+        substitutions_ += friction_.agree(target_);
+        set_right_hand_side();
+        substitutions_ += solver_.refine(target_, load_);
     }
 
     /// Goes from the present displacement towards the linear system's solution, as far as the potential
     /// falls. @return whether it went all the way.
-    bool advance_towards(const std::vector<Vec6>& target, bool first) {
-        const double share = first ? 1 : line_search_.share(displacement_, target);
+    bool advance_to_target(bool first) {
+        const double share = first ? 1 : line_search_.share(displacement_, target_);
         for (std::size_t r = 0; r < displacement_.size(); ++r)
-            displacement_[r] += share * (target[r] - displacement_[r]);
-        if (share == 1) displacement_ = target;
+            displacement_[r] += share * (target_[r] - displacement_[r]);
+        if (share == 1) displacement_ = target_;
         return share == 1;
     }
 
@@ -188,7 +187,9 @@ class Iteration {
     LineSearch line_search_;
     HeldFriction friction_;
     std::vector<Vec2> force_;         ///< per contact, on the first block's point, N per metre
-    std::vector<Vec6> displacement_;  ///< per row
+    std::vector<Vec6> load_;          ///< per row: right-hand side
+    std::vector<Vec6> target_;        ///< per row: the linear system's solution, m
+    std::vector<Vec6> displacement_;  ///< likewise: where the iteration is, m
     int substitutions_ = 0;
 };
 

@@ -232,7 +232,7 @@ TimeStepper::Step TimeStepper::prepare(const Stage& stage, const State& state, d
     step.dt = dt;
     step.newmark = {stage.newmark_beta, stage.newmark_gamma, dt};
     step.prescribed = prescribe_motion(model_, stage, state.blocks, dt, state.stage_time + dt);
-    step.mid = predict_mid_step(model_, state.blocks, look.predicted);
+    step.mid = predict_mid_step(model_, state.blocks, look.predicted, crew_);
     end_of(Phase::preparation, times_);
     step.contacts = find_contacts(
         model_, state.contacts,
@@ -326,16 +326,19 @@ std::vector<Vec6> TimeStepper::all_displacements(const Step& step, const OpenClo
 }
 
 double TimeStepper::largest_displacement(const State& state, std::span<const Vec6> displacement) const {
-    double square = 0;
-    for (std::size_t b = 0; b < displacement.size(); ++b) {
-        if (displacement[b].isZero(0)) continue;
-        const Vec2& centroid = state.blocks.moments[b].centroid;
-        for (int k = model_.topology.block_corners[b]; k < model_.topology.block_corners[b + 1]; ++k) {
-            const Vec2 arm = state.blocks.vertices[static_cast<std::size_t>(k)] - centroid;
-            square = std::max(square, (displacement_matrix(arm) * displacement[b]).squaredNorm());
+    const auto largest_square = [&](std::size_t begin, std::size_t end) {
+        double square = 0;
+        for (std::size_t b = begin; b < end; ++b) {
+            const Vec2& centroid = state.blocks.moments[b].centroid;
+            for (int k = model_.topology.block_corners[b]; k < model_.topology.block_corners[b + 1]; ++k) {
+                const Vec2 arm = state.blocks.vertices[static_cast<std::size_t>(k)] - centroid;
+                square = std::max(square, displacement_at(arm, displacement[b]).squaredNorm());
+            }
         }
-    }
-    return std::sqrt(square);
+        return square;
+    };
+    return std::sqrt(crew_.taken_together(displacement.size(), 0.0, largest_square,
+                                          [](double a, double b) { return std::max(a, b); }));
 }
 
 State TimeStepper::updated(const Stage& stage, const State& state, const Step& step,
@@ -367,7 +370,7 @@ State TimeStepper::updated(const Stage& stage, const State& state, const Step& s
         after.blocks.acceleration[b] = step.prescribed.acceleration[b];
     }
     const std::vector<Vec6> velocity = after.blocks.velocity;
-    move_blocks(model_, displacement, after.blocks);
+    move_blocks(model_, displacement, crew_, after.blocks);
     double straining_loss = 0;
     for (const int block : rows_.block_of) {
         const auto b = static_cast<std::size_t>(block);
@@ -376,7 +379,7 @@ State TimeStepper::updated(const Stage& stage, const State& state, const Step& s
     }
 
     advance_contacts(model_, step.faces, after.blocks.vertices, result.contacts, step.springs,
-                     duration_of(stage, step.dt), after.contacts.contacts);
+                     duration_of(stage, step.dt), crew_, after.contacts.contacts);
     const StepWork work{
         state.blocks,    step.mid, step.contacts.contacts, step.springs,       step.bolts, state.bolt_force,
         step.boundaries, result,   step.newmark,           stage.mass_damping, kept,       step.loads};

@@ -68,22 +68,20 @@ Vec3 rotate_tensor(const Vec3& tensor, double angle, bool engineering) {
             s * s * tensor[0] + c * c * tensor[1] + 2 * c * s * xy, engineering ? 2 * turned_xy : turned_xy};
 }
 
-void move_blocks(const Model& model, std::span<const Vec6> displacement, BlockSystem& blocks) {
+void move_blocks(const Model& model, std::span<const Vec6> displacement, const Crew& crew,
+                 BlockSystem& blocks) {
     const Topology& topology = model.topology;
-    std::vector<BlockMap> maps;
-    maps.reserve(displacement.size());
-    for (std::size_t b = 0; b < displacement.size(); ++b) {
-        maps.emplace_back(blocks.moments[b].centroid, displacement[b]);
-    }
     for (std::size_t p = 0; p < blocks.points.size(); ++p) {
-        blocks.points[p] = maps[static_cast<std::size_t>(model.material_points[p].block)](blocks.points[p]);
+        const auto b = static_cast<std::size_t>(model.material_points[p].block);
+        blocks.points[p] = BlockMap(blocks.moments[b].centroid, displacement[b])(blocks.points[p]);
     }
-    for (std::size_t b = 0; b < displacement.size(); ++b) {
+    const auto move = [&](std::size_t b) {
         const Vec6& d = displacement[b];
-        if (d.isZero(0)) continue;
+        if (d.isZero(0)) return;
+        const BlockMap map(blocks.moments[b].centroid, d);
         for (int k = topology.block_corners[b]; k < topology.block_corners[b + 1]; ++k) {
             Vec2& vertex = blocks.vertices[static_cast<std::size_t>(k)];
-            vertex = maps[b](vertex);
+            vertex = map(vertex);
         }
         blocks.moments[b] = moments_of(topology, blocks.vertices, b);
         blocks.rotation[b] += d[2];
@@ -92,7 +90,10 @@ void move_blocks(const Model& model, std::span<const Vec6> displacement, BlockSy
         blocks.stress[b] = rotate_tensor(stress, d[2], false);
         blocks.velocity[b].tail<3>() = rotate_tensor(blocks.velocity[b].tail<3>(), d[2], true);
         blocks.acceleration[b].tail<3>() = rotate_tensor(blocks.acceleration[b].tail<3>(), d[2], true);
-    }
+    };
+    crew.for_ranges(displacement.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t b = begin; b < end; ++b) move(b);
+    });
 }
 
 }  // namespace dda

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "dda/base/parallel.hpp"
 #include "dda/base/types.hpp"
 #include "dda/geometry/simplex.hpp"
 #include "dda/model/model.hpp"
@@ -67,6 +68,7 @@ Vec3 rotate_tensor(const Vec3& tensor, double angle, bool engineering);
 /// gain elasticity * strain and turn with the block; rates of strain turn as well. Velocities must already be
 /// those of the step's end.
 /// @param displacement per block.
-void move_blocks(const Model& model, std::span<const Vec6> displacement, BlockSystem& blocks);
+void move_blocks(const Model& model, std::span<const Vec6> displacement, const Crew& crew,
+                 BlockSystem& blocks);
 
 }  // namespace dda

@@ -2,23 +2,26 @@
 
 namespace dda {
 
-MidStep predict_mid_step(const Model& model, const BlockSystem& blocks, std::span<const Vec6> displacement) {
+MidStep predict_mid_step(const Model& model, const BlockSystem& blocks, std::span<const Vec6> displacement,
+                         const Crew& crew) {
     const Topology& topology = model.topology;
-    MidStep mid{blocks.vertices, blocks.points, {}};
-    std::vector<BlockMap> maps;
-    maps.reserve(displacement.size());
-    for (std::size_t b = 0; b < displacement.size(); ++b) {
-        maps.emplace_back(blocks.moments[b].centroid, displacement[b] / 2);
-        mid.centroid.push_back(maps[b](blocks.moments[b].centroid));
-        if (displacement[b].isZero(0)) continue;
-        for (int k = topology.block_corners[b]; k < topology.block_corners[b + 1]; ++k) {
-            Vec2& vertex = mid.vertices[static_cast<std::size_t>(k)];
-            vertex = maps[b](vertex);
+    MidStep mid{blocks.vertices, blocks.points, std::vector<Vec2>(displacement.size())};
+    const auto map_of = [&](std::size_t b) {
+        return BlockMap(blocks.moments[b].centroid, displacement[b] / 2);
+    };
+    crew.for_ranges(displacement.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t b = begin; b < end; ++b) {
+            const BlockMap map = map_of(b);
+            mid.centroid[b] = map(blocks.moments[b].centroid);
+            if (displacement[b].isZero(0)) continue;
+            for (int k = topology.block_corners[b]; k < topology.block_corners[b + 1]; ++k) {
+                Vec2& vertex = mid.vertices[static_cast<std::size_t>(k)];
+                vertex = map(vertex);
+            }
         }
-    }
-    for (std::size_t p = 0; p < mid.points.size(); ++p) {
-        mid.points[p] = maps[static_cast<std::size_t>(model.material_points[p].block)](mid.points[p]);
-    }
+    });
+    for (std::size_t p = 0; p < mid.points.size(); ++p)
+        mid.points[p] = map_of(static_cast<std::size_t>(model.material_points[p].block))(mid.points[p]);
     return mid;
 }
 

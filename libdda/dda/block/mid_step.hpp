@@ -17,6 +17,7 @@ struct MidStep {
 };
 
 /// @param displacement per block, the predicted displacement of the whole step.
-MidStep predict_mid_step(const Model& model, const BlockSystem& blocks, std::span<const Vec6> displacement);
+MidStep predict_mid_step(const Model& model, const BlockSystem& blocks, std::span<const Vec6> displacement,
+                         const Crew& crew);
 
 }  // namespace dda

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "dda/contact/by_corner.hpp"
+#include "dda/contact/by_owner.hpp"
 #include "dda/contact/candidates.hpp"
 #include "dda/contact/known_depth.hpp"
 
@@ -37,6 +37,7 @@ struct Chosen {
     int group = -1;
     int line = 0;
     bool held_back = false;
+    int block = 0;  ///< the corner's
 };
 
 /// Entries of one pair of corners whose normals are parallel.
@@ -122,8 +123,8 @@ class Detector {
             const bool held_back = holder != lines.end() && &*holder != &line;
             const auto choose = [&](const Entry* entry, double length) {
                 const ContactKind kind = length > 0 ? ContactKind::edge_edge : ContactKind::vertex_vertex;
-                out.push_back(
-                    {entry, kind, length, lines.size() > 1 ? group : -1, static_cast<int>(k), held_back});
+                out.push_back({entry, kind, length, lines.size() > 1 ? group : -1, static_cast<int>(k),
+                               held_back, block_of(*entry)});
             };
             const Entry* other = overlaps(*line.best) ? other_corner(members, *line.best) : nullptr;
             if (other == nullptr) {
@@ -139,7 +140,7 @@ class Detector {
     Chosen choose_single(const Entry& entry) const {
         const double length = overlap_length(entry.pair);
         const ContactKind kind = length > 0 ? ContactKind::edge_edge : ContactKind::vertex_edge;
-        return {&entry, kind, length, -1, 0, entry.held_back};
+        return {&entry, kind, length, -1, 0, entry.held_back, block_of(entry)};
     }
 
     Contact contact_of(const Chosen& chosen) const {
@@ -165,10 +166,10 @@ class Detector {
         return contact;
     }
 
-    /// The order of contacts, see comes_before.
-    std::array<int, 4> place_of(const Chosen& chosen) const {
+    /// The order of contacts of one block's corners, see comes_before.
+    std::array<int, 3> place_of(const Chosen& chosen) const {
         const auto [corner, edge] = chosen.entry->pair;
-        return {topology_.block_of[index(corner)], topology_.block_of[index(edge)], corner, edge};
+        return {topology_.block_of[index(edge)], corner, edge};
     }
 
   private:
@@ -179,6 +180,7 @@ class Detector {
     int next(int corner) const { return topology_.next[index(corner)]; }
     int previous(int corner) const { return topology_.previous[index(corner)]; }
 
+    int block_of(const Entry& entry) const { return topology_.block_of[index(entry.pair.corner)]; }
     static std::vector<int> corners_of(std::span<const Contact> contacts) {
         std::vector<int> corners;
         corners.reserve(contacts.size());
@@ -273,7 +275,7 @@ class Detector {
     const Topology& topology_;
     const Detection& d_;
     KnownDepths known_;
-    ByCorner previous_;
+    ByOwner previous_;
 };
 
 /// The indices for which `is_chosen` says so, ascending.
@@ -288,6 +290,29 @@ std::vector<std::size_t> choose(std::size_t count, const Crew& crew, const IsCho
         if (chosen[k] != 0) indices.push_back(k);
     }
     return indices;
+}
+
+/// The contacts chosen, see comes_before: blocks by counting, those of a block by sorting.
+std::vector<Contact> in_order(const Model& model, const Detector& detector, std::span<const Chosen> chosen,
+                              const Crew& crew) {
+    std::vector<int> blocks(chosen.size());
+    std::transform(chosen.begin(), chosen.end(), blocks.begin(), [](const Chosen& c) { return c.block; });
+    const ByOwner by_block(model.block_count(), blocks);
+    std::vector<Contact> contacts(chosen.size());
+    crew.for_ranges(static_cast<std::size_t>(model.block_count()), [&](std::size_t begin, std::size_t end) {
+        std::vector<const Chosen*> of_block;
+        for (std::size_t block = begin; block < end; ++block) {
+            of_block.clear();
+            const int b = static_cast<int>(block);
+            for (const int k : by_block.of(b)) of_block.push_back(&chosen[static_cast<std::size_t>(k)]);
+            std::sort(of_block.begin(), of_block.end(), [&](const Chosen* one, const Chosen* other) {
+                return detector.place_of(*one) < detector.place_of(*other);
+            });
+            Contact* to = contacts.data() + by_block.before(b);
+            for (const Chosen* one : of_block) *to++ = detector.contact_of(*one);
+        }
+    });
+    return contacts;
 }
 
 }  // namespace
@@ -332,13 +357,7 @@ std::vector<Contact> detect_contacts(const Model& model, const Detection& at,
             members.push_back(&examined[grouped[k].second]);
         detector.choose_of_group(members, group, chosen);
     }
-    std::sort(chosen.begin(), chosen.end(),
-              [&](const Chosen& a, const Chosen& b) { return detector.place_of(a) < detector.place_of(b); });
-    std::vector<Contact> contacts(chosen.size());
-    crew.for_ranges(chosen.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t k = begin; k < end; ++k) contacts[k] = detector.contact_of(chosen[k]);
-    });
-    return contacts;
+    return in_order(model, detector, chosen, crew);
 }
 
 }  // namespace dda

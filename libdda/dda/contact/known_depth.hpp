@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "dda/contact/by_corner.hpp"
+#include "dda/contact/by_owner.hpp"
 #include "dda/contact/contact.hpp"
 #include "dda/model/model.hpp"
 
@@ -57,7 +57,7 @@ class KnownDepths {
 
     std::span<const Contact> contacts_;
     std::vector<Entry> entries_;
-    ByCorner by_corner_;
+    ByOwner by_corner_;
 };
 
 }  // namespace dda

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "dda/contact/by_owner.hpp"
 #include "dda/contact/contact_stiffness.hpp"
 #include "dda/contact/detect.hpp"
 #include "dda/contact/joint_faces.hpp"
@@ -115,14 +116,7 @@ class Estate {
 /// The old contacts that bore a force, by either of their blocks.
 class Bearers {
   public:
-    explicit Bearers(std::span<const Contact> old) {
-        for (const Contact& contact : old) {
-            if (contact.state == ContactState::open) continue;
-            by_block_.emplace_back(contact.corner_block, &contact);
-            by_block_.emplace_back(contact.edge_block, &contact);
-        }
-        std::sort(by_block_.begin(), by_block_.end());
-    }
+    Bearers(int blocks, std::span<const Contact> old) : old_(old), by_block_(blocks, blocks_of(old)) {}
 
     /// The nearest on the contact's line that has a block with it in common, no farther than that; null if
     /// there is none.
@@ -130,12 +124,12 @@ class Bearers {
         const Contact* nearest = nullptr;
         double least = farthest;
         for (const int block : {contact.corner_block, contact.edge_block}) {
-            auto entry = std::lower_bound(by_block_.begin(), by_block_.end(),
-                                          std::pair<int, const Contact*>{block, nullptr});
-            for (; entry != by_block_.end() && entry->first == block; ++entry) {
-                const double distance = (entry->second->point - contact.point).norm();
-                if (distance > least || !along(*entry->second, contact, farthest)) continue;
-                if (nearest == nullptr || distance < least) nearest = entry->second;
+            for (const int mention : by_block_.of(block)) {
+                const Contact& bearer = old_[static_cast<std::size_t>(mention / 2)];
+                if (bearer.state == ContactState::open) continue;
+                const double distance = (bearer.point - contact.point).norm();
+                if (distance > least || !along(bearer, contact, farthest)) continue;
+                if (nearest == nullptr || distance < least) nearest = &bearer;
                 least = distance;
             }
         }
@@ -143,6 +137,14 @@ class Bearers {
     }
 
   private:
+    /// Of each contact the two, in turn.
+    static std::vector<int> blocks_of(std::span<const Contact> contacts) {
+        std::vector<int> blocks;
+        blocks.reserve(2 * contacts.size());
+        for (const Contact& contact : contacts)
+            blocks.insert(blocks.end(), {contact.corner_block, contact.edge_block});
+        return blocks;
+    }
     static bool along(const Contact& bearer, const Contact& contact, double moved) {
         const double facing = bearer.normal.dot(contact.normal);
         const bool same_role =
@@ -153,7 +155,8 @@ class Bearers {
                    parallel_tolerance * moved;
     }
 
-    std::vector<std::pair<int, const Contact*>> by_block_;
+    std::span<const Contact> old_;
+    ByOwner by_block_;
 };
 
 /// The nearest closed contact of the same blocks on the same line, no farther than that; null if there is
@@ -252,7 +255,7 @@ void transfer_contacts(const Model& model, std::span<const Contact> old, double 
         const bool waits = contact.known_depth > 0 && contact.slip == 0;
         if (contact.state != ContactState::open || !waits) continue;
         if (knows[k] != 0 && belongs_to_faces(model.joint_material_at(contact.joint_material).law)) continue;
-        if (!bearers) bearers.emplace(old);
+        if (!bearers) bearers.emplace(model.block_count(), old);
         const Contact* bearer = bearers->nearest(contact, moved);
         if (bearer == nullptr) continue;
         contact.take_history(bearer->history, bearer->dilation);

@@ -16,7 +16,8 @@ Vec6 force_on_first(const Scene& s, double time = 0) {
     const dda::BlockSystem blocks = dda::initial_block_system(s.model);
     const dda::RowMap rows(s.model.motion);
     const std::vector<Vec6> still(s.model.motion.size(), Vec6::Zero());
-    return dda::load_forces(s.model, rows, blocks, dda::predict_mid_step(s.model, blocks, still), {time})[0];
+    return dda::load_forces(s.model, rows, blocks,
+                            dda::predict_mid_step(s.model, blocks, still, dda::Crew(1)), {time})[0];
 }
 /// Largest difference of two forces, over the largest component of the second.
 double difference(const Vec6& a, const Vec6& b) {

@@ -1,0 +1,67 @@
+// What a step asks operator new for: what is worked on is kept from one open-close iteration to the next.
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include "dda/analysis/step.hpp"
+#include "support/walls.hpp"
+
+namespace {
+
+/// Bytes from which a piece of memory is work space, and not bookkeeping that is as long in a small model.
+constexpr std::size_t large = 2048;
+std::atomic<long> large_pieces{0};
+
+void* take(std::size_t size) {
+    if (size >= large) ++large_pieces;
+    if (void* piece = std::malloc(size > 0 ? size : 1)) return piece;
+    throw std::bad_alloc();
+}
+
+}  // namespace
+
+void* operator new(std::size_t size) {
+    return take(size);
+}
+void operator delete(void* piece) noexcept {
+    std::free(piece);
+}
+void operator delete(void* piece, std::size_t) noexcept {
+    std::free(piece);
+}
+
+namespace {
+
+/// Large pieces that a step asks for which is given up after so many iterations.
+long pieces_in(dda::TimeStepper& stepper, dda::Stage stage, const dda::State& state, int iterations) {
+    stage.control.iteration_limit = iterations;
+    const long before = large_pieces;
+    const dda::StepAttempt attempt = stepper.advance(stage, state, 0.005);
+    EXPECT_EQ(attempt.report.iterations, iterations) << "the step is to be a hard one";
+    return large_pieces - before;
+}
+
+/// Changes of the held forces that an iteration may tell, each in memory of its own for the step, and how
+/// many pieces that is.
+constexpr int most_changes = 12;
+constexpr int pieces_of_change = 4;
+
+// A wall let go: everything slides. What is worked on is made in the first iterations.
+TEST(Allocations, FurtherIterationsTakeNoMemoryButForNewChanges) {
+    const dda::Model model = scene::running_bond_wall(12, 12, 100).model;
+    for (const int threads : {1, 2}) {
+        dda::TimeStepper stepper(model, threads);
+        const dda::State state = dda::initial_state(model);
+        pieces_in(stepper, {}, state, 2);
+        const long few = pieces_in(stepper, {}, state, 4);
+        for (const int iterations : {8, 12, 16}) {
+            EXPECT_LE(pieces_in(stepper, {}, state, iterations) - few, most_changes * pieces_of_change)
+                << iterations << " iterations, " << threads << " threads";
+        }
+    }
+}
+
+}  // namespace
