@@ -329,6 +329,7 @@ double TimeStepper::largest_displacement(const State& state, std::span<const Vec
     const auto largest_square = [&](std::size_t begin, std::size_t end) {
         double square = 0;
         for (std::size_t b = begin; b < end; ++b) {
+            if (!displacement[b].allFinite()) return std::numeric_limits<double>::infinity();
             const Vec2& centroid = state.blocks.moments[b].centroid;
             for (int k = model_.topology.block_corners[b]; k < model_.topology.block_corners[b + 1]; ++k) {
                 const Vec2 arm = state.blocks.vertices[static_cast<std::size_t>(k)] - centroid;

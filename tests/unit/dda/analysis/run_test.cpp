@@ -29,6 +29,20 @@ struct Crash {
     }
 };
 
+// A load beyond numbers moves the block by no number: the step must be refused at any size.
+TEST(Run, RefusesADisplacementThatIsNoNumber) {
+    Scene s;
+    s.box({0, 0}, 1, 1);
+    s.model.gravity = {0, -1e308};
+    Simulation sim(s);
+    dda::Stage stage;
+    stage.duration = .1;
+    stage.control = {.step = 1e-3, .smallest_step = 5e-4};
+    EXPECT_EQ(sim.run(stage).status, dda::RunStatus::not_converged);
+    EXPECT_TRUE(all_finite(sim.state));
+    EXPECT_TRUE(sim.reports.empty());
+}
+
 // One iteration is not enough to close a contact, and the step may hardly be cut: the run must end with the
 // reason and with the last good state.
 TEST(Run, EndsWithTheReasonWhereNoStepConverges) {
