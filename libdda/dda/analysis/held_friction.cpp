@@ -12,9 +12,9 @@ namespace {
 constexpr int most_changes = 12;
 /// Of the first difference between held forces and bounds: nearer than that the springs will change anyway.
 constexpr double share_left = 0.02;
-/// Of the differences, left by a back-substitution that gained little. The third of these is the last.
+/// Of the differences, left by a back-substitution that gained little. The second of these is the last.
 constexpr double poor_gain = 0.8;
-constexpr int most_poor_gains = 3;
+constexpr int most_poor_gains = 2;
 /// What is added to the products of changes of length one, lest one that hardly differs from others is taken
 /// many times over.
 constexpr double independence = 1e-14;

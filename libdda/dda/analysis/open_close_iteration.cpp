@@ -14,7 +14,7 @@ namespace {
 
 /// Iterations in which the shear bounds follow every iterate; past these they wait for the minimum of the
 /// potential, and from one minimum to the next they are a fixed point to be found.
-constexpr int following_iterations = 32;
+constexpr int following_iterations = 16;
 /// Earlier minima remembered in the search for that fixed point.
 constexpr int friction_memory = 6;
 
