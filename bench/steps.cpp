@@ -12,7 +12,10 @@
 #include <exception>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
+#include "dda/analysis/run_stage.hpp"
 #include "dda/analysis/step.hpp"
 #include "dda/io/read_run.hpp"
 #include "options.hpp"
@@ -21,11 +24,13 @@
 namespace {
 
 constexpr const char* usage =
-    "bench_steps --wall COLUMNSxROWS [--penalty TIMES-E] | --model RUN.toml --blocks FILE\n"
+    "bench_steps --wall COLUMNSxROWS [--penalty TIMES-E] | --model RUN.toml --blocks FILE [--name SCENE]\n"
     "    [--step S] [--steps N] [--warm N] [--iterations N] [--threads N]\n"
     "    [--solver multifrontal|refined|cholmod] [--no-heading]\n"
-    "Takes WARM steps, then N that count, and prints what their phases took as CSV, in us per block and\n"
-    "step: CPU time on one thread, wall time on several. `at four` is what a step of four open-close\n"
+    "Runs the model's stages but the last one to their ends, takes WARM steps of the last, then N that "
+    "count,\n"
+    "and prints what their phases took as CSV, in us per block and step: CPU time on one thread, wall time "
+    "on several. `at four` is what a step of four open-close\n"
     "iterations takes: the phases of the iteration are scaled to four of them, the others are as measured.\n"
     "With --iterations WARM steps are taken as after their first iteration; the next step's equations are\n"
     "then iterated that often, N times over.\n";
@@ -54,6 +59,7 @@ struct Scene {
     std::string name;
     dda::Model model;
     dda::Stage stage;
+    std::vector<dda::Stage> before;  ///< run to their ends first
 };
 
 Scene wall(const Options& options) {
@@ -69,7 +75,20 @@ Scene wall(const Options& options) {
 
 Scene slope(const Options& options) {
     const dda::RunInput input = dda::read_run(options.at("--model"), {{}, options.at("--blocks"), {}});
-    return {input.output.name, input.model, input.stages.front()};
+    Scene scene{options.count("--name") ? options.at("--name") : input.output.name, input.model,
+                input.stages.back(), input.stages};
+    scene.before.pop_back();
+    return scene;
+}
+
+/// At the end of the stages before the one that is measured.
+dda::State prepared(const Scene& scene, int threads) {
+    dda::State state = dda::initial_state(scene.model);
+    dda::RunObserver nobody;
+    const dda::RunOutcome outcome = dda::run(scene.model, scene.before, state, nobody, {threads});
+    if (outcome.status != dda::RunStatus::completed) throw std::runtime_error(outcome.message);
+    dda::begin_stage(state);
+    return state;
 }
 
 /// Means over the steps that count.
@@ -126,7 +145,7 @@ Figures measure(const Scene& scene, const Options& options) {
     const int threads = read_number(options.at("--threads"), 1);
     const double dt = read_number(options.at("--step"), 1e-9);
     dda::TimeStepper stepper(scene.model, threads);
-    dda::State state = dda::initial_state(scene.model);
+    dda::State state = prepared(scene, threads);
     Figures figures{0, 0, 0, 0, threads == 1 ? cpu_time : wall_time};
     const int warm = read_number(options.at("--warm"), 0);
     const int steps = read_number(options.at("--steps"), 1);
