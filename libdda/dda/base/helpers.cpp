@@ -54,7 +54,8 @@ void close_and_wait(std::atomic<int>& door) {
 
 }  // namespace
 
-Helpers::Helpers(std::size_t count) : failures_(count + 1) {
+Helpers::Helpers(std::size_t count) {
+    failures_.resize(count + 1);
     threads_.reserve(count);
     for (std::size_t k = 0; k < count; ++k) threads_.emplace_back([this] { stand_by(); });
 }
