@@ -23,13 +23,25 @@ void* take(std::size_t size) {
 
 }  // namespace
 
+// All that the library's own forms do not come back to, and with them what they are freed by: a sanitizer
+// holds each new to the delete of its family.
 void* operator new(std::size_t size) {
     return take(size);
+}
+void* operator new(std::size_t size, const std::nothrow_t& /*unused*/) noexcept {
+    try {
+        return take(size);
+    } catch (const std::bad_alloc&) {
+        return nullptr;
+    }
 }
 void operator delete(void* piece) noexcept {
     std::free(piece);
 }
-void operator delete(void* piece, std::size_t) noexcept {
+void operator delete(void* piece, std::size_t /*unused*/) noexcept {
+    std::free(piece);
+}
+void operator delete(void* piece, const std::nothrow_t& /*unused*/) noexcept {
     std::free(piece);
 }
 
