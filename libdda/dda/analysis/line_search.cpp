@@ -16,23 +16,50 @@ constexpr double share_tolerance = 1e-6;
 LineSearch::LineSearch(const StepProblem& problem, const TrialContacts& trials, const Crew& crew)
     : p_(problem), trials_(trials), crew_(crew) {}
 
+LineSearch::Place LineSearch::ContactLine::at(double share) const {
+    const double o = opening.at(share);
+    const double s = shearing.at(share);
+    Place place;
+    if (law.may_close) {
+        const double elastic = law.shear_origin + law.shear_stiffness * s;
+        place.piece = {law.bonded || law.normal(o) > 0, elastic >= law.backward && elastic <= law.forward,
+                       elastic > law.forward};
+    }
+    const Forces forces = law.forces(o, s);
+    place.work =
+        (forces.shear - linear.shear) * shearing.rate - (forces.normal - linear.normal) * opening.rate;
+    return place;
+}
+
+bool LineSearch::ContactLine::is_straight(const Piece& from, const Piece& to) const {
+    return from == to && (law.closing.is_linear() || !from.pressed);
+}
+
+double LineSearch::ContactLine::rate(const Piece& piece) const {
+    return (piece.pressed ? law.closing.stiffness * opening.rate * opening.rate : 0) +
+           (piece.locked ? law.shear_stiffness * shearing.rate * shearing.rate : 0);
+}
+
 double LineSearch::share(std::span<const Vec6> from, std::span<const Vec6> target) {
-    draw(from, target);
+    find_way(from, target);
+    const Ends ends = find_ends(target);
     // Where the law agrees with the linear system its solution is the minimum, whatever rounding makes of the
     // slope.
-    if (largest_difference() <= trials_.tolerance()) return 1;
-    if (slope(1) <= 0) return 1;
-    if (slope(0) >= 0) return share_tolerance;
+    if (ends.largest_difference <= trials_.tolerance()) return 1;
+    if (ends.at_target + work_of_bolts(1) <= 0) return 1;
+    if (ends.at_start + work_of_bolts(0) - curvature_ >= 0) return share_tolerance;
     double low = 0;
     double high = 1;
     while (high - low > share_tolerance) {
         const double middle = (low + high) / 2;
-        (slope(middle) > 0 ? high : low) = middle;
+        const bool is_upper = slope(middle) > 0;
+        (is_upper ? high : low) = middle;
+        narrow(is_upper, middle);
     }
     return high;
 }
 
-void LineSearch::draw(std::span<const Vec6> from, std::span<const Vec6> target) {
+void LineSearch::find_way(std::span<const Vec6> from, std::span<const Vec6> target) {
     way_.resize(target.size());
     const auto curvature_of_rows = [&](std::size_t begin, std::size_t end) {
         double sum = 0;
@@ -43,10 +70,6 @@ void LineSearch::draw(std::span<const Vec6> from, std::span<const Vec6> target) 
         return sum;
     };
     curvature_ = crew_.taken_together(target.size(), 0.0, curvature_of_rows, std::plus<>());
-    contacts_.resize(p_.springs.size());
-    crew_.for_ranges(contacts_.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t k = begin; k < end; ++k) contacts_[k] = line_of(k, target);
-    });
     elongation_.clear();
     for (const BoltSpring& b : p_.bolts)
         elongation_.push_back(
@@ -57,39 +80,88 @@ LineSearch::ContactLine LineSearch::line_of(std::size_t contact, std::span<const
     const ContactSprings& s = p_.springs[contact];
     const Vec2 there = s.rows.apart(target);
     const Vec2 rate = s.rows.apart(way_);
-    const Line opening{s.normal.at(there), s.normal.direction.dot(rate)};
-    const Line shearing{s.shear.at(there), s.shear.direction.dot(rate)};
-    return {opening, shearing, trials_.linear_forces(contact, opening.end, shearing.end),
-            trials_.law(contact)};
+    ContactLine line;
+    line.opening = {s.normal.at(there), s.normal.direction.dot(rate)};
+    line.shearing = {s.shear.at(there), s.shear.direction.dot(rate)};
+    line.linear = trials_.linear_forces(contact, line.opening.end, line.shearing.end);
+    line.law = trials_.law(contact);
+    return line;
 }
 
-double LineSearch::largest_difference() const {
+LineSearch::Ends LineSearch::find_ends(std::span<const Vec6> target) {
+    contacts_.resize(p_.springs.size());
+    has_kink_.resize(p_.springs.size());
     const auto of_portion = [&](std::size_t begin, std::size_t end) {
-        double largest = 0;
+        Ends ends;
         for (std::size_t k = begin; k < end; ++k) {
-            const auto& [opening, shearing, linear, law] = contacts_[k];
-            const Forces forces = law.forces(opening.end, shearing.end);
-            largest = std::max(
-                {largest, std::abs(forces.normal - linear.normal), std::abs(forces.shear - linear.shear)});
+            ContactLine line = line_of(k, target);
+            const Forces forces = line.law.forces(line.opening.end, line.shearing.end);
+            ends.largest_difference =
+                std::max({ends.largest_difference, std::abs(forces.normal - line.linear.normal),
+                          std::abs(forces.shear - line.linear.shear)});
+            const Place start = line.at(0);
+            const Place there = line.at(1);
+            ends.at_start += start.work;
+            ends.at_target += there.work;
+            const bool straight = line.is_straight(start.piece, there.piece);
+            has_kink_[k] = straight ? 0 : 1;
+            if (straight) {
+                ends.straight.end += there.work;
+                ends.straight.rate += line.rate(there.piece);
+            } else {
+                line.low = start.piece;
+                line.high = there.piece;
+                contacts_[k] = line;
+            }
         }
-        return largest;
+        return ends;
     };
-    return crew_.taken_together(contacts_.size(), 0.0, of_portion,
-                                [](double a, double b) { return std::max(a, b); });
+    const auto both = [](const Ends& a, const Ends& b) {
+        return Ends{std::max(a.largest_difference, b.largest_difference),
+                    a.at_start + b.at_start,
+                    a.at_target + b.at_target,
+                    {a.straight.end + b.straight.end, a.straight.rate + b.straight.rate}};
+    };
+    const Ends ends = crew_.taken_together(contacts_.size(), Ends(), of_portion, both);
+    straight_ = ends.straight;
+    kinked_.clear();
+    for (std::size_t k = 0; k < has_kink_.size(); ++k)
+        if (has_kink_[k] != 0) kinked_.push_back(k);
+    return ends;
 }
 
-double LineSearch::slope(double share) const {
+double LineSearch::slope(double share) {
     const auto of_portion = [&](std::size_t begin, std::size_t end) {
         double sum = 0;
-        for (std::size_t k = begin; k < end; ++k) {
-            const auto& [opening, shearing, linear, law] = contacts_[k];
-            const Forces forces = law.forces(opening.at(share), shearing.at(share));
-            sum += -(forces.normal - linear.normal) * opening.rate +
-                   (forces.shear - linear.shear) * shearing.rate;
+        for (std::size_t i = begin; i < end; ++i) {
+            ContactLine& line = contacts_[kinked_[i]];
+            line.middle = line.at(share);
+            sum += line.middle.work;
         }
         return sum;
     };
-    double sum = crew_.taken_together(contacts_.size(), -(1 - share) * curvature_, of_portion, std::plus<>());
+    const double straight = straight_.at(share) - (1 - share) * curvature_ + work_of_bolts(share);
+    return crew_.taken_together(kinked_.size(), straight, of_portion, std::plus<>());
+}
+
+void LineSearch::narrow(bool is_upper, double share) {
+    std::size_t kept = 0;
+    for (const std::size_t k : kinked_) {
+        ContactLine& line = contacts_[k];
+        (is_upper ? line.high : line.low) = line.middle.piece;
+        if (line.is_straight(line.low, line.high)) {
+            const double rate = line.rate(line.low);
+            straight_.end += line.middle.work + (1 - share) * rate;
+            straight_.rate += rate;
+        } else {
+            kinked_[kept++] = k;
+        }
+    }
+    kinked_.resize(kept);
+}
+
+double LineSearch::work_of_bolts(double share) const {
+    double sum = 0;
     for (std::size_t k = 0; k < elongation_.size(); ++k) {
         sum += (trials_.law_bolt_force(k, elongation_[k].at(share)) -
                 trials_.linear_bolt_force(k, elongation_[k].end)) *

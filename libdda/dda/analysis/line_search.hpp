@@ -12,7 +12,8 @@ namespace dda {
 ///
 /// At the solution the linear forces balance, so the potential's slope along the way is the work of what the
 /// laws' forces differ from those, less what the way still to go takes from the quadratic part. It never
-/// falls along the way.
+/// falls along the way. Most contacts stay on one straight piece of their laws all the way: their work is a
+/// straight line, and only the others are asked again and again.
 class LineSearch {
   public:
     LineSearch(const StepProblem& problem, const TrialContacts& trials, const Crew& crew);
@@ -28,27 +29,61 @@ class LineSearch {
         double rate = 0;
         double at(double share) const { return end - (1 - share) * rate; }
     };
+    /// The piece of its laws that a contact is on; what may not close is on the one without any force.
+    struct Piece {
+        bool pressed = false;
+        bool locked = false;
+        bool forward = false;  ///< beyond the bound in that direction
+        bool operator==(const Piece&) const = default;
+    };
+    /// Where a contact is at some share.
+    struct Place {
+        Piece piece;
+        double work = 0;  ///< of what the laws' forces differ from the linear ones by, J per metre and share
+    };
     /// A contact's measures, the forces that the linear system gives it at the target, and its laws.
     struct ContactLine {
         Line opening;
         Line shearing;
         Forces linear;
         ContactLaw law;
+        // Of a contact with a kink on the way:
+        Piece low;     ///< at the lower end of where the smallest potential is known to be
+        Piece high;    ///< at the upper
+        Place middle;  ///< where it was asked last
+
+        Place at(double share) const;
+        /// Whether its work is a straight line between two places on these pieces.
+        bool is_straight(const Piece& from, const Piece& to) const;
+        /// How its work grows along a piece that is straight.
+        double rate(const Piece& piece) const;
+    };
+    /// Of all contacts at both ends of the way.
+    struct Ends {
+        double largest_difference = 0;  ///< between the laws' forces and the linear ones, at the target
+        double at_start = 0;            ///< work
+        double at_target = 0;           ///< likewise
+        Line straight;                  ///< the work of contacts without a kink
     };
 
-    void draw(std::span<const Vec6> from, std::span<const Vec6> target);
+    void find_way(std::span<const Vec6> from, std::span<const Vec6> target);
+    Ends find_ends(std::span<const Vec6> target);
     ContactLine line_of(std::size_t contact, std::span<const Vec6> target) const;
-    /// Between the laws' forces and the linear ones, at the target.
-    double largest_difference() const;
-    double slope(double share) const;
+    double slope(double share);
+    /// Takes the share asked last as an end of where the smallest potential is.
+    void narrow(bool is_upper, double share);
+    double work_of_bolts(double share) const;
 
     const StepProblem& p_;
     const TrialContacts& trials_;
     const Crew& crew_;
     std::vector<Vec6> way_;  ///< per row
     double curvature_ = 0;   ///< of the quadratic part
-    std::vector<ContactLine> contacts_;
-    std::vector<Line> elongation_;  ///< per bolt
+    Line straight_;          ///< the work of contacts without a kink where the smallest potential may be
+    std::vector<ContactLine> contacts_;  ///< of those with a kink on the way; the others' are not kept
+    std::vector<char> has_kink_;         ///< per contact
+    std::vector<std::size_t> kinked_;    ///< contacts with a kink where the smallest potential may be
+    std::vector<Line> elongation_;       ///< per bolt
 };
 
 }  // namespace dda
