@@ -151,7 +151,7 @@ StepAttempt TimeStepper::look_at_step(const Stage& stage, const State& state, do
     const double moved = largest_displacement(state, displacement);
     attempt.report.largest_displacement = moved;
     attempt.rejection = Rejection::moved_too_far;
-    if (!(moved <= stage.control.displacement_ratio * half_height_)) return attempt;  // or is not a number
+    if (!(moved <= largest_admitted(stage.control))) return attempt;  // or is not a number
     if (2 * moved > look.reach) {
         look.reach = 2.5 * moved;
         look.wanted = true;
@@ -203,23 +203,24 @@ std::vector<Intrusion> TimeStepper::intrusions(const State& before, const State&
                            clipped_depth * edge_length_, crew_);
 }
 
-double TimeStepper::first_reach(const State& state, double dt) const {
-    double speed = 0;
+double TimeStepper::first_reach(const Stage& stage, const State& state, double dt) const {
     std::vector<Vec6> way(state.blocks.velocity);
     for (Vec6& v : way) v *= dt;
-    speed = largest_displacement(state, way);
     double deepest = 0;
     double apart = 0;  // faces that shearing has moved
     for (const Contact& c : state.contacts.contacts) {
         if (c.state != ContactState::open) deepest = std::max(deepest, -c.gap);
         apart = std::max(apart, std::abs(c.dilation));
     }
-    return 3 * speed + 2 * model_.gravity.norm() * dt * dt + 4 * deepest + 2 * apart + 1e-4 * edge_length_;
+    // A step that moves farther than it may is refused, however far it has looked.
+    const double farthest = 2 * largest_admitted(stage.control);
+    const double moving = 3 * largest_displacement(state, way) + 2 * model_.gravity.norm() * dt * dt;
+    return std::min(moving, farthest) + 4 * deepest + 2 * apart + 1e-4 * edge_length_;
 }
 
 Look TimeStepper::first_look(const Stage& stage, const State& state, double dt) const {
     Look look;
-    look.reach = first_reach(state, dt);
+    look.reach = first_reach(stage, state, dt);
     look.predicted = prescribe_motion(model_, stage, state.blocks, dt, state.stage_time + dt).displacement;
     for (const int b : rows_.block_of) {
         look.predicted[static_cast<std::size_t>(b)] = dt * state.blocks.velocity[static_cast<std::size_t>(b)];

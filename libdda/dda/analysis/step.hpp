@@ -49,7 +49,11 @@ class TimeStepper {
     StepAttempt look_at_step(const Stage& stage, const State& state, double dt, Look& look);
     Look first_look(const Stage& stage, const State& state, double dt) const;
     /// How far apart a corner and an edge may be and still meet within the step, m.
-    double first_reach(const State& state, double dt) const;
+    double first_reach(const Stage& stage, const State& state, double dt) const;
+    /// m, that a corner may move by in a step.
+    double largest_admitted(const StepControl& control) const {
+        return control.displacement_ratio * half_height_;
+    }
     Step prepare(const Stage& stage, const State& state, double dt, const Look& look);
     /// Whether springs are so stiff that rounding alone moves blocks' forces by much of their weight.
     bool is_lost_in_rounding(const Step& step) const;

@@ -29,6 +29,21 @@ struct Crash {
     }
 };
 
+// In two seconds a body falls by 20 m, but a step may move a corner of this wall by 0.11 m only: pairs that
+// are farther apart need not be looked at, of which a large model would have thousands for each block.
+TEST(Run, ALongStaticStepLooksNoFartherThanItMayMove) {
+    const Scene s = running_bond_wall(10, 21, 10);
+    const dda::State state = dda::initial_state(s.model);
+    dda::Stage stage;
+    stage.kind = dda::StageKind::static_equilibrium;
+    dda::TimeStepper stepper(s.model, 1);
+    const dda::StepAttempt attempt = stepper.advance(stage, state, 2);
+    ASSERT_EQ(attempt.rejection, dda::Rejection::none);
+    const double admitted = stage.control.displacement_ratio * 22 / 2;
+    EXPECT_LT(attempt.report.largest_displacement, admitted);
+    EXPECT_LT(attempt.state.contacts.candidate_distance, 2 * (2 * admitted + .01));
+}
+
 // A load beyond numbers moves the block by no number: the step must be refused at any size.
 TEST(Run, RefusesADisplacementThatIsNoNumber) {
     Scene s;
