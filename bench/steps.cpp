@@ -137,8 +137,11 @@ void iterate(dda::TimeStepper& stepper, dda::Stage stage, const dda::State& stat
     if (attempt.rejection == dda::Rejection::none) return;
     dda::PhaseTimes of_loose_step(figures.clock);
     stepper.time_phases(&of_loose_step);
-    loosely_stepped(stepper, stage, state, dt);
+    const dda::State next = loosely_stepped(stepper, stage, state, dt);
     figures.update += of_loose_step.seconds(Phase::update);
+    // Of the same step over again the factor would know too much: it is left with that of the next one.
+    stepper.time_phases(nullptr);
+    loosely_stepped(stepper, stage, next, dt);
 }
 
 Figures measure(const Scene& scene, const Options& options) {
