@@ -66,7 +66,7 @@ void HeldFriction::draw_line(Sliding& sliding, std::span<const Vec6> d) const {
         return;
     }
     if (trials_.is_of_faces(sliding.contact)) {
-        const TrialContacts::BoundLine line = trials_.judged_line(sliding.contact);
+        const BoundLine line = trials_.judged_line(sliding.contact);
         sliding.slope = line.slope;
         sliding.cohesion = line.cohesion;
         return;

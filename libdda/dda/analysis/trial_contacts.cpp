@@ -20,24 +20,11 @@ bool within(double force, const Strength& bounds) {
 /// from the next one on.
 constexpr double dilation_tolerance = 10;
 
-/// Of the normal force, that a strength over it goes with. @param half, @param whole that strength under half
-/// of the force and under all of it.
-double exponent(double half, double whole) {
-    return half > 0 && whole > 0 ? std::log2(whole / half) : 0;
-}
-
-/// Of a contact between faces that bear so much for each newton; none where it is open.
-Strength of_share(const Strength& over_normal_force, double normal_force) {
-    if (!(normal_force > 0)) return {};
-    return {normal_force * over_normal_force.forward, normal_force * over_normal_force.backward,
-            normal_force * over_normal_force.tensile};
-}
-
 }  // namespace
 
 TrialContacts::TrialContacts(const StepProblem& problem, const Crew& crew)
-    : p_(problem), crew_(crew), faces_(problem), friction_(faces_.count()), trials_(problem.contacts.size()) {
-    find_frictions([this](std::size_t k) { return pressed_at_start(k); });
+    : p_(problem), crew_(crew), friction_(problem, crew), trials_(problem.contacts.size()) {
+    friction_.find([this](std::size_t k) { return pressed_at_start(k); });
     for_contacts([&](std::size_t k) { trials_[k] = started(k); });
     dilates_ = std::any_of(p_.model.joint_materials.begin(), p_.model.joint_materials.end(),
                            [](const JointMaterial& material) { return dilates(material.law); });
@@ -60,13 +47,6 @@ bool TrialContacts::for_any_contact(const IsOne& is_one) const {
         return any;
     };
     return crew_.taken_together(count(), false, any_of_portion, std::logical_or<>());
-}
-
-template <class PressedOf>
-void TrialContacts::find_frictions(const PressedOf& pressed_of) {
-    crew_.for_ranges(friction_.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t pair = begin; pair < end; ++pair) find_friction(pair, pressed_of);
-    });
 }
 
 TrialContacts::Trial TrialContacts::started(std::size_t k) const {
@@ -100,23 +80,8 @@ Pressed TrialContacts::pressed_at_start(std::size_t k) const {
     return {p_.contacts[k].normal_force, 0};
 }
 
-template <class PressedOf>
-void TrialContacts::find_friction(std::size_t pair, const PressedOf& pressed_of) {
-    FacesFriction& friction = friction_[pair];
-    const FacesPressed pressed = faces_.pressed(pair, pressed_of);
-    const bool any = pressed.normal > 0;
-    friction.over_normal_force = any ? faces_.over_normal_force(pair, pressed) : Strength{};
-    if (friction.curved || !any) return;
-    const Strength& here = friction.over_normal_force;
-    const Strength half = faces_.over_normal_force(pair, {pressed.normal / 2, pressed.displacement});
-    friction.exponent = {exponent(half.forward, here.forward), exponent(half.backward, here.backward), 0};
-    friction.curved = true;
-}
-
 Strength TrialContacts::bounds_of(std::size_t k, const Pressed& pressed) const {
-    const int pair = faces_.pair_of(k);
-    if (pair < 0) return bounds_by_itself(k, pressed);
-    return of_share(friction_[static_cast<std::size_t>(pair)].over_normal_force, pressed.normal);
+    return is_of_faces(k) ? friction_.bounds(k, pressed.normal) : bounds_by_itself(k, pressed);
 }
 
 Strength TrialContacts::bounds_by_itself(std::size_t k, const Pressed& pressed) const {
@@ -159,13 +124,6 @@ double TrialContacts::law_bolt_force(std::size_t k, double elongation) const {
 void TrialContacts::bound_by_held_force(std::size_t k) {
     Trial& trial = trials_[k];
     (trial.forward ? trial.bounds.forward : trial.bounds.backward) = std::abs(trial.held_force);
-}
-
-TrialContacts::BoundLine TrialContacts::judged_line(std::size_t k) const {
-    const FacesFriction& friction = friction_[static_cast<std::size_t>(faces_.pair_of(k))];
-    const double ratio = in_direction(k, friction.over_normal_force);
-    const double curving = ratio * in_direction(k, friction.exponent);
-    return {ratio + curving, -curving * std::max(present_forces(k).normal, 0.0)};
 }
 
 double TrialContacts::bound_at(std::size_t k, double normal, std::span<const Vec6> d) const {
@@ -271,9 +229,9 @@ void TrialContacts::update_bounds() {
         trials_[k].bounds = open ? Strength{} : bounds_by_itself(k, here);
     });
     if (pressed_.empty()) return;
-    find_frictions([this](std::size_t k) { return pressed_[k]; });
+    friction_.find([this](std::size_t k) { return pressed_[k]; });
     for_contacts([&](std::size_t k) {
-        if (is_of_faces(k)) trials_[k].bounds = bounds_of(k, pressed_[k]);
+        if (is_of_faces(k)) trials_[k].bounds = friction_.bounds(k, pressed_[k].normal);
     });
 }
 

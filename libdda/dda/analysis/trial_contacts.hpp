@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "dda/analysis/faces_strength.hpp"
+#include "dda/analysis/faces_friction.hpp"
 #include "dda/analysis/step_problem.hpp"
 #include "dda/linear/anderson.hpp"
 
@@ -80,15 +80,12 @@ class TrialContacts {
     /// The bounds become those that the held force is at.
     void bound_by_held_force(std::size_t k);
     /// Whether a contact is between rough faces, which share one friction.
-    bool is_of_faces(std::size_t k) const { return faces_.pair_of(k) >= 0; }
-    /// A shear bound as a line over the normal force: its slope, and what it is without any, N per metre.
-    struct BoundLine {
-        double slope = 0;
-        double cohesion = 0;
-    };
+    bool is_of_faces(std::size_t k) const { return friction_.has(k); }
     /// The line that touches the bound of a contact of theirs where the contacts were judged last, as if it
     /// bore its share of their force for good, in the direction that it slides in.
-    BoundLine judged_line(std::size_t k) const;
+    BoundLine judged_line(std::size_t k) const {
+        return friction_.line(k, trials_[k].forward, present_forces(k).normal);
+    }
     /// The largest shear force of another sliding contact in the direction that it slides in, N per metre.
     /// @param normal its normal force; @param d gives its displacement, by the linear system.
     double bound_at(std::size_t k, double normal, std::span<const Vec6> d) const;
@@ -174,13 +171,6 @@ class TrialContacts {
         Tangent tangent;         ///< the normal spring in the linear system
     };
 
-    /// The friction of a pair of rough faces, one for all of its contacts: that of their mean stress.
-    struct FacesFriction {
-        Strength over_normal_force;  ///< where the contacts were judged last, or at the start
-        bool curved = false;         ///< whether the exponents are known; they stay for the step
-        Strength exponent;           ///< of the normal force, that the strength over it goes with
-    };
-
     /// Calls body(k) for each contact; on several threads, so it may write what is the contact's own only.
     template <class Body>
     void for_contacts(const Body& body) const;
@@ -188,11 +178,6 @@ class TrialContacts {
     template <class IsOne>
     bool for_any_contact(const IsOne& is_one) const;
     Trial started(std::size_t k) const;
-    /// @param pressed_of gives the Pressed of a contact's index.
-    template <class PressedOf>
-    void find_frictions(const PressedOf& pressed_of);
-    template <class PressedOf>
-    void find_friction(std::size_t pair, const PressedOf& pressed_of);
     /// What the contact's law bears there; between rough faces with the friction found last.
     Strength bounds_of(std::size_t k, const Pressed& pressed) const;
     double in_direction(std::size_t k, const Strength& strength) const {
@@ -229,8 +214,7 @@ class TrialContacts {
 
     const StepProblem& p_;
     const Crew& crew_;
-    FacesStrength faces_;
-    std::vector<FacesFriction> friction_;  ///< per pair of faces
+    FacesFriction friction_;
     std::vector<Trial> trials_;
     std::vector<Vec2> moved_;          ///< per corner: its place at the present displacement
     std::vector<Pressed> pressed_;     ///< per contact, there, of those between rough faces
