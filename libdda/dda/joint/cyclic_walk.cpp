@@ -74,6 +74,7 @@ CyclicWalk::CyclicWalk(const Law& law, const Law::History& history, double norma
                        double stiffness, double shear_force, Purpose purpose)
     : law_(law),
       history_(history),
+      at_(law_, history_),
       normal_force_(normal_force),
       stiffness_(stiffness),
       damage_(purpose == Purpose::history ? law.damage : 0),
@@ -104,27 +105,6 @@ void CyclicWalk::go_as_told(double displacement, double slip) {
     go(displacement);
 }
 
-// --- where the joint is
-
-CyclicWalk::Place CyclicWalk::place(int direction) const {
-    // Before the first slip both sides are the forward one.
-    const int forward =
-        is_fresh() ? (history_.position != 0 ? sign_of(history_.position) : direction) : history_.forward;
-    const double position = forward * history_.position;
-    const int motion = forward * direction;
-    const int side = position > 0 || (position == 0 && motion > 0) ? 1 : -1;
-    return {std::abs(position), side, side == motion};
-}
-
-double CyclicWalk::furthest(int side) const {
-    return side > 0 ? history_.furthest_forward : history_.furthest_backward;
-}
-
-const Law::Cycle& CyclicWalk::cycle() const {
-    const auto last = static_cast<std::int32_t>(law_.cycles.size());
-    return law_.cycles[static_cast<std::size_t>(std::min(history_.cycle, last) - 1)];
-}
-
 /// f of Eq. (57): wear by reversals and by cycles beyond those given.
 double CyclicWalk::factor() const {
     const int further = history_.cycle - static_cast<int>(law_.cycles.size());
@@ -134,46 +114,10 @@ double CyclicWalk::factor() const {
     return wear;
 }
 
-// --- roughness
-
-const RoughnessTable& CyclicWalk::roughness_table(const Place& place) const {
-    const Law::Cycle& tables = cycle();
-    if (place.side > 0) return place.away ? tables.forward_advance : tables.forward_return;
-    return place.away ? tables.backward_advance : tables.backward_return;
-}
-
-/// A joint that has never slipped bears its advance strength on the way back too.
-const RoughnessTable& CyclicWalk::bound_table(const Place& place) const {
-    return is_fresh() ? cycle().forward_advance : roughness_table(place);
-}
-
-/// On the first way out the joint is locked up to the peak, and the table counts from there.
-bool CyclicWalk::first_rise(const Place& place, double distance) const {
-    return history_.cycle == 1 && place.side > 0 && (place.away || is_fresh()) &&
-           distance < law_.peak_displacement;
-}
-
-/// Whether roughness was worn off further out in this cycle, which is not there again unless the joint heals.
-bool CyclicWalk::is_worn(const Place& place) const {
-    return !law_.heal && place.away && place.distance < furthest(place.side);
-}
-
-double CyclicWalk::advance_ratio(const Place& place) const {
-    const Place outwards = {place.distance, place.side, true};
-    const RoughnessTable& table = roughness_table(outwards);
-    const double ratio = table.ratio(place.distance / law_.peak_displacement);
-    if (!is_worn(outwards)) return ratio;
-    return std::min(ratio, table.ratio(furthest(place.side) / law_.peak_displacement));
-}
+// --- bounds
 
 double CyclicWalk::bound_ratio(int direction) const {
-    const Place here = place(direction);
-    const RoughnessTable& table = bound_table(here);
-    const auto ratio = [&](double distance) {
-        return first_rise(here, distance) ? 1 : table.ratio(distance / law_.peak_displacement);
-    };
-    const double present = ratio(here.distance);
-    return history_.wear * (is_worn(here) ? std::min(present, ratio(furthest(here.side))) : present);
+    return at_.bound_ratio(place(direction));
 }
 
 double CyclicWalk::bound(int direction) const {
@@ -185,46 +129,24 @@ double CyclicWalk::bound(int direction) const {
 /// The angle that resists motion in a direction, from phi_r + ratio i: where only forward motion climbs the
 /// roughness, backward motion goes down it.
 double CyclicWalk::resisting(int direction, double angle) const {
-    const bool downwards = law_.asymmetric && !is_fresh() && direction != history_.forward;
+    const bool downwards = law_.asymmetric && !at_.is_fresh() && direction != history_.forward;
     return downwards ? std::abs(2 * law_.barton.residual_friction_angle - angle) : angle;
 }
 
 // --- pieces of the way
 
-/// The nearest distance ahead at which a table bends, a cap ends, or the origin lies.
-double CyclicWalk::next_knot(const Place& place) const {
-    double nearest = place.away ? nowhere : 0;
-    const auto offer = [&](double distance) {
-        if (place.away && distance > place.distance) nearest = std::min(nearest, distance);
-        if (!place.away && distance < place.distance) nearest = std::max(nearest, distance);
-    };
-    const auto offer_all = [&](const RoughnessTable& table) {
-        for (const RoughnessTable::Entry& entry : table.entries) {
-            const double distance = entry.x * law_.peak_displacement;
-            offer(distance);
-            if (distance > place.distance) return;  // what follows is farther out
-        }
-    };
-    const RoughnessTable& bounding = bound_table(place);
-    offer_all(bounding);
-    if (damage_ != 0 && &roughness_table(place) != &bounding) offer_all(roughness_table(place));
-    if (history_.cycle == 1) offer(law_.peak_displacement);
-    if (place.away) offer(furthest(place.side));
-    return nearest;
-}
-
 /// Total angle on the way to `end`, no farther than it is even.
 AnglePiece CyclicWalk::bound_angles(const Place& place, double end) const {
     const double friction = law_.barton.residual_friction_angle, wear = history_.wear;
-    const RoughnessTable& table = bound_table(place);
-    const bool rising = first_rise(place, (place.distance + end) / 2);
+    const RoughnessTable& table = at_.bound_table(place);
+    const bool rising = at_.first_rise(place, (place.distance + end) / 2);
     const auto angle = [&](double distance) {
         return friction + wear * (rising ? 1 : table.ratio(distance / law_.peak_displacement)) * roughness_;
     };
     double highest = BartonStrength::largest_angle;
-    if (is_worn(place)) {
-        const double worn = furthest(place.side);
-        const double ratio = first_rise(place, worn) ? 1 : table.ratio(worn / law_.peak_displacement);
+    if (at_.is_worn(place)) {
+        const double worn = at_.furthest(place.side);
+        const double ratio = at_.first_rise(place, worn) ? 1 : table.ratio(worn / law_.peak_displacement);
         highest = std::clamp(friction + wear * ratio * roughness_, 0.0, highest);
     }
     AnglePiece piece =
@@ -251,13 +173,13 @@ AnglePiece CyclicWalk::dilation_angles(const Place& place, double end) const {
     const double length = std::abs(end - place.distance);
     if (damage_ == 0) return {length, 0, 0};
     const double friction = law_.barton.residual_friction_angle, wear = history_.wear;
-    const RoughnessTable& table = roughness_table(place);
+    const RoughnessTable& table = at_.roughness_table(place);
     const double towards = law_.both_ways && !place.away ? -1 : 1;
     const auto angle = [&](double distance) {
         return friction + towards * wear * table.ratio(distance / law_.peak_displacement) * roughness_;
     };
     double highest = BartonStrength::largest_angle;
-    if (is_worn(place)) highest = std::clamp(angle(furthest(place.side)), 0.0, highest);
+    if (at_.is_worn(place)) highest = std::clamp(angle(at_.furthest(place.side)), 0.0, highest);
     AnglePiece piece = within_limits({length, angle(place.distance), angle(end)}, 0, highest);
     if ((piece.first - friction) * (piece.last - friction) < 0)
         piece = piece.first < friction ? within_limits(piece, piece.first, friction)
@@ -266,7 +188,7 @@ AnglePiece CyclicWalk::dilation_angles(const Place& place, double end) const {
 }
 
 CyclicWalk::Piece CyclicWalk::piece(const Place& place, double target) const {
-    const double knot = next_knot(place);
+    const double knot = at_.next_knot(place, damage_ != 0);
     Piece made;
     made.end = place.away ? std::min(knot, target) : std::max(knot, target);
     const double length = std::abs(made.end - place.distance);
@@ -363,7 +285,7 @@ void CyclicWalk::move(const Place& place, const Piece& piece, double from, doubl
 /// @return whether the joint's origin or its forward direction has changed by its first slip.
 bool CyclicWalk::begin_slip(const Place& place, int direction) {
     slipped_ = true;
-    if (!is_fresh()) return false;
+    if (!at_.is_fresh()) return false;
     history_.forward = direction;
     if (place.away) return false;
     // It was pulled the other way when it was made, and slips before it has come back: it starts from here.
@@ -402,7 +324,7 @@ void CyclicWalk::arrive(const Place& place, double distance) {
         return;
     }
     if (distance != 0) return;
-    if (is_fresh()) history_.furthest_forward = 0;
+    if (at_.is_fresh()) history_.furthest_forward = 0;
     if (place.side < 0 && history_.furthest_backward >= law_.peak_displacement) {
         ++history_.cycle;
         history_.furthest_forward = history_.furthest_backward = 0;
@@ -424,10 +346,10 @@ void CyclicWalk::finish() {
     }
     if (last_side_ == 0 || purpose_ == Purpose::strength) return;
     const Place there = {std::abs(history_.position), last_side_, last_away_};
-    if (last_away_) history_.unloading_ratio = advance_ratio(there);
+    if (last_away_) history_.unloading_ratio = at_.advance_ratio(there);
     const bool returning = !last_away_ && history_.sliding != 0;
     history_.mobilised_ratio =
-        history_.wear * (returning ? roughness_table(there).ratio(there.distance / law_.peak_displacement)
+        history_.wear * (returning ? at_.roughness_table(there).ratio(there.distance / law_.peak_displacement)
                                    : history_.unloading_ratio);
 }
 

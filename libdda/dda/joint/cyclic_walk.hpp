@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "dda/joint/angle_piece.hpp"
-#include "dda/joint/cyclic_barton_bandis.hpp"
+#include "dda/joint/cyclic_roughness.hpp"
 
 namespace dda {
 
@@ -35,6 +35,8 @@ class CyclicWalk {
     /// @param normal_force N per metre, positive; @param stiffness N/m per metre, of the shear spring.
     CyclicWalk(const CyclicBartonBandis& law, const CyclicBartonBandis::History& history, double normal_force,
                double length, double stiffness, double shear_force, Purpose purpose);
+    CyclicWalk(const CyclicWalk&) = delete;
+    CyclicWalk& operator=(const CyclicWalk&) = delete;
 
     /// Displaces the joint by so many metres.
     void go(double displacement);
@@ -52,11 +54,7 @@ class CyclicWalk {
     const Strength& bounds_at_end() const { return bounds_; }
 
   private:
-    struct Place {
-        double distance;  ///< m, from the origin
-        int side;         ///< of the origin: 1 forward, -1 backward
-        bool away;        ///< moving away from the origin
-    };
+    using Place = CyclicRoughness::Place;
     struct Piece {
         double end;        ///< m, distance from the origin where it ends
         bool whole;        ///< it ends there, and not before, where an angle meets a limit
@@ -65,18 +63,9 @@ class CyclicWalk {
         double unloading;  ///< dilation angle while unloading
     };
 
-    Place place(int direction) const;
-    bool is_fresh() const { return history_.forward == 0; }
+    Place place(int direction) const { return at_.place(history_.position, direction); }
     double factor() const;
-    bool is_worn(const Place& place) const;
-    const CyclicBartonBandis::Cycle& cycle() const;
-    const RoughnessTable& roughness_table(const Place& place) const;
-    const RoughnessTable& bound_table(const Place& place) const;
-    double furthest(int side) const;
-    bool first_rise(const Place& place, double distance) const;
-    double advance_ratio(const Place& place) const;
     double resisting(int direction, double angle) const;
-    double next_knot(const Place& place) const;
     AnglePiece bound_angles(const Place& place, double end) const;
     AnglePiece dilation_angles(const Place& place, double end) const;
     double dilation_angle(double ratio) const;
@@ -92,6 +81,7 @@ class CyclicWalk {
 
     const CyclicBartonBandis& law_;
     CyclicBartonBandis::History history_;
+    CyclicRoughness at_;  ///< where the history is
     double normal_force_;
     double stiffness_;
     double damage_;      ///< M of Eq. (58), 0 where nobody asks for the dilation
