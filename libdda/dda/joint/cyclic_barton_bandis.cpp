@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dda/joint/cyclic_stretch.hpp"
 #include "dda/joint/cyclic_walk.hpp"
 
 namespace dda {
@@ -10,6 +11,10 @@ namespace dda {
 Strength CyclicBartonBandis::strength(const History& history, double normal_force, double length,
                                       const ShearTrial& trial) const {
     if (!(normal_force > 0)) return {};
+    if (trial.stiffness > 0 && trial.displacement != 0) {
+        if (const auto found = strength_on_stretch(*this, history, normal_force, length, trial))
+            return *found;
+    }
     CyclicWalk walk(*this, history, normal_force, length, trial.stiffness, trial.shear_force,
                     CyclicWalk::Purpose::strength);
     if (trial.displacement == 0) return {walk.bound(1), walk.bound(-1), 0};

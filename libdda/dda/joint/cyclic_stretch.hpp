@@ -1,0 +1,18 @@
+#pragma once
+
+#include <optional>
+
+#include "dda/joint/cyclic_barton_bandis.hpp"
+
+namespace dda {
+
+/// What `CyclicWalk` comes to after a displacement, in closed form, where nothing bends or changes on the way
+/// that the bounds at its end depend on: one stretch of the tables, no first slip, no slip that makes a
+/// reversal, no bound that outruns the spring. Nothing where there is more to it. Nearly all displacements of
+/// a step are such.
+/// @param normal_force N per metre, positive; @param trial with a stiffness.
+std::optional<Strength> strength_on_stretch(const CyclicBartonBandis& law,
+                                            const CyclicBartonBandis::History& history, double normal_force,
+                                            double length, const ShearTrial& trial);
+
+}  // namespace dda
