@@ -15,8 +15,9 @@ inline NormalClosure normal_spring(const Model& model, const Contact& contact) {
 /// Eq. (52), then the analysis' penalty.
 inline double shear_stiffness(const Model& model, const Contact& contact) {
     const JointMaterial& material = model.joint_material_at(contact.joint_material);
-    return material.shear_spring(model.shear_penalty, contact.length,
-                                 shear_stiffness(material.law, contact.history, 0, contact.length));
+    const bool given = material.shear_stiffness > 0 || material.shear_penalty > 0;
+    const double of_law = given ? 0 : shear_stiffness(material.law, contact.history, 0, contact.length);
+    return material.shear_spring(model.shear_penalty, contact.length, of_law);
 }
 
 }  // namespace dda
