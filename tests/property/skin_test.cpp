@@ -58,8 +58,8 @@ TEST_P(Skin, FindsTheContactsThatASearchAnewFinds) {
         const dda::ContactSearch search{vertices, vertices, {}, reach, edge, 1e-9, 0.001, step == 0};
         dda::ContactSet forgetful = last;
         forgetful.reference.clear();
-        const dda::ContactSet with_skin = dda::find_contacts(scene.model, last, search, crew);
-        const dda::ContactSet anew = dda::find_contacts(scene.model, forgetful, search, crew);
+        const dda::ContactSet with_skin = dda::find_contacts(scene.model, last, search, crew).set;
+        const dda::ContactSet anew = dda::find_contacts(scene.model, forgetful, search, crew).set;
         kept += step > 0 && with_skin.reference == last.reference ? 1 : 0;
         // A contact of before stays while it is a candidate, and of those the older set may have others:
         // beyond the reach, where they are held back.

@@ -15,9 +15,9 @@ struct FirstStep {
     dda::State state = dda::initial_state(model);
     std::vector<Vec6> still = std::vector<Vec6>(state.blocks.velocity.size(), Vec6::Zero());
     dda::MidStep mid = dda::predict_mid_step(model, state.blocks, still, crew);
-    dda::ContactSet set = dda::find_contacts(
+    dda::FoundContacts found = dda::find_contacts(
         model, state.contacts, {state.blocks.vertices, mid.vertices, {}, 1e-3, 1, 1e-9, 0.005, true}, crew);
-    dda::JointFaces faces = dda::JointFaces(model, set.contacts);
+    const dda::ContactSet& set = found.set;
     std::vector<dda::ContactSprings> springs =
         dda::contact_springs(model, rows, mid, still, set.contacts, crew);
     std::vector<const dda::JudgedContact*> guess =
@@ -39,8 +39,8 @@ struct FirstStep {
         base.load.assign(static_cast<std::size_t>(rows.count()), Vec6::Zero());
     }
     dda::StepProblem problem() const {
-        return {model, control, rows,    base,         state.blocks, still, set.contacts,
-                faces, guess,   springs, row_contacts, {},           {},    1};
+        return {model,       control, rows,    base,         state.blocks, still, set.contacts,
+                found.faces, guess,   springs, row_contacts, {},           {},    1};
     }
 };
 

@@ -33,8 +33,10 @@ inline StepSystem step_system(
     const dda::State state = dda::initial_state(model);
     const std::vector<Vec6> still(state.blocks.velocity.size(), Vec6::Zero());
     const dda::MidStep mid = dda::predict_mid_step(model, state.blocks, still, dda::Crew(1));
-    const dda::ContactSet contacts = dda::find_contacts(
-        model, state.contacts, {state.blocks.vertices, mid.vertices, {}, 1e-3, 1, 1e-9, dt, true}, crew);
+    const dda::ContactSet contacts =
+        dda::find_contacts(model, state.contacts,
+                           {state.blocks.vertices, mid.vertices, {}, 1e-3, 1, 1e-9, dt, true}, crew)
+            .set;
     const auto springs = dda::contact_springs(model, rows, mid, still, contacts.contacts, crew);
 
     StepSystem system;

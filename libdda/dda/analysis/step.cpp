@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "dda/analysis/advance_contacts.hpp"
 #include "dda/analysis/unexpected_turn.hpp"
@@ -235,12 +236,13 @@ TimeStepper::Step TimeStepper::prepare(const Stage& stage, const State& state, d
     step.prescribed = prescribe_motion(model_, stage, state.blocks, dt, state.stage_time + dt);
     step.mid = predict_mid_step(model_, state.blocks, look.predicted, crew_);
     end_of(Phase::preparation, times_);
-    step.contacts = find_contacts(
+    FoundContacts found = find_contacts(
         model_, state.contacts,
         {state.blocks.vertices, step.mid.vertices, look.entering, look.reach, edge_length_,
          unseen_depth * edge_length_ + rounding_, duration_of(stage, dt), state.step_count == 0},
         crew_, times_);
-    step.faces = JointFaces(model_, step.contacts.contacts);
+    step.contacts = std::move(found.set);
+    step.faces = std::move(found.faces);
     step.springs =
         contact_springs(model_, rows_, step.mid, step.prescribed.displacement, step.contacts.contacts, crew_);
     step.bolts = bolt_springs(model_, rows_, step.mid, step.prescribed.displacement);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "dda/contact/candidates.hpp"
 #include "dda/contact/contact_stiffness.hpp"
@@ -59,15 +60,15 @@ void load_spring(const Model& model, double kept_rest_gap, Contact& contact) {
 
 }  // namespace
 
-ContactSet find_contacts(const Model& model, const ContactSet& last, const ContactSearch& search,
-                         const Crew& crew, PhaseTimes* times) {
+FoundContacts find_contacts(const Model& model, const ContactSet& last, const ContactSearch& search,
+                            const Crew& crew, PhaseTimes* times) {
     ContactSet set = with_candidates(model, last, search);
     set.contacts = detect_contacts(
         model,
         {search.vertices, search.half_way, search.reach, search.rounding, last.contacts, search.entering},
         set.candidates, crew);
     end_of(Phase::detection, times);
-    transfer_contacts(model, last.contacts, search.reach, search.first_step, set.contacts);
+    JointFaces faces = transfer_contacts(model, last.contacts, search.reach, search.first_step, set.contacts);
     const double kept_rest_gap = search.duration > 0 ? std::exp(-search.duration / rest_gap_time) : 0;
     for (Contact& c : set.contacts) {
         load_spring(model, kept_rest_gap, c);
@@ -81,7 +82,7 @@ ContactSet find_contacts(const Model& model, const ContactSet& last, const Conta
             c.held_back = true;
     }
     end_of(Phase::transfer, times);
-    return set;
+    return {std::move(set), std::move(faces)};
 }
 
 }  // namespace dda

@@ -4,7 +4,7 @@
 
 #include "dda/base/parallel.hpp"
 #include "dda/base/phase_times.hpp"
-#include "dda/contact/contact.hpp"
+#include "dda/contact/joint_faces.hpp"
 #include "dda/model/model.hpp"
 
 namespace dda {
@@ -21,10 +21,15 @@ struct ContactSearch {
     bool first_step = false;
 };
 
+struct FoundContacts {
+    ContactSet set;
+    JointFaces faces;  ///< of its contacts
+};
+
 /// The contacts of a step: candidates from the last search while those are complete (theory, Eq. (26)),
 /// detection, transfer of what `last` carried, and the forces that follow from the geometry.
 /// @param last the contacts at the end of the step before, at `search.vertices`.
-ContactSet find_contacts(const Model& model, const ContactSet& last, const ContactSearch& search,
-                         const Crew& crew, PhaseTimes* times = nullptr);
+FoundContacts find_contacts(const Model& model, const ContactSet& last, const ContactSearch& search,
+                            const Crew& crew, PhaseTimes* times = nullptr);
 
 }  // namespace dda

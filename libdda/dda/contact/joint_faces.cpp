@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <compare>
-#include <cstdint>
 
+#include "dda/contact/by_owner.hpp"
 #include "dda/contact/detect.hpp"
 
 namespace dda {
@@ -21,43 +21,53 @@ bool on_one_line(const Contact& a, const Contact& b) {
            parallel_tolerance * std::max({between.norm(), a.length, b.length});
 }
 
-/// A contact by the two blocks that it is between, in one number.
-struct OfBlocks {
-    std::uint64_t blocks = 0;
+/// A contact by the higher of the two blocks that it is between.
+struct OfHigher {
+    int block = 0;
     int contact = 0;
-    friend auto operator<=>(const OfBlocks&, const OfBlocks&) = default;
+    friend auto operator<=>(const OfHigher&, const OfHigher&) = default;
 };
-
-std::uint64_t blocks_of(const Contact& contact) {
-    const auto [low, high] = std::minmax(contact.corner_block, contact.edge_block);
-    return static_cast<std::uint64_t>(low) << 32 | static_cast<std::uint64_t>(high);
-}
 
 }  // namespace
 
 JointFaces::JointFaces(const Model& model, std::span<const Contact> contacts) {
-    std::vector<OfBlocks> by_blocks;
-    by_blocks.reserve(contacts.size());
+    std::vector<char> rough;  // per joint material
+    for (const JointMaterial& material : model.joint_materials)
+        rough.push_back(belongs_to_faces(material.law) ? 1 : 0);
+    std::vector<int> of_faces, lower;
     for (std::size_t k = 0; k < contacts.size(); ++k) {
         const Contact& contact = contacts[k];
-        if (belongs_to_faces(model.joint_material_at(contact.joint_material).law))
-            by_blocks.push_back({blocks_of(contact), static_cast<int>(k)});
+        if (rough[static_cast<std::size_t>(contact.joint_material)] == 0) continue;
+        of_faces.push_back(static_cast<int>(k));
+        lower.push_back(std::min(contact.corner_block, contact.edge_block));
     }
-    std::sort(by_blocks.begin(), by_blocks.end());
+    if (of_faces.empty()) return;
     const auto at = [&](int k) -> const Contact& { return contacts[static_cast<std::size_t>(k)]; };
-    members_.reserve(by_blocks.size());
-    std::vector<int> left, others;
+    members_.reserve(of_faces.size());
     first_.clear();
-    for (auto begin = by_blocks.begin(); begin != by_blocks.end();) {
-        const std::uint64_t blocks = begin->blocks;
-        for (; begin != by_blocks.end() && begin->blocks == blocks; ++begin) left.push_back(begin->contact);
-        while (!left.empty()) {
-            first_.push_back(members_.size());
-            const Contact& one = at(left.front());
-            others.clear();
-            for (const int k : left)
-                (k == left.front() || on_one_line(one, at(k)) ? members_ : others).push_back(k);
-            left.swap(others);
+    std::vector<OfHigher> of_lower;
+    std::vector<int> left, others;
+    const int blocks = *std::max_element(lower.begin(), lower.end()) + 1;
+    const ByOwner by_lower(blocks, lower);
+    for (int block = 0; block < blocks; ++block) {
+        of_lower.clear();
+        for (const int place : by_lower.of(block)) {
+            const int k = of_faces[static_cast<std::size_t>(place)];
+            of_lower.push_back({std::max(at(k).corner_block, at(k).edge_block), k});
+        }
+        std::sort(of_lower.begin(), of_lower.end());
+        for (auto begin = of_lower.begin(); begin != of_lower.end();) {
+            const int other_block = begin->block;
+            for (; begin != of_lower.end() && begin->block == other_block; ++begin)
+                left.push_back(begin->contact);
+            while (!left.empty()) {
+                first_.push_back(members_.size());
+                const Contact& one = at(left.front());
+                others.clear();
+                for (const int k : left)
+                    (k == left.front() || on_one_line(one, at(k)) ? members_ : others).push_back(k);
+                left.swap(others);
+            }
         }
     }
     first_.push_back(members_.size());

@@ -7,7 +7,6 @@
 #include "dda/contact/by_owner.hpp"
 #include "dda/contact/contact_stiffness.hpp"
 #include "dda/contact/detect.hpp"
-#include "dda/contact/joint_faces.hpp"
 
 namespace dda {
 
@@ -197,8 +196,8 @@ void tell_faces(const JointFaces& faces, std::span<char> knows, std::span<Contac
 
 }  // namespace
 
-void transfer_contacts(const Model& model, std::span<const Contact> old, double moved, bool first_step,
-                       std::vector<Contact>& contacts) {
+JointFaces transfer_contacts(const Model& model, std::span<const Contact> old, double moved, bool first_step,
+                             std::vector<Contact>& contacts) {
     std::vector<char> knows(contacts.size(), 0);  // what its joint has been through
     std::vector<std::size_t> heirs;               // that may take over: those that are new or bear nothing
     std::vector<const Contact*> donors;
@@ -247,7 +246,7 @@ void transfer_contacts(const Model& model, std::span<const Contact> old, double 
     // of its own, one contact becomes two: the second knows the joint, and bears nothing until it gets
     // deeper. While it waits for that in a face that others bear, it goes on to know what they do. Rough
     // faces know better what they have been through themselves.
-    const JointFaces faces(model, contacts);
+    JointFaces faces(model, contacts);
     tell_faces(faces, knows, contacts);
     std::optional<Bearers> bearers;
     for (const std::size_t k : heirs) {
@@ -262,6 +261,7 @@ void transfer_contacts(const Model& model, std::span<const Contact> old, double 
         knows[k] = 1;
     }
     tell_faces(faces, knows, contacts);
+    return faces;
 }
 
 }  // namespace dda

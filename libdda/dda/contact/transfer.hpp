@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "dda/contact/contact.hpp"
+#include "dda/contact/joint_faces.hpp"
 #include "dda/model/model.hpp"
 
 namespace dda {
@@ -16,7 +16,8 @@ namespace dda {
 /// carried: shear force, slip and history change neither sign nor size, because the tangent turns with the
 /// role. `moved` bounds how far a contact point can have gone, m. Contacts nobody hands anything to are
 /// fresh; in the first step of a run faces that touch are intact and locked.
-void transfer_contacts(const Model& model, std::span<const Contact> old, double moved, bool first_step,
-                       std::vector<Contact>& contacts);
+/// @return the faces of the new contacts.
+JointFaces transfer_contacts(const Model& model, std::span<const Contact> old, double moved, bool first_step,
+                             std::vector<Contact>& contacts);
 
 }  // namespace dda
