@@ -18,18 +18,19 @@ struct BoundLine {
 /// contacts of a pair, that of their mean stress.
 class FacesFriction {
   public:
-    FacesFriction(const StepProblem& problem, const Crew& crew)
-        : crew_(crew), strength_(problem), friction_(strength_.count()) {}
+    FacesFriction(const StepProblem& problem, const Crew& crew);
 
-    bool empty() const { return friction_.empty(); }
+    bool empty() const { return over_normal_force_.empty(); }
     /// Whether a contact is between rough faces.
     bool has(std::size_t contact) const { return strength_.pair_of(contact) >= 0; }
-    /// Asks the laws. @param pressed_of gives the Pressed of a contact's index.
+    /// Asks the laws of pairs whose normal force, or the shear force of whose spring, has moved by more than
+    /// `enough` since they were asked last, N per metre. @param pressed_of gives the Pressed of a contact's
+    /// index.
     template <class PressedOf>
-    void find(const PressedOf& pressed_of) {
-        crew_.for_ranges(friction_.size(), [&](std::size_t begin, std::size_t end) {
+    void find(double enough, const PressedOf& pressed_of) {
+        crew_.for_ranges(over_normal_force_.size(), [&](std::size_t begin, std::size_t end) {
             for (std::size_t pair = begin; pair < end; ++pair)
-                find_of(pair, strength_.pressed(pair, pressed_of));
+                find_of(pair, strength_.pressed(pair, pressed_of), enough);
         });
     }
     /// What one of their contacts bears under a normal force, N per metre; nothing where it is open.
@@ -38,20 +39,23 @@ class FacesFriction {
     BoundLine line(std::size_t contact, bool forward, double normal_force) const;
 
   private:
-    struct OfPair {
-        Strength over_normal_force;
-        bool curved = false;  ///< whether the exponents are known; they stay for the step
-        Strength exponent;    ///< of the normal force, that the strength over it goes with
+    /// Of the normal force, that a strength over it goes with; it stays for the step.
+    struct Exponent {
+        bool known = false;
+        double forward = 0;
+        double backward = 0;
     };
 
-    void find_of(std::size_t pair, const FacesPressed& pressed);
-    const OfPair& of(std::size_t contact) const {
-        return friction_[static_cast<std::size_t>(strength_.pair_of(contact))];
+    void find_of(std::size_t pair, const FacesPressed& pressed, double enough);
+    std::size_t pair_of(std::size_t contact) const {
+        return static_cast<std::size_t>(strength_.pair_of(contact));
     }
 
     const Crew& crew_;
     FacesStrength strength_;
-    std::vector<OfPair> friction_;
+    std::vector<Strength> over_normal_force_;  ///< per pair
+    std::vector<FacesPressed> asked_;          ///< likewise, at what; not numbers where it was open
+    std::vector<Exponent> exponents_;          ///< likewise
 };
 
 }  // namespace dda

@@ -10,6 +10,7 @@ FacesStrength::FacesStrength(const StepProblem& problem)
     : p_(problem), reduced_(1 / problem.model.strength_reduction) {
     pair_of_.assign(p_.contacts.size(), -1);
     pairs_.reserve(p_.faces.count());
+    stiffness_.reserve(p_.faces.count());
     for (std::size_t f = 0; f < p_.faces.count(); ++f) {
         const std::span<const int> members = p_.faces.contacts_of(f);
         const auto& first = p_.contacts[static_cast<std::size_t>(members[0])];
@@ -26,7 +27,12 @@ FacesStrength::FacesStrength(const StepProblem& problem)
         pair.length = whole->motion.length;
         pair.shear_force = whole->motion.shear_force;
         pair.shear_stiffness = whole->motion.stiffness;
-        for (const int k : members) pair_of_[static_cast<std::size_t>(k)] = static_cast<int>(f);
+        double& stiffness = stiffness_.emplace_back(0);
+        for (const int k : members) {
+            const auto c = static_cast<std::size_t>(k);
+            pair_of_[c] = static_cast<int>(f);
+            stiffness += p_.springs[c].shear_stiffness;
+        }
         add_members(members);
         pair.end = members_.size();
     }

@@ -31,6 +31,8 @@ class FacesStrength {
     std::size_t count() const { return pairs_.size(); }
     /// The pair of faces that a contact is between, or -1.
     int pair_of(std::size_t contact) const { return pair_of_[contact]; }
+    /// N/m per metre, of the shear springs of a pair of faces together.
+    double stiffness(std::size_t pair) const { return stiffness_[pair]; }
     /// @param pressed_of gives the Pressed of a contact's index.
     template <class PressedOf>
     FacesPressed pressed(std::size_t pair, const PressedOf& pressed_of) const {
@@ -71,6 +73,7 @@ class FacesStrength {
     double reduced_;  ///< strength, of the full one
     std::vector<int> pair_of_;
     std::vector<Member> members_;
+    std::vector<double> stiffness_;  ///< per pair
     std::vector<Pair> pairs_;
 };
 

@@ -76,7 +76,7 @@ class Iteration {
                 trials_.choose_lines();
                 if (result.iterations <= dilation_iterations) trials_.update_dilation();
                 trials_.update_bounds();
-                if (is_at_minimum(result, full_step) && !trials_.tear()) {
+                if (is_settled(result, full_step) && !trials_.tear()) {
                     if (!dilate_at(++minima)) {
                         result.converged =
                             augmentations == largest_augmentations || !trials_.augment(shifting);
@@ -160,6 +160,12 @@ class Iteration {
         if (change.contact >= 0) result.worst_contact = change.contact;
         result.force_change = change.largest;
         return full_step && change.largest <= trials_.tolerance();
+    }
+
+    /// Likewise with the bounds of all laws there.
+    bool is_settled(OpenCloseResult& result, bool full_step) {
+        if (!is_at_minimum(result, full_step)) return false;
+        return !trials_.settle_bounds() || is_at_minimum(result, full_step);
     }
 
     /// Brings the dilation to where a minimum of the potential is. @return whether that moves anything.

@@ -20,11 +20,15 @@ bool within(double force, const Strength& bounds) {
 /// from the next one on.
 constexpr double dilation_tolerance = 10;
 
+/// Of the force tolerance: where less has moved since, the laws of rough faces are not asked again but for
+/// what is taken for converged.
+constexpr double asked_again = 0.1;
+
 }  // namespace
 
 TrialContacts::TrialContacts(const StepProblem& problem, const Crew& crew)
     : p_(problem), crew_(crew), friction_(problem, crew), trials_(problem.contacts.size()) {
-    friction_.find([this](std::size_t k) { return pressed_at_start(k); });
+    friction_.find(0, [this](std::size_t k) { return pressed_at_start(k); });
     for_contacts([&](std::size_t k) { trials_[k] = started(k); });
     dilates_ = std::any_of(p_.model.joint_materials.begin(), p_.model.joint_materials.end(),
                            [](const JointMaterial& material) { return dilates(material.law); });
@@ -229,7 +233,17 @@ void TrialContacts::update_bounds() {
         trials_[k].bounds = open ? Strength{} : bounds_by_itself(k, here);
     });
     if (pressed_.empty()) return;
-    friction_.find([this](std::size_t k) { return pressed_[k]; });
+    find_friction(asked_again * tolerance());
+}
+
+bool TrialContacts::settle_bounds() {
+    if (pressed_.empty()) return false;
+    find_friction(0);
+    return true;
+}
+
+void TrialContacts::find_friction(double enough) {
+    friction_.find(enough, [this](std::size_t k) { return pressed_[k]; });
     for_contacts([&](std::size_t k) {
         if (is_of_faces(k)) trials_[k].bounds = friction_.bounds(k, pressed_[k].normal);
     });

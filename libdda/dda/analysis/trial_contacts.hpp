@@ -115,8 +115,11 @@ class TrialContacts {
     ForceChange force_change();
     /// What a force may still move by at convergence, N per metre.
     double tolerance() const;
-    /// Moves the shear bounds to those of the present normal forces and displacements.
+    /// Moves the shear bounds to those of the present normal forces and displacements; those of rough faces
+    /// where more has moved than does not matter as long as nothing has converged.
     void update_bounds();
+    /// Moves the rest of them. @return whether there are any such faces.
+    bool settle_bounds();
     /// Moves the dilation likewise, except where it has been postponed.
     void update_dilation();
     /// Whether that would change a normal force by much.
@@ -178,6 +181,8 @@ class TrialContacts {
     template <class IsOne>
     bool for_any_contact(const IsOne& is_one) const;
     Trial started(std::size_t k) const;
+    /// Asks the laws of rough faces, see FacesFriction, where contacts were judged last.
+    void find_friction(double enough);
     /// What the contact's law bears there; between rough faces with the friction found last.
     Strength bounds_of(std::size_t k, const Pressed& pressed) const;
     double in_direction(std::size_t k, const Strength& strength) const {
