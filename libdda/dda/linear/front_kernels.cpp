@@ -2,33 +2,18 @@
 
 #include <cmath>
 
-#include "dda/linear/front_plan.hpp"
+#include "dda/linear/substitution_kernels.hpp"
 
 namespace dda {
 
 namespace {
 
-/// Everything below is inlined into functions that are compiled for one kind of processor each.
-#define DDA_KERNEL [[gnu::always_inline]] inline
-
-constexpr int unknowns = 6;
-
 /// Vectors of Bytes bytes; Rows of them are worked on together: with six columns they fill the registers.
 template <class Scalar, int Bytes, int Rows>
-struct Kernels {
-    typedef Scalar Vector __attribute__((vector_size(Bytes), may_alias));
-    static constexpr int lanes = Bytes / static_cast<int>(sizeof(Scalar));
-    static constexpr int w = strip_rows<Scalar>;
-    static constexpr int per_strip = w / lanes;
-
-    DDA_KERNEL static long row_at(int row, int columns) {
-        return static_cast<long>(row / w) * w * columns + row % w;
-    }
-    /// Where the rows of a vector begin.
-    DDA_KERNEL static long vector_at(int vector, int columns) {
-        return static_cast<long>(vector / per_strip) * w * columns +
-               static_cast<long>(vector % per_strip) * lanes;
-    }
+struct Kernels : Strips<Scalar, Bytes> {
+    using S = Strips<Scalar, Bytes>;
+    using Vector = typename S::Vector;
+    using S::lanes, S::per_strip, S::row_at, S::unknowns, S::vector_at, S::w;
 
     /// sum -= A B^T: R vectors of rows from `first`, the six rows of B, both over `count` columns.
     template <int R>
@@ -203,56 +188,6 @@ struct Kernels {
                 form_tile<1>(rows, v, j * unknowns, columns, update, stride);
         }
     }
-
-    DDA_KERNEL static void forward(const Scalar* panel, int pivots, int strips, Scalar* x) {
-        const int columns = pivots * unknowns;
-        const Scalar* below = panel + squares_size<Scalar>(pivots);
-        for (int column = 0; column < columns; column += unknowns) {
-            const Scalar* square = panel + column * unknowns;
-            Scalar y[unknowns];
-            for (int q = 0; q < unknowns; ++q) {
-                y[q] = x[column + q];
-                for (int p = 0; p < q; ++p) y[q] -= square[q * unknowns + p] * y[p];
-                y[q] *= square[q * unknowns + q];
-            }
-            for (int v = column / lanes; v < strips * per_strip; ++v) {
-                const Scalar* at = below + vector_at(v, columns) + static_cast<long>(column) * w;
-                Vector& target = *reinterpret_cast<Vector*>(x + static_cast<long>(v) * lanes);
-                Vector sum = target;
-#pragma GCC unroll 6
-                for (int q = 0; q < unknowns; ++q) sum -= *reinterpret_cast<const Vector*>(at + q * w) * y[q];
-                target = sum;
-            }
-            for (int q = 0; q < unknowns; ++q) x[column + q] = y[q];
-        }
-    }
-
-    DDA_KERNEL static void backward(const Scalar* panel, int pivots, int strips, Scalar* x) {
-        const int columns = pivots * unknowns;
-        const Scalar* below = panel + squares_size<Scalar>(pivots);
-        for (int column = columns - unknowns; column >= 0; column -= unknowns) {
-            const Scalar* square = panel + column * unknowns;
-            Scalar y[unknowns];
-            for (int q = 0; q < unknowns; ++q) {
-                y[q] = x[column + q];
-                x[column + q] = 0;
-            }
-            Vector sum[unknowns] = {};
-            for (int v = column / lanes; v < strips * per_strip; ++v) {
-                const Scalar* at = below + vector_at(v, columns) + static_cast<long>(column) * w;
-                const Vector known = *reinterpret_cast<const Vector*>(x + static_cast<long>(v) * lanes);
-#pragma GCC unroll 6
-                for (int q = 0; q < unknowns; ++q)
-                    sum[q] += *reinterpret_cast<const Vector*>(at + q * w) * known;
-            }
-            for (int q = unknowns - 1; q >= 0; --q) {
-                for (int lane = 0; lane < lanes; ++lane) y[q] -= sum[q][lane];
-                for (int p = q + 1; p < unknowns; ++p) y[q] -= square[p * unknowns + q] * y[p];
-                y[q] *= square[q * unknowns + q];
-            }
-            for (int q = 0; q < unknowns; ++q) x[column + q] = y[q];
-        }
-    }
 };
 
 // An attribute cannot stand in parentheses. NOLINTBEGIN(bugprone-macro-parentheses)
@@ -261,17 +196,19 @@ struct Kernels {
     template <class Scalar>                                                                                 \
     struct name {                                                                                           \
         using K = Kernels<Scalar, bytes, rows>;                                                             \
+        using S = Substitution<Scalar, bytes>;                                                              \
         attribute static bool factor_pivots(Scalar* p, int k) { return K::factor_pivots(p, k); }            \
         attribute static void solve_rows(Scalar* p, int k, int b, int e) { K::solve_rows(p, k, b, e); }     \
         attribute static void form_update(const Scalar* p, int k, int s, Scalar* u, long d, int b, int e) { \
             K::form_update(p, k, s, u, d, b, e);                                                            \
         }                                                                                                   \
-        attribute static void forward(const Scalar* p, int k, int s, Scalar* x) { K::forward(p, k, s, x); } \
+        attribute static void invert_groups(Scalar* p, int k) { S::invert_groups(p, k); }                   \
+        attribute static void forward(const Scalar* p, int k, int s, Scalar* x) { S::forward(p, k, s, x); } \
         attribute static void backward(const Scalar* p, int k, int s, Scalar* x) {                          \
-            K::backward(p, k, s, x);                                                                        \
+            S::backward(p, k, s, x);                                                                        \
         }                                                                                                   \
-        static constexpr FrontKernels<Scalar> set{factor_pivots, solve_rows, form_update, forward,          \
-                                                  backward};                                                \
+        static constexpr FrontKernels<Scalar> set{factor_pivots, solve_rows, form_update,                   \
+                                                  invert_groups, forward,    backward};                     \
     }
 // NOLINTEND(bugprone-macro-parentheses)
 

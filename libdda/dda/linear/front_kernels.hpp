@@ -20,6 +20,9 @@ struct FrontKernels {
     /// Block columns [begin, end) of -L21 L21^T, on and below the diagonal.
     void (*form_update)(const Scalar* panel, int pivots, int row_strips, Scalar* update, long stride,
                         int begin, int end);
+    /// Inverts, in the pivots' square, groups of block columns on the diagonal: substitutions read those. The
+    /// rows have to be solved before.
+    void (*invert_groups)(Scalar* panel, int pivots);
     /// x, by rows of the panel: solves L11 y = x1 and takes L21 y from x2.
     void (*forward)(const Scalar* panel, int pivots, int strips, Scalar* x);
     /// Solves L11^T x1 = y1 - L21^T x2.

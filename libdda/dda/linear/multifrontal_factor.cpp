@@ -157,6 +157,7 @@ bool MultifrontalFactor<Scalar>::eliminate(std::size_t f, Scalar* space, const C
                              static_cast<long>(front.stride), begin, end);
     };
     share(crew, front.cost, front.row_strips, strips);
+    kernels_.invert_groups(panel(front), front.pivots);
     share(crew, front.cost, front.rows, columns);
     return true;
 }

@@ -137,6 +137,7 @@ TYPED_TEST(FrontKernels, Solve) {
         if (m == 0) return;  // that is a root: the factor's tests solve with them
         ASSERT_TRUE(kernels.factor_pivots(front.panel(), front.pivots));
         kernels.solve_rows(front.panel(), front.pivots, 0, front.row_strips());
+        kernels.invert_groups(front.panel(), front.pivots);
         const auto a11 = front.matrix.topLeftCorner(k, k);
         const auto a21 = front.matrix.bottomLeftCorner(m, k);
         Draw draw(3);

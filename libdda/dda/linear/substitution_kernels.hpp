@@ -1,0 +1,201 @@
+#pragma once
+
+#include <utility>
+
+#include "dda/linear/strips.hpp"
+
+namespace dda {
+
+/// Forward and backward substitution with a front's panel, by groups of block columns. A substitution reads
+/// the factor once and computes little: what it takes is memory's time, as long as no number waits for the
+/// one before. So a group's square on the diagonal is inverted beforehand, and everything is a product.
+template <class Scalar, int Bytes>
+struct Substitution : Strips<Scalar, Bytes> {
+    using S = Strips<Scalar, Bytes>;
+    using Vector = typename S::Vector;
+    using S::lanes, S::load, S::per_strip, S::row_at, S::store, S::unknowns, S::vector_at, S::w;
+
+    /// Block columns of a group: sums over its columns fill the registers.
+    static constexpr int group = Bytes == 64 ? 3 : 2;
+    static constexpr int group_columns = group * unknowns;
+    /// Vectors that a group's rows reach into; they begin at an even row.
+    static constexpr int group_vectors = (lanes - 2 + group_columns + lanes - 1) / lanes;
+
+    DDA_KERNEL static int vectors_up_to(int row) { return (row + lanes - 1) / lanes; }
+
+    /// The inverse of a group's square on the diagonal, in its place. Column c of M = L^-1 follows from those
+    /// behind it, since M L = I.
+    DDA_KERNEL static void invert_group(const Scalar* squares, Scalar* strips, int columns, int first,
+                                        int last) {
+        constexpr int height = group_vectors * lanes;
+        const int begin = first / lanes;
+        const int before = first - begin * lanes;  // rows in the first vector that are not the group's
+        const Scalar* rows[group_columns];
+        for (int k = 0; k < last - first; ++k) rows[k] = strips + row_at(first + k, columns);
+        Scalar ones[2 * height] = {};
+        ones[height] = 1;
+        Vector inverse[group_columns][group_vectors];
+        for (int c = last - first; c-- > 0;) {
+            const Scalar* square = squares + (first + c) / unknowns * unknowns * unknowns;
+            const int in_square = c % unknowns;
+            const int next = c - in_square + unknowns;
+            Vector sum[group_vectors];
+            __builtin_memcpy(sum, ones + height - before - c, sizeof(sum));
+            for (int k = last - first; k-- > c + 1;) {
+                const Scalar factor = k < next ? square[(k - next + unknowns) * unknowns + in_square]
+                                               : rows[k][static_cast<long>(first + c) * w];
+                for (int v = 0; v < group_vectors; ++v) sum[v] -= inverse[k][v] * factor;
+            }
+            for (int v = 0; v < group_vectors; ++v)
+                inverse[c][v] = sum[v] * square[in_square * unknowns + in_square];
+        }
+        alignas(Vector) Scalar others[height];  // 1 where a row is not the group's
+        for (int r = 0; r < height; ++r) others[r] = r < before || r >= before + last - first ? 1 : 0;
+        const int count = vectors_up_to(last) - begin;
+        for (int v = 0; v < count; ++v) {
+            Scalar* at = strips + vector_at(begin + v, columns) + static_cast<long>(first) * w;
+            for (int c = 0; c < last - first; ++c, at += w)
+                store(load(at) * load(others + v * lanes) + inverse[c][v], at);
+        }
+    }
+    DDA_KERNEL static void invert_groups(Scalar* panel, int pivots) {
+        const int columns = pivots * unknowns;
+        Scalar* strips = panel + squares_size<Scalar>(pivots);
+        for (int first = 0; first < columns; first += group_columns) {
+            const int last = first + group_columns < columns ? first + group_columns : columns;
+            invert_group(panel, strips, columns, first, last);
+        }
+    }
+
+    /// Sums over `count` columns, an even number, of R vectors of rows times y.
+    template <int R>
+    DDA_KERNEL static void multiply(Vector (&sum)[R], const Scalar* strips, int columns, int column,
+                                    int count, int first_vector, const Scalar* y) {
+        const Scalar* rows[R];
+        Vector odd[R];
+        for (int r = 0; r < R; ++r) {
+            rows[r] = strips + vector_at(first_vector + r, columns) + static_cast<long>(column) * w;
+            sum[r] = load(rows[r]) * y[0];
+            odd[r] = load(rows[r] + w) * y[1];
+        }
+        for (int c = 2; c < count; c += 2) {
+            const long p = static_cast<long>(c) * w;
+            const Scalar y0 = y[c];
+            const Scalar y1 = y[c + 1];
+#pragma GCC unroll 4
+            for (int r = 0; r < R; ++r) {
+                sum[r] += load(rows[r] + p) * y0;
+                odd[r] += load(rows[r] + p + w) * y1;
+            }
+        }
+        for (int r = 0; r < R; ++r) sum[r] += odd[r];
+    }
+    /// Takes these from x.
+    template <int R>
+    DDA_KERNEL static void take(const Scalar* strips, int columns, int column, int count, int first_vector,
+                                const Scalar* y, Scalar* x) {
+        Vector sum[R];
+        multiply<R>(sum, strips, columns, column, count, first_vector, y);
+        for (int r = 0; r < R; ++r) {
+            Scalar* at = x + static_cast<long>(first_vector + r) * lanes;
+            store(load(at) - sum[r], at);
+        }
+    }
+
+    DDA_KERNEL static void forward(const Scalar* panel, int pivots, int strips, Scalar* x) {
+        const int columns = pivots * unknowns;
+        const Scalar* below = panel + squares_size<Scalar>(pivots);
+        for (int first = 0; first < columns; first += group_columns) {
+            const int last = first + group_columns < columns ? first + group_columns : columns;
+            const int begin = first / lanes;
+            alignas(Vector) Scalar own[group_vectors * lanes];
+            for (int v = begin; v < vectors_up_to(last); ++v) {
+                Vector sum[1];
+                multiply<1>(sum, below, columns, first, last - first, v, x + first);
+                store(sum[0], own + (v - begin) * lanes);
+            }
+            const Scalar* y = own + first - begin * lanes;
+            int v = last < columns ? last / lanes : vectors_up_to(last);
+            for (; v + 4 <= strips * per_strip; v += 4) take<4>(below, columns, first, last - first, v, y, x);
+            if (v + 2 <= strips * per_strip) {
+                take<2>(below, columns, first, last - first, v, y, x);
+                v += 2;
+            }
+            if (v < strips * per_strip) take<1>(below, columns, first, last - first, v, y, x);
+            for (int c = first; c < last; ++c) x[c] = y[c - first];
+        }
+    }
+
+    /// sum += L^T x for N columns and vectors [begin, end) of rows.
+    template <int N>
+    DDA_KERNEL static void add_products(Vector (&sum)[N], const Scalar* strips, int columns, int column,
+                                        int begin, int end, const Scalar* x) {
+        for (int v = begin; v < end; ++v) {
+            const Scalar* at = strips + vector_at(v, columns) + static_cast<long>(column) * w;
+            const Vector known = load(x + static_cast<long>(v) * lanes);
+#pragma GCC unroll 18
+            for (int q = 0; q < N; ++q) sum[q] += load(at + q * w) * known;
+        }
+    }
+
+    /// Of vectors a and b that hold sums in parts of 2 * Half lanes: those parts' halves added.
+    template <int Half, std::size_t... Lane>
+    DDA_KERNEL static void add_halves(const Vector& a, const Vector& b, Vector& sum,
+                                      std::index_sequence<Lane...>) {
+        sum = __builtin_shufflevector(a, b, (Lane / Half * 2 * Half + Lane % Half)...) +
+              __builtin_shufflevector(a, b, (Lane / Half * 2 * Half + Lane % Half + Half)...);
+    }
+    /// The sums of N vectors' lanes.
+    template <int N, int Half = lanes / 2>
+    DDA_KERNEL static void sum_lanes(const Vector (&of)[N], Scalar* sums) {
+        constexpr int left = (N + 1) / 2;
+        Vector halved[left];
+#pragma GCC unroll 18
+        for (int k = 0; k < left; ++k)
+            add_halves<Half>(of[2 * k], of[2 * k + 1 < N ? 2 * k + 1 : 2 * k], halved[k],
+                             std::make_index_sequence<lanes>());
+        if constexpr (Half == 1) {
+            for (int k = 0; k < left; ++k) store(halved[k], sums + k * lanes);
+        } else {
+            sum_lanes<left, Half / 2>(halved, sums);
+        }
+    }
+
+    /// Substitutes N block columns backward.
+    template <int N>
+    DDA_KERNEL static void group_backward(const Scalar* strips, int columns, int first, int vectors,
+                                          Scalar* x) {
+        constexpr int count = N * unknowns;
+        const int last = first + count;
+        const int begin = first / lanes;
+        alignas(Vector) Scalar y[group_vectors * lanes] = {};
+        Scalar* own = y + first - begin * lanes;
+        for (int c = 0; c < count; ++c) own[c] = x[first + c];
+        if (last < columns) {
+            for (int c = 0; c < count; ++c) x[first + c] = 0;
+        }
+        alignas(Vector) Scalar sums[(count + lanes - 1) / lanes * lanes];
+        Vector below[count] = {};
+        add_products<count>(below, strips, columns, first,
+                            last < columns ? last / lanes : vectors_up_to(last), vectors, x);
+        sum_lanes<count>(below, sums);
+        for (int c = 0; c < count; ++c) own[c] -= sums[c];
+        Vector inverse[count] = {};
+        add_products<count>(inverse, strips, columns, first, begin, vectors_up_to(last), y - begin * lanes);
+        sum_lanes<count>(inverse, sums);
+        for (int c = 0; c < count; ++c) x[first + c] = sums[c];
+    }
+
+    DDA_KERNEL static void backward(const Scalar* panel, int pivots, int strips, Scalar* x) {
+        const int columns = pivots * unknowns;
+        const Scalar* below = panel + squares_size<Scalar>(pivots);
+        const int rest = pivots % group;
+        const int first = (pivots - rest) * unknowns;
+        if (rest == 1) group_backward<1>(below, columns, first, strips * per_strip, x);
+        if (rest == 2) group_backward<2>(below, columns, first, strips * per_strip, x);
+        for (int column = first - group_columns; column >= 0; column -= group_columns)
+            group_backward<group>(below, columns, column, strips * per_strip, x);
+    }
+};
+
+}  // namespace dda
