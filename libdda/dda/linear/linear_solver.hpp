@@ -10,6 +10,10 @@
 
 namespace dda {
 
+/// Of the right-hand side, what a solution may leave in the residual, norms scaled by the matrix' diagonal.
+/// What a factor in double precision leaves of walls with springs of 100 E is as much.
+inline constexpr double exact_residual = 1e-11;
+
 /// Solves the step's symmetric positive definite system. Work space that outlives the step lives here.
 class LinearSolver {
   public:
@@ -38,8 +42,11 @@ class LinearSolver {
     }
     /// Solves in place by one substitution, to as many digits as the factor has.
     virtual void solve_roughly(std::vector<Vec6>& right_hand_side) { solve(right_hand_side); }
-    /// Brings x, put together from these, to A^-1 b, as near as `solve`. @return substitutions taken.
-    virtual int refine(std::vector<Vec6>& /*x*/, const std::vector<Vec6>& /*b*/) { return 0; }
+    /// Brings x, put together from these, to A^-1 b, to a residual of that share of b: `exact_residual` is as
+    /// near as `solve`. @return substitutions taken; none where x is as near already.
+    virtual int refine(std::vector<Vec6>& /*x*/, const std::vector<Vec6>& /*b*/, double /*share*/) {
+        return 0;
+    }
 };
 
 /// @param crew outlives the solver.

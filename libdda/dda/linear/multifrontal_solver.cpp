@@ -9,10 +9,8 @@ namespace dda {
 
 namespace {
 
-/// Residuals' shares of the right-hand side, as RefinedFactor measures them. What a factor in double
-/// precision leaves of walls with springs of 100 E is as much.
-constexpr double exact_share = 1e-11;
-/// At 1e-3 the walls that `bench_steps` lets go took three iterations for two, at 1e-4 as many as exactly.
+/// The share of the right-hand side that is left in the residual of a solution that is near. At 1e-3 the
+/// walls that `bench_steps` lets go took three iterations for two, at 1e-4 as many as exactly.
 constexpr double near_share = 1e-5;
 
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
@@ -40,7 +38,7 @@ class MultifrontalSolver final : public LinearSolver {
     }
     void solve(std::vector<Vec6>& right_hand_side) override {
         std::vector<Vec6> x(right_hand_side.size(), Vec6::Zero());
-        solve_from(x, right_hand_side, exact_share);
+        solve_from(x, right_hand_side, exact_residual);
         right_hand_side = std::move(x);
     }
     int approach(std::vector<Vec6>& x, const std::vector<Vec6>& b) override {
@@ -52,8 +50,8 @@ class MultifrontalSolver final : public LinearSolver {
         else
             factor_.solve(right_hand_side, crew_);
     }
-    int refine(std::vector<Vec6>& x, const std::vector<Vec6>& b) override {
-        return is_rough() ? solve_from(x, b, exact_share) : 0;
+    int refine(std::vector<Vec6>& x, const std::vector<Vec6>& b, double share) override {
+        return is_rough() ? solve_from(x, b, share) : 0;
     }
 
   private:

@@ -1,0 +1,93 @@
+// What users are promised: the displacement of an accepted step solves its linear system to 1e-10 of the
+// load.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "dda/analysis/open_close_iteration.hpp"
+#include "support/first_step.hpp"
+
+namespace {
+
+using namespace scene;
+
+/// The refined solver, which remembers the matrix and the last right-hand side that it was given.
+class Watched final : public dda::LinearSolver {
+  public:
+    explicit Watched(const dda::Crew& crew)
+        : solver_(dda::make_linear_solver(dda::SolverKind::refined, crew)) {}
+
+    void analyze(const dda::BlockPattern& pattern) override {
+        pattern_ = pattern;
+        solver_->analyze(pattern);
+    }
+    bool factorize(const dda::BlockMatrix& matrix) override { return refactorize(matrix, {}); }
+    bool refactorize(const dda::BlockMatrix& matrix, std::span<const float> changed) override {
+        matrix_ = &matrix;
+        return solver_->refactorize(matrix, changed);
+    }
+    void solve(std::vector<Vec6>& right_hand_side) override { solver_->solve(right_hand_side); }
+    int approach(std::vector<Vec6>& x, const std::vector<Vec6>& b) override {
+        return solver_->approach(x, b);
+    }
+    void solve_roughly(std::vector<Vec6>& right_hand_side) override {
+        solver_->solve_roughly(right_hand_side);
+    }
+    int refine(std::vector<Vec6>& x, const std::vector<Vec6>& b, double share) override {
+        load_ = b;
+        largest_share = std::max(largest_share, share);
+        return solver_->refine(x, b, share);
+    }
+
+    /// Of the last load, what a displacement leaves in the residual.
+    double residual(const std::vector<Vec6>& x) const {
+        std::vector<Vec6> image(x.size());
+        matrix_->multiply(pattern_, x, image);
+        double left = 0;
+        double whole = 0;
+        for (std::size_t r = 0; r < x.size(); ++r) {
+            const Vec6 weight = matrix_->diagonal[r].diagonal().cwiseInverse();
+            left += (load_[r] - image[r]).cwiseAbs2().dot(weight);
+            whole += load_[r].cwiseAbs2().dot(weight);
+        }
+        return std::sqrt(left / whole);
+    }
+
+    double largest_share = 0;  ///< that was asked for
+
+  private:
+    std::unique_ptr<dda::LinearSolver> solver_;
+    dda::BlockPattern pattern_;
+    const dda::BlockMatrix* matrix_ = nullptr;
+    std::vector<Vec6> load_;
+};
+
+// A wall under its weight, each block pushed to a side: contacts open and slide, and friction takes several
+// solutions. They are not all exact.
+TEST(AcceptedStep, SolvesItsLinearSystem) {
+    for (const unsigned seed : {1u, 2u, 3u, 4u, 5u, 6u}) {
+        FirstStep step;
+        const double dt = 0.005;
+        for (dda::Mat6& stiffness : step.base.stiffness) stiffness.setZero();
+        dda::add_inertia(step.rows, step.state.blocks, {0.5, 1, dt}, 0, step.base);
+        dda::add_elasticity(step.model, step.rows, step.state.blocks, dt, step.base);
+        Dice dice(seed);
+        for (std::size_t r = 0; r < step.base.load.size(); ++r) {
+            const double mass = step.state.blocks.mass[static_cast<std::size_t>(step.rows.block_of[r])];
+            step.base.load[r].head<2>() += mass * (step.model.gravity + 5 * dice.direction());
+        }
+        Watched solver(step.crew);
+        solver.analyze(step.pattern);
+        dda::BlockMatrix work;
+        const dda::StepProblem problem = step.problem();
+        const dda::OpenCloseResult result =
+            dda::iterate_open_close(problem, step.pattern, solver, work, step.crew);
+        ASSERT_TRUE(result.converged) << "seed " << seed;
+        EXPECT_GT(result.iterations, 2) << "seed " << seed << ": nothing to iterate";
+        EXPECT_GT(solver.largest_share, 1e-9) << "seed " << seed;
+        EXPECT_LT(solver.residual(result.displacement), 1e-10) << "seed " << seed;
+    }
+}
+
+}  // namespace
