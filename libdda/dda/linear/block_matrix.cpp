@@ -5,6 +5,11 @@
 
 namespace dda {
 
+namespace {
+constexpr std::size_t most_portions = 8;
+constexpr std::size_t least_portion = 128;
+}  // namespace
+
 BlockPattern BlockPattern::from_pairs(int size, std::vector<std::pair<int, int>> pairs) {
     for (auto& [i, j] : pairs) {
         if (i > j) std::swap(i, j);
@@ -37,14 +42,32 @@ void BlockMatrix::reset(const BlockPattern& pattern) {
     upper.assign(pattern.columns.size(), Mat6::Zero());
 }
 
-void BlockMatrix::multiply(const BlockPattern& pattern, std::span<const Vec6> x, std::span<Vec6> y) const {
-    for (std::size_t i = 0; i < x.size(); ++i) y[i].noalias() = diagonal[i] * x[i];
-    for (std::size_t i = 0; i < x.size(); ++i) {
-        for (int k = pattern.start[i]; k < pattern.start[i + 1]; ++k) {
-            const auto place = static_cast<std::size_t>(k);
-            const auto j = static_cast<std::size_t>(pattern.columns[place]);
-            y[i].noalias() += upper[place] * x[j];
-            y[j].noalias() += upper[place].transpose() * x[i];
+// Portions of rows, which depend on their number alone, by whoever is free: each entry is read once and
+// serves both of its rows. What an entry gives to a row of a later portion waits until all have ended; where
+// blocks that touch have numbers near each other these are few.
+void BlockMatrix::multiply(const BlockPattern& pattern, std::span<const Vec6> x, std::span<Vec6> y,
+                           const Crew& crew) const {
+    const std::size_t length = std::max(least_portion, (x.size() + most_portions - 1) / most_portions);
+    const std::size_t portions = (x.size() + length - 1) / length;
+    const auto end_of = [&](std::size_t portion) { return std::min((portion + 1) * length, x.size()); };
+    const auto begin_of_row = [&](std::size_t i) { return static_cast<std::size_t>(pattern.start[i]); };
+    const auto column = [&](std::size_t k) { return static_cast<std::size_t>(pattern.columns[k]); };
+    crew.for_tasks(portions, [&](std::size_t portion, std::size_t) {
+        const std::size_t end = end_of(portion);
+        for (std::size_t i = portion * length; i < end; ++i) y[i].noalias() = diagonal[i] * x[i];
+        for (std::size_t i = portion * length; i < end; ++i) {
+            for (std::size_t k = begin_of_row(i); k < begin_of_row(i + 1); ++k) {
+                const std::size_t j = column(k);
+                y[i].noalias() += upper[k] * x[j];
+                if (j < end) y[j].noalias() += upper[k].transpose() * x[i];
+            }
+        }
+    });
+    for (std::size_t portion = 0; portion + 1 < portions; ++portion) {
+        const std::size_t end = end_of(portion);
+        for (std::size_t i = portion * length; i < end; ++i) {
+            for (std::size_t k = begin_of_row(i + 1); k-- > begin_of_row(i) && column(k) >= end;)
+                y[column(k)].noalias() += upper[k].transpose() * x[i];
         }
     }
 }

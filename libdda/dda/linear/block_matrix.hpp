@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "dda/base/parallel.hpp"
 #include "dda/base/types.hpp"
 
 namespace dda {
@@ -28,8 +29,12 @@ struct BlockMatrix {
     std::vector<Mat6> upper;     ///< one per column entry of the pattern, K_ij with i < j
 
     void reset(const BlockPattern& pattern);
-    /// y = A x.
-    void multiply(const BlockPattern& pattern, std::span<const Vec6> x, std::span<Vec6> y) const;
+    /// y = A x; the same bytes with any number of threads.
+    void multiply(const BlockPattern& pattern, std::span<const Vec6> x, std::span<Vec6> y,
+                  const Crew& crew) const;
+    void multiply(const BlockPattern& pattern, std::span<const Vec6> x, std::span<Vec6> y) const {
+        multiply(pattern, x, y, Crew(1));
+    }
     /// Adds stiffness * vector * vector^T on the diagonal.
     void add_square(int row, const Vec6& vector, double stiffness) {
         diagonal[static_cast<std::size_t>(row)].noalias() += (stiffness * vector) * vector.transpose();

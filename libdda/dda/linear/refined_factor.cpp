@@ -1,6 +1,8 @@
 #include "dda/linear/refined_factor.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <utility>
 
 namespace dda {
 
@@ -19,10 +21,17 @@ constexpr int slow = 10;
 /// a splinter between stiff springs: the preconditioner need not be exact.
 constexpr double hold = 4e-6;
 
-double dot(std::span<const Vec6> a, std::span<const Vec6> b) {
-    double sum = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) sum += a[i].dot(b[i]);
-    return sum;
+double dot(std::span<const Vec6> a, std::span<const Vec6> b, const Crew& crew) {
+    const auto of_portion = [&](std::size_t begin, std::size_t end) {
+        double sum = 0;
+        for (std::size_t i = begin; i < end; ++i) sum += a[i].dot(b[i]);
+        return sum;
+    };
+    return crew.taken_together(a.size(), 0.0, of_portion, std::plus<>());
+}
+
+double scaled_square(const Vec6& v, const Vec6& weight) {
+    return v.cwiseAbs2().dot(weight);
 }
 
 }  // namespace
@@ -50,8 +59,9 @@ std::span<const float> RefinedFactor::outdated(std::span<const float> changed) {
 bool RefinedFactor::factorize(const BlockMatrix& matrix, const Crew& crew, std::span<const float> changed) {
     matrix_ = &matrix;
     weight_.resize(matrix.diagonal.size());
-    for (std::size_t i = 0; i < weight_.size(); ++i)
-        weight_[i] = matrix.diagonal[i].diagonal().cwiseInverse();
+    crew.for_ranges(weight_.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) weight_[i] = matrix.diagonal[i].diagonal().cwiseInverse();
+    });
     return factor_.factorize(matrix, crew, outdated(changed)) || renew(crew);
 }
 
@@ -68,12 +78,6 @@ bool RefinedFactor::has_drifted() const {
     return std::any_of(drift_.begin(), drift_.end(), [](float drift) { return drift > 0; });
 }
 
-double RefinedFactor::scaled_square(std::span<const Vec6> v) const {
-    double sum = 0;
-    for (std::size_t i = 0; i < v.size(); ++i) sum += v[i].cwiseAbs2().dot(weight_[i]);
-    return sum;
-}
-
 RefinedFactor::Outcome RefinedFactor::refine(std::span<Vec6> x, std::span<const Vec6> b, double share,
                                              const Crew& crew) {
     const Outcome first = iterate(x, b, share, crew);
@@ -85,41 +89,64 @@ RefinedFactor::Outcome RefinedFactor::refine(std::span<Vec6> x, std::span<const 
 
 RefinedFactor::Outcome RefinedFactor::iterate(std::span<Vec6> x, std::span<const Vec6> b, double share,
                                               const Crew& crew) {
-    const double whole = scaled_square(b);
-    const double enough = share * share * whole;
-    start(x, b, whole);
+    const Squares squares = start(x, b, crew);
+    const double enough = share * share * squares.load;
+    double left = squares.residual;
     double last = 0;
     for (int k = 0; k <= most_iterations; ++k) {
-        if (scaled_square(residual_) <= enough) return {true, k};
+        if (left <= enough) return {true, k};
         refined_ = residual_;
         factor_.solve(refined_, crew);
-        const double energy = dot(residual_, refined_);
-        if (k == 0)
-            direction_ = refined_;
-        else
-            for (std::size_t i = 0; i < x.size(); ++i)
-                direction_[i] = refined_[i] + (energy / last) * direction_[i];
+        const double energy = dot(residual_, refined_, crew);
+        if (k == 0) {
+            std::swap(direction_, refined_);
+        } else {
+            crew.for_ranges(x.size(), [&](std::size_t begin, std::size_t end) {
+                for (std::size_t i = begin; i < end; ++i)
+                    direction_[i] = refined_[i] + (energy / last) * direction_[i];
+            });
+        }
         last = energy;
-        matrix_->multiply(pattern_, direction_, image_);
-        const double curvature = dot(direction_, image_);
+        matrix_->multiply(pattern_, direction_, image_, crew);
+        const double curvature = dot(direction_, image_, crew);
         if (!(curvature > 0)) return {false, k + 1};  // rounding, or the matrix is indefinite
         const double step = energy / curvature;
-        for (std::size_t i = 0; i < x.size(); ++i) {
-            x[i] += step * direction_[i];
-            residual_[i] -= step * image_[i];
-        }
+        const auto go = [&](std::size_t begin, std::size_t end) {
+            double sum = 0;
+            for (std::size_t i = begin; i < end; ++i) {
+                x[i] += step * direction_[i];
+                residual_[i] -= step * image_[i];
+                sum += scaled_square(residual_[i], weight_[i]);
+            }
+            return sum;
+        };
+        left = crew.taken_together(x.size(), 0.0, go, std::plus<>());
     }
     return {false, most_iterations + 1};
 }
 
-void RefinedFactor::start(std::span<Vec6> x, std::span<const Vec6> b, double whole) {
+RefinedFactor::Squares RefinedFactor::start(std::span<Vec6> x, std::span<const Vec6> b, const Crew& crew) {
     image_.resize(b.size());
-    matrix_->multiply(pattern_, x, image_);
     residual_.resize(b.size());
-    for (std::size_t i = 0; i < b.size(); ++i) residual_[i] = b[i] - image_[i];
-    if (scaled_square(residual_) <= whole) return;
+    matrix_->multiply(pattern_, x, image_, crew);
+    const auto of_portion = [&](std::size_t begin, std::size_t end) {
+        Squares squares;
+        for (std::size_t i = begin; i < end; ++i) {
+            residual_[i] = b[i] - image_[i];
+            squares.residual += scaled_square(residual_[i], weight_[i]);
+            squares.load += scaled_square(b[i], weight_[i]);
+        }
+        return squares;
+    };
+    const auto add = [](const Squares& sum, const Squares& more) {
+        return Squares{sum.residual + more.residual, sum.load + more.load};
+    };
+    Squares squares = crew.taken_together(b.size(), Squares(), of_portion, add);
+    if (squares.residual <= squares.load) return squares;
     std::fill(x.begin(), x.end(), Vec6::Zero());
     residual_.assign(b.begin(), b.end());
+    squares.residual = squares.load;
+    return squares;
 }
 
 }  // namespace dda

@@ -34,9 +34,13 @@ class RefinedFactor {
     /// Whether the factor is not of the present matrix.
     bool has_drifted() const;
     bool renew(const Crew& crew);
-    double scaled_square(std::span<const Vec6> v) const;
-    /// Sets the residual, and x to zero where that leaves less. @param whole scaled_square(b).
-    void start(std::span<Vec6> x, std::span<const Vec6> b, double whole);
+    /// Norms squared, scaled by the matrix' diagonal.
+    struct Squares {
+        double residual = 0;
+        double load = 0;
+    };
+    /// Sets the residual, and x to zero where that leaves less.
+    Squares start(std::span<Vec6> x, std::span<const Vec6> b, const Crew& crew);
 
     BlockPattern pattern_;
     const BlockMatrix* matrix_ = nullptr;

@@ -37,17 +37,26 @@ TEST(BlockPattern, DoesNotDependOnTheOrderOfPairs) {
               BlockPattern::from_pairs(3, {{2, 1}, {1, 0}, {0, 1}}));
 }
 
-TEST(BlockMatrix, MultipliesAsTheDenseOneDoes) {
-    const RandomSystem system(20, 60, 3);
-    std::vector<Vec6> product(20);
-    system.matrix.multiply(system.pattern, system.load, product);
-    Eigen::VectorXd x(120);
-    Eigen::VectorXd y(120);
-    for (int i = 0; i < 20; ++i) {
-        x.segment<6>(6 * i) = system.load[static_cast<std::size_t>(i)];
-        y.segment<6>(6 * i) = product[static_cast<std::size_t>(i)];
+// The larger one in several portions of rows, whose columns are anywhere.
+TEST(BlockMatrix, MultipliesAsTheDenseOneDoesOnAnyNumberOfThreads) {
+    for (const int size : {20, 300}) {
+        const RandomSystem system(size, 3 * size, 3);
+        const auto rows = static_cast<std::size_t>(size);
+        std::vector<Vec6> product(rows);
+        system.matrix.multiply(system.pattern, system.load, product);
+        Eigen::VectorXd x(6 * size);
+        Eigen::VectorXd y(6 * size);
+        for (int i = 0; i < size; ++i) {
+            x.segment<6>(6 * i) = system.load[static_cast<std::size_t>(i)];
+            y.segment<6>(6 * i) = product[static_cast<std::size_t>(i)];
+        }
+        EXPECT_LT((y - dense(system.pattern, system.matrix) * x).norm(), 1e-13 * y.norm());
+        for (const int threads : {2, 3}) {
+            std::vector<Vec6> shared(rows);
+            system.matrix.multiply(system.pattern, system.load, shared, dda::Crew(threads));
+            EXPECT_EQ(shared, product);
+        }
     }
-    EXPECT_LT((y - dense(system.pattern, system.matrix) * x).norm(), 1e-13 * y.norm());
 }
 
 TEST(BlockMatrix, AddsOuterProductsAboveAndBelowTheDiagonal) {
