@@ -22,15 +22,28 @@ constexpr double independence = 1e-14;
 using Products = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_changes, most_changes>;
 using Shares = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_changes, 1>;
 
-double product(const std::vector<double>& a, const std::vector<double>& b) {
-    const auto size = static_cast<Eigen::Index>(a.size());
-    return Eigen::Map<const Eigen::VectorXd>(a.data(), size)
-        .dot(Eigen::Map<const Eigen::VectorXd>(b.data(), size));
+/// Of columns with each other, and minus the vector that they are to bring to zero.
+struct NormalEquations {
+    Products products;  ///< the lower half counts
+    Shares sought;
+
+    NormalEquations() : NormalEquations(0) {}
+    explicit NormalEquations(int count)
+        : products(Products::Zero(count, count)), sought(Shares::Zero(count)) {}
+};
+
+/// Of portions [begin, end) of two columns.
+double product(const std::vector<double>& a, const std::vector<double>& b, std::size_t begin,
+               std::size_t end) {
+    const auto size = static_cast<Eigen::Index>(end - begin);
+    return Eigen::Map<const Eigen::VectorXd>(a.data() + begin, size)
+        .dot(Eigen::Map<const Eigen::VectorXd>(b.data() + begin, size));
 }
 
 /// The shares of the columns that bring a vector nearest to zero.
-/// @param products of the columns; the lower half counts; @param sought of the columns and minus the vector.
-Shares least_squares(Products products, Shares sought) {
+Shares least_squares(NormalEquations equations) {
+    auto& [products, sought] = equations;
+    products.triangularView<Eigen::StrictlyUpper>() = products.transpose();
     Shares scale(sought.size());
     for (Eigen::Index j = 0; j < scale.size(); ++j)
         scale[j] = products(j, j) > 0 ? 1 / std::sqrt(products(j, j)) : 0;
@@ -42,8 +55,9 @@ Shares least_squares(Products products, Shares sought) {
 
 }  // namespace
 
-HeldFriction::HeldFriction(const StepProblem& problem, TrialContacts& trials, LinearSolver& solver)
-    : p_(problem), trials_(trials), solver_(solver) {
+HeldFriction::HeldFriction(const StepProblem& problem, TrialContacts& trials, LinearSolver& solver,
+                           const Crew& crew)
+    : p_(problem), trials_(trials), solver_(solver), crew_(crew) {
     changes_.reserve(most_changes);
     for (const JointMaterial& material : p_.model.joint_materials) {
         const auto* law = std::get_if<MohrCoulomb>(&material.law);
@@ -88,16 +102,20 @@ void HeldFriction::find_sliding(std::span<const Vec6> d) {
     sliding_.reserve(trials_.count());
     for (std::size_t k = 0; k < trials_.count(); ++k) {
         if (!trials_.is_pressed(k) || trials_.is_locked(k)) continue;
-        const ContactSprings& springs = p_.springs[k];
-        Sliding sliding;
-        sliding.contact = k;
-        sliding.sign = trials_.slides_forward(k) ? 1 : -1;
-        sliding.bonded = trials_.is_bonded(k);
-        sliding.held = trials_.held_force(k);
-        sliding.normal = trials_.linear_normal(k, springs.rows.measure(springs.normal, d));
-        draw_line(sliding, d);
-        sliding_.push_back(sliding);
+        sliding_.emplace_back().contact = k;
     }
+    crew_.for_ranges(sliding_.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            Sliding& sliding = sliding_[i];
+            const std::size_t k = sliding.contact;
+            const ContactSprings& springs = p_.springs[k];
+            sliding.sign = trials_.slides_forward(k) ? 1 : -1;
+            sliding.bonded = trials_.is_bonded(k);
+            sliding.held = trials_.held_force(k);
+            sliding.normal = trials_.linear_normal(k, springs.rows.measure(springs.normal, d));
+            draw_line(sliding, d);
+        }
+    });
 }
 
 double HeldFriction::find_differences() {
@@ -115,53 +133,76 @@ double HeldFriction::norm_of_differences() const {
     return std::sqrt(squares);
 }
 
+void HeldFriction::put_load(std::span<Vec6> load) {
+    change_of_.assign(trials_.count(), 0);
+    for (const Sliding& sliding : sliding_) change_of_[sliding.contact] = sliding.difference;
+    crew_.for_ranges(load.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t row = begin; row < end; ++row) {
+            load[row].setZero();
+            for (const int contact : p_.row_contacts.of(row)) {
+                const auto k = static_cast<std::size_t>(contact);
+                if (change_of_[k] == 0) continue;
+                const ContactSprings& springs = p_.springs[k];
+                load[row] +=
+                    springs.rows.of_row(static_cast<int>(row), -change_of_[k] * springs.shear.direction);
+            }
+        }
+    });
+}
+
 void HeldFriction::tell(Change& change, std::size_t rows) {
     change.share = 0;
     for (std::vector<double>* of_sliding : {&change.held, &change.normal, &change.difference}) {
-        of_sliding->clear();
         of_sliding->reserve(trials_.count());  // once for the step, however many slide
+        of_sliding->resize(sliding_.size());
     }
-    change.difference.resize(sliding_.size());
-    change.displacement.assign(rows, Vec6::Zero());
-    for (const Sliding& sliding : sliding_) {
-        const ContactSprings& springs = p_.springs[sliding.contact];
-        springs.rows.add_force(springs.shear, -sliding.difference, change.displacement);
-        change.held.push_back(sliding.difference);
-    }
+    change.displacement.resize(rows);
+    put_load(change.displacement);
     solver_.solve_roughly(change.displacement);
-    for (const Sliding& sliding : sliding_) {
-        const ContactSprings& springs = p_.springs[sliding.contact];
-        const double opening =
-            springs.rows.measure(springs.normal, change.displacement) - springs.normal.known;
-        change.normal.push_back(-trials_.normal_stiffness(sliding.contact) * opening);
-    }
+    crew_.for_ranges(sliding_.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const Sliding& sliding = sliding_[i];
+            const ContactSprings& springs = p_.springs[sliding.contact];
+            const double opening = springs.normal.direction.dot(springs.rows.apart(change.displacement));
+            change.held[i] = sliding.difference;
+            change.normal[i] = -trials_.normal_stiffness(sliding.contact) * opening;
+        }
+    });
 }
 
 void HeldFriction::make_least(int count) {
     const std::span<Change> changes = std::span(changes_).first(static_cast<std::size_t>(count));
-    Products products(count, count);
-    Shares sought(count);
-    for (int j = 0; j < count; ++j) {
-        Change& change = changes[static_cast<std::size_t>(j)];
-        sought[j] = 0;
-        for (std::size_t i = 0; i < sliding_.size(); ++i) {
-            change.difference[i] = sliding_[i].bound_slope() * change.normal[i] - change.held[i];
-            sought[j] -= change.difference[i] * sliding_[i].difference;
+    const auto of_portion = [&](std::size_t begin, std::size_t end) {
+        NormalEquations equations(count);
+        for (int j = 0; j < count; ++j) {
+            Change& change = changes[static_cast<std::size_t>(j)];
+            for (std::size_t i = begin; i < end; ++i) {
+                change.difference[i] = sliding_[i].bound_slope() * change.normal[i] - change.held[i];
+                equations.sought[j] -= change.difference[i] * sliding_[i].difference;
+            }
+            for (int k = 0; k <= j; ++k)
+                equations.products(j, k) =
+                    product(change.difference, changes[static_cast<std::size_t>(k)].difference, begin, end);
         }
-        for (int k = 0; k <= j; ++k) {
-            products(j, k) = product(change.difference, changes[static_cast<std::size_t>(k)].difference);
-            products(k, j) = products(j, k);
+        return equations;
+    };
+    const auto add = [](NormalEquations sum, const NormalEquations& more) {
+        sum.products += more.products;
+        sum.sought += more.sought;
+        return sum;
+    };
+    const Shares shares =
+        least_squares(crew_.taken_together(sliding_.size(), NormalEquations(count), of_portion, add));
+    for (int j = 0; j < count; ++j) changes[static_cast<std::size_t>(j)].share += shares[j];
+    crew_.for_ranges(sliding_.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            for (int j = 0; j < count; ++j) {
+                const Change& change = changes[static_cast<std::size_t>(j)];
+                sliding_[i].held += shares[j] * change.held[i];
+                sliding_[i].normal += shares[j] * change.normal[i];
+            }
         }
-    }
-    const Shares shares = least_squares(products, sought);
-    for (int j = 0; j < count; ++j) {
-        Change& change = changes[static_cast<std::size_t>(j)];
-        change.share += shares[j];
-        for (std::size_t i = 0; i < sliding_.size(); ++i) {
-            sliding_[i].held += shares[j] * change.held[i];
-            sliding_[i].normal += shares[j] * change.normal[i];
-        }
-    }
+    });
 }
 
 int HeldFriction::agree(std::span<Vec6> d) {
@@ -177,10 +218,11 @@ int HeldFriction::agree(std::span<Vec6> d) {
         off = find_differences();
         if (norm_of_differences() > poor_gain * before) ++poor;
     }
-    for (int j = 0; j < count; ++j) {
-        const Change& change = changes_[static_cast<std::size_t>(j)];
-        for (std::size_t r = 0; r < d.size(); ++r) d[r] += change.share * change.displacement[r];
-    }
+    crew_.for_ranges(count == 0 ? 0 : d.size(), [&](std::size_t begin, std::size_t end) {
+        for (const Change& change : std::span(changes_).first(static_cast<std::size_t>(count))) {
+            for (std::size_t r = begin; r < end; ++r) d[r] += change.share * change.displacement[r];
+        }
+    });
     for (const Sliding& sliding : sliding_) {
         trials_.hold(sliding.contact, sliding.held);
         trials_.bound_by_held_force(sliding.contact);

@@ -17,7 +17,7 @@ namespace dda {
 /// 1986]; where a bound ends at zero it is Newton's method in the space of these changes.
 class HeldFriction {
   public:
-    HeldFriction(const StepProblem& problem, TrialContacts& trials, LinearSolver& solver);
+    HeldFriction(const StepProblem& problem, TrialContacts& trials, LinearSolver& solver, const Crew& crew);
 
     /// Changes the held forces until the largest difference is a share of what it was, or half of what counts
     /// as converged, or no longer falls; the contacts' bounds become the held forces.
@@ -66,6 +66,8 @@ class HeldFriction {
     /// @return the largest of them.
     double find_differences();
     double norm_of_differences() const;
+    /// The load of a change of the held forces by their differences.
+    void put_load(std::span<Vec6> load);
     /// Finds out what a change of the held forces by their differences does.
     void tell(Change& change, std::size_t rows);
     /// Makes the changes, of the first `count`, that leave the least differences.
@@ -74,8 +76,10 @@ class HeldFriction {
     const StepProblem& p_;
     TrialContacts& trials_;
     LinearSolver& solver_;
+    const Crew& crew_;
     std::vector<Friction> friction_;  ///< per joint material
     std::vector<Sliding> sliding_;
+    std::vector<double> change_of_;  ///< per contact, of the shear force, N per metre
     std::vector<Change> changes_;
 };
 

@@ -45,7 +45,7 @@ class Iteration {
           times_(times),
           trials_(problem, crew),
           line_search_(problem, trials_, crew),
-          friction_(problem, trials_, solver),
+          friction_(problem, trials_, solver, crew),
           force_(problem.contacts.size()),
           judged_residual_(std::clamp(judged_share * problem.control.force_tolerance, exact_residual,
                                       largest_judged_residual)) {

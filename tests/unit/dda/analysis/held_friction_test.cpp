@@ -77,7 +77,7 @@ TEST_P(HeldFrictionOfMovedWalls, AgreesWithTheLawsAndSolvesTheSystem) {
     std::vector<Vec6> d = wall.solution();
     const double before = wall.difference(d);
     ASSERT_GT(before, wall.trials.tolerance()) << "nothing to agree on";
-    dda::HeldFriction friction(wall.problem, wall.trials, *wall.solver);
+    dda::HeldFriction friction(wall.problem, wall.trials, *wall.solver, wall.step.crew);
     const int taken = friction.agree(d);
     EXPECT_GT(taken, 0);
     EXPECT_LE(taken, 12);
