@@ -126,13 +126,13 @@ struct Substitution : Strips<Scalar, Bytes> {
         }
     }
 
-    /// sum += L^T x for N columns and vectors [begin, end) of rows.
+    /// sum += L^T x for N columns and vectors [begin, end) of rows; x has those from `origin` on.
     template <int N>
     DDA_KERNEL static void add_products(Vector (&sum)[N], const Scalar* strips, int columns, int column,
-                                        int begin, int end, const Scalar* x) {
+                                        int begin, int end, const Scalar* x, int origin) {
         for (int v = begin; v < end; ++v) {
             const Scalar* at = strips + vector_at(v, columns) + static_cast<long>(column) * w;
-            const Vector known = load(x + static_cast<long>(v) * lanes);
+            const Vector known = load(x + static_cast<long>(v - origin) * lanes);
 #pragma GCC unroll 18
             for (int q = 0; q < N; ++q) sum[q] += load(at + q * w) * known;
         }
@@ -177,11 +177,11 @@ struct Substitution : Strips<Scalar, Bytes> {
         alignas(Vector) Scalar sums[(count + lanes - 1) / lanes * lanes];
         Vector below[count] = {};
         add_products<count>(below, strips, columns, first,
-                            last < columns ? last / lanes : vectors_up_to(last), vectors, x);
+                            last < columns ? last / lanes : vectors_up_to(last), vectors, x, 0);
         sum_lanes<count>(below, sums);
         for (int c = 0; c < count; ++c) own[c] -= sums[c];
         Vector inverse[count] = {};
-        add_products<count>(inverse, strips, columns, first, begin, vectors_up_to(last), y - begin * lanes);
+        add_products<count>(inverse, strips, columns, first, begin, vectors_up_to(last), y, begin);
         sum_lanes<count>(inverse, sums);
         for (int c = 0; c < count; ++c) x[first + c] = sums[c];
     }
