@@ -119,7 +119,7 @@ void StepMatrix::put_together(std::size_t row) {
 
 float StepMatrix::distance(std::size_t row, const Mat6& diagonal, std::span<const Mat6> upper) const {
     const Mat6& present = matrix_.diagonal[row];
-    const Vec6 scale = present.diagonal().cwiseSqrt().cwiseInverse();
+    const Vec6 scale = p_.base.stiffness[row].diagonal().cwiseSqrt().cwiseInverse();
     const Mat6 scales = scale * scale.transpose();
     double largest = ((present - diagonal).cwiseAbs().cwiseProduct(scales)).maxCoeff();
     const Mat6* beside = matrix_.upper.data() + pattern_.start[row];

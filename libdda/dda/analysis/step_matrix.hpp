@@ -21,8 +21,8 @@ class StepMatrix {
     void assemble(const TrialContacts& trials);
     const BlockMatrix& matrix() const { return matrix_; }
     /// Per row, by how much the last assembly changed its submatrices. In the step's first one that is the
-    /// largest difference from those of the step before, over the diagonal's; one where there were none of
-    /// this shape, and one where a spring has changed since.
+    /// largest difference from those of the step before, over the diagonal that the row has without springs;
+    /// one where there were none of this shape, and one where a spring has changed since.
     std::span<const float> changed() const { return changes_; }
 
   private:
@@ -42,7 +42,7 @@ class StepMatrix {
     void take_bolts(const TrialContacts& trials);
     /// Puts together what a row has on the diagonal and above it, without bolts.
     void put_together(std::size_t row);
-    /// How far that is from another diagonal and other submatrices above it.
+    /// How far that is from another diagonal and other submatrices above it, see `changed`.
     float distance(std::size_t row, const Mat6& diagonal, std::span<const Mat6> upper) const;
     void add_bolt(const BoltSpring& bolt, double stiffness);
 

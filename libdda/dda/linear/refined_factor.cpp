@@ -11,9 +11,10 @@ namespace {
 /// Three to nine are normal. Where they do not suffice single precision is too little.
 constexpr int most_iterations = 30;
 
-/// Of the diagonal, by which a row may change before the factor is made of it anew. At ten times that a wall
-/// that stands takes five substitutions a step for four.
-constexpr float most_drift = 1e-4F;
+/// By which a row may change, over its least stiffness, before the factor is made of it anew. Rows of
+/// different ages together are a matrix that differs from each by a few times that at most, and so stay
+/// definite; conjugate gradients meet the difference in iterations they take anyway.
+constexpr float most_drift = 0.03F;
 /// Substitutions of one solution by which a factor has drifted too far as a whole.
 constexpr int slow = 10;
 

@@ -14,8 +14,8 @@ class RefinedFactor {
     void analyze(const BlockPattern& pattern, const SupernodeTree& tree);
     /// As MultifrontalFactor::factorize, but rows that have drifted a little since they were factorised stay
     /// in the factor as they were then: a preconditioner need not be of this very matrix.
-    /// @param changed per row, by how much its submatrices have since the last call, over the diagonal;
-    /// empty: by anything. @param matrix must stay as it is until the last solution.
+    /// @param changed as LinearSolver::refactorize; empty: by anything. @param matrix must stay as it is
+    /// until the last solution.
     bool factorize(const BlockMatrix& matrix, const Crew& crew, std::span<const float> changed = {});
     /// x = A^-1 b in place, as nearly as the factor is.
     void solve_roughly(std::span<Vec6> x, const Crew& crew) { factor_.solve(x, crew); }
