@@ -41,8 +41,8 @@ double product(const std::vector<double>& a, const std::vector<double>& b, std::
 }
 
 /// The shares of the columns that bring a vector nearest to zero.
-Shares least_squares(NormalEquations equations) {
-    auto& [products, sought] = equations;
+Shares least_squares(const NormalEquations& equations) {
+    auto [products, sought] = equations;
     products.triangularView<Eigen::StrictlyUpper>() = products.transpose();
     Shares scale(sought.size());
     for (Eigen::Index j = 0; j < scale.size(); ++j)

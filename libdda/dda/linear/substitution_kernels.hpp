@@ -108,7 +108,7 @@ struct Substitution : Strips<Scalar, Bytes> {
         for (int first = 0; first < columns; first += group_columns) {
             const int last = first + group_columns < columns ? first + group_columns : columns;
             const int begin = first / lanes;
-            alignas(Vector) Scalar own[group_vectors * lanes];
+            alignas(Vector) Scalar own[group_vectors * lanes] = {};
             for (int v = begin; v < vectors_up_to(last); ++v) {
                 Vector sum[1];
                 multiply<1>(sum, below, columns, first, last - first, v, x + first);
