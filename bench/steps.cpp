@@ -141,7 +141,8 @@ void iterate(dda::TimeStepper& stepper, dda::Stage stage, const dda::State& stat
     figures.update += of_loose_step.seconds(Phase::update);
     // Of the same step over again the factor would know too much: it is left with that of the next one.
     stepper.time_phases(nullptr);
-    loosely_stepped(stepper, stage, next, dt);
+    stage.control.iteration_limit = 1;
+    stepper.advance(stage, next, dt);
 }
 
 Figures measure(const Scene& scene, const Options& options) {
