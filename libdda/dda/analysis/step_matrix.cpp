@@ -17,26 +17,11 @@ StepMatrix::StepMatrix(const StepProblem& problem, const BlockPattern& pattern, 
 void StepMatrix::assemble(const TrialContacts& trials) {
     take_springs(trials);
     take_bolts(trials);
-    const std::size_t rows = p_.base.stiffness.size();
-    const bool may_be_near =
-        !assembled_ && matrix_.diagonal.size() == rows && matrix_.upper.size() == pattern_.columns.size();
-    matrix_.diagonal.resize(rows);
+    matrix_.diagonal.resize(p_.base.stiffness.size());
     matrix_.upper.resize(pattern_.columns.size());
-    changes_.assign(rows, 0);
-    crew_.for_ranges(rows, [&](std::size_t begin, std::size_t end) {
-        std::vector<Mat6> upper;
+    crew_.for_ranges(p_.base.stiffness.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t row = begin; row < end; ++row) {
-            if (!is_outdated(static_cast<int>(row))) continue;
-            changes_[row] = 1;
-            if (!may_be_near) {
-                put_together(row);
-                continue;
-            }
-            const Mat6 diagonal = matrix_.diagonal[row];
-            upper.assign(matrix_.upper.begin() + pattern_.start[row],
-                         matrix_.upper.begin() + pattern_.start[row + 1]);
-            put_together(row);
-            changes_[row] = distance(row, diagonal, upper);
+            if (is_changed(static_cast<int>(row))) put_together(row);
         }
     });
     for (std::size_t k = 0; k < bolts_.size(); ++k) {
@@ -63,14 +48,14 @@ void StepMatrix::take_springs(const TrialContacts& trials) {
         }
     });
     if (!assembled_) return;
-    outdated_.resize(p_.base.stiffness.size());
-    crew_.for_ranges(outdated_.size(), [&](std::size_t begin, std::size_t end) {
+    changed_.resize(p_.base.stiffness.size());
+    crew_.for_ranges(changed_.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t row = begin; row < end; ++row) {
             const std::span<const int> contacts = p_.row_contacts.of(row);
-            outdated_[row] = std::any_of(contacts.begin(), contacts.end(),
-                                         [&](int k) { return moved_[static_cast<std::size_t>(k)] != 0; })
-                                 ? 1
-                                 : 0;
+            changed_[row] = std::any_of(contacts.begin(), contacts.end(),
+                                        [&](int k) { return moved_[static_cast<std::size_t>(k)] != 0; })
+                                ? 1
+                                : 0;
         }
     });
 }
@@ -80,7 +65,7 @@ void StepMatrix::take_bolts(const TrialContacts& trials) {
         const double now = stiffness_of_bolt(trials, k);
         const PairRows& rows = p_.bolts[k].rows;
         for (const int row : {rows.first, rows.second}) {
-            if (assembled_ && now != bolts_[k] && row >= 0) outdated_[static_cast<std::size_t>(row)] = 1;
+            if (assembled_ && now != bolts_[k] && row >= 0) changed_[static_cast<std::size_t>(row)] = 1;
         }
         bolts_[k] = now;
     }
@@ -91,7 +76,7 @@ void StepMatrix::put_together(std::size_t row) {
     matrix_.diagonal[row] = p_.base.stiffness[row];
     for (int k = pattern_.start[row]; k < pattern_.start[row + 1]; ++k) {
         const auto place = static_cast<std::size_t>(k);
-        if (is_outdated(pattern_.columns[place])) matrix_.upper[place].setZero();
+        if (is_changed(pattern_.columns[place])) matrix_.upper[place].setZero();
     }
     int other = -1;  // row of the last contact's other block, which is that of the next few, too
     Mat6* beside = nullptr;
@@ -101,7 +86,7 @@ void StepMatrix::put_together(std::size_t row) {
         const int others = s.rows.first == r ? s.rows.second : s.rows.first;
         if (others != other) {
             other = others;
-            beside = other > r && is_outdated(other)
+            beside = other > r && is_changed(other)
                          ? &matrix_.upper[static_cast<std::size_t>(pattern_.position(r, other))]
                          : nullptr;
         }
@@ -117,23 +102,10 @@ void StepMatrix::put_together(std::size_t row) {
     }
 }
 
-float StepMatrix::distance(std::size_t row, const Mat6& diagonal, std::span<const Mat6> upper) const {
-    const Mat6& present = matrix_.diagonal[row];
-    const Vec6 scale = p_.base.stiffness[row].diagonal().cwiseSqrt().cwiseInverse();
-    const Mat6 scales = scale * scale.transpose();
-    double largest = ((present - diagonal).cwiseAbs().cwiseProduct(scales)).maxCoeff();
-    const Mat6* beside = matrix_.upper.data() + pattern_.start[row];
-    for (const Mat6& other : upper)
-        largest = std::max(largest, ((*beside++ - other).cwiseAbs().cwiseProduct(scales)).maxCoeff());
-    return static_cast<float>(largest);
-}
-
 void StepMatrix::add_bolt(const BoltSpring& bolt, double stiffness) {
     const PairRows& rows = bolt.rows;
-    const bool first = is_outdated(rows.first);
-    const bool second = is_outdated(rows.second);
-    if (first) changes_[static_cast<std::size_t>(rows.first)] = 1;
-    if (second) changes_[static_cast<std::size_t>(rows.second)] = 1;
+    const bool first = is_changed(rows.first);
+    const bool second = is_changed(rows.second);
     const Vec6 of_first = rows.of_first(bolt.elongation);
     const Vec6 of_second = rows.of_second(bolt.elongation);
     if (first) matrix_.add_square(rows.first, of_first, stiffness);

@@ -20,10 +20,8 @@ class StepMatrix {
     /// Brings the matrix to the springs' present states.
     void assemble(const TrialContacts& trials);
     const BlockMatrix& matrix() const { return matrix_; }
-    /// Per row, by how much the last assembly changed its submatrices. In the step's first one that is the
-    /// largest difference from those of the step before, over the diagonal that the row has without springs;
-    /// one where there were none of this shape, and one where a spring has changed since.
-    std::span<const float> changed() const { return changes_; }
+    /// Per row, whether the last assembly put it together; empty where that was the first, of all of them.
+    std::span<const char> changed() const { return changed_; }
 
   private:
     /// Stiffnesses of a contact's springs in the matrix, N/m per metre; 0 for one that is not in it.
@@ -34,16 +32,14 @@ class StepMatrix {
     };
     Springs springs_of(const TrialContacts& trials, std::size_t contact) const;
     double stiffness_of_bolt(const TrialContacts& trials, std::size_t bolt) const;
-    bool is_outdated(int row) const {
-        return row >= 0 && (outdated_.empty() || outdated_[static_cast<std::size_t>(row)] != 0);
+    bool is_changed(int row) const {
+        return row >= 0 && (changed_.empty() || changed_[static_cast<std::size_t>(row)] != 0);
     }
     /// Takes the springs' present stiffnesses, and marks the rows of those that have changed.
     void take_springs(const TrialContacts& trials);
     void take_bolts(const TrialContacts& trials);
     /// Puts together what a row has on the diagonal and above it, without bolts.
     void put_together(std::size_t row);
-    /// How far that is from another diagonal and other submatrices above it, see `changed`.
-    float distance(std::size_t row, const Mat6& diagonal, std::span<const Mat6> upper) const;
     void add_bolt(const BoltSpring& bolt, double stiffness);
 
     const StepProblem& p_;
@@ -51,8 +47,7 @@ class StepMatrix {
     BlockMatrix& matrix_;
     const Crew& crew_;
     bool assembled_ = false;
-    std::vector<char> outdated_;     ///< per row, whether it is to be put together; empty: all are
-    std::vector<float> changes_;     ///< per row
+    std::vector<char> changed_;
     std::vector<Springs> contacts_;  ///< in the matrix
     std::vector<char> moved_;        ///< per contact, whether its springs have changed
     std::vector<double> bolts_;      ///< likewise

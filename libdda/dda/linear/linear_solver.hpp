@@ -25,9 +25,8 @@ class LinearSolver {
     virtual bool factorize(const BlockMatrix& matrix) = 0;
     /// Likewise, of a matrix that differs from the last one only in rows (and columns) where `changed` says
     /// so.
-    /// @param changed per row, by how much its submatrices do, over the least that the row's stiffness can
-    /// be; empty: all of them may.
-    virtual bool refactorize(const BlockMatrix& matrix, std::span<const float> /*changed*/) {
+    /// @param changed per row; empty: all of them.
+    virtual bool refactorize(const BlockMatrix& matrix, std::span<const char> /*changed*/) {
         return factorize(matrix);
     }
     /// Solves with the present factor, in place.

@@ -173,9 +173,8 @@ bool MultifrontalFactor<Scalar>::work_through(std::size_t f, const BlockMatrix& 
 }
 
 template <class Scalar>
-void MultifrontalFactor<Scalar>::find_outdated(std::span<const float> changed) {
-    const bool any = std::any_of(changed.begin(), changed.end(), [](float change) { return change != 0; });
-    const bool all = changed.empty() || !complete_ || (any && !plan_.keeps_updates);
+void MultifrontalFactor<Scalar>::find_outdated(std::span<const char> changed) {
+    const bool all = changed.empty() || !complete_ || !plan_.keeps_updates;
     outdated_.assign(plan_.count(), all ? 1 : 0);
     if (all) return;
     for (std::size_t f = 0; f < plan_.count(); ++f) {
@@ -194,7 +193,7 @@ void MultifrontalFactor<Scalar>::find_outdated(std::span<const float> changed) {
 
 template <class Scalar>
 bool MultifrontalFactor<Scalar>::factorize(const BlockMatrix& matrix, const Crew& crew,
-                                           std::span<const float> changed) {
+                                           std::span<const char> changed) {
     const Crew alone(1);
     find_outdated(changed);
     shared_updates_.resize(plan_.shared_space);

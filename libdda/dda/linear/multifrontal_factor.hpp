@@ -23,11 +23,11 @@ class MultifrontalFactor {
     /// Lays out the fronts and takes the memory that the factor needs.
     void analyze(const BlockPattern& pattern, const SupernodeTree& tree,
                  std::size_t most_kept = most_kept_updates);
-    /// @param changed per row, not zero where the matrix may differ from the last one, with the columns of
-    /// that index; empty: everywhere. Where updates are kept only fronts above such rows are worked through,
-    /// to the same bytes.
+    /// @param changed per row, where the matrix may differ from the last one, with the columns of that index;
+    /// empty: everywhere. Where updates are kept only fronts above such rows are worked through, to the same
+    /// bytes.
     /// @return false when the matrix is not positive definite in this precision; there is no factor then.
-    bool factorize(const BlockMatrix& matrix, const Crew& crew, std::span<const float> changed = {});
+    bool factorize(const BlockMatrix& matrix, const Crew& crew, std::span<const char> changed = {});
     /// x = A^-1 b in place, with the factor's precision; the same bytes with any number of threads.
     void solve(std::span<Vec6> x, const Crew& crew);
     void solve(std::span<Vec6> x) { solve(x, Crew(1)); }
@@ -40,7 +40,7 @@ class MultifrontalFactor {
     void add_updates_to_panel(std::size_t f, Scalar* space);
     void add_updates_to_update(std::size_t f, Scalar* space);
     /// Which fronts' panels differ from the present factor's.
-    void find_outdated(std::span<const float> changed);
+    void find_outdated(std::span<const char> changed);
     /// The front's dense work; its parts may be shared.
     bool eliminate(std::size_t f, Scalar* space, const Crew& crew);
     bool work_through(std::size_t f, const BlockMatrix& matrix, Scalar* space, const Crew& crew);

@@ -30,7 +30,7 @@ class MultifrontalSolver final : public LinearSolver {
             factor_.analyze(pattern, tree);
     }
     bool factorize(const BlockMatrix& matrix) override { return refactorize(matrix, {}); }
-    bool refactorize(const BlockMatrix& matrix, std::span<const float> changed) override {
+    bool refactorize(const BlockMatrix& matrix, std::span<const char> changed) override {
         matrix_ = &matrix;
         instead_ = false;
         if (!single_) return factor_.factorize(matrix, crew_, changed);

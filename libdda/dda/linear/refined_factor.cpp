@@ -11,13 +11,6 @@ namespace {
 /// Three to nine are normal. Where they do not suffice single precision is too little.
 constexpr int most_iterations = 30;
 
-/// By which a row may change, over its least stiffness, before the factor is made of it anew. Rows of
-/// different ages together are a matrix that differs from each by a few times that at most, and so stay
-/// definite; conjugate gradients meet the difference in iterations they take anyway.
-constexpr float most_drift = 0.03F;
-/// Substitutions of one solution by which a factor has drifted too far as a whole.
-constexpr int slow = 10;
-
 /// Of the diagonal, by which it is raised where rounding in single precision takes a pivot below zero, as of
 /// a splinter between stiff springs: the preconditioner need not be exact.
 constexpr double hold = 4e-6;
@@ -40,56 +33,22 @@ double scaled_square(const Vec6& v, const Vec6& weight) {
 void RefinedFactor::analyze(const BlockPattern& pattern, const SupernodeTree& tree) {
     pattern_ = pattern;
     factor_.analyze(pattern, tree);
-    drift_.clear();
 }
 
-std::span<const float> RefinedFactor::outdated(std::span<const float> changed) {
-    const bool all = changed.empty() || drift_.size() != changed.size();
-    if (all) drift_.assign(changed.size(), 0);
-    outdated_.assign(drift_.size(), 0);
-    if (all) return {};
-    for (std::size_t row = 0; row < drift_.size(); ++row) {
-        drift_[row] += changed[row];
-        if (drift_[row] <= most_drift) continue;
-        outdated_[row] = drift_[row];
-        drift_[row] = 0;
-    }
-    return outdated_;
-}
-
-bool RefinedFactor::factorize(const BlockMatrix& matrix, const Crew& crew, std::span<const float> changed) {
+bool RefinedFactor::factorize(const BlockMatrix& matrix, const Crew& crew, std::span<const char> changed) {
     matrix_ = &matrix;
     weight_.resize(matrix.diagonal.size());
     crew.for_ranges(weight_.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) weight_[i] = matrix.diagonal[i].diagonal().cwiseInverse();
     });
-    return factor_.factorize(matrix, crew, outdated(changed)) || renew(crew);
-}
-
-/// Of the whole present matrix, with its diagonal raised if need be.
-bool RefinedFactor::renew(const Crew& crew) {
-    std::fill(drift_.begin(), drift_.end(), 0.0F);
-    if (factor_.factorize(*matrix_, crew)) return true;
-    BlockMatrix held = *matrix_;
+    if (factor_.factorize(matrix, crew, changed)) return true;
+    BlockMatrix held = matrix;
     for (Mat6& diagonal : held.diagonal) diagonal.diagonal() *= 1 + hold;
     return factor_.factorize(held, crew);
 }
 
-bool RefinedFactor::has_drifted() const {
-    return std::any_of(drift_.begin(), drift_.end(), [](float drift) { return drift > 0; });
-}
-
 RefinedFactor::Outcome RefinedFactor::refine(std::span<Vec6> x, std::span<const Vec6> b, double share,
                                              const Crew& crew) {
-    const Outcome first = iterate(x, b, share, crew);
-    if ((first.converged && first.substitutions < slow) || !has_drifted()) return first;
-    if (!renew(crew)) return {false, first.substitutions};
-    const Outcome second = iterate(x, b, share, crew);
-    return {second.converged, first.substitutions + second.substitutions};
-}
-
-RefinedFactor::Outcome RefinedFactor::iterate(std::span<Vec6> x, std::span<const Vec6> b, double share,
-                                              const Crew& crew) {
     const Squares squares = start(x, b, crew);
     const double enough = share * share * squares.load;
     double left = squares.residual;

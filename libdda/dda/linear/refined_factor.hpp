@@ -12,11 +12,8 @@ namespace dda {
 class RefinedFactor {
   public:
     void analyze(const BlockPattern& pattern, const SupernodeTree& tree);
-    /// As MultifrontalFactor::factorize, but rows that have drifted a little since they were factorised stay
-    /// in the factor as they were then: a preconditioner need not be of this very matrix.
-    /// @param changed as LinearSolver::refactorize; empty: by anything. @param matrix must stay as it is
-    /// until the last solution.
-    bool factorize(const BlockMatrix& matrix, const Crew& crew, std::span<const float> changed = {});
+    /// As MultifrontalFactor::factorize. @param matrix must stay as it is until the last solution.
+    bool factorize(const BlockMatrix& matrix, const Crew& crew, std::span<const char> changed = {});
     /// x = A^-1 b in place, as nearly as the factor is.
     void solve_roughly(std::span<Vec6> x, const Crew& crew) { factor_.solve(x, crew); }
     struct Outcome {
@@ -28,12 +25,6 @@ class RefinedFactor {
     Outcome refine(std::span<Vec6> x, std::span<const Vec6> b, double share, const Crew& crew);
 
   private:
-    /// Rows that have drifted too far; empty: all.
-    std::span<const float> outdated(std::span<const float> changed);
-    Outcome iterate(std::span<Vec6> x, std::span<const Vec6> b, double share, const Crew& crew);
-    /// Whether the factor is not of the present matrix.
-    bool has_drifted() const;
-    bool renew(const Crew& crew);
     /// Norms squared, scaled by the matrix' diagonal.
     struct Squares {
         double residual = 0;
@@ -45,9 +36,7 @@ class RefinedFactor {
     BlockPattern pattern_;
     const BlockMatrix* matrix_ = nullptr;
     MultifrontalFactor<float> factor_;
-    std::vector<float> drift_;     ///< per row, sum of its changes since it was factorised
-    std::vector<float> outdated_;  ///< likewise where that is too much, else zero
-    std::vector<Vec6> weight_;     ///< reciprocals of the matrix' diagonal
+    std::vector<Vec6> weight_;                                  ///< reciprocals of the matrix' diagonal
     std::vector<Vec6> residual_, refined_, direction_, image_;  ///< of the conjugate gradients
 };
 

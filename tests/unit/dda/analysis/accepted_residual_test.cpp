@@ -23,7 +23,7 @@ class Watched final : public dda::LinearSolver {
         solver_->analyze(pattern);
     }
     bool factorize(const dda::BlockMatrix& matrix) override { return refactorize(matrix, {}); }
-    bool refactorize(const dda::BlockMatrix& matrix, std::span<const float> changed) override {
+    bool refactorize(const dda::BlockMatrix& matrix, std::span<const char> changed) override {
         matrix_ = &matrix;
         return solver_->refactorize(matrix, changed);
     }

@@ -196,8 +196,8 @@ TEST_P(Solvers, SolveOneRightHandSideAfterAnother) {
     const std::vector<Vec6> load = system.load;
     for (const double share : {1e-9, 1e-3, 1.0, 1e3}) {
         system.matrix.diagonal[3] *= 1 + share / 1e4;
-        std::vector<float> changed(30, 0);
-        changed[3] = static_cast<float>(share / 1e4);
+        std::vector<char> changed(30, 0);
+        changed[3] = 1;
         ASSERT_TRUE(solver->refactorize(system.matrix, changed));
         for (std::size_t i = 0; i < load.size(); ++i) system.load[i] = load[i] + share * load[29 - i];
         x = system.load;
@@ -206,26 +206,6 @@ TEST_P(Solvers, SolveOneRightHandSideAfterAnother) {
         x.assign(30, Vec6::Zero());
         solver->solve(x);
         EXPECT_EQ(x, std::vector<Vec6>(30, Vec6::Zero()));
-    }
-}
-
-// Rows that drift by little stay in a factor of single precision, and what is told of them may be wrong by
-// much: solutions have the promised residual all the same. It is stopped at a tenth of that, in a norm that
-// weights the unknowns by the diagonal.
-TEST_P(Solvers, SolveWhileTheMatrixDrifts) {
-    RandomSystem system(60, 200, 11);
-    const auto solver = GetParam().make();
-    solver->analyze(system.pattern);
-    ASSERT_TRUE(solver->factorize(system.matrix));
-    const dda::BlockMatrix first = system.matrix;
-    const std::vector<float> told(60, 3e-5F);
-    for (const double drift : {3e-5, 6e-5, 1e-4, 3e-3, 0.1, 3.0, 10.0, 3e-5}) {
-        for (std::size_t i = 0; i < 60; i += 2)
-            system.matrix.diagonal[i].diagonal() = (1 + drift) * first.diagonal[i].diagonal();
-        ASSERT_TRUE(solver->refactorize(system.matrix, told));
-        std::vector<Vec6> x = system.load;
-        solver->solve(x);
-        EXPECT_LT(system.error_of(x), 1e-10) << drift;
     }
 }
 

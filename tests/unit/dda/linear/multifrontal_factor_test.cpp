@@ -154,8 +154,8 @@ scene::StepSystem with_open(const std::vector<std::size_t>& contacts) {
     });
 }
 
-std::vector<float> rows_that_differ(const dda::BlockMatrix& a, const dda::BlockMatrix& b) {
-    std::vector<float> differ(a.diagonal.size(), 0);
+std::vector<char> rows_that_differ(const dda::BlockMatrix& a, const dda::BlockMatrix& b) {
+    std::vector<char> differ(a.diagonal.size(), 0);
     for (std::size_t i = 0; i < differ.size(); ++i) differ[i] = a.diagonal[i] == b.diagonal[i] ? 0 : 1;
     return differ;
 }
@@ -179,7 +179,7 @@ TEST(MultifrontalFactor, OfWhatHasChangedIsTheSameBytesAsAFreshOne) {
             std::vector<std::size_t> open;
             for (int k = 0; k < count; ++k) open.push_back(static_cast<std::size_t>(draw.below(6000)));
             scene::StepSystem now = with_open(open);
-            const std::vector<float> changed = rows_that_differ(last.matrix, now.matrix);
+            const std::vector<char> changed = rows_that_differ(last.matrix, now.matrix);
             EXPECT_GT(std::count(changed.begin(), changed.end(), 1), 0);
             ASSERT_TRUE(kept.factorize(now.matrix, crew, changed));
             ASSERT_TRUE(not_kept.factorize(now.matrix, crew, changed));
@@ -204,7 +204,7 @@ TEST(MultifrontalFactor, WorksThroughNothingElse) {
     std::vector<Vec6> before = system.load;
     factor.solve(before);
     for (dda::Mat6& diagonal : system.matrix.diagonal) diagonal *= 2;
-    ASSERT_TRUE(factor.factorize(system.matrix, crew, std::vector<float>(system.matrix.diagonal.size(), 0)));
+    ASSERT_TRUE(factor.factorize(system.matrix, crew, std::vector<char>(system.matrix.diagonal.size(), 0)));
     std::vector<Vec6> after = system.load;
     factor.solve(after);
     EXPECT_EQ(before, after);
@@ -218,7 +218,7 @@ TEST(MultifrontalFactor, StartsAnewAfterARefusal) {
     ASSERT_TRUE(factor.factorize(system.matrix, crew));
     dda::BlockMatrix spoiled = system.matrix;
     spoiled.diagonal[7] = -spoiled.diagonal[7];
-    std::vector<float> changed = rows_that_differ(spoiled, system.matrix);
+    std::vector<char> changed = rows_that_differ(spoiled, system.matrix);
     EXPECT_FALSE(factor.factorize(spoiled, crew, changed));
     ASSERT_TRUE(factor.factorize(system.matrix, crew, changed));
     std::vector<Vec6> x = system.load;
