@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <tuple>
 #include <utility>
@@ -55,6 +56,8 @@ struct Contact {
     /// the rock and where shearing has moved the faces apart a corner is in nothing.
     double from_rock() const { return gap + (dilation > 0 ? dilation : 0); }
 
+    /// The blocks that it is between, the lower one first.
+    std::pair<int, int> blocks() const { return std::minmax(corner_block, edge_block); }
     /// Takes over what a joint has been through.
     void take_history(const SharedHistory& of_joint, double its_dilation) {
         history = of_joint;
@@ -63,10 +66,10 @@ struct Contact {
     }
 };
 
-/// The order of a list of contacts: by blocks, then by corner and edge.
+/// The order of a list of contacts: those between the same two blocks follow each other, by corner and edge.
 inline bool comes_before(const Contact& a, const Contact& b) {
-    return std::tie(a.corner_block, a.edge_block, a.corner, a.edge) <
-           std::tie(b.corner_block, b.edge_block, b.corner, b.edge);
+    const auto place = [](const Contact& c) { return std::tuple(c.blocks(), c.corner, c.edge); };
+    return place(a) < place(b);
 }
 
 /// A corner and an edge of another block that may meet before anything has moved half the skin.
@@ -76,8 +79,7 @@ struct CornerEdge {
     friend auto operator<=>(const CornerEdge&, const CornerEdge&) = default;
 };
 
-/// All contact candidates of a state, sorted by (corner_block, edge_block, corner, edge), and what they were
-/// found among.
+/// The contacts of a state, in the order of comes_before, and the candidates that they were found among.
 struct ContactSet {
     std::vector<Contact> contacts;
     std::vector<CornerEdge> candidates;  ///< sorted

@@ -37,7 +37,7 @@ struct Chosen {
     int group = -1;
     int line = 0;
     bool held_back = false;
-    int block = 0;  ///< the corner's
+    int block = 0;  ///< the lower of the two that it is between
 };
 
 /// Entries of one pair of corners whose normals are parallel.
@@ -124,7 +124,7 @@ class Detector {
             const auto choose = [&](const Entry* entry, double length) {
                 const ContactKind kind = length > 0 ? ContactKind::edge_edge : ContactKind::vertex_vertex;
                 out.push_back({entry, kind, length, lines.size() > 1 ? group : -1, static_cast<int>(k),
-                               held_back, block_of(*entry)});
+                               held_back, lower_block(*entry)});
             };
             const Entry* other = overlaps(*line.best) ? other_corner(members, *line.best) : nullptr;
             if (other == nullptr) {
@@ -140,7 +140,7 @@ class Detector {
     Chosen choose_single(const Entry& entry) const {
         const double length = overlap_length(entry.pair);
         const ContactKind kind = length > 0 ? ContactKind::edge_edge : ContactKind::vertex_edge;
-        return {&entry, kind, length, -1, 0, entry.held_back, block_of(entry)};
+        return {&entry, kind, length, -1, 0, entry.held_back, lower_block(entry)};
     }
 
     Contact contact_of(const Chosen& chosen) const {
@@ -166,10 +166,10 @@ class Detector {
         return contact;
     }
 
-    /// The order of contacts of one block's corners, see comes_before.
+    /// The order of contacts whose lower block is the same, see comes_before.
     std::array<int, 3> place_of(const Chosen& chosen) const {
         const auto [corner, edge] = chosen.entry->pair;
-        return {topology_.block_of[index(edge)], corner, edge};
+        return {std::max(topology_.block_of[index(corner)], topology_.block_of[index(edge)]), corner, edge};
     }
 
   private:
@@ -180,7 +180,10 @@ class Detector {
     int next(int corner) const { return topology_.next[index(corner)]; }
     int previous(int corner) const { return topology_.previous[index(corner)]; }
 
-    int block_of(const Entry& entry) const { return topology_.block_of[index(entry.pair.corner)]; }
+    int lower_block(const Entry& entry) const {
+        return std::min(topology_.block_of[index(entry.pair.corner)],
+                        topology_.block_of[index(entry.pair.edge)]);
+    }
     static std::vector<int> corners_of(std::span<const Contact> contacts) {
         std::vector<int> corners;
         corners.reserve(contacts.size());

@@ -65,8 +65,7 @@ void start_fresh(const Model& model, bool first_step, Contact& contact) {
 enum class Kin { same_corner, same_blocks, none };
 Kin relation(const Contact& a, const Contact& b) {
     if (a.corner == b.corner) return Kin::same_corner;
-    const bool same = std::minmax(a.corner_block, a.edge_block) == std::minmax(b.corner_block, b.edge_block);
-    return same ? Kin::same_blocks : Kin::none;
+    return a.blocks() == b.blocks() ? Kin::same_blocks : Kin::none;
 }
 
 /// The old contacts that are no longer, by either of their blocks, so that a new one looks at the few that
@@ -162,17 +161,13 @@ class Bearers {
 /// none.
 Contact* beside(const Contact& gone, std::span<Contact> contacts, double farthest) {
     Contact* nearest = nullptr;
-    for (const std::pair<int, int>& blocks :
-         {std::pair(gone.corner_block, gone.edge_block), std::pair(gone.edge_block, gone.corner_block)}) {
-        const auto of = [](const Contact& c) { return std::pair(c.corner_block, c.edge_block); };
-        auto c = std::partition_point(contacts.begin(), contacts.end(),
-                                      [&](const Contact& other) { return of(other) < blocks; });
-        for (; c != contacts.end() && of(*c) == blocks; ++c) {
-            const double distance = (c->point - gone.point).norm();
-            if (c->state == ContactState::open || distance > farthest || !same_line(gone, *c)) continue;
-            farthest = distance;
-            nearest = &*c;
-        }
+    auto c = std::partition_point(contacts.begin(), contacts.end(),
+                                  [&](const Contact& other) { return other.blocks() < gone.blocks(); });
+    for (; c != contacts.end() && c->blocks() == gone.blocks(); ++c) {
+        const double distance = (c->point - gone.point).norm();
+        if (c->state == ContactState::open || distance > farthest || !same_line(gone, *c)) continue;
+        farthest = distance;
+        nearest = &*c;
     }
     return nearest;
 }

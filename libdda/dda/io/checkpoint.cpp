@@ -13,7 +13,7 @@ namespace dda {
 
 namespace {
 
-constexpr std::int64_t checkpoint_version = 11;
+constexpr std::int64_t checkpoint_version = 12;
 constexpr std::size_t chunk = 1 << 16;  // elements
 
 template <class T>
