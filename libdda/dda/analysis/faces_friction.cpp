@@ -41,12 +41,6 @@ void FacesFriction::find_of(std::size_t pair, const FacesPressed& pressed, doubl
     known = {true, exponent_of(half.forward, here.forward), exponent_of(half.backward, here.backward)};
 }
 
-Strength FacesFriction::bounds(std::size_t contact, double normal_force) const {
-    if (!(normal_force > 0)) return {};
-    const Strength& ratio = over_normal_force_[pair_of(contact)];
-    return {normal_force * ratio.forward, normal_force * ratio.backward, normal_force * ratio.tensile};
-}
-
 BoundLine FacesFriction::line(std::size_t contact, bool forward, double normal_force) const {
     const Strength& strength = over_normal_force_[pair_of(contact)];
     const Exponent& exponent = exponents_[pair_of(contact)];

@@ -28,13 +28,25 @@ class FacesFriction {
     /// index.
     template <class PressedOf>
     void find(double enough, const PressedOf& pressed_of) {
+        find(enough, pressed_of, [](std::size_t, const Strength&) {});
+    }
+    /// Likewise, and calls `take` with each contact's index and what it then bears.
+    template <class PressedOf, class Take>
+    void find(double enough, const PressedOf& pressed_of, const Take& take) {
         crew_.for_ranges(over_normal_force_.size(), [&](std::size_t begin, std::size_t end) {
-            for (std::size_t pair = begin; pair < end; ++pair)
+            for (std::size_t pair = begin; pair < end; ++pair) {
                 find_of(pair, strength_.pressed(pair, pressed_of), enough);
+                for (const FacesStrength::Member& member : strength_.members(pair)) {
+                    const auto k = static_cast<std::size_t>(member.contact);
+                    take(k, share_of(pair, pressed_of(k).normal));
+                }
+            }
         });
     }
     /// What one of their contacts bears under a normal force, N per metre; nothing where it is open.
-    Strength bounds(std::size_t contact, double normal_force) const;
+    Strength bounds(std::size_t contact, double normal_force) const {
+        return share_of(pair_of(contact), normal_force);
+    }
     /// The line that touches its bound, as if it bore its share of their force for good.
     BoundLine line(std::size_t contact, bool forward, double normal_force) const;
 
@@ -47,6 +59,11 @@ class FacesFriction {
     };
 
     void find_of(std::size_t pair, const FacesPressed& pressed, double enough);
+    Strength share_of(std::size_t pair, double normal_force) const {
+        if (!(normal_force > 0)) return {};
+        const Strength& ratio = over_normal_force_[pair];
+        return {normal_force * ratio.forward, normal_force * ratio.backward, normal_force * ratio.tensile};
+    }
     std::size_t pair_of(std::size_t contact) const {
         return static_cast<std::size_t>(strength_.pair_of(contact));
     }

@@ -26,6 +26,13 @@ struct FacesPressed {
 /// as `faces_motion` makes of it.
 class FacesStrength {
   public:
+    struct Member {
+        int contact = 0;
+        bool moves = true;  ///< closed at the step's start, or all are open: it tells how the faces move
+        double before = 0;  ///< share in the faces' displacement of the members before it
+        double share = 1;   ///< and its own
+    };
+
     explicit FacesStrength(const StepProblem& problem);
 
     std::size_t count() const { return pairs_.size(); }
@@ -33,12 +40,15 @@ class FacesStrength {
     int pair_of(std::size_t contact) const { return pair_of_[contact]; }
     /// N/m per metre, of the shear springs of a pair of faces together.
     double stiffness(std::size_t pair) const { return stiffness_[pair]; }
+    /// The contacts of a pair.
+    std::span<const Member> members(std::size_t pair) const {
+        return {members_.data() + pairs_[pair].begin, members_.data() + pairs_[pair].end};
+    }
     /// @param pressed_of gives the Pressed of a contact's index.
     template <class PressedOf>
     FacesPressed pressed(std::size_t pair, const PressedOf& pressed_of) const {
         FacesPressed whole;
-        for (std::size_t m = pairs_[pair].begin; m < pairs_[pair].end; ++m) {
-            const Member& member = members_[m];
+        for (const Member& member : members(pair)) {
             const Pressed one = pressed_of(static_cast<std::size_t>(member.contact));
             whole.normal += std::max(one.normal, 0.0);
             if (member.moves)
@@ -51,12 +61,6 @@ class FacesStrength {
     Strength over_normal_force(std::size_t pair, const FacesPressed& pressed) const;
 
   private:
-    struct Member {
-        int contact = 0;
-        bool moves = true;  ///< closed at the step's start, or all are open: it tells how the faces move
-        double before = 0;  ///< share in the faces' displacement of the members before it
-        double share = 1;   ///< and its own
-    };
     struct Pair {
         std::size_t begin = 0;  ///< of its members
         std::size_t end = 0;

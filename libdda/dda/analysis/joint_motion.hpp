@@ -13,8 +13,17 @@ namespace dda {
 /// load that would be as near to the full strength. An augmented contact does not give way: its law is told
 /// of no spring. @param contact at the step's start; @param stiffness of its shear spring; @param
 /// normal_force at the end.
-ContactMotion contact_motion(const Model& model, const Contact& contact, double stiffness,
-                             double normal_force, double displacement, double slip);
+inline ContactMotion contact_motion(const Model& model, const Contact& contact, double stiffness,
+                                    double normal_force, double displacement, double slip) {
+    ContactMotion motion;
+    motion.slip = slip;
+    motion.displacement = displacement;
+    motion.normal_force = normal_force;
+    motion.length = contact.length;
+    motion.shear_force = contact.shear_force * model.strength_reduction;
+    motion.stiffness = model.augments(contact.joint_material) ? 0 : stiffness * model.strength_reduction;
+    return motion;
+}
 
 /// What a pair of faces does, and what it has been through so far.
 struct FacesMotion {

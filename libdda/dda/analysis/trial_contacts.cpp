@@ -221,32 +221,28 @@ double TrialContacts::tolerance() const {
 }
 
 void TrialContacts::update_bounds() {
-    // Contacts in their order, faces from a short list of numbers: a pair's contacts lie far apart in memory.
-    pressed_.resize(friction_.empty() ? 0 : count());
     for_contacts([&](std::size_t k) {
-        const Pressed here{present_forces(k).normal, trials_[k].shearing};
-        if (is_of_faces(k)) {
-            pressed_[k] = here;
-            return;
-        }
+        if (is_of_faces(k)) return;
+        const Pressed here = pressed_here(k);
         const bool open = !trials_[k].may_close || (here.normal <= 0 && !is_bonded(k));
         trials_[k].bounds = open ? Strength{} : bounds_by_itself(k, here);
     });
-    if (pressed_.empty()) return;
     find_friction(asked_again * tolerance());
 }
 
 bool TrialContacts::settle_bounds() {
-    if (pressed_.empty()) return false;
     find_friction(0);
-    return true;
+    return !friction_.empty();
+}
+
+Pressed TrialContacts::pressed_here(std::size_t k) const {
+    return {present_forces(k).normal, trials_[k].shearing};
 }
 
 void TrialContacts::find_friction(double enough) {
-    friction_.find(enough, [this](std::size_t k) { return pressed_[k]; });
-    for_contacts([&](std::size_t k) {
-        if (is_of_faces(k)) trials_[k].bounds = friction_.bounds(k, pressed_[k].normal);
-    });
+    friction_.find(
+        enough, [this](std::size_t k) { return pressed_here(k); },
+        [this](std::size_t k, const Strength& bounds) { trials_[k].bounds = bounds; });
 }
 
 ContactMotion TrialContacts::motion(std::size_t k) const {

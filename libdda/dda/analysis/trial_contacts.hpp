@@ -181,7 +181,7 @@ class TrialContacts {
     template <class IsOne>
     bool for_any_contact(const IsOne& is_one) const;
     Trial started(std::size_t k) const;
-    /// Asks the laws of rough faces, see FacesFriction, where contacts were judged last.
+    /// Moves the bounds of rough faces, see FacesFriction, to where contacts were judged last.
     void find_friction(double enough);
     /// What the contact's law bears there; between rough faces with the friction found last.
     Strength bounds_of(std::size_t k, const Pressed& pressed) const;
@@ -191,6 +191,8 @@ class TrialContacts {
     /// Of a contact whose law knows of no faces.
     Strength bounds_by_itself(std::size_t k, const Pressed& pressed) const;
     Pressed pressed_at_start(std::size_t k) const;
+    /// Where the contact was judged last.
+    Pressed pressed_here(std::size_t k) const;
     /// @return whether the matrix changes.
     bool choose_springs_of(std::size_t k);
     JudgedContact judged(std::size_t k) const;
@@ -222,7 +224,6 @@ class TrialContacts {
     FacesFriction friction_;
     std::vector<Trial> trials_;
     std::vector<Vec2> moved_;          ///< per corner: its place at the present displacement
-    std::vector<Pressed> pressed_;     ///< per contact, there, of those between rough faces
     std::vector<int> yielding_;        ///< per bolt: the sign of its yielding force, 0 when elastic
     std::vector<double> elongation_;   ///< per bolt, of the step, m
     bool dilates_ = false;             ///< whether any contact may
