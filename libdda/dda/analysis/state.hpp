@@ -10,9 +10,8 @@
 
 namespace dda {
 
-/// Everything that changes during a run, at one instant. A trial step makes a new one; a rejected step
-/// forgets it.
-struct State {
+/// Everything that changes during a run but the contacts, at one instant.
+struct StateOfBlocks {
     double time = 0;               ///< s since the start of the run
     double stage_time = 0;         ///< s since the start of the stage
     double dynamic_time = 0;       ///< s of the run's dynamic stages so far: the clock of load histories
@@ -20,7 +19,6 @@ struct State {
     std::int64_t step_count = 0;   ///< since the start of the run
     std::int64_t stage_steps = 0;  ///< since the start of the stage
     BlockSystem blocks;
-    ContactSet contacts;
     std::vector<Vec2> displacement_origin;  ///< per material point: where displacements count from, m
     std::vector<Vec2> centroid_origin;      ///< per block: likewise
     std::vector<double> bolt_force;         ///< per bolt, N per metre, tension positive
@@ -32,6 +30,12 @@ struct State {
     bool is_there(int block) const {
         return removed.empty() || removed[static_cast<std::size_t>(block)] == 0;
     }
+};
+
+/// Everything that changes during a run, at one instant. A trial step makes a new one; a rejected step
+/// forgets it.
+struct State : StateOfBlocks {
+    ContactSet contacts;
 };
 
 }  // namespace dda

@@ -347,12 +347,11 @@ double TimeStepper::largest_displacement(const State& state, std::span<const Vec
 
 State TimeStepper::updated(const Stage& stage, const State& state, const Step& step,
                            const OpenCloseResult& result, std::span<const Vec6> displacement) const {
-    State after = state;
+    State after{state, step.contacts};
     after.time += step.dt;
     after.dynamic_time = step.loads.time;
     after.stage_time += step.dt;
     ++after.step_count;
-    after.contacts = step.contacts;
     after.bolt_force = result.bolt_force;
     after.boundary_reactions =
         advance_reactions(model_, step.mid, stage, displacement, std::move(after.boundary_reactions));

@@ -181,14 +181,13 @@ void energy(Walker& walker, E& value) {
 }
 
 template <class Walker, class S>
-void state(Walker& walker, S& value) {
-    auto& [time, stage_time, dynamic_time, next_step, step_count, stage_steps, all_blocks, contact_set,
+void state_of_blocks(Walker& walker, S& value) {
+    auto& [time, stage_time, dynamic_time, next_step, step_count, stage_steps, all_blocks,
            displacement_origin, centroid_origin, bolt_force, boundary_reactions, free_fields, ledger,
            removed] = value;
     reals(walker, time, stage_time, dynamic_time, next_step);
     integers(walker, step_count, stage_steps);
     blocks(walker, all_blocks);
-    contacts(walker, contact_set);
     all_components(walker, displacement_origin);
     all_components(walker, centroid_origin);
     all_reals(walker, bolt_force);
@@ -205,14 +204,16 @@ void state(Walker& walker, S& value) {
 StateArchive archive(const State& value) {
     StateArchive result;
     Writer writer(result);
-    state(writer, value);
+    state_of_blocks<Writer, const StateOfBlocks>(writer, value);
+    contacts(writer, value.contacts);
     return result;
 }
 
 State restore(const StateArchive& archive) {
     State result;
     Reader reader(archive);
-    state(reader, result);
+    state_of_blocks<Reader, StateOfBlocks>(reader, result);
+    contacts(reader, result.contacts);
     reader.finish();
     return result;
 }
