@@ -27,16 +27,18 @@ void advance_histories(const Model& model, const JointFaces& faces, std::span<co
             if (moved != *contacts[k].history) contacts[k].history = moved;
         }
     });
-    for (std::size_t f = 0; f < faces.count(); ++f) {
-        const std::span<const int> members = faces.contacts_of(f);
-        const int material = contacts[static_cast<std::size_t>(members[0])].joint_material;
-        const JointLaw& law = model.joint_material_at(material).law;
-        const std::optional<FacesMotion> whole = faces_motion(members, contacts, motion);
-        if (!whole) continue;
-        const SharedHistory moved = advance(law, *whole->history, whole->motion);
-        for (const int k : members)
-            contacts[static_cast<std::size_t>(k)].take_history(moved, dilation(law, moved));
-    }
+    crew.for_ranges(faces.count(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t f = begin; f < end; ++f) {
+            const std::span<const int> members = faces.contacts_of(f);
+            const int material = contacts[static_cast<std::size_t>(members[0])].joint_material;
+            const JointLaw& law = model.joint_material_at(material).law;
+            const std::optional<FacesMotion> whole = faces_motion(members, contacts, motion);
+            if (!whole) continue;
+            const SharedHistory moved = advance(law, *whole->history, whole->motion);
+            for (const int k : members)
+                contacts[static_cast<std::size_t>(k)].take_history(moved, dilation(law, moved));
+        }
+    });
 }
 
 /// What a contact is at the step's end. @param law its joint's; @param next corner of its edge.
