@@ -1,6 +1,7 @@
 #include "dda/analysis/open_close_iteration.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "dda/analysis/held_friction.hpp"
 #include "dda/analysis/line_search.hpp"
@@ -76,15 +77,15 @@ class Iteration {
             const bool follow = result.iterations - began <= following_iterations;
             follow ? solve_with_friction() : solve_as_held();
             end_of(Phase::solution, times_);
-            const bool full_step = advance_to_target(result.iterations == 1);
+            advance_to_target(result.iterations == 1);
 
-            trials_.move_to(displacement_);
-            if (follow || is_at_minimum(result, full_step)) {
+            trials_.move_to(displacement_, target_);
+            if (follow || is_at_minimum(result)) {
                 const Eigen::VectorXd held = follow ? Eigen::VectorXd() : trials_.coupling();
                 trials_.choose_lines();
                 if (result.iterations <= dilation_iterations) trials_.update_dilation();
                 trials_.update_bounds();
-                if (is_settled(result, full_step) && stays_settled(result) && !trials_.tear()) {
+                if (is_settled(result) && !trials_.tear()) {
                     if (!dilate_at(++minima)) {
                         result.converged =
                             augmentations == largest_augmentations || !trials_.augment(shifting);
@@ -152,42 +153,63 @@ class Iteration {
     }
 
     /// Goes from the present displacement towards the linear system's solution, as far as the potential
-    /// falls. @return whether it went all the way.
-    bool advance_to_target(bool first) {
-        const double share = first ? 1 : line_search_.share(displacement_, target_);
-        for (std::size_t r = 0; r < displacement_.size(); ++r)
-            displacement_[r] += share * (target_[r] - displacement_[r]);
-        if (share == 1) displacement_ = target_;
-        return share == 1;
+    /// falls.
+    void advance_to_target(bool first) {
+        const double left = first ? 0 : 1 - line_search_.share(displacement_, target_);
+        way_left_.resize(target_.size());
+        for (std::size_t r = 0; r < target_.size(); ++r)
+            way_left_[r] = left * (target_[r] - displacement_[r]);
+        is_at_target_ = left == 0;
+        stop_short_of_target();
+    }
+    void stop_short_of_target() {
+        displacement_ = target_;
+        if (is_at_target_) return;
+        for (std::size_t r = 0; r < target_.size(); ++r) displacement_[r] -= way_left_[r];
     }
 
-    /// Whether the linear system's solution, reached by a full step, is what the laws with the present bounds
-    /// say.
-    bool is_at_minimum(OpenCloseResult& result, bool full_step) {
+    /// Whether the forces under which the blocks are in balance are what the laws with the present bounds
+    /// say, and what takes a block's inertia and strain on to that balance is as little.
+    bool is_at_minimum(OpenCloseResult& result) {
         const TrialContacts::ForceChange change = trials_.force_change();
         if (change.contact >= 0) result.worst_contact = change.contact;
         result.force_change = change.largest;
-        return full_step && change.largest <= trials_.tolerance();
+        return change.largest <= trials_.tolerance() &&
+               (is_at_target_ || force_left() <= trials_.tolerance());
     }
 
-    /// Likewise with the bounds of all laws there.
-    bool is_settled(OpenCloseResult& result, bool full_step) {
-        if (!is_at_minimum(result, full_step)) return false;
-        return !trials_.settle_bounds() || is_at_minimum(result, full_step);
+    /// The largest force on a block, N per metre, that the way to the linear system's solution takes besides
+    /// the springs': moments and what strains it over the root of its area.
+    double force_left() const {
+        const auto of_rows = [&](std::size_t begin, std::size_t end) {
+            double largest = 0;
+            for (std::size_t r = begin; r < end; ++r) {
+                Vec6 force = p_.base.stiffness[r] * way_left_[r];
+                const auto block = static_cast<std::size_t>(p_.rows.block_of[r]);
+                force.tail<4>() /= std::sqrt(p_.blocks.moments[block].area);
+                largest = std::max(largest, force.cwiseAbs().maxCoeff());
+            }
+            return largest;
+        };
+        return crew_.taken_together(way_left_.size(), 0.0, of_rows,
+                                    [](double a, double b) { return std::max(a, b); });
     }
 
-    /// Whether such an iterate is so still when the linear system is solved exactly.
-    bool stays_settled(OpenCloseResult& result) {
+    /// Whether an iterate at the minimum is so still when the linear system is solved exactly and all laws
+    /// are asked for their bounds.
+    bool is_settled(OpenCloseResult& result) {
+        if (!is_at_minimum(result)) return false;
         end_of(Phase::judging, times_);
         const int taken = solver_.refine(target_, load_, exact_residual);
         end_of(Phase::solution, times_);
-        if (taken == 0) return true;
         substitutions_ += taken;
-        displacement_ = target_;
-        trials_.move_to(displacement_);
-        trials_.choose_lines();
-        trials_.update_bounds();
-        return is_settled(result, true);
+        if (taken > 0) {
+            stop_short_of_target();
+            trials_.move_to(displacement_, target_);
+            trials_.choose_lines();
+            trials_.update_bounds();
+        }
+        return (!trials_.settle_bounds() && taken == 0) || is_at_minimum(result);
     }
 
     /// Brings the dilation to where a minimum of the potential is. @return whether that moves anything.
@@ -218,6 +240,8 @@ class Iteration {
     std::vector<Vec6> load_;          ///< per row: right-hand side
     std::vector<Vec6> target_;        ///< per row: the linear system's solution, m
     std::vector<Vec6> displacement_;  ///< likewise: where the iteration is, m
+    std::vector<Vec6> way_left_;      ///< likewise: from there to that solution, m
+    bool is_at_target_ = true;        ///< there is no way left
     double judged_residual_;          ///< share of the load
     int substitutions_ = 0;
 };

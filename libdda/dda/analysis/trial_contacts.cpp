@@ -34,6 +34,7 @@ TrialContacts::TrialContacts(const StepProblem& problem, const Crew& crew)
                            [](const JointMaterial& material) { return dilates(material.law); });
     yielding_.assign(p_.bolts.size(), 0);
     elongation_.assign(p_.bolts.size(), 0);
+    linear_bolt_.assign(p_.bolts.size(), 0);
 }
 
 template <class Body>
@@ -137,7 +138,7 @@ double TrialContacts::bound_at(std::size_t k, double normal, std::span<const Vec
 
 // --- judging
 
-void TrialContacts::move_to(std::span<const Vec6> d) {
+void TrialContacts::move_to(std::span<const Vec6> d, std::span<const Vec6> target) {
     const Topology& topology = p_.model.topology;
     moved_.resize(p_.blocks.vertices.size());
     crew_.for_ranges(p_.prescribed.size(), [&](std::size_t begin, std::size_t end) {
@@ -157,14 +158,18 @@ void TrialContacts::move_to(std::span<const Vec6> d) {
         const Vec2 apart = s.rows.apart(d);
         trial.opening = s.normal.at(apart);
         trial.shearing = s.shear.at(apart);
-        trial.linear = linear_forces(k, trial.opening, trial.shearing);
+        const Vec2 balanced = s.rows.apart(target);
+        trial.linear = linear_forces(k, s.normal.at(balanced), s.shear.at(balanced));
         const CornerEdgeGeometry geometry =
             corner_edge_geometry(moved(contact.corner), moved(contact.edge),
                                  moved(topology.next[static_cast<std::size_t>(contact.edge)]));
         trial.gap_offset = geometry.gap - contact.dilation - trial.opening;
     });
-    for (std::size_t k = 0; k < elongation_.size(); ++k)
-        elongation_[k] = p_.bolts[k].rows.measure(p_.bolts[k].elongation, d);
+    for (std::size_t k = 0; k < elongation_.size(); ++k) {
+        const BoltSpring& bolt = p_.bolts[k];
+        elongation_[k] = bolt.rows.measure(bolt.elongation, d);
+        linear_bolt_[k] = linear_bolt_force(k, bolt.rows.measure(bolt.elongation, target));
+    }
 }
 
 void TrialContacts::choose_lines() {
@@ -210,8 +215,7 @@ TrialContacts::ForceChange TrialContacts::force_change() {
     reference_ = largest.force;
     ForceChange change = largest.change;
     for (std::size_t k = 0; k < elongation_.size(); ++k) {
-        const double moved = std::abs(bolt_force(k) - linear_bolt_force(k, elongation_[k]));
-        change.largest = std::max(change.largest, moved);
+        change.largest = std::max(change.largest, std::abs(bolt_force(k) - linear_bolt_[k]));
     }
     return change;
 }

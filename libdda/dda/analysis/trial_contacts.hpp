@@ -103,11 +103,13 @@ class TrialContacts {
 
     // --- judging
     /// Takes measures and true gaps at a displacement; the linear measure of the gap is kept exact there.
-    void move_to(std::span<const Vec6> d);
+    /// @param target the linear system's solution, under whose forces blocks are in balance.
+    void move_to(std::span<const Vec6> d, std::span<const Vec6> target);
     /// Of a group of vertex-vertex lines only the one with the largest gap, the last that is crossed, may
     /// close; the gap of a line along a face that the corner is in already counts from there.
     void choose_lines();
-    /// The largest movement between the forces of the linear system and those of the law, N per metre.
+    /// The largest difference between the forces of the linear system, at its solution, and those of the law,
+    /// at the present displacement, N per metre.
     struct ForceChange {
         double largest = 0;
         int contact = -1;  ///< whose it is
@@ -170,7 +172,7 @@ class TrialContacts {
         bool postponed = false;  ///< dilates after the step
         double opening = 0;      ///< linear measure of the normal displacement, m
         double shearing = 0;     ///< of the tangential displacement, m
-        Forces linear;           ///< in the linear system, at the present displacement
+        Forces linear;           ///< in the linear system, at its solution
         Tangent tangent;         ///< the normal spring in the linear system
     };
 
@@ -226,6 +228,7 @@ class TrialContacts {
     std::vector<Vec2> moved_;          ///< per corner: its place at the present displacement
     std::vector<int> yielding_;        ///< per bolt: the sign of its yielding force, 0 when elastic
     std::vector<double> elongation_;   ///< per bolt, of the step, m
+    std::vector<double> linear_bolt_;  ///< per bolt: force in the linear system, at its solution, N per metre
     bool dilates_ = false;             ///< whether any contact may
     std::vector<std::size_t> chosen_;  ///< per group, the line that may close
     double reference_ = 0;             ///< the largest force of a law, N per metre

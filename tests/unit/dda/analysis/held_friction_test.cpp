@@ -22,7 +22,8 @@ struct SlidingWall {
 
     SlidingWall(unsigned seed, dda::SolverKind kind) : solver(dda::make_linear_solver(kind, step.crew)) {
         Dice dice(seed);
-        trials.move_to(moved(dice, step.rows.count(), 1));
+        const std::vector<Vec6> there = moved(dice, step.rows.count(), 1);
+        trials.move_to(there, there);
         trials.choose_lines();
         trials.update_bounds();
         trials.choose_springs();

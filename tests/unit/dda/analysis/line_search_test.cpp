@@ -19,7 +19,7 @@ struct MovingWall {
     std::vector<Vec6> from;
 
     explicit MovingWall(Dice& dice) : from(moved(dice, step.rows.count(), 2)) {
-        trials.move_to(from);
+        trials.move_to(from, from);
         trials.choose_lines();
         trials.update_bounds();
         trials.choose_springs();

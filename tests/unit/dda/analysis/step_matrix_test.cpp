@@ -23,7 +23,8 @@ TEST(StepMatrix, OfWhatHasChangedIsTheSameBytesAsAFreshOne) {
     long rows = 0;
     for (const unsigned one_in : {1u, 3u, 10u, 30u, 60u, 60u}) {
         const dda::BlockMatrix last = work;
-        trials.move_to(moved(dice, step.rows.count(), one_in));
+        const std::vector<Vec6> there = moved(dice, step.rows.count(), one_in);
+        trials.move_to(there, there);
         trials.choose_lines();
         trials.update_bounds();
         trials.choose_springs();
