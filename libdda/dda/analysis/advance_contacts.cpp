@@ -28,13 +28,20 @@ void advance_histories(const Model& model, const JointFaces& faces, std::span<co
         }
     });
     crew.for_ranges(faces.count(), [&](std::size_t begin, std::size_t end) {
+        SharedHistory::Row row(faces.members_before(end) - faces.members_before(begin));
         for (std::size_t f = begin; f < end; ++f) {
             const std::span<const int> members = faces.contacts_of(f);
             const int material = contacts[static_cast<std::size_t>(members[0])].joint_material;
             const JointLaw& law = model.joint_material_at(material).law;
             const std::optional<FacesMotion> whole = faces_motion(members, contacts, motion);
-            if (!whole) continue;
-            const SharedHistory moved = advance(law, *whole->history, whole->motion);
+            if (!whole) {  // these keep theirs, anew: a few would keep all that was made with them
+                for (const int k : members) {
+                    SharedHistory& history = contacts[static_cast<std::size_t>(k)].history;
+                    history = row.add(history);
+                }
+                continue;
+            }
+            const SharedHistory moved = row.add(advance(law, *whole->history, whole->motion));
             for (const int k : members)
                 contacts[static_cast<std::size_t>(k)].take_history(moved, dilation(law, moved));
         }

@@ -23,7 +23,7 @@ FacesStrength::FacesStrength(const StepProblem& problem)
             const auto c = static_cast<std::size_t>(k);
             return contact_motion(p_.model, p_.contacts[c], p_.springs[c].shear_stiffness, 1, 0, 0);
         });
-        pair.history = *whole->history;
+        pair.history = &**whole->history;
         pair.length = whole->motion.length;
         pair.shear_force = whole->motion.shear_force;
         pair.shear_stiffness = whole->motion.stiffness;
@@ -64,7 +64,7 @@ void FacesStrength::add_members(std::span<const int> contacts) {
 
 Strength FacesStrength::over_normal_force(std::size_t index, const FacesPressed& pressed) const {
     const Pair& pair = pairs_[index];
-    Strength strengths = strength(*pair.law, pair.history, pressed.normal, pair.length,
+    Strength strengths = strength(*pair.law, *pair.history, pressed.normal, pair.length,
                                   {pressed.displacement, pair.shear_force, pair.shear_stiffness});
     const double share = reduced_ / pressed.normal;
     for (double* one : {&strengths.forward, &strengths.backward, &strengths.tensile}) *one *= share;

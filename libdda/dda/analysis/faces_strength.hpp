@@ -65,9 +65,9 @@ class FacesStrength {
         std::size_t begin = 0;  ///< of its members
         std::size_t end = 0;
         const JointLaw* law = nullptr;
-        JointHistory history;    ///< here, and not at a contact, so that pairs follow each other in memory
-        double length = 0;       ///< m
-        double shear_force = 0;  ///< at the step's start, N per metre
+        const JointHistory* history = nullptr;
+        double length = 0;           ///< m
+        double shear_force = 0;      ///< at the step's start, N per metre
         double shear_stiffness = 0;  ///< N/m per metre
     };
 

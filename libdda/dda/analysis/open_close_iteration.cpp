@@ -207,9 +207,11 @@ class Iteration {
             stop_short_of_target();
             trials_.move_to(displacement_, target_);
             trials_.choose_lines();
-            trials_.update_bounds();
+        } else if (!trials_.has_faces()) {
+            return true;
         }
-        return (!trials_.settle_bounds() && taken == 0) || is_at_minimum(result);
+        trials_.settle_bounds();
+        return is_at_minimum(result);
     }
 
     /// Brings the dilation to where a minimum of the potential is. @return whether that moves anything.

@@ -225,25 +225,24 @@ double TrialContacts::tolerance() const {
 }
 
 void TrialContacts::update_bounds() {
-    for_contacts([&](std::size_t k) {
-        if (is_of_faces(k)) return;
-        const Pressed here = pressed_here(k);
-        const bool open = !trials_[k].may_close || (here.normal <= 0 && !is_bonded(k));
-        trials_[k].bounds = open ? Strength{} : bounds_by_itself(k, here);
-    });
-    find_friction(asked_again * tolerance());
+    find_bounds(asked_again * tolerance());
 }
 
-bool TrialContacts::settle_bounds() {
-    find_friction(0);
-    return !friction_.empty();
+void TrialContacts::settle_bounds() {
+    find_bounds(0);
 }
 
 Pressed TrialContacts::pressed_here(std::size_t k) const {
     return {present_forces(k).normal, trials_[k].shearing};
 }
 
-void TrialContacts::find_friction(double enough) {
+void TrialContacts::find_bounds(double enough) {
+    for_contacts([&](std::size_t k) {
+        if (is_of_faces(k)) return;
+        const Pressed here = pressed_here(k);
+        const bool open = !trials_[k].may_close || (here.normal <= 0 && !is_bonded(k));
+        trials_[k].bounds = open ? Strength{} : bounds_by_itself(k, here);
+    });
     friction_.find(
         enough, [this](std::size_t k) { return pressed_here(k); },
         [this](std::size_t k, const Strength& bounds) { trials_[k].bounds = bounds; });

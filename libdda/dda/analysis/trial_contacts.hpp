@@ -79,6 +79,8 @@ class TrialContacts {
     void hold(std::size_t k, double force) { trials_[k].held_force = force; }
     /// The bounds become those that the held force is at.
     void bound_by_held_force(std::size_t k);
+    /// Whether any contact is between rough faces.
+    bool has_faces() const { return !friction_.empty(); }
     /// Whether a contact is between rough faces, which share one friction.
     bool is_of_faces(std::size_t k) const { return friction_.has(k); }
     /// The line that touches the bound of a contact of theirs where the contacts were judged last, as if it
@@ -120,8 +122,8 @@ class TrialContacts {
     /// Moves the shear bounds to those of the present normal forces and displacements; those of rough faces
     /// where more has moved than does not matter as long as nothing has converged.
     void update_bounds();
-    /// Moves the rest of them. @return whether there are any such faces.
-    bool settle_bounds();
+    /// Likewise, all of them.
+    void settle_bounds();
     /// Moves the dilation likewise, except where it has been postponed.
     void update_dilation();
     /// Whether that would change a normal force by much.
@@ -183,8 +185,8 @@ class TrialContacts {
     template <class IsOne>
     bool for_any_contact(const IsOne& is_one) const;
     Trial started(std::size_t k) const;
-    /// Moves the bounds of rough faces, see FacesFriction, to where contacts were judged last.
-    void find_friction(double enough);
+    /// Moves the shear bounds to where contacts were judged last. @param enough see FacesFriction.
+    void find_bounds(double enough);
     /// What the contact's law bears there; between rough faces with the friction found last.
     Strength bounds_of(std::size_t k, const Pressed& pressed) const;
     double in_direction(std::size_t k, const Strength& strength) const {

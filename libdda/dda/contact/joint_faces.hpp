@@ -17,6 +17,8 @@ class JointFaces {
     JointFaces(const Model& model, std::span<const Contact> contacts);
 
     std::size_t count() const { return first_.size() - 1; }
+    /// How many contacts are between pairs of faces before this one; between all, for the number of pairs.
+    std::size_t members_before(std::size_t faces) const { return first_[faces]; }
     /// Indices of the contacts between one pair of faces, ascending.
     std::span<const int> contacts_of(std::size_t faces) const {
         return {members_.data() + first_[faces], members_.data() + first_[faces + 1]};

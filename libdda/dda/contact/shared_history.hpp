@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <utility>
 
 #include "dda/joint/joint_law.hpp"
@@ -10,7 +11,25 @@ namespace dda {
 /// have been through the same, as both ends of a pair of faces and the states before and after a step in
 /// which nothing moved. A copy costs a count instead of the history's bytes.
 class SharedHistory {
+    struct Kept;
+    struct Room;
+
   public:
+    /// Makes histories that lie in memory one after the other, as those are read that make them. Their bytes
+    /// stay until nobody has any of them.
+    class Row {
+      public:
+        /// @param room for how many.
+        explicit Row(std::size_t room);
+        Row(const Row&) = delete;
+        Row& operator=(const Row&) = delete;
+        ~Row();
+        SharedHistory add(const JointHistory& history);
+
+      private:
+        Room* room_;
+    };
+
     SharedHistory();
     SharedHistory(const JointHistory& history);  // NOLINT(google-explicit-constructor): it is the same value
     SharedHistory(const SharedHistory& other) noexcept;
@@ -28,7 +47,7 @@ class SharedHistory {
     }
 
   private:
-    struct Kept;
+    explicit SharedHistory(const Kept* kept) : kept_(kept) {}
     /// The one of those that are always there, and are not counted, that is the history; null if none is.
     static const Kept* always(const JointHistory& history);
 

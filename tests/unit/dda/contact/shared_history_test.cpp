@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <utility>
+#include <vector>
 
 namespace {
 
@@ -39,6 +40,27 @@ TEST(SharedHistory, StaysAsItWasWhenACopyIsGivenAnother) {
     EXPECT_EQ(*kept, worn);
     changed = std::move(changed);
     EXPECT_EQ(*changed, JointHistory(dda::MohrCoulomb::History{true}));
+}
+
+TEST(SharedHistory, OfARowOutlivesTheRow) {
+    std::vector<SharedHistory> kept;
+    {
+        SharedHistory::Row row(3);
+        for (int k = 0; k < 4; ++k) {  // one more than there is room for
+            dda::CyclicBartonBandis::History history;
+            history.position = k;
+            kept.push_back(row.add(history));
+        }
+        kept.push_back(row.add(dda::MohrCoulomb::History{true}));
+    }
+    kept.erase(kept.begin());
+    for (int k = 1; k < 4; ++k)
+        EXPECT_EQ(std::get<dda::CyclicBartonBandis::History>(*kept[static_cast<std::size_t>(k - 1)]).position,
+                  k);
+    EXPECT_TRUE(std::get<dda::MohrCoulomb::History>(*kept[3]).broken);
+    EXPECT_EQ(reinterpret_cast<const char*>(&*kept[1]) - reinterpret_cast<const char*>(&*kept[0]),
+              static_cast<std::ptrdiff_t>(sizeof(JointHistory) + sizeof(void*)))
+        << "they lie one after the other";
 }
 
 }  // namespace
