@@ -4,6 +4,7 @@
 
 #include <cstring>
 
+#include "dda/contact/joint_faces.hpp"
 #include "support/walls.hpp"
 
 namespace {
@@ -27,10 +28,25 @@ Simulation dropped_wall(int threads) {
     return sim;
 }
 
-TEST(Determinism, OneThreadAndTwoGiveTheSameBits) {
-    const Simulation one = dropped_wall(1);
-    const Simulation two = dropped_wall(2);
-    const Simulation again = dropped_wall(2);
+/// Likewise, with rough joints that wear; more than 512 pairs of faces.
+Simulation dropped_rough_wall(int threads) {
+    dda::CyclicBartonBandis law;
+    law.barton = {8, 100e6, .5};
+    law.peak_displacement = 1e-3;
+    const dda::RoughnessTable wear = {{{0, 1}, {2, .8}, {8, .4}}};
+    law.cycles = {{wear, wear, wear, wear}};
+    Scene wall = running_bond_wall(16, 16, 10);
+    for (dda::JointMaterial& material : wall.model.joint_materials) material.law = law;
+    Simulation sim(wall, threads);
+    EXPECT_EQ(sim.shake(0.03, 0.005).status, dda::RunStatus::completed);
+    EXPECT_GT(dda::JointFaces(wall.model, sim.state.contacts.contacts).count(), 512U);
+    return sim;
+}
+
+void expect_same_bits(Simulation (&make)(int threads)) {
+    const Simulation one = make(1);
+    const Simulation two = make(2);
+    const Simulation again = make(2);
     for (const Simulation* other : {&two, &again}) {
         EXPECT_TRUE(same_bits(one.state.blocks.vertices, other->state.blocks.vertices));
         EXPECT_TRUE(same_bits(one.state.blocks.velocity, other->state.blocks.velocity));
@@ -41,9 +57,18 @@ TEST(Determinism, OneThreadAndTwoGiveTheSameBits) {
                       other->state.contacts.contacts[k].normal_force);
             EXPECT_EQ(one.state.contacts.contacts[k].shear_force,
                       other->state.contacts.contacts[k].shear_force);
+            EXPECT_EQ(one.state.contacts.contacts[k].history, other->state.contacts.contacts[k].history);
         }
         EXPECT_EQ(one.state.energy.residual(), other->state.energy.residual());
     }
+}
+
+TEST(Determinism, OneThreadAndTwoGiveTheSameBits) {
+    expect_same_bits(dropped_wall);
+}
+
+TEST(Determinism, OneThreadAndTwoGiveRoughJointsTheSameBits) {
+    expect_same_bits(dropped_rough_wall);
 }
 
 }  // namespace
