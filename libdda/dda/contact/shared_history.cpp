@@ -47,7 +47,9 @@ const SharedHistory::Kept* SharedHistory::always(const JointHistory& history) {
 
 SharedHistory::SharedHistory() : kept_(always(JointHistory{})) {}
 
-SharedHistory::SharedHistory(const JointHistory& history) : SharedHistory(Row(1).add(history)) {}
+SharedHistory::SharedHistory(const JointHistory& history) : kept_(always(history)) {
+    if (kept_ == nullptr) *this = Row(1).add(history);
+}
 
 SharedHistory::SharedHistory(const SharedHistory& other) noexcept : kept_(other.kept_) {
     if (kept_->room != nullptr) kept_->room->users.fetch_add(1, std::memory_order_relaxed);

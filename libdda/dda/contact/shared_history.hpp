@@ -15,8 +15,8 @@ class SharedHistory {
     struct Room;
 
   public:
-    /// Makes histories that lie in memory one after the other, as those are read that make them. Their bytes
-    /// stay until nobody has any of them.
+    /// Makes histories that lie in memory one after the other, in the order in which they are read again. The
+    /// bytes of all of them stay until nobody has any.
     class Row {
       public:
         /// @param room for how many.
@@ -24,6 +24,7 @@ class SharedHistory {
         Row(const Row&) = delete;
         Row& operator=(const Row&) = delete;
         ~Row();
+        /// One more than there is room for lies elsewhere.
         SharedHistory add(const JointHistory& history);
 
       private:
