@@ -40,6 +40,11 @@ class Watched final : public dda::LinearSolver {
         return solver_->refine(x, b, share);
     }
 
+    dda::OpenCloseResult iterate(const FirstStep& step) {
+        analyze(step.pattern);
+        const dda::StepProblem problem = step.problem();
+        return dda::iterate_open_close(problem, step.pattern, *this, work_, step.crew);
+    }
     /// Of the last load, what a displacement leaves in the residual.
     double residual(const std::vector<Vec6>& x) const {
         std::vector<Vec6> image(x.size());
@@ -59,6 +64,7 @@ class Watched final : public dda::LinearSolver {
   private:
     std::unique_ptr<dda::LinearSolver> solver_;
     dda::BlockPattern pattern_;
+    dda::BlockMatrix work_;
     const dda::BlockMatrix* matrix_ = nullptr;
     std::vector<Vec6> load_;
 };
@@ -110,11 +116,7 @@ TEST(AcceptedStep, SolvesItsLinearSystem) {
     for (const unsigned seed : {1u, 2u, 3u, 4u, 5u, 6u}) {
         const PushedWall step(seed, dda::StepControl().force_tolerance);
         Watched solver(step.crew);
-        solver.analyze(step.pattern);
-        dda::BlockMatrix work;
-        const dda::StepProblem problem = step.problem();
-        const dda::OpenCloseResult result =
-            dda::iterate_open_close(problem, step.pattern, solver, work, step.crew);
+        const dda::OpenCloseResult result = solver.iterate(step);
         ASSERT_TRUE(result.converged) << "seed " << seed;
         EXPECT_GT(result.iterations, 2) << "seed " << seed << ": nothing to iterate";
         EXPECT_GT(solver.largest_share, 1e-9) << "seed " << seed;
@@ -130,11 +132,7 @@ TEST(AcceptedStep, BalancesItsBlocks) {
     for (unsigned seed = 1; seed <= 100; ++seed) {
         const PushedWall step(seed, tolerance);
         Watched solver(step.crew);
-        solver.analyze(step.pattern);
-        dda::BlockMatrix work;
-        const dda::StepProblem problem = step.problem();
-        const dda::OpenCloseResult result =
-            dda::iterate_open_close(problem, step.pattern, solver, work, step.crew);
+        const dda::OpenCloseResult result = solver.iterate(step);
         ASSERT_TRUE(result.converged) << "seed " << seed;
         EXPECT_LE(step.lacking(result), tolerance * PushedWall::largest_force(result)) << "seed " << seed;
         if (solver.residual(result.displacement) > 1e-10) ++short_of_it;
