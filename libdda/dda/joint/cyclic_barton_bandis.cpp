@@ -57,6 +57,12 @@ CyclicBartonBandis::History CyclicBartonBandis::advance(const History& history,
     pressed.spring = history.spring.pressed(
         {motion.normal_force, motion.length, stressed_length(motion.length), motion.duration == 0}, barton,
         peak_displacement);
+    if (motion.stiffness > 0 && motion.displacement != 0) {
+        if (const auto found =
+                history_on_stretch(*this, pressed, motion.normal_force, motion.length,
+                                   {motion.displacement, motion.shear_force, motion.stiffness}))
+            return *found;
+    }
     CyclicWalk walk(*this, pressed, motion.normal_force, motion.length, motion.stiffness, motion.shear_force,
                     CyclicWalk::Purpose::history);
     if (motion.stiffness > 0)

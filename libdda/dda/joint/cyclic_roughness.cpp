@@ -39,6 +39,19 @@ double CyclicRoughness::advance_ratio(const Place& place) const {
     return std::min(ratio, table.ratio(furthest(place.side) / law_.peak_displacement));
 }
 
+JointStage CyclicRoughness::stage(const Place& place, bool sliding) {
+    const bool forward = place.side > 0;
+    if (place.away) return forward ? JointStage::forward_advance : JointStage::backward_advance;
+    if (sliding) return forward ? JointStage::forward_return : JointStage::backward_return;
+    return forward ? JointStage::forward_unloading : JointStage::backward_unloading;
+}
+
+double CyclicRoughness::mobilised_ratio(const Place& place, bool sliding, double unloading_ratio) const {
+    const bool returning = !place.away && sliding;
+    return history_.wear * (returning ? roughness_table(place).ratio(place.distance / law_.peak_displacement)
+                                      : unloading_ratio);
+}
+
 double CyclicRoughness::bound_ratio(const Place& place) const {
     const RoughnessTable& table = bound_table(place);
     const auto ratio = [&](double distance) {

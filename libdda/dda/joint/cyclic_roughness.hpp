@@ -41,6 +41,10 @@ class CyclicRoughness {
     }
     /// Of the way out, whichever way the joint goes.
     double advance_ratio(const Place& place) const;
+    static JointStage stage(const Place& place, bool sliding);
+    /// Ratio that the results tell where the joint has moved to. @param unloading_ratio of the advance where
+    /// it turned round last, or here if it advances.
+    double mobilised_ratio(const Place& place, bool sliding, double unloading_ratio) const;
     /// Mobilised ratio that bounds the motion, reversals and cycles included.
     double bound_ratio(const Place& place) const;
     /// m, the nearest distance ahead at which a table bends, a cap ends, or the origin lies. @param dilating

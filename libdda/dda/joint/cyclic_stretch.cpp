@@ -12,11 +12,18 @@ namespace {
 /// Shares by which a force or a slip keeps away from where the joint changes.
 constexpr double margin = 1e-9;
 
-}  // namespace
+/// A displacement on one stretch of the tables, as it ends.
+struct Stretch {
+    int direction;               ///< of the displacement
+    CyclicRoughness::Place end;  ///< where it ends
+    double bound;                ///< against going on, N per metre
+    double bound_back;           ///< against going back
+    double excess;               ///< of the spring's force over the bound, in its direction
+};
 
-std::optional<Strength> strength_on_stretch(const CyclicBartonBandis& law,
-                                            const CyclicBartonBandis::History& history, double normal_force,
-                                            double length, const ShearTrial& trial) {
+/// Nothing where more changes on the way than can be told beforehand.
+std::optional<Stretch> stretch_of(const CyclicBartonBandis& law, const CyclicBartonBandis::History& history,
+                                  double normal_force, double length, const ShearTrial& trial) {
     if (law.asymmetric) return std::nullopt;
     const CyclicRoughness at(law, history);
     const int direction = trial.displacement < 0 ? -1 : 1;
@@ -53,8 +60,46 @@ std::optional<Strength> strength_on_stretch(const CyclicBartonBandis& law,
     }
     const double arriving = std::min(excess, 0.0) + bound;
     if (-arriving > bound_back) return std::nullopt;  // a bound that has come down on the force
-    if (direction > 0) return Strength{bound, bound_back, 0};
-    return Strength{bound_back, bound, 0};
+    return Stretch{direction, end, bound, bound_back, excess};
+}
+
+}  // namespace
+
+std::optional<Strength> strength_on_stretch(const CyclicBartonBandis& law,
+                                            const CyclicBartonBandis::History& history, double normal_force,
+                                            double length, const ShearTrial& trial) {
+    const std::optional<Stretch> stretch = stretch_of(law, history, normal_force, length, trial);
+    if (!stretch) return std::nullopt;
+    if (stretch->direction > 0) return Strength{stretch->bound, stretch->bound_back, 0};
+    return Strength{stretch->bound_back, stretch->bound, 0};
+}
+
+std::optional<CyclicBartonBandis::History> history_on_stretch(const CyclicBartonBandis& law,
+                                                              const CyclicBartonBandis::History& history,
+                                                              double normal_force, double length,
+                                                              const ShearTrial& trial) {
+    if (law.damage != 0) return std::nullopt;
+    const std::optional<Stretch> stretch = stretch_of(law, history, normal_force, length, trial);
+    if (!stretch || std::abs(stretch->excess) <= margin * stretch->bound) return std::nullopt;
+    const bool sliding = stretch->excess > 0;
+    const CyclicRoughness::Place& end = stretch->end;
+    CyclicBartonBandis::History after = history;
+    after.position += trial.displacement;
+    after.sliding = sliding ? 1 : 0;
+    after.stage = static_cast<std::int32_t>(CyclicRoughness::stage(end, sliding));
+    if (sliding) {
+        if (after.slip_direction == 0) after.slip_direction = stretch->direction;
+        const bool same = after.slip_direction == stretch->direction;
+        after.reverse_slip = same ? 0 : after.reverse_slip + stretch->excess / trial.stiffness;
+    }
+    const CyclicRoughness at(law, after);
+    if (end.away) {
+        double& reached = end.side > 0 ? after.furthest_forward : after.furthest_backward;
+        reached = std::max(reached, end.distance);
+        after.unloading_ratio = at.advance_ratio(end);
+    }
+    after.mobilised_ratio = at.mobilised_ratio(end, sliding, after.unloading_ratio);
+    return after;
 }
 
 }  // namespace dda

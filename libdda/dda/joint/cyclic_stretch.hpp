@@ -10,9 +10,14 @@ namespace dda {
 /// that the bounds at its end depend on: one stretch of the tables, no first slip, no slip that makes a
 /// reversal, no bound that outruns the spring. Nothing where there is more to it. Nearly all displacements of
 /// a step are such.
-/// @param normal_force N per metre, positive; @param trial with a stiffness.
+/// @param normal_force N per metre, positive; @param trial with a stiffness and a displacement.
 std::optional<Strength> strength_on_stretch(const CyclicBartonBandis& law,
                                             const CyclicBartonBandis::History& history, double normal_force,
                                             double length, const ShearTrial& trial);
+/// Likewise what the joint has been through then. Nothing for joints that dilate.
+std::optional<CyclicBartonBandis::History> history_on_stretch(const CyclicBartonBandis& law,
+                                                              const CyclicBartonBandis::History& history,
+                                                              double normal_force, double length,
+                                                              const ShearTrial& trial);
 
 }  // namespace dda

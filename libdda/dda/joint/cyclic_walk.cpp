@@ -269,11 +269,7 @@ void CyclicWalk::move(const Place& place, const Piece& piece, double from, doubl
     history_.sliding = sliding;
     last_side_ = place.side;
     last_away_ = place.away;
-    history_.stage = static_cast<std::int32_t>(
-        static_cast<int>(place.side > 0 ? JointStage::forward_advance : JointStage::backward_advance) +
-        (place.away ? 0
-         : sliding  ? 2
-                    : 1));
+    history_.stage = static_cast<std::int32_t>(CyclicRoughness::stage(place, sliding));
     if (damage_ == 0) return;
     const bool unloading = !place.away && !sliding;
     const AnglePiece open = part_of(piece.open, from, to);
@@ -347,10 +343,7 @@ void CyclicWalk::finish() {
     if (last_side_ == 0 || purpose_ == Purpose::strength) return;
     const Place there = {std::abs(history_.position), last_side_, last_away_};
     if (last_away_) history_.unloading_ratio = at_.advance_ratio(there);
-    const bool returning = !last_away_ && history_.sliding != 0;
-    history_.mobilised_ratio =
-        history_.wear * (returning ? at_.roughness_table(there).ratio(there.distance / law_.peak_displacement)
-                                   : history_.unloading_ratio);
+    history_.mobilised_ratio = at_.mobilised_ratio(there, history_.sliding != 0, history_.unloading_ratio);
 }
 
 }  // namespace dda
