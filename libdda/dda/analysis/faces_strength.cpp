@@ -10,12 +10,12 @@ FacesStrength::FacesStrength(const StepProblem& problem)
     : p_(problem), reduced_(1 / problem.model.strength_reduction) {
     pair_of_.assign(p_.contacts.size(), -1);
     pairs_.reserve(p_.faces.count());
-    stiffness_.reserve(p_.faces.count());
     for (std::size_t f = 0; f < p_.faces.count(); ++f) {
         const std::span<const int> members = p_.faces.contacts_of(f);
         const auto& first = p_.contacts[static_cast<std::size_t>(members[0])];
         Pair& pair = pairs_.emplace_back();
-        pair.begin = members_.size();
+        pair.first = static_cast<std::uint32_t>(members_.size());
+        pair.count = static_cast<std::uint32_t>(members.size());
         pair.law = &p_.model.joint_material_at(first.joint_material).law;
         // Any force will do: which contacts tell the faces' motion and history is a matter of the step's
         // start.
@@ -27,14 +27,12 @@ FacesStrength::FacesStrength(const StepProblem& problem)
         pair.length = whole->motion.length;
         pair.shear_force = whole->motion.shear_force;
         pair.shear_stiffness = whole->motion.stiffness;
-        double& stiffness = stiffness_.emplace_back(0);
         for (const int k : members) {
             const auto c = static_cast<std::size_t>(k);
             pair_of_[c] = static_cast<int>(f);
-            stiffness += p_.springs[c].shear_stiffness;
+            pair.stiffness += p_.springs[c].shear_stiffness;
         }
         add_members(members);
-        pair.end = members_.size();
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -39,10 +40,10 @@ class FacesStrength {
     /// The pair of faces that a contact is between, or -1.
     int pair_of(std::size_t contact) const { return pair_of_[contact]; }
     /// N/m per metre, of the shear springs of a pair of faces together.
-    double stiffness(std::size_t pair) const { return stiffness_[pair]; }
+    double stiffness(std::size_t pair) const { return pairs_[pair].stiffness; }
     /// The contacts of a pair.
     std::span<const Member> members(std::size_t pair) const {
-        return {members_.data() + pairs_[pair].begin, members_.data() + pairs_[pair].end};
+        return std::span(members_).subspan(pairs_[pair].first, pairs_[pair].count);
     }
     /// @param pressed_of gives the Pressed of a contact's index.
     template <class PressedOf>
@@ -62,13 +63,14 @@ class FacesStrength {
 
   private:
     struct Pair {
-        std::size_t begin = 0;  ///< of its members
-        std::size_t end = 0;
+        std::uint32_t first = 0;  ///< of its members
+        std::uint32_t count = 0;  ///< likewise
         const JointLaw* law = nullptr;
         const JointHistory* history = nullptr;
         double length = 0;           ///< m
         double shear_force = 0;      ///< at the step's start, N per metre
-        double shear_stiffness = 0;  ///< N/m per metre
+        double shear_stiffness = 0;  ///< as the law takes it, N/m per metre
+        double stiffness = 0;        ///< of its springs together, N/m per metre
     };
 
     void add_members(std::span<const int> contacts);
@@ -77,7 +79,6 @@ class FacesStrength {
     double reduced_;  ///< strength, of the full one
     std::vector<int> pair_of_;
     std::vector<Member> members_;
-    std::vector<double> stiffness_;  ///< per pair
     std::vector<Pair> pairs_;
 };
 

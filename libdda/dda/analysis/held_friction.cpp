@@ -80,6 +80,7 @@ void HeldFriction::draw_line(Sliding& sliding, std::span<const Vec6> d) const {
         return;
     }
     if (trials_.is_of_faces(sliding.contact)) {
+        sliding.lacks_line = !trials_.has_line(sliding.contact);
         const BoundLine line = trials_.judged_line(sliding.contact);
         sliding.slope = line.slope;
         sliding.cohesion = line.cohesion;
@@ -116,6 +117,16 @@ void HeldFriction::find_sliding(std::span<const Vec6> d) {
             draw_line(sliding, d);
         }
     });
+    find_missing_lines(d);
+}
+
+/// Most are there: a pair of faces keeps them for the step.
+void HeldFriction::find_missing_lines(std::span<const Vec6> d) {
+    for (const Sliding& sliding : sliding_)
+        if (sliding.lacks_line) trials_.want_line(sliding.contact);
+    trials_.find_lines();
+    for (Sliding& sliding : sliding_)
+        if (sliding.lacks_line) draw_line(sliding, d);
 }
 
 double HeldFriction::find_differences() {

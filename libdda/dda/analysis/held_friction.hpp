@@ -34,9 +34,10 @@ class HeldFriction {
         double cohesion = 0;  ///< the bound where the line meets no normal force
         double least = 0;     ///< the normal force below which the bound falls no further
         bool bonded = false;
-        double held = 0;        ///< shear force in the linear system
-        double normal = 0;      ///< normal force in the linear system
-        double difference = 0;  ///< bound less held force, with their sign
+        bool lacks_line = false;  ///< which has to be found first
+        double held = 0;          ///< shear force in the linear system
+        double normal = 0;        ///< normal force in the linear system
+        double difference = 0;    ///< bound less held force, with their sign
 
         double line() const { return slope * std::max(normal, least) + cohesion; }
         bool is_bounded() const { return (normal > 0 || bonded) && line() > 0; }
@@ -63,6 +64,7 @@ class HeldFriction {
     /// contacts were judged last; of the others it is the chord from the first solution to half its normal
     /// force. Finding the bound anew costs more than a back-substitution.
     void draw_line(Sliding& sliding, std::span<const Vec6> d) const;
+    void find_missing_lines(std::span<const Vec6> d);
     /// @return the largest of them.
     double find_differences();
     double norm_of_differences() const;

@@ -28,7 +28,6 @@ constexpr double asked_again = 0.1;
 
 TrialContacts::TrialContacts(const StepProblem& problem, const Crew& crew)
     : p_(problem), crew_(crew), friction_(problem, crew), trials_(problem.contacts.size()) {
-    friction_.find(0, [this](std::size_t k) { return pressed_at_start(k); });
     for_contacts([&](std::size_t k) { trials_[k] = started(k); });
     dilates_ = std::any_of(p_.model.joint_materials.begin(), p_.model.joint_materials.end(),
                            [](const JointMaterial& material) { return dilates(material.law); });
@@ -64,7 +63,6 @@ TrialContacts::Trial TrialContacts::started(std::size_t k) const {
     const bool was_closed = contact.state != ContactState::open;
     trial.pressed = trial.may_close && (was_closed || (contact.gap < 0 && contact.group < 0));
     trial.locked = trial.pressed && contact.state != ContactState::sliding;
-    if (trial.pressed) trial.bounds = bounds_of(k, pressed_at_start(k));
     trial.held_force = contact.shear_force;
     trial.forward = contact.shear_force >= 0;
     if (const JudgedContact* guess = p_.guess[k]; guess != nullptr && trial.may_close) {
@@ -72,9 +70,10 @@ TrialContacts::Trial TrialContacts::started(std::size_t k) const {
         trial.locked = guess->state == ContactState::locked;
         trial.held_force = guess->shear_force;
         trial.forward = guess->shear_force >= 0;
-        trial.bounds = bounds_of(k, pressed_at_start(k));
         trial.dilating = guess->dilating;
     }
+    if (trial.pressed && !trial.locked && !is_of_faces(k))
+        trial.bounds = bounds_by_itself(k, pressed_at_start(k));
     trial.tangent = tangent_at(k, trial.pressed ? pressed_at_start(k).normal : 0);
     return trial;
 }
@@ -83,10 +82,6 @@ Pressed TrialContacts::pressed_at_start(std::size_t k) const {
     if (const JudgedContact* guess = p_.guess[k]; guess != nullptr)
         return {guess->normal_force, guess->displacement};
     return {p_.contacts[k].normal_force, 0};
-}
-
-Strength TrialContacts::bounds_of(std::size_t k, const Pressed& pressed) const {
-    return is_of_faces(k) ? friction_.bounds(k, pressed.normal) : bounds_by_itself(k, pressed);
 }
 
 Strength TrialContacts::bounds_by_itself(std::size_t k, const Pressed& pressed) const {
@@ -126,6 +121,10 @@ double TrialContacts::law_bolt_force(std::size_t k, double elongation) const {
 
 // --- the shear forces of sliding contacts
 
+void TrialContacts::find_lines() {
+    friction_.find_lines([this](std::size_t k) { return judged_ ? pressed_here(k) : pressed_at_start(k); });
+}
+
 void TrialContacts::bound_by_held_force(std::size_t k) {
     Trial& trial = trials_[k];
     (trial.forward ? trial.bounds.forward : trial.bounds.backward) = std::abs(trial.held_force);
@@ -139,6 +138,7 @@ double TrialContacts::bound_at(std::size_t k, double normal, std::span<const Vec
 // --- judging
 
 void TrialContacts::move_to(std::span<const Vec6> d, std::span<const Vec6> target) {
+    judged_ = true;
     const Topology& topology = p_.model.topology;
     moved_.resize(p_.blocks.vertices.size());
     crew_.for_ranges(p_.prescribed.size(), [&](std::size_t begin, std::size_t end) {

@@ -83,8 +83,12 @@ class TrialContacts {
     bool has_faces() const { return !friction_.empty(); }
     /// Whether a contact is between rough faces, which share one friction.
     bool is_of_faces(std::size_t k) const { return friction_.has(k); }
-    /// The line that touches the bound of a contact of theirs where the contacts were judged last, as if it
-    /// bore its share of their force for good, in the direction that it slides in.
+    /// Whether the judged_line of such a contact is known; makes it one to be found; and finds all of these.
+    bool has_line(std::size_t k) const { return friction_.has_line(k); }
+    void want_line(std::size_t k) { friction_.want_line(k); }
+    void find_lines();
+    /// The line that touches the bound of such a contact where the contacts were judged last, as if it bore
+    /// its share of their force for good, in the direction that it slides in.
     BoundLine judged_line(std::size_t k) const {
         return friction_.line(k, trials_[k].forward, present_forces(k).normal);
     }
@@ -187,8 +191,6 @@ class TrialContacts {
     Trial started(std::size_t k) const;
     /// Moves the shear bounds to where contacts were judged last. @param enough see FacesFriction.
     void find_bounds(double enough);
-    /// What the contact's law bears there; between rough faces with the friction found last.
-    Strength bounds_of(std::size_t k, const Pressed& pressed) const;
     double in_direction(std::size_t k, const Strength& strength) const {
         return trials_[k].forward ? strength.forward : strength.backward;
     }
@@ -231,6 +233,7 @@ class TrialContacts {
     std::vector<int> yielding_;        ///< per bolt: the sign of its yielding force, 0 when elastic
     std::vector<double> elongation_;   ///< per bolt, of the step, m
     std::vector<double> linear_bolt_;  ///< per bolt: force in the linear system, at its solution, N per metre
+    bool judged_ = false;              ///< whether contacts have been anywhere but where they start
     bool dilates_ = false;             ///< whether any contact may
     std::vector<std::size_t> chosen_;  ///< per group, the line that may close
     double reference_ = 0;             ///< the largest force of a law, N per metre

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "support/rough_faces.hpp"
 
 namespace {
@@ -24,22 +26,25 @@ struct FacesFriction : testing::Test {
             pressed.push_back({dice.between(1e5, 1e6), dice.between(-1e-3, 1e-3)});
         find(0);
     }
-    void find(double enough) {
-        friction.find(enough, [&](std::size_t k) { return pressed[k]; });
+    auto of_index() const {
+        return [this](std::size_t k) { return pressed[k]; };
     }
-    /// What each contact bears under a newton.
+    void find(double enough) { find_in(friction, enough); }
+    void find_in(dda::FacesFriction& of, double enough) const {
+        of.find(enough, of_index(), [](std::size_t, const Strength&) {});
+    }
+    /// What each contact bears over its normal force: lines that nobody has wanted go through nothing.
     std::vector<double> ratios_of(const dda::FacesFriction& of) const {
         std::vector<double> found;
         for (std::size_t k = 0; k < pressed.size(); ++k) {
-            const Strength bounds = of.bounds(k, 1);
-            found.insert(found.end(), {bounds.forward, bounds.backward});
+            found.insert(found.end(), {of.line(k, true, 1).slope, of.line(k, false, 1).slope});
         }
         return found;
     }
     std::vector<double> ratios() const { return ratios_of(friction); }
     std::vector<double> asked_anew() const {
         dda::FacesFriction other(problem, crew);
-        other.find(0, [&](std::size_t k) { return pressed[k]; });
+        find_in(other, 0);
         return ratios_of(other);
     }
 };
@@ -80,6 +85,39 @@ TEST_F(FacesFriction, OfFacesThatWereOpenIsAskedFor) {
     pressed = closed;
     find(1e9);
     EXPECT_EQ(ratios(), asked_anew());
+}
+
+TEST_F(FacesFriction, GivesEachContactItsShare) {
+    friction.find(1e9, of_index(), [&](std::size_t k, const Strength& bounds) {
+        EXPECT_EQ(bounds.forward, pressed[k].normal * friction.line(k, true, 1).slope);
+        EXPECT_EQ(bounds.backward, pressed[k].normal * friction.line(k, false, 1).slope);
+    });
+}
+
+/// The roughness angle shrinks as the force grows, so the line is not the one through nothing. A power
+/// through the strengths at a force and at half of it gives most of the difference: 0.2 is what the curvature
+/// of the tangent leaves.
+TEST_F(FacesFriction, AWantedLineTouchesTheStrength) {
+    const double aside = 0.01;
+    dda::FacesFriction more(problem, crew), less(problem, crew), lines(problem, crew);
+    for (std::size_t k = 0; k < pressed.size(); ++k) lines.want_line(k);
+    lines.find_lines(of_index());  // of pairs that nobody has asked for
+    const std::vector<Pressed> here = pressed;
+    for (Pressed& one : pressed) one.normal = one.normal * (1 + aside);
+    find_in(more, 0);
+    pressed = here;
+    for (Pressed& one : pressed) one.normal = one.normal * (1 - aside);
+    find_in(less, 0);
+    for (std::size_t k = 0; k < here.size(); ++k) {
+        const double normal = here[k].normal;
+        const dda::BoundLine line = lines.line(k, true, normal);
+        const double ratio = friction.line(k, true, normal).slope;
+        EXPECT_NEAR(line.slope * normal + line.cohesion, ratio * normal, 1e-12 * ratio * normal) << k;
+        const double slope = ((1 + aside) * more.line(k, true, normal).slope -
+                              (1 - aside) * less.line(k, true, normal).slope) /
+                             (2 * aside);
+        EXPECT_NEAR(line.slope, slope, 0.2 * std::abs(ratio - slope)) << k;
+    }
 }
 
 }  // namespace
