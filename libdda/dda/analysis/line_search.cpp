@@ -14,7 +14,10 @@ constexpr double share_tolerance = 1e-6;
 }  // namespace
 
 LineSearch::LineSearch(const StepProblem& problem, const TrialContacts& trials, const Crew& crew)
-    : p_(problem), trials_(trials), crew_(crew) {}
+    : p_(problem), trials_(trials), crew_(crew) {
+    contacts_.reserve(p_.springs.size());  // once for the step, however many have a kink
+    kinked_.reserve(p_.springs.size());
+}
 
 LineSearch::Place LineSearch::ContactLine::at(double share) const {
     const double o = opening.at(share);
@@ -48,6 +51,7 @@ double LineSearch::share(std::span<const Vec6> from, std::span<const Vec6> targe
     if (ends.largest_difference <= trials_.tolerance()) return 1;
     if (ends.at_target + work_of_bolts(1) <= 0) return 1;
     if (ends.at_start + work_of_bolts(0) - curvature_ >= 0) return share_tolerance;
+    keep_kinked(target);
     double low = 0;
     double high = 1;
     while (high - low > share_tolerance) {
@@ -89,12 +93,11 @@ LineSearch::ContactLine LineSearch::line_of(std::size_t contact, std::span<const
 }
 
 LineSearch::Ends LineSearch::find_ends(std::span<const Vec6> target) {
-    contacts_.resize(p_.springs.size());
     has_kink_.resize(p_.springs.size());
     const auto of_portion = [&](std::size_t begin, std::size_t end) {
         Ends ends;
         for (std::size_t k = begin; k < end; ++k) {
-            ContactLine line = line_of(k, target);
+            const ContactLine line = line_of(k, target);
             const Forces forces = line.law.forces(line.opening.end, line.shearing.end);
             ends.largest_difference =
                 std::max({ends.largest_difference, std::abs(forces.normal - line.linear.normal),
@@ -108,10 +111,6 @@ LineSearch::Ends LineSearch::find_ends(std::span<const Vec6> target) {
             if (straight) {
                 ends.straight.end += there.work;
                 ends.straight.rate += line.rate(there.piece);
-            } else {
-                line.low = start.piece;
-                line.high = there.piece;
-                contacts_[k] = line;
             }
         }
         return ends;
@@ -122,12 +121,27 @@ LineSearch::Ends LineSearch::find_ends(std::span<const Vec6> target) {
                     a.at_target + b.at_target,
                     {a.straight.end + b.straight.end, a.straight.rate + b.straight.rate}};
     };
-    const Ends ends = crew_.taken_together(contacts_.size(), Ends(), of_portion, both);
+    const Ends ends = crew_.taken_together(has_kink_.size(), Ends(), of_portion, both);
     straight_ = ends.straight;
+    return ends;
+}
+
+/// Few contacts have a kink, and what is known of them takes more memory than anything else that a contact has:
+/// theirs is found once more rather than everyone's kept.
+void LineSearch::keep_kinked(std::span<const Vec6> target) {
     kinked_.clear();
     for (std::size_t k = 0; k < has_kink_.size(); ++k)
         if (has_kink_[k] != 0) kinked_.push_back(k);
-    return ends;
+    contacts_.resize(kinked_.size());
+    crew_.for_ranges(kinked_.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            ContactLine& line = contacts_[i];
+            line = line_of(kinked_[i], target);
+            line.low = line.at(0).piece;
+            line.high = line.at(1).piece;
+            kinked_[i] = i;
+        }
+    });
 }
 
 double LineSearch::slope(double share) {

@@ -68,6 +68,7 @@ class LineSearch {
 
     void find_way(std::span<const Vec6> from, std::span<const Vec6> target);
     Ends find_ends(std::span<const Vec6> target);
+    void keep_kinked(std::span<const Vec6> target);
     ContactLine line_of(std::size_t contact, std::span<const Vec6> target) const;
     double slope(double share);
     /// Takes the share asked last as an end of where the smallest potential is.
@@ -80,9 +81,9 @@ class LineSearch {
     std::vector<Vec6> way_;  ///< per row
     double curvature_ = 0;   ///< of the quadratic part
     Line straight_;          ///< the work of contacts without a kink where the smallest potential may be
-    std::vector<ContactLine> contacts_;  ///< of those with a kink on the way; the others' are not kept
-    std::vector<char> has_kink_;         ///< per contact
-    std::vector<std::size_t> kinked_;    ///< contacts with a kink where the smallest potential may be
+    std::vector<char> has_kink_;         ///< per contact, on the way
+    std::vector<ContactLine> contacts_;  ///< of those that have
+    std::vector<std::size_t> kinked_;    ///< of these, those with a kink where the smallest potential may be
     std::vector<Line> elongation_;       ///< per bolt
 };
 

@@ -164,22 +164,22 @@ class TrialContacts {
         double at(double closed) const { return force + stiffness * (closed - closure); }
     };
     struct Trial {
-        bool pressed = false;     ///< has its normal spring in the linear system
-        bool locked = false;      ///< has its shear spring in the linear system
+        bool pressed = false;  ///< has its normal spring in the linear system
+        bool locked = false;   ///< has its shear spring in the linear system
+        bool forward = true;   ///< the direction it slides in
+        bool torn = false;
+        bool may_close = true;
+        bool postponed = false;   ///< dilates after the step
         double held_force = 0;    ///< shear force in the linear system when not locked, N per metre
-        bool forward = true;      ///< the direction it slides in
         Strength bounds;          ///< that the shear force is clipped to
         double rest_gap = 0;      ///< m, where the normal spring bears nothing
         double shear_origin = 0;  ///< shear force at the step's start, or as augmented since, N per metre
         double gap_offset = 0;    ///< m, gap less the linear measure of the present displacement
-        bool torn = false;
-        bool may_close = true;
-        double dilating = 0;     ///< m, by which shearing has moved the faces apart since the step's start
-        bool postponed = false;  ///< dilates after the step
-        double opening = 0;      ///< linear measure of the normal displacement, m
-        double shearing = 0;     ///< of the tangential displacement, m
-        Forces linear;           ///< in the linear system, at its solution
-        Tangent tangent;         ///< the normal spring in the linear system
+        double dilating = 0;      ///< m, by which shearing has moved the faces apart since the step's start
+        double opening = 0;       ///< linear measure of the normal displacement, m
+        double shearing = 0;      ///< of the tangential displacement, m
+        Forces linear;            ///< in the linear system, at its solution
+        Tangent tangent;          ///< the normal spring in the linear system
     };
 
     /// Calls body(k) for each contact; on several threads, so it may write what is the contact's own only.
