@@ -99,7 +99,8 @@ struct Figures {
     double substitutions = 0;
     dda::PhaseTimes::Clock clock;
     dda::PhaseTimes times{clock};
-    double update = 0;  ///< s of updates that were not in `times`
+    double update = 0;      ///< s of updates that were not in `times`
+    double peak_bytes = 0;  ///< of the process, up to the last step that counts
 
     double seconds(Phase phase) const { return times.seconds(phase) + (phase == Phase::update ? update : 0); }
     double total() const {
@@ -139,6 +140,7 @@ void iterate(dda::TimeStepper& stepper, dda::Stage stage, const dda::State& stat
     stepper.time_phases(&of_loose_step);
     const dda::State next = loosely_stepped(stepper, stage, state, dt);
     figures.update += of_loose_step.seconds(Phase::update);
+    figures.peak_bytes = peak_bytes();
     // Of the same step over again the factor would know too much: it is left with that of the next one.
     stepper.time_phases(nullptr);
     stage.control.iteration_limit = 1;
@@ -176,6 +178,7 @@ Figures measure(const Scene& scene, const Options& options) {
         }
         state = std::move(attempt.state);
         if (counts) ++figures.steps;
+        figures.peak_bytes = peak_bytes();
     }
     return figures;
 }
@@ -197,7 +200,7 @@ void print(const Scene& scene, const Options& options, const Figures& f) {
     for (std::size_t p = 0; p < static_cast<std::size_t>(Phase::count); ++p)
         std::printf(",%.3g", per_block(f.seconds(static_cast<Phase>(p))));
     std::printf(",%.3g,%.3g,%.3g\n", per_block(f.total()), per_block(f.at_four()),
-                1e-3 * peak_bytes() / blocks);
+                1e-3 * f.peak_bytes / blocks);
 }
 
 }  // namespace
