@@ -1,4 +1,5 @@
-// What a step asks operator new for: what is worked on is kept from one open-close iteration to the next.
+// What a step asks operator new for: as many pieces of memory however many blocks there are, and what is
+// worked on is kept from one open-close iteration to the next.
 
 #include <gtest/gtest.h>
 
@@ -14,8 +15,10 @@ namespace {
 /// Bytes from which a piece of memory is work space, and not bookkeeping that is as long in a small model.
 constexpr std::size_t large = 2048;
 std::atomic<long> large_pieces{0};
+std::atomic<long> all_pieces{0};
 
 void* take(std::size_t size) {
+    ++all_pieces;
     if (size >= large) ++large_pieces;
     if (void* piece = std::malloc(size > 0 ? size : 1)) return piece;
     throw std::bad_alloc();
@@ -74,6 +77,30 @@ TEST(Allocations, FurtherIterationsTakeNoMemoryButForNewChanges) {
                 << iterations << " iterations, " << threads << " threads";
         }
     }
+}
+
+/// Pieces of any size that a warm step of a wall asks for.
+long pieces_of_step(int columns, int rows) {
+    const dda::Model model = scene::running_bond_wall(columns, rows, 100).model;
+    dda::TimeStepper stepper(model, 1);
+    dda::State state = dda::initial_state(model);
+    long pieces = 0;
+    for (int k = 0; k < 3; ++k) {
+        const long before = all_pieces;
+        dda::StepAttempt attempt = stepper.advance({}, state, 1e-5);
+        pieces = all_pieces - before;
+        EXPECT_EQ(attempt.rejection, dda::Rejection::none);
+        state = std::move(attempt.state);
+    }
+    return pieces;
+}
+
+// The walls are as wide as each other, for the list of the contacts of the block below grows as they come.
+TEST(Allocations, AStepTakesAsManyPiecesHoweverManyBlocks) {
+    const long few = pieces_of_step(12, 3);
+    EXPECT_GT(few, 0);
+    EXPECT_EQ(pieces_of_step(12, 12), few);
+    EXPECT_EQ(pieces_of_step(12, 40), few);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@ FacesStrength::FacesStrength(const StepProblem& problem)
     : p_(problem), reduced_(1 / problem.model.strength_reduction) {
     pair_of_.assign(p_.contacts.size(), -1);
     pairs_.reserve(p_.faces.count());
+    members_.reserve(p_.faces.members_before(p_.faces.count()));
     for (std::size_t f = 0; f < p_.faces.count(); ++f) {
         const std::span<const int> members = p_.faces.contacts_of(f);
         const auto& first = p_.contacts[static_cast<std::size_t>(members[0])];

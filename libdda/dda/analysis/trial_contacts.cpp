@@ -29,6 +29,8 @@ constexpr double asked_again = 0.1;
 TrialContacts::TrialContacts(const StepProblem& problem, const Crew& crew)
     : p_(problem), crew_(crew), friction_(problem, crew), trials_(problem.contacts.size()) {
     for_contacts([&](std::size_t k) { trials_[k] = started(k); });
+    for (const Contact& contact : p_.contacts)
+        groups_ = std::max(groups_, static_cast<std::size_t>(contact.group + 1));
     dilates_ = std::any_of(p_.model.joint_materials.begin(), p_.model.joint_materials.end(),
                            [](const JointMaterial& material) { return dilates(material.law); });
     yielding_.assign(p_.bolts.size(), 0);
@@ -173,12 +175,11 @@ void TrialContacts::move_to(std::span<const Vec6> d, std::span<const Vec6> targe
 }
 
 void TrialContacts::choose_lines() {
-    chosen_.clear();
+    chosen_.assign(groups_, trials_.size());
     for (std::size_t k = 0; k < trials_.size(); ++k) {
         const int group = p_.contacts[k].group;
         if (group < 0 || p_.contacts[k].held_back) continue;
         const auto g = static_cast<std::size_t>(group);
-        if (chosen_.size() <= g) chosen_.resize(g + 1, trials_.size());
         std::size_t& best = chosen_[g];
         const auto entered = [&](std::size_t line) { return gap(line) + 2 * p_.contacts[line].known_depth; };
         if (best == trials_.size() || entered(k) > entered(best)) best = k;

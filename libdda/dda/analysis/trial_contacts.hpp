@@ -235,6 +235,7 @@ class TrialContacts {
     std::vector<double> linear_bolt_;  ///< per bolt: force in the linear system, at its solution, N per metre
     bool judged_ = false;              ///< whether contacts have been anywhere but where they start
     bool dilates_ = false;             ///< whether any contact may
+    std::size_t groups_ = 0;           ///< of vertex-vertex contacts
     std::vector<std::size_t> chosen_;  ///< per group, the line that may close
     double reference_ = 0;             ///< the largest force of a law, N per metre
 };

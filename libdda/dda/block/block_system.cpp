@@ -8,14 +8,12 @@ namespace {
 
 /// The corners of one block and the sizes of its rings.
 AreaMoments moments_of(const Topology& topology, const std::vector<Vec2>& vertices, std::size_t block) {
-    std::vector<int> ring_sizes;
-    for (int r = topology.block_rings[block]; r < topology.block_rings[block + 1]; ++r) {
-        const auto ring = static_cast<std::size_t>(r);
-        ring_sizes.push_back(topology.ring_corners[ring + 1] - topology.ring_corners[ring]);
-    }
-    const auto first = static_cast<std::size_t>(topology.block_corners[block]);
-    const auto last = static_cast<std::size_t>(topology.block_corners[block + 1]);
-    return integrate(std::span(vertices).subspan(first, last - first), ring_sizes);
+    const auto portion = [block](const auto& of, const std::vector<int>& ends, std::size_t more) {
+        const auto first = static_cast<std::size_t>(ends[block]);
+        return std::span(of).subspan(first, static_cast<std::size_t>(ends[block + 1]) - first + more);
+    };
+    return integrate(portion(vertices, topology.block_corners, 0),
+                     portion(topology.ring_corners, topology.block_rings, 1));
 }
 
 /// exp of a symmetric plane tensor (xx, yy, engineering xy).

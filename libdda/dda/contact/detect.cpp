@@ -105,8 +105,10 @@ class Detector {
 
     /// Chooses among the entries of one pair of corners, with a common group where they have more than one
     /// line: one for each line, or one for each corner where both are in the other's face.
-    void choose_of_group(std::span<const Entry* const> members, int group, std::vector<Chosen>& out) const {
-        std::vector<Line> lines;
+    /// @param lines work space.
+    void choose_of_group(std::span<const Entry* const> members, int group, std::vector<Line>& lines,
+                         std::vector<Chosen>& out) const {
+        lines.clear();
         for (const Entry* entry : members) {
             const auto same = std::find_if(lines.begin(), lines.end(), [&](const Line& line) {
                 return std::abs(cross(line.best->normal, entry->normal)) < parallel_tolerance;
@@ -289,6 +291,7 @@ std::vector<std::size_t> choose(std::size_t count, const Crew& crew, const IsCho
         for (std::size_t k = begin; k < end; ++k) chosen[k] = is_chosen(k) ? 1 : 0;
     });
     std::vector<std::size_t> indices;
+    indices.reserve(static_cast<std::size_t>(std::count(chosen.begin(), chosen.end(), 1)));
     for (std::size_t k = 0; k < count; ++k) {
         if (chosen[k] != 0) indices.push_back(k);
     }
@@ -343,6 +346,7 @@ std::vector<Contact> detect_contacts(const Model& model, const Detection& at,
     std::vector<Chosen> chosen;
     chosen.reserve(accepted.size());
     std::vector<std::pair<std::pair<int, int>, std::size_t>> grouped;  // (corner pair, entry)
+    grouped.reserve(accepted.size());
     for (const std::size_t k : accepted) {
         if (examined[k].partner < 0) {
             chosen.push_back(detector.choose_single(examined[k]));
@@ -352,13 +356,14 @@ std::vector<Contact> detect_contacts(const Model& model, const Detection& at,
     }
     std::sort(grouped.begin(), grouped.end());
     std::vector<const Entry*> members;
+    std::vector<Line> lines;
     int group = 0;
     for (std::size_t k = 0; k < grouped.size(); ++group) {
         members.clear();
         const auto corners = grouped[k].first;
         for (; k < grouped.size() && grouped[k].first == corners; ++k)
             members.push_back(&examined[grouped[k].second]);
-        detector.choose_of_group(members, group, chosen);
+        detector.choose_of_group(members, group, lines, chosen);
     }
     return in_order(model, detector, chosen, crew);
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -170,29 +171,34 @@ std::vector<Intrusion> find_intrusions(const Model& model, std::span<const Vec2>
     const auto block_of = [&](int corner) { return topology.block_of[static_cast<std::size_t>(corner)]; };
     const KnownDepths known(topology, after, contacts, reach);
 
-    std::vector<Encounter> encounters;
-    for (std::size_t k = 0; k < candidates.size();) {
-        std::size_t end = k + 1;
-        while (end < candidates.size() && candidates[end].corner == candidates[k].corner &&
-               block_of(candidates[end].edge) == block_of(candidates[k].edge))
-            ++end;
-        encounters.push_back(candidates.subspan(k, end - k));
-        k = end;
+    std::vector<std::uint32_t> first;  // candidate of an encounter, and the end
+    first.reserve(candidates.size() + 1);
+    for (std::size_t k = 0; k < candidates.size(); ++k) {
+        if (k == 0 || candidates[k].corner != candidates[k - 1].corner ||
+            block_of(candidates[k].edge) != block_of(candidates[k - 1].edge))
+            first.push_back(static_cast<std::uint32_t>(k));
     }
+    const std::size_t count = first.size();
+    first.push_back(static_cast<std::uint32_t>(candidates.size()));
 
     const Search search(topology, before, after, reach);
-    std::vector<Intrusion> found(encounters.size());
-    std::vector<char> intrudes(encounters.size(), 0);
-    crew.for_ranges(encounters.size(), [&](std::size_t begin, std::size_t end) {
+    const auto intrudes = [&](std::size_t k, Intrusion& found) {
+        const Encounter encounter = candidates.subspan(first[k], first[k + 1] - first[k]);
+        const auto& [corner, edge] = encounter.front();
+        const double allowed = slack + 2 * known.in_block(corner, block_of(edge));
+        return search.intrudes(encounter, allowed, clipped, found);
+    };
+    // Hardly any does: what is found is not kept for all of them.
+    std::vector<char> is_in(count, 0);
+    crew.for_ranges(count, [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) {
-            const auto& [corner, edge] = encounters[k].front();
-            const double allowed = slack + 2 * known.in_block(corner, block_of(edge));
-            intrudes[k] = search.intrudes(encounters[k], allowed, clipped, found[k]) ? 1 : 0;
+            Intrusion found;
+            is_in[k] = intrudes(k, found) ? 1 : 0;
         }
     });
     std::vector<Intrusion> intrusions;
-    for (std::size_t k = 0; k < found.size(); ++k) {
-        if (intrudes[k] != 0) intrusions.push_back(found[k]);
+    for (std::size_t k = 0; k < count; ++k) {
+        if (is_in[k] != 0) intrudes(k, intrusions.emplace_back());
     }
     return intrusions;
 }

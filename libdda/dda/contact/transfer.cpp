@@ -195,6 +195,7 @@ JointFaces transfer_contacts(const Model& model, std::span<const Contact> old, d
                              std::vector<Contact>& contacts) {
     std::vector<char> knows(contacts.size(), 0);  // what its joint has been through
     std::vector<std::size_t> heirs;               // that may take over: those that are new or bear nothing
+    heirs.reserve(contacts.size());
     std::vector<const Contact*> donors;
     auto from = old.begin();
     for (std::size_t k = 0; k < contacts.size(); ++k) {

@@ -2,19 +2,19 @@
 
 namespace dda {
 
-AreaMoments integrate(std::span<const Vec2> vertices, std::span<const int> ring_sizes) {
+AreaMoments integrate(std::span<const Vec2> vertices, std::span<const int> ring_ends) {
     const Vec2& apex = vertices[0];
     double area = 0;
     Vec2 first = Vec2::Zero();
     double xx = 0;
     double yy = 0;
     double xy = 0;
-    std::size_t start = 0;
-    for (const int size : ring_sizes) {
-        const auto count = static_cast<std::size_t>(size);
-        for (std::size_t k = 0; k < count; ++k) {
-            const Vec2 p = vertices[start + k] - apex;
-            const Vec2 q = vertices[start + (k + 1) % count] - apex;
+    for (std::size_t ring = 0; ring + 1 < ring_ends.size(); ++ring) {
+        const auto start = static_cast<std::size_t>(ring_ends[ring] - ring_ends[0]);
+        const auto end = static_cast<std::size_t>(ring_ends[ring + 1] - ring_ends[0]);
+        for (std::size_t k = start; k < end; ++k) {
+            const Vec2 p = vertices[k] - apex;
+            const Vec2 q = vertices[k + 1 < end ? k + 1 : start] - apex;
             const double jacobian = cross(p, q);  // twice the simplex' signed area
             area += jacobian / 2;
             first += jacobian / 6 * (p + q);
@@ -22,7 +22,6 @@ AreaMoments integrate(std::span<const Vec2> vertices, std::span<const int> ring_
             yy += jacobian / 12 * (p.y() * p.y() + p.y() * q.y() + q.y() * q.y());
             xy += jacobian / 24 * (2 * p.x() * p.y() + p.x() * q.y() + q.x() * p.y() + 2 * q.x() * q.y());
         }
-        start += count;
     }
     const Vec2 c = first / area;
     return {area, apex + c, xx - area * c.x() * c.x(), yy - area * c.y() * c.y(), xy - area * c.x() * c.y()};

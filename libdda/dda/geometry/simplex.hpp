@@ -18,8 +18,8 @@ struct AreaMoments {
 /// Exact integrals over a polygon with holes, Eq. (5): each edge and a common apex span an oriented simplex,
 /// and the integrals over the simplices add up with their signs. Outer ring counter-clockwise, holes
 /// clockwise. The apex is the first vertex, so that a model far from the origin loses no digits.
-/// @param vertices the rings' vertices, ring after ring; @param ring_sizes how many belong to each, at
-/// least 3.
-AreaMoments integrate(std::span<const Vec2> vertices, std::span<const int> ring_sizes);
+/// @param vertices the rings' vertices, ring after ring, at least 3 each; @param ring_ends ascending, one
+/// more than there are rings: from each to the next is a ring, counted from the first of them.
+AreaMoments integrate(std::span<const Vec2> vertices, std::span<const int> ring_ends);
 
 }  // namespace dda
