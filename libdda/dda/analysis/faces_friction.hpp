@@ -59,8 +59,8 @@ class FacesFriction {
         });
         wanted_.clear();
     }
-    /// The line that touches a contact's bound, as if it bore its share of their force for good. @param
-    /// contact whose line has been wanted and found.
+    /// The line that touches a contact's bound, as if it bore its share of their force for good; the one to
+    /// that bound from no force at all as long as it has not been found.
     BoundLine line(std::size_t contact, bool forward, double normal_force) const;
 
   private:

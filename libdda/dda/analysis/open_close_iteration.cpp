@@ -47,6 +47,7 @@ class Iteration {
           trials_(problem, crew),
           line_search_(problem, trials_, crew),
           friction_(problem, trials_, solver, crew),
+          fallbacks_before_(solver.fallbacks()),
           force_(problem.contacts.size()),
           judged_residual_(std::clamp(judged_share * problem.control.force_tolerance, exact_residual,
                                       largest_judged_residual)) {
@@ -70,6 +71,7 @@ class Iteration {
                 end_of(Phase::factorisation, times_);
                 if (!definite) {
                     result.singular = true;
+                    result.fallbacks = solver_.fallbacks() - fallbacks_before_;
                     return result;
                 }
             }
@@ -224,6 +226,7 @@ class Iteration {
 
     void finish(OpenCloseResult& result) const {
         result.substitutions = substitutions_;
+        result.fallbacks = solver_.fallbacks() - fallbacks_before_;
         result.displacement = displacement_;
         result.contacts.resize(trials_.count());
         trials_.judge(result.contacts);
@@ -238,6 +241,7 @@ class Iteration {
     TrialContacts trials_;
     LineSearch line_search_;
     HeldFriction friction_;
+    int fallbacks_before_;
     std::vector<Vec2> force_;         ///< per contact, on the first block's point, N per metre
     std::vector<Vec6> load_;          ///< per row: right-hand side
     std::vector<Vec6> target_;        ///< per row: the linear system's solution, m

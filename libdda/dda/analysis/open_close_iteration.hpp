@@ -2,18 +2,16 @@
 
 #include <vector>
 
+#include "dda/analysis/step_counts.hpp"
 #include "dda/analysis/step_problem.hpp"
 #include "dda/base/phase_times.hpp"
 #include "dda/linear/linear_solver.hpp"
 
 namespace dda {
 
-struct OpenCloseResult {
+struct OpenCloseResult : StepCounts {
     bool converged = false;
-    bool singular = false;  ///< the system was not positive definite
-    int iterations = 0;     ///< linear solutions
-    int factorizations = 0;
-    int substitutions = 0;                ///< forward and backward, of one right-hand side
+    bool singular = false;                ///< the system was not positive definite
     int worst_contact = -1;               ///< the contact whose force moved most in the last iteration
     double force_change = 0;              ///< N per metre, that movement
     std::vector<Vec6> displacement;       ///< per row

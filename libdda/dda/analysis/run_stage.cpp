@@ -91,11 +91,11 @@ RunOutcome run_stage(const Model& model, const Stage& stage, TimeStepper& steppe
     const bool to_rest = stage.kind == StageKind::static_equilibrium;
     StepSize step(stage.control, state.next_step);
     int cuts = 0;
-    int iterations = 0;
+    StepCounts counts;  // since the last accepted step
     while (to_rest || state.stage_time < stage.duration * (1 - 1e-12)) {
         const double dt = to_rest ? step.size() : step.next(until_next_instant(stage, state.stage_time));
         StepAttempt attempt = stepper.advance(stage, state, dt);
-        iterations += attempt.report.iterations;
+        counts += attempt.report;
         if (attempt.rejection != Rejection::none) {
             ++cuts;
             step.cut(dt);
@@ -109,9 +109,10 @@ RunOutcome run_stage(const Model& model, const Stage& stage, TimeStepper& steppe
         step.accept(cuts == 0);
         state = std::move(attempt.state);
         state.next_step = step.size();
-        attempt.report.iterations = iterations;
+        static_cast<StepCounts&>(attempt.report) = counts;
         attempt.report.cuts = cuts;
-        cuts = iterations = 0;
+        cuts = 0;
+        counts = {};
         ++state.stage_steps;
         const bool settled = to_rest && attempt.report.unbalanced_force <= stage.tolerance;
         if (settled) come_to_rest(state);

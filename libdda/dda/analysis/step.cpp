@@ -112,21 +112,15 @@ TimeStepper::TimeStepper(const Model& model, int threads)
 
 StepAttempt TimeStepper::advance(const Stage& stage, const State& state, double dt) {
     StepAttempt attempt;
-    int iterations = 0;
-    int factorizations = 0;
-    int substitutions = 0;
+    StepCounts counts;
     if (times_ != nullptr) times_->start();
     Look look = first_look(stage, state, dt);
     for (int k = 0; k < look_limit && look.wanted; ++k) {
         attempt = look_at_step(stage, state, dt, look);
-        iterations += attempt.report.iterations;
-        factorizations += attempt.report.factorizations;
-        substitutions += attempt.report.substitutions;
+        counts += attempt.report;
     }
     end_of(Phase::update, times_);
-    attempt.report.iterations = iterations;
-    attempt.report.factorizations = factorizations;
-    attempt.report.substitutions = substitutions;
+    static_cast<StepCounts&>(attempt.report) = counts;
     return attempt;
 }
 
@@ -139,9 +133,7 @@ StepAttempt TimeStepper::look_at_step(const Stage& stage, const State& state, do
         return attempt;
     }
     OpenCloseResult result = solve(stage, state, step, look.guess);
-    attempt.report.iterations = result.iterations;
-    attempt.report.factorizations = result.factorizations;
-    attempt.report.substitutions = result.substitutions;
+    static_cast<StepCounts&>(attempt.report) = result;
     if (!result.converged) {
         attempt.rejection = result.singular ? Rejection::singular : Rejection::not_converged;
         if (result.worst_contact >= 0)
@@ -183,11 +175,8 @@ StepAttempt TimeStepper::look_at_step(const Stage& stage, const State& state, do
         return attempt;
     }
     attempt.rejection = Rejection::none;
-    const StepReport counts = attempt.report;
     attempt.report = report_step(model_, rows_, attempt.state, step.dt, stiffest);
-    attempt.report.iterations = counts.iterations;
-    attempt.report.factorizations = counts.factorizations;
-    attempt.report.substitutions = counts.substitutions;
+    static_cast<StepCounts&>(attempt.report) = result;
     attempt.report.largest_displacement = moved;
     attempt.report.dilation_left =
         dilation_left(step.contacts.contacts, result.contacts, attempt.state.contacts.contacts);

@@ -3,6 +3,7 @@
 #include <span>
 
 #include "dda/analysis/state.hpp"
+#include "dda/analysis/step_counts.hpp"
 #include "dda/analysis/step_problem.hpp"
 #include "dda/model/model.hpp"
 #include "dda/terms/system.hpp"
@@ -10,12 +11,9 @@
 namespace dda {
 
 /// One accepted step, for the step log.
-struct StepReport {
-    double time = 0;     ///< s, at the end of the step
-    double step = 0;     ///< s
-    int iterations = 0;  ///< open-close iterations, all attempts
-    int factorizations = 0;
-    int substitutions = 0;                  ///< forward and backward, of one right-hand side
+struct StepReport : StepCounts {
+    double time = 0;                        ///< s, at the end of the step
+    double step = 0;                        ///< s
     int cuts = 0;                           ///< attempts rejected before this one
     int open = 0, sliding = 0, locked = 0;  ///< contacts by state
     double largest_penetration = 0;         ///< m, of contacts that stand for their depth

@@ -13,7 +13,7 @@ namespace dda {
 
 namespace {
 
-constexpr std::int64_t checkpoint_version = 12;
+constexpr std::int64_t checkpoint_version = 13;
 constexpr std::size_t chunk = 1 << 16;  // elements
 
 template <class T>
@@ -93,8 +93,8 @@ std::vector<ReductionTrial> trials_of(const std::vector<double>& values) {
 }
 
 std::vector<std::int64_t> counts_of(const ResultsState& results) {
-    return {results.stage, results.next_frame, results.next_history, results.last_frame_step,
-            results.last_history_step};
+    return {results.stage,           results.next_frame,        results.next_history,
+            results.last_frame_step, results.last_history_step, results.fallbacks};
 }
 
 /// Reals that there is one of each.
@@ -135,7 +135,7 @@ void write_results_state(HdfFile& file, const ResultsState& results) {
 }
 
 ResultsState read_results_state(const HdfFile& file) {
-    const auto counts = file.read<std::int64_t>("/results", 0, 5);
+    const auto counts = file.read<std::int64_t>("/results", 0, 6);
     const auto figures = file.read<double>("/figures", 0, 2);
     ResultsState results;
     results.stage = static_cast<int>(counts[0]);
@@ -143,6 +143,7 @@ ResultsState read_results_state(const HdfFile& file) {
     results.next_history = counts[2];
     results.last_frame_step = counts[3];
     results.last_history_step = counts[4];
+    results.fallbacks = counts[5];
     results.wall_time = figures[0];
     results.dilation_left = figures[1];
     results.peaks = peaks_of(file.read_all<double>("/peaks"));

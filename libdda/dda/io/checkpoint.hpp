@@ -28,6 +28,7 @@ struct ResultsState {
     std::int64_t next_history = 1;        ///< likewise
     std::int64_t last_frame_step = -1;    ///< step count of the last kept frame
     std::int64_t last_history_step = -1;  ///< likewise
+    std::int64_t fallbacks = 0;           ///< as in StepCounts, so far
     double wall_time = 0;                 ///< s, of this and the earlier parts of the run
     double dilation_left = 0;             ///< m, as in StepReport, the largest so far
     std::vector<Peaks> peaks;             ///< per tracked point

@@ -150,6 +150,7 @@ void Results::stage_begins(const Model&, const State& state, const Stage& stage,
 
 bool Results::step_done(const Model&, const State& state, const Stage& stage, const StepReport& report) {
     for (const NamedWriter& entry : writers_) entry.writer->step(state, stage, report);
+    progress_.fallbacks += report.fallbacks;
     progress_.dilation_left = std::max(progress_.dilation_left, report.dilation_left);
     if (output_.history_interval == 0 ||
         is_due(progress_.next_history, output_.history_interval, state.stage_time))

@@ -10,6 +10,7 @@ constexpr const char* headings[] = {"time (s)",
                                     "step (s)",
                                     "iterations",
                                     "factorizations",
+                                    "fallbacks",
                                     "cuts",
                                     "open",
                                     "sliding",
@@ -47,8 +48,8 @@ class StepsCsv : public ResultWriter {
         const Energy& e = state.energy;
         CsvRow row = file_.row();
         row.number(report.time, "the time").text(stage.name).number(report.step, "the step");
-        for (const int count : {report.iterations, report.factorizations, report.cuts, report.open,
-                                report.sliding, report.locked})
+        for (const int count : {report.iterations, report.factorizations, report.fallbacks, report.cuts,
+                                report.open, report.sliding, report.locked})
             row.integer(count);
         for (const double value :
              {report.largest_penetration, report.dilation_left, report.largest_displacement,

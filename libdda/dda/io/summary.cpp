@@ -175,6 +175,7 @@ std::string summary_text(const Model& model, const std::vector<Stage>& stages, c
     json["wall_time"] = results.wall_time();
     json["blocks"] = model.block_count();
     json["contacts"] = contact_counts(state);
+    json["fallbacks"] = results.state().fallbacks;
     json["largest_dilation_left"] = results.state().dilation_left;
     json["farthest_block"] = farthest_block(model, state);
     if (results.reference()) json["reference"] = results.points()[*results.reference()].name;

@@ -32,6 +32,10 @@ class LinearSolver {
     /// Solves with the present factor, in place.
     virtual void solve(std::vector<Vec6>& right_hand_side) = 0;
 
+    /// How many factors, since the solver was made, were made again in double precision because single was
+    /// too little.
+    virtual int fallbacks() const { return 0; }
+
     // A solution in three strokes, for those who change b meanwhile: near enough to judge it, directions to
     // add to it, and what rounding has left taken away. Here the first is exact and leaves nothing to do.
     /// Brings x to A^-1 b, to a residual of a hundred-thousandth of b. @return substitutions taken.

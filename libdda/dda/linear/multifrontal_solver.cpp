@@ -36,6 +36,7 @@ class MultifrontalSolver final : public LinearSolver {
         if (!single_) return factor_.factorize(matrix, crew_, changed);
         return refined_.factorize(matrix, crew_, changed) || factorize_instead();
     }
+    int fallbacks() const override { return fallbacks_; }
     void solve(std::vector<Vec6>& right_hand_side) override {
         std::vector<Vec6> x(right_hand_side.size(), Vec6::Zero());
         solve_from(x, right_hand_side, exact_residual);
@@ -79,6 +80,7 @@ class MultifrontalSolver final : public LinearSolver {
     }
     /// The present matrix in double precision, where single precision is too little for it.
     bool factorize_instead() {
+        ++fallbacks_;
         factor_.analyze(pattern_, tree_of(pattern_));
         instead_ = factor_.factorize(*matrix_, crew_);
         return instead_;
@@ -90,6 +92,7 @@ class MultifrontalSolver final : public LinearSolver {
     const BlockMatrix* matrix_ = nullptr;
     bool single_ = false;   ///< the pattern's factors are in single precision
     bool instead_ = false;  ///< but not the present one
+    int fallbacks_ = 0;
     MultifrontalFactor<double> factor_;
     RefinedFactor refined_;
 };

@@ -199,8 +199,9 @@ TEST_F(ResultsTest, TheSummaryTellsHowItEnded) {
     const RunOutcome outcome = run(input.model, input.stages, state, results);
     const std::string text =
         summary_text(input.model, input.stages, state, outcome, results, "9.9", hash_files(input.files));
-    for (const char* part : {"\"status\": \"completed\"", "\"version\": \"9.9\"", "\"name\": \"crest\"",
-                             "\"sha256\": \"", "\"sliding\":", "\"largest_dilation_left\": 0.0"})
+    for (const char* part :
+         {"\"status\": \"completed\"", "\"version\": \"9.9\"", "\"name\": \"crest\"", "\"sha256\": \"",
+          "\"sliding\":", "\"fallbacks\": 0,", "\"largest_dilation_left\": 0.0"})
         EXPECT_THAT(text, HasSubstr(part));
     EXPECT_GT(results.state().peaks[0].displacement, 0.01);
 }

@@ -180,6 +180,7 @@ TEST(RefinedSolver, TakesDoublePrecisionWhereSingleIsTooLittle) {
         ASSERT_TRUE(solver->factorize(system.matrix));
         solutions.push_back(system.load);
         solver->solve(solutions.back());
+        EXPECT_EQ(solver->fallbacks(), kind == dda::SolverKind::refined ? 1 : 0);
     }
     EXPECT_EQ(solutions[0], solutions[1]);
 }
