@@ -126,8 +126,8 @@ LineSearch::Ends LineSearch::find_ends(std::span<const Vec6> target) {
     return ends;
 }
 
-/// Few contacts have a kink, and what is known of them takes more memory than anything else that a contact has:
-/// theirs is found once more rather than everyone's kept.
+/// Few contacts have a kink, and what is known of them takes more memory than anything else that a contact
+/// has: theirs is found once more rather than everyone's kept.
 void LineSearch::keep_kinked(std::span<const Vec6> target) {
     kinked_.clear();
     for (std::size_t k = 0; k < has_kink_.size(); ++k)

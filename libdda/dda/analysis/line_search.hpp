@@ -78,10 +78,10 @@ class LineSearch {
     const StepProblem& p_;
     const TrialContacts& trials_;
     const Crew& crew_;
-    std::vector<Vec6> way_;  ///< per row
-    double curvature_ = 0;   ///< of the quadratic part
-    Line straight_;          ///< the work of contacts without a kink where the smallest potential may be
-    std::vector<char> has_kink_;         ///< per contact, on the way
+    std::vector<Vec6> way_;       ///< per row
+    double curvature_ = 0;        ///< of the quadratic part
+    Line straight_;               ///< the work of contacts without a kink where the smallest potential may be
+    std::vector<char> has_kink_;  ///< per contact, on the way
     std::vector<ContactLine> contacts_;  ///< of those that have
     std::vector<std::size_t> kinked_;    ///< of these, those with a kink where the smallest potential may be
     std::vector<Line> elongation_;       ///< per bolt
