@@ -88,10 +88,13 @@ TEST_F(FacesFriction, OfFacesThatWereOpenIsAskedFor) {
 }
 
 TEST_F(FacesFriction, GivesEachContactItsShare) {
+    std::vector<int> times(pressed.size(), 0);
     friction.find(1e9, of_index(), [&](std::size_t k, const Strength& bounds) {
+        ++times[k];
         EXPECT_EQ(bounds.forward, pressed[k].normal * friction.line(k, true, 1).slope);
         EXPECT_EQ(bounds.backward, pressed[k].normal * friction.line(k, false, 1).slope);
     });
+    EXPECT_EQ(times, std::vector<int>(pressed.size(), 1));
 }
 
 /// The roughness angle shrinks as the force grows, so the line is not the one through nothing. A power
