@@ -11,10 +11,12 @@
 #include <string>
 #include <vector>
 
-#include "blockgen/cut_blocks.hpp"
+#include "blockgen/cut/cut_blocks.hpp"
 #include "blockgen/mesh/block_file.hpp"
 #include "peer/geos_blocks.hpp"
 #include "peer/joint_families.hpp"
+
+using namespace rockslope;
 
 namespace {
 

@@ -7,6 +7,8 @@
 #include "dda/joint/shear_step.hpp"
 #include "support/cyclic_joints.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using dda::JointLaw;

@@ -8,6 +8,8 @@
 #include "row.hpp"
 #include "scenes.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 constexpr const char* usage =
@@ -20,27 +22,27 @@ using bench::Options;
 using bench::read_number;
 
 /// s, the shortest step and duration that are taken for meant.
-constexpr double least_time = 1e-9;
+constexpr double min_time = 1e-9;
 
 bench::Outcome run_once(const Options& options, int threads) {
     if (options.count("--model"))
         return bench::run_model(options.at("--model"), options.at("--blocks"), options.at("--out"), threads);
     const bench::WallSize size = bench::read_wall_size(options.at("--wall"));
-    return bench::run_wall(size.columns, size.rows, read_number(options.at("--step"), least_time),
-                           read_number(options.at("--duration"), least_time), threads);
+    return bench::run_wall(size.columns, size.rows, read_number(options.at("--step"), min_time),
+                           read_number(options.at("--duration"), min_time), threads);
 }
 
 void measure(const Options& options) {
     const int threads = read_number(options.at("--threads"), 1);
     const bench::Conditions conditions = bench::present_conditions(options.at("--commit"), threads);
     bench::Outcome outcome;
-    std::vector<std::vector<bench::StageFigures>> runs;
+    std::vector<std::vector<bench::StageStatistics>> runs;
     for (int i = read_number(options.at("--repeat"), 1); i > 0; --i) {
         outcome = run_once(options, threads);
         runs.push_back(outcome.stages);
     }
     if (!options.count("--no-heading")) std::fputs(bench::csv_heading().c_str(), stdout);
-    for (const bench::StageFigures& figures : bench::median_run(runs))
+    for (const bench::StageStatistics& figures : bench::median_run(runs))
         std::fputs(bench::csv_row(outcome.scene, outcome.blocks, figures, conditions).c_str(), stdout);
 }
 

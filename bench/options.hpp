@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace bench {
+namespace rockslope::bench {
 
 /// By name with its dashes; a flag's value is "yes".
 using Options = std::map<std::string, std::string>;
@@ -46,4 +46,4 @@ inline WallSize read_wall_size(const std::string& text) {
     return {read_number(text.substr(0, cross), 1), read_number(text.substr(cross + 1), 1)};
 }
 
-}  // namespace bench
+}  // namespace rockslope::bench

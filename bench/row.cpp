@@ -6,7 +6,7 @@
 #include <fstream>
 #include <thread>
 
-namespace bench {
+namespace rockslope::bench {
 
 namespace {
 
@@ -44,7 +44,7 @@ std::string csv_heading() {
            "factorizations per step,cuts,wall (s),us per block and step,residual over input energy\n";
 }
 
-std::string csv_row(const std::string& scene, int blocks, const StageFigures& f, const Conditions& c) {
+std::string csv_row(const std::string& scene, int blocks, const StageStatistics& f, const Conditions& c) {
     const double steps = static_cast<double>(f.steps);
     const std::string fields[] = {scene,
                                   quoted(f.stage),
@@ -67,4 +67,4 @@ std::string csv_row(const std::string& scene, int blocks, const StageFigures& f,
     return line + "\n";
 }
 
-}  // namespace bench
+}  // namespace rockslope::bench

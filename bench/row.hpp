@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "tally.hpp"
+#include "stage_recorder.hpp"
 
-namespace bench {
+namespace rockslope::bench {
 
 /// What a measurement belongs to besides its scene.
 struct Conditions {
@@ -23,7 +23,7 @@ std::string csv_heading();
 
 /// One line of the CSV file.
 /// @param blocks free ones and others.
-std::string csv_row(const std::string& scene, int blocks, const StageFigures& figures,
+std::string csv_row(const std::string& scene, int blocks, const StageStatistics& figures,
                     const Conditions& conditions);
 
-}  // namespace bench
+}  // namespace rockslope::bench

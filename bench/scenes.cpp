@@ -2,18 +2,18 @@
 
 #include <stdexcept>
 
-#include "dda/io/read_run.hpp"
-#include "dda/io/results.hpp"
+#include "dda/input/read_run.hpp"
+#include "dda/results/results.hpp"
 #include "support/walls.hpp"
 
-namespace bench {
+namespace rockslope::bench {
 
 namespace {
 
 /// Runs the stages; with an observer that writes, its time counts too.
-std::vector<StageFigures> timed(const dda::Model& model, const std::vector<dda::Stage>& stages, int threads,
-                                dda::RunObserver* writer) {
-    Tally tally(writer);
+std::vector<StageStatistics> timed(const dda::Model& model, const std::vector<dda::Stage>& stages,
+                                   int threads, dda::RunObserver* writer) {
+    StageRecorder tally(writer);
     dda::State state = dda::initial_state(model);
     const dda::RunOutcome outcome = dda::run(model, stages, state, tally, {threads, 0, false});
     if (outcome.status != dda::RunStatus::completed) throw std::runtime_error(outcome.message);
@@ -45,4 +45,4 @@ Outcome run_model(const std::filesystem::path& run_file, const std::filesystem::
             timed(input.model, input.stages, threads, &results)};
 }
 
-}  // namespace bench
+}  // namespace rockslope::bench

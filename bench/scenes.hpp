@@ -4,15 +4,15 @@
 #include <string>
 #include <vector>
 
-#include "tally.hpp"
+#include "stage_recorder.hpp"
 
-namespace bench {
+namespace rockslope::bench {
 
 /// A scene that was run.
 struct Outcome {
     std::string scene;
     int blocks = 0;
-    std::vector<StageFigures> stages;
+    std::vector<StageStatistics> stages;
 };
 
 /// A running-bond wall of `columns` by `rows` 1 m blocks on a fixed base (penalty ten times Young's modulus):
@@ -26,4 +26,4 @@ Outcome run_wall(int columns, int rows, double step, double duration, int thread
 Outcome run_model(const std::filesystem::path& run_file, const std::filesystem::path& blocks,
                   const std::filesystem::path& folder, int threads);
 
-}  // namespace bench
+}  // namespace rockslope::bench

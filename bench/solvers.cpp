@@ -14,6 +14,8 @@
 #include "support/step_system.hpp"
 #include "support/walls.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 constexpr int repeats = 5;
@@ -27,7 +29,7 @@ double cpu_time() {
 
 /// The least of several times that a call takes: others on the machine only ever add to it.
 template <class Call>
-double least_time(const Call& call) {
+double min_time(const Call& call) {
     double least = std::numeric_limits<double>::infinity();
     for (int k = 0; k < repeats; ++k) {
         const double start = cpu_time();
@@ -56,14 +58,14 @@ Row cholmod(const scene::StepSystem& system) {
     const double start = cpu_time();
     solver->analyze(system.pattern);
     row.analysis = cpu_time() - start;
-    row.factor = least_time([&] { solver->factorize(system.matrix); });
-    row.solution = least_time([&] { solver->solve(x = system.load); });
+    row.factor = min_time([&] { solver->factorize(system.matrix); });
+    row.solution = min_time([&] { solver->solve(x = system.load); });
     return row;
 }
 
 template <class Scalar>
 Row multifrontal(const scene::StepSystem& system) {
-    const dda::Crew alone(1);
+    const ThreadPool alone(1);
     dda::MultifrontalFactor<Scalar> factor;
     Row row;
     std::vector<dda::Vec6> x;
@@ -71,9 +73,9 @@ Row multifrontal(const scene::StepSystem& system) {
     factor.analyze(system.pattern,
                    dda::find_supernodes(system.pattern, dda::fill_reducing_order(system.pattern)));
     row.analysis = cpu_time() - start;
-    row.factor = least_time([&] { factor.factorize(system.matrix, alone); });
-    row.solution = least_time([&] { factor.solve(x = system.load); });
-    const dda::FrontPlan& plan = factor.plan();
+    row.factor = min_time([&] { factor.factorize(system.matrix, alone); });
+    row.solution = min_time([&] { factor.solve(x = system.load); });
+    const dda::SymbolicFactor& plan = factor.symbolic();
     row.bytes =
         static_cast<double>((plan.factor_size + plan.subtree_space + plan.shared_space) * sizeof(Scalar));
     return row;

@@ -17,9 +17,11 @@
 
 #include "dda/analysis/run_stage.hpp"
 #include "dda/analysis/step.hpp"
-#include "dda/io/read_run.hpp"
+#include "dda/input/read_run.hpp"
 #include "options.hpp"
 #include "support/walls.hpp"
+
+using namespace rockslope;
 
 namespace {
 
@@ -111,14 +113,15 @@ struct Figures {
     }
     double at_four() const {
         double of_iteration = 0;
-        for (const Phase p : {Phase::assembly, Phase::factorisation, Phase::solution, Phase::judging})
+        for (const Phase p : {Phase::assembly, Phase::factorisation, Phase::solution, Phase::evaluation})
             of_iteration += times.seconds(p);
         return total() + of_iteration * (4 * steps / iterations - 1);
     }
 };
 
 /// The state after a step that is taken as after the first iteration.
-dda::State loosely_stepped(dda::TimeStepper& stepper, dda::Stage stage, const dda::State& state, double dt) {
+dda::State step_without_tolerance(dda::TimeStepper& stepper, dda::Stage stage, const dda::State& state,
+                                  double dt) {
     stage.control.force_tolerance = 1e300;
     dda::StepAttempt attempt = stepper.advance(stage, state, dt);
     if (attempt.rejection != dda::Rejection::none) throw std::runtime_error("a step is refused");
@@ -138,7 +141,7 @@ void iterate(dda::TimeStepper& stepper, dda::Stage stage, const dda::State& stat
     if (attempt.rejection == dda::Rejection::none) return;
     dda::PhaseTimes of_loose_step(figures.clock);
     stepper.time_phases(&of_loose_step);
-    const dda::State next = loosely_stepped(stepper, stage, state, dt);
+    const dda::State next = step_without_tolerance(stepper, stage, state, dt);
     figures.update += of_loose_step.seconds(Phase::update);
     figures.peak_bytes = peak_bytes();
     // Of the same step over again the factor would know too much: it is left with that of the next one.
@@ -159,7 +162,7 @@ Figures measure(const Scene& scene, const Options& options) {
     for (int k = 0; k < warm + steps; ++k) {
         if (iterations > 0) {
             if (k < warm)
-                state = loosely_stepped(stepper, scene.stage, state, dt);
+                state = step_without_tolerance(stepper, scene.stage, state, dt);
             else
                 iterate(stepper, scene.stage, state, dt, iterations, figures);
             continue;

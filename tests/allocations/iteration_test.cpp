@@ -1,4 +1,4 @@
-// What a step asks operator new for: as many pieces of memory however many blocks there are, and what is
+// What a step asks operator new for: as many allocations of memory however many blocks there are, and what is
 // worked on is kept from one open-close iteration to the next.
 
 #include <gtest/gtest.h>
@@ -10,16 +10,18 @@
 #include "dda/analysis/step.hpp"
 #include "support/walls.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 /// Bytes from which a piece of memory is work space, and not bookkeeping that is as long in a small model.
 constexpr std::size_t large = 2048;
-std::atomic<long> large_pieces{0};
-std::atomic<long> all_pieces{0};
+std::atomic<long> large_allocations{0};
+std::atomic<long> all_allocations{0};
 
 void* take(std::size_t size) {
-    ++all_pieces;
-    if (size >= large) ++large_pieces;
+    ++all_allocations;
+    if (size >= large) ++large_allocations;
     if (void* piece = std::malloc(size > 0 ? size : 1)) return piece;
     throw std::bad_alloc();
 }
@@ -50,57 +52,59 @@ void operator delete(void* piece, const std::nothrow_t& /*unused*/) noexcept {
 
 namespace {
 
-/// Large pieces that a step asks for which is given up after so many iterations.
-long pieces_in(dda::TimeStepper& stepper, dda::Stage stage, const dda::State& state, int iterations) {
+/// Large allocations that a step asks for which is given up after so many iterations.
+long large_allocations_in(dda::TimeStepper& stepper, dda::Stage stage, const dda::State& state,
+                          int iterations) {
     stage.control.iteration_limit = iterations;
-    const long before = large_pieces;
+    const long before = large_allocations;
     const dda::StepAttempt attempt = stepper.advance(stage, state, 0.005);
     EXPECT_EQ(attempt.report.iterations, iterations) << "the step is to be a hard one";
-    return large_pieces - before;
+    return large_allocations - before;
 }
 
 /// Changes of the held forces that an iteration may tell, each in memory of its own for the step, and how
-/// many pieces that is.
-constexpr int most_changes = 12;
-constexpr int pieces_of_change = 4;
+/// many allocations that is.
+constexpr int max_directions = 12;
+constexpr int allocations_per_direction = 4;
 
 // A wall let go: everything slides. What is worked on is made in the first iterations.
-TEST(Allocations, FurtherIterationsTakeNoMemoryButForNewChanges) {
+TEST(Allocations, LaterIterationsAllocateOnlyNewDirections) {
     const dda::Model model = scene::running_bond_wall(12, 12, 100).model;
     for (const int threads : {1, 2}) {
         dda::TimeStepper stepper(model, threads);
         const dda::State state = dda::initial_state(model);
-        pieces_in(stepper, {}, state, 2);
-        const long few = pieces_in(stepper, {}, state, 4);
+        large_allocations_in(stepper, {}, state, 2);
+        const long few = large_allocations_in(stepper, {}, state, 4);
         for (const int iterations : {8, 12, 16}) {
-            EXPECT_LE(pieces_in(stepper, {}, state, iterations) - few, most_changes * pieces_of_change)
+            EXPECT_LE(large_allocations_in(stepper, {}, state, iterations) - few,
+                      max_directions * allocations_per_direction)
                 << iterations << " iterations, " << threads << " threads";
         }
     }
 }
 
 /// Pieces of any size that a warm step of a wall asks for.
-long pieces_of_step(int columns, int rows) {
+long allocations_of_step(int columns, int rows) {
     const dda::Model model = scene::running_bond_wall(columns, rows, 100).model;
     dda::TimeStepper stepper(model, 1);
     dda::State state = dda::initial_state(model);
-    long pieces = 0;
+    long allocations = 0;
     for (int k = 0; k < 3; ++k) {
-        const long before = all_pieces;
+        const long before = all_allocations;
         dda::StepAttempt attempt = stepper.advance({}, state, 1e-5);
-        pieces = all_pieces - before;
+        allocations = all_allocations - before;
         EXPECT_EQ(attempt.rejection, dda::Rejection::none);
         state = std::move(attempt.state);
     }
-    return pieces;
+    return allocations;
 }
 
 // The walls are as wide as each other, for the list of the contacts of the block below grows as they come.
-TEST(Allocations, AStepTakesAsManyPiecesHoweverManyBlocks) {
-    const long few = pieces_of_step(12, 3);
+TEST(Allocations, AllocationsPerStepDoNotDependOnTheNumberOfBlocks) {
+    const long few = allocations_of_step(12, 3);
     EXPECT_GT(few, 0);
-    EXPECT_EQ(pieces_of_step(12, 12), few);
-    EXPECT_EQ(pieces_of_step(12, 40), few);
+    EXPECT_EQ(allocations_of_step(12, 12), few);
+    EXPECT_EQ(allocations_of_step(12, 40), few);
 }
 
 }  // namespace

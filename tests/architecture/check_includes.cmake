@@ -1,36 +1,49 @@
 # Checks that dependencies point down only and that each package stays private to its folder.
 #   cmake -D ROOT=<source tree> -P check_includes.cmake
-# Reads the #include lines of libblockgen, libdda and tools; names every one that breaks a rule, and fails if any does.
+# Reads the #include lines of libcommon, libblockgen, libdda and tools, names every one that breaks a rule, and fails if
+# any does.
 cmake_minimum_required(VERSION 3.25)
 
-# The floors of libdda from the ground up; floors of one line do not see each other.
-set(storeys "base" "geometry linear joint record" "model" "block" "contact" "terms" "analysis" "io")
-set(rank 0)
-foreach(storey IN LISTS storeys)
-    string(REPLACE " " ";" floors "${storey}")
-    foreach(floor IN LISTS floors)
-        set(rank_of_${floor} ${rank})
+# The floors of each library from the ground up; floors on one line do not see each other.
+set(storeys_of_common "base" "geometry config" "drawing")
+set(storeys_of_blockgen "mesh" "input noding" "arrangement" "faces" "sampling" "report" "cut" "picture")
+set(storeys_of_dda "base" "geometry linear joint hdf" "model" "block" "contact" "terms" "analysis" "monitor" "input"
+    "laboratory writers" "checkpoint" "results")
+set(storeys_of_record "record")
+
+foreach(library IN ITEMS common blockgen dda record)
+    set(rank 0)
+    foreach(storey IN LISTS storeys_of_${library})
+        string(REPLACE " " ";" floors "${storey}")
+        foreach(floor IN LISTS floors)
+            set(rank_of_${library}_${floor} ${rank})
+        endforeach()
+        math(EXPR rank "${rank} + 1")
     endforeach()
-    math(EXPR rank "${rank} + 1")
 endforeach()
 
-# Which folders of blockgen a folder may see: "folder of the including file|what it may include".
-set(blockgen_views
-    "libblockgen/blockgen/base|base"
-    "libblockgen/blockgen/config|base config"
-    "libblockgen/blockgen/mesh|base mesh"
-    "libblockgen/blockgen/picture|base mesh picture"
-    "libdda/dda/io|base config mesh picture"
-    "libdda/dda|base")
+# Which folders of another library a folder may see: "folder of the including file|library|folders", the first row that fits.
+set(views
+    "libcommon/common|blockgen|" "libcommon/common|dda|" "libcommon/common|record|"
+    "libcommon/record|common|base" "libcommon/record|blockgen|" "libcommon/record|dda|"
+    "libblockgen/blockgen/mesh|common|base geometry"
+    "libblockgen/blockgen/input|common|base config geometry"
+    "libblockgen/blockgen/picture|common|base drawing geometry"
+    "libblockgen/blockgen|common|base geometry"
+    "libblockgen/blockgen|dda|" "libblockgen/blockgen|record|"
+    "libdda/dda/input|common|base config geometry" "libdda/dda/input|blockgen|mesh" "libdda/dda/input|record|."
+    "libdda/dda/laboratory|common|base config"
+    "libdda/dda/monitor|record|."
+    "libdda/dda|common|base" "libdda/dda|blockgen|" "libdda/dda|record|")
 
 # "package's headers|folders that may include them".
 set(private_packages
-    "CGAL/|libblockgen/blockgen/detail"
-    "toml(\\+\\+|plusplus)|libblockgen/blockgen/config"
-    "cairo|libblockgen/blockgen/picture"
-    "(hdf5|H5[A-Za-z]*)\\.h|libdda/dda/io"
+    "CGAL/|libblockgen/blockgen/arrangement"
+    "toml(\\+\\+|plusplus)|libcommon/common/config"
+    "cairo|libcommon/common/drawing"
+    "(hdf5|H5[A-Za-z]*)\\.h|libdda/dda/hdf"
     "(gdal|cpl_[a-z]*|ogr_[a-z_]*)\\.h|libblockgen/blockgen/input"
-    "nlohmann/|libdda/dda/io libblockgen/blockgen/input libblockgen/blockgen"
+    "nlohmann/|libdda/dda/results libblockgen/blockgen/input libblockgen/blockgen/report tools/blockgen"
     "(suitesparse/)?(cholmod|SuiteSparse_config|amd|camd|ccolamd|metis)\\.h|libdda/dda/linear")
 
 set(violations "")
@@ -38,38 +51,51 @@ macro(violation text)
     list(APPEND violations "${file} includes ${header}: ${text}")
 endmacro()
 
-function(check_floors)
-    if(NOT folder MATCHES "^libdda/dda/([^/]+)" OR NOT header MATCHES "^dda/([^/]+)/")
-        return()
+# The library and the floor of a file or of an included header; both empty for anything else.
+function(locate path library_variable floor_variable)
+    string(REGEX REPLACE "^lib(blockgen|dda|common)/" "" inside "${path}")
+    set(library "")
+    set(floor "")
+    if(inside MATCHES "^(common|blockgen|dda)/([^/]+)/")
+        set(library "${CMAKE_MATCH_1}")
+        set(floor "${CMAKE_MATCH_2}")
+    elseif(inside MATCHES "^record/")
+        set(library record)
+        set(floor record)
     endif()
-    string(REGEX REPLACE "^libdda/dda/([^/]+).*" "\\1" own "${folder}")
-    string(REGEX REPLACE "^dda/([^/]+)/.*" "\\1" other "${header}")
-    foreach(floor IN ITEMS ${own} ${other})
-        if(NOT DEFINED rank_of_${floor})
-            violation("'${floor}' is not a floor")
+    set(${library_variable} "${library}" PARENT_SCOPE)
+    set(${floor_variable} "${floor}" PARENT_SCOPE)
+endfunction()
+
+function(check_floors)
+    foreach(end IN ITEMS own other)
+        if(NOT DEFINED rank_of_${${end}_library}_${${end}_floor})
+            violation("'${${end}_floor}' is not a floor of ${${end}_library}")
             set(violations "${violations}" PARENT_SCOPE)
             return()
         endif()
     endforeach()
-    if(NOT own STREQUAL other AND NOT rank_of_${other} LESS rank_of_${own})
-        violation("${other} is not below ${own}")
+    if(NOT own_floor STREQUAL other_floor AND
+       NOT rank_of_${own_library}_${other_floor} LESS rank_of_${own_library}_${own_floor})
+        violation("${other_floor} is not below ${own_floor}")
     endif()
     set(violations "${violations}" PARENT_SCOPE)
 endfunction()
 
-function(check_blockgen_views)
-    if(NOT header MATCHES "^blockgen/")
-        return()
-    endif()
-    foreach(view IN LISTS blockgen_views)
-        string(REGEX MATCH "^[^|]*" place "${view}")
-        string(REGEX REPLACE "^[^|]*\\|" "" seen "${view}")
-        if("${folder}/" MATCHES "^${place}/")
-            string(REGEX REPLACE "^blockgen/" "" part "${header}")
-            get_filename_component(part "${part}" DIRECTORY)
-            string(REPLACE " " ";" parts "${seen}")
-            if(NOT part IN_LIST parts)
-                violation("${place} sees only ${seen} of blockgen")
+function(check_views)
+    foreach(view IN LISTS views)
+        string(REPLACE "|" ";" parts "${view};")
+        list(GET parts 0 place)
+        list(GET parts 1 library)
+        list(GET parts 2 seen)
+        if("${folder}/" MATCHES "^${place}/" AND other_library STREQUAL library)
+            string(REPLACE " " ";" floors "${seen}")
+            if(NOT seen STREQUAL "." AND NOT other_floor IN_LIST floors)
+                if(seen STREQUAL "")
+                    violation("${place} sees nothing of ${library}")
+                else()
+                    violation("${place} sees only ${seen} of ${library}")
+                endif()
             endif()
             break()
         endif()
@@ -91,18 +117,24 @@ function(check_private_packages)
     set(violations "${violations}" PARENT_SCOPE)
 endfunction()
 
-file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/libblockgen/*.[ch]pp ${ROOT}/libdda/*.[ch]pp ${ROOT}/tools/*.[ch]pp)
+file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/libcommon/*.[ch]pp ${ROOT}/libblockgen/*.[ch]pp ${ROOT}/libdda/*.[ch]pp
+     ${ROOT}/tools/*.[ch]pp)
 list(LENGTH files file_count)
 if(file_count EQUAL 0)
     message(FATAL_ERROR "no sources under ${ROOT}")
 endif()
 foreach(file IN LISTS files)
     get_filename_component(folder ${file} DIRECTORY)
+    locate("${file}" own_library own_floor)
     file(STRINGS ${ROOT}/${file} lines REGEX "^[ \t]*#[ \t]*include")
     foreach(line IN LISTS lines)
         string(REGEX REPLACE "^[^<\"]*[<\"]([^>\"]*).*" "\\1" header "${line}")
-        check_floors()
-        check_blockgen_views()
+        locate("${header}" other_library other_floor)
+        if(own_library AND own_library STREQUAL other_library)
+            check_floors()
+        elseif(own_library AND other_library)
+            check_views()
+        endif()
         check_private_packages()
     endforeach()
 endforeach()

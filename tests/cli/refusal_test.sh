@@ -120,22 +120,22 @@ kill -9 $pid
 wait $pid 2>/dev/null || true
 "$bin/dda-plot" killed -o pictures || fail "a killed run cannot be drawn"
 rm -r pictures
-spoil() {
+corrupt() {
     rm -rf spoilt
     cp -r killed spoilt
 }
-spoil
+corrupt
 refused 'now it is asked for' dda-run long.toml -o spoilt --resume --pvd
 refused 'belongs to a run of other input' dda-run run.toml -o spoilt --resume
 for file in history.csv steps.csv long.vtkhdf long.joints.vtkhdf; do
-    spoil
+    corrupt
     rm spoilt/$file
     refused "$file: cannot be resumed from" dda-run long.toml -o spoilt --resume
     head -c 100 killed/$file >spoilt/$file
     refused "$file: cannot be resumed from" dda-run long.toml -o spoilt --resume
 done
 for bytes in 0 100 5000; do
-    spoil
+    corrupt
     head -c $bytes killed/checkpoint.h5 >spoilt/checkpoint.h5
     refused 'checkpoint.h5: cannot be resumed from' dda-run long.toml -o spoilt --resume
 done

@@ -7,11 +7,13 @@
 #include <random>
 #include <string>
 
-#include "blockgen/base/input_error.hpp"
-#include "blockgen/cut_blocks.hpp"
+#include "blockgen/arrangement/walk_faces.hpp"
+#include "blockgen/cut/cut_blocks.hpp"
 #include "blockgen/mesh/block_file.hpp"
-#include "blockgen/walk_faces.hpp"
+#include "common/base/input_error.hpp"
 #include "fuzz/run_seeds.hpp"
+
+using namespace rockslope;
 
 namespace {
 
@@ -33,7 +35,7 @@ class RandomSlope {
         if (pick(3) == 0)
             m.regions.push_back({"r", "soil", "contact", box(4 * share() - 1, 4 * share() - 1, 2), {}});
         m.islands = static_cast<IslandPolicy>(pick(3));
-        m.small_blocks = {static_cast<SmallPolicy>(pick(3)), 0.3 * share() * share(), 0.02};
+        m.small_blocks = {static_cast<SmallBlockPolicy>(pick(3)), 0.3 * share() * share(), 0.02};
         const int joints = 1 + pick(60);
         for (int k = 0; k < joints; ++k) add_joint(m);
         return m;
@@ -80,7 +82,7 @@ class RandomSlope {
 };
 
 /// @return what is wrong; empty when nothing is.
-std::string fault_of(unsigned long seed) {
+std::string failure_of(unsigned long seed) {
     try {
         const SlopeModel model = RandomSlope(seed).model();
         CutOptions options;
@@ -89,8 +91,8 @@ std::string fault_of(unsigned long seed) {
         if (!result.report.area_proved || !result.report.verified) return "not proved";
         const SourceTable table(model);
         const NodedEdges noded = node_joints(source_segments(model, model.traces, table), model.grid);
-        const ExactCut swept = summary_of(noded, arrange(noded)),
-                       walked = summary_of(noded, walk_faces(noded));
+        const ArrangementSummary swept = summarize(noded, arrange(noded)),
+                                 walked = summarize(noded, walk_faces(noded));
         if (swept.twice_areas != walked.twice_areas || swept.adjacency != walked.adjacency)
             return "the walk and the sweep disagree";
         if (!(parse_block_file(block_file_text(result.mesh), "file") == result.mesh))
@@ -104,7 +106,7 @@ std::string fault_of(unsigned long seed) {
 }
 
 bool passes(unsigned long seed) {
-    const std::string fault = fault_of(seed);
+    const std::string fault = failure_of(seed);
     if (!fault.empty()) std::printf("seed %lu: %s\n", seed, fault.c_str());
     return fault.empty();
 }

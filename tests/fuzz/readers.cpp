@@ -10,15 +10,17 @@
 #include <string>
 #include <vector>
 
-#include "blockgen/base/input_error.hpp"
-#include "blockgen/cut_blocks.hpp"
+#include "blockgen/cut/cut_blocks.hpp"
+#include "blockgen/faces/enclosed_area.hpp"
 #include "blockgen/input/geo_file.hpp"
 #include "blockgen/input/geometry_file.hpp"
-#include "blockgen/input/read_slope_model.hpp"
 #include "blockgen/mesh/block_file.hpp"
-#include "blockgen/sample_joints.hpp"
-#include "fuzz/damage.hpp"
+#include "blockgen/sampling/sample_joints.hpp"
+#include "common/base/input_error.hpp"
+#include "fuzz/mutator.hpp"
 #include "fuzz/run_seeds.hpp"
+
+using namespace rockslope;
 
 namespace {
 
@@ -87,7 +89,8 @@ const char* json_text =
 
 std::string cut_text() {
     static const std::string text = [] {
-        const SlopeModel model = read_slope_model(ConfigTable::from_text(model_text, "slope.toml"));
+        const SlopeModel model =
+            read_slope_model(ConfigTable::from_text(model_text, "slope.toml"), enclosed_area);
         return block_file_text(cut_blocks(model, all_traces(model)).mesh);
     }();
     return text;
@@ -101,11 +104,11 @@ const std::string& written(const std::string& text, const char* extension) {
 }
 
 bool passes(unsigned long seed) {
-    fuzz::Damage damage(seed);
+    fuzz::Mutator damage(seed);
     const std::vector<std::function<void()>> readers = {
         [&] {
             const SlopeModel model =
-                read_slope_model(ConfigTable::from_text(damage.of(model_text), "slope.toml"));
+                read_slope_model(ConfigTable::from_text(damage.of(model_text), "slope.toml"), enclosed_area);
             CutOptions options;
             options.max_blocks = 2000;
             cut_blocks(model, all_traces(model, options.max_blocks), options);

@@ -7,11 +7,13 @@
 #include <string>
 #include <vector>
 
-#include "blockgen/base/input_error.hpp"
-#include "dda/record/records.hpp"
-#include "fuzz/damage.hpp"
+#include "common/base/input_error.hpp"
+#include "fuzz/mutator.hpp"
 #include "fuzz/run_seeds.hpp"
-#include "unit/dda_record/small_records.hpp"
+#include "record/records.hpp"
+#include "unit/record/small_records.hpp"
+
+using namespace rockslope;
 
 namespace {
 
@@ -36,21 +38,21 @@ std::vector<small_records::SmallRecord> starts() {
 
 /// Mostly what fits the file, so that the damage is what decides; sometimes the word of another format or
 /// unit.
-dda::RecordDeclaration declaration_of(fuzz::Damage& damage, const std::string& format) {
-    static const std::vector<std::string> keys = dda::record_format_keys();
+record::RecordDeclaration declaration_of(fuzz::Mutator& damage, const std::string& format) {
+    static const std::vector<std::string> keys = record::record_format_keys();
     static const std::vector<std::string> units = {"g", "cm/s2", "m/s", "mm"};
-    dda::RecordDeclaration declaration;
-    if (format == "sac") declaration = {dda::Quantity::acceleration, "m/s2", ""};
+    record::RecordDeclaration declaration;
+    if (format == "sac") declaration = {record::Quantity::acceleration, "m/s2", ""};
     if (format == "run") declaration.point = damage.pick(2) == 0 ? "top x" : "base x";
     if (damage.pick(3) == 0) declaration.format = format;
     if (damage.pick(20) == 0) declaration.format = keys[damage.pick(keys.size())];
-    if (damage.pick(20) == 0) declaration.quantity = static_cast<dda::Quantity>(damage.pick(3));
+    if (damage.pick(20) == 0) declaration.quantity = static_cast<record::Quantity>(damage.pick(3));
     if (damage.pick(20) == 0) declaration.unit = units[damage.pick(units.size())];
     if (damage.pick(20) == 0) declaration.channel = 1 + static_cast<int>(damage.pick(3));
     return declaration;
 }
 
-bool is_usable(const dda::Record& record) {
+bool is_in_allowed_range(const record::Record& record) {
     if (!(record.dt > 0) || record.values.size() < 2) return false;
     for (const double value : record.values)
         if (!std::isfinite(value)) return false;
@@ -59,16 +61,16 @@ bool is_usable(const dda::Record& record) {
 
 bool passes(unsigned long seed) {
     static const std::vector<small_records::SmallRecord> records = starts();
-    fuzz::Damage damage(seed);
+    fuzz::Mutator damage(seed);
     const small_records::SmallRecord& start = records[seed % records.size()];
-    const dda::RecordDeclaration declaration = declaration_of(damage, start.format);
+    const record::RecordDeclaration declaration = declaration_of(damage, start.format);
     try {
-        const dda::Record record = dda::parse_record(damage.of(start.text), "record", declaration);
-        if (is_usable(record)) return true;
+        const record::Record record = record::parse_record(damage.of(start.text), "record", declaration);
+        if (is_in_allowed_range(record)) return true;
         std::printf("seed %lu (%s): %zu samples at %g s, or one that is not finite\n", seed, start.format,
                     record.values.size(), record.dt);
         return false;
-    } catch (const blockgen::InputError&) {
+    } catch (const InputError&) {
         ++fuzz::refused;
         return true;
     } catch (const std::exception& error) {

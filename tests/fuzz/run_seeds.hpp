@@ -7,7 +7,7 @@
 #include <ctime>
 #include <fstream>
 
-namespace fuzz {
+namespace rockslope::fuzz {
 
 /// How many inputs were refused, as bad ones should be.
 inline unsigned long refused = 0;
@@ -44,4 +44,4 @@ int run_seeds(int argc, char** argv, const Passes& passes) {
     return good ? 0 : 1;
 }
 
-}  // namespace fuzz
+}  // namespace rockslope::fuzz

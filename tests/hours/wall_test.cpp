@@ -6,6 +6,8 @@
 
 #include "support/walls.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using namespace scene;
@@ -14,7 +16,7 @@ TEST(Wall, ComesToRestInFewIterationsAndRefusesNoStep) {
     Simulation sim(running_bond_wall(50, 50, 10));
     int refused = 0;
     double next = 1;
-    sim.each_step = [&](const dda::State& state, const dda::StepReport& report) {
+    sim.on_step = [&](const dda::State& state, const dda::StepReport& report) {
         if (state.time > 1) refused += report.cuts;
         if (state.time < next - 1e-9) return;
         std::printf("%2.0f s: %zu steps, %.2f iterations each, kinetic %.3g J\n", state.time,

@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <tuple>
 
-#include "blockgen/cut_blocks.hpp"
+#include "blockgen/cut/cut_blocks.hpp"
 #include "blockgen/input/geometry_file.hpp"
-#include "blockgen/mesh/polygon.hpp"
+#include "common/geometry/polygon.hpp"
 #include "peer/geos_blocks.hpp"
 #include "peer/joint_families.hpp"
-#include "support/others_data.hpp"
+#include "support/external_data.hpp"
 
-namespace peer {
+namespace rockslope::peer {
 namespace {
 
 using Case = std::pair<Family, double>;
@@ -51,8 +51,8 @@ INSTANTIATE_TEST_SUITE_P(Families, BlockCount,
 // Digitised maps in UTM coordinates. GEOS closes gaps below 1e-12 of the largest coordinate, 6.7e-6 m here,
 // where its plain noding fails; a grid of 2^-17 m closes one of 6.2e-6 m in KB11, that of 2^-20 m does not.
 TEST(Maps, HaveTheBlocksOfGeos) {
-    const auto maps = others_data("joint-maps");
-    if (!maps) GTEST_SKIP() << others_data_missing("joint-maps");
+    const auto maps = external_data("joint-maps");
+    if (!maps) GTEST_SKIP() << external_data_missing("joint-maps");
     for (const auto& [name, grid, fewer] :
          {std::tuple("KB11", 0x1p-20, 1u), std::tuple("KB11", 0x1p-17, 0u),
           std::tuple("Getaberget", 0x1p-20, 0u), std::tuple("Getaberget", 0x1p-17, 0u)}) {
@@ -60,8 +60,7 @@ TEST(Maps, HaveTheBlocksOfGeos) {
         model.block_material = "rock";
         model.grid = grid;
         model.outline = blockgen::read_outline_file(*maps / (std::string(name) + "_area.geojson"))[0][0];
-        if (blockgen::twice_signed_area(model.outline) < 0)
-            std::reverse(model.outline.begin(), model.outline.end());
+        if (twice_signed_area(model.outline) < 0) std::reverse(model.outline.begin(), model.outline.end());
         model.traces =
             blockgen::read_trace_file(*maps / (std::string(name) + "_traces.geojson"), name, "joint");
         const blockgen::CutResult ours = blockgen::cut_blocks(model, model.traces);
@@ -74,4 +73,4 @@ TEST(Maps, HaveTheBlocksOfGeos) {
 }
 
 }  // namespace
-}  // namespace peer
+}  // namespace rockslope::peer

@@ -8,11 +8,9 @@
 #include <stdexcept>
 #include <string>
 
-namespace peer {
+namespace rockslope::peer {
 
 namespace {
-
-using blockgen::Point;
 
 /// A GEOS session; everything made in it ends with it.
 class Session {
@@ -70,8 +68,7 @@ Point inner_point(const Session& session, const GEOSGeometry* polygon) {
 
 }  // namespace
 
-std::vector<GeosBlock> geos_blocks(const blockgen::Ring& outline,
-                                   const std::vector<blockgen::Trace>& traces) {
+std::vector<GeosBlock> geos_blocks(const Ring& outline, const std::vector<blockgen::Trace>& traces) {
     const Session session;
     std::vector<Session::Geometry> lines;
     lines.push_back(session.polyline(outline, true));
@@ -87,9 +84,9 @@ std::vector<GeosBlock> geos_blocks(const blockgen::Ring& outline,
         const GEOSGeometry* face = GEOSGetGeometryN_r(session.handle(), faces.get(), k);
         GeosBlock block{0, inner_point(session, face)};
         GEOSArea_r(session.handle(), face, &block.area);
-        if (blockgen::side_of_ring(outline, block.inside) > 0) blocks.push_back(block);
+        if (side_of_ring(outline, block.inside) > 0) blocks.push_back(block);
     }
     return blocks;
 }
 
-}  // namespace peer
+}  // namespace rockslope::peer

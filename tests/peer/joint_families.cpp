@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "blockgen/clip_line.hpp"
-#include "blockgen/sample_joints.hpp"
+#include "blockgen/sampling/sample_joints.hpp"
+#include "common/geometry/clip_line.hpp"
 
-namespace peer {
+namespace rockslope::peer {
 
 using namespace blockgen;
 
@@ -71,4 +71,4 @@ std::vector<Trace> traces_across_rim(const SlopeModel& model) {
     return traces;
 }
 
-}  // namespace peer
+}  // namespace rockslope::peer

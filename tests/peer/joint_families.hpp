@@ -5,7 +5,7 @@
 
 #include "blockgen/input/slope_model.hpp"
 
-namespace peer {
+namespace rockslope::peer {
 
 /// Three kinds of jointing that make blocks of quite different sorts.
 enum class Family {
@@ -25,4 +25,4 @@ blockgen::SlopeModel family_slope(Family family, double blocks);
 /// leave the end on either side.
 std::vector<blockgen::Trace> traces_across_rim(const blockgen::SlopeModel& model);
 
-}  // namespace peer
+}  // namespace rockslope::peer

@@ -8,6 +8,8 @@
 #include "dda/contact/detect.hpp"
 #include "support/random_shapes.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using namespace scene;
@@ -15,15 +17,15 @@ using namespace scene;
 /// Blocks of all kinds in a heap, every fifth fixed: overlapping, apart, a hundred times smaller ones among
 /// them, some of them a thousand times as far away as they are large.
 Scene heap(unsigned seed) {
-    Dice dice(seed);
+    RandomSource random(seed);
     Scene s;
-    const double spread = dice.magnitude(1, 3);
+    const double spread = random.magnitude(1, 3);
     for (int k = 0; k < 40; ++k) {
-        const double size = dice.one_of(3) == 0 ? .02 : dice.magnitude(.3, 2);
-        const double away = dice.one_of(10) == 0 ? 20 : 1;
-        const Vec2 place = away * spread * dice.between(0, 1) * dice.direction();
-        s.block({placed(random_ring(dice, size), dice.between(0, 6), place)},
-                dice.one_of(5) == 0 ? dda::Motion::fixed : dda::Motion::free);
+        const double size = random.index_below(3) == 0 ? .02 : random.magnitude(.3, 2);
+        const double away = random.index_below(10) == 0 ? 20 : 1;
+        const Vec2 place = away * spread * random.between(0, 1) * random.direction();
+        s.block({placed(random_ring(random, size), random.between(0, 6), place)},
+                random.index_below(5) == 0 ? dda::Motion::fixed : dda::Motion::free);
     }
     return s;
 }
@@ -100,15 +102,15 @@ class Detector : public testing::TestWithParam<unsigned> {
     const Scene scene = heap(GetParam());
     const dda::Model& model = scene.model;
     const Places places{model};
-    const double reach = Dice(GetParam() + 1000).magnitude(.01, .5);
+    const double reach = RandomSource(GetParam() + 1000).magnitude(.01, .5);
 
     std::vector<dda::Contact> detected(const std::vector<dda::CornerEdge>& pairs) const {
         return dda::detect_contacts(model, {model.vertices, model.vertices, reach, 1e-9}, pairs,
-                                    dda::Crew(1));
+                                    ThreadPool(1));
     }
 };
 
-TEST_P(Detector, FindsTheCandidatesThatALookAtAllPairsFinds) {
+TEST_P(Detector, FindsTheCandidatesOfABruteForceSearch) {
     for (const double distance : {0.0, .3 * reach, reach, 2 * reach, 2.0, 200.0}) {
         std::vector<dda::CornerEdge> expected;
         for (const dda::CornerEdge& pair : places.pairs()) {

@@ -9,6 +9,8 @@
 #include "support/cyclic_joints.hpp"
 #include "support/walls.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using namespace scene;
@@ -47,7 +49,7 @@ Slid slid(double damage, double degrees, double step) {
     slid.way = sim.moved(sim.model.block_count() - 3).norm();
     for (const dda::StepReport& report : sim.reports) {
         slid.cuts += report.cuts;
-        slid.left += report.dilation_left;
+        slid.left += report.remaining_dilation;
     }
     for (const dda::Contact& contact : sim.state.contacts.contacts)
         slid.apart = std::max(slid.apart, contact.dilation);
@@ -77,7 +79,7 @@ TEST(DilatingWall, LeavesLittleOfItsDilationToTheNextStep) {
 }
 
 /// m, the mean over the wall's blocks in a quarter of a second.
-double mean_way(const Scene& scene, double step) {
+double mean_displacement(const Scene& scene, double step) {
     Simulation sim(scene);
     EXPECT_EQ(sim.shake(.25, step).status, dda::RunStatus::completed);
     double sum = 0;
@@ -93,7 +95,8 @@ TEST(DilatingWall, HasAnErrorOfFirstOrderInTheStep) {
     for (const double degrees : {20., 30.}) {
         const Scene soft = tipped_wall(1, degrees, 5e7);
         std::vector<double> ways;
-        for (const double step : {.01, .005, .0025, .00125, .000625}) ways.push_back(mean_way(soft, step));
+        for (const double step : {.01, .005, .0025, .00125, .000625})
+            ways.push_back(mean_displacement(soft, step));
         for (std::size_t k = 2; k < ways.size(); ++k) {
             const double ratio = (ways[k] - ways[k - 1]) / (ways[k - 1] - ways[k - 2]);
             EXPECT_GT(ratio, 1. / 3) << degrees << ", " << k;

@@ -9,6 +9,8 @@
 #include "dda/contact/detect.hpp"
 #include "support/random_shapes.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using namespace scene;
@@ -22,23 +24,23 @@ struct Shapes {
 /// Polygons of all kinds scattered so that they touch, overlap and stand apart, a hundred times smaller ones
 /// among them; neighbours with common corners; a block with a hole and one in it.
 Shapes scattered(unsigned seed) {
-    Dice dice(seed);
+    RandomSource random(seed);
     Shapes shapes;
     const auto add = [&](const std::vector<Ring>& rings) {
         shapes.blocks.push_back(rings);
-        shapes.motion.push_back(dice.one_of(5) == 0 ? dda::Motion::fixed : dda::Motion::free);
+        shapes.motion.push_back(random.index_below(5) == 0 ? dda::Motion::fixed : dda::Motion::free);
     };
     for (int k = 0; k < 24; ++k) {
-        const double size = dice.one_of(3) == 0 ? .02 : dice.magnitude(.5, 2);
-        const Vec2 place(dice.between(-3, 3), dice.between(-3, 3));
-        add({placed(random_ring(dice, size), dice.between(0, 6), place)});
+        const double size = random.index_below(3) == 0 ? .02 : random.magnitude(.5, 2);
+        const Vec2 place(random.between(-3, 3), random.between(-3, 3));
+        add({placed(random_ring(random, size), random.between(0, 6), place)});
     }
     // Quadrilaterals around common corners, which rounding puts in one place.
-    const Vec2 centre(dice.between(3, 4), dice.between(3, 4));
+    const Vec2 centre(random.between(3, 4), random.between(3, 4));
     Ring around;
     for (int k = 0; k < 5; ++k) {
-        const double angle = 2 * std::numbers::pi * (k + dice.between(0, .5)) / 5;
-        around.push_back(centre + dice.between(.5, 1) * Vec2(std::cos(angle), std::sin(angle)));
+        const double angle = 2 * std::numbers::pi * (k + random.between(0, .5)) / 5;
+        around.push_back(centre + random.between(.5, 1) * Vec2(std::cos(angle), std::sin(angle)));
     }
     for (std::size_t k = 0; k < 5; ++k) {
         const Vec2& a = around[k];
@@ -92,7 +94,7 @@ Contacts contacts_of(const Shapes& shapes, const Change& change, double reach) {
     const auto candidates = dda::find_candidates(s.model, s.model.vertices, 2 * reach * change.metre);
     const auto found = dda::detect_contacts(
         s.model, {s.model.vertices, s.model.vertices, reach * change.metre, 1e-9 * change.metre}, candidates,
-        dda::Crew(1));
+        ThreadPool(1));
     const auto name = [&](int corner) -> Name {
         const int block = s.model.topology.block_of[static_cast<std::size_t>(corner)];
         const auto b = static_cast<std::size_t>(block);
@@ -109,7 +111,7 @@ Contacts contacts_of(const Shapes& shapes, const Change& change, double reach) {
             c.kind,
             c.group >= 0,
             geometry.length / change.metre,
-            geometry.inside() / change.metre,
+            geometry.end_margin() / change.metre,
             name(geometry.along < geometry.length / 2 ? c.edge : next),
             placed(c.normal, -change.angle, Vec2(0, 0))};
     }
@@ -163,20 +165,20 @@ void expect_same(const Contacts& one, const Contacts& other, double rounding) {
     }
 }
 
-class Detection : public testing::TestWithParam<unsigned> {
+class DetectionInput : public testing::TestWithParam<unsigned> {
   protected:
     const Shapes shapes = scattered(GetParam());
-    const double reach = Dice(GetParam() + 1000).magnitude(.003, .3);
+    const double reach = RandomSource(GetParam() + 1000).magnitude(.003, .3);
     const Contacts plain = contacts_of(shapes, {}, reach);
     /// Of coordinates up to 8 m, that are turned and scaled: a few units of their last place.
     static constexpr double rounding = 8 * 4 * 2.2e-16;
 };
 
-TEST_P(Detection, FindsSomething) {
+TEST_P(DetectionInput, FindsSomething) {
     EXPECT_GT(plain.size(), 10U);
 }
 
-TEST_P(Detection, DoesNotDependOnUnits) {
+TEST_P(DetectionInput, DoesNotDependOnUnits) {
     // A power of two changes no bit; a thousand rounds.
     for (const double metre : {1024.0, 1000.0, .001}) {
         SCOPED_TRACE(metre);
@@ -184,26 +186,26 @@ TEST_P(Detection, DoesNotDependOnUnits) {
     }
 }
 
-TEST_P(Detection, DoesNotDependOnTheOrderOfTheBlocks) {
-    Dice dice(GetParam() + 2000);
+TEST_P(DetectionInput, DoesNotDependOnTheOrderOfTheBlocks) {
+    RandomSource random(GetParam() + 2000);
     Change change;
     for (std::size_t k = 0; k < shapes.blocks.size(); ++k) change.order.push_back(k);
     for (int k = 0; k < 5; ++k) {
         for (std::size_t b = change.order.size(); b > 1; --b)
-            std::swap(change.order[b - 1], change.order[dice.one_of(static_cast<unsigned>(b))]);
+            std::swap(change.order[b - 1], change.order[random.index_below(static_cast<unsigned>(b))]);
         expect_same(plain, contacts_of(shapes, change, reach), 0x1p-50);
     }
 }
 
-TEST_P(Detection, DoesNotDependOnWhichWayTheModelIsTurned) {
-    Dice dice(GetParam() + 3000);
+TEST_P(DetectionInput, DoesNotDependOnTheOrientationOfTheModel) {
+    RandomSource random(GetParam() + 3000);
     for (int k = 0; k < 5; ++k) {
-        const Vec2 shift(dice.between(-5, 5), dice.between(-5, 5));
-        expect_same(plain, contacts_of(shapes, {dice.between(0, 6), shift, 1, {}}, reach), 2 * rounding);
+        const Vec2 shift(random.between(-5, 5), random.between(-5, 5));
+        expect_same(plain, contacts_of(shapes, {random.between(0, 6), shift, 1, {}}, reach), 2 * rounding);
     }
 }
 
-TEST_P(Detection, DoesNotDependOnWhereTheModelIs) {
+TEST_P(DetectionInput, DoesNotDependOnThePositionOfTheModel) {
     // Coordinates of 1e6 m are rounded to the half of 2^-33 m, in x and in y.
     const double far_rounding = 0x1p-33 / std::sqrt(2.0);
     for (const Vec2& shift : {Vec2(1e6, 0), Vec2(-1e6, 1e6), Vec2(1e6 / 3, -1e6 / 7)}) {
@@ -212,6 +214,6 @@ TEST_P(Detection, DoesNotDependOnWhereTheModelIs) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, Detection, testing::Range(1U, 21U), testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(Seeds, DetectionInput, testing::Range(1U, 21U), testing::PrintToStringParamName());
 
 }  // namespace

@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "support/flight.hpp"
+#include "support/flight_monitor.hpp"
 #include "support/random_shapes.hpp"
+
+using namespace rockslope;
 
 namespace {
 
@@ -19,62 +21,62 @@ Ring regular(unsigned corners, double radius, double turned) {
     return ring;
 }
 
-Vec6 thrown(Dice& dice, double speed, double size) {
+Vec6 thrown(RandomSource& random, double speed, double size) {
     Vec6 v = Vec6::Zero();
-    v.head<2>() = speed * dice.direction();
-    if (dice.one_of(2) == 0) v[2] = speed / size * dice.between(-2, 2);
+    v.head<2>() = speed * random.direction();
+    if (random.index_below(2) == 0) v[2] = speed / size * random.between(-2, 2);
     return v;
 }
 
-dda::Stage flight(Dice& dice, double duration) {
+dda::Stage flight(RandomSource& random, double duration) {
     dda::Stage stage;
     stage.duration = duration;
-    stage.control.step = duration / dice.magnitude(100, 400);
-    if (dice.one_of(2) == 0) stage.control.displacement_ratio = 100;
+    stage.control.step = duration / random.magnitude(100, 400);
+    if (random.index_below(2) == 0) stage.control.displacement_ratio = 100;
     return stage;
 }
 
-Throw empty_space(Dice& dice) {
-    Throw result;
+FlightSetup empty_space(RandomSource& random) {
+    FlightSetup result;
     Scene& s = result.scene;
     s.model.gravity.setZero();
-    s.friction(dice.one_of(2) == 0 ? 0 : dice.between(10, 60));
-    s.model.normal_penalty = s.model.shear_penalty = 1e10 * dice.magnitude(1, 100);
+    s.friction(random.index_below(2) == 0 ? 0 : random.between(10, 60));
+    s.model.normal_penalty = s.model.shear_penalty = 1e10 * random.magnitude(1, 100);
     return result;
 }
 
 /// A frame with a hole of three to eight corners, and a block in the hole on its way to the frame.
-Throw in_a_hole(unsigned seed) {
-    Dice dice(seed);
-    Throw result = empty_space(dice);
-    const double size = dice.magnitude(.3, 3);
-    const unsigned corners = 3 + dice.one_of(6);
-    Ring hole = regular(corners, size, dice.between(0, 6));
+FlightSetup in_a_hole(unsigned seed) {
+    RandomSource random(seed);
+    FlightSetup result = empty_space(random);
+    const double size = random.magnitude(.3, 3);
+    const unsigned corners = 3 + random.index_below(6);
+    Ring hole = regular(corners, size, random.between(0, 6));
     std::reverse(hole.begin(), hole.end());
-    const double outside = size * dice.between(1.2, 3);
+    const double outside = size * random.between(1.2, 3);
     result.scene.block(
         {{{-outside, -outside}, {outside, -outside}, {outside, outside}, {-outside, outside}}, hole});
     result.velocity.push_back(Vec6::Zero());
     const double room = size * std::cos(std::numbers::pi / corners);
-    const double own = room * dice.between(.1, .9) * std::sqrt(2);
-    result.scene.block({placed(random_ring(dice, own), dice.between(0, 6), Vec2(0, 0))});
-    const double speed = dice.magnitude(.1, 20);
-    result.velocity.push_back(thrown(dice, speed, own));
-    result.stage = flight(dice, 4 * size / speed);
+    const double own = room * random.between(.1, .9) * std::sqrt(2);
+    result.scene.block({placed(random_ring(random, own), random.between(0, 6), Vec2(0, 0))});
+    const double speed = random.magnitude(.1, 20);
+    result.velocity.push_back(thrown(random, speed, own));
+    result.stage = flight(random, 4 * size / speed);
     return result;
 }
 
 /// One or two pebbles on their way to a block a hundred times their size.
-Throw pebbles(unsigned seed) {
-    Dice dice(seed);
-    Throw result = empty_space(dice);
-    const double size = dice.magnitude(.3, 3);
-    const Ring target = placed(random_ring(dice, size), dice.between(0, 6), Vec2(0, 0));
+FlightSetup pebbles(unsigned seed) {
+    RandomSource random(seed);
+    FlightSetup result = empty_space(random);
+    const double size = random.magnitude(.3, 3);
+    const Ring target = placed(random_ring(random, size), random.between(0, 6), Vec2(0, 0));
     result.scene.block({target});
     result.velocity.push_back(Vec6::Zero());
     const double own = size / 100;
-    const double speed = dice.magnitude(.1, 10);
-    const unsigned count = 1 + dice.one_of(2);
+    const double speed = random.magnitude(.1, 10);
+    const unsigned count = 1 + random.index_below(2);
     // At a corner of the target, and at the one farthest from it.
     const Vec2 farthest = *std::max_element(target.begin(), target.end(), [&](const Vec2& a, const Vec2& b) {
         return (a - target[0]).norm() < (b - target[0]).norm();
@@ -83,17 +85,17 @@ Throw pebbles(unsigned seed) {
         // From outside of the circle about the target, past the corner by up to a pebble.
         const Vec2 corner = k == 0 ? target[0] : farthest;
         const Vec2 outwards = corner.normalized();
-        const Vec2 from = placed(outwards, dice.between(-.5, .5), Vec2(0, 0));
-        const Vec2 start = corner + own * dice.between(1, 3) * from +
-                           own * dice.between(-1, 1) * dda::perpendicular(from) +
+        const Vec2 from = placed(outwards, random.between(-.5, .5), Vec2(0, 0));
+        const Vec2 start = corner + own * random.between(1, 3) * from +
+                           own * random.between(-1, 1) * dda::perpendicular(from) +
                            (size / std::sqrt(2) - corner.norm()) * outwards;
-        result.scene.block({placed(random_ring(dice, own), dice.between(0, 6), start)});
+        result.scene.block({placed(random_ring(random, own), random.between(0, 6), start)});
         Vec6 v = Vec6::Zero();
         v.head<2>() = -speed * from;
-        if (dice.one_of(2) == 0) v[2] = speed / own * dice.between(-1, 1);
+        if (random.index_below(2) == 0) v[2] = speed / own * random.between(-1, 1);
         result.velocity.push_back(v);
     }
-    result.stage = flight(dice, (10 * own + size / 2) / speed);
+    result.stage = flight(random, (10 * own + size / 2) / speed);
     return result;
 }
 
@@ -103,10 +105,10 @@ TEST_P(InAHole, ABlockStaysThere) {
     int hits = 0;
     for (unsigned seed = 50 * GetParam() + 1; seed <= 50 * (GetParam() + 1); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
-        Flight thrown(in_a_hole(seed));
-        thrown.fly();
+        FlightMonitor thrown(in_a_hole(seed));
+        thrown.run();
         if (HasFatalFailure()) return;
-        hits += thrown.hits() > 0;
+        hits += thrown.closed_contacts() > 0;
     }
     EXPECT_EQ(hits, 50) << "each of them meets the frame";
 }
@@ -118,10 +120,10 @@ TEST_P(Pebbles, DoNotGetIntoABlockAHundredTimesTheirSize) {
     int hits = 0;
     for (unsigned seed = 50 * GetParam() + 1; seed <= 50 * (GetParam() + 1); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
-        Flight thrown(pebbles(seed));
-        thrown.fly();
+        FlightMonitor thrown(pebbles(seed));
+        thrown.run();
         if (HasFatalFailure()) return;
-        hits += thrown.hits() > 0;
+        hits += thrown.closed_contacts() > 0;
     }
     EXPECT_GT(hits, 25) << "most of them meet it";
 }

@@ -5,6 +5,8 @@
 
 #include "support/random_shapes.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using namespace scene;
@@ -32,18 +34,18 @@ struct Pile {
 };
 
 Pile random_pile(unsigned seed) {
-    Dice dice(seed);
+    RandomSource random(seed);
     Pile pile;
     pile.blocks.push_back({{-3, -1}, {3, -1}, {3, 1.2}, {.1, 0}, {-3, 1.5}});
     pile.velocity.push_back(Vec6::Zero());
     for (int row = 0; row < 3; ++row) {
         for (int column = 0; column < 4; ++column) {
-            const Vec2 place(.8 * column - 1.2 + dice.between(-.03, .03),
+            const Vec2 place(.8 * column - 1.2 + random.between(-.03, .03),
                              .5 * std::abs(.8 * column - 1.2) + .45 + .75 * row);
-            pile.blocks.push_back(placed(random_ring(dice, .5), dice.between(0, 6), place));
+            pile.blocks.push_back(placed(random_ring(random, .5), random.between(0, 6), place));
             Vec6 v = Vec6::Zero();
-            v.head<2>() = Vec2(dice.between(-.3, .3), -1);
-            v[2] = dice.between(-2, 2);
+            v.head<2>() = Vec2(random.between(-.3, .3), -1);
+            v[2] = random.between(-2, 2);
             pile.velocity.push_back(v);
         }
     }
@@ -112,7 +114,7 @@ End run(const Pile& pile, const Telling& telling = {}) {
     for (const Vec2& v : sim.model.vertices) largest = std::max(largest, v.lpNorm<Eigen::Infinity>());
     ErrorSum error(largest, stage.control.force_tolerance);
     End end;
-    sim.each_step = [&](const dda::State& state, const dda::StepReport& report) {
+    sim.on_step = [&](const dda::State& state, const dda::StepReport& report) {
         error.add(state.time, report);
         for (const dda::Contact& c : state.contacts.contacts) end.hits += c.state != dda::ContactState::open;
     };
@@ -146,14 +148,14 @@ class PileRun : public testing::TestWithParam<unsigned> {
     /// the most of a few piles with all blocks shifted and kicked at random. Some 1e5: a block that comes off
     /// an impact with 2 d / dt - v has d off by the error and its speed by 1000 / s of it, and hits the next.
     double growth() const {
-        Dice dice(GetParam() + 1000);
+        RandomSource random(GetParam() + 1000);
         double most = 1;
         for (int k = 0; k < 3; ++k) {
             Pile nudged = pile;
             for (std::size_t b = 1; b < pile.blocks.size(); ++b) {
-                const Vec2 nudge = nudge_size * dice.direction();
+                const Vec2 nudge = nudge_size * random.direction();
                 for (Vec2& v : nudged.blocks[b]) v += nudge;
-                nudged.velocity[b].head<2>() += nudge_size / duration * dice.direction();
+                nudged.velocity[b].head<2>() += nudge_size / duration * random.direction();
             }
             most = std::max(most, difference(plain, run(nudged)) / (2 * nudge_size));
         }
@@ -182,17 +184,17 @@ TEST_P(PileRun, ComesDownAndHits) {
 
 // The order decides in what order sums are taken, and between ties.
 TEST_P(PileRun, DoesNotDependOnTheOrderOfTheBlocks) {
-    Dice dice(GetParam() + 2000);
+    RandomSource random(GetParam() + 2000);
     Telling permuted;
     for (int k = 0; k < static_cast<int>(pile.blocks.size()); ++k) permuted.order.push_back(k);
     for (std::size_t b = permuted.order.size(); b > 1; --b)
-        std::swap(permuted.order[b - 1], permuted.order[dice.one_of(static_cast<unsigned>(b))]);
+        std::swap(permuted.order[b - 1], permuted.order[random.index_below(static_cast<unsigned>(b))]);
     expect_same(permuted);
 }
 
-TEST_P(PileRun, DoesNotDependOnWhichWayTheModelIsTurned) {
-    Dice dice(GetParam() + 3000);
-    expect_same({dice.between(0, 6), {dice.between(-3, 3), dice.between(-3, 3)}, 1, 1, {}});
+TEST_P(PileRun, DoesNotDependOnTheOrientationOfTheModel) {
+    RandomSource random(GetParam() + 3000);
+    expect_same({random.between(0, 6), {random.between(-3, 3), random.between(-3, 3)}, 1, 1, {}});
 }
 
 TEST_P(PileRun, DoesNotDependOnUnits) {
@@ -202,7 +204,7 @@ TEST_P(PileRun, DoesNotDependOnUnits) {
 
 // Coordinates of 1e6 m as a file has them, rounded to half of 2^-33 m in x and in y, and less the whole
 // metres of the model's origin again, as readers do.
-TEST_P(PileRun, DoesNotDependOnWhereTheModelIs) {
+TEST_P(PileRun, DoesNotDependOnThePositionOfTheModel) {
     Pile far = pile;
     const Vec2 place(1e6, -1e6);
     for (Ring& ring : far.blocks) {

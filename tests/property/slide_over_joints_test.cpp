@@ -7,6 +7,8 @@
 
 #include "support/random_shapes.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using namespace scene;
@@ -31,19 +33,19 @@ struct Slide {
 };
 
 Slide random_slide(unsigned seed) {
-    Dice dice(seed);
+    RandomSource random(seed);
     Slide s;
-    s.slope = dice.between(0, radians(15));
-    s.friction = dice.between(radians(16), radians(40));
-    s.speed = dice.between(1, 2);
-    s.width = dice.between(.3, 1.5);
-    s.height = dice.between(.1, .3) * s.width;
-    for (unsigned k = dice.one_of(4); k > 0; --k) s.own.push_back(dice.between(.01, .99) * s.width);
+    s.slope = random.between(0, radians(15));
+    s.friction = random.between(radians(16), radians(40));
+    s.speed = random.between(1, 2);
+    s.width = random.between(.3, 1.5);
+    s.height = random.between(.1, .3) * s.width;
+    for (unsigned k = random.index_below(4); k > 0; --k) s.own.push_back(random.between(.01, .99) * s.width);
     std::sort(s.own.begin(), s.own.end());
     // Some so near to each other that several are passed in one step.
-    for (double x = -.5; x < floor_end; x += dice.magnitude(.002, 2)) s.cuts.push_back(x);
-    for (std::size_t k = 0; k <= s.cuts.size(); ++k) s.thickness.push_back(dice.between(.5, 1));
-    s.neighbours = dice.one_of(2) == 0;
+    for (double x = -.5; x < floor_end; x += random.magnitude(.002, 2)) s.cuts.push_back(x);
+    for (std::size_t k = 0; k <= s.cuts.size(); ++k) s.thickness.push_back(random.between(.5, 1));
+    s.neighbours = random.index_below(2) == 0;
     return s;
 }
 
@@ -95,7 +97,7 @@ class Motion {
         start_ = centroid();
         sim_.velocity(0).head<2>() += slide.speed * slide.along();
         sim_.restart_ledger();
-        sim_.each_step = [this](const dda::State& state, const dda::StepReport&) { look(state); };
+        sim_.on_step = [this](const dda::State& state, const dda::StepReport&) { look(state); };
         dda::Stage stage;
         stage.duration = duration;
         stage.control.step = step;

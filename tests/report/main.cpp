@@ -14,6 +14,8 @@
 #include "report/page.hpp"
 #include "report/pictures.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 namespace fs = std::filesystem;

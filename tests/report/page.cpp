@@ -10,7 +10,7 @@
 
 #include "support/catalogue.hpp"
 
-namespace verification {
+namespace rockslope::verification {
 
 namespace {
 
@@ -150,7 +150,7 @@ void write_energy(std::ostream& out, const std::vector<Row>& rows) {
            "began. The residual is what the ledger does not explain\nat the worst instant, and must be below "
            "1e-3; "
            "friction must not give energy back in any step, beyond rounding.\nThe loss by the time "
-           "integration is Eq. (40) of the theory, no error of the balance.\n\n"
+           "integration is Eq. (42) of the theory, no error of the balance.\n\n"
            "| id | set-up | residual | least work of friction in a step | lost by the time integration | "
            "verdict |\n|---|---|---|---|---|---|\n";
     for (const Row& row : rows) {
@@ -272,4 +272,4 @@ std::vector<std::string> differences(const std::vector<Row>& committed, const st
     return found;
 }
 
-}  // namespace verification
+}  // namespace rockslope::verification

@@ -5,7 +5,7 @@
 
 #include "support/report_row.hpp"
 
-namespace verification {
+namespace rockslope::verification {
 
 /// What the page says of a picture that lies beside it.
 struct PictureLink {
@@ -29,4 +29,4 @@ std::vector<std::string> missing_balances(const std::vector<Row>& rows);
 /// are not compared.
 std::vector<std::string> differences(const std::vector<Row>& committed, const std::vector<Row>& fresh);
 
-}  // namespace verification
+}  // namespace rockslope::verification

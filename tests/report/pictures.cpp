@@ -9,7 +9,7 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace verification {
+namespace rockslope::verification {
 
 namespace {
 
@@ -184,4 +184,4 @@ std::string draw(const Picture& picture) {
     return out.str();
 }
 
-}  // namespace verification
+}  // namespace rockslope::verification

@@ -5,7 +5,7 @@
 
 #include "support/record.hpp"
 
-namespace verification {
+namespace rockslope::verification {
 
 /// A picture as the tests recorded it.
 struct Picture {
@@ -24,4 +24,4 @@ std::vector<Picture> read_pictures(const std::string& folder);
 /// The picture as a scalable drawing: the first curve thick and pale, the reference; the others thin over it.
 std::string draw(const Picture& picture);
 
-}  // namespace verification
+}  // namespace rockslope::verification

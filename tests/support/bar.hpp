@@ -2,7 +2,7 @@
 
 #include "support/scene.hpp"
 
-namespace scene {
+namespace rockslope::scene {
 
 /// A straight bar along x of equal blocks glued by elastic joints, so stiff that they take a thousandth of
 /// the rock's give; without gravity and without damping of the strain modes. It begins at x = 0 and is
@@ -77,7 +77,7 @@ struct Seismogram {
     std::vector<std::vector<double>> values;  ///< per station
 
     Seismogram(Simulation& sim, const std::vector<int>& stations, int axis) : values(stations.size()) {
-        sim.each_step = [this, stations, axis](const dda::State& state, const dda::StepReport&) {
+        sim.on_step = [this, stations, axis](const dda::State& state, const dda::StepReport&) {
             times.push_back(state.stage_time);
             for (std::size_t k = 0; k < stations.size(); ++k)
                 values[k].push_back(state.blocks.velocity[static_cast<std::size_t>(stations[k])][axis]);
@@ -104,4 +104,4 @@ struct Seismogram {
     }
 };
 
-}  // namespace scene
+}  // namespace rockslope::scene

@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <string>
 
+namespace rockslope {
+
 /// Names for the cases of a parametrised test, so that a list of tests can be read: GoogleTest takes letters,
 /// digits and underscores. "w_dt 0.05" becomes "w_dt_0_05".
 inline std::string case_name(const std::string& text) {
@@ -22,3 +24,5 @@ inline std::string case_number(double value) {
     std::snprintf(text, sizeof text, "%g", value);
     return text;
 }
+
+}  // namespace rockslope

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace verification {
+namespace rockslope::verification {
 
 const std::array<CatalogueCase, 54> catalogue = {{
     {"V01", "Free fall", "y = -g t²/2, v = -g t"},
@@ -71,4 +71,4 @@ const CatalogueCase& catalogue_case(std::string_view id) {
     return *found;
 }
 
-}  // namespace verification
+}  // namespace rockslope::verification

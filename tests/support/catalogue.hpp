@@ -3,7 +3,7 @@
 #include <array>
 #include <string_view>
 
-namespace verification {
+namespace rockslope::verification {
 
 /// One case of the catalogue as the report prints it.
 struct CatalogueCase {
@@ -20,4 +20,4 @@ extern const std::array<CatalogueCase, 54> catalogue;
 /// @return the case of that id. Throws std::out_of_range, naming the id, when there is none.
 const CatalogueCase& catalogue_case(std::string_view id);
 
-}  // namespace verification
+}  // namespace rockslope::verification

@@ -2,7 +2,7 @@
 
 #include "support/random_shapes.hpp"
 
-namespace scene {
+namespace rockslope::scene {
 
 /// Layers of blocks, about 1 m by 1 m and cut at random, on a face of 35 degrees that ends on a level plane:
 /// nothing holds them at the foot, and they run out. Block 0 is the ground. Friction 8 degrees.
@@ -16,14 +16,14 @@ inline Scene collapsing_slope(int columns, int layers, unsigned seed) {
     const Vec2 top = foot + (columns + 5) * up_dip;
     const double plane = 10.0 * columns;
     s.block({{{top.x(), -5}, {plane, -5}, {plane, 0}, foot, top}}, dda::Motion::fixed);
-    Dice dice(seed);
+    RandomSource random(seed);
     for (int layer = 0; layer < layers; ++layer) {
         // Joints across the layer lean by up to 10 degrees; the lowest layer begins a little above the foot.
         double low = 2;
-        double low_above = 2 + .2 * dice.between(-1, 1);
+        double low_above = 2 + .2 * random.between(-1, 1);
         for (int column = 0; column < columns; ++column) {
-            const double high = low + dice.between(.7, 1.3);
-            const double high_above = high + .18 * dice.between(-1, 1);
+            const double high = low + random.between(.7, 1.3);
+            const double high_above = high + .18 * random.between(-1, 1);
             const auto at = [&](double along, double across) -> Vec2 {
                 return foot + along * up_dip + across * outwards;
             };
@@ -35,4 +35,4 @@ inline Scene collapsing_slope(int columns, int layers, unsigned seed) {
     return s;
 }
 
-}  // namespace scene
+}  // namespace rockslope::scene

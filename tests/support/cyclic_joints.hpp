@@ -7,7 +7,7 @@
 #include "dda/joint/cyclic_barton_bandis.hpp"
 #include "dda/joint/shear_test.hpp"
 
-namespace joint_tests {
+namespace rockslope::joint_tests {
 
 /// Rows of a test of 0.1 m of joint under constant stress (Pa), one at least for the start and for each
 /// turning point (mm).
@@ -75,21 +75,21 @@ inline dda::CyclicBartonBandis sliding_plane() {
     const dda::RoughnessTable wear = {{{0, 1}, {1, 1}, {2, 0.9}, {4, 0.7}, {8, 0.5}, {20, 0.2}}};
     law.cycles = {{wear, wear, wear, wear}};
     law.reversal_factor = 0.9;
-    law.both_ways = true;
+    law.unsigned_ratios = true;
     return law;
 }
 
 /// What a quarter of a cycle of 15 mm ends with, to the digits of an independent integration.
-struct Quarter {
+struct QuarterCycle {
     double stress;    ///< MPa
     double dilation;  ///< mm
 };
 /// Two cycles, granite under 1 MPa and marble under 0.5 MPa.
-inline const std::vector<Quarter> granite_quarters = {{.8036, 2.207},  {-.4336, -.018}, {-.8306, 2.036},
-                                                      {.4337, -.309},  {.9314, 1.805},  {-.4453, -.426},
-                                                      {-.9314, 1.449}, {.4929, -.757}};
-inline const std::vector<Quarter> marble_quarters = {{.4691, 2.840},  {-.3949, -.186}, {-.5297, 2.492},
-                                                     {.3569, -.339},  {.4691, 1.973},  {-.3949, -.293},
-                                                     {-.5562, 2.346}, {.3569, -.647}};
+inline const std::vector<QuarterCycle> granite_quarters = {{.8036, 2.207},  {-.4336, -.018}, {-.8306, 2.036},
+                                                           {.4337, -.309},  {.9314, 1.805},  {-.4453, -.426},
+                                                           {-.9314, 1.449}, {.4929, -.757}};
+inline const std::vector<QuarterCycle> marble_quarters = {{.4691, 2.840},  {-.3949, -.186}, {-.5297, 2.492},
+                                                          {.3569, -.339},  {.4691, 1.973},  {-.3949, -.293},
+                                                          {-.5562, 2.346}, {.3569, -.647}};
 
-}  // namespace joint_tests
+}  // namespace rockslope::joint_tests

@@ -5,12 +5,12 @@
 #include "support/record.hpp"
 #include "support/scene.hpp"
 
-namespace verification {
+namespace rockslope::verification {
 
 /// What every dynamic case owes: its energy balance closes, friction never does work on the blocks, and what
 /// the time integration takes is told. Asserts and records it.
 inline void expect_energy_balance(const std::string& id, const std::string& set_up,
-                                  const scene::EnergyWatch& energy, double frequency_step) {
+                                  const scene::EnergyMonitor& energy, double frequency_step) {
     Case balance(id, set_up, "energy: required of every dynamic case");
     balance.contact_frequency_step(frequency_step);
     balance.expect_below(energy_residual, "", energy.residual(), 1e-3);
@@ -25,4 +25,4 @@ inline void expect_energy_balance(const std::string& id, const std::string& set_
     expect_energy_balance(id, set_up, *sim.energy, sim.contact_frequency_step());
 }
 
-}  // namespace verification
+}  // namespace rockslope::verification

@@ -5,23 +5,23 @@
 #include "support/step_system.hpp"
 #include "support/walls.hpp"
 
-namespace scene {
+namespace rockslope::scene {
 
 /// The first step of a wall, as the open-close iteration sees it.
 struct FirstStep {
-    dda::Crew crew{1};
+    ThreadPool pool{1};
     dda::Model model = running_bond_wall(8, 8, 10).model;
     dda::RowMap rows{model.motion};
     dda::State state = dda::initial_state(model);
     std::vector<Vec6> still = std::vector<Vec6>(state.blocks.velocity.size(), Vec6::Zero());
-    dda::MidStep mid = dda::predict_mid_step(model, state.blocks, still, crew);
+    dda::MidStep mid = dda::predict_mid_step(model, state.blocks, still, pool);
     dda::FoundContacts found = dda::find_contacts(
-        model, state.contacts, {state.blocks.vertices, mid.vertices, {}, 1e-3, 1, 1e-9, 0.005, true}, crew);
+        model, state.contacts, {state.blocks.vertices, mid.vertices, {}, 1e-3, 1, 1e-9, 0.005, true}, pool);
     const dda::ContactSet& set = found.set;
     std::vector<dda::ContactSprings> springs =
-        dda::contact_springs(model, rows, mid, still, set.contacts, crew);
-    std::vector<const dda::JudgedContact*> guess =
-        std::vector<const dda::JudgedContact*>(set.contacts.size(), nullptr);
+        dda::contact_springs(model, rows, mid, still, set.contacts, pool);
+    std::vector<const dda::EvaluatedContact*> guess =
+        std::vector<const dda::EvaluatedContact*>(set.contacts.size(), nullptr);
     dda::BaseSystem base;
     dda::StepControl control;
     dda::BlockPattern pattern;
@@ -39,18 +39,18 @@ struct FirstStep {
         base.load.assign(static_cast<std::size_t>(rows.count()), Vec6::Zero());
     }
     dda::StepProblem problem() const {
-        return {model,       control, rows,    base,         state.blocks, still, set.contacts,
-                found.faces, guess,   springs, row_contacts, {},           {},    1};
+        return {model,          control, rows,    base,         state.blocks, still, set.contacts,
+                found.segments, guess,   springs, row_contacts, {},           {},    1};
     }
 };
 
 /// Blocks that go this way by some 0.1 mm, some of them; contacts open and slip.
-inline std::vector<Vec6> moved(Dice& dice, int rows, unsigned one_in) {
+inline std::vector<Vec6> moved(RandomSource& random, int rows, unsigned one_in) {
     std::vector<Vec6> d(static_cast<std::size_t>(rows), Vec6::Zero());
     for (Vec6& of_row : d) {
-        if (dice.one_of(one_in) == 0) of_row.head<2>() = 1e-4 * dice.direction();
+        if (random.index_below(one_in) == 0) of_row.head<2>() = 1e-4 * random.direction();
     }
     return d;
 }
 
-}  // namespace scene
+}  // namespace rockslope::scene

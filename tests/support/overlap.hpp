@@ -8,7 +8,7 @@
 
 #include "dda/model/model.hpp"
 
-namespace scene {
+namespace rockslope::scene {
 
 /// How much of two blocks is in the same place: a measure that knows nothing of contacts.
 struct Overlap {
@@ -127,4 +127,4 @@ inline double perimeter(const dda::Topology& topology, std::span<const dda::Vec2
     return sum;
 }
 
-}  // namespace scene
+}  // namespace rockslope::scene

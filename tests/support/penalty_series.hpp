@@ -10,7 +10,7 @@
 #include "support/record.hpp"
 #include "support/scene.hpp"
 
-namespace verification {
+namespace rockslope::verification {
 
 /// How contacts keep blocks apart: springs of a multiple of Young's modulus, alone or augmented.
 struct ContactSetting {
@@ -66,7 +66,7 @@ struct PenaltySeries {
 };
 
 /// How a displacement depends on the contacts' giving way.
-struct Give {
+struct ComplianceBounds {
     double tolerance;  ///< m, of penetration, when augmented
     double augmented;  ///< m, what penetrations of the tolerance make of it at most
     double plain;      ///< m, what springs of 1 E make of it at most; those of n E a share of 1/n
@@ -75,7 +75,7 @@ struct Give {
 /// Asserts and records that springs alone err by the first order in 1/penalty and by no more than they give
 /// way, and that augmented contacts reach the limit whatever their penalty.
 inline void expect_first_order(const std::string& id, const std::string& set_up, const std::string& quantity,
-                               const Give& give, const Answer& of) {
+                               const ComplianceBounds& give, const Answer& of) {
     const PenaltySeries series(of);
     series.draw(id, quantity);
     Case(id, set_up + ", penalties of 10 to 10 000 E",
@@ -91,4 +91,4 @@ inline void expect_first_order(const std::string& id, const std::string& set_up,
     }
 }
 
-}  // namespace verification
+}  // namespace rockslope::verification

@@ -4,17 +4,17 @@
 
 #include "support/scene.hpp"
 
-namespace scene {
+namespace rockslope::scene {
 
 /// Draws that are the same with every compiler and library.
-class Dice {
+class RandomSource {
   public:
-    explicit Dice(unsigned seed) : engine_(seed) { engine_.discard(16); }
+    explicit RandomSource(unsigned seed) : engine_(seed) { engine_.discard(16); }
     double between(double low, double high) { return low + (high - low) * share(); }
     /// Evenly over the orders of magnitude.
     double magnitude(double low, double high) { return low * std::pow(high / low, share()); }
     /// One of 0, 1, ..., count - 1.
-    unsigned one_of(unsigned count) { return static_cast<unsigned>(share() * count); }
+    unsigned index_below(unsigned count) { return static_cast<unsigned>(share() * count); }
     Vec2 direction() {
         const double angle = between(0, 2 * std::numbers::pi);
         return {std::cos(angle), std::sin(angle)};
@@ -35,23 +35,24 @@ inline Vec2 placed(const Vec2& x, double angle, const Vec2& shift) {
 
 /// A polygon about the origin, counter-clockwise, of about the given size, m: convex, star-shaped with reflex
 /// corners, angular, thin, a sliver, or with straight corners.
-inline Ring random_ring(Dice& dice, double size) {
+inline Ring random_ring(RandomSource& random, double size) {
     const double r = size / 2;
     Ring ring;
-    switch (dice.one_of(6)) {
+    switch (random.index_below(6)) {
         case 0:  // corners on a circle: convex
         case 1:  // or at random distances: any corner may be reflex
         {
-            const unsigned count = 3 + dice.one_of(6);
-            const bool star = dice.one_of(2) == 0;
+            const unsigned count = 3 + random.index_below(6);
+            const bool star = random.index_below(2) == 0;
             for (unsigned k = 0; k < count; ++k) {
-                const double angle = 2 * std::numbers::pi * (k + dice.between(0, .8)) / count;
-                ring.push_back((star ? dice.between(.4 * r, r) : r) * Vec2(std::cos(angle), std::sin(angle)));
+                const double angle = 2 * std::numbers::pi * (k + random.between(0, .8)) / count;
+                ring.push_back((star ? random.between(.4 * r, r) : r) *
+                               Vec2(std::cos(angle), std::sin(angle)));
             }
             return ring;
         }
         case 2: {  // an L
-            const double leg = dice.between(.2, .8) * r;
+            const double leg = random.between(.2, .8) * r;
             return {{-r, -r}, {r, -r}, {r, leg - r}, {leg - r, leg - r}, {leg - r, r}, {-r, r}};
         }
         case 3: {  // a plate, a hundred times as long as thick
@@ -59,12 +60,12 @@ inline Ring random_ring(Dice& dice, double size) {
             return {{-r, -half}, {r, -half}, {r, half}, {-r, half}};
         }
         case 4: {  // a sliver of a triangle
-            const double tip = dice.between(-r, r);
-            return {{-r, 0}, {r, 0}, {tip, r * dice.magnitude(.02, .2)}};
+            const double tip = random.between(-r, r);
+            return {{-r, 0}, {r, 0}, {tip, r * random.magnitude(.02, .2)}};
         }
         default: {  // a rectangle with straight corners
-            const double h = dice.between(.2, 1) * r;
-            const double x = dice.between(-.9, .9) * r;
+            const double h = random.between(.2, 1) * r;
+            const double x = random.between(-.9, .9) * r;
             return {{-r, -h}, {x, -h}, {r, -h}, {r, 0}, {r, h}, {-x, h}, {-r, h}, {-r, -.1 * h}};
         }
     }
@@ -77,4 +78,4 @@ inline Ring placed(const Ring& ring, double angle, const Vec2& shift) {
     return result;
 }
 
-}  // namespace scene
+}  // namespace rockslope::scene

@@ -11,7 +11,7 @@
 
 #include "support/catalogue.hpp"
 
-namespace verification {
+namespace rockslope::verification {
 
 namespace {
 
@@ -178,4 +178,4 @@ void record_picture(const std::string& id, const std::string& slug, const std::s
     if (!out.flush()) throw std::runtime_error("cannot write a picture's curves into " + folder.string());
 }
 
-}  // namespace verification
+}  // namespace rockslope::verification

@@ -6,7 +6,7 @@
 
 #include "support/report_row.hpp"
 
-namespace verification {
+namespace rockslope::verification {
 
 /// How far a result may be from what is expected. The tolerance recorded is the one asserted.
 struct Tolerance {
@@ -80,4 +80,4 @@ struct Curve {
 void record_picture(const std::string& id, const std::string& slug, const std::string& title,
                     const std::string& x_label, const std::string& y_label, const std::vector<Curve>& curves);
 
-}  // namespace verification
+}  // namespace rockslope::verification

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string_view>
 
-namespace verification {
+namespace rockslope::verification {
 
 namespace {
 
@@ -104,4 +104,4 @@ std::vector<Row> read_rows(const std::string& path) {
     return rows;
 }
 
-}  // namespace verification
+}  // namespace rockslope::verification

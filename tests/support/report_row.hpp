@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace verification {
+namespace rockslope::verification {
 
 enum class ToleranceKind { relative, absolute, below, above, outcome, none };
 enum class Verdict { passes, fails, misses, informs };
@@ -43,4 +43,4 @@ void write_row(std::ostream& out, const Row& row);
 /// header, a wrong number of fields or an unknown word.
 std::vector<Row> read_rows(const std::string& path);
 
-}  // namespace verification
+}  // namespace rockslope::verification

@@ -2,7 +2,7 @@
 
 #include "support/bar.hpp"
 
-namespace scene {
+namespace rockslope::scene {
 
 /// A rectangle of square blocks of 1 m glued by joints that take a thousandth of the rock's give; without
 /// gravity and without damping. Waves come in through a viscous boundary below; free-field columns or plain
@@ -33,7 +33,7 @@ struct RockMesh {
         if (sides == Sides::free) return;
         for (dda::ViscousBoundary& side : {std::ref(left), std::ref(right)}) {
             if (sides == Sides::free_field)
-                side.free_field = dda::free_field_beside(s.model, side.faces, "below", 0);
+                side.free_field = dda::make_free_field(s.model, side.faces, "below", 0);
             s.model.viscous_boundaries.push_back(side);
         }
     }
@@ -48,4 +48,4 @@ struct RockMesh {
     }
 };
 
-}  // namespace scene
+}  // namespace rockslope::scene

@@ -8,7 +8,7 @@
 
 #include "support/scene.hpp"
 
-namespace scene {
+namespace rockslope::scene {
 
 /// A slender block on a rigid base in Housner's idealisation: it turns about one corner or the other, never
 /// slides, and at each impact keeps the share e = 1 - 3/2 sin^2(alpha) of its speed of rotation. theta > 0
@@ -94,7 +94,7 @@ struct RockingBlock {
     std::vector<double> impacts;       ///< s, when the raised corner comes down
     std::vector<double> impact_speed;  ///< rad/s, in the step before
     double frequency_step = 0;
-    std::optional<EnergyWatch> energy;
+    std::optional<EnergyMonitor> energy;
 
     /// Lets the block go, tilted by `angle0` about its left corner, settled on that corner by a force that is
     /// then taken away; or, untilted, shakes it.
@@ -118,7 +118,7 @@ struct RockingBlock {
         stage.duration = duration;
         stage.control.step = step;
         if (!base.empty()) stage.base_motions.push_back({"base", base, {}});
-        sim.each_step = [&](const dda::State& state, const dda::StepReport&) { observe(state); };
+        sim.on_step = [&](const dda::State& state, const dda::StepReport&) { observe(state); };
         ASSERT_EQ(sim.run(stage).status, dda::RunStatus::completed);
         frequency_step = sim.contact_frequency_step();
         energy = sim.energy;
@@ -148,4 +148,4 @@ struct RockingBlock {
     double omega_ = 0;
 };
 
-}  // namespace scene
+}  // namespace rockslope::scene

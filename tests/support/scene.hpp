@@ -10,9 +10,9 @@
 
 #include "dda/analysis/run.hpp"
 #include "dda/analysis/step.hpp"
-#include "support/energy_watch.hpp"
+#include "support/energy_monitor.hpp"
 
-namespace scene {
+namespace rockslope::scene {
 
 using dda::Vec2;
 using dda::Vec6;
@@ -115,15 +115,15 @@ class Simulation : public dda::RunObserver {
     bool step_done(const dda::Model&, const dda::State& s, const dda::Stage&,
                    const dda::StepReport& report) override {
         reports.push_back(report);
-        if (energy) energy->look(s.energy);
-        if (each_step) each_step(s, report);
+        if (energy) energy->observe(s.energy);
+        if (on_step) on_step(s, report);
         return true;
     }
 
     /// Starts the energy ledger anew, after the test has changed the state.
     void restart_ledger() {
         state.energy = {};
-        dda::Ledger(model, dda::RowMap(model.motion)).take_stock(state, state.energy);
+        dda::Ledger(model, dda::RowMap(model.motion)).update_stored_energy(state, state.energy);
         state.energy.initial_stores = state.energy.stores();
         energy.reset();
     }
@@ -152,11 +152,11 @@ class Simulation : public dda::RunObserver {
     int threads;
     std::vector<dda::Stage> stages;  ///< run so far
     std::vector<dda::StepReport> reports;
-    std::optional<EnergyWatch> energy;  ///< of the last dynamic stages
-    std::function<void(const dda::State&, const dda::StepReport&)> each_step;
+    std::optional<EnergyMonitor> energy;  ///< of the last dynamic stages
+    std::function<void(const dda::State&, const dda::StepReport&)> on_step;
 
   private:
     std::size_t first_report_ = 0;
 };
 
-}  // namespace scene
+}  // namespace rockslope::scene

@@ -5,7 +5,7 @@
 #include "support/cyclic_joints.hpp"
 #include "support/scene.hpp"
 
-namespace scene {
+namespace rockslope::scene {
 
 /// The seismic sliding of Ma et al. (2017), Fig. 9: five blocks of 50.2 m x 71.1 m beside each other, bonded,
 /// on a plane of 2 degrees whose joint wears with every change of direction.
@@ -25,7 +25,7 @@ struct SeismicSlide {
     std::vector<double> slip;  ///< m, of the third block, down the plane relative to the base
     int reversals = 0;         ///< of slip on the plane, below the third block
     dda::RunOutcome outcome;
-    std::optional<EnergyWatch> energy;  ///< of the shaking
+    std::optional<EnergyMonitor> energy;  ///< of the shaking
     double frequency_step = 0;
 
     void run(double duration);
@@ -42,7 +42,7 @@ struct SeismicSlide {
     Scene scene(const dda::JointLaw& law) const;
     double acceleration(double t) const;
     dda::TimeTable record(double from, double to) const;
-    void press_joint(dda::State& state) const;
+    void preload_joint(dda::State& state) const;
     void count_reversal(dda::State& state) const;
 };
 
@@ -90,7 +90,7 @@ inline dda::TimeTable SeismicSlide::record(double from, double to) const {
 }
 
 /// The joint on the plane bears the blocks, and has not moved.
-inline void SeismicSlide::press_joint(dda::State& state) const {
+inline void SeismicSlide::preload_joint(dda::State& state) const {
     const auto above = [](const dda::Contact& c) { return std::max(c.corner_block, c.edge_block); };
     for (dda::Contact& contact : state.contacts.contacts) {
         if (contact.joint_material != 0) continue;
@@ -122,13 +122,13 @@ inline void SeismicSlide::run(double duration) {
     if (!prescribed_reversals.empty()) std::get<dda::CyclicBartonBandis>(plane).min_slip = 1e9;
     Simulation sim(scene(plane));
     sim.state = settled.state;
-    press_joint(sim.state);
+    preload_joint(sim.state);
     sim.restart_ledger();
     const Vec2 down(std::cos(radians(2)), -std::sin(radians(2)));
     const auto place = [&] { return (sim.moved(3) - sim.moved(0)).dot(down); };
     const double start = place();
     double begun = 0;  // s, when the stage at hand began
-    sim.each_step = [&](const dda::State& state, const dda::StepReport&) {
+    sim.on_step = [&](const dda::State& state, const dda::StepReport&) {
         time.push_back(begun + state.stage_time);
         slip.push_back(place() - start);
     };
@@ -154,4 +154,4 @@ inline void SeismicSlide::run(double duration) {
     }
 }
 
-}  // namespace scene
+}  // namespace rockslope::scene

@@ -3,7 +3,7 @@
 #include "support/cyclic_joints.hpp"
 #include "support/scene.hpp"
 
-namespace scene {
+namespace rockslope::scene {
 
 /// A joint of 0.1 m in the direct shear test of Ma et al. (2017), Fig. 4, and the load on it.
 struct ShearedRock {
@@ -47,7 +47,7 @@ class ShearBox {
         stage.duration = std::abs(displacement) / increment * stage.control.step;
         stage.dynamic_coefficient = 0;
         sim_.velocity(lower)[0] = std::copysign(increment / stage.control.step, displacement);
-        sim_.each_step = [&](const dda::State&, const dda::StepReport&) { look(reading()); };
+        sim_.on_step = [&](const dda::State&, const dda::StepReport&) { look(reading()); };
         return sim_.run(stage);
     }
     Reading reading() const {
@@ -84,4 +84,4 @@ class ShearBox {
     double height_ = 0;  ///< m, of the upper block's corner before the shearing
 };
 
-}  // namespace scene
+}  // namespace rockslope::scene

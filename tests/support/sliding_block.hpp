@@ -11,7 +11,7 @@
 #include "support/record.hpp"
 #include "support/scene.hpp"
 
-namespace scene {
+namespace rockslope::scene {
 
 /// Acceleration as a function of time, m/s2.
 using Acceleration = std::function<double(double)>;
@@ -142,7 +142,7 @@ inline void SlidingBlock::run(const std::string& id, const std::string& set_up, 
     const Vec2 downhill(std::cos(radians(psi)), -std::sin(radians(psi)));
     track = {{0}, {0}};
     double next_kept = 0;
-    sim.each_step = [&](const dda::State& state, const dda::StepReport&) {
+    sim.on_step = [&](const dda::State& state, const dda::StepReport&) {
         const double speed =
             (state.blocks.velocity[1].head<2>() - state.blocks.velocity[0].head<2>()).dot(downhill);
         fastest = std::max(fastest, std::abs(speed));
@@ -160,4 +160,4 @@ inline void SlidingBlock::run(const std::string& id, const std::string& set_up, 
     verification::expect_energy_balance(id, set_up, sim);
 }
 
-}  // namespace scene
+}  // namespace rockslope::scene

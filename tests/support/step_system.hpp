@@ -5,7 +5,7 @@
 #include "dda/terms/springs.hpp"
 #include "support/scene.hpp"
 
-namespace scene {
+namespace rockslope::scene {
 
 /// The linear system of a scene's first step.
 struct StepSystem {
@@ -15,29 +15,29 @@ struct StepSystem {
 };
 
 /// Adds stiffness * (measure)^2 / 2 to the system.
-inline void add_stiffness(const dda::PairRows& rows, const dda::Relative& relative, double stiffness,
+inline void add_stiffness(const dda::BlockPair& rows, const dda::RelativeMeasure& relative, double stiffness,
                           const dda::BlockPattern& pattern, dda::BlockMatrix& matrix) {
-    if (rows.first >= 0) matrix.add_square(rows.first, rows.of_first(relative), stiffness);
-    if (rows.second >= 0) matrix.add_square(rows.second, rows.of_second(relative), stiffness);
+    if (rows.first >= 0) matrix.add_rank_one(rows.first, rows.gradient_first(relative), stiffness);
+    if (rows.second >= 0) matrix.add_rank_one(rows.second, rows.gradient_second(relative), stiffness);
     if (rows.first >= 0 && rows.second >= 0)
-        matrix.add_outer(pattern, rows.first, rows.second, stiffness * rows.of_first(relative),
-                         rows.of_second(relative));
+        matrix.add_outer(pattern, rows.first, rows.second, stiffness * rows.gradient_first(relative),
+                         rows.gradient_second(relative));
 }
 
 /// The system of a step of `dt` with every contact that touches locked, except where `open` says so.
 inline StepSystem step_system(
     const dda::Model& model, double dt,
     const std::function<bool(std::size_t)>& open = [](std::size_t) { return false; }) {
-    const dda::Crew crew(1);
+    const ThreadPool pool(1);
     const dda::RowMap rows(model.motion);
     const dda::State state = dda::initial_state(model);
     const std::vector<Vec6> still(state.blocks.velocity.size(), Vec6::Zero());
-    const dda::MidStep mid = dda::predict_mid_step(model, state.blocks, still, dda::Crew(1));
+    const dda::MidStep mid = dda::predict_mid_step(model, state.blocks, still, ThreadPool(1));
     const dda::ContactSet contacts =
         dda::find_contacts(model, state.contacts,
-                           {state.blocks.vertices, mid.vertices, {}, 1e-3, 1, 1e-9, dt, true}, crew)
+                           {state.blocks.vertices, mid.vertices, {}, 1e-3, 1, 1e-9, dt, true}, pool)
             .set;
-    const auto springs = dda::contact_springs(model, rows, mid, still, contacts.contacts, crew);
+    const auto springs = dda::contact_springs(model, rows, mid, still, contacts.contacts, pool);
 
     StepSystem system;
     std::vector<std::pair<int, int>> pairs;
@@ -67,4 +67,4 @@ inline StepSystem step_system(
     return system;
 }
 
-}  // namespace scene
+}  // namespace rockslope::scene

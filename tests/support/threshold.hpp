@@ -2,7 +2,7 @@
 
 #include <functional>
 
-namespace scene {
+namespace rockslope::scene {
 
 /// Where an outcome changes: `holds` must be false at `fails` and true at `stands`, whichever is larger.
 /// @return the middle of the bracket after `halvings` of it.
@@ -14,4 +14,4 @@ inline double threshold(double fails, double stands, int halvings, const std::fu
     return (fails + stands) / 2;
 }
 
-}  // namespace scene
+}  // namespace rockslope::scene

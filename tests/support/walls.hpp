@@ -2,7 +2,7 @@
 
 #include "support/scene.hpp"
 
-namespace scene {
+namespace rockslope::scene {
 
 /// A running-bond wall of 1 m blocks on a fixed base: rows alternate between whole blocks and rows that start
 /// and end with halves. Young's modulus 5 GPa, density 2600, friction 35 degrees; penalty in multiples of E.
@@ -24,4 +24,4 @@ inline Scene running_bond_wall(int columns, int rows, double penalty_over_e) {
     return s;
 }
 
-}  // namespace scene
+}  // namespace rockslope::scene

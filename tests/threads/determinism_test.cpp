@@ -4,8 +4,10 @@
 
 #include <cstring>
 
-#include "dda/contact/joint_faces.hpp"
+#include "dda/contact/joint_segments.hpp"
 #include "support/walls.hpp"
+
+using namespace rockslope;
 
 namespace {
 
@@ -39,7 +41,7 @@ Simulation dropped_rough_wall(int threads) {
     for (dda::JointMaterial& material : wall.model.joint_materials) material.law = law;
     Simulation sim(wall, threads);
     EXPECT_EQ(sim.shake(0.03, 0.005).status, dda::RunStatus::completed);
-    EXPECT_GT(dda::JointFaces(wall.model, sim.state.contacts.contacts).count(), 512U);
+    EXPECT_GT(dda::JointSegments(wall.model, sim.state.contacts.contacts).count(), 512U);
     return sim;
 }
 

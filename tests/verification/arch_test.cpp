@@ -8,6 +8,8 @@
 #include "support/scene.hpp"
 #include "support/threshold.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using namespace scene;
@@ -46,7 +48,7 @@ struct TwoBlocks {
     double t;
     ContactSetting setting;
     double frequency_step = 0;
-    std::optional<EnergyWatch> energy;  ///< of the last run
+    std::optional<EnergyMonitor> energy;  ///< of the last run
 };
 
 double thrust_of(const Simulation& arch) {
@@ -136,7 +138,7 @@ struct Ring {
         return moved < .01 * radius;
     }
     double frequency_step = 0;
-    std::optional<EnergyWatch> energy;  ///< of the last run
+    std::optional<EnergyMonitor> energy;  ///< of the last run
 };
 
 // V49. The line of thrust of a semicircular ring of its own weight stays inside for t/R above 0.1075

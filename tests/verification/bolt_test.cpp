@@ -8,6 +8,8 @@
 #include "support/scene.hpp"
 #include "support/threshold.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using namespace scene;
@@ -52,7 +54,7 @@ class BoltedBlock {
         return sim.moved(1).norm() < 1e-4;
     }
     double frequency_step = 0;
-    std::optional<EnergyWatch> energy;  ///< of the last run
+    std::optional<EnergyMonitor> energy;  ///< of the last run
 
   private:
     Scene scene(double phi, double tension) const {

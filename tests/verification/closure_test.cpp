@@ -8,6 +8,8 @@
 #include "support/record.hpp"
 #include "support/scene.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using namespace scene;
@@ -73,7 +75,7 @@ TEST(NormalClosure, SwingsToWhereTheEnergyIsStored) {
     Simulation sim(s);
     double deepest = 0, highest = 1;
     bool rising = false;
-    sim.each_step = [&](const dda::State& state, const dda::StepReport&) {
+    sim.on_step = [&](const dda::State& state, const dda::StepReport&) {
         rising = rising || state.blocks.velocity[1][1] > 0;
         if (rising)
             highest = std::min(highest, closure(state));

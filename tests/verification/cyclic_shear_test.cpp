@@ -6,6 +6,8 @@
 #include "support/record.hpp"
 #include "support/shear_box.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using namespace scene;
@@ -51,7 +53,7 @@ class Comparison {
 };
 
 void expect_two_cycles(const std::string& name, const ShearedRock& rock,
-                       const std::vector<joint_tests::Quarter>& expected) {
+                       const std::vector<joint_tests::QuarterCycle>& expected) {
     Comparison test(rock);
     Case blocks("V37", name + ", two blocks, ±15 mm", "asked for: 0.5 % of the peak, 5 µm");
     const double a = 0.015;

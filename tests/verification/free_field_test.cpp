@@ -7,6 +7,8 @@
 #include "support/record.hpp"
 #include "support/rock_mesh.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using namespace scene;
@@ -43,7 +45,7 @@ Passage pass(int axis, RockMesh::Sides sides, const std::string& set_up) {
     const int stations[] = {mesh.block(0, rows - 1), mesh.block(columns / 2, rows - 1),
                             mesh.block(columns - 1, rows - 1)};
     double moment[3] = {}, energy[3] = {};
-    sim.each_step = [&](const dda::State& state, const dda::StepReport&) {
+    sim.on_step = [&](const dda::State& state, const dda::StepReport&) {
         const auto velocity = [&](int block) {
             return state.blocks.velocity[static_cast<std::size_t>(block)];
         };

@@ -8,6 +8,8 @@
 #include "support/record.hpp"
 #include "support/scene.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using namespace scene;
@@ -103,7 +105,7 @@ TEST(Braking, StopsWhereAndWhenItMustAndFrictionTakesTheEnergy) {
     const double moving = 2500.0 * 2 * 2 / 2;
     sim.restart_ledger();
     double stopped = 0;
-    sim.each_step = [&](const dda::State& state, const dda::StepReport&) {
+    sim.on_step = [&](const dda::State& state, const dda::StepReport&) {
         if (stopped == 0 && state.blocks.velocity[1][0] <= 1e-3) stopped = state.stage_time;
     };
     ASSERT_EQ(sim.shake(1, 5e-4).status, dda::RunStatus::completed);
@@ -191,7 +193,7 @@ class ShearBox {
         stage.control.step = 1e-3;
         sim.velocity(lower_)[0] = 1e3 / stiffest_ / stage.control.step;
         stage.duration = 1.5 * .6774e6 / stiffness_ / sim.velocity(lower_)[0];
-        sim.each_step = [&](const dda::State& state, const dda::StepReport&) {
+        sim.on_step = [&](const dda::State& state, const dda::StepReport&) {
             double force = 0;
             for (const dda::Contact& contact : state.contacts.contacts)
                 force += std::abs(contact.shear_force);

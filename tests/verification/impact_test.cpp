@@ -6,6 +6,8 @@
 #include "support/record.hpp"
 #include "support/scene.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using namespace scene;

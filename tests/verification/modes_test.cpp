@@ -7,6 +7,8 @@
 #include "support/record.hpp"
 #include "support/scene.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using namespace scene;
@@ -25,7 +27,7 @@ struct Release {
     double toe = 0;       ///< m, downhill, of the lower corner
     double rotation = 0;  ///< rad, clockwise
     double frequency_step = 0;
-    std::optional<EnergyWatch> energy{};
+    std::optional<EnergyMonitor> energy{};
 
     /// Runs until the block has turned by `angle` or `duration` is over.
     void run(double duration, double angle) {

@@ -9,6 +9,8 @@
 #include "support/record.hpp"
 #include "support/scene.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using namespace scene;
@@ -107,7 +109,7 @@ TEST_P(Oscillator, DecaysAsTheAmplificationMatrixSays) {
     sim.velocity(block)[0] = 1e-4;
     sim.restart_ledger();
     std::vector<double> x = {0};
-    sim.each_step = [&](const dda::State& state, const dda::StepReport&) {
+    sim.on_step = [&](const dda::State& state, const dda::StepReport&) {
         x.push_back(state.blocks.moments[0].centroid.x());
     };
     const double dt = w_dt / frequency;
@@ -160,7 +162,7 @@ double driven_error(const std::string& id, bool cosine, double w, double dt, Cur
     s.model.loads.push_back(
         dda::PointLoad{s.material_point(block, {0, 0}), {2500, 0}, dda::TimeTable(times, values)});
     Simulation sim(s);
-    sim.each_step = [&](const dda::State& state, const dda::StepReport&) {
+    sim.on_step = [&](const dda::State& state, const dda::StepReport&) {
         if (track == nullptr) return;
         track->x.push_back(state.time);
         track->y.push_back(sim.moved(block).x());

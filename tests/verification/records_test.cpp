@@ -6,15 +6,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dda/record/records.hpp"
+#include "record/records.hpp"
 #include "support/record.hpp"
-#include "unit/dda_record/small_records.hpp"
+#include "unit/record/small_records.hpp"
+
+using namespace rockslope;
 
 namespace {
 
 using namespace verification;
 
-double peak_of(const dda::Record& record) {
+double peak_of(const record::Record& record) {
     return *std::max_element(record.values.begin(), record.values.end(),
                              [](double a, double b) { return std::abs(a) < std::abs(b); });
 }
@@ -32,9 +34,9 @@ double expected_peak(const std::string& format) {
 TEST(RecordReaders, ReturnSamplesIntervalAndPeak) {
     for (const small_records::SmallRecord& small : small_records::all()) {
         const std::string format = small.format;
-        dda::RecordDeclaration declaration;
-        if (format == "sac") declaration = {dda::Quantity::acceleration, "m/s2"};
-        const dda::Record record = dda::parse_record(small.text, format, declaration);
+        record::RecordDeclaration declaration;
+        if (format == "sac") declaration = {record::Quantity::acceleration, "m/s2"};
+        const record::Record record = record::parse_record(small.text, format, declaration);
         const Case reader("V52", "ten samples, " + format, "required");
         reader.expect("samples", "", static_cast<double>(record.values.size()), 10, absolute(0));
         reader.expect("interval", "s", record.dt, format == "knet" ? 0.01 : 0.02, relative(1e-6));

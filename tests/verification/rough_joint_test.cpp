@@ -8,6 +8,8 @@
 #include "support/record.hpp"
 #include "support/scene.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using namespace scene;
@@ -55,7 +57,7 @@ struct BartonCase {
 
 class BartonShear : public testing::TestWithParam<BartonCase> {};
 
-// V36. Eq. (51) at four normal stresses. Under 0.5 MPa the total angle is 66.3 deg, below the cap of 70. The
+// V36. Eq. (57) at four normal stresses. Under 0.5 MPa the total angle is 66.3 deg, below the cap of 70. The
 // law alone gives the numbers to their last digit; in blocks, the normal force follows the joint's iteration
 // to 1e-6 and the overlap is shortened by the displacement of 0.5 mm, which lowers neither by more than 0.05
 // %.
@@ -94,7 +96,7 @@ dda::ShearTest shear_test(const dda::JointLaw& law, double normal_stress, std::v
 }
 
 void expect_two_cycles(const std::string& rock, const dda::JointLaw& law, double normal_stress, double peak,
-                       const std::vector<joint_tests::Quarter>& expected) {
+                       const std::vector<joint_tests::QuarterCycle>& expected) {
     Case quarters("V37", rock + ", law alone, ±15 mm",
                   "0.05 % of the peak and half a digit of the reference; 0.2 µm and likewise");
     const double a = 0.015;

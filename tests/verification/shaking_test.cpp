@@ -6,6 +6,8 @@
 #include "support/scene.hpp"
 #include "support/sliding_block.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using namespace scene;

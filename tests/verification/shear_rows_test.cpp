@@ -5,9 +5,11 @@
 #include <fstream>
 #include <sstream>
 
-#include "support/others_data.hpp"
+#include "support/external_data.hpp"
 #include "support/record.hpp"
 #include "support/shear_box.hpp"
+
+using namespace rockslope;
 
 namespace {
 
@@ -66,8 +68,8 @@ class ShearedBlocks : public testing::TestWithParam<Curve> {};
 // advise.
 TEST_P(ShearedBlocks, FollowAllRowsOfTheCurve) {
     const auto& [name, rock] = GetParam();
-    const auto folder = others_data("reference");
-    if (!folder) GTEST_SKIP() << others_data_missing("reference");
+    const auto folder = external_data("reference");
+    if (!folder) GTEST_SKIP() << external_data_missing("reference");
     const std::vector<Reading> rows = read_curve(*folder / (std::string(name) + "_A15mm_cont.csv"));
     ASSERT_GT(rows.size(), 1000u);
 

@@ -7,6 +7,8 @@
 #include "support/scene.hpp"
 #include "support/threshold.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using namespace scene;
@@ -31,7 +33,7 @@ class Slab {
         return moved < 1e-3;
     }
     double frequency_step = 0;
-    std::optional<EnergyWatch> energy;  ///< of the last run
+    std::optional<EnergyMonitor> energy;  ///< of the last run
 
   private:
     Scene scene(double phi) const {

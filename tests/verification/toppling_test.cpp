@@ -10,6 +10,8 @@
 #include "support/scene.hpp"
 #include "support/threshold.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using namespace scene;
@@ -102,7 +104,7 @@ class Slope {
     std::array<double, count + 1> force{};  ///< of the last run, as in LimitEquilibrium
     std::array<double, count + 1> shear{};  ///< on the same faces
     double frequency_step = 0;
-    std::optional<EnergyWatch> energy;  ///< of the last run
+    std::optional<EnergyMonitor> energy;  ///< of the last run
 
   private:
     static int block(int n) { return count + n - 1; }
@@ -243,7 +245,7 @@ TEST(LongToppling, IsHeldByTheBoltOfGoodmanAndBray) {
     EXPECT_NEAR(expected, 2013e3, 1e3);
     const double phi = std::atan(mu) * 180 / std::numbers::pi;
     double frequency_step = 0;
-    std::optional<EnergyWatch> energy;
+    std::optional<EnergyMonitor> energy;
     const auto holds = [&](double share) {
         Slope slope(share * expected);
         const bool held = slope.stops(phi);

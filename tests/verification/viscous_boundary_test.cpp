@@ -8,6 +8,8 @@
 #include "support/energy_balance.hpp"
 #include "support/record.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using namespace scene;

@@ -7,6 +7,8 @@
 #include "support/record.hpp"
 #include "support/scene.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using namespace scene;
@@ -45,7 +47,7 @@ Uplift slide_by_water(const std::string& set_up, const ContactSetting& setting) 
     wet.stages = dry.stages;
     wet.restart_ledger();
     Uplift found;
-    wet.each_step = [&](const dda::State& state, const dda::StepReport&) {
+    wet.on_step = [&](const dda::State& state, const dda::StepReport&) {
         if (found.critical == 0 && -wet.moved(block).dot(along) > 1e-6)
             found.critical = critical * state.stage_time / 10;
     };
@@ -119,7 +121,7 @@ TEST(Buoyancy, MakesALightBlockHeave) {
     Simulation sim(s);
     std::vector<double> crossings;
     double before = 0;
-    sim.each_step = [&](const dda::State& state, const dda::StepReport& report) {
+    sim.on_step = [&](const dda::State& state, const dda::StepReport& report) {
         const double now = sim.moved(block).y() - 0.05;
         if (before * now < 0) crossings.push_back(state.time - report.step * now / (now - before));
         before = now;

@@ -6,6 +6,8 @@
 #include "support/energy_balance.hpp"
 #include "support/record.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using namespace scene;
@@ -66,7 +68,7 @@ struct Reflection {
         bar.push({1e6, 0}, raised_cosine(1e-3));
         Simulation sim(bar.s);
         double largest_stress = 0;
-        sim.each_step = [&](const dda::State& state, const dda::StepReport&) {
+        sim.on_step = [&](const dda::State& state, const dda::StepReport&) {
             const Vec6& v = state.blocks.velocity[count - 1];
             velocity = std::max(velocity, v[0] + v[3] * bar.block_length / 2);
             largest_stress = std::max(largest_stress, -state.blocks.stress[count - 1][0]);
@@ -112,7 +114,7 @@ TEST(FixedFreeBar, SwingsAtItsFirstFrequency) {
     std::vector<double> crossings;
     double before = 0;
     Curve engine{"engine", {}, {}};
-    sim.each_step = [&](const dda::State& state, const dda::StepReport& report) {
+    sim.on_step = [&](const dda::State& state, const dda::StepReport& report) {
         const double now = state.blocks.velocity[count - 1][0];
         engine.x.push_back(1e3 * state.stage_time);
         engine.y.push_back(now);

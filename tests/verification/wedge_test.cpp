@@ -7,6 +7,8 @@
 #include "support/record.hpp"
 #include "support/scene.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using namespace scene;
@@ -206,7 +208,7 @@ TEST_P(RoofWedge, BearsWhatTheSqueezeLeaves) {
     Simulation pull(pulled);
     pull.state = sim.state;
     double largest = 0;
-    pull.each_step = [&](const dda::State& state, const dda::StepReport&) {
+    pull.on_step = [&](const dda::State& state, const dda::StepReport&) {
         const Joint face = between(state, wedge, left);
         if (face.touching > 0 && face.sliding < face.touching) largest = .5 * state.stage_time / ramp;
     };

@@ -2,18 +2,18 @@
 #include <cstdio>
 #include <exception>
 
-#include "blockgen/base/atomic_file.hpp"
-#include "blockgen/base/output_error.hpp"
-#include "blockgen/cut_blocks.hpp"
-#include "blockgen/input/read_slope_model.hpp"
+#include "blockgen/cut/cut_blocks.hpp"
+#include "blockgen/faces/enclosed_area.hpp"
 #include "blockgen/mesh/block_file.hpp"
 #include "blockgen/picture/block_picture.hpp"
 #include "blockgen/picture/size_picture.hpp"
-#include "blockgen/sample_joints.hpp"
+#include "blockgen/sampling/sample_joints.hpp"
+#include "common/base/atomic_file.hpp"
+#include "common/base/output_error.hpp"
 #include "options.hpp"
 #include "provenance.hpp"
 
-namespace blockgen_tool {
+namespace rockslope::blockgen_tool {
 namespace {
 
 using namespace blockgen;
@@ -71,7 +71,7 @@ int run(const Options& options) {
     if (!options.text.empty()) return print(options.text);
     const auto start = std::chrono::steady_clock::now();
     const ConfigTable config = read_config(options);
-    const SlopeModel model = read_slope_model(config);
+    const SlopeModel model = read_slope_model(config, blockgen::enclosed_area);
     if (options.print_config) return print(config.effective_text());
     check_outputs(options, model);
     if (!options.kinematic_picture.empty() && !model.kinematics)
@@ -92,19 +92,21 @@ int run(const Options& options) {
 }
 
 }  // namespace
-}  // namespace blockgen_tool
+}  // namespace rockslope::blockgen_tool
+
+using namespace rockslope;
+using namespace rockslope::blockgen_tool;
 
 int main(int argc, char** argv) {
-    using namespace blockgen_tool;
     try {
         return run(parse_options(argc, argv));
     } catch (const UsageError& error) {
         std::fprintf(stderr, "blockgen: %s\n", error.what());
         return bad_input;
-    } catch (const blockgen::InputError& error) {
+    } catch (const InputError& error) {
         std::fprintf(stderr, "%s\n", error.what());
         return bad_input;
-    } catch (const blockgen::OutputError& error) {
+    } catch (const OutputError& error) {
         std::fprintf(stderr, "%s\n", error.what());
         return bad_input;
     } catch (const std::exception& error) {

@@ -4,11 +4,11 @@
 #include <sstream>
 
 #include "blockgen/input/read_slope_model.hpp"
-#include "blockgen/picture/canvas.hpp"
+#include "common/drawing/canvas.hpp"
 #include "support/model_file.hpp"
-#include "support/parse_words.hpp"
+#include "support/parse_arguments.hpp"
 
-namespace blockgen_tool {
+namespace rockslope::blockgen_tool {
 
 namespace {
 
@@ -57,7 +57,7 @@ std::string path_or_empty(const po::variables_map& given, const char* name) {
 }
 
 void check_picture(const char* option, const std::filesystem::path& picture) {
-    if (!picture.empty() && !blockgen::picture_format(picture))
+    if (!picture.empty() && !picture_format(picture))
         throw UsageError(option + (" " + picture.string()) +
                          ": expected a name that ends in .svg, .png or .pdf");
 }
@@ -91,7 +91,7 @@ Options read_options(const po::variables_map& given) {
 
 Options parse_options(int argc, const char* const* argv) {
     const po::options_description visible = visible_options();
-    const po::variables_map given = tool_support::parse_words("blockgen", argc, argv, visible);
+    const po::variables_map given = tool_support::parse_arguments("blockgen", argc, argv, visible);
     Options options;
     if (given.count("help")) options.text = help_text(visible);
     if (given.count("version")) options.text = "blockgen " ROCKSLOPE_VERSION "\n";
@@ -100,4 +100,4 @@ Options parse_options(int argc, const char* const* argv) {
     return read_options(given);
 }
 
-}  // namespace blockgen_tool
+}  // namespace rockslope::blockgen_tool

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace blockgen_tool {
+namespace rockslope::blockgen_tool {
 
 /// What the command line asks for.
 struct Options {
@@ -27,7 +27,7 @@ struct UsageError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// @throws UsageError or blockgen::InputError with one line.
+/// @throws UsageError or InputError with one line.
 Options parse_options(int argc, const char* const* argv);
 
-}  // namespace blockgen_tool
+}  // namespace rockslope::blockgen_tool

@@ -2,10 +2,10 @@
 
 #include <cstdio>
 
-#include "blockgen/base/output_check.hpp"
-#include "blockgen/base/read_file.hpp"
+#include "common/base/output_check.hpp"
+#include "common/base/read_file.hpp"
 
-namespace blockgen_tool {
+namespace rockslope::blockgen_tool {
 
 namespace {
 
@@ -27,11 +27,11 @@ std::string escaped_for_make(const std::filesystem::path& path) {
 
 }  // namespace
 
-std::vector<std::string> provenance(const blockgen::SlopeModel& model, const blockgen::ConfigTable& config) {
+std::vector<std::string> provenance(const blockgen::SlopeModel& model, const ConfigTable& config) {
     std::filesystem::path folder = std::filesystem::path(config.place().file).parent_path();
     if (folder.empty()) folder = ".";
     std::uint64_t hash = hashed(0xcbf29ce484222325u, config.effective_text(folder));
-    for (const auto& file : model.files) hash = hashed(hash, blockgen::read_text_file(file));
+    for (const auto& file : model.files) hash = hashed(hash, read_text_file(file));
     char text[32];
     std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
     return {"blockgen " ROCKSLOPE_VERSION, "seed " + std::to_string(model.seed),
@@ -55,8 +55,8 @@ void check_outputs(const Options& options, const blockgen::SlopeModel& model) {
                                                         options.size_picture, options.kinematic_picture,
                                                         options.report,       options.depfile};
     for (const std::filesystem::path& path : outputs)
-        if (!path.empty()) blockgen::check_output(path, inputs);
-    blockgen::check_distinct(outputs);
+        if (!path.empty()) check_output(path, inputs);
+    check_distinct(outputs);
 }
 
-}  // namespace blockgen_tool
+}  // namespace rockslope::blockgen_tool

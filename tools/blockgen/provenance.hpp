@@ -3,14 +3,14 @@
 #include <string>
 #include <vector>
 
-#include "blockgen/config/config_table.hpp"
 #include "blockgen/input/slope_model.hpp"
+#include "common/config/config_table.hpp"
 #include "options.hpp"
 
-namespace blockgen_tool {
+namespace rockslope::blockgen_tool {
 
 /// Program version, seed, and a hash of the effective model and of every file it names.
-std::vector<std::string> provenance(const blockgen::SlopeModel& model, const blockgen::ConfigTable& config);
+std::vector<std::string> provenance(const blockgen::SlopeModel& model, const ConfigTable& config);
 
 /// A Make rule: the block file depends on the model file and the files it names.
 std::string make_rule(const Options& options, const blockgen::SlopeModel& model);
@@ -19,4 +19,4 @@ std::string make_rule(const Options& options, const blockgen::SlopeModel& model)
 /// when one would overwrite a file that the model is read from.
 void check_outputs(const Options& options, const blockgen::SlopeModel& model);
 
-}  // namespace blockgen_tool
+}  // namespace rockslope::blockgen_tool

@@ -5,18 +5,15 @@
 #include <functional>
 #include <numbers>
 
-#include "blockgen/picture/axes.hpp"
+#include "common/drawing/axes.hpp"
 #include "length_unit.hpp"
+
+namespace rockslope {
 
 namespace {
 
-using blockgen::Anchor;
-using blockgen::Canvas;
-using blockgen::Point;
-using blockgen::Ring;
-
 constexpr double thickness = 13, tip = 11, tick = 3;
-const blockgen::Stroke outline{blockgen::black, 0.5};
+const Stroke outline{black, 0.5};
 
 /// Where on the page a place of the bar is: `along` 0 at the pale end to 1 at the dark end, and beyond it pt
 /// past the end; `across` in pt from the edge away from the ticks.
@@ -29,26 +26,26 @@ void draw_shades(Canvas& canvas, const ColourBar& bar, const Place& place) {
         const double from = i / double{shades}, to = std::min(1.0, (i + 1.5) / shades);
         const Ring strip = {place(from, 0, 0), place(from, 0, thickness), place(to, 0, thickness),
                             place(to, 0, 0)};
-        canvas.polygon(std::span(&strip, 1), blockgen::scale_colour((i + 0.5) / shades), std::nullopt);
+        canvas.polygon(std::span(&strip, 1), scale_colour((i + 0.5) / shades), std::nullopt);
     }
     Ring frame = {place(0, 0, 0), place(0, 0, thickness), place(1, 0, thickness), place(1, 0, 0)};
     if (bar.farthest > bar.largest) {
         const Ring more = {place(1, 0, 0), place(1, 0, thickness), place(1, tip, thickness / 2)};
-        canvas.polygon(std::span(&more, 1), blockgen::scale_colour(1), std::nullopt);
+        canvas.polygon(std::span(&more, 1), scale_colour(1), std::nullopt);
         frame.insert(frame.begin() + 3, place(1, tip, thickness / 2));
     }
     canvas.polygon(std::span(&frame, 1), std::nullopt, outline);
 }
 
-void draw_ticks(Canvas& canvas, const ColourBar& bar, const Place& place, const blockgen::TextStyle& style) {
+void draw_ticks(Canvas& canvas, const ColourBar& bar, const Place& place, const TextStyle& style) {
     const double largest = bar.largest * readable_unit(bar.largest).per_metre;
-    const std::vector<double> ticks = blockgen::round_ticks({0, largest}, 6);
+    const std::vector<double> ticks = round_ticks({0, largest}, 6);
     const double step = ticks.size() > 1 ? ticks[1] - ticks[0] : largest;
     for (const double value : ticks) {
         const double along = value / largest;
         canvas.polyline(std::vector<Point>{place(along, 0, thickness), place(along, 0, thickness + tick)},
                         outline);
-        canvas.text(place(along, 0, thickness + tick + 2), blockgen::tick_text(value, step), style);
+        canvas.text(place(along, 0, thickness + tick + 2), tick_text(value, step), style);
     }
 }
 
@@ -67,28 +64,30 @@ std::string farthest_text(const ColourBar& bar) {
 
 }  // namespace
 
-void draw_standing_bar(Canvas& canvas, const ColourBar& bar, const Point& foot, double length) {
+void draw_vertical_bar(Canvas& canvas, const ColourBar& bar, const Point& foot, double length) {
     const double room = bar.farthest > bar.largest ? tip : 0;
     const Place place = [&](double along, double past, double across) {
         return Point{foot.x + across, foot.y - along * (length - room) - past};
     };
     draw_shades(canvas, bar, place);
-    draw_ticks(canvas, bar, place, {8, blockgen::black, Anchor::start, Anchor::middle});
+    draw_ticks(canvas, bar, place, {8, black, Anchor::start, Anchor::middle});
     canvas.text({foot.x + thickness + tick + 2, foot.y - length}, farthest_text(bar),
-                {8, blockgen::black, Anchor::start, Anchor::middle});
+                {8, black, Anchor::start, Anchor::middle});
     canvas.text({foot.x + thickness + 42, foot.y - length / 2}, title_of(bar),
-                {9, blockgen::black, Anchor::middle, Anchor::middle, false, std::numbers::pi / 2});
+                {9, black, Anchor::middle, Anchor::middle, false, std::numbers::pi / 2});
 }
 
-void draw_lying_bar(Canvas& canvas, const ColourBar& bar, const Point& corner, double length) {
+void draw_horizontal_bar(Canvas& canvas, const ColourBar& bar, const Point& corner, double length) {
     const double room = bar.farthest > bar.largest ? tip : 0;
     const Place place = [&](double along, double past, double across) {
         return Point{corner.x + along * (length - room) + past, corner.y + across};
     };
     draw_shades(canvas, bar, place);
-    draw_ticks(canvas, bar, place, {8, blockgen::black, Anchor::middle, Anchor::end});
+    draw_ticks(canvas, bar, place, {8, black, Anchor::middle, Anchor::end});
     canvas.text({corner.x + length + 6, corner.y + thickness / 2}, farthest_text(bar),
-                {8, blockgen::black, Anchor::start, Anchor::middle});
+                {8, black, Anchor::start, Anchor::middle});
     canvas.text({corner.x + length / 2, corner.y + thickness + 17}, title_of(bar),
-                {9, blockgen::black, Anchor::middle, Anchor::end});
+                {9, black, Anchor::middle, Anchor::end});
 }
+
+}  // namespace rockslope

@@ -2,7 +2,9 @@
 
 #include <string>
 
-#include "blockgen/picture/canvas.hpp"
+#include "common/drawing/canvas.hpp"
+
+namespace rockslope {
 
 /// The key to the colours of displacements.
 struct ColourBar {
@@ -12,10 +14,10 @@ struct ColourBar {
 };
 
 /// A bar that stands right of a drawing, pale end below. @param foot its lower left corner, pt.
-void draw_standing_bar(blockgen::Canvas& canvas, const ColourBar& bar, const blockgen::Point& foot,
-                       double length);
+void draw_vertical_bar(Canvas& canvas, const ColourBar& bar, const Point& foot, double length);
 /// A bar that lies below a drawing, pale end on the left. @param corner its upper left corner, pt.
-void draw_lying_bar(blockgen::Canvas& canvas, const ColourBar& bar, const blockgen::Point& corner,
-                    double length);
+void draw_horizontal_bar(Canvas& canvas, const ColourBar& bar, const Point& corner, double length);
 /// pt that a bar needs right of its left edge, or below its upper one, with ticks and title.
-inline constexpr double standing_bar_width = 70, lying_bar_height = 46;
+inline constexpr double vertical_bar_width = 70, horizontal_bar_height = 46;
+
+}  // namespace rockslope

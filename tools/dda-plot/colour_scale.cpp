@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
-double distance_covering(std::vector<MovedArea> parts, double share) {
+namespace rockslope {
+
+double area_weighted_quantile(std::vector<DisplacedArea> parts, double share) {
     std::sort(parts.begin(), parts.end(),
-              [](const MovedArea& a, const MovedArea& b) { return a.distance < b.distance; });
+              [](const DisplacedArea& a, const DisplacedArea& b) { return a.distance < b.distance; });
     double whole = 0;
-    for (const MovedArea& part : parts) whole += part.area;
+    for (const DisplacedArea& part : parts) whole += part.area;
     double covered = 0;
-    for (const MovedArea& part : parts) {
+    for (const DisplacedArea& part : parts) {
         covered += part.area;
         if (covered >= share * whole * (1 - 1e-12)) return part.distance;
     }
@@ -22,3 +24,5 @@ double round_length_above(double length) {
         if (factor * power >= length * (1 - 1e-9)) return factor * power;
     return 10 * power;
 }
+
+}  // namespace rockslope

@@ -2,8 +2,10 @@
 
 #include <vector>
 
-#include "blockgen/picture/canvas.hpp"
-#include "dda/io/vtkhdf_file.hpp"
+#include "common/drawing/canvas.hpp"
+#include "dda/hdf/vtkhdf_file.hpp"
+
+namespace rockslope {
 
 /// Where the parts of a picture of a frame are, pt. The drawing is as large as the page allows at one scale
 /// in both directions; low ones have the key to the colours below them, narrow ones are centred under the
@@ -11,14 +13,16 @@
 struct FrameLayout {
     static constexpr double left = 60, top = 34, below_axes = 44, bar_gap = 16, margin_right = 16;
 
-    blockgen::Point upper_left, lower_right;  ///< of the axes
+    Point upper_left, lower_right;  ///< of the axes
     double header_left, header_right;
     double page_width, page_height;
-    bool bar_stands;
+    bool bar_is_vertical;
 
     /// @param width, height of what is shown, m.
     FrameLayout(double width, double height);
 };
 
 /// The corners of a cell of a frame, m.
-std::vector<blockgen::Point> cell_points(const dda::GridFrame& frame, std::size_t cell);
+std::vector<Point> cell_points(const dda::GridFrame& frame, std::size_t cell);
+
+}  // namespace rockslope

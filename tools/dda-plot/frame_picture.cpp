@@ -4,27 +4,29 @@
 #include <cmath>
 #include <cstdio>
 
-#include "blockgen/base/input_error.hpp"
-#include "blockgen/picture/axes.hpp"
 #include "colour_bar.hpp"
 #include "colour_scale.hpp"
+#include "common/base/input_error.hpp"
+#include "common/drawing/axes.hpp"
 #include "frame_layout.hpp"
+
+namespace rockslope {
 
 namespace {
 
-constexpr double lying_bar_length = 260;
+constexpr double horizontal_bar_length = 260;
 
 // The columns that a picture needs, and their places in the frames.
 const std::vector<std::string> block_columns = {"displacement", "motion", "block"};
 const std::vector<std::string> contact_columns = {"state"};
 constexpr float unconstrained = 0, prescribed = 2, state_open = 0, state_sliding = 1;
 
-const blockgen::Colour sliding_colour{0.84, 0.37, 0.0};
-const blockgen::Colour open_colour{0.0, 0.45, 0.70};
-const blockgen::Colour worst_colour{0.80, 0.0, 0.25};
+const Colour sliding_colour{0.84, 0.37, 0.0};
+const Colour open_colour{0.0, 0.45, 0.70};
+const Colour worst_colour{0.80, 0.0, 0.25};
 constexpr double caption_height = 18;
 /// Of the picture of one contact: its half-width over the size of the smaller of the contact's blocks.
-constexpr double surroundings = 2;
+constexpr double half_width_ratio = 2;
 
 struct Vector {
     double x = 0, y = 0;
@@ -56,8 +58,8 @@ bool has_base(const dda::GridFrame& frame) {
     return std::find(frame.columns[1].begin(), frame.columns[1].end(), prescribed) != frame.columns[1].end();
 }
 
-double area_of(const std::vector<blockgen::Point>& ring) {
-    const blockgen::Point& origin = ring.front();
+double area_of(const std::vector<Point>& ring) {
+    const Point& origin = ring.front();
     double twice = 0;
     for (std::size_t i = 1; i + 1 < ring.size(); ++i)
         twice += (ring[i].x - origin.x) * (ring[i + 1].y - origin.y) -
@@ -65,32 +67,30 @@ double area_of(const std::vector<blockgen::Point>& ring) {
     return twice / 2;
 }
 
-std::vector<MovedArea> free_blocks(const dda::GridFrame& frame) {
+std::vector<DisplacedArea> free_blocks(const dda::GridFrame& frame) {
     const std::vector<double> moved = magnitudes(frame);
-    std::vector<MovedArea> blocks;
+    std::vector<DisplacedArea> blocks;
     for (std::size_t block = 0; block < frame.cells.count(); ++block)
         if (frame.columns[1][block] == unconstrained)
             blocks.push_back({area_of(cell_points(frame, block)), moved[block]});
     return blocks;
 }
 
-void draw_blocks(blockgen::Canvas& canvas, const blockgen::Axes& axes, const dda::GridFrame& frame,
-                 double largest) {
+void draw_blocks(Canvas& canvas, const Axes& axes, const dda::GridFrame& frame, double largest) {
     const std::vector<double> moved = magnitudes(frame);
     for (std::size_t block = 0; block < frame.cells.count(); ++block) {
-        const blockgen::Ring ring = axes.to_page(cell_points(frame, block));
-        canvas.polygon(std::span(&ring, 1), blockgen::scale_colour(moved[block] / largest),
-                       blockgen::Stroke{blockgen::black, 0.25});
+        const Ring ring = axes.to_page(cell_points(frame, block));
+        canvas.polygon(std::span(&ring, 1), scale_colour(moved[block] / largest), Stroke{black, 0.25});
     }
 }
 
-void draw_contacts(blockgen::Canvas& canvas, const blockgen::Axes& axes, const dda::GridFrame& frame) {
+void draw_contacts(Canvas& canvas, const Axes& axes, const dda::GridFrame& frame) {
     for (std::size_t cell = 0; cell < frame.cells.count(); ++cell) {
         const float state = frame.columns[0][cell];
         if (state != state_open && state != state_sliding) continue;
-        const blockgen::Colour colour = state == state_sliding ? sliding_colour : open_colour;
-        std::vector<blockgen::Point> points = cell_points(frame, cell);
-        for (blockgen::Point& point : points) point = axes.to_page(point);
+        const Colour colour = state == state_sliding ? sliding_colour : open_colour;
+        std::vector<Point> points = cell_points(frame, cell);
+        for (Point& point : points) point = axes.to_page(point);
         if (points.size() == 1)
             canvas.circle(points.front(), 1.2, colour, std::nullopt);
         else
@@ -98,13 +98,11 @@ void draw_contacts(blockgen::Canvas& canvas, const blockgen::Axes& axes, const d
     }
 }
 
-void draw_contact_key(blockgen::Canvas& canvas, double right) {
+void draw_contact_key(Canvas& canvas, double right) {
     const double y = FrameLayout::top - 12;
-    canvas.polyline(std::vector<blockgen::Point>{{right - 170, y - 3}, {right - 150, y - 3}},
-                    {sliding_colour, 1.6});
+    canvas.polyline(std::vector<Point>{{right - 170, y - 3}, {right - 150, y - 3}}, {sliding_colour, 1.6});
     canvas.text({right - 146, y}, "sliding contact", {8.5});
-    canvas.polyline(std::vector<blockgen::Point>{{right - 74, y - 3}, {right - 54, y - 3}},
-                    {open_colour, 1.6});
+    canvas.polyline(std::vector<Point>{{right - 74, y - 3}, {right - 54, y - 3}}, {open_colour, 1.6});
     canvas.text({right - 50, y}, "open joint", {8.5});
 }
 
@@ -116,22 +114,20 @@ std::optional<std::size_t> cell_of(const dda::GridFrame& frame, int block) {
     return static_cast<std::size_t>(found - numbers.begin());
 }
 
-void draw_worst_contact(blockgen::Canvas& canvas, const blockgen::Axes& axes, const dda::GridFrame& frame,
-                        const dda::BlamedContact& worst) {
+void draw_worst_contact(Canvas& canvas, const Axes& axes, const dda::GridFrame& frame,
+                        const dda::WorstContact& worst) {
     for (const int block : {worst.corner_block, worst.edge_block}) {
         const std::optional<std::size_t> cell = cell_of(frame, block);
         if (!cell) continue;
-        const blockgen::Ring ring = axes.to_page(cell_points(frame, *cell));
-        canvas.polygon(std::span(&ring, 1), std::nullopt, blockgen::Stroke{worst_colour, 1.4});
+        const Ring ring = axes.to_page(cell_points(frame, *cell));
+        canvas.polygon(std::span(&ring, 1), std::nullopt, Stroke{worst_colour, 1.4});
     }
-    canvas.circle(axes.to_page({worst.at.x(), worst.at.y()}), 7, std::nullopt,
-                  blockgen::Stroke{worst_colour, 2.2});
+    canvas.circle(axes.to_page({worst.at.x(), worst.at.y()}), 7, std::nullopt, Stroke{worst_colour, 2.2});
 }
 
-void draw_worst_caption(blockgen::Canvas& canvas, const FrameLayout& layout,
-                        const dda::BlamedContact& worst) {
+void draw_worst_caption(Canvas& canvas, const FrameLayout& layout, const dda::WorstContact& worst) {
     const double y = layout.page_height - 8;
-    canvas.circle({layout.header_left + 6, y - 3}, 4.5, std::nullopt, blockgen::Stroke{worst_colour, 1.8});
+    canvas.circle({layout.header_left + 6, y - 3}, 4.5, std::nullopt, Stroke{worst_colour, 1.8});
     canvas.text({layout.header_left + 16, y},
                 "worst contact: block " + std::to_string(worst.corner_block) + " on block " +
                     std::to_string(worst.edge_block) + ", " + worst.joint_material,
@@ -140,7 +136,7 @@ void draw_worst_caption(blockgen::Canvas& canvas, const FrameLayout& layout,
 
 /// The longer side of a block's box, m.
 double size_of(const dda::GridFrame& frame, std::size_t block) {
-    const std::vector<blockgen::Point> points = cell_points(frame, block);
+    const std::vector<Point> points = cell_points(frame, block);
     const auto [west, east] =
         std::minmax_element(points.begin(), points.end(), [](auto& p, auto& q) { return p.x < q.x; });
     const auto [low, high] =
@@ -158,8 +154,8 @@ RunFrames::RunFrames(const std::filesystem::path& folder) {
         if (file.ends_with(extension)) name_ = file.substr(0, file.size() - extension.size());
     }
     if (name_.empty())
-        throw blockgen::InputError({folder.string()}, "holds no NAME.vtkhdf and NAME.joints.vtkhdf",
-                                   "the output folder of dda-run");
+        throw InputError({folder.string()}, "holds no NAME.vtkhdf and NAME.joints.vtkhdf",
+                         "the output folder of dda-run");
     blocks_.emplace(folder / (name_ + ".vtkhdf"));
     contacts_.emplace(folder / (name_ + ".joints.vtkhdf"));
     times_ = blocks_->times();
@@ -170,7 +166,7 @@ dda::GridFrame RunFrames::blocks(std::int64_t index) const {
     dda::GridFrame frame = blocks_->frame(index, block_columns);
     const std::size_t count = frame.cells.count();
     if (frame.columns[0].size() != 3 * count || frame.columns[1].size() != count)
-        throw blockgen::InputError({name_ + ".vtkhdf"}, "is damaged", "the frames of dda-run");
+        throw InputError({name_ + ".vtkhdf"}, "is damaged", "the frames of dda-run");
     return frame;
 }
 dda::GridFrame RunFrames::contacts(std::int64_t index) const {
@@ -185,9 +181,9 @@ PictureScale common_scale(const RunFrames& run, const std::vector<std::int64_t>&
     PictureScale scale{0, 0, 1e300, -1e300, 1e300, -1e300, false};
     for (const std::int64_t index : frames) {
         const dda::GridFrame frame = run.blocks(index);
-        const std::vector<MovedArea> moved = free_blocks(frame);
-        for (const MovedArea& block : moved) scale.farthest = std::max(scale.farthest, block.distance);
-        scale.largest = std::max(scale.largest, distance_covering(moved, coloured_share));
+        const std::vector<DisplacedArea> moved = free_blocks(frame);
+        for (const DisplacedArea& block : moved) scale.farthest = std::max(scale.farthest, block.distance);
+        scale.largest = std::max(scale.largest, area_weighted_quantile(moved, coloured_fraction));
         for (std::size_t i = 0; i + 2 < frame.points.size(); i += 3) {
             scale.left = std::min<double>(scale.left, frame.points[i]);
             scale.right = std::max<double>(scale.right, frame.points[i]);
@@ -205,32 +201,32 @@ PictureScale common_scale(const RunFrames& run, const std::vector<std::int64_t>&
     return scale;
 }
 
-PictureScale close_to(const dda::BlamedContact& contact, const RunFrames& run, std::int64_t index,
-                      PictureScale scale) {
+PictureScale scale_around_contact(const dda::WorstContact& contact, const RunFrames& run, std::int64_t index,
+                                  PictureScale scale) {
     const dda::GridFrame frame = run.blocks(index);
     const auto corner = cell_of(frame, contact.corner_block);
     const auto edge = cell_of(frame, contact.edge_block);
     if (!corner || !edge)
-        throw blockgen::InputError({run.name() + ".vtkhdf"}, "has no block of the worst contact",
-                                   "the frames of the run whose summary.json names it");
-    const double reach = surroundings * std::min(size_of(frame, *corner), size_of(frame, *edge));
+        throw InputError({run.name() + ".vtkhdf"}, "has no block of the worst contact",
+                         "the frames of the run whose summary.json names it");
+    const double reach = half_width_ratio * std::min(size_of(frame, *corner), size_of(frame, *edge));
     scale.left = std::max(scale.left, contact.at.x() - reach);
     scale.right = std::min(scale.right, contact.at.x() + reach);
     scale.bottom = std::max(scale.bottom, contact.at.y() - reach);
     scale.top = std::min(scale.top, contact.at.y() + reach);
     if (!(scale.left < scale.right) || !(scale.bottom < scale.top))
-        throw blockgen::InputError({run.name() + ".vtkhdf"}, "is nowhere near the worst contact",
-                                   "the frames of the run whose summary.json names it");
+        throw InputError({run.name() + ".vtkhdf"}, "is nowhere near the worst contact",
+                         "the frames of the run whose summary.json names it");
     return scale;
 }
 
-blockgen::Canvas draw_frame(const RunFrames& run, std::int64_t index, const PictureScale& scale,
-                            const std::optional<dda::BlamedContact>& worst) {
+Canvas draw_frame(const RunFrames& run, std::int64_t index, const PictureScale& scale,
+                  const std::optional<dda::WorstContact>& worst) {
     FrameLayout layout(scale.right - scale.left, scale.top - scale.bottom);
     if (worst) layout.page_height += caption_height;
-    blockgen::Canvas canvas(layout.page_width, layout.page_height);
-    const blockgen::Axes axes(layout.upper_left, layout.lower_right, {scale.left, scale.right},
-                              {scale.bottom, scale.top});
+    Canvas canvas(layout.page_width, layout.page_height);
+    const Axes axes(layout.upper_left, layout.lower_right, {scale.left, scale.right},
+                    {scale.bottom, scale.top});
     canvas.clip(axes.upper_left(), axes.lower_right());
     const dda::GridFrame blocks = run.blocks(index);
     draw_blocks(canvas, axes, blocks, scale.largest);
@@ -241,16 +237,18 @@ blockgen::Canvas draw_frame(const RunFrames& run, std::int64_t index, const Pict
     axes.draw(canvas, "x (m)", "y (m)");
     const ColourBar bar{scale.relative_to_base ? "displacement from the base" : "displacement", scale.largest,
                         scale.farthest};
-    if (layout.bar_stands)
-        draw_standing_bar(canvas, bar, {layout.lower_right.x + FrameLayout::bar_gap, layout.lower_right.y},
+    if (layout.bar_is_vertical)
+        draw_vertical_bar(canvas, bar, {layout.lower_right.x + FrameLayout::bar_gap, layout.lower_right.y},
                           layout.lower_right.y - layout.upper_left.y);
     else
-        draw_lying_bar(canvas, bar, {layout.header_left, layout.lower_right.y + FrameLayout::below_axes},
-                       lying_bar_length);
+        draw_horizontal_bar(canvas, bar, {layout.header_left, layout.lower_right.y + FrameLayout::below_axes},
+                            horizontal_bar_length);
     draw_contact_key(canvas, layout.header_right);
     char title[64];
     std::snprintf(title, sizeof title, "t = %.3f s", run.times()[static_cast<std::size_t>(index)]);
     canvas.text({layout.header_left, FrameLayout::top - 12}, title,
-                {11, blockgen::black, blockgen::Anchor::start, blockgen::Anchor::start, true});
+                {11, black, Anchor::start, Anchor::start, true});
     return canvas;
 }
+
+}  // namespace rockslope

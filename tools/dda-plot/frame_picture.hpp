@@ -5,14 +5,16 @@
 #include <string>
 #include <vector>
 
-#include "blockgen/picture/canvas.hpp"
-#include "dda/io/read_summary.hpp"
-#include "dda/io/vtkhdf_file.hpp"
+#include "common/drawing/canvas.hpp"
+#include "dda/hdf/vtkhdf_file.hpp"
+#include "dda/results/read_summary.hpp"
+
+namespace rockslope {
 
 /// The frames of a run: its blocks and its contacts.
 class RunFrames {
   public:
-    /// Finds NAME.vtkhdf and NAME.joints.vtkhdf in a result folder. @throws blockgen::InputError when there
+    /// Finds NAME.vtkhdf and NAME.joints.vtkhdf in a result folder. @throws InputError when there
     /// are none.
     explicit RunFrames(const std::filesystem::path& folder);
 
@@ -47,11 +49,13 @@ PictureScale common_scale(const RunFrames& run, const std::vector<std::int64_t>&
                           std::optional<double> largest = std::nullopt);
 
 /// The same scale over the neighbourhood of a contact only: about the smaller of its two blocks.
-/// @throws blockgen::InputError when the frame has no such blocks.
-PictureScale close_to(const dda::BlamedContact& contact, const RunFrames& run, std::int64_t index,
-                      PictureScale scale);
+/// @throws InputError when the frame has no such blocks.
+PictureScale scale_around_contact(const dda::WorstContact& contact, const RunFrames& run, std::int64_t index,
+                                  PictureScale scale);
 
 /// Blocks coloured by the magnitude of their displacement, sliding contacts and open joints marked, the time
 /// in the title. @param worst is ringed, its blocks have heavy outlines, and a line below names them.
-blockgen::Canvas draw_frame(const RunFrames& run, std::int64_t index, const PictureScale& scale,
-                            const std::optional<dda::BlamedContact>& worst = std::nullopt);
+Canvas draw_frame(const RunFrames& run, std::int64_t index, const PictureScale& scale,
+                  const std::optional<dda::WorstContact>& worst = std::nullopt);
+
+}  // namespace rockslope

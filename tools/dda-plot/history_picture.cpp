@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "blockgen/picture/axes.hpp"
+#include "common/drawing/axes.hpp"
 #include "length_unit.hpp"
 #include "line_points.hpp"
+
+namespace rockslope {
 
 namespace {
 
@@ -74,47 +76,47 @@ std::vector<Panel> panels_of(const HistoryTable& history) {
     return panels;
 }
 
-void draw_panel(blockgen::Canvas& canvas, const HistoryTable& history, const Panel& panel, double upper,
-                bool is_last) {
+void draw_panel(Canvas& canvas, const HistoryTable& history, const Panel& panel, double upper, bool is_last) {
     double low = 0, high = 0;
     for (const Line& line : panel.lines) {
         low = std::min(low, *std::min_element(line.values.begin(), line.values.end()));
         high = std::max(high, *std::max_element(line.values.begin(), line.values.end()));
     }
     const LengthUnit unit = readable_unit(std::max(-low, high));
-    const blockgen::Range times{history.time.front(),
-                                std::max(history.time.back(), history.time.front() + 1e-9)};
-    const blockgen::Axes axes({left, upper}, {page_width - legend_width, upper + panel_height}, times,
-                              padded(low * unit.per_metre, high * unit.per_metre));
+    const Range times{history.time.front(), std::max(history.time.back(), history.time.front() + 1e-9)};
+    const Axes axes({left, upper}, {page_width - legend_width, upper + panel_height}, times,
+                    padded(low * unit.per_metre, high * unit.per_metre));
     axes.draw(canvas, is_last ? "time (s)" : "", panel.title + " (" + unit.name + ")", true);
     canvas.clip(axes.upper_left(), axes.lower_right());
-    std::vector<blockgen::LegendEntry> entries;
+    std::vector<LegendEntry> entries;
     for (const Line& line : panel.lines) {
-        std::vector<blockgen::Point> points = line_points(history.time, line.values, unit.per_metre);
-        for (blockgen::Point& point : points) point = axes.to_page(point);
-        const blockgen::Stroke stroke{blockgen::line_colour(line.colour), 1.1};
+        std::vector<Point> points = line_points(history.time, line.values, unit.per_metre);
+        for (Point& point : points) point = axes.to_page(point);
+        const Stroke stroke{line_colour(line.colour), 1.1};
         canvas.polyline(points, stroke);
-        blockgen::LegendEntry entry;
+        LegendEntry entry;
         entry.text = line.name;
         entry.stroke = stroke;
         entry.is_line = true;
         entries.push_back(entry);
     }
     canvas.unclip();
-    blockgen::draw_legend(canvas, {page_width - legend_width + 12, upper - 12}, "", entries);
+    draw_legend(canvas, {page_width - legend_width + 12, upper - 12}, "", entries);
 }
 
 }  // namespace
 
-blockgen::Canvas draw_history(const HistoryTable& whole) {
+Canvas draw_history(const HistoryTable& whole) {
     const HistoryTable history = without_reset_stages(whole);
     const std::vector<Panel> panels = panels_of(history);
     const auto count = static_cast<double>(panels.size());
-    blockgen::Canvas canvas(page_width, top + count * panel_height + (count - 1) * panel_gap + 44);
+    Canvas canvas(page_width, top + count * panel_height + (count - 1) * panel_gap + 44);
     canvas.text({left, top - 12}, "Displacement of the recorded points",
-                {11, blockgen::black, blockgen::Anchor::start, blockgen::Anchor::start, true});
+                {11, black, Anchor::start, Anchor::start, true});
     for (std::size_t i = 0; i < panels.size(); ++i)
         draw_panel(canvas, history, panels[i], top + static_cast<double>(i) * (panel_height + panel_gap),
                    i + 1 == panels.size());
     return canvas;
 }
+
+}  // namespace rockslope

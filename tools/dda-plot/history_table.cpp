@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "blockgen/base/input_error.hpp"
-#include "blockgen/base/read_file.hpp"
-#include "blockgen/base/text.hpp"
-#include "dda/record/record_lines.hpp"
+#include "common/base/input_error.hpp"
+#include "common/base/read_file.hpp"
+#include "common/base/text.hpp"
+#include "record/record_lines.hpp"
+
+namespace rockslope {
 
 namespace {
 
@@ -51,40 +53,40 @@ HistoryTable without_reset_stages(const HistoryTable& history) {
 }
 
 HistoryTable read_history(const std::filesystem::path& path) {
-    const std::string text = blockgen::read_text_file(path);
+    const std::string text = read_text_file(path);
     HistoryTable table;
     int line_number = 0;
     std::size_t start = 0;
     for (std::size_t end; (end = text.find('\n', start)) != std::string::npos; start = end + 1) {
         const std::vector<std::string> fields =
-            dda::csv_fields(std::string_view(text).substr(start, end - start));
+            record::csv_fields(std::string_view(text).substr(start, end - start));
         if (++line_number == 1) {
             if (fields.size() < 2)
-                throw blockgen::InputError({path.string(), 1}, "is no history", "the history.csv of a run");
+                throw InputError({path.string(), 1}, "is no history", "the history.csv of a run");
             table.names.assign(fields.begin() + 2, fields.end());
             table.columns.resize(table.names.size());
             continue;
         }
-        const auto time = blockgen::parse_number(fields.front());
+        const auto time = parse_number(fields.front());
         if (fields.size() != table.names.size() + 2 || !time)
-            throw blockgen::InputError({path.string(), line_number},
-                                       "has " + std::to_string(fields.size()) + " fields",
-                                       std::to_string(table.names.size() + 2) + ", the first a time");
+            throw InputError({path.string(), line_number}, "has " + std::to_string(fields.size()) + " fields",
+                             std::to_string(table.names.size() + 2) + ", the first a time");
         table.time.push_back(*time);
         table.stage.push_back(fields[1]);
         for (std::size_t i = 0; i < table.names.size(); ++i) {
-            const auto value = blockgen::parse_number(fields[i + 2]);
+            const auto value = parse_number(fields[i + 2]);
             if (!value)
-                throw blockgen::InputError({path.string(), line_number},
-                                           "'" + fields[i + 2] + "' is not a number", "a finite number");
+                throw InputError({path.string(), line_number}, "'" + fields[i + 2] + "' is not a number",
+                                 "a finite number");
             table.columns[i].push_back(*value);
         }
     }
-    if (table.time.empty())
-        throw blockgen::InputError({path.string()}, "holds no row yet", "a run that has begun");
+    if (table.time.empty()) throw InputError({path.string()}, "holds no row yet", "a run that has begun");
     for (const std::string& point : table.points())
         if (std::find(table.names.begin(), table.names.end(), point + " uy (m)") == table.names.end())
-            throw blockgen::InputError({path.string(), 1}, "there is no column '" + point + " uy (m)'",
-                                       "the history.csv of a run");
+            throw InputError({path.string(), 1}, "there is no column '" + point + " uy (m)'",
+                             "the history.csv of a run");
     return table;
 }
+
+}  // namespace rockslope

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+namespace rockslope {
+
 /// The numbers of a history.csv, column by column.
 struct HistoryTable {
     std::vector<double> time;                  ///< s
@@ -24,6 +26,8 @@ inline constexpr const char* prescribed_prefix = "prescribed ";
 /// was not kept.
 HistoryTable without_reset_stages(const HistoryTable& history);
 
-/// Reads the history of a run; a last line that is not finished yet is left out. @throws blockgen::InputError
+/// Reads the history of a run; a last line that is not finished yet is left out. @throws InputError
 /// with file:line.
 HistoryTable read_history(const std::filesystem::path& path);
+
+}  // namespace rockslope

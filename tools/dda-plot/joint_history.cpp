@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <limits>
 
-#include "blockgen/base/input_error.hpp"
-#include "blockgen/base/read_file.hpp"
-#include "blockgen/base/text.hpp"
-#include "dda/record/record_lines.hpp"
+#include "common/base/input_error.hpp"
+#include "common/base/read_file.hpp"
+#include "common/base/text.hpp"
+#include "record/record_lines.hpp"
+
+namespace rockslope {
 
 namespace {
-
-using blockgen::InputError;
-using dda::csv_fields;
+using record::csv_fields;
 
 const std::string joint_suffix = " displacement (m)";
 
@@ -28,7 +28,7 @@ std::vector<std::string> heading_of(const std::filesystem::path& table, const st
 }
 
 std::vector<Column> columns_of(JointHistory& history, const std::vector<std::string>& heading,
-                               const std::string& prefix, const blockgen::SourcePlace& place) {
+                               const std::string& prefix, const SourceLocation& place) {
     std::vector<Column> columns = {{&history.time, 0}};
     const auto find = [&](const char* quantity, std::vector<double>& values) {
         const auto found = std::find(heading.begin(), heading.end(), prefix + quantity);
@@ -51,14 +51,14 @@ std::vector<Column> columns_of(JointHistory& history, const std::vector<std::str
 
 std::vector<std::string> measured_joints(const std::filesystem::path& table) {
     std::vector<std::string> joints;
-    for (const std::string& name : heading_of(table, blockgen::read_text_file(table)))
+    for (const std::string& name : heading_of(table, read_text_file(table)))
         if (name.ends_with(joint_suffix)) joints.push_back(name.substr(0, name.size() - joint_suffix.size()));
     return joints;
 }
 
 JointHistory read_joint_history(const std::filesystem::path& table, const std::string& joint,
                                 std::string label) {
-    const std::string text = blockgen::read_text_file(table);
+    const std::string text = read_text_file(table);
     JointHistory history;
     history.label = std::move(label);
     const std::vector<std::string> heading = heading_of(table, text);
@@ -69,13 +69,13 @@ JointHistory read_joint_history(const std::filesystem::path& table, const std::s
     std::size_t start = text.find('\n') + 1;
     for (std::size_t end; (end = text.find('\n', start)) != std::string::npos; start = end + 1) {
         const std::vector<std::string> fields = csv_fields(std::string_view(text).substr(start, end - start));
-        const blockgen::SourcePlace place{table.string(), ++line_number};
+        const SourceLocation place{table.string(), ++line_number};
         if (fields.size() != heading.size())
             throw InputError(place, "has " + std::to_string(fields.size()) + " fields",
                              std::to_string(heading.size()));
         std::vector<double> numbers;
         for (const Column& column : columns) {
-            const auto value = blockgen::parse_number(fields[column.field]);
+            const auto value = parse_number(fields[column.field]);
             if (!value)
                 throw InputError(place, "'" + fields[column.field] + "' is not a number", "a finite number");
             numbers.push_back(*value);
@@ -94,3 +94,5 @@ JointHistory read_joint_history(const std::filesystem::path& table, const std::s
     }
     return history;
 }
+
+}  // namespace rockslope

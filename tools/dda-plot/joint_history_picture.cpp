@@ -4,18 +4,18 @@
 #include <cmath>
 #include <numbers>
 
-#include "blockgen/picture/axes.hpp"
+#include "common/drawing/axes.hpp"
 #include "length_unit.hpp"
 #include "line_points.hpp"
 
-namespace {
+namespace rockslope {
 
-using blockgen::Point;
+namespace {
 
 constexpr double page_width = 640, panel_height = 170, panel_gap = 22;
 constexpr double left = 64, top = 30, legend_width = 150;
 /// Of the displacement: less dilation than this is the give of springs.
-constexpr double least_dilation = 1e-3;
+constexpr double min_drawn_dilation = 1e-3;
 
 struct Line {
     const std::vector<double>* time;
@@ -70,7 +70,7 @@ std::vector<Panel> panels_of(std::span<const JointHistory> runs, std::span<const
     std::vector<Panel> panels = {length_panel("displacement", &JointHistory::displacement, runs, references)};
     const auto any = [&](const auto& condition) { return std::any_of(runs.begin(), runs.end(), condition); };
     if (any([](const JointHistory& run) {
-            return largest_of(run.dilation) > least_dilation * largest_of(run.displacement);
+            return largest_of(run.dilation) > min_drawn_dilation * largest_of(run.displacement);
         }))
         panels.push_back(length_panel("dilation", &JointHistory::dilation, runs, {}));
     Panel friction{"friction angle (deg)", {}}, reversals{"changes of direction", {}};
@@ -87,8 +87,8 @@ std::vector<Panel> panels_of(std::span<const JointHistory> runs, std::span<const
     return panels;
 }
 
-blockgen::Range times_of(const std::vector<Panel>& panels) {
-    blockgen::Range range{1e300, -1e300};
+Range times_of(const std::vector<Panel>& panels) {
+    Range range{1e300, -1e300};
     for (const Line& line : panels.front().lines) {
         range.low = std::min(range.low, line.time->front());
         range.high = std::max(range.high, line.time->back());
@@ -97,8 +97,7 @@ blockgen::Range times_of(const std::vector<Panel>& panels) {
     return range;
 }
 
-void draw_line(blockgen::Canvas& canvas, const std::vector<Point>& points, const blockgen::Stroke& stroke,
-               bool dashed) {
+void draw_line(Canvas& canvas, const std::vector<Point>& points, const Stroke& stroke, bool dashed) {
     if (!dashed) {
         canvas.polyline(points, stroke);
         return;
@@ -120,19 +119,18 @@ void draw_line(blockgen::Canvas& canvas, const std::vector<Point>& points, const
     if (piece.size() > 1) canvas.polyline(piece, stroke);
 }
 
-blockgen::Stroke stroke_of(std::size_t colour, bool dashed) {
-    return {dashed ? blockgen::black : blockgen::line_colour(colour), dashed ? 0.9 : 1.2};
+Stroke stroke_of(std::size_t colour, bool dashed) {
+    return {dashed ? black : line_colour(colour), dashed ? 0.9 : 1.2};
 }
 
-void draw_panel(blockgen::Canvas& canvas, const Panel& panel, const blockgen::Range& times, double upper,
-                bool is_last) {
+void draw_panel(Canvas& canvas, const Panel& panel, const Range& times, double upper, bool is_last) {
     double low = 0, high = 0;
     for (const Line& line : panel.lines) {
         low = std::min(low, *std::min_element(line.values.begin(), line.values.end()));
         high = std::max(high, *std::max_element(line.values.begin(), line.values.end()));
     }
-    const blockgen::Axes axes({left, upper}, {page_width - legend_width, upper + panel_height}, times,
-                              padded(low, high));
+    const Axes axes({left, upper}, {page_width - legend_width, upper + panel_height}, times,
+                    padded(low, high));
     axes.draw(canvas, is_last ? "time since displacements count (s)" : "", panel.title, true);
     canvas.clip(axes.upper_left(), axes.lower_right());
     for (const Line& line : panel.lines) {
@@ -145,22 +143,23 @@ void draw_panel(blockgen::Canvas& canvas, const Panel& panel, const blockgen::Ra
 
 }  // namespace
 
-blockgen::Canvas draw_joint_histories(const std::string& joint, std::span<const JointHistory> runs,
-                                      std::span<const JointHistory> references) {
+Canvas draw_joint_histories(const std::string& joint, std::span<const JointHistory> runs,
+                            std::span<const JointHistory> references) {
     const std::vector<Panel> panels = panels_of(runs, references);
-    const blockgen::Range times = times_of(panels);
+    const Range times = times_of(panels);
     const auto count = static_cast<double>(panels.size());
-    blockgen::Canvas canvas(page_width, top + count * panel_height + (count - 1) * panel_gap + 44);
-    canvas.text({left, top - 12}, "Joint '" + joint + "'",
-                {11, blockgen::black, blockgen::Anchor::start, blockgen::Anchor::start, true});
+    Canvas canvas(page_width, top + count * panel_height + (count - 1) * panel_gap + 44);
+    canvas.text({left, top - 12}, "Joint '" + joint + "'", {11, black, Anchor::start, Anchor::start, true});
     for (std::size_t k = 0; k < panels.size(); ++k)
         draw_panel(canvas, panels[k], times, top + static_cast<double>(k) * (panel_height + panel_gap),
                    k + 1 == panels.size());
-    std::vector<blockgen::LegendEntry> entries;
+    std::vector<LegendEntry> entries;
     for (std::size_t k = 0; k < runs.size(); ++k)
         entries.push_back({runs[k].label, std::nullopt, stroke_of(k, false), true});
     for (std::size_t k = 0; k < references.size(); ++k)
         entries.push_back({references[k].label + " (dashed)", std::nullopt, stroke_of(k, true), true});
-    blockgen::draw_legend(canvas, {page_width - legend_width + 12, top - 12}, "", entries);
+    draw_legend(canvas, {page_width - legend_width + 12, top - 12}, "", entries);
     return canvas;
 }
+
+}  // namespace rockslope

@@ -3,6 +3,8 @@
 #include "joint_history.hpp"
 #include "joint_history_picture.hpp"
 
+namespace rockslope {
+
 namespace fs = std::filesystem;
 
 namespace {
@@ -32,3 +34,5 @@ std::vector<JointPicture> pictures_of_joints(const fs::path& folder) {
         pictures.push_back(picture_of_joint(joint, {folder}, {}));
     return pictures;
 }
+
+}  // namespace rockslope

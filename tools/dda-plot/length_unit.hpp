@@ -2,6 +2,8 @@
 
 #include <string>
 
+namespace rockslope {
+
 /// The unit in which a length of at most `largest` metres reads well, and the factor from metres.
 struct LengthUnit {
     std::string name;
@@ -13,3 +15,5 @@ inline LengthUnit readable_unit(double largest) {
     if (largest < 1) return {"mm", 1e3};
     return {"m", 1};
 }
+
+}  // namespace rockslope

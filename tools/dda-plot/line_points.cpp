@@ -3,20 +3,22 @@
 #include <algorithm>
 #include <cmath>
 
+namespace rockslope {
+
 namespace {
 
 constexpr std::size_t drawn_intervals = 2000;
 
 }  // namespace
 
-blockgen::Range padded(double low, double high) {
+Range padded(double low, double high) {
     const double size = high > low ? high - low : std::max(std::abs(high), 1e-9);
     return {low - 0.05 * size, high + 0.05 * size};
 }
 
-std::vector<blockgen::Point> line_points(const std::vector<double>& time, const std::vector<double>& value,
-                                         double factor) {
-    std::vector<blockgen::Point> points;
+std::vector<Point> line_points(const std::vector<double>& time, const std::vector<double>& value,
+                               double factor) {
+    std::vector<Point> points;
     const std::size_t stride = std::max<std::size_t>(1, time.size() / drawn_intervals);
     for (std::size_t i = 0; i < time.size(); i += stride) {
         const auto first = value.begin() + static_cast<std::ptrdiff_t>(i);
@@ -29,3 +31,5 @@ std::vector<blockgen::Point> line_points(const std::vector<double>& time, const 
     }
     return points;
 }
+
+}  // namespace rockslope

@@ -6,15 +6,17 @@
 #include <iostream>
 #include <optional>
 
-#include "blockgen/base/input_error.hpp"
-#include "blockgen/base/output_check.hpp"
-#include "blockgen/base/output_error.hpp"
-#include "blockgen/base/text.hpp"
+#include "common/base/input_error.hpp"
+#include "common/base/output_check.hpp"
+#include "common/base/output_error.hpp"
+#include "common/base/text.hpp"
 #include "frame_picture.hpp"
 #include "history_picture.hpp"
 #include "joint_pictures.hpp"
 #include "roughness_picture.hpp"
-#include "support/parse_words.hpp"
+#include "support/parse_arguments.hpp"
+
+using namespace rockslope;
 
 namespace po = boost::program_options;
 namespace fs = std::filesystem;
@@ -59,9 +61,8 @@ std::int64_t frame_number(const std::string& word, std::int64_t count) {
     std::int64_t number = -1;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
     if (error != std::errc{} || end != word.data() + word.size() || number < 0 || number >= count)
-        throw blockgen::InputError(
-            {"dda-plot"}, "there is no frame '" + word + "'",
-            "a number from 0 to " + std::to_string(count - 1) + ", first, middle, last or all");
+        throw InputError({"dda-plot"}, "there is no frame '" + word + "'",
+                         "a number from 0 to " + std::to_string(count - 1) + ", first, middle, last or all");
     return number;
 }
 
@@ -79,8 +80,7 @@ std::vector<std::int64_t> frame_numbers(const std::string& list, std::int64_t co
 
 std::vector<std::int64_t> chosen_frames(const RunFrames& run, const std::string& list) {
     const auto count = static_cast<std::int64_t>(run.times().size());
-    if (count == 0)
-        throw blockgen::InputError({run.name() + ".vtkhdf"}, "holds no frame yet", "a run that has begun");
+    if (count == 0) throw InputError({run.name() + ".vtkhdf"}, "holds no frame yet", "a run that has begun");
     return frame_numbers(list, count);
 }
 
@@ -95,27 +95,27 @@ void draw_frames(const RunFrames& run, const std::vector<std::int64_t>& numbers,
 }
 
 /// The contact to draw: none where none is asked for, or none is named and all there is was asked for.
-std::optional<dda::BlamedContact> chosen_contact(const fs::path& folder, bool asked, bool all) {
+std::optional<dda::WorstContact> chosen_contact(const fs::path& folder, bool asked, bool all) {
     const fs::path summary = folder / "summary.json";
     if (!asked && !(all && fs::exists(summary))) return std::nullopt;
-    std::optional<dda::BlamedContact> worst = dda::read_worst_contact(summary);
+    std::optional<dda::WorstContact> worst = dda::read_worst_contact(summary);
     if (asked && !worst)
-        throw blockgen::InputError({summary.string()}, "names no worst contact",
-                                   "a run that ended for want of convergence");
+        throw InputError({summary.string()}, "names no worst contact",
+                         "a run that ended for want of convergence");
     return worst;
 }
 
 /// Two views of the last frame: the whole with the contact ringed, and its surroundings.
 struct WorstContactViews {
-    dda::BlamedContact contact;
+    dda::WorstContact contact;
     std::int64_t frame;
     PictureScale whole, near;
 
-    WorstContactViews(const RunFrames& run, dda::BlamedContact blamed, std::optional<double> largest)
+    WorstContactViews(const RunFrames& run, dda::WorstContact blamed, std::optional<double> largest)
         : contact(std::move(blamed)),
           frame(chosen_frames(run, "last").front()),
           whole(common_scale(run, {frame}, largest)),
-          near(close_to(contact, run, frame, whole)) {}
+          near(scale_around_contact(contact, run, frame, whole)) {}
 
     void draw(const RunFrames& run, const fs::path& output, const std::string& extension) const {
         const std::string stem = run.name() + ".worst-contact";
@@ -128,8 +128,8 @@ std::optional<double> largest_of(const po::variables_map& values) {
     if (!values.count("largest")) return std::nullopt;
     const double largest = values["largest"].as<double>();
     if (!(largest > 0) || !std::isfinite(largest))
-        throw blockgen::InputError({"dda-plot"}, "--largest is " + blockgen::shortest_text(largest),
-                                   "a positive length in metres");
+        throw InputError({"dda-plot"}, "--largest is " + shortest_text(largest),
+                         "a positive length in metres");
     return largest;
 }
 
@@ -144,14 +144,14 @@ void draw_roughness_frames(const RunFrames& run, const std::vector<std::int64_t>
 }
 
 /// A joint's name as a part of a file's.
-std::string file_word(std::string name) {
+std::string file_safe_name(std::string name) {
     for (char& c : name)
         if (c == '/' || c == ' ') c = '-';
     return name;
 }
 
 void write_joint(const JointPicture& picture, const fs::path& output, const std::string& extension) {
-    picture.canvas.write(output / ("joint-" + file_word(picture.joint) + "." + extension));
+    picture.canvas.write(output / ("joint-" + file_safe_name(picture.joint) + "." + extension));
 }
 
 std::vector<std::string> texts_of(const po::variables_map& values, const char* key) {
@@ -166,24 +166,24 @@ int plot(const po::variables_map& values) {
     const std::vector<std::string> folders = texts_of(values, "file");
     const bool joint_only = values.count("joint");
     if (values.count("reference") && !joint_only)
-        throw blockgen::InputError({"dda-plot"}, "--reference is given without --joint", "--joint NAME");
+        throw InputError({"dda-plot"}, "--reference is given without --joint", "--joint NAME");
     if (joint_only ? folders.empty() : folders.size() != 1)
-        throw blockgen::InputError({"dda-plot"}, std::to_string(folders.size()) + " folders are given",
-                                   "one: dda-plot OUT [options]");
+        throw InputError({"dda-plot"}, std::to_string(folders.size()) + " folders are given",
+                         "one: dda-plot OUT [options]");
     const fs::path folder = folders.front();
     const fs::path output = values.count("output") ? fs::path(values["output"].as<std::string>()) : folder;
     const std::string extension = values["format"].as<std::string>();
-    if (!blockgen::picture_format("x." + extension))
-        throw blockgen::InputError({"dda-plot"}, "--format is '" + extension + "'", "png, svg or pdf");
-    if (output.empty()) throw blockgen::InputError({"dda-plot"}, "--output is empty", "a folder");
-    blockgen::check_output_folder(output);
+    if (!picture_format("x." + extension))
+        throw InputError({"dda-plot"}, "--format is '" + extension + "'", "png, svg or pdf");
+    if (output.empty()) throw InputError({"dda-plot"}, "--output is empty", "a folder");
+    check_output_folder(output);
     const bool worst_only = values.count("worst-contact");
     const bool roughness_only = values.count("roughness");
     const bool all = !values.count("frames") && !values.count("history") && !worst_only && !roughness_only;
     if (joint_only) {
         const JointPicture picture = picture_of_joint(values["joint"].as<std::string>(), paths_of(folders),
                                                       paths_of(texts_of(values, "reference")));
-        blockgen::make_output_folder(output);
+        make_output_folder(output);
         write_joint(picture, output, extension);
         return 0;
     }
@@ -200,7 +200,7 @@ int plot(const po::variables_map& values) {
     if (const auto contact = chosen_contact(folder, worst_only, all)) worst.emplace(run, *contact, largest);
     const std::vector<JointPicture> joints = all ? pictures_of_joints(folder) : std::vector<JointPicture>{};
     const bool roughness = roughness_only || (all && has_roughness(run, frames.back()));
-    blockgen::make_output_folder(output);
+    make_output_folder(output);
     if (!frames.empty() && !roughness_only) draw_frames(run, frames, output, extension, largest);
     if (roughness) draw_roughness_frames(run, frames, output, extension);
     for (const JointPicture& joint : joints) write_joint(joint, output, extension);
@@ -213,7 +213,8 @@ int plot(const po::variables_map& values) {
 
 int main(int argc, char** argv) {
     try {
-        const po::variables_map values = tool_support::parse_words("dda-plot", argc, argv, visible_options());
+        const po::variables_map values =
+            tool_support::parse_arguments("dda-plot", argc, argv, visible_options());
         if (values.count("help")) {
             std::cout << "dda-plot OUT [options]\nDraws the results of dda-run: blocks coloured by "
                          "displacement, and the histories of the measured points.\n\n"
@@ -225,10 +226,10 @@ int main(int argc, char** argv) {
             return 0;
         }
         return plot(values);
-    } catch (const blockgen::InputError& error) {
+    } catch (const InputError& error) {
         std::fprintf(stderr, "%s\n", error.what());
         return 2;
-    } catch (const blockgen::OutputError& error) {  // of results that cannot be read, too
+    } catch (const OutputError& error) {  // of results that cannot be read, too
         std::fprintf(stderr, "%s\n", error.what());
         return 2;
     } catch (const std::exception& error) {

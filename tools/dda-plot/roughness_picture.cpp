@@ -5,8 +5,10 @@
 #include <cmath>
 #include <cstdio>
 
-#include "blockgen/picture/axes.hpp"
+#include "common/drawing/axes.hpp"
 #include "frame_layout.hpp"
+
+namespace rockslope {
 
 namespace {
 
@@ -14,7 +16,7 @@ namespace {
 const std::vector<std::string> columns = {"state", "mobilised_ratio"};
 constexpr float state_open = 0;
 
-const blockgen::Colour rock_colour{0.95, 0.94, 0.92}, smooth_colour{0.62, 0.62, 0.62};
+const Colour rock_colour{0.95, 0.94, 0.92}, smooth_colour{0.62, 0.62, 0.62};
 constexpr double joint_width = 2.6, smooth_width = 0.8;
 
 /// Classes of the ratio's magnitude: what they are called and how they are drawn.
@@ -25,8 +27,8 @@ int class_of(double ratio) {
     return std::clamp(static_cast<int>(std::ceil(std::abs(ratio) * classes)) - 1, 0, classes - 1);
 }
 /// The palest colours of the scale would not show as lines.
-blockgen::Colour class_colour(int number) {
-    return blockgen::scale_colour(0.25 + 0.75 * number / (classes - 1));
+Colour class_colour(int number) {
+    return scale_colour(0.25 + 0.75 * number / (classes - 1));
 }
 std::string class_text(int number) {
     char text[32];
@@ -35,18 +37,18 @@ std::string class_text(int number) {
     return text;
 }
 
-void draw_rock(blockgen::Canvas& canvas, const blockgen::Axes& axes, const dda::GridFrame& blocks) {
+void draw_rock(Canvas& canvas, const Axes& axes, const dda::GridFrame& blocks) {
     for (std::size_t block = 0; block < blocks.cells.count(); ++block) {
-        const blockgen::Ring ring = axes.to_page(cell_points(blocks, block));
-        canvas.polygon(std::span(&ring, 1), rock_colour, blockgen::Stroke{smooth_colour, 0.25});
+        const Ring ring = axes.to_page(cell_points(blocks, block));
+        canvas.polygon(std::span(&ring, 1), rock_colour, Stroke{smooth_colour, 0.25});
     }
 }
 
-void draw_joints(blockgen::Canvas& canvas, const blockgen::Axes& axes, const dda::GridFrame& contacts) {
+void draw_joints(Canvas& canvas, const Axes& axes, const dda::GridFrame& contacts) {
     for (std::size_t cell = 0; cell < contacts.cells.count(); ++cell) {
-        std::vector<blockgen::Point> points = cell_points(contacts, cell);
+        std::vector<Point> points = cell_points(contacts, cell);
         if (points.size() < 2) continue;
-        for (blockgen::Point& point : points) point = axes.to_page(point);
+        for (Point& point : points) point = axes.to_page(point);
         const double ratio = contacts.columns[1][cell];
         if (ratio == 0 || contacts.columns[0][cell] == state_open)
             canvas.polyline(points, {smooth_colour, smooth_width});
@@ -55,14 +57,13 @@ void draw_joints(blockgen::Canvas& canvas, const blockgen::Axes& axes, const dda
     }
 }
 
-void draw_key(blockgen::Canvas& canvas, const FrameLayout& layout) {
+void draw_key(Canvas& canvas, const FrameLayout& layout) {
     const double y = layout.page_height - 8;
     canvas.text({layout.header_left, y - 16}, "roughness at work over peak roughness (grey: none, or open)",
                 {8.5});
     for (int k = 0; k < classes; ++k) {
         const double x = layout.header_left + k * header_entry_width;
-        canvas.polyline(std::vector<blockgen::Point>{{x, y - 3}, {x + 18, y - 3}},
-                        {class_colour(k), joint_width});
+        canvas.polyline(std::vector<Point>{{x, y - 3}, {x + 18, y - 3}}, {class_colour(k), joint_width});
         canvas.text({x + 22, y}, class_text(k), {8.5});
     }
 }
@@ -75,14 +76,14 @@ bool has_roughness(const RunFrames& run, std::int64_t index) {
                        [](float ratio) { return ratio != 0; });
 }
 
-blockgen::Canvas draw_roughness(const RunFrames& run, std::int64_t index, const PictureScale& scale) {
+Canvas draw_roughness(const RunFrames& run, std::int64_t index, const PictureScale& scale) {
     FrameLayout layout(scale.right - scale.left, scale.top - scale.bottom);
     layout.page_height = layout.lower_right.y + FrameLayout::below_axes + 40;
     layout.page_width = std::max(layout.header_right + FrameLayout::margin_right,
                                  layout.header_left + classes * header_entry_width);
-    blockgen::Canvas canvas(layout.page_width, layout.page_height);
-    const blockgen::Axes axes(layout.upper_left, layout.lower_right, {scale.left, scale.right},
-                              {scale.bottom, scale.top});
+    Canvas canvas(layout.page_width, layout.page_height);
+    const Axes axes(layout.upper_left, layout.lower_right, {scale.left, scale.right},
+                    {scale.bottom, scale.top});
     canvas.clip(axes.upper_left(), axes.lower_right());
     draw_rock(canvas, axes, run.blocks(index));
     draw_joints(canvas, axes, run.contacts(index, columns));
@@ -92,6 +93,8 @@ blockgen::Canvas draw_roughness(const RunFrames& run, std::int64_t index, const 
     char title[64];
     std::snprintf(title, sizeof title, "t = %.3f s", run.times()[static_cast<std::size_t>(index)]);
     canvas.text({layout.header_left, FrameLayout::top - 12}, title,
-                {11, blockgen::black, blockgen::Anchor::start, blockgen::Anchor::start, true});
+                {11, black, Anchor::start, Anchor::start, true});
     return canvas;
 }
+
+}  // namespace rockslope

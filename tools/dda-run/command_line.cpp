@@ -5,18 +5,20 @@
 #include <sstream>
 #include <thread>
 
-#include "blockgen/base/input_error.hpp"
+#include "common/base/input_error.hpp"
 #include "support/model_file.hpp"
-#include "support/parse_words.hpp"
+#include "support/parse_arguments.hpp"
+
+namespace rockslope {
 
 namespace po = boost::program_options;
 
 namespace {
 
-constexpr int most_threads = 1024;
+constexpr int max_threads = 1024;
 
 int default_threads() {
-    return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, most_threads);
+    return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, max_threads);
 }
 
 po::options_description visible_options() {
@@ -50,24 +52,22 @@ CommandLine::Action action_of(const po::variables_map& values) {
 int threads_of(const po::variables_map& values) {
     if (!values.count("threads")) return default_threads();
     const int threads = values["threads"].as<int>();
-    if (threads < 1 || threads > most_threads)
-        throw blockgen::InputError({"dda-run"}, "--threads is " + std::to_string(threads),
-                                   "a number from 1 to 1024");
+    if (threads < 1 || threads > max_threads)
+        throw InputError({"dda-run"}, "--threads is " + std::to_string(threads), "a number from 1 to 1024");
     return threads;
 }
 
 std::optional<std::filesystem::path> path_of(const po::variables_map& values, const char* name) {
     if (!values.count(name)) return std::nullopt;
     const std::string text = values[name].as<std::string>();
-    if (text.empty())
-        throw blockgen::InputError({"dda-run"}, std::string("--") + name + " is empty", "a path");
+    if (text.empty()) throw InputError({"dda-run"}, std::string("--") + name + " is empty", "a path");
     return text;
 }
 
 }  // namespace
 
 CommandLine parse_command_line(int argc, const char* const* argv) {
-    const po::variables_map values = tool_support::parse_words("dda-run", argc, argv, visible_options());
+    const po::variables_map values = tool_support::parse_arguments("dda-run", argc, argv, visible_options());
     CommandLine line;
     line.action = action_of(values);
     const bool needs_file =
@@ -96,3 +96,5 @@ std::string help_text() {
             "checkpoint.\n";
     return text.str();
 }
+
+}  // namespace rockslope

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+namespace rockslope {
+
 /// What the user asked of dda-run.
 struct CommandLine {
     enum class Action { simulate, print_config, print_template, print_help, print_version };
@@ -20,7 +22,9 @@ struct CommandLine {
     bool pvd = false;
 };
 
-/// @throws blockgen::InputError for what cannot be understood.
+/// @throws InputError for what cannot be understood.
 CommandLine parse_command_line(int argc, const char* const* argv);
 
 std::string help_text();
+
+}  // namespace rockslope

@@ -2,13 +2,15 @@
 #include <exception>
 #include <limits>
 
-#include "blockgen/base/input_error.hpp"
 #include "command_line.hpp"
-#include "dda/io/read_run.hpp"
+#include "common/base/input_error.hpp"
+#include "dda/input/read_run.hpp"
 #include "simulate.hpp"
 #ifdef __GLIBC__  // known once a header of the library has been read
 #include <malloc.h>
 #endif
+
+using namespace rockslope;
 
 namespace {
 
@@ -39,7 +41,7 @@ ExitCode act(const CommandLine& line) {
 /// page by page when it comes again, a tenth of a run's time. What is larger than a run of some ten thousand
 /// blocks asks for goes back all the same: kept, it leaves gaps that nothing fits into, a fifth of the memory
 /// of a hundred thousand blocks.
-void keep_freed_memory() {
+void disable_heap_trimming() {
 #ifdef __GLIBC__
     mallopt(M_MMAP_THRESHOLD, 32 << 20);
     mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
@@ -50,9 +52,9 @@ void keep_freed_memory() {
 
 int main(int argc, char** argv) {
     try {
-        keep_freed_memory();
+        disable_heap_trimming();
         return act(parse_command_line(argc, argv));
-    } catch (const blockgen::InputError& error) {
+    } catch (const InputError& error) {
         std::fprintf(stderr, "%s\n", error.what());
         return bad_input;
     } catch (const std::exception& error) {

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstdio>
 
+namespace rockslope {
+
 namespace {
 
 constexpr double terminal_interval = 0.1;  // s of wall time between redraws
@@ -77,3 +79,5 @@ void ProgressLine::clear() {
     if (drawn_) std::fputs("\r\x1b[K", stderr);
     drawn_ = false;
 }
+
+}  // namespace rockslope

@@ -3,7 +3,9 @@
 #include <optional>
 #include <string>
 
-#include "dda/io/results.hpp"
+#include "dda/results/results.hpp"
+
+namespace rockslope {
 
 /// Shows on stderr how far a run is: on a terminal one line that is redrawn, elsewhere a plain line now and
 /// then.
@@ -26,3 +28,5 @@ class ProgressLine {
     std::optional<double> first_done_;  ///< s of the dynamic stages when first asked in one
     double first_done_wall_ = 0;        ///< s of wall time then
 };
+
+}  // namespace rockslope

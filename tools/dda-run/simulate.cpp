@@ -6,18 +6,20 @@
 #include <limits>
 #include <optional>
 
-#include "blockgen/base/atomic_file.hpp"
-#include "blockgen/base/input_error.hpp"
-#include "blockgen/base/output_check.hpp"
-#include "blockgen/base/output_error.hpp"
-#include "blockgen/base/sha256.hpp"
-#include "dda/io/block_table.hpp"
-#include "dda/io/read_run.hpp"
-#include "dda/io/results.hpp"
-#include "dda/io/resume_check.hpp"
-#include "dda/io/summary.hpp"
+#include "common/base/atomic_file.hpp"
+#include "common/base/input_error.hpp"
+#include "common/base/output_check.hpp"
+#include "common/base/output_error.hpp"
+#include "common/base/sha256.hpp"
+#include "dda/checkpoint/resume_check.hpp"
+#include "dda/input/read_run.hpp"
+#include "dda/results/block_table.hpp"
+#include "dda/results/results.hpp"
+#include "dda/results/summary.hpp"
 #include "progress_line.hpp"
 #include "stop_request.hpp"
+
+namespace rockslope {
 
 namespace fs = std::filesystem;
 
@@ -25,15 +27,15 @@ namespace {
 
 /// Refuses results that cannot be written or would overwrite what the run is made from.
 void check_outputs(const CommandLine& line, const dda::RunInput& input) {
-    blockgen::check_output_folder(line.output);
+    check_output_folder(line.output);
     std::vector<fs::path> results;
     for (const std::string& name : dda::result_files(input.output.name))
         results.push_back(line.output / name);
-    for (const fs::path& file : results) blockgen::check_output(file, input.files, line.output);
+    for (const fs::path& file : results) check_output(file, input.files, line.output);
     if (!line.depfile) return;
-    blockgen::check_output(*line.depfile, input.files, line.output);
+    check_output(*line.depfile, input.files, line.output);
     results.push_back(*line.depfile);
-    blockgen::check_distinct(results);
+    check_distinct(results);
 }
 
 /// What a checkpoint must have been made from to be continued: the effective model and the content of the
@@ -41,21 +43,21 @@ void check_outputs(const CommandLine& line, const dda::RunInput& input) {
 std::string input_hash(const dda::RunInput& input, const std::vector<dda::InputFile>& files) {
     std::string text = input.effective;
     for (std::size_t i = 1; i < files.size(); ++i) text += files[i].sha256;
-    return blockgen::sha256(text);
+    return sha256(text);
 }
 
 dda::Checkpoint checkpoint_of(const CommandLine& line, const dda::RunInput& input, const std::string& hash) {
     const fs::path path = line.output / "checkpoint.h5";
     dda::Checkpoint checkpoint = dda::read_checkpoint(path);
     if (checkpoint.input_hash != hash)
-        throw blockgen::InputError({path.string()}, "belongs to a run of other input",
-                                   "the model, block file and records of the run that was stopped");
+        throw InputError({path.string()}, "belongs to a run of other input",
+                         "the model, block file and records of the run that was stopped");
     dda::check_resumable(checkpoint, {input.model, line.output, input.output.name, std::nullopt, line.pvd,
                                       input.output.relative_to});
     return checkpoint;
 }
 
-void forget_earlier_run(const fs::path& folder) {
+void remove_earlier_results(const fs::path& folder) {
     for (const char* name : {"summary.json", "blocks.csv", "checkpoint.h5", "stop"}) {
         std::error_code ignored;
         fs::remove(folder / name, ignored);
@@ -84,9 +86,9 @@ std::string depfile_text(const fs::path& summary, const std::vector<fs::path>& f
     return text;
 }
 
-void say_plan(const dda::RunInput& input, const fs::path& folder) {
-    const double megabytes = dda::predicted_bytes(input.model, input.stages, input.output) / 1e6;
-    const double settling = dda::largest_settling_bytes(input.model, input.stages, input.output) / 1e6;
+void print_plan(const dda::RunInput& input, const fs::path& folder) {
+    const double megabytes = dda::estimated_bytes(input.model, input.stages, input.output) / 1e6;
+    const double settling = dda::max_static_frame_bytes(input.model, input.stages, input.output) / 1e6;
     char more[80] = "";
     if (settling > 0)
         std::snprintf(more, sizeof more, ", up to %.2g MB more while static stages settle,", settling);
@@ -95,7 +97,7 @@ void say_plan(const dda::RunInput& input, const fs::path& folder) {
 }
 
 /// One geometry serves runs of fewer stages, too; what is never taken out is said.
-void say_what_stays(const dda::RunInput& input) {
+void print_unreached_excavations(const dda::RunInput& input) {
     for (const dda::Excavation& e : input.model.excavations)
         if (static_cast<std::size_t>(e.stage) > input.stages.size())
             std::fprintf(stderr, "dda-run: excavation '%s' stays: stage %d is not in this run of %zu\n",
@@ -114,7 +116,7 @@ ExitCode exit_code_of(const dda::RunOutcome& outcome) {
 }
 
 /// The bracket of a strength reduction: between the largest factor that stands and the smallest that fails.
-void say_factor_of_safety(const std::vector<dda::ReductionTrial>& trials) {
+void print_factor_of_safety(const std::vector<dda::ReductionTrial>& trials) {
     double stands = 0;
     double fails = std::numeric_limits<double>::infinity();
     for (const dda::ReductionTrial& trial : trials) {
@@ -133,8 +135,8 @@ void say_factor_of_safety(const std::vector<dda::ReductionTrial>& trials) {
                      std::sqrt(stands * fails), stands, fails);
 }
 
-void say_outcome(const dda::RunOutcome& outcome, const dda::State& state, double wall_time,
-                 const fs::path& folder) {
+void print_outcome(const dda::RunOutcome& outcome, const dda::State& state, double wall_time,
+                   const fs::path& folder) {
     const char* where = folder.c_str();
     if (outcome.status == dda::RunStatus::completed)
         std::fprintf(stderr, "dda-run: done, %lld steps to t = %.6g s in %.3g s; results in %s\n",
@@ -147,22 +149,22 @@ void say_outcome(const dda::RunOutcome& outcome, const dda::State& state, double
 }
 
 /// A run whose results cannot be written ends there; the summary, which is small, says so.
-dda::RunOutcome run_as_far_as_written(const dda::RunInput& input, dda::State& state, dda::Results& results,
+dda::RunOutcome run_until_write_error(const dda::RunInput& input, dda::State& state, dda::Results& results,
                                       const dda::RunOptions& options) {
     try {
         return dda::run(input.model, input.stages, state, results, options);
-    } catch (const blockgen::OutputError& error) {
+    } catch (const OutputError& error) {
         return {dda::RunStatus::not_written, error.what(), {}};
     }
 }
 
 /// Where nothing can be written any more, what the run has to say is why.
-void write_ending(const fs::path& folder, const dda::RunOutcome& outcome, const std::string& blocks,
-                  const std::string& summary) {
+void write_summary_files(const fs::path& folder, const dda::RunOutcome& outcome, const std::string& blocks,
+                         const std::string& summary) {
     try {
-        blockgen::write_file_atomically(folder / "blocks.csv", blocks);
-        blockgen::write_file_atomically(folder / "summary.json", summary);
-    } catch (const blockgen::OutputError&) {
+        write_file_atomically(folder / "blocks.csv", blocks);
+        write_file_atomically(folder / "summary.json", summary);
+    } catch (const OutputError&) {
         if (outcome.status != dda::RunStatus::not_written) throw;
     }
 }
@@ -170,22 +172,21 @@ void write_ending(const fs::path& folder, const dda::RunOutcome& outcome, const 
 }  // namespace
 
 ExitCode simulate(const CommandLine& line, const std::string& version) {
-    listen_for_signals();
+    install_signal_handlers();
     const dda::RunInput input = dda::read_run(line.run_file, {line.overrides, line.blocks, line.output});
     check_outputs(line, input);
     const std::vector<dda::InputFile> files = dda::hash_files(input.files);
     const std::string hash = input_hash(input, files);
     std::optional<dda::Checkpoint> checkpoint;
     if (line.resume) checkpoint = checkpoint_of(line, input, hash);
-    blockgen::make_output_folder(line.output);
-    if (!checkpoint) forget_earlier_run(line.output);
+    make_output_folder(line.output);
+    if (!checkpoint) remove_earlier_results(line.output);
 
-    blockgen::write_file_atomically(line.output / "run.toml", input.effective);
+    write_file_atomically(line.output / "run.toml", input.effective);
     if (line.depfile)
-        blockgen::write_file_atomically(*line.depfile,
-                                        depfile_text(line.output / "summary.json", input.files));
-    say_plan(input, line.output);
-    say_what_stays(input);
+        write_file_atomically(*line.depfile, depfile_text(line.output / "summary.json", input.files));
+    print_plan(input, line.output);
+    print_unreached_excavations(input);
 
     ProgressLine progress;
     const fs::path stop_file = line.output / "stop";
@@ -198,15 +199,18 @@ ExitCode simulate(const CommandLine& line, const std::string& version) {
     dda::State state = checkpoint ? checkpoint->state : dda::initial_state(input.model);
     const dda::RunOptions options{line.threads, checkpoint ? checkpoint->results.stage : 0,
                                   checkpoint.has_value()};
-    const dda::RunOutcome outcome = run_as_far_as_written(input, state, results, options);
+    const dda::RunOutcome outcome = run_until_write_error(input, state, results, options);
     progress.clear();
 
     const std::vector<dda::PlaneSlip> slips = dda::plane_slips(input.model, input.stages, state, results);
-    write_ending(line.output, outcome,
-                 dda::block_table(input.model, state, results, slips, line.output / "blocks.csv"),
-                 dda::summary_text(input.model, input.stages, state, outcome, results, version, files));
+    write_summary_files(
+        line.output, outcome,
+        dda::block_table(input.model, state, results, slips, line.output / "blocks.csv"),
+        dda::summary_text(input.model, input.stages, state, outcome, results, version, files));
     std::fputs(dda::outcome_table(input.model, state, results, slips).c_str(), stdout);
-    say_factor_of_safety(results.state().trials);
-    say_outcome(outcome, state, results.wall_time(), line.output);
+    print_factor_of_safety(results.state().trials);
+    print_outcome(outcome, state, results.wall_time(), line.output);
     return exit_code_of(outcome);
 }
+
+}  // namespace rockslope

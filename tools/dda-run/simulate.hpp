@@ -4,11 +4,15 @@
 
 #include "command_line.hpp"
 
+namespace rockslope {
+
 /// The program's exit codes.
 enum ExitCode { done = 0, analysis_failed = 1, bad_input = 2, stopped = 75 };
 
 /// Reads the input, runs it and writes every result. @return the exit code; failures of the analysis have
 /// been told on stderr.
-/// @throws blockgen::InputError before any result is touched, blockgen::OutputError when a result cannot be
+/// @throws InputError before any result is touched, OutputError when a result cannot be
 /// written.
 ExitCode simulate(const CommandLine& line, const std::string& version);
+
+}  // namespace rockslope

@@ -4,21 +4,23 @@
 
 #include <csignal>
 
+namespace rockslope {
+
 namespace {
 
 volatile std::sig_atomic_t signalled = 0;
 
-void take_note(int number) {
+void handle_signal(int number) {
     signalled = 1;
     std::signal(number, SIG_DFL);
 }
 
 }  // namespace
 
-void listen_for_signals() {
-    std::signal(SIGINT, take_note);
-    std::signal(SIGTERM, take_note);
-    std::signal(SIGHUP, take_note);
+void install_signal_handlers() {
+    std::signal(SIGINT, handle_signal);
+    std::signal(SIGTERM, handle_signal);
+    std::signal(SIGHUP, handle_signal);
     std::signal(SIGXFSZ, SIG_IGN);
 }
 
@@ -29,3 +31,5 @@ bool stop_requested(const std::filesystem::path& stop_file) {
     std::filesystem::remove(stop_file, ignored);
     return true;
 }
+
+}  // namespace rockslope

@@ -7,13 +7,15 @@
 #include <iostream>
 #include <stdexcept>
 
-#include "blockgen/base/atomic_file.hpp"
-#include "blockgen/base/output_check.hpp"
-#include "dda/record/amplification.hpp"
-#include "dda/record/measures.hpp"
+#include "common/base/atomic_file.hpp"
+#include "common/base/output_check.hpp"
 #include "measures_text.hpp"
+#include "record/amplification.hpp"
+#include "record/measures.hpp"
 #include "record_file.hpp"
 #include "record_picture.hpp"
+
+namespace rockslope {
 
 namespace po = boost::program_options;
 namespace fs = std::filesystem;
@@ -50,8 +52,8 @@ void parse(const std::vector<std::string>& arguments, po::options_description& o
 void check_outputs(const Request& request) {
     const std::vector<fs::path> read(request.files.begin(), request.files.end());
     for (const fs::path& path : {request.output, request.picture})
-        if (!path.empty()) blockgen::check_output(path, read);
-    blockgen::check_distinct({request.output, request.picture});
+        if (!path.empty()) check_output(path, read);
+    check_distinct({request.output, request.picture});
 }
 
 std::vector<NamedRecord> read_all(const Request& request) {
@@ -102,11 +104,11 @@ struct Track {
 Track read_track(const std::string& file, const std::string& point, const std::string& label) {
     Track track{label, {}, {}, {}};
     for (const char direction : {'x', 'y'}) {
-        dda::RecordDeclaration declaration;
-        declaration.quantity = dda::Quantity::displacement;
+        record::RecordDeclaration declaration;
+        declaration.quantity = record::Quantity::displacement;
         declaration.format = "run";
         declaration.point = point + " " + direction;
-        const dda::Record record = dda::read_record(file, declaration);
+        const record::Record record = record::read_record(file, declaration);
         (direction == 'x' ? track.x : track.y) = record.values;
         track.time.resize(record.values.size());
         for (std::size_t k = 0; k < track.time.size(); ++k)
@@ -126,11 +128,11 @@ std::string tracks_text(const std::vector<Track>& tracks) {
     return text;
 }
 
-std::string table_text(const std::vector<dda::Amplification>& table) {
+std::string table_text(const std::vector<record::Amplification>& table) {
     std::string text =
         "period (s),frequency (Hz),response of the point (g),response of the base (g),response ratio,Fourier "
         "ratio\n";
-    for (const dda::Amplification& a : table)
+    for (const record::Amplification& a : table)
         text += formatted("%.4f,%.4f,%.5f,%.5f,%.4f,%.4f\n", a.period, 1 / a.period,
                           a.response / standard_gravity, a.base_response / standard_gravity,
                           a.response_ratio(), a.fourier_ratio);
@@ -139,9 +141,9 @@ std::string table_text(const std::vector<dda::Amplification>& table) {
 
 constexpr double drawn_base = 0.05;  // of the base's largest Fourier amplitude; below, the ratio says nothing
 
-blockgen::Canvas ratio_picture(const std::vector<dda::Amplification>& table, const std::string& title) {
+Canvas ratio_picture(const std::vector<record::Amplification>& table, const std::string& title) {
     PictureCurve response{"response spectra", {}, {}}, fourier{"Fourier spectra, smoothed", {}, {}};
-    for (const dda::Amplification& a : table) {
+    for (const record::Amplification& a : table) {
         response.x.push_back(a.period);
         response.y.push_back(a.response_ratio());
         if (a.base_fourier < drawn_base) continue;
@@ -163,7 +165,7 @@ int run_plot(const std::vector<std::string>& arguments) {
     parse(arguments, options, request);
     if (request.wants_help) return 0;
     if (request.files.empty()) throw std::invalid_argument("0 records are given; expected one or more");
-    if (!blockgen::picture_format(request.picture))
+    if (!picture_format(request.picture))
         throw std::invalid_argument(
             "--output names no picture file; expected a name that ends in .svg, .png or .pdf");
     check_source(request.source, request.files.size());
@@ -200,7 +202,7 @@ int run_compare(const std::vector<std::string>& arguments) {
         tracks.push_back(
             read_track(request.files[k], request.point, request.labels.empty() ? folder : request.labels[k]));
     }
-    if (!request.output.empty()) blockgen::write_file_atomically(request.output, tracks_text(tracks));
+    if (!request.output.empty()) write_file_atomically(request.output, tracks_text(tracks));
     if (!request.picture.empty()) {
         std::vector<PictureCurve> x, y;
         for (const Track& track : tracks) {
@@ -232,14 +234,14 @@ int run_amplification(const std::vector<std::string>& arguments) {
     check_source(request.source, 2);
     check_outputs(request);
     const std::vector<NamedRecord> records = read_all(request);
-    const dda::Accelerogram &point = records[0].record, &base = records[1].record;
-    const auto table = dda::amplification(
+    const record::Accelerogram &point = records[0].record, &base = records[1].record;
+    const auto table = record::amplification(
         point, base, compared_periods(std::min(point.duration(), base.duration())), request.damping);
-    if (!request.output.empty()) blockgen::write_file_atomically(request.output, table_text(table));
+    if (!request.output.empty()) write_file_atomically(request.output, table_text(table));
     if (!request.picture.empty())
         ratio_picture(table, records[0].name + " over " + records[1].name).write(request.picture);
 
-    const dda::RecordMeasures m = dda::measure(point), b = dda::measure(base);
+    const record::RecordMeasures m = record::measure(point), b = record::measure(base);
     const auto ratio = [](double a, double c) { return c > 0 ? a / c : 0; };
     const auto largest = std::max_element(table.begin(), table.end(), [](const auto& x, const auto& y) {
         return x.response_ratio() < y.response_ratio();
@@ -259,3 +261,5 @@ int run_amplification(const std::vector<std::string>& arguments) {
                stdout);
     return 0;
 }
+
+}  // namespace rockslope

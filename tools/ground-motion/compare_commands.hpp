@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+namespace rockslope {
+
 /// `ground-motion plot`: draws one record or several into one picture.
 int run_plot(const std::vector<std::string>& arguments);
 
@@ -14,3 +16,5 @@ int run_compare(const std::vector<std::string>& arguments);
 
 // All: @param arguments of the command line after the subcommand. @returns the exit code.
 // @throws boost::program_options::error, std::invalid_argument for bad arguments; InputError, OutputError.
+
+}  // namespace rockslope

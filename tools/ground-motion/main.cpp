@@ -2,10 +2,12 @@
 #include <iostream>
 #include <stdexcept>
 
-#include "blockgen/base/input_error.hpp"
-#include "blockgen/base/output_error.hpp"
-#include "change_commands.hpp"
+#include "common/base/input_error.hpp"
+#include "common/base/output_error.hpp"
+#include "record_commands.hpp"
 #include "synthesise_command.hpp"
+
+using namespace rockslope;
 
 namespace {
 
@@ -13,7 +15,7 @@ std::string usage() {
     std::string text =
         "ground-motion SUBCOMMAND [options]\n"
         "  synthesise     make an artificial accelerogram\n";
-    for (const ChangeCommand& command : change_commands()) {
+    for (const RecordCommand& command : record_commands()) {
         const std::string name = command.name;
         text += "  " + name + std::string(15 - name.size(), ' ') + command.purpose + "\n";
     }
@@ -22,7 +24,7 @@ std::string usage() {
 
 std::string known_commands() {
     std::string text = "synthesise";
-    for (const ChangeCommand& command : change_commands()) text += std::string(", ") + command.name;
+    for (const RecordCommand& command : record_commands()) text += std::string(", ") + command.name;
     return text;
 }
 
@@ -43,7 +45,7 @@ int run(const std::vector<std::string>& arguments) {
     }
     const std::vector<std::string> rest(arguments.begin() + (arguments.empty() ? 0 : 1), arguments.end());
     if (command == "synthesise") return run_synthesise(rest);
-    for (const ChangeCommand& known : change_commands())
+    for (const RecordCommand& known : record_commands())
         if (command == known.name) return known.run(rest);
     return refuse("unknown subcommand '" + command + "'; expected: " + known_commands());
 }
@@ -57,9 +59,9 @@ int main(int count, char** words) {
         return refuse(error.what());
     } catch (const std::invalid_argument& error) {
         return refuse(error.what());
-    } catch (const blockgen::InputError& error) {
+    } catch (const InputError& error) {
         return refuse(error.what());
-    } catch (const blockgen::OutputError& error) {
+    } catch (const OutputError& error) {
         return refuse(error.what());
     } catch (const std::exception& error) {
         std::cerr << "ground-motion: " << error.what() << '\n';

@@ -5,8 +5,10 @@
 #include <cstdio>
 #include <vector>
 
-#include "dda/record/measures.hpp"
-#include "dda/record/response_spectrum.hpp"
+#include "record/measures.hpp"
+#include "record/response_spectrum.hpp"
+
+namespace rockslope {
 
 namespace {
 
@@ -21,8 +23,8 @@ std::string formatted(const char* format, Values... values) {
 
 }  // namespace
 
-std::string measures_text(const dda::Accelerogram& record) {
-    const dda::RecordMeasures m = dda::measure(record);
+std::string measures_text(const record::Accelerogram& record) {
+    const record::RecordMeasures m = record::measure(record);
     return formatted("samples %zu, step %g s, duration %g s\n", record.values.size(), record.step,
                      record.duration()) +
            formatted("peak acceleration %.4f g, velocity %.4f m/s, displacement %.4f m\n",
@@ -33,12 +35,14 @@ std::string measures_text(const dda::Accelerogram& record) {
                      m.final_displacement);
 }
 
-std::string spectrum_text(const dda::Accelerogram& record, double damping) {
+std::string spectrum_text(const record::Accelerogram& record, double damping) {
     std::vector<double> periods;
     for (int k = 0; k <= 60; ++k) periods.push_back(0.02 * std::pow(10.0, k / 24.0));
     std::string text = "period (s),displacement (m),velocity (m/s),absolute acceleration (g)\n";
-    for (const dda::SpectralOrdinate& ordinate : dda::response_spectrum(record, periods, damping))
+    for (const record::SpectralOrdinate& ordinate : record::response_spectrum(record, periods, damping))
         text += formatted("%.4f,%.5f,%.5f,%.5f\n", ordinate.period, ordinate.displacement, ordinate.velocity,
                           ordinate.absolute_acceleration / standard_gravity);
     return text;
 }
+
+}  // namespace rockslope

@@ -2,10 +2,14 @@
 
 #include <string>
 
-#include "dda/record/accelerogram.hpp"
+#include "record/accelerogram.hpp"
+
+namespace rockslope {
 
 /// Sampling, peaks, Arias intensity, significant durations and where the ground ends, for reading.
-std::string measures_text(const dda::Accelerogram& record);
+std::string measures_text(const record::Accelerogram& record);
 
 /// The response spectrum as CSV, 61 periods from 0.02 s to 6.3 s, accelerations in g.
-std::string spectrum_text(const dda::Accelerogram& record, double damping);
+std::string spectrum_text(const record::Accelerogram& record, double damping);
+
+}  // namespace rockslope

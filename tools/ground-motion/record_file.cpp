@@ -4,16 +4,18 @@
 #include <cstdio>
 #include <stdexcept>
 
-#include "blockgen/base/atomic_file.hpp"
-#include "blockgen/picture/canvas.hpp"
-#include "dda/record/differentiate.hpp"
-#include "dda/record/record_text.hpp"
+#include "common/base/atomic_file.hpp"
+#include "common/drawing/canvas.hpp"
+#include "record/differentiate.hpp"
+#include "record/record_text.hpp"
+
+namespace rockslope {
 
 namespace po = boost::program_options;
 
 void add_source_options(po::options_description& options, RecordSource& source) {
     std::string known;
-    for (const std::string& key : dda::record_format_keys()) known += (known.empty() ? "" : ", ") + key;
+    for (const std::string& key : record::record_format_keys()) known += (known.empty() ? "" : ", ") + key;
     auto add = options.add_options();
     add("format", po::value(&source.format),
         ("of the file, in place of what its content looks like: " + known).c_str());
@@ -41,22 +43,22 @@ Value chosen(const std::vector<Value>& values, std::size_t place, Value otherwis
 
 }  // namespace
 
-dda::Accelerogram read_accelerogram(const std::filesystem::path& path, const RecordSource& source,
-                                    std::size_t place) {
-    dda::RecordDeclaration declaration;
-    declaration.assumed_quantity = dda::Quantity::acceleration;
-    declaration.quantity = dda::quantity_of_name(source.quantity);
+record::Accelerogram read_accelerogram(const std::filesystem::path& path, const RecordSource& source,
+                                       std::size_t place) {
+    record::RecordDeclaration declaration;
+    declaration.assumed_quantity = record::Quantity::acceleration;
+    declaration.quantity = record::quantity_of_name(source.quantity);
     if (!source.quantity.empty() && !declaration.quantity)
         throw std::invalid_argument("--quantity must be acceleration, velocity or displacement");
     declaration.unit = source.unit;
     declaration.format = source.format;
     declaration.channel = chosen(source.channels, place, 1);
     declaration.point = chosen(source.points, place, std::string());
-    const dda::Record record = dda::read_record(path, declaration);
-    if (record.quantity != dda::Quantity::acceleration)
+    const record::Record record = record::read_record(path, declaration);
+    if (record.quantity != record::Quantity::acceleration)
         std::fprintf(stderr, "ground-motion: %s holds %s; its acceleration is that of a cubic spline\n",
-                     path.c_str(), dda::quantity_name(record.quantity).c_str());
-    return {record.dt, dda::acceleration_samples(record)};
+                     path.c_str(), record::quantity_name(record.quantity).c_str());
+    return {record.dt, record::acceleration_samples(record)};
 }
 
 void check_record_name(const std::filesystem::path& path) {
@@ -67,13 +69,15 @@ void check_record_name(const std::filesystem::path& path) {
 }
 
 void check_picture_name(const std::filesystem::path& path) {
-    if (!blockgen::picture_format(path))
+    if (!picture_format(path))
         throw std::invalid_argument(
             "--picture names no picture file; expected a name that ends in .svg, .png or .pdf");
 }
 
-void write_record(const std::filesystem::path& path, const dda::Accelerogram& record,
+void write_record(const std::filesystem::path& path, const record::Accelerogram& record,
                   const std::string& title, const std::string& heading) {
-    blockgen::write_file_atomically(path, path.extension() == ".csv" ? dda::csv_text(record, title)
-                                                                     : dda::at2_text(record, title, heading));
+    write_file_atomically(path, path.extension() == ".csv" ? record::csv_text(record, title)
+                                                           : record::at2_text(record, title, heading));
 }
+
+}  // namespace rockslope

@@ -5,8 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "dda/record/accelerogram.hpp"
-#include "dda/record/records.hpp"
+#include "record/accelerogram.hpp"
+#include "record/records.hpp"
+
+namespace rockslope {
 
 /// What the command line says of the records that are read.
 struct RecordSource {
@@ -23,8 +25,8 @@ void add_source_options(boost::program_options::options_description& options, Re
 /// The acceleration in the file that stands at `place` of the command line, from 0. A velocity or a
 /// displacement is differentiated, and a line on the standard error says so. @throws InputError as the
 /// readers do.
-dda::Accelerogram read_accelerogram(const std::filesystem::path& path, const RecordSource& source,
-                                    std::size_t place = 0);
+record::Accelerogram read_accelerogram(const std::filesystem::path& path, const RecordSource& source,
+                                       std::size_t place = 0);
 
 /// Refuses --channel or --point more often than there are files. @throws std::invalid_argument.
 void check_source(const RecordSource& source, std::size_t files);
@@ -35,5 +37,7 @@ void check_record_name(const std::filesystem::path& path);
 void check_picture_name(const std::filesystem::path& path);
 
 /// Writes PEER AT2 in g or two columns in m/s2, by the name. @throws OutputError.
-void write_record(const std::filesystem::path& path, const dda::Accelerogram& record,
+void write_record(const std::filesystem::path& path, const record::Accelerogram& record,
                   const std::string& title, const std::string& heading);
+
+}  // namespace rockslope

@@ -4,22 +4,19 @@
 #include <array>
 #include <vector>
 
-#include "blockgen/picture/axes.hpp"
-#include "dda/record/response_spectrum.hpp"
+#include "common/drawing/axes.hpp"
+#include "record/response_spectrum.hpp"
+
+namespace rockslope {
 
 namespace {
-
-using blockgen::Axes;
-using blockgen::Canvas;
-using blockgen::Point;
-using blockgen::Range;
 
 constexpr double standard_gravity = 9.80665;  // m/s2
 
 /// Room for a curve's largest magnitude with some air above it.
 double reach(const std::vector<PictureCurve>& curves) {
     double largest = 1e-9;
-    for (const PictureCurve& curve : curves) largest = std::max(largest, dda::largest_magnitude(curve.y));
+    for (const PictureCurve& curve : curves) largest = std::max(largest, record::largest_magnitude(curve.y));
     return 1.1 * largest;
 }
 
@@ -47,21 +44,21 @@ void draw_curves(Canvas& canvas, const Axes& axes, const std::vector<PictureCurv
         std::vector<Point> line;
         for (std::size_t k = 0; k < curve.x.size(); ++k)
             line.push_back(axes.to_page(Point{curve.x[k], curve.y[k]}));
-        canvas.polyline(line, {blockgen::line_colour(colour_of(curves, number, panel)), 0.7});
+        canvas.polyline(line, {line_colour(colour_of(curves, number, panel)), 0.7});
     }
     canvas.unclip();
 }
 
 void draw_names(Canvas& canvas, const Point& place, const std::vector<PictureCurve>& curves) {
-    std::vector<blockgen::LegendEntry> entries;
+    std::vector<LegendEntry> entries;
     for (std::size_t k = 0; k < curves.size(); ++k) {
-        blockgen::LegendEntry entry;
+        LegendEntry entry;
         entry.text = curves[k].name;
-        entry.stroke = blockgen::Stroke{blockgen::line_colour(k), 1.1};
+        entry.stroke = Stroke{line_colour(k), 1.1};
         entry.is_line = true;
         entries.push_back(entry);
     }
-    blockgen::draw_legend(canvas, place, "", entries);
+    draw_legend(canvas, place, "", entries);
 }
 
 PictureCurve over_time(const NamedRecord& record, const std::vector<double>& values, double factor) {
@@ -75,7 +72,7 @@ PictureCurve over_time(const NamedRecord& record, const std::vector<double>& val
 PictureCurve spectrum_curve(const NamedRecord& record) {
     PictureCurve curve{record.name, {}, {}};
     for (int k = 1; k <= 200; ++k) curve.x.push_back(0.02 * k);
-    for (const dda::SpectralOrdinate& ordinate : dda::response_spectrum(record.record, curve.x, 0.05))
+    for (const record::SpectralOrdinate& ordinate : record::response_spectrum(record.record, curve.x, 0.05))
         curve.y.push_back(ordinate.absolute_acceleration / standard_gravity);
     return curve;
 }
@@ -87,7 +84,7 @@ Canvas record_picture(const std::vector<NamedRecord>& records, const std::string
     std::vector<PictureCurve> spectra;
     double duration = 0;
     for (const NamedRecord& record : records) {
-        const dda::GroundMotion motion = dda::integrate(record.record);
+        const record::GroundMotion motion = record::integrate(record.record);
         histories[0].push_back(over_time(record, record.record.values, 1 / standard_gravity));
         histories[1].push_back(over_time(record, motion.velocity, 1));
         histories[2].push_back(over_time(record, motion.displacement, 1));
@@ -142,3 +139,5 @@ Canvas period_picture(const std::vector<PictureCurve>& curves, const std::string
     draw_names(canvas, {60, 322}, curves);
     return canvas;
 }
+
+}  // namespace rockslope

@@ -3,18 +3,20 @@
 #include <string>
 #include <vector>
 
-#include "blockgen/picture/canvas.hpp"
-#include "dda/record/accelerogram.hpp"
+#include "common/drawing/canvas.hpp"
+#include "record/accelerogram.hpp"
+
+namespace rockslope {
 
 /// A record and its name in the picture.
 struct NamedRecord {
     std::string name;
-    dda::Accelerogram record;
+    record::Accelerogram record;
 };
 
 /// Acceleration (g), velocity (m/s) and displacement (m) of records against time, beside their 5 % response
 /// spectra up to 4 s; with a legend where there are several. @param records at least one.
-blockgen::Canvas record_picture(const std::vector<NamedRecord>& records, const std::string& title);
+Canvas record_picture(const std::vector<NamedRecord>& records, const std::string& title);
 
 /// A line of a picture.
 struct PictureCurve {
@@ -25,9 +27,11 @@ struct PictureCurve {
 
 /// Displacements in x and y, m, over time, one panel each, with a legend. @param x, y curves of the same
 /// runs.
-blockgen::Canvas displacement_picture(const std::vector<PictureCurve>& x, const std::vector<PictureCurve>& y,
-                                      const std::string& title);
+Canvas displacement_picture(const std::vector<PictureCurve>& x, const std::vector<PictureCurve>& y,
+                            const std::string& title);
 
 /// Curves over periods, with a legend.
-blockgen::Canvas period_picture(const std::vector<PictureCurve>& curves, const std::string& title,
-                                const std::string& y_title);
+Canvas period_picture(const std::vector<PictureCurve>& curves, const std::string& title,
+                      const std::string& y_title);
+
+}  // namespace rockslope

@@ -7,14 +7,16 @@
 #include <iostream>
 #include <stdexcept>
 
-#include "blockgen/base/atomic_file.hpp"
-#include "blockgen/base/output_check.hpp"
-#include "blockgen/base/text.hpp"
-#include "dda/record/synthesise.hpp"
-#include "dda/record/wavelets.hpp"
+#include "common/base/atomic_file.hpp"
+#include "common/base/output_check.hpp"
+#include "common/base/text.hpp"
 #include "measures_text.hpp"
+#include "record/synthesise.hpp"
+#include "record/wavelets.hpp"
 #include "record_file.hpp"
 #include "record_picture.hpp"
+
+namespace rockslope {
 
 namespace po = boost::program_options;
 
@@ -23,7 +25,7 @@ namespace {
 constexpr double standard_gravity = 9.80665;  // m/s2
 
 struct Request {
-    dda::SyntheticMotion recipe;
+    record::SyntheticMotion recipe;
     std::int64_t seed = 1;
     double peak_in_g = 0.35;
     double magnitude = 6.5;
@@ -38,11 +40,11 @@ struct Request {
 
 template <class Value>
 po::typed_value<Value>* option(Value& value) {
-    return po::value(&value)->default_value(value, blockgen::shortest_text(static_cast<double>(value)));
+    return po::value(&value)->default_value(value, shortest_text(static_cast<double>(value)));
 }
 
 po::options_description described(Request& request) {
-    dda::SyntheticMotion& recipe = request.recipe;
+    record::SyntheticMotion& recipe = request.recipe;
     po::options_description options(
         "ground-motion synthesise -o FILE.at2|FILE.csv [options]\n"
         "Makes an artificial accelerogram; the same options give the same bytes");
@@ -82,16 +84,16 @@ std::string title(const Request& request) {
     return text.data();
 }
 
-dda::Accelerogram made(Request& request) {
+record::Accelerogram made(Request& request) {
     const double peak = request.peak_in_g * standard_gravity;
     if (request.kind == "sine")
-        return dda::sine_burst(peak, request.frequency, request.cycles, request.recipe.step);
-    if (request.kind == "ricker") return dda::ricker(peak, request.frequency, request.recipe.step);
+        return record::sine_burst(peak, request.frequency, request.cycles, request.recipe.step);
+    if (request.kind == "ricker") return record::ricker(peak, request.frequency, request.recipe.step);
     if (request.kind != "random") throw std::invalid_argument("--kind must be random, sine or ricker");
     request.recipe.seed = static_cast<std::uint64_t>(request.seed);
     request.recipe.peak = peak;
-    request.recipe.envelope = dda::envelope_of_earthquake(request.magnitude, request.distance);
-    return dda::synthesise(request.recipe);
+    request.recipe.envelope = record::envelope_of_earthquake(request.magnitude, request.distance);
+    return record::synthesise(request.recipe);
 }
 
 }  // namespace
@@ -109,13 +111,13 @@ int run_synthesise(const std::vector<std::string>& arguments) {
     check_record_name(request.output);
     if (!request.picture.empty()) check_picture_name(request.picture);
     for (const auto& path : {request.output, request.spectrum, request.picture})
-        if (!path.empty()) blockgen::check_output(path, {});
-    blockgen::check_distinct({request.output, request.spectrum, request.picture});
+        if (!path.empty()) check_output(path, {});
+    check_distinct({request.output, request.spectrum, request.picture});
     if (request.seed < 0) throw std::invalid_argument("seed must not be negative");
-    const dda::Accelerogram record = made(request);
+    const record::Accelerogram record = made(request);
     write_record(request.output, record, title(request), "SYNTHETIC STRONG MOTION RECORD");
     if (!request.spectrum.empty()) {
-        blockgen::write_file_atomically(request.spectrum, spectrum_text(record, 0.05));
+        write_file_atomically(request.spectrum, spectrum_text(record, 0.05));
     }
     if (!request.picture.empty()) {
         record_picture({{"", record}}, title(request)).write(request.picture);
@@ -123,3 +125,5 @@ int run_synthesise(const std::vector<std::string>& arguments) {
     std::fputs(measures_text(record).c_str(), stdout);
     return 0;
 }
+
+}  // namespace rockslope

@@ -6,15 +6,17 @@
 #include <iostream>
 #include <optional>
 
-#include "blockgen/base/atomic_file.hpp"
-#include "blockgen/base/input_error.hpp"
-#include "blockgen/base/output_check.hpp"
-#include "blockgen/base/output_error.hpp"
-#include "dda/io/read_shear_test.hpp"
-#include "dda/io/shear_table.hpp"
+#include "common/base/atomic_file.hpp"
+#include "common/base/input_error.hpp"
+#include "common/base/output_check.hpp"
+#include "common/base/output_error.hpp"
+#include "dda/laboratory/read_shear_test.hpp"
+#include "dda/laboratory/shear_table.hpp"
 #include "shear_picture.hpp"
 #include "support/model_file.hpp"
-#include "support/parse_words.hpp"
+#include "support/parse_arguments.hpp"
+
+using namespace rockslope;
 
 namespace po = boost::program_options;
 
@@ -64,14 +66,12 @@ int run(const po::variables_map& values) {
         tool_support::model_file_of("joint-shear", values, "joint-shear TEST.toml -o ROWS.csv [options]");
     const std::string output = text_of(values, "output"), picture = text_of(values, "picture");
     const std::string measured_file = text_of(values, "compare");
-    if (output.empty())
-        throw blockgen::InputError({"joint-shear"}, "--output is missing", "--output ROWS.csv");
-    if (!picture.empty() && !blockgen::picture_format(picture))
-        throw blockgen::InputError({"joint-shear"}, "--picture is '" + picture + "'",
-                                   "a name that ends in .svg, .png or .pdf");
+    if (output.empty()) throw InputError({"joint-shear"}, "--output is missing", "--output ROWS.csv");
+    if (!picture.empty() && !picture_format(picture))
+        throw InputError({"joint-shear"}, "--picture is '" + picture + "'",
+                         "a name that ends in .svg, .png or .pdf");
     if (values.count("joint") && !values.count("compare"))
-        throw blockgen::InputError({"joint-shear"}, "--joint is given without --compare",
-                                   "--compare joints.csv");
+        throw InputError({"joint-shear"}, "--joint is given without --compare", "--compare joints.csv");
     const dda::ShearTestInput input =
         dda::read_shear_test(file, values.count("set") ? values["set"].as<std::vector<std::string>>()
                                                        : std::vector<std::string>{});
@@ -83,11 +83,11 @@ int run(const po::variables_map& values) {
         read.emplace_back(measured_file);
     }
     for (const std::string& result : {output, picture})
-        if (!result.empty()) blockgen::check_output(result, read);
-    blockgen::check_distinct({output, picture});
+        if (!result.empty()) check_output(result, read);
+    check_distinct({output, picture});
 
     const std::vector<dda::ShearTestRow> rows = dda::run_shear_test(input.test);
-    blockgen::write_file_atomically(output, dda::shear_rows_csv(rows));
+    write_file_atomically(output, dda::shear_rows_csv(rows));
     print_summary(input, rows);
     if (measured) {
         const dda::Comparison comparison = dda::compare(input.test, *measured);
@@ -104,7 +104,7 @@ int run(const po::variables_map& values) {
 int main(int argc, char** argv) {
     try {
         const po::variables_map values =
-            tool_support::parse_words("joint-shear", argc, argv, visible_options());
+            tool_support::parse_arguments("joint-shear", argc, argv, visible_options());
         if (values.count("help")) {
             std::cout
                 << "joint-shear TEST.toml -o ROWS.csv [options]\nShears one joint along a path, without "
@@ -121,10 +121,10 @@ int main(int argc, char** argv) {
             return 0;
         }
         return run(values);
-    } catch (const blockgen::InputError& error) {
+    } catch (const InputError& error) {
         std::fprintf(stderr, "%s\n", error.what());
         return 2;
-    } catch (const blockgen::OutputError& error) {
+    } catch (const OutputError& error) {
         std::fprintf(stderr, "%s\n", error.what());
         return 2;
     } catch (const std::exception& error) {

@@ -3,14 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "blockgen/picture/axes.hpp"
+#include "common/drawing/axes.hpp"
+
+namespace rockslope {
 
 namespace {
-
-using blockgen::Axes;
-using blockgen::Canvas;
-using blockgen::Point;
-using blockgen::Range;
 
 constexpr double page_width = 640, panel_height = 220, panel_gap = 20, left = 62, right = 140, top = 34;
 constexpr std::size_t measured_colour = 1;
@@ -27,7 +24,7 @@ Range padded(double low, double high) {
     return {low - 0.05 * size, high + 0.05 * size};
 }
 
-class Spread {
+class ValueRange {
   public:
     void take(double value) {
         low_ = std::min(low_, value);
@@ -45,11 +42,11 @@ void draw_panel(Canvas& canvas, const Axes& axes, const Panel& panel,
     std::vector<Point> line;
     for (const dda::ShearTestRow& row : rows)
         line.push_back(axes.to_page(Point{row.displacement * 1e3, row.*panel.computed * panel.factor}));
-    canvas.polyline(line, {blockgen::line_colour(0), 1.1});
+    canvas.polyline(line, {line_colour(0), 1.1});
     if (panel.measured)
         for (std::size_t k = 0; k < panel.measured->size(); ++k)
             canvas.circle(axes.to_page(Point{(*displacement)[k] * 1e3, (*panel.measured)[k] * panel.factor}),
-                          1.8, std::nullopt, blockgen::Stroke{blockgen::line_colour(measured_colour), 0.7});
+                          1.8, std::nullopt, Stroke{line_colour(measured_colour), 0.7});
     canvas.unclip();
 }
 
@@ -76,14 +73,14 @@ Canvas draw_shear_test(const dda::ShearTestInput& input, const std::vector<dda::
     const auto count = static_cast<double>(panels.size());
     Canvas canvas(page_width, top + count * panel_height + (count - 1) * panel_gap + 44);
     canvas.text({left, top - 12}, "Direct shear of " + input.material,
-                {11, blockgen::black, blockgen::Anchor::start, blockgen::Anchor::start, true});
-    Spread x;
+                {11, black, Anchor::start, Anchor::start, true});
+    ValueRange x;
     for (const dda::ShearTestRow& row : rows) x.take(row.displacement * 1e3);
     if (measured)
         for (const double displacement : measured->displacement) x.take(displacement * 1e3);
     for (std::size_t k = 0; k < panels.size(); ++k) {
         const Panel& panel = panels[k];
-        Spread y;
+        ValueRange y;
         for (const dda::ShearTestRow& row : rows) y.take(row.*panel.computed * panel.factor);
         if (panel.measured)
             for (const double value : *panel.measured) y.take(value * panel.factor);
@@ -92,15 +89,17 @@ Canvas draw_shear_test(const dda::ShearTestInput& input, const std::vector<dda::
         axes.draw(canvas, k + 1 == panels.size() ? "displacement (mm)" : "", panel.title, true);
         draw_panel(canvas, axes, panel, rows, measured ? &measured->displacement : nullptr);
     }
-    std::vector<blockgen::LegendEntry> entries(measured ? 2 : 1);
+    std::vector<LegendEntry> entries(measured ? 2 : 1);
     entries[0].text = "computed";
-    entries[0].stroke = blockgen::Stroke{blockgen::line_colour(0), 1.1};
+    entries[0].stroke = Stroke{line_colour(0), 1.1};
     entries[0].is_line = true;
     if (measured) {
         entries[1].text = "measured (circles)";
-        entries[1].stroke = blockgen::Stroke{blockgen::line_colour(measured_colour), 0.7};
+        entries[1].stroke = Stroke{line_colour(measured_colour), 0.7};
         entries[1].is_line = true;
     }
-    blockgen::draw_legend(canvas, {page_width - right + 14, top + 4}, "", entries);
+    draw_legend(canvas, {page_width - right + 14, top + 4}, "", entries);
     return canvas;
 }
+
+}  // namespace rockslope

@@ -3,11 +3,15 @@
 #include <optional>
 #include <vector>
 
-#include "blockgen/picture/canvas.hpp"
-#include "dda/io/read_shear_test.hpp"
-#include "dda/io/shear_table.hpp"
+#include "common/drawing/canvas.hpp"
+#include "dda/laboratory/read_shear_test.hpp"
+#include "dda/laboratory/shear_table.hpp"
+
+namespace rockslope {
 
 /// Shear stress, dilation and, where it changes, normal stress against displacement; measured points as
 /// circles.
-blockgen::Canvas draw_shear_test(const dda::ShearTestInput& input, const std::vector<dda::ShearTestRow>& rows,
-                                 const std::optional<dda::ShearTable>& measured);
+Canvas draw_shear_test(const dda::ShearTestInput& input, const std::vector<dda::ShearTestRow>& rows,
+                       const std::optional<dda::ShearTable>& measured);
+
+}  // namespace rockslope

@@ -2,18 +2,18 @@
 
 #include <vector>
 
-#include "blockgen/base/input_error.hpp"
+#include "common/base/input_error.hpp"
 
-namespace tool_support {
+namespace rockslope::tool_support {
 
 std::string model_file_of(const char* program, const boost::program_options::variables_map& values,
                           const std::string& usage) {
     const auto files =
         values.count("file") ? values["file"].as<std::vector<std::string>>() : std::vector<std::string>{};
     if (files.size() == 1) return files.front();
-    throw blockgen::InputError({program},
-                               files.empty() ? "no model file is given" : "more than one model file is given",
-                               usage + "; --help lists the options, --template prints a model file");
+    throw InputError({program},
+                     files.empty() ? "no model file is given" : "more than one model file is given",
+                     usage + "; --help lists the options, --template prints a model file");
 }
 
-}  // namespace tool_support
+}  // namespace rockslope::tool_support

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <string_view>
 
-#include "blockgen/base/input_error.hpp"
-#include "blockgen/base/magnitude.hpp"
-#include "blockgen/base/read_file.hpp"
-#include "blockgen/base/text.hpp"
 #include "blockgen/mesh/names.hpp"
+#include "common/base/input_error.hpp"
+#include "common/base/magnitude.hpp"
+#include "common/base/read_file.hpp"
+#include "common/base/text.hpp"
 
-namespace blockgen {
+namespace rockslope::blockgen {
 
 namespace {
 
@@ -99,7 +99,7 @@ CsvTable read_csv(const std::filesystem::path& path, const std::vector<std::stri
                                      ? "'" + std::string(fields[where[i]].text) + "' is not a finite number"
                                      : "the line ends before column '" + number_columns[i] + "'",
                                  "a number for " + number_columns[i]);
-            if (!is_usable(*value))
+            if (!is_in_allowed_range(*value))
                 throw InputError({path.string(), line_number, fields[where[i]].column},
                                  "'" + std::string(fields[where[i]].text) + "' is too large",
                                  "a number for " + number_columns[i]);
@@ -110,4 +110,4 @@ CsvTable read_csv(const std::filesystem::path& path, const std::vector<std::stri
     return table;
 }
 
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

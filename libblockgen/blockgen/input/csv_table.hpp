@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace blockgen {
+namespace rockslope::blockgen {
 
 struct CsvRow {
     std::vector<double> numbers;     ///< one for each asked-for number column, finite
@@ -22,4 +22,4 @@ struct CsvTable {
 CsvTable read_csv(const std::filesystem::path& path, const std::vector<std::string>& number_columns,
                   const std::vector<std::string>& text_columns);
 
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

@@ -7,14 +7,14 @@
 #include <cmath>
 #include <numbers>
 
-namespace blockgen {
+namespace rockslope::blockgen {
 
 namespace {
 
 double normal_quantile(double u) {
     return -std::numbers::sqrt2 * boost::math::erfc_inv(2 * u);
 }
-double normal_share(double z) {
+double normal_cdf(double z) {
     return std::erfc(-z / std::numbers::sqrt2) / 2;
 }
 
@@ -40,13 +40,13 @@ double power_integral(double power, double a, double b) {
 }
 
 /// The share of the untruncated law below x.
-double share_below(const Distribution& d, double x) {
+double cdf(const Distribution& d, double x) {
     if (x == std::numeric_limits<double>::infinity()) return 1;
     switch (d.law) {
         case Law::normal:
-            return normal_share((x - d.mean) / d.sd);
+            return normal_cdf((x - d.mean) / d.sd);
         case Law::lognormal:
-            return x > 0 ? normal_share((std::log(x) - log_mean(d)) / log_sd(d)) : 0;
+            return x > 0 ? normal_cdf((std::log(x) - log_mean(d)) / log_sd(d)) : 0;
         case Law::exponential:
             return x > 0 ? -std::expm1(-x / d.mean) : 0;
         case Law::weibull:
@@ -59,7 +59,7 @@ double share_below(const Distribution& d, double x) {
 }
 
 /// A law of no spread.
-bool is_point(const Distribution& d) {
+bool is_degenerate(const Distribution& d) {
     return d.sd == 0 && (d.law == Law::normal || d.law == Law::lognormal || d.law == Law::gamma);
 }
 
@@ -71,7 +71,7 @@ double Distribution::untruncated_mean() const {
     return min * power_integral(2 - shape, min, max) / power_integral(1 - shape, min, max);
 }
 
-double Distribution::mean_draw(double most) const {
+double Distribution::truncated_mean(double most) const {
     if (law == Law::constant) return std::min(mean, most);
     if (max <= most && (law == Law::uniform || law == Law::power)) return untruncated_mean();
     // The ends may be infinite, but not so that the integral is; the rule never asks for them.
@@ -91,8 +91,8 @@ double Distribution::quantile(double u) const {
                              : min * std::pow(1 + u * power * power_integral(power, min, max), 1 / power);
         return std::clamp(x, min, max);
     }
-    if (is_point(*this)) return std::clamp(mean, min, max);
-    const double low = share_below(*this, min), high = share_below(*this, max);
+    if (is_degenerate(*this)) return std::clamp(mean, min, max);
+    const double low = cdf(*this, min), high = cdf(*this, max);
     const double share = std::min(low + u * (high - low), 1 - 0x1p-53);
     double value = 0;
     if (law == Law::normal) value = mean + sd * normal_quantile(share);
@@ -103,10 +103,10 @@ double Distribution::quantile(double u) const {
     return std::clamp(value, min, max);
 }
 
-bool Distribution::has_weight() const {
+bool Distribution::has_probability_mass() const {
     if (law == Law::constant || law == Law::uniform || law == Law::power) return true;
-    if (is_point(*this)) return min <= mean && mean <= max;
-    return share_below(*this, max) - share_below(*this, min) > 1e-12;
+    if (is_degenerate(*this)) return min <= mean && mean <= max;
+    return cdf(*this, max) - cdf(*this, min) > 1e-12;
 }
 
 double Distribution::infimum() const {
@@ -116,4 +116,4 @@ double Distribution::infimum() const {
     return min;
 }
 
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

@@ -3,7 +3,7 @@
 #include <limits>
 #include <string>
 
-namespace blockgen {
+namespace rockslope::blockgen {
 
 enum class Law { constant, uniform, normal, lognormal, exponential, weibull, gamma, power };
 
@@ -23,9 +23,9 @@ struct Distribution {
     /// Mean of the law before truncation; of a power law, which has none, within its bounds.
     double untruncated_mean() const;
     /// Mean of the draws, each counted as no more than `most`, by integration of the quantile.
-    double mean_draw(double most = std::numeric_limits<double>::infinity()) const;
+    double truncated_mean(double most = std::numeric_limits<double>::infinity()) const;
     /// Whether more than 1e-12 of the law lies between min and max, so that quantile() means something.
-    bool has_weight() const;
+    bool has_probability_mass() const;
     /// The smallest value that a draw can return.
     double infimum() const;
 
@@ -36,4 +36,4 @@ inline Distribution constant_value(double value) {
     return {Law::constant, value, 0, value, value};
 }
 
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

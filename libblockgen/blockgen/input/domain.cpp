@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace blockgen {
+namespace rockslope::blockgen {
 
 Bounds domain_bounds(const SlopeModel& model) {
     Ring corners = model.outline;
@@ -16,10 +16,10 @@ bool is_in_outlines(const SlopeModel& model, const Point& p) {
            std::any_of(model.further_outlines.begin(), model.further_outlines.end(), holds);
 }
 
-bool lies_apart_from_domain(const Ring& ring, const SlopeModel& model) {
-    const auto is_apart = [&ring](const Ring& part) { return lies_apart(ring, part); };
+bool is_outside_domain(const Ring& ring, const SlopeModel& model) {
+    const auto is_apart = [&ring](const Ring& part) { return have_disjoint_interiors(ring, part); };
     return is_apart(model.outline) &&
            std::all_of(model.further_outlines.begin(), model.further_outlines.end(), is_apart);
 }
 
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "blockgen/clip_line.hpp"
 #include "blockgen/input/slope_model.hpp"
+#include "common/geometry/clip_line.hpp"
 
-namespace blockgen {
+namespace rockslope::blockgen {
 
 /// The upright box round all parts of the domain.
 Bounds domain_bounds(const SlopeModel& model);
@@ -12,6 +12,6 @@ Bounds domain_bounds(const SlopeModel& model);
 bool is_in_outlines(const SlopeModel& model, const Point& p);
 
 /// Whether a ring has no area in common with any part of the domain.
-bool lies_apart_from_domain(const Ring& ring, const SlopeModel& model);
+bool is_outside_domain(const Ring& ring, const SlopeModel& model);
 
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

@@ -1,7 +1,7 @@
 #include "blockgen/input/gdal_file.hpp"
 
-#include "blockgen/base/input_error.hpp"
-#include "blockgen/base/magnitude.hpp"
+#include "common/base/input_error.hpp"
+#include "common/base/magnitude.hpp"
 
 #ifdef BLOCKGEN_HAS_GDAL
 #include <cpl_error.h>
@@ -13,19 +13,19 @@
 #include <memory>
 #endif
 
-namespace blockgen {
+namespace rockslope::blockgen {
 
 #ifdef BLOCKGEN_HAS_GDAL
 
 namespace {
 
 /// GDAL writes to the standard error unless told not to.
-class Quiet {
+class GdalErrorSilencer {
   public:
-    Quiet() { CPLPushErrorHandler(CPLQuietErrorHandler); }
-    ~Quiet() { CPLPopErrorHandler(); }
-    Quiet(const Quiet&) = delete;
-    Quiet& operator=(const Quiet&) = delete;
+    GdalErrorSilencer() { CPLPushErrorHandler(CPLQuietErrorHandler); }
+    ~GdalErrorSilencer() { CPLPopErrorHandler(); }
+    GdalErrorSilencer(const GdalErrorSilencer&) = delete;
+    GdalErrorSilencer& operator=(const GdalErrorSilencer&) = delete;
 };
 
 using Dataset = std::unique_ptr<void, decltype(&GDALClose)>;
@@ -71,7 +71,7 @@ class GdalReader {
             std::vector<Point> points;
             for (int k = 0; k < OGR_G_GetPointCount(shape); ++k) {
                 points.push_back({OGR_G_GetX(shape, k), OGR_G_GetY(shape, k)});
-                if (!is_usable(points.back().x) || !is_usable(points.back().y))
+                if (!is_in_allowed_range(points.back().x) || !is_in_allowed_range(points.back().y))
                     throw InputError(place_, "a coordinate is too large", "coordinates in metres");
             }
             if (points.size() >= 2) visit(std::move(points));
@@ -81,11 +81,11 @@ class GdalReader {
             visit_lines(OGR_G_GetGeometryRef(shape, k), visit);
     }
 
-    const SourcePlace& place() const { return place_; }
+    const SourceLocation& place() const { return place_; }
 
   private:
-    Quiet quiet_;
-    SourcePlace place_;
+    GdalErrorSilencer error_silencer_;
+    SourceLocation place_;
     Dataset dataset_{nullptr, &GDALClose};
 };
 
@@ -163,4 +163,4 @@ std::vector<std::vector<Ring>> read_gdal_polygons(const std::filesystem::path& p
 
 #endif
 
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

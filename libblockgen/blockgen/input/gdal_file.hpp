@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "blockgen/mesh/polygon.hpp"
+#include "common/geometry/polygon.hpp"
 
-namespace blockgen {
+namespace rockslope::blockgen {
 
 /// A line of a file that GDAL reads.
 struct GdalLine {
@@ -27,4 +27,4 @@ std::vector<GdalLine> read_gdal_lines(const std::filesystem::path& path);
 /// @throws InputError as above, and when there are none, or an open line.
 std::vector<std::vector<Ring>> read_gdal_polygons(const std::filesystem::path& path);
 
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

@@ -3,12 +3,12 @@
 #include <cmath>
 #include <string>
 
-#include "blockgen/base/input_error.hpp"
-#include "blockgen/base/magnitude.hpp"
-#include "blockgen/base/read_file.hpp"
-#include "blockgen/base/text.hpp"
+#include "common/base/input_error.hpp"
+#include "common/base/magnitude.hpp"
+#include "common/base/read_file.hpp"
+#include "common/base/text.hpp"
 
-namespace blockgen {
+namespace rockslope::blockgen {
 
 namespace {
 
@@ -29,7 +29,7 @@ class GeoReader {
         const std::string word = text_.substr(start, at_ - start);
         if (word.empty()) throw InputError(word_place_, "the file ends", what);
         const auto value = parse_number(word[0] == '+' ? word.substr(1) : word);
-        if (!value || !is_usable(*value))
+        if (!value || !is_in_allowed_range(*value))
             throw InputError(word_place_, "'" + word + "' is not a number", what);
         return *value;
     }
@@ -86,12 +86,12 @@ class GeoReader {
                 line_start_ = at_ + 1;
             }
     }
-    SourcePlace place() const { return {file_, line_, static_cast<int>(at_ - line_start_) + 1}; }
+    SourceLocation place() const { return {file_, line_, static_cast<int>(at_ - line_start_) + 1}; }
 
     std::string text_, file_;
     std::size_t at_ = 0, line_start_ = 0;
     int line_ = 1;
-    SourcePlace word_place_;
+    SourceLocation word_place_;
 };
 
 }  // namespace
@@ -123,4 +123,4 @@ GeoFile read_geo_file(const std::filesystem::path& path) {
     return geo;
 }
 
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

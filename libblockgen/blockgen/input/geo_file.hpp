@@ -3,9 +3,9 @@
 #include <filesystem>
 #include <vector>
 
-#include "blockgen/mesh/polygon.hpp"
+#include "common/geometry/polygon.hpp"
 
-namespace blockgen {
+namespace rockslope::blockgen {
 
 /// A line of Shi's geometry file; `number` is a material's.
 struct GeoLine {
@@ -30,4 +30,4 @@ struct GeoFile {
 /// or words after the end.
 GeoFile read_geo_file(const std::filesystem::path& path);
 
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

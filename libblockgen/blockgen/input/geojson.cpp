@@ -3,23 +3,23 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "blockgen/base/input_error.hpp"
-#include "blockgen/base/magnitude.hpp"
-#include "blockgen/base/read_file.hpp"
+#include "common/base/input_error.hpp"
+#include "common/base/magnitude.hpp"
+#include "common/base/read_file.hpp"
 
-namespace blockgen {
+namespace rockslope::blockgen {
 
 namespace {
 
 using nlohmann::json;
 
 /// GeoJSON needs about ten; each level of a geometry collection costs stack.
-constexpr int deepest_nesting = 100;
+constexpr int max_nesting_depth = 100;
 
 json parse(const std::filesystem::path& path) {
     const std::string text = read_text_file(path);
     const auto refuse_depth = [&](int depth, json::parse_event_t, json&) {
-        if (depth > deepest_nesting)
+        if (depth > max_nesting_depth)
             throw InputError({path.string()}, "the JSON is nested too deeply", "a GeoJSON file");
         return true;
     };
@@ -52,7 +52,7 @@ class GeoJsonReader {
                 !position[1].is_number())
                 fail("a position is not a pair of numbers", "[x, y]");
             result.push_back({position[0].get<double>(), position[1].get<double>()});
-            if (!is_usable(result.back().x) || !is_usable(result.back().y))
+            if (!is_in_allowed_range(result.back().x) || !is_in_allowed_range(result.back().y))
                 fail("a coordinate is too large", "coordinates in metres");
         }
         return result;
@@ -143,4 +143,4 @@ std::vector<std::vector<Ring>> read_geojson_polygons(const std::filesystem::path
     return polygons;
 }
 
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

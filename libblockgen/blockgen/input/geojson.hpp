@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "blockgen/mesh/polygon.hpp"
+#include "common/geometry/polygon.hpp"
 
-namespace blockgen {
+namespace rockslope::blockgen {
 
 struct GeoJsonLine {
     std::string joint_material;  ///< the feature's property of that name; empty when it has none
@@ -23,4 +23,4 @@ std::vector<GeoJsonLine> read_geojson_lines(const std::filesystem::path& path);
 /// closing corner included.
 std::vector<std::vector<Ring>> read_geojson_polygons(const std::filesystem::path& path);
 
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

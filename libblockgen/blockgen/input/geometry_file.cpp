@@ -7,7 +7,7 @@
 #include "blockgen/input/gdal_file.hpp"
 #include "blockgen/input/geojson.hpp"
 
-namespace blockgen {
+namespace rockslope::blockgen {
 
 namespace {
 
@@ -73,4 +73,4 @@ std::vector<Trace> read_trace_file(const std::filesystem::path& path, const std:
     return traces;
 }
 
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

@@ -5,7 +5,7 @@
 
 #include "blockgen/input/slope_model.hpp"
 
-namespace blockgen {
+namespace rockslope::blockgen {
 
 /// The parts of an outline file, of each the outer ring and then its holes: CSV with the columns x,y, one
 /// corner a line, or GeoJSON with Polygons, or what GDAL reads by the extensions .dxf, .shp and .gpkg. A last
@@ -19,4 +19,4 @@ std::vector<std::vector<Ring>> read_outline_file(const std::filesystem::path& pa
 std::vector<Trace> read_trace_file(const std::filesystem::path& path, const std::string& name,
                                    const std::string& joint_material);
 
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-namespace blockgen {
+namespace rockslope::blockgen {
 
 namespace {
 
@@ -60,7 +60,7 @@ Pole pole_of(double dip, double dip_direction, double azimuth) {
     return {std::sin(dip) * std::cos(turn), std::cos(dip), -std::sin(dip) * std::sin(turn)};
 }
 
-bool Orientation::is_spread() const {
+bool Orientation::has_scatter() const {
     return poles.empty() ? angle.law != Law::constant : poles.size() > 1 || fisher_k > 0;
 }
 
@@ -68,7 +68,7 @@ double Orientation::mean_angle() const {
     return poles.empty() ? angle.untruncated_mean() : trace_angle(mean_pole(poles));
 }
 
-double Orientation::steepest() const {
+double Orientation::max_deviation_tangent() const {
     constexpr double rare = 1e-4, limit = 89 * std::numbers::pi / 180;
     const double mean = mean_angle();
     double turn = 0;
@@ -103,4 +103,4 @@ double Orientation::draw(double u, double v) const {
     return trace_angle(fisher_k > 0 ? fisher_pole(poles[0], fisher_k, u, v) : poles[0]);
 }
 
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

@@ -4,7 +4,7 @@
 
 #include "blockgen/input/distribution.hpp"
 
-namespace blockgen {
+namespace rockslope::blockgen {
 
 /// A joint plane's upward unit normal in the axes of the section: x along it, y up, z out of it to the
 /// reader's left hand of x seen from above.
@@ -23,12 +23,12 @@ struct Orientation {
     double fisher_k = 0;      ///< scatter of the joints' poles about the mean one; 0: none
 
     /// Whether joints may lie otherwise than the mean.
-    bool is_spread() const;
+    bool has_scatter() const;
     /// The angle of the mean joint, rad.
     double mean_angle() const;
     /// The largest tangent between a joint and the mean one, but for one joint in ten thousand; never beyond
     /// that of 89 degrees.
-    double steepest() const;
+    double max_deviation_tangent() const;
     /// Spacing in the section over true spacing, of the mean plane: 1 / sqrt(1 - (n.t)^2) with the plane's
     /// normal n and the section's normal t. Infinite for a plane parallel to the section.
     double spacing_factor() const;
@@ -37,4 +37,4 @@ struct Orientation {
     double draw(double u, double v) const;
 };
 
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

@@ -1,8 +1,8 @@
 #include "blockgen/input/read_distribution.hpp"
 
-#include "blockgen/base/text.hpp"
+#include "common/base/text.hpp"
 
-namespace blockgen {
+namespace rockslope::blockgen {
 
 namespace {
 
@@ -80,7 +80,7 @@ Distribution read_distribution(const ConfigTable& parent, std::string_view key, 
         if (d.law == Law::uniform || table.has("max")) d.max = table.number("max", dimension);
     }
     if (!(d.min < d.max)) table.fail("max", "max is not above min", "max > min");
-    if (!d.has_weight())
+    if (!d.has_probability_mass())
         table.fail("mean", "the law has no weight between min and max", "bounds near the mean");
     table.finish();
     return d;
@@ -97,4 +97,4 @@ Distribution read_length(const ConfigTable& table, std::string_view key, bool ma
     return d;
 }
 
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

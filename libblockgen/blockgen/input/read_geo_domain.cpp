@@ -1,9 +1,8 @@
-#include "blockgen/base/text.hpp"
-#include "blockgen/enclosed_area.hpp"
 #include "blockgen/input/geo_file.hpp"
 #include "blockgen/input/read_shapes.hpp"
+#include "common/base/text.hpp"
 
-namespace blockgen {
+namespace rockslope::blockgen {
 
 namespace {
 
@@ -16,16 +15,17 @@ std::string numbered(const std::string& word, std::size_t k) {
 }
 
 /// Outline and cavities: what the lines enclose, less the faces with a hole point.
-void add_rock(const ConfigTable& domain, const GeoFile& geo, SlopeModel& model) {
-    std::vector<SourceSegment> lines;
+void add_rock(const ConfigTable& domain, const GeoFile& geo, const EnclosedAreaFunction& enclosed_area,
+              SlopeModel& model) {
+    std::vector<std::pair<Point, Point>> lines;
     Ring ends;
     for (const GeoLine& line : geo.joints) {
-        lines.push_back({line.a, line.b, static_cast<std::int32_t>(lines.size())});
+        lines.emplace_back(line.a, line.b);
         ends.push_back(line.a);
         ends.push_back(line.b);
     }
     if (lines.empty()) domain.fail("geo_file", "the file holds no lines", "lines that enclose blocks");
-    check_reach(domain, "geo_file", ends, model);
+    check_coordinate_range(domain, "geo_file", ends, model);
     const EnclosedArea area = enclosed_area(lines, geo.hole_points, model.grid);
     if (area.outlines.size() != 1)
         domain.fail("geo_file",
@@ -48,11 +48,12 @@ void add_rock(const ConfigTable& domain, const GeoFile& geo, SlopeModel& model) 
 
 }  // namespace
 
-void read_geo_domain(const ConfigTable& domain, SlopeModel& model) {
-    const SourcePlace place = domain.place("geo_file");
+void read_geo_domain(const ConfigTable& domain, const EnclosedAreaFunction& enclosed_area,
+                     SlopeModel& model) {
+    const SourceLocation place = domain.place("geo_file");
     model.files.push_back(domain.file_path("geo_file"));
     const GeoFile geo = read_geo_file(model.files.back());
-    add_rock(domain, geo, model);
+    add_rock(domain, geo, enclosed_area, model);
     model.outline_of_traces = true;
     for (const GeoLine& line : geo.joints) {
         const std::string name = "joint " + std::to_string(line.number);
@@ -83,4 +84,4 @@ void read_geo_domain(const ConfigTable& domain, SlopeModel& model) {
                               " is not taken over: the run gives the bolt material 'bolt'");
 }
 
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

@@ -2,12 +2,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "blockgen/base/text.hpp"
 #include "blockgen/input/csv_table.hpp"
 #include "blockgen/input/read_distribution.hpp"
 #include "blockgen/input/read_shapes.hpp"
+#include "common/base/text.hpp"
 
-namespace blockgen {
+namespace rockslope::blockgen {
 
 namespace {
 
@@ -116,7 +116,7 @@ void read_bridges(const ConfigTable& table, JointSet& set) {
     const double persistence = table.checked(
         "persistence", table.number("persistence"), [](double p) { return p > 0 && p <= 1; },
         "a share above 0, up to 1");
-    const double gap = set.trace_length->mean_draw() * (1 - persistence) / persistence;
+    const double gap = set.trace_length->truncated_mean() * (1 - persistence) / persistence;
     // Veneziano's lines are cut at random, so that bridges are exponential like the traces usually are.
     set.gap =
         set.kind == SetKind::veneziano && gap > 0 ? Distribution{Law::exponential, gap} : constant_value(gap);
@@ -209,4 +209,4 @@ void read_joint_sets(const ConfigTable& root, SlopeModel& model) {
         model.joint_sets.push_back(read_joint_set(root, table, model));
 }
 
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

@@ -1,7 +1,7 @@
 #include "blockgen/input/geometry_file.hpp"
 #include "blockgen/input/read_shapes.hpp"
 
-namespace blockgen {
+namespace rockslope::blockgen {
 
 namespace {
 
@@ -14,7 +14,7 @@ void read_traces(const ConfigTable& table, SlopeModel& model) {
     if (table.has("file")) {
         model.files.push_back(table.file_path("file"));
         for (Trace& trace : read_trace_file(model.files.back(), name, material)) {
-            check_reach(table, "file", trace.points, model);
+            check_coordinate_range(table, "file", trace.points, model);
             model.traces.push_back(std::move(trace));
         }
         return;
@@ -25,7 +25,7 @@ void read_traces(const ConfigTable& table, SlopeModel& model) {
     for (const auto& pair : table.pairs("points", Dimension::length)) trace.points.push_back(point_of(pair));
     if (trace.points.size() < 2)
         table.fail("points", "a trace of fewer than two points", "two points or more");
-    check_reach(table, "points", trace.points, model);
+    check_coordinate_range(table, "points", trace.points, model);
     model.traces.push_back(std::move(trace));
 }
 
@@ -37,4 +37,4 @@ void read_joints(const ConfigTable& root, SlopeModel& model) {
     read_joint_sets(root, model);
 }
 
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "blockgen/base/text.hpp"
 #include "blockgen/input/domain.hpp"
 #include "blockgen/input/geometry_file.hpp"
+#include "common/base/text.hpp"
 
-namespace blockgen {
+namespace rockslope::blockgen {
 
 namespace {
 
@@ -22,7 +22,7 @@ std::string text_of_edge(const Ring& ring, std::size_t edge) {
 }
 
 /// What keeps a ring from bounding an area; empty when nothing does.
-std::string fault_of(const Ring& ring) {
+std::string describe_fault(const Ring& ring) {
     if (ring.size() < 3) return std::to_string(ring.size()) + " corners enclose no area";
     const auto fault = find_ring_fault(std::vector<Ring>{ring});
     if (!fault) return {};
@@ -90,7 +90,7 @@ Ring read_opening_shape(const ConfigTable& table) {
 
 Ring read_opening(const ConfigTable& table, const SlopeModel& model) {
     Ring outline = read_opening_shape(table);
-    check_reach(table, "shape", outline, model);
+    check_coordinate_range(table, "shape", outline, model);
     return outline;
 }
 
@@ -110,7 +110,7 @@ Excavation read_excavation(const ConfigTable& table, const std::string& default_
 
 /// Checks a ring and turns it counter-clockwise. @param what to call it.
 void check_ring(const ConfigTable& domain, const std::string& key, const std::string& what, Ring& ring) {
-    if (const std::string fault = fault_of(ring); !fault.empty())
+    if (const std::string fault = describe_fault(ring); !fault.empty())
         domain.fail(key, what + ": " + fault, ring_expected);
     make_counter_clockwise(ring);
 }
@@ -118,7 +118,7 @@ void check_ring(const ConfigTable& domain, const std::string& key, const std::st
 void add_part(const ConfigTable& domain, const std::string& key, const std::string& what, Ring outer,
               SlopeModel& model) {
     check_ring(domain, key, what, outer);
-    if (!model.outline.empty() && !lies_apart_from_domain(outer, model))
+    if (!model.outline.empty() && !is_outside_domain(outer, model))
         domain.fail(key, what + " lies over an earlier part",
                     "parts of the domain apart from each other; a hole as an inner ring or in holes");
     (model.outline.empty() ? model.outline : model.further_outlines.emplace_back()) = std::move(outer);
@@ -128,7 +128,7 @@ void add_hole(const ConfigTable& domain, const std::string& key, const std::stri
               SlopeModel& model) {
     const std::string what = "hole " + std::to_string(model.holes.size() + 1) + where;
     check_ring(domain, key, what, hole);
-    if (lies_apart_from_domain(hole, model))
+    if (is_outside_domain(hole, model))
         domain.fail(key, what + " lies outside the outline", "a hole that takes rock away");
     model.holes.push_back(std::move(hole));
 }
@@ -186,8 +186,8 @@ IslandPolicy read_island_policy(const ConfigTable& domain) {
 SmallBlocks read_small_blocks(const ConfigTable& table) {
     SmallBlocks small;
     const std::string word = table.choice("policy", {"keep", "merge", "drop"});
-    if (word == "merge") small.policy = SmallPolicy::merge;
-    if (word == "drop") small.policy = SmallPolicy::drop;
+    if (word == "merge") small.policy = SmallBlockPolicy::merge;
+    if (word == "drop") small.policy = SmallBlockPolicy::drop;
     small.below_area = table.checked(
         "below_area", table.number("below_area", Dimension::none, small.below_area),
         [](double a) { return a >= 0; }, "an area in m2 of zero or more");
@@ -201,12 +201,12 @@ void check_extent(const ConfigTable& domain, const SlopeModel& model) {
     const std::string key = domain.has("grid")       ? "grid"
                             : domain.has("geo_file") ? "geo_file"
                                                      : outline_key(domain);
-    check_reach(domain, key, model.outline, model);
+    check_coordinate_range(domain, key, model.outline, model);
     const Bounds bounds = domain_bounds(model);
     if (std::min(bounds.high.x - bounds.low.x, bounds.high.y - bounds.low.y) < 16 * model.grid)
         domain.fail(key, "the domain is hardly larger than the grid", "a finer grid");
     for (const Ring& hole : model.holes)
-        check_reach(domain, domain.has("holes") ? "holes" : key, hole, model);
+        check_coordinate_range(domain, domain.has("holes") ? "holes" : key, hole, model);
 }
 
 }  // namespace
@@ -222,8 +222,8 @@ std::string read_name(const ConfigTable& table, std::string_view key) {
     return name;
 }
 
-void check_reach(const ConfigTable& table, std::string_view key, const Ring& points,
-                 const SlopeModel& model) {
+void check_coordinate_range(const ConfigTable& table, std::string_view key, const Ring& points,
+                            const SlopeModel& model) {
     Ring all = points;  // a line file's come before there is an outline
     all.insert(all.end(), model.outline.begin(), model.outline.end());
     for (const Ring& part : model.further_outlines) all.insert(all.end(), part.begin(), part.end());
@@ -239,19 +239,19 @@ void check_reach(const ConfigTable& table, std::string_view key, const Ring& poi
 
 Ring read_ring(const ConfigTable& table, std::string_view key) {
     Ring ring = ring_of(table.pairs(key, Dimension::length));
-    if (const std::string fault = fault_of(ring); !fault.empty()) table.fail(key, fault, ring_expected);
+    if (const std::string fault = describe_fault(ring); !fault.empty()) table.fail(key, fault, ring_expected);
     make_counter_clockwise(ring);
     return ring;
 }
 
-void read_domain(const ConfigTable& root, SlopeModel& model) {
+void read_domain(const ConfigTable& root, const EnclosedAreaFunction& enclosed_area, SlopeModel& model) {
     const ConfigTable domain = root.table("domain");
-    model.domain_place = domain.place();
+    model.domain_location = domain.place();
     model.grid = read_grid(domain);
     if (domain.has("geo_file")) {
         for (const char* key : {"outline", "outlines", "outline_file", "holes"})
             if (domain.has(key)) domain.fail(key, "an outline beside the lines of geo_file", "one of them");
-        read_geo_domain(domain, model);
+        read_geo_domain(domain, enclosed_area, model);
     } else {
         read_outline(domain, model);
     }
@@ -270,7 +270,7 @@ void read_regions(const ConfigTable& root, SlopeModel& model) {
         region.block_material = table.string("block_material", model.block_material);
         region.joint_material = table.string("joint_material", "");
         region.polygon = read_ring(table, "polygon");
-        check_reach(table, "polygon", region.polygon, model);
+        check_coordinate_range(table, "polygon", region.polygon, model);
         for (const Region& other : model.regions)
             if (other.name == region.name)
                 table.fail("name", "a second region '" + region.name + "'", "a name for each region");
@@ -298,4 +298,4 @@ void read_tunnels(const ConfigTable& root, SlopeModel& model) {
             read_excavation(table, "excavation " + std::to_string(model.excavations.size() + 1), model));
 }
 
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

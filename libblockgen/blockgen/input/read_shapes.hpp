@@ -1,9 +1,10 @@
 #pragma once
 
-#include "blockgen/config/config_table.hpp"
+#include "blockgen/input/read_slope_model.hpp"
 #include "blockgen/input/slope_model.hpp"
+#include "common/config/config_table.hpp"
 
-namespace blockgen {
+namespace rockslope::blockgen {
 
 Point point_of(const std::array<double, 2>& pair);
 
@@ -15,12 +16,13 @@ Ring read_ring(const ConfigTable& table, std::string_view key);
 
 /// @throws InputError at `key` when the outline and these points together reach too far for the model's grid:
 /// beyond 2^51 steps from the origin or 2^37 steps across, where the cutter's integers would end.
-void check_reach(const ConfigTable& table, std::string_view key, const Ring& points, const SlopeModel& model);
+void check_coordinate_range(const ConfigTable& table, std::string_view key, const Ring& points,
+                            const SlopeModel& model);
 
 /// [domain]: outline, holes, block material, grid, policies; and the files it names.
-void read_domain(const ConfigTable& root, SlopeModel& model);
+void read_domain(const ConfigTable& root, const EnclosedAreaFunction& enclosed_area, SlopeModel& model);
 /// domain.geo_file: everything that a geometry file of Shi's holds. The grid must be known.
-void read_geo_domain(const ConfigTable& domain, SlopeModel& model);
+void read_geo_domain(const ConfigTable& domain, const EnclosedAreaFunction& enclosed_area, SlopeModel& model);
 /// [[region]]
 void read_regions(const ConfigTable& root, SlopeModel& model);
 /// [[tunnel]] and [[excavation]]
@@ -30,6 +32,6 @@ void read_joints(const ConfigTable& root, SlopeModel& model);
 /// [[joint_set]], and [section] for sets that lie in space.
 void read_joint_sets(const ConfigTable& root, SlopeModel& model);
 /// [[fixed_block]], [[prescribed_block]], [kinematics], [[measured_point]] and [[bolt]]
-void read_marks(const ConfigTable& root, SlopeModel& model);
+void read_block_assignments(const ConfigTable& root, SlopeModel& model);
 
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

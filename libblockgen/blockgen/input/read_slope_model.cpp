@@ -2,18 +2,18 @@
 
 #include "blockgen/input/read_shapes.hpp"
 
-namespace blockgen {
+namespace rockslope::blockgen {
 
-SlopeModel read_slope_model(const ConfigTable& root) {
+SlopeModel read_slope_model(const ConfigTable& root, const EnclosedAreaFunction& enclosed_area) {
     SlopeModel model;
     const std::int64_t seed = root.integer("seed", 0);
     if (seed < 0) root.fail("seed", "a negative seed", "an integer of zero or more");
     model.seed = static_cast<std::uint64_t>(seed);
-    read_domain(root, model);
+    read_domain(root, enclosed_area, model);
     read_regions(root, model);
     read_tunnels(root, model);
     read_joints(root, model);
-    read_marks(root, model);
+    read_block_assignments(root, model);
     root.finish();
     return model;
 }
@@ -133,4 +133,4 @@ at = [59, 69]
 )";
 }
 
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

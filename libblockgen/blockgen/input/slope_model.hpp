@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "blockgen/base/input_error.hpp"
 #include "blockgen/input/orientation.hpp"
-#include "blockgen/mesh/polygon.hpp"
+#include "common/base/input_error.hpp"
+#include "common/geometry/polygon.hpp"
 
-namespace blockgen {
+namespace rockslope::blockgen {
 
 /// A part of the section with a block material of its own; a later region lies over an earlier one.
 struct Region {
@@ -19,14 +19,14 @@ struct Region {
     std::string block_material;
     std::string joint_material;  ///< along its outline where no joint runs; may be empty
     Ring polygon;
-    SourcePlace place;
+    SourceLocation place;
 };
 
 /// A cavity: the rock inside its outline is taken away.
 struct Tunnel {
     std::string name;
     Ring outline;
-    SourcePlace place;
+    SourceLocation place;
 };
 
 /// Rock that the run takes out when one of its stages begins. Until then it is rock like any other, cut along
@@ -36,7 +36,7 @@ struct Excavation {
     int stage = 1;  ///< of the run, counted from 1
     Ring outline;
     std::string joint_material;  ///< along its outline where no joint runs; may be empty
-    SourcePlace place;
+    SourceLocation place;
 };
 
 /// How the joints of a set lie to each other.
@@ -78,7 +78,7 @@ struct JointSet {
     double stagger = 0.5;    ///< a piece may lie aside of its line by up to this share of the spacing
     int relaxation = 0;      ///< times that Voronoi cells are centred on their points again (Lloyd 1982)
     std::string region;      ///< name of the region it is limited to; empty: everywhere
-    SourcePlace place;
+    SourceLocation place;
 };
 
 /// Joints given one by one.
@@ -97,27 +97,27 @@ struct BlockSelector {
     std::string side;          ///< bottom, top, left or right
     bool prescribed = false;
     std::string name;
-    SourcePlace place;
+    SourceLocation place;
 };
 
 struct NamedPoint {
     std::string name;
     Point at;
-    SourcePlace place;
+    SourceLocation place;
 };
 
 struct BoltLine {
     std::string name;
     std::string material;
     Point from, to;
-    SourcePlace place;
+    SourceLocation place;
 };
 
 /// Gives the blocks that a line runs through a material of their own.
 struct MaterialLine {
     std::string block_material;
     Point from, to;
-    SourcePlace place;
+    SourceLocation place;
 };
 
 /// What to do with blocks that another block encloses: let them fill a hole of it, prolong their joints to
@@ -125,10 +125,10 @@ struct MaterialLine {
 enum class IslandPolicy { keep, cut, fill, error };
 
 /// What to do with blocks that are too small or too slender.
-enum class SmallPolicy { keep, merge, drop };
+enum class SmallBlockPolicy { keep, merge, drop };
 
 struct SmallBlocks {
-    SmallPolicy policy = SmallPolicy::keep;
+    SmallBlockPolicy policy = SmallBlockPolicy::keep;
     double below_area = 0;          ///< m2
     double below_roundness = 0.02;  ///< 4 pi area / perimeter^2, in [0, 1); the measure of a sliver
 };
@@ -150,7 +150,7 @@ struct SlopeModel {
     std::string block_material;
     IslandPolicy islands = IslandPolicy::keep;
     SmallBlocks small_blocks;
-    SourcePlace domain_place;
+    SourceLocation domain_location;
     std::vector<Region> regions;
     std::vector<Tunnel> tunnels;
     std::vector<Excavation> excavations;
@@ -166,4 +166,4 @@ struct SlopeModel {
     std::vector<std::filesystem::path> files;  ///< read besides the model file itself
 };
 
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

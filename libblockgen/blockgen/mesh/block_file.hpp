@@ -6,7 +6,7 @@
 
 #include "blockgen/mesh/block_mesh.hpp"
 
-namespace blockgen {
+namespace rockslope::blockgen {
 
 /// The newest version of the block file that this code reads. A file is written in the lowest version that
 /// holds it: 1 without excavations, 2 with them.
@@ -24,4 +24,4 @@ BlockMesh parse_block_file(std::string_view text, const std::string& file_name);
 BlockMesh read_block_file(const std::filesystem::path& path);
 void write_block_file(const std::filesystem::path& path, const BlockMesh& mesh);
 
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

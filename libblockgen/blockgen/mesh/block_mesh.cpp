@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace blockgen {
+namespace rockslope::blockgen {
 
 namespace {
 
@@ -39,4 +39,4 @@ void BlockMesh::add_ring(std::span<const std::int32_t> ring_vertices, std::span<
     ++block_rings.back();
 }
 
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

@@ -6,13 +6,9 @@
 #include <string>
 #include <vector>
 
-namespace blockgen {
+#include "common/geometry/point.hpp"
 
-struct Point {
-    double x = 0;
-    double y = 0;
-    friend bool operator==(const Point&, const Point&) = default;
-};
+namespace rockslope::blockgen {
 
 /// What lies along one edge of a block. A joint is a rock discontinuity; `no_joint` marks the free surface
 /// and the outline of the domain.
@@ -103,4 +99,4 @@ struct BlockMesh {
     friend bool operator==(const BlockMesh&, const BlockMesh&) = default;
 };
 
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

@@ -5,11 +5,11 @@
 #include <string>
 #include <string_view>
 
-#include "blockgen/base/input_error.hpp"
-#include "blockgen/base/text.hpp"
-#include "blockgen/mesh/polygon.hpp"
+#include "common/base/input_error.hpp"
+#include "common/base/text.hpp"
+#include "common/geometry/polygon.hpp"
 
-namespace blockgen {
+namespace rockslope::blockgen {
 
 namespace {
 
@@ -158,4 +158,4 @@ void check_mesh(const BlockMesh& mesh, const std::string& file_name) {
     MeshChecker(mesh, file_name).check();
 }
 
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

@@ -2,7 +2,7 @@
 
 #include "blockgen/mesh/block_mesh.hpp"
 
-namespace blockgen {
+namespace rockslope::blockgen {
 
 /// Proves a mesh fit for simulation: every ring simple, outer rings counter-clockwise with positive area,
 /// holes clockwise and inside, indices in range, measured points and bolts inside their blocks,
@@ -10,4 +10,4 @@ namespace blockgen {
 /// @throws InputError naming `file_name`, the block and the fault.
 void check_mesh(const BlockMesh& mesh, const std::string& file_name);
 
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

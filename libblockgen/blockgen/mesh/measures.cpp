@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-namespace blockgen {
+namespace rockslope::blockgen {
 
 namespace {
 
@@ -166,4 +166,4 @@ SizeSummary size_summary(const BlockMesh& mesh) {
     return summary;
 }
 
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

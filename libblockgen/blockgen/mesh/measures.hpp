@@ -3,9 +3,9 @@
 #include <cstddef>
 
 #include "blockgen/mesh/block_mesh.hpp"
-#include "blockgen/mesh/polygon.hpp"
+#include "common/geometry/polygon.hpp"
 
-namespace blockgen {
+namespace rockslope::blockgen {
 
 /// A ring's vertices in order.
 Ring ring_points(const BlockMesh& mesh, std::size_t block, std::size_t ring);
@@ -54,4 +54,4 @@ struct SizeSummary {
 
 SizeSummary size_summary(const BlockMesh& mesh);
 
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

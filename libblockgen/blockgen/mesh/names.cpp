@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-namespace blockgen {
+namespace rockslope::blockgen {
 
 namespace {
 
-bool may_stand_bare(unsigned char c) {
+bool is_unquoted_character(unsigned char c) {
     return c > 0x20 && c != 0x7f && c != '"' && c != '\\' && c != '#';
 }
 
@@ -72,10 +72,11 @@ bool is_utf8(std::string_view text) {
 }
 
 std::string quoted_name(std::string_view name) {
-    if (!name.empty() && std::all_of(name.begin(), name.end(), may_stand_bare)) return std::string(name);
+    if (!name.empty() && std::all_of(name.begin(), name.end(), is_unquoted_character))
+        return std::string(name);
     std::string out = "\"";
     for (const char c : name) append_escaped(out, c);
     return out + '"';
 }
 
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

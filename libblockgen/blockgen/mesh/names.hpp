@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-namespace blockgen {
+namespace rockslope::blockgen {
 
 /// True when `text` is well-formed UTF-8: no overlong form, no surrogate, nothing above U+10FFFF.
 bool is_utf8(std::string_view text);
@@ -13,4 +13,4 @@ bool is_utf8(std::string_view text);
 /// `\xHH`.
 std::string quoted_name(std::string_view name);
 
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

@@ -2,11 +2,11 @@
 #include <limits>
 #include <span>
 
-#include "blockgen/base/read_file.hpp"
 #include "blockgen/mesh/block_file.hpp"
 #include "blockgen/mesh/record_scanner.hpp"
+#include "common/base/read_file.hpp"
 
-namespace blockgen {
+namespace rockslope::blockgen {
 
 namespace {
 
@@ -263,4 +263,4 @@ BlockMesh read_block_file(const std::filesystem::path& path) {
     return parse_block_file(read_text_file(path), path.string());
 }
 
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <utility>
 
-#include "blockgen/base/magnitude.hpp"
 #include "blockgen/mesh/names.hpp"
+#include "common/base/magnitude.hpp"
 
-namespace blockgen {
+namespace rockslope::blockgen {
 
 namespace {
 
@@ -107,7 +107,8 @@ double RecordScanner::number(std::string_view expected) {
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     if (error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value))
         fail("'" + std::string(digits) + "' is not a finite number", std::string(expected));
-    if (!is_usable(value)) fail("'" + std::string(digits) + "' is too large", std::string(expected));
+    if (!is_in_allowed_range(value))
+        fail("'" + std::string(digits) + "' is too large", std::string(expected));
     return value;
 }
 
@@ -132,7 +133,7 @@ void RecordScanner::expect_line_end() {
     fail("'" + extra + "' is one word too many", "the end of the line");
 }
 
-SourcePlace RecordScanner::place() const {
+SourceLocation RecordScanner::place() const {
     return {file_name_, line_, static_cast<int>(word_start_ - line_start_) + 1};
 }
 
@@ -140,4 +141,4 @@ void RecordScanner::fail(const std::string& what, const std::string& expected) c
     throw InputError(place(), what, expected);
 }
 
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

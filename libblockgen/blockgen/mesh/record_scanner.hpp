@@ -4,9 +4,9 @@
 #include <string>
 #include <string_view>
 
-#include "blockgen/base/input_error.hpp"
+#include "common/base/input_error.hpp"
 
-namespace blockgen {
+namespace rockslope::blockgen {
 
 /// Walks once over a line-based text of blank-separated words. Blank lines and everything from a `#` outside
 /// quotes to the end of its line are skipped. Every complaint is an InputError with the file, line and column
@@ -31,7 +31,7 @@ class RecordScanner {
     void expect_line_end();
 
     /// The place of the word read last.
-    SourcePlace place() const;
+    SourceLocation place() const;
     [[noreturn]] void fail(const std::string& what, const std::string& expected) const;
     std::size_t size() const { return text_.size(); }
 
@@ -49,4 +49,4 @@ class RecordScanner {
     int line_ = 0;
 };
 
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

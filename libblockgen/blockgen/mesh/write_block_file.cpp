@@ -1,10 +1,10 @@
 #include <charconv>
 
-#include "blockgen/base/atomic_file.hpp"
 #include "blockgen/mesh/block_file.hpp"
 #include "blockgen/mesh/names.hpp"
+#include "common/base/atomic_file.hpp"
 
-namespace blockgen {
+namespace rockslope::blockgen {
 
 namespace {
 
@@ -148,4 +148,4 @@ void write_block_file(const std::filesystem::path& path, const BlockMesh& mesh) 
     write_file_atomically(path, block_file_text(mesh));
 }
 
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

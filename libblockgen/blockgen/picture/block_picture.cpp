@@ -5,9 +5,9 @@
 #include <numbers>
 
 #include "blockgen/mesh/measures.hpp"
-#include "blockgen/picture/axes.hpp"
+#include "common/drawing/axes.hpp"
 
-namespace blockgen {
+namespace rockslope::blockgen {
 
 namespace {
 
@@ -236,4 +236,4 @@ Canvas draw_blocks(const BlockMesh& mesh, const BlockLayer& layer) {
     return BlockPicture(mesh, layer, extent, height).draw();
 }
 
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "blockgen/mesh/block_mesh.hpp"
-#include "blockgen/picture/canvas.hpp"
+#include "common/drawing/canvas.hpp"
 
-namespace blockgen {
+namespace rockslope::blockgen {
 
 /// Colours laid over blocks, with a legend of their own.
 struct BlockLayer {
@@ -24,4 +24,4 @@ struct BlockLayer {
 /// hatched, measured points named, bolts drawn; axes in metres, scale bar and legends.
 Canvas draw_blocks(const BlockMesh& mesh, const BlockLayer& layer = {});
 
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

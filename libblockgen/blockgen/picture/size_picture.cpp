@@ -5,9 +5,9 @@
 #include <cstdio>
 
 #include "blockgen/mesh/measures.hpp"
-#include "blockgen/picture/axes.hpp"
+#include "common/drawing/axes.hpp"
 
-namespace blockgen {
+namespace rockslope::blockgen {
 
 namespace {
 
@@ -27,8 +27,8 @@ Range decades(const std::vector<double>& areas) {
     return high > low ? Range{low, high} : Range{low - 1, high + 1};
 }
 
-/// A staircase through the sorted sizes; no two points nearer to each other than a fifth of a point.
-std::vector<Point> staircase(const std::vector<double>& areas, const Axes& axes, bool by_area) {
+/// A step_curve through the sorted sizes; no two points nearer to each other than a fifth of a point.
+std::vector<Point> step_curve(const std::vector<double>& areas, const Axes& axes, bool by_area) {
     double total = 0, sum = 0;
     for (const double area : areas) total += by_area ? area : 1;
     std::vector<Point> line = {axes.to_page({std::log10(areas.front()), 0})};
@@ -61,7 +61,7 @@ void draw_decades(Canvas& canvas, const Range& range, const Axes& axes) {
     }
 }
 
-void draw_shares(Canvas& canvas, const Axes& axes, const Range& range) {
+void draw_fraction_axis(Canvas& canvas, const Axes& axes, const Range& range) {
     for (int share = 0; share <= 100; share += 20) {
         const double y = axes.to_page({range.low, static_cast<double>(share)}).y;
         canvas.polyline(std::vector<Point>{{upper_left.x, y}, {lower_right.x, y}}, {pale_grey, 0.5});
@@ -78,10 +78,10 @@ Canvas draw_sizes(const BlockMesh& mesh) {
     const std::vector<double> areas = sorted_areas(mesh);
     const Range range = decades(areas);
     const Axes axes(upper_left, lower_right, range, {0, 100});
-    draw_shares(canvas, axes, range);
+    draw_fraction_axis(canvas, axes, range);
     draw_decades(canvas, range, axes);
-    canvas.polyline(staircase(areas, axes, false), {line_colour(1), 1.4});
-    canvas.polyline(staircase(areas, axes, true), {line_colour(0), 1.8});
+    canvas.polyline(step_curve(areas, axes, false), {line_colour(1), 1.4});
+    canvas.polyline(step_curve(areas, axes, true), {line_colour(0), 1.8});
     const SizeSummary sizes = size_summary(mesh);
     for (const auto& [name, size, share] :
          {std::tuple("D10", sizes.d10, 10.0), std::tuple("D50", sizes.d50, 50.0),
@@ -104,4 +104,4 @@ Canvas draw_sizes(const BlockMesh& mesh) {
     return canvas;
 }
 
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

@@ -1,12 +1,12 @@
 #pragma once
 
 #include "blockgen/mesh/block_mesh.hpp"
-#include "blockgen/picture/canvas.hpp"
+#include "common/drawing/canvas.hpp"
 
-namespace blockgen {
+namespace rockslope::blockgen {
 
 /// The distribution of block areas: the share of the area, and of the number, of the blocks up to a size,
 /// over a logarithmic scale, with D10, D50 and D90 by area marked.
 Canvas draw_sizes(const BlockMesh& mesh);
 
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

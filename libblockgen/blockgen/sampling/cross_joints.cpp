@@ -2,14 +2,14 @@
 #include <cmath>
 
 #include "blockgen/sampling/set_sampler.hpp"
-#include "blockgen/sampling/trace_finder.hpp"
+#include "blockgen/sampling/trace_index.hpp"
 
-namespace blockgen {
+namespace rockslope::blockgen {
 
 namespace {
 
 /// Takes traces that end on the rim of a box, as lines do that fill it, straight on beyond it.
-std::vector<Trace> beyond_rim(std::vector<Trace> traces, const Bounds& box, double length) {
+std::vector<Trace> extended_beyond_box(std::vector<Trace> traces, const Bounds& box, double length) {
     const double near = 1e-9 * std::hypot(box.high.x - box.low.x, box.high.y - box.low.y);
     const auto extend = [&](Point& end, const Point& before) {
         const double from_rim =
@@ -34,12 +34,13 @@ class CrossJointSampler {
   public:
     CrossJointSampler(SetSampler& sampler, const std::vector<Trace>& others)
         : sampler_(sampler),
-          most_aside_(sampler.set().spacing.untruncated_mean() * sampler.set().stagger),
-          box_(sampler.bounds().widened(2 * most_aside_)),
-          finder_(beyond_rim(others, sampler.bounds(), 2 * sampler.radius() + 8 * most_aside_), box_) {}
+          max_offset_(sampler.set().spacing.untruncated_mean() * sampler.set().stagger),
+          box_(sampler.bounds().expanded(2 * max_offset_)),
+          trace_index_(extended_beyond_box(others, sampler.bounds(), 2 * sampler.radius() + 8 * max_offset_),
+                       box_) {}
 
     std::vector<Trace> run() {
-        for (const SetLine& line : spaced_lines(sampler_, most_aside_)) add_line(line);
+        for (const SetLine& line : spaced_lines(sampler_, max_offset_)) add_line(line);
         return std::move(traces_);
     }
 
@@ -47,17 +48,18 @@ class CrossJointSampler {
     /// A line goes on through each joint that it meets with the probability 1 - termination. Between two ends
     /// lies a piece.
     void add_line(const SetLine& line) {
-        const std::vector<double> meetings = finder_.meetings(line.middle, line.u, line.low, line.high);
+        const std::vector<double> intersections =
+            trace_index_.intersections(line.middle, line.u, line.low, line.high);
         double from = line.low;
         int passed = 0;
         std::int64_t piece = 0;
-        for (std::size_t k = 0; k < meetings.size(); ++k) {
+        for (std::size_t k = 0; k < intersections.size(); ++k) {
             if (sampler_.draws().draw(draw_termination, line.number, k) > sampler_.set().termination) {
                 ++passed;
                 continue;
             }
-            add_piece(line, piece++, from, meetings[k], passed);
-            from = meetings[k];
+            add_piece(line, piece++, from, intersections[k], passed);
+            from = intersections[k];
             passed = 0;
         }
         add_piece(line, piece, from, line.high, passed);
@@ -69,7 +71,7 @@ class CrossJointSampler {
         sampler_.count_draw();
         if (!(from < to)) return;
         const double aside =
-            most_aside_ *
+            max_offset_ *
             (2 * sampler_.draws().draw(draw_stagger, line.number, static_cast<std::uint64_t>(piece)) - 1);
         // The middle of the first bed rather than of the piece, so that what lies aside is the same bed.
         const double start = middle_of_first_bed(line, from, to);
@@ -77,8 +79,8 @@ class CrossJointSampler {
                            line.middle.y + start * line.u.y + aside * line.u.x};
         const auto inside = box_.clip(centre, line.u);
         if (!inside || inside->first > 0 || inside->second < 0) return;
-        const std::vector<double> back = finder_.meetings(centre, line.u, inside->first, 0);
-        const std::vector<double> ahead = finder_.meetings(centre, line.u, 0, inside->second);
+        const std::vector<double> back = trace_index_.intersections(centre, line.u, inside->first, 0);
+        const std::vector<double> ahead = trace_index_.intersections(centre, line.u, 0, inside->second);
         const double low = back.empty() ? inside->first : back.back();
         const auto last = static_cast<std::size_t>(passed);
         const double high = ahead.size() <= last ? inside->second : ahead[last];
@@ -89,16 +91,16 @@ class CrossJointSampler {
     }
 
     double middle_of_first_bed(const SetLine& line, double from, double to) const {
-        const std::vector<double> within = finder_.meetings(line.middle, line.u, from, to);
+        const std::vector<double> within = trace_index_.intersections(line.middle, line.u, from, to);
         const auto next =
             std::upper_bound(within.begin(), within.end(), from + 1e-9 * std::max(1.0, sampler_.radius()));
         return next == within.end() ? (from + to) / 2 : (from + *next) / 2;
     }
 
     SetSampler& sampler_;
-    double most_aside_;  ///< m
+    double max_offset_;  ///< m
     Bounds box_;         ///< what holds all pieces, laid aside
-    TraceFinder finder_;
+    TraceIndex trace_index_;
     std::vector<Trace> traces_;
 };
 
@@ -108,4 +110,4 @@ std::vector<Trace> sample_cross_joints(SetSampler& sampler, const std::vector<Tr
     return CrossJointSampler(sampler, others).run();
 }
 
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

@@ -5,7 +5,7 @@
 
 #include "blockgen/sampling/set_sampler.hpp"
 
-namespace blockgen {
+namespace rockslope::blockgen {
 
 namespace {
 
@@ -15,7 +15,7 @@ double along(const Point& direction, const Point& p) {
 
 }  // namespace
 
-Point mean_across(const JointSet& set) {
+Point mean_normal(const JointSet& set) {
     const double angle = set.orientation.mean_angle();
     return {-std::sin(angle), std::cos(angle)};
 }
@@ -25,14 +25,15 @@ Point scanline_point(const SetSampler& sampler) {
     return origin ? sampler.bounds().nearest(*origin) : sampler.centre();
 }
 
-Reach reach_across(const SetSampler& sampler, double steepest, double margin) {
+OffsetRange offset_range(const SetSampler& sampler, double max_deviation_tangent, double margin) {
     const JointSet& set = sampler.set();
-    const Point across = mean_across(set), base = scanline_point(sampler);
-    Reach reach{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    const Point across = mean_normal(set), base = scanline_point(sampler);
+    OffsetRange reach{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
     // A line through a corner that lies h off the scanline and is at an angle delta to the mean direction
     // meets the scanline h tan(delta) above or below the corner.
-    for (const Point& p : sampler.bounds().widened(margin).corners()) {
-        const double off = steepest * std::abs(across.y * (p.x - base.x) - across.x * (p.y - base.y));
+    for (const Point& p : sampler.bounds().expanded(margin).corners()) {
+        const double off =
+            max_deviation_tangent * std::abs(across.y * (p.x - base.x) - across.x * (p.y - base.y));
         reach.low = std::min(reach.low, along(across, p) - off);
         reach.high = std::max(reach.high, along(across, p) + off);
     }
@@ -42,10 +43,10 @@ Reach reach_across(const SetSampler& sampler, double steepest, double margin) {
 
 std::vector<SetLine> spaced_lines(SetSampler& sampler, double margin) {
     const JointSet& set = sampler.set();
-    const DrawStream& draws = sampler.draws();
-    const Point across = mean_across(set);
-    const Reach reach = reach_across(sampler, set.orientation.steepest(), margin);
-    const Bounds box = sampler.bounds().widened(margin);
+    const RandomStream& draws = sampler.draws();
+    const Point across = mean_normal(set);
+    const OffsetRange reach = offset_range(sampler, set.orientation.max_deviation_tangent(), margin);
+    const Bounds box = sampler.bounds().expanded(margin);
     const Point base = scanline_point(sampler);
     std::vector<SetLine> lines;
     const auto add = [&](std::int64_t number, double offset) {
@@ -68,7 +69,7 @@ std::vector<SetLine> spaced_lines(SetSampler& sampler, double margin) {
     const double first = set.origin
                              ? reach.origin
                              : reach.low + (draws.draw(draw_phase, 0, 0) - static_cast<double>(run_up)) *
-                                               set.spacing.mean_draw();
+                                               set.spacing.truncated_mean();
     double offset = first;
     for (std::int64_t line = -before; offset <= reach.high; ++line) {
         sampler.count_draw();
@@ -95,4 +96,4 @@ std::vector<Trace> sample_parallel(SetSampler& sampler) {
     return traces;
 }
 
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

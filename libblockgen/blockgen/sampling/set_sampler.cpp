@@ -5,7 +5,7 @@
 
 #include "blockgen/input/domain.hpp"
 
-namespace blockgen {
+namespace rockslope::blockgen {
 
 namespace {
 
@@ -17,8 +17,8 @@ Bounds bounds_of(const JointSet& set, const SlopeModel& model) {
 
 }  // namespace
 
-SetSampler::SetSampler(const JointSet& set, const SlopeModel& model, std::size_t most_draws)
-    : set_(set), draws_(model.seed, set.name), bounds_(bounds_of(set, model)), most_draws_(most_draws) {
+SetSampler::SetSampler(const JointSet& set, const SlopeModel& model, std::size_t max_draws)
+    : set_(set), draws_(model.seed, set.name), bounds_(bounds_of(set, model)), max_draws_(max_draws) {
     centre_ = {(bounds_.low.x + bounds_.high.x) / 2, (bounds_.low.y + bounds_.high.y) / 2};
     radius_ = std::hypot(bounds_.high.x - bounds_.low.x, bounds_.high.y - bounds_.low.y) / 2;
 }
@@ -52,12 +52,12 @@ void SetSampler::add_traces(std::int64_t line, const Point& middle, const Point&
 }
 
 void SetSampler::count_draw() {
-    if (++draw_count_ > most_draws_) fail_too_many("more than " + std::to_string(most_draws_));
+    if (++draw_count_ > max_draws_) fail_too_many("more than " + std::to_string(max_draws_));
 }
 
 void SetSampler::fail_too_many(const std::string& count) const {
     throw InputError(set_.place, "joint set '" + set_.name + "' needs " + count + " lines and traces",
-                     "at most " + std::to_string(most_draws_) + " (--max-blocks sets the limit)");
+                     "at most " + std::to_string(max_draws_) + " (--max-blocks sets the limit)");
 }
 
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

@@ -4,20 +4,20 @@
 #include <functional>
 #include <vector>
 
-#include "blockgen/clip_line.hpp"
 #include "blockgen/input/slope_model.hpp"
-#include "blockgen/sampling/draw_stream.hpp"
+#include "blockgen/sampling/random_stream.hpp"
+#include "common/geometry/clip_line.hpp"
 
-namespace blockgen {
+namespace rockslope::blockgen {
 
 /// What every kind of set is sampled with: its draws, the box that it must fill, and a limit on the work.
 class SetSampler {
   public:
     /// The box is the domain's, or that of the set's region.
-    SetSampler(const JointSet& set, const SlopeModel& model, std::size_t most_draws);
+    SetSampler(const JointSet& set, const SlopeModel& model, std::size_t max_draws);
 
     const JointSet& set() const { return set_; }
-    const DrawStream& draws() const { return draws_; }
+    const RandomStream& draws() const { return draws_; }
     const Bounds& bounds() const { return bounds_; }
     const Point& centre() const { return centre_; }
     /// Half the diagonal of the box.
@@ -33,7 +33,7 @@ class SetSampler {
     void add_traces(std::int64_t line, const Point& middle, const Point& u, double low, double high,
                     std::vector<Trace>& traces);
 
-    std::size_t most_draws() const { return most_draws_; }
+    std::size_t max_draws() const { return max_draws_; }
     std::size_t draw_count() const { return draw_count_; }
     /// Counts a line or trace. @throws InputError beyond the limit.
     void count_draw();
@@ -42,9 +42,9 @@ class SetSampler {
 
   private:
     const JointSet& set_;
-    DrawStream draws_;
+    RandomStream draws_;
     Bounds bounds_;
-    std::size_t most_draws_;
+    std::size_t max_draws_;
     std::size_t draw_count_ = 0;
     Point centre_;
     double radius_ = 0;
@@ -58,20 +58,20 @@ struct SetLine {
 };
 
 /// A unit vector across the mean direction of a set.
-Point mean_across(const JointSet& set);
+Point mean_normal(const JointSet& set);
 
 /// A point of the scanline across the mean direction on which the spacings are measured: the set's origin, or
 /// what of the box is nearest to it; without one the middle of the box.
 Point scanline_point(const SetSampler& sampler);
 
-/// The distances along mean_across() within which lines cross the scanline that may meet the box, and that of
+/// The distances along mean_normal() within which lines cross the scanline that may meet the box, and that of
 /// the set's origin, where it has one; otherwise `origin` is the lower of them.
-struct Reach {
+struct OffsetRange {
     double low = 0, high = 0, origin = 0;
 };
-/// @param steepest tangent between a line and the mean direction. @param margin by which the box is widened,
-/// m.
-Reach reach_across(const SetSampler& sampler, double steepest, double margin = 0);
+/// @param max_deviation_tangent tangent between a line and the mean direction. @param margin by which the box
+/// is widened, m.
+OffsetRange offset_range(const SetSampler& sampler, double max_deviation_tangent, double margin = 0);
 
 /// The lines of a set that meet the box. They cross the scanline at the set's spacings, counted from the
 /// origin to both sides, each in a direction of its own. Where they cross and how they lie are independent,
@@ -89,10 +89,10 @@ Bounds baecher_window(const SetSampler& sampler);
 Bounds voronoi_window(const SetSampler& sampler, double rock_area);
 /// Traces and lines anywhere, until the stop rule is met as nearly as it can be. @param rock the area and the
 /// length of a trace that count for it.
-std::vector<Trace> sample_baecher(SetSampler& sampler, const class RockMeasure& rock);
-std::vector<Trace> sample_veneziano(SetSampler& sampler, const class RockMeasure& rock);
+std::vector<Trace> sample_baecher(SetSampler& sampler, const class RockDomain& rock);
+std::vector<Trace> sample_veneziano(SetSampler& sampler, const class RockDomain& rock);
 /// @param others the traces at which the joints may end.
 std::vector<Trace> sample_cross_joints(SetSampler& sampler, const std::vector<Trace>& others);
-std::vector<Trace> sample_voronoi(SetSampler& sampler, const class RockMeasure& rock);
+std::vector<Trace> sample_voronoi(SetSampler& sampler, const class RockDomain& rock);
 
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

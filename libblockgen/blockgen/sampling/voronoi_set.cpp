@@ -1,10 +1,10 @@
 #include <cmath>
 
-#include "blockgen/detail/voronoi.hpp"
-#include "blockgen/sampling/rock_measure.hpp"
+#include "blockgen/arrangement/voronoi.hpp"
+#include "blockgen/sampling/rock_domain.hpp"
 #include "blockgen/sampling/set_sampler.hpp"
 
-namespace blockgen {
+namespace rockslope::blockgen {
 
 namespace {
 
@@ -16,10 +16,10 @@ double cell_size(const SetSampler& sampler, double rock_area) {
 }  // namespace
 
 Bounds voronoi_window(const SetSampler& sampler, double rock_area) {
-    return sampler.bounds().widened(10 * cell_size(sampler, rock_area));
+    return sampler.bounds().expanded(10 * cell_size(sampler, rock_area));
 }
 
-std::vector<Trace> sample_voronoi(SetSampler& sampler, const RockMeasure& rock) {
+std::vector<Trace> sample_voronoi(SetSampler& sampler, const RockDomain& rock) {
     const double size = cell_size(sampler, rock.area());
     const Bounds window = voronoi_window(sampler, rock.area());
     const double width = window.high.x - window.low.x, height = window.high.y - window.low.y;
@@ -32,9 +32,9 @@ std::vector<Trace> sample_voronoi(SetSampler& sampler, const RockMeasure& rock) 
     }
     std::vector<Trace> traces;
     for (const auto& [a, b] :
-         voronoi_edges(std::move(points), sampler.set().relaxation, sampler.bounds().widened(size)))
+         voronoi_edges(std::move(points), sampler.set().relaxation, sampler.bounds().expanded(size)))
         traces.push_back(sampler.trace(a, b));
     return traces;
 }
 
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

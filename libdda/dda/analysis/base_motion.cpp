@@ -1,6 +1,6 @@
 #include "dda/analysis/base_motion.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 namespace {
 
@@ -29,8 +29,8 @@ Vec2 frame_acceleration(const Stage& stage, double stage_time) {
     return sum;
 }
 
-Vec2 held_frame_acceleration(const Stage& stage, double dt, double stage_time) {
-    return frame_acceleration(stage, next_instant(stage, stage_time - dt / 2));
+Vec2 frame_acceleration_over_step(const Stage& stage, double dt, double stage_time) {
+    return frame_acceleration(stage, next_step_multiple(stage, stage_time - dt / 2));
 }
 
 PrescribedMotion prescribe_motion(const Model& model, const Stage& stage, const BlockSystem& blocks,
@@ -39,16 +39,16 @@ PrescribedMotion prescribe_motion(const Model& model, const Stage& stage, const 
     const std::vector<Vec6> zero(count, Vec6::Zero());
     PrescribedMotion motion{zero, zero, zero};
     if (stage.kind != StageKind::dynamic) return motion;
-    const double later = next_instant(stage, stage_time - dt / 2);
+    const double later = next_step_multiple(stage, stage_time - dt / 2);
     for (std::size_t b = 0; b < count; ++b) {
         if (model.motion[b] != Motion::prescribed) continue;
-        Vec6 held = Vec6::Zero();
-        held.head<2>() = base_acceleration(model, stage, b, later);
+        Vec6 step_acceleration = Vec6::Zero();
+        step_acceleration.head<2>() = base_acceleration(model, stage, b, later);
         motion.acceleration[b].head<2>() = base_acceleration(model, stage, b, stage_time);
-        motion.displacement[b] = dt * blocks.velocity[b] + dt * dt / 2 * held;
-        motion.velocity_change[b] = dt * held;
+        motion.displacement[b] = dt * blocks.velocity[b] + dt * dt / 2 * step_acceleration;
+        motion.velocity_change[b] = dt * step_acceleration;
     }
     return motion;
 }
 
-}  // namespace dda
+}  // namespace rockslope::dda

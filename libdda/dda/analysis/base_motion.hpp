@@ -5,12 +5,12 @@
 #include "dda/block/block_system.hpp"
 #include "dda/model/stage.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 /// The motion over a step of every block whose motion is known; zero for free blocks. A base motion gives
 /// accelerations a. The stage's steps end on the instants k h, h the stage's step (a step that is cut has its
 /// pieces end there), and from one such instant to the next the block moves by the engine's own integration
-/// with the acceleration at the later one, Eq. (38): u += dt v + dt^2 a / 2, v += dt a. So the motion at
+/// with the acceleration at the later one, Eq. (40): u += dt v + dt^2 a / 2, v += dt a. So the motion at
 /// those instants does not depend on cuts, and the acceleration there is the record itself. Outside its
 /// table, and in static stages, the acceleration is zero.
 struct PrescribedMotion {
@@ -25,10 +25,10 @@ Vec2 base_acceleration(const Model& model, const Stage& stage, std::size_t block
 /// The acceleration of the frame that a stage is computed in, m/s2: the sum of its frame motions.
 Vec2 frame_acceleration(const Stage& stage, double stage_time);
 /// The one that acts over a step: like a base's, that of the next instant k h.
-Vec2 held_frame_acceleration(const Stage& stage, double dt, double stage_time);
+Vec2 frame_acceleration_over_step(const Stage& stage, double dt, double stage_time);
 
 /// @param stage_time s, at the step's end, since the start of the stage.
 PrescribedMotion prescribe_motion(const Model& model, const Stage& stage, const BlockSystem& blocks,
                                   double dt, double stage_time);
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace dda {
+namespace rockslope::dda {
 
 /// The energy ledger, J per metre of thickness. Stores are values at an instant, flows accumulate from the
 /// start of the run. Balance: stores - initial stores + losses = external work, up to `residual()`.
@@ -14,7 +14,7 @@ struct Energy {
     double friction_loss = 0;  ///< dissipated by sliding, never decreases
     double damping_loss =
         0;  ///< mass damping, and velocity taken away by a dynamic coefficient below 1 or a static stage
-    double numerical_loss = 0;  ///< dissipated by the end-of-step evaluation of forces, theory Eq. (40)
+    double numerical_loss = 0;  ///< dissipated by the end-of-step evaluation of forces, theory Eq. (42)
     double released = 0;        ///< spring energy lost when contacts open, tear or are replaced
     double boundary_loss = 0;   ///< taken by the dashpots of viscous boundaries: waves that left the model
     double excavated = 0;       ///< stores of rock taken out, with its contacts; gravity's may be negative
@@ -30,4 +30,4 @@ struct Energy {
     double residual() const { return stores() - initial_stores + losses() - external_work; }
 };
 
-}  // namespace dda
+}  // namespace rockslope::dda

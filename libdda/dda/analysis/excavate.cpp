@@ -4,17 +4,17 @@
 
 #include "dda/analysis/ledger.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 namespace {
 
-bool is_held(const Model& model, int point, const std::vector<std::uint8_t>& removed) {
+bool is_attached(const Model& model, int point, const std::vector<std::uint8_t>& removed) {
     const int block = model.material_points[static_cast<std::size_t>(point)].block;
     return removed.empty() || removed[static_cast<std::size_t>(block)] == 0;
 }
 
-bool is_held(const Model& model, const BoltSpec& bolt, const std::vector<std::uint8_t>& removed) {
-    return is_held(model, bolt.first, removed) && is_held(model, bolt.second, removed);
+bool is_attached(const Model& model, const BoltSpec& bolt, const std::vector<std::uint8_t>& removed) {
+    return is_attached(model, bolt.first, removed) && is_attached(model, bolt.second, removed);
 }
 
 /// The forces of the bolts that stay; both lists of blocks, the earlier in the later.
@@ -23,8 +23,8 @@ std::vector<double> kept_bolt_forces(const Model& model, const State& state,
     std::vector<double> forces;
     std::size_t k = 0;
     for (const BoltSpec& bolt : model.bolts) {
-        if (!is_held(model, bolt, state.removed)) continue;
-        if (is_held(model, bolt, removed)) forces.push_back(state.bolt_force[k]);
+        if (!is_attached(model, bolt, state.removed)) continue;
+        if (is_attached(model, bolt, removed)) forces.push_back(state.bolt_force[k]);
         ++k;
     }
     return forces;
@@ -32,14 +32,14 @@ std::vector<double> kept_bolt_forces(const Model& model, const State& state,
 
 }  // namespace
 
-Model remaining(const Model& model, const std::vector<std::uint8_t>& removed) {
+Model without_removed_blocks(const Model& model, const std::vector<std::uint8_t>& removed) {
     Model rest = model;
     for (std::size_t b = 0; b < removed.size(); ++b) {
         if (removed[b] != 0) rest.motion[b] = Motion::removed;
     }
-    std::erase_if(rest.bolts, [&](const BoltSpec& bolt) { return !is_held(model, bolt, removed); });
+    std::erase_if(rest.bolts, [&](const BoltSpec& bolt) { return !is_attached(model, bolt, removed); });
     std::erase_if(rest.fixed_points,
-                  [&](const FixedPoint& fixed) { return !is_held(model, fixed.point, removed); });
+                  [&](const FixedPoint& fixed) { return !is_attached(model, fixed.point, removed); });
     return rest;
 }
 
@@ -60,7 +60,7 @@ bool excavate(const Model& model, int stage, State& state) {
     state.bolt_force = kept_bolt_forces(model, state, removed);
     state.removed = std::move(removed);
     std::erase_if(state.contacts.contacts, [&](const Contact& contact) {
-        return !state.is_there(contact.corner_block) || !state.is_there(contact.edge_block);
+        return !state.is_present(contact.corner_block) || !state.is_present(contact.edge_block);
     });
     state.contacts.candidates.clear();
     state.contacts.reference.clear();
@@ -70,12 +70,12 @@ bool excavate(const Model& model, int stage, State& state) {
         state.blocks.acceleration[b].setZero();
         state.blocks.stress[b].setZero();
     }
-    const Model rest = remaining(model, state.removed);
+    const Model rest = without_removed_blocks(model, state.removed);
     const RowMap rows(rest.motion);
     const double before = state.energy.stores();
-    Ledger(rest, rows).take_stock(state, state.energy);
+    Ledger(rest, rows).update_stored_energy(state, state.energy);
     state.energy.excavated += before - state.energy.stores();
     return true;
 }
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -6,11 +6,11 @@
 #include "dda/analysis/state.hpp"
 #include "dda/model/model.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 /// The model without the blocks that are marked: they keep their numbers, do not move, meet nothing and bear
 /// no load; bolts and fixed points that they hold are gone. @param removed per block, or empty.
-Model remaining(const Model& model, const std::vector<std::uint8_t>& removed);
+Model without_removed_blocks(const Model& model, const std::vector<std::uint8_t>& removed);
 
 /// Takes out what the excavations up to a stage, counted from 1, remove and what is still there: blocks,
 /// their contacts, their bolts. The rest keeps its stress and its contact forces, so what a block gone had
@@ -18,4 +18,4 @@ Model remaining(const Model& model, const std::vector<std::uint8_t>& removed);
 /// left.
 bool excavate(const Model& model, int stage, State& state);
 
-}  // namespace dda
+}  // namespace rockslope::dda

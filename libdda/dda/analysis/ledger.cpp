@@ -4,7 +4,7 @@
 
 #include "dda/contact/contact_stiffness.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 namespace {
 
@@ -38,7 +38,7 @@ double spring_energy(double force, double stiffness) {
 double contact_energy(const Model& model, const std::vector<Contact>& contacts) {
     double sum = 0;
     for (const Contact& contact : contacts) {
-        if (contact.state == ContactState::open || model.augments(contact.joint_material)) continue;
+        if (contact.state == ContactState::open || model.is_augmented(contact.joint_material)) continue;
         sum += normal_spring(model, contact).energy(contact.normal_force) +
                spring_energy(contact.shear_force, shear_stiffness(model, contact));
     }
@@ -91,7 +91,7 @@ Ledger::Ledger(const Model& model, const RowMap& rows) : model_(model), rows_(ro
     for (const AreaMoments& moments : initial_block_system(model).moments) datum_.push_back(moments.centroid);
 }
 
-void Ledger::take_stock(const State& state, Energy& energy) const {
+void Ledger::update_stored_energy(const State& state, Energy& energy) const {
     energy.kinetic = kinetic_energy(rows_, state.blocks);
     energy.strain = strain_energy(model_, rows_, state.blocks);
     energy.contact = contact_energy(model_, state.contacts.contacts);
@@ -99,17 +99,17 @@ void Ledger::take_stock(const State& state, Energy& energy) const {
     energy.gravity = gravity_energy(model_, rows_, state.blocks, datum_);
 }
 
-double Ledger::stored_in(const std::vector<Contact>& contacts) const {
+double Ledger::contact_energy_of(const std::vector<Contact>& contacts) const {
     return contact_energy(model_, contacts);
 }
 
 void Ledger::record_contacts(const StepWork& step, Energy& energy) const {
     for (std::size_t k = 0; k < step.before.size(); ++k) {
         const Contact& before = step.before[k];
-        const JudgedContact& after = step.result.contacts[k];
+        const EvaluatedContact& after = step.result.contacts[k];
         const ContactSprings& s = step.springs[k];
-        const bool stores = !model_.augments(before.joint_material);
-        const auto stored_by_normal = [&](double force) { return stores ? s.closing.energy(force) : 0; };
+        const bool stores = !model_.is_augmented(before.joint_material);
+        const auto stored_by_normal = [&](double force) { return stores ? s.normal_law.energy(force) : 0; };
         const auto stored_by_shear = [&](double force) {
             return stores ? spring_energy(force, s.shear_stiffness) : 0;
         };
@@ -120,25 +120,26 @@ void Ledger::record_contacts(const StepWork& step, Energy& energy) const {
         if (!is_closed) {
             // An opened contact bears nothing at the step's end: its compression is lost to the integration,
             // the rest snaps free.
-            (after.torn ? energy.released : energy.numerical_loss) += stored_normal;
+            (after.bond_broken ? energy.released : energy.numerical_loss) += stored_normal;
             energy.released += stored_shear;
             continue;
         }
         const double opening = s.rows.measure(s.normal, step.result.displacement);
         // What moves the faces apart against the normal force is taken from the work of shearing.
-        record_spring(-after.normal_force * opening, -after.normal_force * after.dilating, stored_normal,
-                      stored_by_normal(after.normal_force), energy);
+        record_spring(-after.normal_force * opening, -after.normal_force * after.dilation_increment,
+                      stored_normal, stored_by_normal(after.normal_force), energy);
         record_spring(after.shear_force * after.displacement, after.shear_force * after.slip, stored_shear,
                       stored_by_shear(after.shear_force), energy);
-        energy.external_work += after.shear_force * s.shear.known - after.normal_force * s.normal.known;
+        energy.external_work +=
+            after.shear_force * s.shear.prescribed - after.normal_force * s.normal.prescribed;
     }
 }
 
-void Ledger::record_new_springs(const StepWork& step, const std::vector<Contact>& after,
-                                Energy& energy) const {
+void Ledger::record_spring_changes(const StepWork& step, const std::vector<Contact>& after,
+                                   Energy& energy) const {
     for (std::size_t k = 0; k < after.size(); ++k) {
         const Contact& contact = after[k];
-        if (contact.state == ContactState::open || model_.augments(contact.joint_material)) continue;
+        if (contact.state == ContactState::open || model_.is_augmented(contact.joint_material)) continue;
         const double stiffness = shear_stiffness(model_, contact);
         if (stiffness == step.springs[k].shear_stiffness) continue;
         energy.released += spring_energy(contact.shear_force, step.springs[k].shear_stiffness) -
@@ -157,7 +158,7 @@ void Ledger::record_constraints(const StepWork& step, Energy& energy) const {
         const double yielded = (before + bolt.stiffness * elongation - after) / bolt.stiffness;
         record_spring(after * elongation, after * yielded, spring_energy(before, bolt.stiffness),
                       spring_energy(after, bolt.stiffness), energy);
-        energy.external_work += after * bolt.elongation.known;
+        energy.external_work += after * bolt.elongation.prescribed;
     }
     for (const FixedPoint& fixed : model_.fixed_points) {
         const auto p = static_cast<std::size_t>(fixed.point);
@@ -194,7 +195,7 @@ void Ledger::record_blocks(const StepWork& step, Energy& energy) const {
         const Vec6 v1 = step.newmark.velocity(v0, a0, a1);
         energy.numerical_loss += d.dot(mass * a1) - (v1.dot(mass * v1) - v0.dot(mass * v0)) / 2;
         energy.damping_loss += step.mass_damping * v1.dot(mass * d);
-        const double kept = step.velocity_kept;
+        const double kept = step.velocity_factor;
         energy.damping_loss += (1 - kept * kept) * v1.dot(mass * v1) / 2;
     }
 }
@@ -205,11 +206,12 @@ void Ledger::record_boundaries(const StepWork& step, Energy& energy) const {
         const auto row = static_cast<std::size_t>(term.row);
         const auto b = static_cast<std::size_t>(rows_.block_of[row]);
         const Vec6& d = step.result.displacement[row];
-        const Vec6 v1 = step.newmark.velocity_rate() * d +
-                        step.newmark.velocity_at_rest(step.blocks.velocity[b], step.blocks.acceleration[b]);
+        const Vec6 v1 =
+            step.newmark.velocity_rate() * d +
+            step.newmark.velocity_at_zero_displacement(step.blocks.velocity[b], step.blocks.acceleration[b]);
         energy.boundary_loss += d.dot(term.damping * v1);
         energy.external_work += d.dot(term.force - term.stiffness * d);
     }
 }
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -7,7 +7,7 @@
 #include "dda/analysis/state.hpp"
 #include "dda/terms/loads.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 /// What one accepted step did, as the energy ledger needs it.
 struct StepWork {
@@ -21,8 +21,8 @@ struct StepWork {
     const OpenCloseResult& result;
     Newmark newmark;
     double mass_damping = 0;
-    double velocity_kept = 1;  ///< share of the velocity that the step control leaves
-    LoadInstant loads;         ///< at the end of the step
+    double velocity_factor = 1;  ///< share of the velocity that the step control leaves
+    LoadInstant loads;           ///< at the end of the step
 };
 
 /// Keeps the energy ledger, theory sec. 8. The stores are computed from the state alone and the flows from
@@ -33,14 +33,14 @@ class Ledger {
     Ledger(const Model& model, const RowMap& rows);
 
     /// Sets the stores to those of a state.
-    void take_stock(const State& state, Energy& energy) const;
+    void update_stored_energy(const State& state, Energy& energy) const;
     /// Energy in the springs of contacts, J per metre.
-    double stored_in(const std::vector<Contact>& contacts) const;
+    double contact_energy_of(const std::vector<Contact>& contacts) const;
 
     void record_contacts(const StepWork& step, Energy& energy) const;
-    /// A law that has changed its shear spring in this step, Eq. (52), keeps the force in it: what the other
+    /// A law that has changed its shear spring in this step, Eq. (58), keeps the force in it: what the other
     /// spring stores more or less comes from nowhere. @param after the contacts at the step's end.
-    void record_new_springs(const StepWork& step, const std::vector<Contact>& after, Energy& energy) const;
+    void record_spring_changes(const StepWork& step, const std::vector<Contact>& after, Energy& energy) const;
     void record_constraints(const StepWork& step, Energy& energy) const;
     void record_blocks(const StepWork& step, Energy& energy) const;
     void record_boundaries(const StepWork& step, Energy& energy) const;
@@ -51,4 +51,4 @@ class Ledger {
     std::vector<Vec2> datum_;  ///< per block, initial centroid, m
 };
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -5,7 +5,7 @@
 
 #include "dda/analysis/trial_contacts.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 /// Finds where, on the way from a displacement to the linear system's solution, the step's potential is
 /// smallest.
@@ -16,30 +16,31 @@ namespace dda {
 /// straight line, and only the others are asked again and again.
 class LineSearch {
   public:
-    LineSearch(const StepProblem& problem, const TrialContacts& trials, const Crew& crew);
+    LineSearch(const StepProblem& problem, const TrialContacts& trials, const ThreadPool& pool);
 
-    /// The share of the way, 0 to 1, to 1e-6; exactly 1 where the potential falls all the way.
+    /// The step_length of the way, 0 to 1, to 1e-6; exactly 1 where the potential falls all the way.
     /// @param from, target per row, displacements of the step.
-    double share(std::span<const Vec6> from, std::span<const Vec6> target);
+    double step_length(std::span<const Vec6> from, std::span<const Vec6> target);
 
   private:
     /// A measure along the way: `end` at the target.
     struct Line {
         double end = 0;
         double rate = 0;
-        double at(double share) const { return end - (1 - share) * rate; }
+        double at(double step_length) const { return end - (1 - step_length) * rate; }
     };
     /// The piece of its laws that a contact is on; what may not close is on the one without any force.
     struct Piece {
-        bool pressed = false;
+        bool active = false;
         bool locked = false;
         bool forward = false;  ///< beyond the bound in that direction
         bool operator==(const Piece&) const = default;
     };
-    /// Where a contact is at some share.
-    struct Place {
+    /// Where a contact is at some step_length.
+    struct Sample {
         Piece piece;
-        double work = 0;  ///< of what the laws' forces differ from the linear ones by, J per metre and share
+        double work =
+            0;  ///< of what the laws' forces differ from the linear ones by, J per metre and step_length
     };
     /// A contact's measures, the forces that the linear system gives it at the target, and its laws.
     struct ContactLine {
@@ -48,13 +49,13 @@ class LineSearch {
         Forces linear;
         ContactLaw law;
         // Of a contact with a kink on the way:
-        Piece low;     ///< at the lower end of where the smallest potential is known to be
-        Piece high;    ///< at the upper
-        Place middle;  ///< where it was asked last
+        Piece low;      ///< at the lower end of where the smallest potential is known to be
+        Piece high;     ///< at the upper
+        Sample middle;  ///< where it was asked last
 
-        Place at(double share) const;
+        Sample at(double step_length) const;
         /// Whether its work is a straight line between two places on these pieces.
-        bool is_straight(const Piece& from, const Piece& to) const;
+        bool is_linear(const Piece& from, const Piece& to) const;
         /// How its work grows along a piece that is straight.
         double rate(const Piece& piece) const;
     };
@@ -66,25 +67,25 @@ class LineSearch {
         Line straight;                  ///< the work of contacts without a kink
     };
 
-    void find_way(std::span<const Vec6> from, std::span<const Vec6> target);
-    Ends find_ends(std::span<const Vec6> target);
-    void keep_kinked(std::span<const Vec6> target);
+    void set_search_direction(std::span<const Vec6> from, std::span<const Vec6> target);
+    Ends evaluate_ends(std::span<const Vec6> target);
+    void collect_kinked(std::span<const Vec6> target);
     ContactLine line_of(std::size_t contact, std::span<const Vec6> target) const;
-    double slope(double share);
-    /// Takes the share asked last as an end of where the smallest potential is.
-    void narrow(bool is_upper, double share);
-    double work_of_bolts(double share) const;
+    double slope(double step_length);
+    /// Takes the step_length asked last as an end of where the smallest potential is.
+    void shrink_bracket(bool is_upper, double step_length);
+    double bolt_work(double step_length) const;
 
     const StepProblem& p_;
     const TrialContacts& trials_;
-    const Crew& crew_;
-    std::vector<Vec6> way_;       ///< per row
-    double curvature_ = 0;        ///< of the quadratic part
-    Line straight_;               ///< the work of contacts without a kink where the smallest potential may be
+    const ThreadPool& pool_;
+    std::vector<Vec6> search_direction_;  ///< per row
+    double curvature_ = 0;                ///< of the quadratic part
+    Line linear_work_;            ///< the work of contacts without a kink where the smallest potential may be
     std::vector<char> has_kink_;  ///< per contact, on the way
     std::vector<ContactLine> contacts_;  ///< of those that have
     std::vector<std::size_t> kinked_;    ///< of these, those with a kink where the smallest potential may be
     std::vector<Line> elongation_;       ///< per bolt
 };
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -4,13 +4,13 @@
 #include "dda/analysis/run_stage.hpp"
 #include "dda/analysis/strength_reduction.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 namespace {
 
 /// What a static stage leaves to count anew. It is done when another stage follows, so that a run's last
 /// state still tells what its last stage did.
-void count_anew_after(const Model& model, const Stage& stage, State& state) {
+void reset_counters_after(const Model& model, const Stage& stage, State& state) {
     if (stage.kind != StageKind::static_equilibrium) return;
     if (stage.reset_displacements) {
         state.displacement_origin = state.blocks.points;
@@ -27,15 +27,17 @@ void count_anew_after(const Model& model, const Stage& stage, State& state) {
 }
 
 /// The rock that is there, and what steps it.
-struct Present {
-    Present(const Model& whole, const State& state, int threads)
-        : rest(state.removed.empty() ? std::nullopt : std::optional(remaining(whole, state.removed))),
-          model(rest ? *rest : whole),
+struct ActiveModel {
+    ActiveModel(const Model& full_model, const State& state, int threads)
+        : reduced_model(state.removed.empty()
+                            ? std::nullopt
+                            : std::optional(without_removed_blocks(full_model, state.removed))),
+          model(reduced_model ? *reduced_model : full_model),
           stepper(model, threads) {}
-    Present(const Present&) = delete;
-    Present& operator=(const Present&) = delete;
+    ActiveModel(const ActiveModel&) = delete;
+    ActiveModel& operator=(const ActiveModel&) = delete;
 
-    std::optional<Model> rest;
+    std::optional<Model> reduced_model;
     const Model& model;
     TimeStepper stepper;
 };
@@ -51,28 +53,28 @@ State initial_state(const Model& model) {
     state.boundary_reactions = no_reactions(model);
     state.free_fields = fields_at_rest(model);
     const RowMap rows(model.motion);
-    Ledger(model, rows).take_stock(state, state.energy);
+    Ledger(model, rows).update_stored_energy(state, state.energy);
     state.energy.initial_stores = state.energy.stores();
     return state;
 }
 
 RunOutcome run(const Model& model, std::span<const Stage> stages, State& state, RunObserver& observer,
                const RunOptions& options) {
-    std::optional<Present> present;
+    std::optional<ActiveModel> active;
     bool resumed = options.resumed;
     for (std::size_t k = static_cast<std::size_t>(options.first_stage); k < stages.size(); ++k) {
         if (!resumed) {
-            if (k > 0) count_anew_after(model, stages[k - 1], state);
+            if (k > 0) reset_counters_after(model, stages[k - 1], state);
             begin_stage(state);
-            if (excavate(model, static_cast<int>(k) + 1, state)) present.reset();
+            if (excavate(model, static_cast<int>(k) + 1, state)) active.reset();
         }
         resumed = false;
-        if (!present) present.emplace(model, state, options.threads);
+        if (!active) active.emplace(model, state, options.threads);
         observer.stage_begins(model, state, stages[k], static_cast<int>(k));
         RunOutcome outcome =
             stages[k].strength_reduction
-                ? find_factor_of_safety(present->model, stages[k], state, observer, options.threads)
-                : run_stage(present->model, stages[k], present->stepper, state, observer);
+                ? find_factor_of_safety(active->model, stages[k], state, observer, options.threads)
+                : run_stage(active->model, stages[k], active->stepper, state, observer);
         if (outcome.status == RunStatus::not_converged || outcome.status == RunStatus::not_settled)
             observer.stage_fails(model, state, stages[k], static_cast<int>(k));
         if (outcome.status != RunStatus::completed) return outcome;
@@ -81,4 +83,4 @@ RunOutcome run(const Model& model, std::span<const Stage> stages, State& state, 
     return {};
 }
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -10,7 +10,7 @@
 #include "dda/model/model.hpp"
 #include "dda/model/stage.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 /// `not_written`: the results could not be kept, which is the observer's to find out.
 enum class RunStatus { completed, not_converged, not_settled, stopped, not_written };
@@ -62,4 +62,4 @@ State initial_state(const Model& model);
 RunOutcome run(const Model& model, std::span<const Stage> stages, State& state, RunObserver& observer,
                const RunOptions& options = {});
 
-}  // namespace dda
+}  // namespace rockslope::dda

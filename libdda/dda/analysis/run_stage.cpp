@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace dda {
+namespace rockslope::dda {
 
 namespace {
 
@@ -13,7 +13,7 @@ std::string describe(const Model& model, const StepAttempt& attempt) {
     switch (attempt.rejection) {
         case Rejection::singular:
             return "the equations are not positive definite";
-        case Rejection::moved_too_far:
+        case Rejection::excessive_displacement:
             std::snprintf(text, sizeof text, "a vertex moves %.3g m in a step",
                           attempt.report.largest_displacement);
             return text;
@@ -25,7 +25,7 @@ std::string describe(const Model& model, const StepAttempt& attempt) {
     }
     if (!attempt.worst_contact) return "the open-close iteration does not settle";
     const Contact& contact = *attempt.worst_contact;
-    if (attempt.rejection == Rejection::intruded) {
+    if (attempt.rejection == Rejection::undetected_penetration) {
         std::snprintf(text, sizeof text,
                       "a corner of block %d gets %.3g m into block %d at (%.6g, %.6g) unseen",
                       contact.corner_block, -contact.gap, contact.edge_block,
@@ -69,11 +69,11 @@ class StepSize {
 /// A step of a dynamic stage must not pass the next instant, nor the stage's end; an instant within half a
 /// step of the end gives way to it.
 double until_next_instant(const Stage& stage, double stage_time) {
-    const double instant = next_instant(stage, stage_time);
+    const double instant = next_step_multiple(stage, stage_time);
     return (instant + stage.control.step / 2 < stage.duration ? instant : stage.duration) - stage_time;
 }
 
-void come_to_rest(State& state) {
+void set_velocities_to_zero(State& state) {
     for (Vec6& v : state.blocks.velocity) v.setZero();
     for (Vec6& a : state.blocks.acceleration) a.setZero();
 }
@@ -88,12 +88,12 @@ void begin_stage(State& state) {
 
 RunOutcome run_stage(const Model& model, const Stage& stage, TimeStepper& stepper, State& state,
                      RunObserver& observer) {
-    const bool to_rest = stage.kind == StageKind::static_equilibrium;
+    const bool is_static = stage.kind == StageKind::static_equilibrium;
     StepSize step(stage.control, state.next_step);
     int cuts = 0;
     StepCounts counts;  // since the last accepted step
-    while (to_rest || state.stage_time < stage.duration * (1 - 1e-12)) {
-        const double dt = to_rest ? step.size() : step.next(until_next_instant(stage, state.stage_time));
+    while (is_static || state.stage_time < stage.duration * (1 - 1e-12)) {
+        const double dt = is_static ? step.size() : step.next(until_next_instant(stage, state.stage_time));
         StepAttempt attempt = stepper.advance(stage, state, dt);
         counts += attempt.report;
         if (attempt.rejection != Rejection::none) {
@@ -114,12 +114,12 @@ RunOutcome run_stage(const Model& model, const Stage& stage, TimeStepper& steppe
         cuts = 0;
         counts = {};
         ++state.stage_steps;
-        const bool settled = to_rest && attempt.report.unbalanced_force <= stage.tolerance;
-        if (settled) come_to_rest(state);
+        const bool settled = is_static && attempt.report.unbalanced_force <= stage.tolerance;
+        if (settled) set_velocities_to_zero(state);
         if (!observer.step_done(model, state, stage, attempt.report))
             return {RunStatus::stopped, "stopped as asked", {}};
         if (settled) break;
-        if (to_rest && state.stage_steps >= stage.step_limit) {
+        if (is_static && state.stage_steps >= stage.step_limit) {
             char text[160];
             std::snprintf(
                 text, sizeof text,
@@ -131,4 +131,4 @@ RunOutcome run_stage(const Model& model, const Stage& stage, TimeStepper& steppe
     return {};
 }
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -3,7 +3,7 @@
 #include "dda/analysis/run.hpp"
 #include "dda/analysis/step.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 /// Clocks and counters of a stage at its start.
 void begin_stage(State& state);
@@ -13,4 +13,4 @@ void begin_stage(State& state);
 RunOutcome run_stage(const Model& model, const Stage& stage, TimeStepper& stepper, State& state,
                      RunObserver& observer);
 
-}  // namespace dda
+}  // namespace rockslope::dda

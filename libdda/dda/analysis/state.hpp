@@ -8,10 +8,10 @@
 #include "dda/contact/contact.hpp"
 #include "dda/terms/viscous_boundary.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 /// Everything that changes during a run but the contacts, at one instant.
-struct StateOfBlocks {
+struct StateWithoutContacts {
     double time = 0;               ///< s since the start of the run
     double stage_time = 0;         ///< s since the start of the stage
     double dynamic_time = 0;       ///< s of the run's dynamic stages so far: the clock of load histories
@@ -27,15 +27,15 @@ struct StateOfBlocks {
     Energy energy;
     std::vector<std::uint8_t> removed;  ///< per block, 1 where it was taken out; empty while all are there
 
-    bool is_there(int block) const {
+    bool is_present(int block) const {
         return removed.empty() || removed[static_cast<std::size_t>(block)] == 0;
     }
 };
 
 /// Everything that changes during a run, at one instant. A trial step makes a new one; a rejected step
 /// forgets it.
-struct State : StateOfBlocks {
+struct State : StateWithoutContacts {
     ContactSet contacts;
 };
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -6,30 +6,32 @@
 #include <utility>
 
 #include "dda/analysis/advance_contacts.hpp"
-#include "dda/analysis/unexpected_turn.hpp"
+#include "dda/analysis/rotation_prediction.hpp"
 #include "dda/contact/candidates.hpp"
 #include "dda/contact/find_contacts.hpp"
 #include "dda/terms/loads.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 namespace {
 
-/// A look at a step that turns out too short-sighted for the displacements found is repeated with a longer
-/// reach, one that missed a corner with that corner, one that mistook the rotations with those found.
-constexpr int look_limit = 8;
+/// A prediction at a step that rotation_corrections out too short-sighted for the displacements found is
+/// repeated with a longer reach, one that undetected a corner with that corner, one that mistook the
+/// rotations with those found.
+constexpr int attempt_limit = 8;
 /// Of them, those that may be spent on the rotations: each makes what is left of the mistake smaller by about
 /// the rotation, rad.
-constexpr int turn_limit = 3;
+constexpr int rotation_correction_limit = 3;
 /// Depth to which a corner without a contact may be in another block, as a share of the median edge. Far
 /// below any penetration that matters, far above rounding.
-constexpr double unseen_depth = 1e-9;
+constexpr double undetected_depth = 1e-9;
 /// Depth to which a corner may clip another block and be out again within a step, likewise: arcs are looked
 /// at as straight ways, and strain moves the corners of a joint by less than this.
-constexpr double clipped_depth = 1e-5;
-/// Share of a block's weight by which rounding may move the force of the stiffest spring. All forces agree at
-/// convergence to no better than that, so a spring without bound would make anything pass for equilibrium.
-constexpr double lost_force = 0.1;
+constexpr double clipping_depth = 1e-5;
+/// Share of a block's weight by which rounding may move the force of the max_stiffness spring. All forces
+/// agree at convergence to no better than that, so a spring without bound would make anything pass for
+/// equilibrium.
+constexpr double rounding_force_limit = 0.1;
 
 double extent(std::span<const Vec2> vertices, int axis) {
     double low = std::numeric_limits<double>::infinity();
@@ -56,7 +58,7 @@ double mean_weight(const Model& model, const RowMap& rows) {
     return mass * model.gravity.norm() / rows.count();
 }
 
-double velocity_kept(const Stage& stage) {
+double velocity_factor(const Stage& stage) {
     return stage.kind == StageKind::static_equilibrium ? 0.0 : stage.dynamic_coefficient;
 }
 
@@ -72,8 +74,8 @@ double load_time(const Stage& stage, const State& state, double dt) {
 
 /// Straining changes a block's moments of inertia, and what stays is its angular momentum, not its rate of
 /// turning. Sets the rate. @return the kinetic energy that this takes, J per metre.
-double keep_angular_momentum(double mass, const AreaMoments& before, const Vec6& velocity_before,
-                             const AreaMoments& after, Vec6& velocity) {
+double conserve_angular_momentum(double mass, const AreaMoments& before, const Vec6& velocity_before,
+                                 const AreaMoments& after, Vec6& velocity) {
     const Mat6 inertia_before = mass_matrix(mass, before);
     const Mat6 inertia = mass_matrix(mass, after);
     const Vec6 momentum_before = inertia_before * velocity_before;
@@ -89,7 +91,7 @@ struct TimeStepper::Step {
     PrescribedMotion prescribed;
     MidStep mid;
     ContactSet contacts;
-    JointFaces faces;
+    JointSegments segments;
     std::vector<ContactSprings> springs;
     std::vector<BoltSpring> bolts;
     FreeFieldMotions fields;
@@ -100,13 +102,13 @@ struct TimeStepper::Step {
 
 TimeStepper::TimeStepper(const Model& model, int threads)
     : model_(model),
-      crew_(threads),
+      pool_(threads),
       rows_(model.motion),
       ledger_(model_, rows_),
       half_height_(extent(model.vertices, 1) / 2),
       mean_weight_(mean_weight(model, rows_)),
-      rounding_(8 * std::numeric_limits<double>::epsilon() * largest_coordinate(model.vertices)),
-      solver_(make_linear_solver(model.solver, crew_)) {
+      coordinate_rounding_(8 * std::numeric_limits<double>::epsilon() * largest_coordinate(model.vertices)),
+      solver_(make_linear_solver(model.solver, pool_)) {
     edge_length_ = median_edge_length(model.topology, model.vertices);
 }
 
@@ -114,9 +116,9 @@ StepAttempt TimeStepper::advance(const Stage& stage, const State& state, double 
     StepAttempt attempt;
     StepCounts counts;
     if (times_ != nullptr) times_->start();
-    Look look = first_look(stage, state, dt);
-    for (int k = 0; k < look_limit && look.wanted; ++k) {
-        attempt = look_at_step(stage, state, dt, look);
+    Prediction prediction = initial_prediction(stage, state, dt);
+    for (int k = 0; k < attempt_limit && prediction.needs_retry; ++k) {
+        attempt = attempt_with(stage, state, dt, prediction);
         counts += attempt.report;
     }
     end_of(Phase::update, times_);
@@ -124,15 +126,16 @@ StepAttempt TimeStepper::advance(const Stage& stage, const State& state, double 
     return attempt;
 }
 
-StepAttempt TimeStepper::look_at_step(const Stage& stage, const State& state, double dt, Look& look) {
+StepAttempt TimeStepper::attempt_with(const Stage& stage, const State& state, double dt,
+                                      Prediction& prediction) {
     StepAttempt attempt;
-    look.wanted = false;
-    Step step = prepare(stage, state, dt, look);
-    if (is_lost_in_rounding(step)) {
+    prediction.needs_retry = false;
+    Step step = prepare(stage, state, dt, prediction);
+    if (is_too_stiff_for_rounding(step)) {
         attempt.rejection = Rejection::too_stiff;
         return attempt;
     }
-    OpenCloseResult result = solve(stage, state, step, look.guess);
+    OpenCloseResult result = solve(stage, state, step, prediction.guess);
     static_cast<StepCounts&>(attempt.report) = result;
     if (!result.converged) {
         attempt.rejection = result.singular ? Rejection::singular : Rejection::not_converged;
@@ -143,103 +146,115 @@ StepAttempt TimeStepper::look_at_step(const Stage& stage, const State& state, do
     const std::vector<Vec6> displacement = all_displacements(step, result);
     const double moved = largest_displacement(state, displacement);
     attempt.report.largest_displacement = moved;
-    attempt.rejection = Rejection::moved_too_far;
-    if (!(moved <= largest_admitted(stage.control))) return attempt;  // or is not a number
-    if (2 * moved > look.reach) {
-        look.reach = 2.5 * moved;
-        look.wanted = true;
+    attempt.rejection = Rejection::excessive_displacement;
+    if (!(moved <= displacement_limit(stage.control))) return attempt;  // or is not a number
+    if (2 * moved > prediction.search_radius) {
+        prediction.search_radius = 2.5 * moved;
+        prediction.needs_retry = true;
         return attempt;
     }
-    const auto look_again = [&] {
-        look.predicted = displacement;
-        look.guess = {step.contacts.contacts, std::move(result.contacts)};
-        look.wanted = true;
+    const auto retry = [&] {
+        prediction.predicted = displacement;
+        prediction.guess = {step.contacts.contacts, std::move(result.contacts)};
+        prediction.needs_retry = true;
     };
-    if (look.turns < turn_limit &&
-        turned_unexpectedly(look.predicted, displacement, step.springs, step.contacts.contacts, result,
-                            state.energy.kinetic)) {
-        ++look.turns;
-        look_again();
+    if (prediction.rotation_corrections < rotation_correction_limit &&
+        rotation_prediction_failed(prediction.predicted, displacement, step.springs, step.contacts.contacts,
+                                   result, state.energy.kinetic)) {
+        ++prediction.rotation_corrections;
+        retry();
         return attempt;
     }
-    attempt.state = updated(stage, state, step, result, displacement);
-    const double stiffest = stiffest_spring(step.springs);
-    step.springs = std::vector<ContactSprings>();  // the search for intrusions takes as much
-    const std::vector<Intrusion> unseen = intrusions(state, attempt.state, look.reach);
-    if (!unseen.empty()) {
-        attempt.rejection = Rejection::intruded;
-        attempt.worst_contact = deepest_as_contact(model_, attempt.state.blocks.vertices, unseen);
+    attempt.state = updated_state(stage, state, step, result, displacement);
+    const double max_stiffness = max_spring_stiffness(step.springs);
+    step.springs = std::vector<ContactSprings>();  // the search for undetected_penetrations takes as much
+    const std::vector<UndetectedPenetration> undetected =
+        undetected_penetrations(state, attempt.state, prediction.search_radius);
+    if (!undetected.empty()) {
+        attempt.rejection = Rejection::undetected_penetration;
+        attempt.worst_contact =
+            deepest_penetration_as_contact(model_, attempt.state.blocks.vertices, undetected);
         // Once, another expectation of where blocks go may be enough to find the contact; then it is told.
-        if (may_be_stopped(unseen) && (add_pairs(unseen, look.missed) || add_pairs(unseen, look.entering)))
-            look_again();
+        if (can_be_prevented(undetected) &&
+            (merge_pairs(undetected, prediction.undetected) || merge_pairs(undetected, prediction.forced)))
+            retry();
         return attempt;
     }
     attempt.rejection = Rejection::none;
-    attempt.report = report_step(model_, rows_, attempt.state, step.dt, stiffest);
+    attempt.report = report_step(model_, rows_, attempt.state, step.dt, max_stiffness);
     static_cast<StepCounts&>(attempt.report) = result;
     attempt.report.largest_displacement = moved;
-    attempt.report.dilation_left =
-        dilation_left(step.contacts.contacts, result.contacts, attempt.state.contacts.contacts);
+    attempt.report.remaining_dilation =
+        remaining_dilation(step.contacts.contacts, result.contacts, attempt.state.contacts.contacts);
     return attempt;
 }
 
-bool TimeStepper::is_lost_in_rounding(const Step& step) const {
-    return mean_weight_ > 0 && rounding_ * stiffest_spring(step.springs) > lost_force * mean_weight_;
+bool TimeStepper::is_too_stiff_for_rounding(const Step& step) const {
+    return mean_weight_ > 0 &&
+           coordinate_rounding_ * max_spring_stiffness(step.springs) > rounding_force_limit * mean_weight_;
 }
 
-std::vector<Intrusion> TimeStepper::intrusions(const State& before, const State& after, double reach) const {
-    return find_intrusions(model_, before.blocks.vertices, after.blocks.vertices, after.contacts.candidates,
-                           after.contacts.contacts, reach, unseen_depth * edge_length_,
-                           clipped_depth * edge_length_, crew_);
+std::vector<UndetectedPenetration> TimeStepper::undetected_penetrations(const State& before,
+                                                                        const State& after,
+                                                                        double reach) const {
+    return find_undetected_penetrations(model_, before.blocks.vertices, after.blocks.vertices,
+                                        after.contacts.candidates, after.contacts.contacts, reach,
+                                        undetected_depth * edge_length_, clipping_depth * edge_length_,
+                                        pool_);
 }
 
-double TimeStepper::first_reach(const Stage& stage, const State& state, double dt) const {
-    std::vector<Vec6> way(state.blocks.velocity);
-    for (Vec6& v : way) v *= dt;
-    double deepest = 0;
-    double apart = 0;  // faces that shearing has moved
+double TimeStepper::initial_search_radius(const Stage& stage, const State& state, double dt) const {
+    std::vector<Vec6> predicted_displacement(state.blocks.velocity);
+    for (Vec6& v : predicted_displacement) v *= dt;
+    double largest_penetration = 0;
+    double largest_dilation = 0;  // faces that shearing has moved
     for (const Contact& c : state.contacts.contacts) {
-        if (c.state != ContactState::open) deepest = std::max(deepest, -c.gap);
-        apart = std::max(apart, std::abs(c.dilation));
+        if (c.state != ContactState::open) largest_penetration = std::max(largest_penetration, -c.gap);
+        largest_dilation = std::max(largest_dilation, std::abs(c.dilation));
     }
     // A step that moves farther than it may is refused, however far it has looked.
-    const double farthest = 2 * largest_admitted(stage.control);
-    const double moving = 3 * largest_displacement(state, way) + 2 * model_.gravity.norm() * dt * dt;
-    return std::min(moving, farthest) + 4 * deepest + 2 * apart + 1e-4 * edge_length_;
+    const double farthest = 2 * displacement_limit(stage.control);
+    const double moving =
+        3 * largest_displacement(state, predicted_displacement) + 2 * model_.gravity.norm() * dt * dt;
+    return std::min(moving, farthest) + 4 * largest_penetration + 2 * largest_dilation + 1e-4 * edge_length_;
 }
 
-Look TimeStepper::first_look(const Stage& stage, const State& state, double dt) const {
-    Look look;
-    look.reach = first_reach(stage, state, dt);
-    look.predicted = prescribe_motion(model_, stage, state.blocks, dt, state.stage_time + dt).displacement;
+Prediction TimeStepper::initial_prediction(const Stage& stage, const State& state, double dt) const {
+    Prediction prediction;
+    prediction.search_radius = initial_search_radius(stage, state, dt);
+    prediction.predicted =
+        prescribe_motion(model_, stage, state.blocks, dt, state.stage_time + dt).displacement;
     for (const int b : rows_.block_of) {
-        look.predicted[static_cast<std::size_t>(b)] = dt * state.blocks.velocity[static_cast<std::size_t>(b)];
+        prediction.predicted[static_cast<std::size_t>(b)] =
+            dt * state.blocks.velocity[static_cast<std::size_t>(b)];
     }
-    return look;
+    return prediction;
 }
 
-TimeStepper::Step TimeStepper::prepare(const Stage& stage, const State& state, double dt, const Look& look) {
+TimeStepper::Step TimeStepper::prepare(const Stage& stage, const State& state, double dt,
+                                       const Prediction& prediction) {
     Step step;
     step.dt = dt;
     step.newmark = {stage.newmark_beta, stage.newmark_gamma, dt};
     step.prescribed = prescribe_motion(model_, stage, state.blocks, dt, state.stage_time + dt);
-    step.mid = predict_mid_step(model_, state.blocks, look.predicted, crew_);
+    step.mid = predict_mid_step(model_, state.blocks, prediction.predicted, pool_);
     end_of(Phase::preparation, times_);
-    FoundContacts found = find_contacts(
-        model_, state.contacts,
-        {state.blocks.vertices, step.mid.vertices, look.entering, look.reach, edge_length_,
-         unseen_depth * edge_length_ + rounding_, duration_of(stage, dt), state.step_count == 0},
-        crew_, times_);
+    FoundContacts found =
+        find_contacts(model_, state.contacts,
+                      {state.blocks.vertices, step.mid.vertices, prediction.forced, prediction.search_radius,
+                       edge_length_, undetected_depth * edge_length_ + coordinate_rounding_,
+                       duration_of(stage, dt), state.step_count == 0},
+                      pool_, times_);
     step.contacts = std::move(found.set);
-    step.faces = std::move(found.faces);
+    step.segments = std::move(found.segments);
     step.springs =
-        contact_springs(model_, rows_, step.mid, step.prescribed.displacement, step.contacts.contacts, crew_);
+        contact_springs(model_, rows_, step.mid, step.prescribed.displacement, step.contacts.contacts, pool_);
     step.bolts = bolt_springs(model_, rows_, step.mid, step.prescribed.displacement);
     const double end = state.stage_time + dt;
     step.fields = advance_fields(model_, stage, state.blocks, state.free_fields, end, step.newmark);
     step.boundaries =
         boundary_terms(model_, rows_, step.mid, stage, end, state.boundary_reactions, step.fields);
-    step.loads = {load_time(stage, state, dt), held_frame_acceleration(stage, dt, end)};
+    step.loads = {load_time(stage, state, dt), frame_acceleration_over_step(stage, dt, end)};
     assemble_base(stage, state, step);
     end_of(Phase::preparation, times_);
     return step;
@@ -257,8 +272,8 @@ void TimeStepper::assemble_base(const Stage& stage, const State& state, Step& st
 }
 
 void TimeStepper::analyze_pattern(const ContactSet& contacts) {
-    if (pattern_.size == rows_.count() && contacts.candidates == pattern_of_) return;
-    pattern_of_ = contacts.candidates;
+    if (pattern_.size == rows_.count() && contacts.candidates == pattern_candidates_) return;
+    pattern_candidates_ = contacts.candidates;
     std::vector<std::pair<int, int>> pairs;
     const auto add = [&](int first_block, int second_block) {
         const int i = rows_.row_of[static_cast<std::size_t>(first_block)];
@@ -281,7 +296,7 @@ void TimeStepper::analyze_pattern(const ContactSet& contacts) {
 }
 
 OpenCloseResult TimeStepper::solve(const Stage& stage, const State& state, const Step& step,
-                                   const Guess& guess) {
+                                   const InitialGuess& guess) {
     if (rows_.count() == 0) {
         OpenCloseResult nothing;
         nothing.converged = true;
@@ -291,22 +306,23 @@ OpenCloseResult TimeStepper::solve(const Stage& stage, const State& state, const
     analyze_pattern(step.contacts);
     end_of(Phase::analysis, times_);
     row_contacts_.find(rows_.count(), step.springs);
-    const std::vector<const JudgedContact*> first = guess.of(step.contacts.contacts);
-    const StepProblem problem{model_,
-                              stage.control,
-                              rows_,
-                              step.base,
-                              state.blocks,
-                              step.prescribed.displacement,
-                              step.contacts.contacts,
-                              step.faces,
-                              first,
-                              step.springs,
-                              row_contacts_,
-                              step.bolts,
-                              state.bolt_force,
-                              rounding_ * std::max(stiffest_spring(step.springs), model_.normal_penalty)};
-    return iterate_open_close(problem, pattern_, *solver_, matrix_, crew_, times_);
+    const std::vector<const EvaluatedContact*> first = guess.match(step.contacts.contacts);
+    const StepProblem problem{
+        model_,
+        stage.control,
+        rows_,
+        step.base,
+        state.blocks,
+        step.prescribed.displacement,
+        step.contacts.contacts,
+        step.segments,
+        first,
+        step.springs,
+        row_contacts_,
+        step.bolts,
+        state.bolt_force,
+        coordinate_rounding_ * std::max(max_spring_stiffness(step.springs), model_.normal_penalty)};
+    return iterate_open_close(problem, pattern_, *solver_, matrix_, pool_, times_);
 }
 
 std::vector<Vec6> TimeStepper::all_displacements(const Step& step, const OpenCloseResult& result) const {
@@ -330,12 +346,12 @@ double TimeStepper::largest_displacement(const State& state, std::span<const Vec
         }
         return square;
     };
-    return std::sqrt(crew_.taken_together(displacement.size(), 0.0, largest_square,
-                                          [](double a, double b) { return std::max(a, b); }));
+    return std::sqrt(pool_.parallel_reduce(displacement.size(), 0.0, largest_square,
+                                           [](double a, double b) { return std::max(a, b); }));
 }
 
-State TimeStepper::updated(const Stage& stage, const State& state, const Step& step,
-                           const OpenCloseResult& result, std::span<const Vec6> displacement) const {
+State TimeStepper::updated_state(const Stage& stage, const State& state, const Step& step,
+                                 const OpenCloseResult& result, std::span<const Vec6> displacement) const {
     State after{state, step.contacts};
     after.time += step.dt;
     after.dynamic_time = step.loads.time;
@@ -347,7 +363,7 @@ State TimeStepper::updated(const Stage& stage, const State& state, const Step& s
 
     after.free_fields = step.fields;
 
-    const double kept = velocity_kept(stage);
+    const double kept = velocity_factor(stage);
     for (std::size_t row = 0; row < rows_.block_of.size(); ++row) {
         const auto b = static_cast<std::size_t>(rows_.block_of[row]);
         const Vec6& v0 = state.blocks.velocity[b];
@@ -362,29 +378,30 @@ State TimeStepper::updated(const Stage& stage, const State& state, const Step& s
         after.blocks.acceleration[b] = step.prescribed.acceleration[b];
     }
     const std::vector<Vec6> velocity = after.blocks.velocity;
-    move_blocks(model_, displacement, crew_, after.blocks);
+    move_blocks(model_, displacement, pool_, after.blocks);
     double straining_loss = 0;
     for (const int block : rows_.block_of) {
         const auto b = static_cast<std::size_t>(block);
-        straining_loss += keep_angular_momentum(state.blocks.mass[b], state.blocks.moments[b], velocity[b],
-                                                after.blocks.moments[b], after.blocks.velocity[b]);
+        straining_loss +=
+            conserve_angular_momentum(state.blocks.mass[b], state.blocks.moments[b], velocity[b],
+                                      after.blocks.moments[b], after.blocks.velocity[b]);
     }
 
-    advance_contacts(model_, step.faces, after.blocks.vertices, result.contacts, step.springs,
-                     duration_of(stage, step.dt), crew_, after.contacts.contacts);
+    advance_contacts(model_, step.segments, after.blocks.vertices, result.contacts, step.springs,
+                     duration_of(stage, step.dt), pool_, after.contacts.contacts);
     const StepWork work{
         state.blocks,    step.mid, step.contacts.contacts, step.springs,       step.bolts, state.bolt_force,
         step.boundaries, result,   step.newmark,           stage.mass_damping, kept,       step.loads};
-    after.energy.released +=
-        ledger_.stored_in(state.contacts.contacts) - ledger_.stored_in(step.contacts.contacts);
+    after.energy.released += ledger_.contact_energy_of(state.contacts.contacts) -
+                             ledger_.contact_energy_of(step.contacts.contacts);
     after.energy.numerical_loss += straining_loss;
     ledger_.record_contacts(work, after.energy);
-    ledger_.record_new_springs(work, after.contacts.contacts, after.energy);
+    ledger_.record_spring_changes(work, after.contacts.contacts, after.energy);
     ledger_.record_constraints(work, after.energy);
     ledger_.record_blocks(work, after.energy);
     ledger_.record_boundaries(work, after.energy);
-    ledger_.take_stock(after, after.energy);
+    ledger_.update_stored_energy(after, after.energy);
     return after;
 }
 
-}  // namespace dda
+}  // namespace rockslope::dda

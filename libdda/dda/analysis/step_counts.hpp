@@ -1,6 +1,6 @@
 #pragma once
 
-namespace dda {
+namespace rockslope::dda {
 
 /// What it took to find a step's displacement, all attempts together.
 struct StepCounts {
@@ -18,4 +18,4 @@ struct StepCounts {
     }
 };
 
-}  // namespace dda
+}  // namespace rockslope::dda

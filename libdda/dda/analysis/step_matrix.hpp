@@ -3,11 +3,11 @@
 #include <span>
 #include <vector>
 
+#include "common/base/thread_pool.hpp"
 #include "dda/analysis/trial_contacts.hpp"
-#include "dda/base/parallel.hpp"
 #include "dda/linear/block_matrix.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 /// The matrix of a step's linear system: what does not depend on contacts, and the springs that the contacts
 /// and bolts have at present. Of an iteration in which few of them change only the rows of their blocks are
@@ -15,7 +15,8 @@ namespace dda {
 class StepMatrix {
   public:
     /// @param work the matrix itself, whose memory outlives the step.
-    StepMatrix(const StepProblem& problem, const BlockPattern& pattern, BlockMatrix& work, const Crew& crew);
+    StepMatrix(const StepProblem& problem, const BlockPattern& pattern, BlockMatrix& work,
+               const ThreadPool& pool);
 
     /// Brings the matrix to the springs' present states.
     void assemble(const TrialContacts& trials);
@@ -36,21 +37,21 @@ class StepMatrix {
         return row >= 0 && (changed_.empty() || changed_[static_cast<std::size_t>(row)] != 0);
     }
     /// Takes the springs' present stiffnesses, and marks the rows of those that have changed.
-    void take_springs(const TrialContacts& trials);
-    void take_bolts(const TrialContacts& trials);
+    void update_springs(const TrialContacts& trials);
+    void update_bolts(const TrialContacts& trials);
     /// Puts together what a row has on the diagonal and above it, without bolts.
-    void put_together(std::size_t row);
+    void assemble_row(std::size_t row);
     void add_bolt(const BoltSpring& bolt, double stiffness);
 
     const StepProblem& p_;
     const BlockPattern& pattern_;
     BlockMatrix& matrix_;
-    const Crew& crew_;
+    const ThreadPool& pool_;
     bool assembled_ = false;
     std::vector<char> changed_;
-    std::vector<Springs> contacts_;  ///< in the matrix
-    std::vector<char> moved_;        ///< per contact, whether its springs have changed
-    std::vector<double> bolts_;      ///< likewise
+    std::vector<Springs> contacts_;      ///< in the matrix
+    std::vector<char> contact_changed_;  ///< per contact, whether its springs have changed
+    std::vector<double> bolts_;          ///< likewise
 };
 
-}  // namespace dda
+}  // namespace rockslope::dda

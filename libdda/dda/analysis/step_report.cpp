@@ -4,17 +4,17 @@
 #include <cmath>
 #include <limits>
 
-#include "dda/contact/known_depth.hpp"
+#include "dda/contact/inherited_penetration.hpp"
 #include "dda/terms/loads.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 namespace {
 
 /// Acceleration that stands for "the weight" when forces are compared with it, m/s2: gravity, or the
 /// strongest load where it is stronger, or 1 where there is neither.
 double reference_acceleration(const Model& model, const BlockSystem& blocks) {
-    const double largest = std::max(model.gravity.norm(), strongest_load(model, blocks));
+    const double largest = std::max(model.gravity.norm(), max_load_acceleration(model, blocks));
     return largest > 0 ? largest : 1.0;
 }
 
@@ -23,7 +23,7 @@ void count_contacts(const Topology& topology, const State& after, StepReport& re
         ++(contact.state == ContactState::open      ? report.open
            : contact.state == ContactState::sliding ? report.sliding
                                                     : report.locked);
-        const double depth = depth_stood_for(topology, after.blocks.vertices, contact).value_or(0);
+        const double depth = penetration_accounted_for(topology, after.blocks.vertices, contact).value_or(0);
         report.largest_penetration = std::max(report.largest_penetration, depth);
     }
 }
@@ -31,7 +31,7 @@ void count_contacts(const Topology& topology, const State& after, StepReport& re
 }  // namespace
 
 StepReport report_step(const Model& model, const RowMap& rows, const State& after, double step,
-                       double stiffest) {
+                       double max_stiffness) {
     StepReport report;
     report.time = after.time;
     report.step = step;
@@ -48,19 +48,19 @@ StepReport report_step(const Model& model, const RowMap& rows, const State& afte
         report.unbalanced_force = std::max({report.unbalanced_force, a.head<2>().norm() / g, deforming / g});
         lightest = std::min(lightest, after.blocks.mass[b]);
     }
-    if (rows.count() > 0) report.contact_frequency_step = std::sqrt(stiffest / lightest) * step;
+    if (rows.count() > 0) report.contact_frequency_step = std::sqrt(max_stiffness / lightest) * step;
     return report;
 }
 
-double dilation_left(std::span<const Contact> before, std::span<const JudgedContact> judged,
-                     std::span<const Contact> after) {
+double remaining_dilation(std::span<const Contact> before, std::span<const EvaluatedContact> evaluated,
+                          std::span<const Contact> after) {
     double largest = 0;
     for (std::size_t k = 0; k < after.size(); ++k) {
         if (after[k].state == ContactState::open && !(after[k].gap < 0)) continue;
         const double dilated = after[k].dilation - before[k].dilation;
-        largest = std::max(largest, std::abs(dilated - judged[k].dilating));
+        largest = std::max(largest, std::abs(dilated - evaluated[k].dilation_increment));
     }
     return largest;
 }
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -5,30 +5,29 @@
 
 #include "dda/analysis/run_stage.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 namespace {
 
-double farthest_move(const State& from, const State& to) {
-    double farthest = 0;
+double largest_centroid_displacement(const State& from, const State& to) {
+    double largest = 0;
     for (std::size_t b = 0; b < from.blocks.moments.size(); ++b) {
-        farthest =
-            std::max(farthest, (to.blocks.moments[b].centroid - from.blocks.moments[b].centroid).norm());
+        largest = std::max(largest, (to.blocks.moments[b].centroid - from.blocks.moments[b].centroid).norm());
     }
-    return farthest;
+    return largest;
 }
 
-/// Ends a trial in which a block has moved too far to stand, and asks outside whether to go on.
-class Watch : public RunObserver {
+/// Ends a trial in which a block has moved too far to stand, and asks observer whether to go on.
+class TrialObserver : public RunObserver {
   public:
-    Watch(const State& start, double limit, RunObserver& outside)
-        : start_(start), limit_(limit), outside_(outside) {}
+    TrialObserver(const State& start, double limit, RunObserver& observer)
+        : start_(start), limit_(limit), observer_(observer) {}
 
     bool step_done(const Model& model, const State& state, const Stage& stage,
                    const StepReport& report) override {
         unbalanced_force = report.unbalanced_force;
-        displacement = farthest_move(start_, state);
-        stopped = !outside_.trial_step_done(model, state, stage, report);
+        displacement = largest_centroid_displacement(start_, state);
+        stopped = !observer_.trial_step_done(model, state, stage, report);
         return !stopped && displacement <= limit_;
     }
 
@@ -39,12 +38,13 @@ class Watch : public RunObserver {
   private:
     const State& start_;
     double limit_;
-    RunObserver& outside_;
+    RunObserver& observer_;
 };
 
-class Search {
+class FactorSearch {
   public:
-    Search(const Model& model, const Stage& stage, const State& start, RunObserver& observer, int threads)
+    FactorSearch(const Model& model, const Stage& stage, const State& start, RunObserver& observer,
+                 int threads)
         : model_(model),
           stage_(stage),
           spec_(*stage.strength_reduction),
@@ -80,14 +80,15 @@ class Search {
         State state = start_;
         state.time = clock_;
         begin_stage(state);
-        Watch watch(start_, spec_.displacement_limit, observer_);
-        const RunOutcome outcome = run_stage(weakened, stage_, stepper, state, watch);
-        if (watch.stopped) return false;
+        TrialObserver trial_observer(start_, spec_.displacement_limit, observer_);
+        const RunOutcome outcome = run_stage(weakened, stage_, stepper, state, trial_observer);
+        if (trial_observer.stopped) return false;
         clock_ = state.time;
         const bool stands = outcome.status == RunStatus::completed;
         (stands ? stands_ : fails_) = factor;
         observer_.trial_done(model_, state, stage_,
-                             {factor, stands, state.stage_steps, watch.unbalanced_force, watch.displacement});
+                             {factor, stands, state.stage_steps, trial_observer.unbalanced_force,
+                              trial_observer.displacement});
         if (!stands) mechanism_ = std::move(state);
         return true;
     }
@@ -108,11 +109,11 @@ class Search {
 
 RunOutcome find_factor_of_safety(const Model& model, const Stage& stage, State& state, RunObserver& observer,
                                  int threads) {
-    Search search(model, stage, state, observer, threads);
+    FactorSearch search(model, stage, state, observer, threads);
     if (!search.run()) return {RunStatus::stopped, "stopped as asked", {}};
     if (search.mechanism()) observer.mechanism_found(model, *search.mechanism(), stage);
     state.time = search.clock();
     return {};
 }
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -2,7 +2,7 @@
 
 #include "dda/analysis/run.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 /// The factor of safety of a state: the largest factor that the joints' strengths, c, tan(phi) and the
 /// tensile strength, can be divided by so that the blocks still come to rest (strength reduction, Zienkiewicz
@@ -19,4 +19,4 @@ namespace dda {
 RunOutcome find_factor_of_safety(const Model& model, const Stage& stage, State& state, RunObserver& observer,
                                  int threads);
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 
-namespace dda {
+namespace rockslope::dda {
 
 /// What a step spends its time on.
 enum class Phase {
@@ -14,8 +14,8 @@ enum class Phase {
     assembly,       ///< of the matrix
     factorisation,  //
     solution,       ///< right-hand sides and back-substitutions
-    judging,        ///< of contacts, with the line search
-    update,         ///< of the state, energies, and the search for intrusions
+    evaluation,     ///< of contacts, with the line search
+    update,         ///< of the state, energies, and the search for undetected_penetrations
     count
 };
 
@@ -48,4 +48,4 @@ inline void end_of(Phase phase, PhaseTimes* times) {
     if (times != nullptr) times->end_of(phase);
 }
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 
-namespace dda {
+namespace rockslope::dda {
 
 using Vec2 = Eigen::Vector2d;
 using Vec3 = Eigen::Vector3d;
@@ -21,4 +21,4 @@ inline Vec2 perpendicular(const Vec2& a) {
     return {-a.y(), a.x()};
 }
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -2,18 +2,18 @@
 
 #include <cmath>
 
-namespace dda {
+namespace rockslope::dda {
 
 namespace {
 
 /// The corners of one block and the sizes of its rings.
 AreaMoments moments_of(const Topology& topology, const std::vector<Vec2>& vertices, std::size_t block) {
-    const auto portion = [block](const auto& of, const std::vector<int>& ends, std::size_t more) {
+    const auto chunk = [block](const auto& of, const std::vector<int>& ends, std::size_t more) {
         const auto first = static_cast<std::size_t>(ends[block]);
         return std::span(of).subspan(first, static_cast<std::size_t>(ends[block + 1]) - first + more);
     };
-    return integrate(portion(vertices, topology.block_corners, 0),
-                     portion(topology.ring_corners, topology.block_rings, 1));
+    return integrate(chunk(vertices, topology.block_corners, 0),
+                     chunk(topology.ring_corners, topology.block_rings, 1));
 }
 
 /// exp of a symmetric plane tensor (xx, yy, engineering xy).
@@ -66,7 +66,7 @@ Vec3 rotate_tensor(const Vec3& tensor, double angle, bool engineering) {
             s * s * tensor[0] + c * c * tensor[1] + 2 * c * s * xy, engineering ? 2 * turned_xy : turned_xy};
 }
 
-void move_blocks(const Model& model, std::span<const Vec6> displacement, const Crew& crew,
+void move_blocks(const Model& model, std::span<const Vec6> displacement, const ThreadPool& pool,
                  BlockSystem& blocks) {
     const Topology& topology = model.topology;
     for (std::size_t p = 0; p < blocks.points.size(); ++p) {
@@ -89,9 +89,9 @@ void move_blocks(const Model& model, std::span<const Vec6> displacement, const C
         blocks.velocity[b].tail<3>() = rotate_tensor(blocks.velocity[b].tail<3>(), d[2], true);
         blocks.acceleration[b].tail<3>() = rotate_tensor(blocks.acceleration[b].tail<3>(), d[2], true);
     };
-    crew.for_ranges(displacement.size(), [&](std::size_t begin, std::size_t end) {
+    pool.parallel_for(displacement.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t b = begin; b < end; ++b) move(b);
     });
 }
 
-}  // namespace dda
+}  // namespace rockslope::dda

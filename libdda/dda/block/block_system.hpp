@@ -3,12 +3,12 @@
 #include <span>
 #include <vector>
 
-#include "dda/base/parallel.hpp"
+#include "common/base/thread_pool.hpp"
 #include "dda/base/types.hpp"
 #include "dda/geometry/simplex.hpp"
 #include "dda/model/model.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 /// The state of all blocks at one instant; small and copied freely.
 struct BlockSystem {
@@ -68,7 +68,7 @@ Vec3 rotate_tensor(const Vec3& tensor, double angle, bool engineering);
 /// gain elasticity * strain and turn with the block; rates of strain turn as well. Velocities must already be
 /// those of the step's end.
 /// @param displacement per block.
-void move_blocks(const Model& model, std::span<const Vec6> displacement, const Crew& crew,
+void move_blocks(const Model& model, std::span<const Vec6> displacement, const ThreadPool& pool,
                  BlockSystem& blocks);
 
-}  // namespace dda
+}  // namespace rockslope::dda

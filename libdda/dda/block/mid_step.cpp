@@ -1,15 +1,15 @@
 #include "dda/block/mid_step.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 MidStep predict_mid_step(const Model& model, const BlockSystem& blocks, std::span<const Vec6> displacement,
-                         const Crew& crew) {
+                         const ThreadPool& pool) {
     const Topology& topology = model.topology;
     MidStep mid{blocks.vertices, blocks.points, std::vector<Vec2>(displacement.size())};
     const auto map_of = [&](std::size_t b) {
         return BlockMap(blocks.moments[b].centroid, displacement[b] / 2);
     };
-    crew.for_ranges(displacement.size(), [&](std::size_t begin, std::size_t end) {
+    pool.parallel_for(displacement.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t b = begin; b < end; ++b) {
             const BlockMap map = map_of(b);
             mid.centroid[b] = map(blocks.moments[b].centroid);
@@ -25,4 +25,4 @@ MidStep predict_mid_step(const Model& model, const BlockSystem& blocks, std::spa
     return mid;
 }
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -4,7 +4,7 @@
 
 #include "dda/block/block_system.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 /// The configuration half-way through a step, predicted from the velocities (for prescribed blocks: known).
 /// Lever arms and contact directions are taken here: then the linear displacement of a contact point agrees
@@ -18,6 +18,6 @@ struct MidStep {
 
 /// @param displacement per block, the predicted displacement of the whole step.
 MidStep predict_mid_step(const Model& model, const BlockSystem& blocks, std::span<const Vec6> displacement,
-                         const Crew& crew);
+                         const ThreadPool& pool);
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace dda {
+namespace rockslope::dda {
 
 namespace {
 
@@ -14,13 +14,13 @@ class EdgeGrid {
   public:
     EdgeGrid(double cell_size, const Vec2& origin) : cell_size_(cell_size), origin_(origin) {}
 
-    /// Enters an edge into every cell within `reach` of it, row by row so that a long oblique edge enters few
-    /// cells.
-    void insert(int edge, const Vec2& first, const Vec2& second, double reach) {
-        const std::int64_t bottom = row(std::min(first.y(), second.y()) - reach);
-        const std::int64_t top = row(std::max(first.y(), second.y()) + reach);
+    /// Enters an edge into every cell within `search_radius` of it, row by row so that a long oblique edge
+    /// enters few cells.
+    void insert(int edge, const Vec2& first, const Vec2& second, double search_radius) {
+        const std::int64_t bottom = row(std::min(first.y(), second.y()) - search_radius);
+        const std::int64_t top = row(std::max(first.y(), second.y()) + search_radius);
         for (std::int64_t r = bottom; r <= top; ++r) {
-            const auto [left, right] = extent_in_row(first, second, r, reach);
+            const auto [left, right] = extent_in_row(first, second, r, search_radius);
             for (std::int64_t c = column(left); c <= column(right); ++c)
                 entries_.push_back({key(c, r), edge});
         }
@@ -45,15 +45,16 @@ class EdgeGrid {
         return (static_cast<std::uint64_t>(row) << 32) ^ (static_cast<std::uint64_t>(column) & 0xffffffffu);
     }
 
-    /// The x-range of the part of a segment that lies within `reach` of a grid row, widened by `reach`.
+    /// The x-range of the part of a segment that lies within `search_radius` of a grid row, widened by
+    /// `search_radius`.
     std::pair<double, double> extent_in_row(const Vec2& first, const Vec2& second, std::int64_t r,
-                                            double reach) const {
+                                            double search_radius) const {
         double from = 0;
         double to = 1;
         const double dy = second.y() - first.y();
         if (dy != 0) {
-            const double low = origin_.y() + static_cast<double>(r) * cell_size_ - reach;
-            const double high = low + cell_size_ + 2 * reach;
+            const double low = origin_.y() + static_cast<double>(r) * cell_size_ - search_radius;
+            const double high = low + cell_size_ + 2 * search_radius;
             double enter = (low - first.y()) / dy;
             double leave = (high - first.y()) / dy;
             if (enter > leave) std::swap(enter, leave);
@@ -62,7 +63,7 @@ class EdgeGrid {
         }
         const double a = first.x() + from * (second.x() - first.x());
         const double b = first.x() + to * (second.x() - first.x());
-        return {std::min(a, b) - reach, std::max(a, b) + reach};
+        return {std::min(a, b) - search_radius, std::max(a, b) + search_radius};
     }
 
     double cell_size_;
@@ -86,8 +87,8 @@ double median_edge_length(const Topology& topology, std::span<const Vec2> vertic
 double distance_to_segment(const Vec2& point, const Vec2& first, const Vec2& second) {
     const Vec2 along = second - first;
     const double square = along.squaredNorm();
-    const double share = square > 0 ? std::clamp((point - first).dot(along) / square, 0.0, 1.0) : 0.0;
-    return (point - first - share * along).norm();
+    const double fraction = square > 0 ? std::clamp((point - first).dot(along) / square, 0.0, 1.0) : 0.0;
+    return (point - first - fraction * along).norm();
 }
 
 std::vector<CornerEdge> find_candidates(const Model& model, std::span<const Vec2> vertices, double distance) {
@@ -132,4 +133,4 @@ std::vector<CornerEdge> find_candidates(const Model& model, std::span<const Vec2
     return found;
 }
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -6,7 +6,7 @@
 #include "dda/contact/contact.hpp"
 #include "dda/model/model.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 /// All pairs of a corner and an edge of different blocks whose distance is at most `distance`, sorted.
 /// A uniform grid makes the cost linear in the number of corners; its cell is the larger of `distance` and
@@ -20,4 +20,4 @@ double median_edge_length(const Topology& topology, std::span<const Vec2> vertic
 /// Distance of a point from a segment, m.
 double distance_to_segment(const Vec2& point, const Vec2& first, const Vec2& second);
 
-}  // namespace dda
+}  // namespace rockslope::dda

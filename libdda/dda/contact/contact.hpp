@@ -9,7 +9,7 @@
 #include "dda/base/types.hpp"
 #include "dda/contact/shared_history.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 /// The three states of a contact, Shi (1988).
 enum class ContactState : std::uint8_t { open, sliding, locked };
@@ -35,17 +35,17 @@ struct Contact {
     int line = 0;    ///< in the group: both ends of a short overlap have the same
     ContactKind kind = ContactKind::vertex_edge;
     ContactState state = ContactState::open;
-    bool held_back = false;  ///< another line of its group carries force: this one cannot close in this step
+    bool inhibited = false;  ///< another line of its group carries force: this one cannot close in this step
     bool bonded = false;     ///< the joint bears tension here
 
-    double known_depth =
+    double inherited_penetration =
         0;              ///< m, of its corners in faces along its line, borne by contacts when it was found
     double length = 0;  ///< m, share of the joint for cohesion and stress; 0 for a bare vertex
     /// Distance of the corner from the edge line less the dilation, m; negative: penetration.
     double gap = 0;
-    double dilation = 0;      ///< m, by which shearing has moved the faces apart, as the history has it
-    double rest_gap = 0;      ///< m, at which the normal spring bears nothing: above 0 where it is augmented,
-                              ///< below where the corner was inside before it had a contact
+    double dilation = 0;         ///< m, by which shearing has moved the faces apart, as the history has it
+    double stress_free_gap = 0;  ///< m, at which the normal spring bears nothing: above 0 where it is
+                                 ///< augmented, below where the corner was inside before it had a contact
     double normal_force = 0;  ///< compression positive: pushes the corner's block along `normal`
     double shear_force = 0;   ///< resists the corner's motion along `tangent`: positive pushes the corner's
                               ///< block along -tangent
@@ -54,12 +54,12 @@ struct Contact {
 
     /// Distance of the corner from the rock of the edge, or from where contraction lets it come, m. Between
     /// the rock and where shearing has moved the faces apart a corner is in nothing.
-    double from_rock() const { return gap + (dilation > 0 ? dilation : 0); }
+    double gap_to_rock() const { return gap + (dilation > 0 ? dilation : 0); }
 
     /// The blocks that it is between, the lower one first.
     std::pair<int, int> blocks() const { return std::minmax(corner_block, edge_block); }
     /// Takes over what a joint has been through.
-    void take_history(const SharedHistory& of_joint, double its_dilation) {
+    void inherit_history(const SharedHistory& of_joint, double its_dilation) {
         history = of_joint;
         gap += dilation - its_dilation;
         dilation = its_dilation;
@@ -87,4 +87,4 @@ struct ContactSet {
     std::vector<Vec2> reference;         ///< vertices when the candidates were found
 };
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -3,64 +3,64 @@
 #include <atomic>
 #include <vector>
 
-namespace dda {
+namespace rockslope::dda {
 
-struct SharedHistory::Kept {
-    Room* room = nullptr;  ///< null for those that are always there
+struct SharedHistory::Node {
+    Pool* room = nullptr;  ///< null for those that are always there
     JointHistory history;
 };
 
-struct SharedHistory::Room {
-    std::atomic<int> users{1};
-    std::vector<Kept> kept;  ///< never more than it was reserved for: their places stay
+struct SharedHistory::Pool {
+    std::atomic<int> reference_count{1};
+    std::vector<Node> nodes;  ///< never more than it was reserved for: their places stay
 
-    explicit Room(std::size_t room) { kept.reserve(room); }
-    const Kept* add(const JointHistory& history) {
-        users.fetch_add(1, std::memory_order_relaxed);
-        return &kept.emplace_back(Kept{this, history});
+    explicit Pool(std::size_t room) { nodes.reserve(room); }
+    const Node* add(const JointHistory& history) {
+        reference_count.fetch_add(1, std::memory_order_relaxed);
+        return &nodes.emplace_back(Node{this, history});
     }
-    void leave() {
-        if (users.fetch_sub(1, std::memory_order_acq_rel) == 1) delete this;
+    void release() {
+        if (reference_count.fetch_sub(1, std::memory_order_acq_rel) == 1) delete this;
     }
 };
 
-SharedHistory::Row::Row(std::size_t room) : room_(new Room(room)) {}
+SharedHistory::Batch::Batch(std::size_t room) : pool_(new Pool(room)) {}
 
-SharedHistory::Row::~Row() {
-    room_->leave();
+SharedHistory::Batch::~Batch() {
+    pool_->release();
 }
 
-SharedHistory SharedHistory::Row::add(const JointHistory& history) {
-    if (const Kept* there = always(history)) return SharedHistory(there);
-    return room_->kept.size() < room_->kept.capacity() ? SharedHistory(room_->add(history))
-                                                       : SharedHistory(history);
+SharedHistory SharedHistory::Batch::add(const JointHistory& history) {
+    if (const Node* there = static_node(history)) return SharedHistory(there);
+    return pool_->nodes.size() < pool_->nodes.capacity() ? SharedHistory(pool_->add(history))
+                                                         : SharedHistory(history);
 }
 
 /// Nearly all smooth joints have one of these.
-const SharedHistory::Kept* SharedHistory::always(const JointHistory& history) {
-    static const Kept intact{nullptr, MohrCoulomb::History{false}};
-    static const Kept broken{nullptr, MohrCoulomb::History{true}};
+const SharedHistory::Node* SharedHistory::static_node(const JointHistory& history) {
+    static const Node intact{nullptr, MohrCoulomb::History{false}};
+    static const Node broken{nullptr, MohrCoulomb::History{true}};
     const auto* smooth = std::get_if<MohrCoulomb::History>(&history);
     if (smooth == nullptr) return nullptr;
     return smooth->broken ? &broken : &intact;
 }
 
-SharedHistory::SharedHistory() : kept_(always(JointHistory{})) {}
+SharedHistory::SharedHistory() : node_(static_node(JointHistory{})) {}
 
-SharedHistory::SharedHistory(const JointHistory& history) : kept_(always(history)) {
-    if (kept_ == nullptr) *this = Row(1).add(history);
+SharedHistory::SharedHistory(const JointHistory& history) : node_(static_node(history)) {
+    if (node_ == nullptr) *this = Batch(1).add(history);
 }
 
-SharedHistory::SharedHistory(const SharedHistory& other) noexcept : kept_(other.kept_) {
-    if (kept_->room != nullptr) kept_->room->users.fetch_add(1, std::memory_order_relaxed);
+SharedHistory::SharedHistory(const SharedHistory& other) noexcept : node_(other.node_) {
+    if (node_->room != nullptr) node_->room->reference_count.fetch_add(1, std::memory_order_relaxed);
 }
 
 SharedHistory::~SharedHistory() {
-    if (kept_ != nullptr && kept_->room != nullptr) kept_->room->leave();
+    if (node_ != nullptr && node_->room != nullptr) node_->room->release();
 }
 
 const JointHistory& SharedHistory::operator*() const {
-    return kept_->history;
+    return node_->history;
 }
 
-}  // namespace dda
+}  // namespace rockslope::dda

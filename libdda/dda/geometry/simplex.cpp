@@ -1,6 +1,6 @@
 #include "dda/geometry/simplex.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 AreaMoments integrate(std::span<const Vec2> vertices, std::span<const int> ring_ends) {
     const Vec2& apex = vertices[0];
@@ -27,4 +27,4 @@ AreaMoments integrate(std::span<const Vec2> vertices, std::span<const int> ring_
     return {area, apex + c, xx - area * c.x() * c.x(), yy - area * c.y() * c.y(), xy - area * c.x() * c.y()};
 }
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -4,7 +4,7 @@
 
 #include "dda/base/types.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 /// Area moments of a region, the sums of Shi's simplex integrals over its rings.
 struct AreaMoments {
@@ -22,4 +22,4 @@ struct AreaMoments {
 /// more than there are rings: from each to the next is a ring, counted from the first of them.
 AreaMoments integrate(std::span<const Vec2> vertices, std::span<const int> ring_ends);
 
-}  // namespace dda
+}  // namespace rockslope::dda

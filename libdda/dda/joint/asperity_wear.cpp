@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dda {
+namespace rockslope::dda {
 
 double AsperitySurface::angle(double work) const {
     double sum = 0;
@@ -15,7 +15,7 @@ namespace {
 
 /// Sliding is integrated in steps over which wear times work grows by this while the asperities are whole:
 /// the error of fourth order is then below 1e-13 of their angle. As they go the steps may grow.
-constexpr double first_wear_in_a_step = 5e-3;
+constexpr double initial_wear_per_step = 5e-3;
 /// Pa; a stress beyond any that a model can have, for contacts next to no length.
 constexpr double largest_stress = 1e30;
 
@@ -46,10 +46,10 @@ Bound bound_at(const AsperitySurface& surface, double work, bool away, double no
 }
 
 /// A displacement of such a joint under one normal force. Dilation is left out unless it is asked for.
-class AsperityWalk {
+class AsperityShearPath {
   public:
-    AsperityWalk(const AsperitySurface& surface, const AsperityHistory& history, double normal_force,
-                 double length, double stiffness, double shear_force, bool dilates)
+    AsperityShearPath(const AsperitySurface& surface, const AsperityHistory& history, double normal_force,
+                      double length, double stiffness, double shear_force, bool dilates)
         : surface_(surface),
           history_(history),
           normal_force_(normal_force),
@@ -58,17 +58,17 @@ class AsperityWalk {
           force_(shear_force),
           dilates_(dilates) {}
 
-    void go(double displacement, double told_slip) {
+    void displace(double displacement, double prescribed_slip) {
         const double target = history_.position + displacement;
         direction_ = displacement < 0 ? -1 : 1;
         while (history_.position != target) {
             const bool away = history_.position * direction_ >= 0;
             const double end = !away && target * direction_ > 0 ? 0 : target;
-            cross(std::abs(end - history_.position), away, told_slip != 0);
+            traverse(std::abs(end - history_.position), away, prescribed_slip != 0);
             history_.position = end;
         }
         if (!(stiffness_ > 0)) return;
-        if (force_ != 0) settle(force_ > 0 ? 1 : -1);
+        if (force_ != 0) relax_to_bound(force_ > 0 ? 1 : -1);
     }
 
     /// The strength against slip in a direction, where the joint is now.
@@ -78,7 +78,7 @@ class AsperityWalk {
     bool slipped() const { return slipped_; }
 
   private:
-    struct Worn {
+    struct WearState {
         double work;
         double dilation;
     };
@@ -88,7 +88,7 @@ class AsperityWalk {
     }
 
     /// A strength that has come down on a force at rest.
-    void settle(int direction) {
+    void relax_to_bound(int direction) {
         const Bound now = bound(direction);
         const double excess = direction * force_ - now.value;
         if (!(excess > 1e-14 * std::abs(force_))) return;
@@ -96,85 +96,87 @@ class AsperityWalk {
         history_.work += now.work_rate * excess / stiffness_;
     }
 
-    Worn rate(const Bound& at, bool away) const {
+    WearState rate(const Bound& at, bool away) const {
         const double slope = dilates_ ? std::tan(at.asperity) : 0;
         return {at.work_rate, away ? slope : -slope};
     }
     /// Runge and Kutta's step of fourth order over a slip. @param at the bound at its start.
-    Worn after(const Bound& at, double slip, bool away) const {
-        const Worn first = rate(at, away);
-        const auto ahead = [&](const Worn& rates, double part) {
+    WearState runge_kutta_step(const Bound& at, double slip, bool away) const {
+        const WearState first = rate(at, away);
+        const auto ahead = [&](const WearState& rates, double part) {
             return rate(bound_of(history_.work + part * rates.work, away), away);
         };
-        const Worn second = ahead(first, slip / 2);
-        const Worn third = ahead(second, slip / 2);
-        const Worn fourth = ahead(third, slip);
+        const WearState second = ahead(first, slip / 2);
+        const WearState third = ahead(second, slip / 2);
+        const WearState fourth = ahead(third, slip);
         const auto mean = [](double a, double b, double c, double d) { return (a + 2 * b + 2 * c + d) / 6; };
         return {history_.work + slip * mean(first.work, second.work, third.work, fourth.work),
                 history_.dilation +
                     slip * mean(first.dilation, second.dilation, third.dilation, fourth.dilation)};
     }
 
-    /// The way on one side of the origin in one direction.
-    void cross(double way, bool away, bool told_sliding) {
+    /// The displacement on one side of the origin in one direction.
+    void traverse(double displacement, bool away, bool sliding_prescribed) {
         if (!(stiffness_ > 0)) {
-            if (told_sliding) slide_by(way, away);
+            if (sliding_prescribed) slide_prescribed(displacement, away);
             return;
         }
         const Bound bound = bound_of(history_.work, away);
         const double force = direction_ * force_;
-        const double locked = std::clamp((bound.value - force) / stiffness_, 0.0, way);
-        if (locked == way && force + stiffness_ * way <= bound.value) {
-            force_ += direction_ * stiffness_ * way;
+        const double locked = std::clamp((bound.value - force) / stiffness_, 0.0, displacement);
+        if (locked == displacement && force + stiffness_ * displacement <= bound.value) {
+            force_ += direction_ * stiffness_ * displacement;
             return;
         }
-        slide_to(way - locked + (std::max(bound.value, force) - bound.value) / stiffness_, bound, away);
+        slide_against_spring(
+            displacement - locked + (std::max(bound.value, force) - bound.value) / stiffness_, bound, away);
     }
 
-    void slide_by(double slip, bool away) {
+    void slide_prescribed(double slip, bool away) {
         slipped_ = true;
         while (slip > 0) {
             const Bound bound = bound_of(history_.work, away);
             const double step = std::min(slip, largest_step(bound));
-            take(after(bound, step, away));
+            set_wear(runge_kutta_step(bound, step, away));
             slip -= step;
         }
     }
 
-    /// Slides until the slip and what the spring gives with the strength, together, are the way. The spring
-    /// gives back where the joint weakens. @param bound at the start.
-    void slide_to(double way, Bound bound, bool away) {
+    /// Slides until the slip and what the spring gives with the strength, together, are the displacement. The
+    /// spring gives back where the joint weakens. @param bound at the start.
+    void slide_against_spring(double displacement, Bound bound, bool away) {
         slipped_ = true;
         for (;;) {
             const double start = bound.value, most = largest_step(bound);
             double slip = most;
-            const bool arrived = arrive(way, slip, bound, away);
+            const bool arrived = solve_slip(displacement, slip, bound, away);
             if (arrived) break;
-            way -= slip + (bound.value - start) / stiffness_;
+            displacement -= slip + (bound.value - start) / stiffness_;
         }
         force_ = direction_ * bound.value;
     }
 
-    /// Slides by so much that the way is made, or by all that is allowed. Newton's method in a bracket.
+    /// Slides by so much that the displacement is made, or by all that is allowed. Newton's method in a
+    /// bracket.
     /// @param slip the most allowed, and then the slip; @param bound at the start, and then at the end;
-    /// @return whether the way is made.
-    bool arrive(double way, double& slip, Bound& bound, bool away) {
+    /// @return whether the displacement is made.
+    bool solve_slip(double displacement, double& slip, Bound& bound, bool away) {
         const Bound start = bound;
-        const double most = slip, rounding = 4e-16 * (way + start.value / stiffness_);
-        if (way <= rounding) return true;
+        const double most = slip, rounding = 4e-16 * (displacement + start.value / stiffness_);
+        if (displacement <= rounding) return true;
         double low = 0, high = most;
         bool bracketed = false;
-        double guess = way / (1 + start.slope * start.work_rate / stiffness_);
-        Worn worn{};
+        double guess = displacement / (1 + start.slope * start.work_rate / stiffness_);
+        WearState worn{};
         for (int k = 0; k < 100; ++k) {
             const bool inside = guess > low && guess < high;
             if (!inside && bracketed && !(high - low > 1e-16 * high)) break;
             slip = inside ? guess : bracketed ? (low + high) / 2 : most;
-            worn = after(start, slip, away);
+            worn = runge_kutta_step(start, slip, away);
             bound = bound_of(worn.work, away);
-            const double excess = slip + (bound.value - start.value) / stiffness_ - way;
+            const double excess = slip + (bound.value - start.value) / stiffness_ - displacement;
             if (slip == most && excess < 0) {
-                take(worn);
+                set_wear(worn);
                 return false;
             }
             if (std::abs(excess) <= rounding) break;
@@ -182,7 +184,7 @@ class AsperityWalk {
             bracketed = bracketed || excess > 0;
             guess = slip - excess / (1 + bound.slope * bound.work_rate / stiffness_);
         }
-        take(worn);
+        set_wear(worn);
         return true;
     }
 
@@ -191,12 +193,12 @@ class AsperityWalk {
         for (const AsperitySurface::Order& order : surface_.orders) {
             const double wear = order.wear * bound.work_rate, worn = order.wear * history_.work;
             if (order.angle > 0 && wear > 0 && worn < 40)
-                step = std::min(step, first_wear_in_a_step * std::exp(worn / 5) / wear);
+                step = std::min(step, initial_wear_per_step * std::exp(worn / 5) / wear);
         }
         return step;
     }
 
-    void take(const Worn& worn) {
+    void set_wear(const WearState& worn) {
         history_.work = worn.work;
         history_.dilation = worn.dilation;
     }
@@ -214,18 +216,19 @@ class AsperityWalk {
 Strength asperity_strength(const AsperitySurface& surface, const AsperityHistory& history,
                            double normal_force, double length, const ShearTrial& trial) {
     if (!(normal_force > 0)) return {};
-    AsperityWalk walk(surface, history, normal_force, length, trial.stiffness, trial.shear_force, false);
-    walk.go(trial.displacement, 0);
-    Strength strength = {walk.bound(1).value, walk.bound(-1).value, 0};
+    AsperityShearPath path(surface, history, normal_force, length, trial.stiffness, trial.shear_force, false);
+    path.displace(trial.displacement, 0);
+    Strength strength = {path.bound(1).value, path.bound(-1).value, 0};
     // What slipped back to the origin arrives with less than the strength beyond it.
-    if (walk.slipped()) {
+    if (path.slipped()) {
         double& ahead = trial.displacement > 0 ? strength.forward : strength.backward;
-        ahead = std::min(ahead, std::abs(walk.shear_force()));
+        ahead = std::min(ahead, std::abs(path.shear_force()));
     }
     return strength;
 }
 
-Strength asperity_slope(const AsperitySurface& surface, const AsperityHistory& history, double normal_force) {
+Strength asperity_strength_slope(const AsperitySurface& surface, const AsperityHistory& history,
+                                 double normal_force) {
     if (!(normal_force > 0)) return {};
     const auto slope = [&](int direction) {
         const bool away = history.position * direction >= 0;
@@ -239,10 +242,10 @@ Strength asperity_slope(const AsperitySurface& surface, const AsperityHistory& h
 AsperityHistory asperity_advance(const AsperitySurface& surface, const AsperityHistory& history,
                                  const ContactMotion& motion) {
     if (!(motion.normal_force > 0)) return history;
-    AsperityWalk walk(surface, history, motion.normal_force, motion.length, motion.stiffness,
-                      motion.shear_force, true);
-    walk.go(motion.displacement, motion.slip);
-    return walk.history();
+    AsperityShearPath path(surface, history, motion.normal_force, motion.length, motion.stiffness,
+                           motion.shear_force, true);
+    path.displace(motion.displacement, motion.slip);
+    return path.history();
 }
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -4,10 +4,10 @@
 
 #include "dda/joint/joint_types.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 /// The rough surface of a joint whose asperities are worn down by the work of sliding, as it is under one
-/// normal stress: what the laws of Plesha (1987) and those after him share. Eq. (64): with the plastic work W
+/// normal stress: what the laws of Plesha (1987) and those after him share. Eq. (70): with the plastic work W
 /// per area
 ///
 ///     alpha(W) = sum over the orders of a exp(-c W),
@@ -38,7 +38,8 @@ struct AsperityHistory {
 Strength asperity_strength(const AsperitySurface& surface, const AsperityHistory& history,
                            double normal_force, double length, const ShearTrial& trial);
 /// Derivative with respect to the normal force, of a joint at rest.
-Strength asperity_slope(const AsperitySurface& surface, const AsperityHistory& history, double normal_force);
+Strength asperity_strength_slope(const AsperitySurface& surface, const AsperityHistory& history,
+                                 double normal_force);
 /// The history after a step; unchanged while the joint is open.
 AsperityHistory asperity_advance(const AsperitySurface& surface, const AsperityHistory& history,
                                  const ContactMotion& motion);
@@ -57,18 +58,18 @@ struct AsperityLaw : Asperities {
         return asperity_strength(this->surface(normal_force, length), history, normal_force, length, trial);
     }
     Strength strength_slope(const History& history, double normal_force, double length) const {
-        return asperity_slope(this->surface(normal_force, length), history, normal_force);
+        return asperity_strength_slope(this->surface(normal_force, length), history, normal_force);
     }
     History advance(const History& history, const ContactMotion& motion) const {
         return {asperity_advance(this->surface(motion.normal_force, motion.length), history, motion)};
     }
     /// The mobilised ratio is what work has left of the angles, whatever the normal stress.
     JointRecord record(const History& history) const {
-        const AsperitySurface unpressed = this->surface(0, 1);
-        const double whole = unpressed.angle(0);
-        return {JointStage::none, whole > 0 ? unpressed.angle(history.work) / whole : 0, history.dilation, 0,
-                0};
+        const AsperitySurface unstressed = this->surface(0, 1);
+        const double initial_angle = unstressed.angle(0);
+        return {JointStage::none, initial_angle > 0 ? unstressed.angle(history.work) / initial_angle : 0,
+                history.dilation, 0, 0};
     }
 };
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace dda {
+namespace rockslope::dda {
 
 namespace {
 
@@ -22,7 +22,7 @@ double BartonStrength::roughness_angle(double normal_force, double length) const
     return roughness_coefficient * std::max(decades, 0.0) * degree;
 }
 
-double BartonStrength::roughness_change() const {
+double BartonStrength::roughness_angle_log_slope() const {
     return -roughness_coefficient * degree / std::numbers::ln10;
 }
 
@@ -40,7 +40,7 @@ double BartonStrength::slope(double normal_force, double length, double ratio) c
     const double free_angle = residual_friction_angle + ratio * roughness;
     const double angle = total_angle(roughness, ratio), tangent = std::tan(angle);
     if (free_angle != angle || roughness == 0) return tangent;
-    return tangent + ratio * roughness_change() * (1 + tangent * tangent);
+    return tangent + ratio * roughness_angle_log_slope() * (1 + tangent * tangent);
 }
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -1,8 +1,8 @@
 #pragma once
 
-namespace dda {
+namespace rockslope::dda {
 
-/// Barton's strength of a rough joint, Eq. (51): tau = sigma_n tan(phi_r + ratio * i) with the roughness
+/// Barton's strength of a rough joint, Eq. (57): tau = sigma_n tan(phi_r + ratio * i) with the roughness
 /// angle i = JRC log10(JCS / sigma_n), in degrees. Source: Barton (1973), Barton and Bandis (1982). Limits: i
 /// >= 0, i.e. no roughness above sigma_n = JCS; the total angle between 0 and 70 deg [barton1973]; no
 /// strength in tension. The slope d tau / d sigma_n turns negative where sin(2 angle) < 2 JRC pi / (180 ln
@@ -18,7 +18,7 @@ struct BartonStrength {
     /// their ratio is the stress. 0 in tension and for a bare corner, whose stress has no bound.
     double roughness_angle(double normal_force, double length) const;
     /// N di/dN, rad, where i is above 0.
-    double roughness_change() const;
+    double roughness_angle_log_slope() const;
     /// phi_r + ratio * i within its limits, rad. @param ratio mobilised over peak roughness.
     double total_angle(double roughness_angle, double ratio) const;
     /// N per metre.
@@ -27,4 +27,4 @@ struct BartonStrength {
     double slope(double normal_force, double length, double ratio) const;
 };
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "dda/joint/angle_piece.hpp"
+#include "dda/joint/linear_angle.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 /// phi_r + ratio * i, rad, before the limits.
 double BartonBandis::angle(double distance, double roughness) const {
@@ -20,7 +20,7 @@ double BartonBandis::angle(double distance, double roughness) const {
     return friction + mobilisation.ratio(x) * roughness;
 }
 
-/// The parts of a way outwards on which the total angle is linear.
+/// The parts of a displacement outwards on which the total angle is linear.
 template <class Visit>
 void BartonBandis::visit_pieces(double from, double to, double roughness, Visit visit) const {
     while (from < to) {
@@ -28,9 +28,9 @@ void BartonBandis::visit_pieces(double from, double to, double roughness, Visit 
                                 ? std::numeric_limits<double>::infinity()
                                 : mobilisation.next_above(from / peak_displacement) * peak_displacement;
         const double end = knot > from ? std::min(knot, to) : to;
-        AnglePiece rest = {end - from, angle(from, roughness), angle(end, roughness)};
+        LinearAngle rest = {end - from, angle(from, roughness), angle(end, roughness)};
         while (rest.length > 0) {
-            const AnglePiece part = within_limits(rest, 0, BartonStrength::largest_angle);
+            const LinearAngle part = clamp_leading_part(rest, 0, BartonStrength::largest_angle);
             visit(part);
             rest = {rest.length - part.length, rest.angle_at(part.length), rest.last};
         }
@@ -46,22 +46,22 @@ double BartonBandis::strength_at(double furthest, double normal_force, double le
 
 Strength BartonBandis::strength(const History& history, double normal_force, double length,
                                 const ShearTrial& trial) const {
-    const double way = std::abs(trial.displacement);
+    const double displacement = std::abs(trial.displacement);
     const double sign = trial.displacement < 0 ? -1 : 1;
-    const double end = sign * history.position + way;  // seen in the direction of the displacement
+    const double end = sign * history.position + displacement;  // seen in the direction of the displacement
     const double furthest = std::max(history.furthest, std::abs(end));
     const double at_end = strength_at(furthest, normal_force, length);
     if (!(normal_force > 0) || furthest == history.furthest || trial.stiffness == 0)
         return {at_end, at_end, 0};
     const double inside = std::max(history.furthest - sign * history.position, 0.0);
     const double roughness = barton.roughness_angle(normal_force, length);
-    double remaining = way - inside;
-    double arriving = at_end;
-    visit_pieces(history.furthest, furthest, roughness, [&](const AnglePiece& piece) {
-        arriving = std::min(arriving, lowest_arrival(piece, normal_force, trial.stiffness, remaining));
+    double remaining = displacement - inside;
+    double end_force = at_end;
+    visit_pieces(history.furthest, furthest, roughness, [&](const LinearAngle& piece) {
+        end_force = std::min(end_force, end_force_bound(piece, normal_force, trial.stiffness, remaining));
         remaining -= piece.length;
     });
-    return trial.displacement > 0 ? Strength{arriving, at_end, 0} : Strength{at_end, arriving, 0};
+    return trial.displacement > 0 ? Strength{end_force, at_end, 0} : Strength{at_end, end_force, 0};
 }
 
 Strength BartonBandis::strength_slope(const History& history, double normal_force, double length) const {
@@ -73,14 +73,15 @@ Strength BartonBandis::strength_slope(const History& history, double normal_forc
         return {tangent, tangent, 0};
     // The angle is linear in i, and N di/dN = -JRC / ln 10.
     const double per_roughness = angle(history.furthest, 1) - angle(history.furthest, 0);
-    const double slope = tangent + per_roughness * barton.roughness_change() * (1 + tangent * tangent);
+    const double slope =
+        tangent + per_roughness * barton.roughness_angle_log_slope() * (1 + tangent * tangent);
     return {slope, slope, 0};
 }
 
 BartonBandis::History BartonBandis::advance(const History& history, const ContactMotion& motion) const {
     if (!(motion.normal_force > 0)) return history;
     History after = history;
-    after.spring = history.spring.pressed(
+    after.spring = history.spring.loaded(
         {motion.normal_force, motion.length, motion.length, motion.duration == 0}, barton, peak_displacement);
     if (motion.displacement == 0) return after;
     after.position += motion.displacement;
@@ -89,12 +90,12 @@ BartonBandis::History BartonBandis::advance(const History& history, const Contac
     const double friction = barton.residual_friction_angle;
     if (roughness > 0) after.ratio = (angle(after.furthest, roughness) - friction) / roughness;
     if (damage == 0) return after;
-    visit_pieces(history.furthest, after.furthest, roughness, [&](const AnglePiece& piece) {
-        const AnglePiece dilating = {piece.length, (piece.first - friction) / damage,
-                                     (piece.last - friction) / damage};
-        AnglePiece rest = dilating;
+    visit_pieces(history.furthest, after.furthest, roughness, [&](const LinearAngle& piece) {
+        const LinearAngle dilating = {piece.length, (piece.first - friction) / damage,
+                                      (piece.last - friction) / damage};
+        LinearAngle rest = dilating;
         while (rest.length > 0) {  // there is none while friction is still being mobilised
-            const AnglePiece part = within_limits(rest, 0, BartonStrength::largest_angle);
+            const LinearAngle part = clamp_leading_part(rest, 0, BartonStrength::largest_angle);
             after.dilation += part.length * mean_tangent(part.first, part.last);
             rest = {rest.length - part.length, rest.angle_at(part.length), rest.last};
         }
@@ -103,7 +104,8 @@ BartonBandis::History BartonBandis::advance(const History& history, const Contac
 }
 
 double BartonBandis::shear_stiffness(const History& history, double normal_force, double length) const {
-    if (history.spring.stiffness > 0 || peak_displacement == 0) return history.spring.of_part(length);
+    if (history.spring.stiffness > 0 || peak_displacement == 0)
+        return history.spring.stiffness_of_part(length);
     return barton.shear_strength(normal_force, length, 1) / peak_displacement;
 }
 
@@ -112,4 +114,4 @@ JointRecord BartonBandis::record(const History& history) const {
             history.dilation, 0, history.furthest > 0 ? 1 : 0};
 }
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -5,11 +5,11 @@
 #include "dda/joint/peak_spring.hpp"
 #include "dda/joint/roughness_table.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
-/// Barton-Bandis for shearing that does not turn back: Eq. (51) with the mobilised roughness of Eq. (53),
+/// Barton-Bandis for shearing that does not turn back: Eq. (57) with the mobilised roughness of Eq. (59),
 /// read off at the largest distance from the origin so far. With a damage coefficient the joint dilates, Eq.
-/// (54). Source: Barton and Bandis (1982), Barton (1985). Limit: a joint that is sheared back keeps the
+/// (60). Source: Barton and Bandis (1982), Barton (1985). Limit: a joint that is sheared back keeps the
 /// strength and the dilation of the farthest point in both directions; a cyclic law knows better.
 struct BartonBandis {
     static constexpr const char* name = "barton-bandis";
@@ -18,7 +18,7 @@ struct BartonBandis {
     double peak_displacement = 0;  ///< m, at which peak roughness works; 0: it works at once and for ever
     RoughnessTable mobilisation;   ///< unused without a peak displacement
     bool from_zero_angle = false;  ///< the table's first entry is a total angle of zero, as in Barton (1985)
-    double damage = 0;             ///< M of Eq. (54), 1 to 2; 0: no dilation
+    double damage = 0;             ///< M of Eq. (60), 1 to 2; 0: no dilation
 
     struct History {
         double position = 0;  ///< m, from where the joint was fresh
@@ -35,7 +35,7 @@ struct BartonBandis {
     Strength strength_slope(const History& history, double normal_force, double length) const;
     /// Nothing changes while the joint is open.
     History advance(const History& history, const ContactMotion& motion) const;
-    /// Eq. (52), of the part of the joint that has this length; 0 without a peak displacement. @param
+    /// Eq. (58), of the part of the joint that has this length; 0 without a peak displacement. @param
     /// normal_force counts for a joint that has borne nothing yet.
     double shear_stiffness(const History& history, double normal_force, double length) const;
     JointRecord record(const History& history) const;
@@ -47,4 +47,4 @@ struct BartonBandis {
     double strength_at(double furthest, double normal_force, double length) const;
 };
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dda {
+namespace rockslope::dda {
 
 Strength Bilinear::strength(const History& history, double normal_force, double length) const {
     const double compression = std::max(normal_force, 0.0);
@@ -25,4 +25,4 @@ Bilinear::History Bilinear::advance(const History& history, const ContactMotion&
     return {history.sheared_off || (motion.slip != 0 && above)};
 }
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -2,9 +2,9 @@
 
 #include "dda/joint/joint_types.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
-/// Patton's bilinear joint, Eq. (63): teeth of inclination i that are climbed at low normal stress and cut
+/// Patton's bilinear joint, Eq. (69): teeth of inclination i that are climbed at low normal stress and cut
 /// off above a transition stress sigma_T,
 ///
 ///     tau = sigma tan(phi + i)                                        for sigma <= sigma_T
@@ -32,4 +32,4 @@ struct Bilinear {
     History advance(const History& history, const ContactMotion& motion) const;
 };
 
-}  // namespace dda
+}  // namespace rockslope::dda

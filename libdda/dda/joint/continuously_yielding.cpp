@@ -3,28 +3,29 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dda {
+namespace rockslope::dda {
 
 namespace {
 
 /// r is at most this: a joint that turned round at its bound would otherwise stay elastic for ever.
 constexpr double largest_unloading = 0.75;
 /// Plastic displacement over roughness length beyond which nothing is left to wear.
-constexpr double worn_out = 40;
+constexpr double full_wear = 40;
 /// Of the length in which the stress nears the bound, and of the roughness length: a step of the integration.
 constexpr double fine_step = 0.02;
 /// Roughness length over approach length above which the approach is a detail.
-constexpr double stiff = 200;
+constexpr double stiff_ratio = 200;
 
 int sign_of(double value) {
     return value > 0 ? 1 : value < 0 ? -1 : 0;
 }
 
-/// The way of a joint in one direction under a constant normal force. Shear forces are positive against it.
-class Yielding {
+/// The displacement of a joint in one direction under a constant normal force. Shear forces are positive
+/// against it.
+class YieldingShearPath {
   public:
-    Yielding(const ContinuouslyYielding& law, double plastic, double unloading, double normal_force,
-             double stiffness, double force)
+    YieldingShearPath(const ContinuouslyYielding& law, double plastic, double unloading, double normal_force,
+                      double stiffness, double force)
         : law_(law),
           normal_force_(normal_force),
           stiffness_(stiffness),
@@ -37,20 +38,20 @@ class Yielding {
     bool yielded() const { return yielded_; }
     double bound() const { return bound_at(plastic_); }
     /// What it bears on the other side: a force that stayed behind the bound there unloads elastically.
-    double bound_behind() const { return std::max(bound(), std::min(-force_, bound() + largest_lag())); }
+    double reverse_bound() const { return std::max(bound(), std::min(-force_, bound() + largest_lag())); }
 
-    void go(double way) {
+    void displace(double displacement) {
         const double excess = force_ - bound() - largest_lag();
         if (excess > 0) {  // the normal force has fallen
             force_ -= excess;
             plastic_ += excess / stiffness_;
             yielded_ = true;
         }
-        const double elastic = std::clamp((unloading_ * bound() - force_) / stiffness_, 0.0, way);
+        const double elastic = std::clamp((unloading_ * bound() - force_) / stiffness_, 0.0, displacement);
         force_ += stiffness_ * elastic;
-        way -= elastic;
-        yielded_ = yielded_ || way > 0;
-        while (way > 0) way -= step(way);
+        displacement -= elastic;
+        yielded_ = yielded_ || displacement > 0;
+        while (displacement > 0) displacement -= step(displacement);
     }
 
   private:
@@ -66,36 +67,36 @@ class Yielding {
         const double tangent = std::tan(law_.friction_angle);
         const double fall = normal_force_ * (1 + tangent * tangent) *
                             (law_.friction_angle - law_.residual_friction_angle) / law_.roughness_length;
-        return fall * approach(normal_force_ * tangent);
+        return fall * approach_length(normal_force_ * tangent);
     }
     /// m, in which the force nears the bound by a factor of e.
-    double approach(double bound) const { return bound * (1 - unloading_) / stiffness_; }
+    double approach_length(double bound) const { return bound * (1 - unloading_) / stiffness_; }
 
-    /// One step of at most `way`. @return its length.
-    double step(double way) {
-        const double length = approach(bound());
+    /// One step of at most `displacement`. @return its length.
+    double step(double displacement) {
+        const double length = approach_length(bound());
         const double wear = plastic_ / law_.roughness_length;
         if (!(length > 0)) {  // no strength
-            plastic_ += way;
+            plastic_ += displacement;
             force_ = 0;
-            return way;
+            return displacement;
         }
-        if (wear > worn_out || law_.friction_angle == law_.residual_friction_angle)
-            return ramp(way, bound(), bound());
+        if (wear > full_wear || law_.friction_angle == law_.residual_friction_angle)
+            return ramp(displacement, bound(), bound());
         const double wearing = fine_step * law_.roughness_length * std::exp(wear / 5);
-        if (law_.roughness_length > stiff * length) {
-            const double h = std::min(way, wearing);
+        if (law_.roughness_length > stiff_ratio * length) {
+            const double h = std::min(displacement, wearing);
             return ramp(h, bound(), bound_at(plastic_ + h));
         }
         // Near the bound the solution is smooth, whatever the approach length.
         const double far = std::abs(1 - force_ / bound());
         const double growth = std::clamp(std::pow(1e-3 / std::max(far, 1e-12), 0.2), 1.0, 20.0);
-        return runge_kutta(std::min({way, fine_step * length * growth, wearing}));
+        return runge_kutta(std::min({displacement, fine_step * length * growth, wearing}));
     }
 
     /// The bound changes linearly from `first` to `last`: then the approach to it is known.
     double ramp(double h, double first, double last) {
-        const double length = approach((first + last) / 2);
+        const double length = approach_length((first + last) / 2);
         const double lag = (last - first) / h * length;
         const double after = last - lag + (force_ - first + lag) * std::exp(-h / length);
         plastic_ += std::max(h - (after - force_) / stiffness_, 0.0);
@@ -149,10 +150,10 @@ Strength ContinuouslyYielding::strength(const History& history, double normal_fo
     }
     const double force = direction * trial.shear_force;
     const double bound = normal_force * bounding_tangent(history.plastic);
-    Yielding joint(*this, history.plastic, unloading_for(history, direction, force, bound), normal_force,
-                   trial.stiffness, force);
-    joint.go(std::abs(trial.displacement));
-    const double against = joint.bound_behind();
+    YieldingShearPath joint(*this, history.plastic, unloading_for(history, direction, force, bound),
+                            normal_force, trial.stiffness, force);
+    joint.displace(std::abs(trial.displacement));
+    const double against = joint.reverse_bound();
     const double along = joint.yielded() ? std::max(joint.force(), 0.0) : against;
     return direction > 0 ? Strength{along, against, 0} : Strength{against, along, 0};
 }
@@ -165,16 +166,16 @@ ContinuouslyYielding::History ContinuouslyYielding::advance(const History& histo
     const double bound = motion.normal_force * bounding_tangent(history.plastic);
     const double unloading = unloading_for(history, direction, force, bound);
     if (!(motion.stiffness > 0)) return {history.plastic + std::abs(motion.slip), unloading, direction};
-    Yielding joint(*this, history.plastic, unloading, motion.normal_force, motion.stiffness, force);
-    joint.go(std::abs(motion.displacement));
+    YieldingShearPath joint(*this, history.plastic, unloading, motion.normal_force, motion.stiffness, force);
+    joint.displace(std::abs(motion.displacement));
     return {joint.plastic(), unloading, direction};
 }
 
 JointRecord ContinuouslyYielding::record(const History& history) const {
-    JointRecord told;
+    JointRecord joint_record;
     if (friction_angle > residual_friction_angle)
-        told.mobilised_ratio = std::exp(-history.plastic / roughness_length);
-    return told;
+        joint_record.mobilised_ratio = std::exp(-history.plastic / roughness_length);
+    return joint_record;
 }
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -4,9 +4,9 @@
 
 #include "dda/joint/joint_types.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
-/// A joint that yields from the start of its loading, Eq. (70) and (71): the shear stress nears a bounding
+/// A joint that yields from the start of its loading, Eq. (73) and (74): the shear stress nears a bounding
 /// strength tau_m = sigma_n tan(phi_m) the more slowly the nearer it is, and phi_m falls with the plastic
 /// displacement by which asperities are damaged. Source: the model of Cundall and Hart (1984) as manuals of
 /// distinct element programs tell it; not checked against the paper. Two things differ from there: the factor
@@ -43,4 +43,4 @@ struct ContinuouslyYielding {
     double bounding_tangent(double plastic) const;
 };
 
-}  // namespace dda
+}  // namespace rockslope::dda

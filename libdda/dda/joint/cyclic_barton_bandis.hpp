@@ -8,9 +8,9 @@
 #include "dda/joint/peak_spring.hpp"
 #include "dda/joint/roughness_table.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
-/// A rough joint that is sheared to and fro and wears, Eqs. (57) to (60): Barton's strength, Eq. (51), with a
+/// A rough joint that is sheared to and fro and wears, Eqs. (63) to (66): Barton's strength, Eq. (57), with a
 /// mobilised roughness that depends on the side of the origin, on whether the joint moves away from it or
 /// back, on the cycle and on the reversals so far. Source: Ma et al. (2017) after Jing et al. (1993); what
 /// they leave open is settled in theory sec. 15. Forward is the direction of the first slip.
@@ -37,11 +37,11 @@ struct CyclicBartonBandis {
     double reversal_factor = 1;       ///< on the ratios, for each change of the slip direction
     double min_slip = 1e-4;           ///< m, by which slip must have gone the other way to count as a change
     bool heal = false;                ///< roughness worn off in an excursion is there again on the way out
-    bool both_ways = false;           ///< the sign of a ratio has no meaning: it resists every motion
-    bool asymmetric = false;          ///< with both_ways: roughness works against forward motion only
-    double damage = 0;                ///< M of Eq. (54), 1 to 2; 0: no dilation
+    bool unsigned_ratios = false;     ///< the sign of a ratio has no meaning: it resists every motion
+    bool asymmetric = false;          ///< with unsigned_ratios: roughness works against forward motion only
+    double damage = 0;                ///< M of Eq. (60), 1 to 2; 0: no dilation
     bool floor_dilation = false;      ///< the faces never come closer than they were at first
-    double contact_length = 0;        ///< m, for the stress of Eq. (51); 0: the contact's present length
+    double contact_length = 0;        ///< m, for the stress of Eq. (57); 0: the contact's present length
 
     struct History {
         double position = 0;           ///< m, where the joint is, in the contact's direction of slip
@@ -52,7 +52,7 @@ struct CyclicBartonBandis {
         double dilation = 0;           ///< m
         double reverse_slip = 0;       ///< m, against slip_direction, since the last slip along it
         PeakSpring spring;
-        double wear = 1;  ///< f of Eq. (57), by the reversals and cycles below
+        double wear = 1;  ///< f of Eq. (63), by the reversals and cycles below
         std::int32_t cycle = 1;
         std::int32_t reversals = 0;
         std::int32_t forward = 0;         ///< sign of the first slip; 0 before it
@@ -70,7 +70,7 @@ struct CyclicBartonBandis {
     /// Nothing changes while the joint is open. @param motion without a stiffness, all of the displacement
     /// counts as sliding if there was slip.
     History advance(const History& history, const ContactMotion& motion) const;
-    /// Eq. (52), of the part of the joint that has this length. @param normal_force counts for a joint that
+    /// Eq. (58), of the part of the joint that has this length. @param normal_force counts for a joint that
     /// has borne nothing yet.
     double shear_stiffness(const History& history, double normal_force, double length) const;
     JointRecord record(const History& history) const;
@@ -79,4 +79,4 @@ struct CyclicBartonBandis {
     double stressed_length(double length) const { return contact_length > 0 ? contact_length : length; }
 };
 
-}  // namespace dda
+}  // namespace rockslope::dda

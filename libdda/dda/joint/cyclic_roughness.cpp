@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace dda {
+namespace rockslope::dda {
 
 CyclicRoughness::Place CyclicRoughness::place(double position, int direction) const {
     // Before the first slip both sides are the forward one.
@@ -55,7 +55,7 @@ double CyclicRoughness::mobilised_ratio(const Place& place, bool sliding, double
 double CyclicRoughness::bound_ratio(const Place& place) const {
     const RoughnessTable& table = bound_table(place);
     const auto ratio = [&](double distance) {
-        return first_rise(place, distance) ? 1 : table.ratio(distance / law_.peak_displacement);
+        return is_before_first_peak(place, distance) ? 1 : table.ratio(distance / law_.peak_displacement);
     };
     const double present = ratio(place.distance);
     return history_.wear * (is_worn(place) ? std::min(present, ratio(furthest(place.side))) : present);
@@ -82,4 +82,4 @@ double CyclicRoughness::next_knot(const Place& place, bool dilating) const {
     return nearest;
 }
 
-}  // namespace dda
+}  // namespace rockslope::dda

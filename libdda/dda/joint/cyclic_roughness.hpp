@@ -2,9 +2,9 @@
 
 #include "dda/joint/cyclic_barton_bandis.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
-/// Which roughness of a cyclic joint is at work where: the tables of Eqs. (57) and (58) by the side of the
+/// Which roughness of a cyclic joint is at work where: the tables of Eqs. (63) and (64) by the side of the
 /// origin, the way the joint goes there, its cycle, and what it has worn off before.
 class CyclicRoughness {
   public:
@@ -30,7 +30,7 @@ class CyclicRoughness {
     /// The one that bounds the shear force.
     const RoughnessTable& bound_table(const Place& place) const;
     /// On the first way out the joint is locked up to the peak, and the table counts from there.
-    bool first_rise(const Place& place, double distance) const {
+    bool is_before_first_peak(const Place& place, double distance) const {
         return history_.cycle == 1 && place.side > 0 && (place.away || is_fresh()) &&
                distance < law_.peak_displacement;
     }
@@ -58,4 +58,4 @@ class CyclicRoughness {
     const CyclicBartonBandis::History& history_;
 };
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -2,11 +2,11 @@
 
 #include <limits>
 
-namespace dda {
+namespace rockslope::dda {
 
 Strength Elastic::strength(const History& history, double, double) const {
-    const double endless = std::numeric_limits<double>::infinity();
-    return {endless, endless, history.glued ? endless : 0};
+    const double unbounded = std::numeric_limits<double>::infinity();
+    return {unbounded, unbounded, history.bonded ? unbounded : 0};
 }
 
-}  // namespace dda
+}  // namespace rockslope::dda

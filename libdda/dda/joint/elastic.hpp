@@ -2,9 +2,9 @@
 
 #include "dda/joint/joint_types.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
-/// A joint that neither opens nor slips, Eq. (42): only its springs give. With the joint's own normal and
+/// A joint that neither opens nor slips, Eq. (45): only its springs give. With the joint's own normal and
 /// shear stiffness it is the linear displacement discontinuity of wave studies [pyraknolte1990]; with stiff
 /// springs it glues blocks together. Faces that meet later in the run have no glue: they part freely, and
 /// stick without slip while pressed. Limit: tension has no bound, so it is no model of rock that could fail.
@@ -12,7 +12,7 @@ struct Elastic {
     static constexpr const char* name = "elastic";
 
     struct History {
-        bool glued = false;
+        bool bonded = false;
         friend bool operator==(const History&, const History&) = default;
     };
 
@@ -22,4 +22,4 @@ struct Elastic {
     History advance(const History& history, const ContactMotion&) const { return history; }
 };
 
-}  // namespace dda
+}  // namespace rockslope::dda

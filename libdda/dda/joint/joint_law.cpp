@@ -1,6 +1,6 @@
 #include "dda/joint/joint_law.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 namespace {
 
@@ -68,7 +68,7 @@ JointRecord record(const JointLaw& law, const JointHistory& history) {
     });
 }
 
-bool belongs_to_faces(const JointLaw& law) {
+bool has_segment_history(const JointLaw& law) {
     return std::visit(
         [](const auto& l) {
             using History = typename std::decay_t<decltype(l)>::History;
@@ -80,14 +80,14 @@ bool belongs_to_faces(const JointLaw& law) {
 }
 
 bool dilates(const JointLaw& law) {
-    return belongs_to_faces(law) && std::visit(
-                                        [](const auto& l) {
-                                            if constexpr (requires { l.damage; })
-                                                return l.damage > 0;
-                                            else
-                                                return true;
-                                        },
-                                        law);
+    return has_segment_history(law) && std::visit(
+                                           [](const auto& l) {
+                                               if constexpr (requires { l.damage; })
+                                                   return l.damage > 0;
+                                               else
+                                                   return true;
+                                           },
+                                           law);
 }
 
-}  // namespace dda
+}  // namespace rockslope::dda

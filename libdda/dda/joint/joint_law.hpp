@@ -18,7 +18,7 @@
 #include "dda/joint/velocity_weakening.hpp"
 #include "dda/joint/weakening.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 /// The list of joint laws: a new law is one file in this folder and one word here. A law must have `fresh`,
 /// `strength` and `advance`; it may have a `strength` that looks at the displacement being tried, and
@@ -55,7 +55,7 @@ double shear_stiffness(const JointLaw& law, const JointHistory& history, double 
 JointRecord record(const JointLaw& law, const JointHistory& history);
 /// Whether the history is that of a pair of faces, shared by the contacts at their ends; other laws keep one
 /// at each contact.
-bool belongs_to_faces(const JointLaw& law);
+bool has_segment_history(const JointLaw& law);
 /// Whether shearing may move the faces apart.
 bool dilates(const JointLaw& law);
 
@@ -65,7 +65,7 @@ struct JointMaterial {
     JointLaw law;
     double normal_penalty = 0;  ///< N/m per metre per contact; 0: the analysis' value
     double shear_penalty = 0;   ///< likewise
-    /// Stiffness of the joint itself, Pa/m: a contact's spring is this times its length, Eq. (41). 0: the
+    /// Stiffness of the joint itself, Pa/m: a contact's spring is this times its length, Eq. (43). 0: the
     /// penalty.
     double normal_stiffness = 0;
     double shear_stiffness = 0;  ///< likewise
@@ -82,13 +82,13 @@ struct JointMaterial {
             return {normal_stiffness * std::max(length, corner_length), largest_closure};
         return {normal_penalty > 0 ? normal_penalty : analysis_value, 0};
     }
-    /// @param of_law what `dda::shear_stiffness` says: it goes behind the material's and before the
+    /// @param law_stiffness what `dda::shear_stiffness` says: it goes behind the material's and before the
     /// analysis'.
-    double shear_spring(double analysis_value, double length, double of_law = 0) const {
+    double shear_spring(double analysis_value, double length, double law_stiffness = 0) const {
         if (shear_stiffness > 0) return shear_stiffness * std::max(length, corner_length);
         if (shear_penalty > 0) return shear_penalty;
-        return of_law > 0 ? of_law : analysis_value;
+        return law_stiffness > 0 ? law_stiffness : analysis_value;
     }
 };
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -1,20 +1,40 @@
 #include "dda/joint/joint_types.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
-ContactMotion together(const ContactMotion& a, const ContactMotion& b) {
+ContactMotion combine(const ContactMotion& a, const ContactMotion& b) {
     const auto weight = [](const ContactMotion& m) { return m.stiffness > 0 ? m.stiffness : m.length; };
-    const double both = weight(a) + weight(b);
-    const double share = both > 0 ? weight(a) / both : 0.5;
-    ContactMotion whole = a;
-    whole.slip = share * a.slip + (1 - share) * b.slip;
-    whole.displacement = share * a.displacement + (1 - share) * b.displacement;
-    whole.normal_force += b.normal_force;
-    whole.length += b.length;
-    whole.shear_force += b.shear_force;
-    whole.stiffness += b.stiffness;
-    whole.opened = a.opened || b.opened;
-    return whole;
+    const double total_weight = weight(a) + weight(b);
+    const double share = total_weight > 0 ? weight(a) / total_weight : 0.5;
+    ContactMotion combined = a;
+    combined.slip = share * a.slip + (1 - share) * b.slip;
+    combined.displacement = share * a.displacement + (1 - share) * b.displacement;
+    combined.normal_force += b.normal_force;
+    combined.length += b.length;
+    combined.shear_force += b.shear_force;
+    combined.stiffness += b.stiffness;
+    combined.opened = a.opened || b.opened;
+    return combined;
 }
 
-}  // namespace dda
+const char* stage_name(JointStage stage) {
+    switch (stage) {
+        case JointStage::none:
+            return "none";
+        case JointStage::forward_advance:
+            return "forward advance";
+        case JointStage::forward_unloading:
+            return "forward unloading";
+        case JointStage::forward_return:
+            return "forward return";
+        case JointStage::backward_advance:
+            return "backward advance";
+        case JointStage::backward_unloading:
+            return "backward unloading";
+        case JointStage::backward_return:
+            return "backward return";
+    }
+    return "";
+}
+
+}  // namespace rockslope::dda

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-namespace dda {
+namespace rockslope::dda {
 
 /// What a joint can bear at a contact, N per metre of thickness, all non-negative.
 struct Strength {
@@ -32,7 +32,7 @@ struct ContactMotion {
 };
 
 /// Two ends of a joint as one: forces, lengths and stiffnesses add up, displacements are those of the whole.
-ContactMotion together(const ContactMotion& a, const ContactMotion& b);
+ContactMotion combine(const ContactMotion& a, const ContactMotion& b);
 
 /// Side of the origin on which a joint is, and how it moves there: away from the origin it advances; towards
 /// it, it unloads while locked and returns while it slides.
@@ -46,6 +46,9 @@ enum class JointStage : std::uint8_t {
     backward_return
 };
 
+/// A stage of shearing as it stands in tables: "forward advance" and so on.
+const char* stage_name(JointStage stage);
+
 /// What a joint's history tells the reader of the results. A law without one of these leaves it as it is.
 struct JointRecord {
     JointStage stage = JointStage::none;
@@ -55,4 +58,4 @@ struct JointRecord {
     int cycle = 0;               ///< of shearing, from 1
 };
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dda {
+namespace rockslope::dda {
 
 Strength MohrCoulomb::strength(const History& history, double normal_force, double length) const {
     const double compression = std::max(normal_force, 0.0);
@@ -30,4 +30,4 @@ MohrCoulomb::History MohrCoulomb::advance(const History& history, const ContactM
     return {history.broken || motion.opened || motion.slip != 0};
 }
 
-}  // namespace dda
+}  // namespace rockslope::dda

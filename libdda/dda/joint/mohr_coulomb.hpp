@@ -2,9 +2,9 @@
 
 #include "dda/joint/joint_types.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
-/// Mohr-Coulomb friction with cohesion and tensile strength, Eq. (30): tau = c + sigma_n tan(phi), intact
+/// Mohr-Coulomb friction with cohesion and tensile strength, Eq. (31): tau = c + sigma_n tan(phi), intact
 /// until the first slip or opening, thereafter with the residual values. Source: Shi (1988); the default
 /// residual is Shi's (c and tensile strength vanish, phi stays).
 struct MohrCoulomb {
@@ -34,4 +34,4 @@ struct MohrCoulomb {
     History advance(const History& history, const ContactMotion& motion) const;
 };
 
-}  // namespace dda
+}  // namespace rockslope::dda

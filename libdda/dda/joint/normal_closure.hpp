@@ -1,8 +1,8 @@
 #pragma once
 
-namespace dda {
+namespace rockslope::dda {
 
-/// How a joint closes under a normal force. Linear, or the hyperbola of Bandis et al. (1983), Eq. (72):
+/// How a joint closes under a normal force. Linear, or the hyperbola of Bandis et al. (1983), Eq. (44):
 /// F = k c / (1 - c/V), stiffer the more the joint is closed, and at most by V. Forces are N per metre with a
 /// stiffness in N/m per metre, or Pa with one in Pa/m; forces and closures are positive in compression. In
 /// tension, for bonded joints, it is linear.
@@ -24,4 +24,4 @@ struct NormalClosure {
     friend bool operator==(const NormalClosure&, const NormalClosure&) = default;
 };
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -2,22 +2,22 @@
 
 #include <algorithm>
 
-namespace dda {
+namespace rockslope::dda {
 
-PeakSpring PeakSpring::pressed(const Press& press, const BartonStrength& barton,
-                               double peak_displacement) const {
-    if (!(press.normal_force > 0) || !(press.length > 0) || !(peak_displacement > 0)) return *this;
+PeakSpring PeakSpring::loaded(const NormalLoad& load, const BartonStrength& barton,
+                              double peak_displacement) const {
+    if (!(load.normal_force > 0) || !(load.length > 0) || !(peak_displacement > 0)) return *this;
     PeakSpring after = *this;
-    after.length = press.length;
-    if (rested != 0 && !press.at_rest) return after;
-    const double found = barton.shear_strength(press.normal_force, press.stressed_length, 1);
+    after.length = load.length;
+    if (found_at_rest != 0 && !load.at_rest) return after;
+    const double found = barton.shear_strength(load.normal_force, load.stressed_length, 1);
     after.stiffness = std::max(stiffness, found / peak_displacement);
-    after.rested = press.at_rest ? 1 : 0;
+    after.found_at_rest = load.at_rest ? 1 : 0;
     return after;
 }
 
-double PeakSpring::of_part(double part) const {
+double PeakSpring::stiffness_of_part(double part) const {
     return length > 0 ? stiffness * std::min(part / length, 1.0) : 0;
 }
 
-}  // namespace dda
+}  // namespace rockslope::dda

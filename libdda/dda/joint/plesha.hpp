@@ -2,9 +2,9 @@
 
 #include "dda/joint/asperity_wear.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
-/// Plesha's joint: one order of asperities whose angle decays with the plastic work, Eq. (64) with one term.
+/// Plesha's joint: one order of asperities whose angle decays with the plastic work, Eq. (70) with one term.
 /// Source: Plesha (1987), from which the form of the law is known; the numbers of a joint are the user's.
 /// Limits: the asperities are symmetric about the origin, and no crushing but by work; the law has no
 /// dependence of the angle on stress.
@@ -20,4 +20,4 @@ struct PleshaSurface {
 
 using Plesha = AsperityLaw<PleshaSurface>;
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace dda {
+namespace rockslope::dda {
 
 double RoughnessTable::ratio(double x) const {
     const auto above = std::upper_bound(entries.begin(), entries.end(), x,
@@ -31,4 +31,4 @@ RoughnessTable barton_1985() {
     return {{{0, 0}, {0.3, 0}, {0.6, 0.75}, {1, 1}, {2, 0.85}, {4, 0.7}, {10, 0.5}, {100, 0}}};
 }
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-namespace dda {
+namespace rockslope::dda {
 
 /// Mobilised over peak roughness as a function of x = displacement over peak displacement: linear between the
 /// entries and constant beyond them. Both numbers are dimensionless; x is never negative and grows.
@@ -27,4 +27,4 @@ struct RoughnessTable {
 /// stress: friction too is mobilised from nothing. The ratio there is not used.
 RoughnessTable barton_1985();
 
-}  // namespace dda
+}  // namespace rockslope::dda

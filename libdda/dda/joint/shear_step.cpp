@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace dda {
+namespace rockslope::dda {
 
 ShearedJoint shear(const JointLaw& law, const ShearedJoint& joint, double displacement,
                    const JointLoad& load) {
@@ -20,4 +20,4 @@ ShearedJoint shear(const JointLaw& law, const ShearedJoint& joint, double displa
     return after;
 }
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -2,7 +2,7 @@
 
 #include "dda/joint/joint_law.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 /// A joint that is sheared by itself, without blocks: a share of `length` m with a shear spring.
 struct ShearedJoint {
@@ -21,8 +21,8 @@ struct JointLoad {
 };
 
 /// The joint after a displacement (m, positive forward): the elastic predictor S + k s, clipped to the law's
-/// strength at the displacement's end, Eq. (31), and the history advanced. What a contact does in a step.
+/// strength at the displacement's end, Eq. (32), and the history advanced. What a contact does in a step.
 ShearedJoint shear(const JointLaw& law, const ShearedJoint& joint, double displacement,
                    const JointLoad& load);
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -5,12 +5,12 @@
 
 #include "dda/joint/shear_step.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 namespace {
 
 /// m, by which the joint, and what holds it, have given way normal to it since the start of the test.
-double given_way(const ShearTest& test, double normal_stress) {
+double total_closure(const ShearTest& test, double normal_stress) {
     const NormalClosure closing{test.material.normal_stiffness, test.material.largest_closure};
     const double own =
         closing.stiffness > 0 ? closing.closure(normal_stress) - closing.closure(test.normal_stress) : 0;
@@ -26,22 +26,19 @@ class Specimen {
     }
 
     /// Shears it to a displacement from the start.
-    void go_to(double displacement) {
-        const double way = displacement - at_;
+    void shear_to(double displacement) {
+        const double way = displacement - displacement_;
         if (test_.boundary != NormalBoundary::constant_stress) normal_stress_ = equilibrium(way);
         joint_ = after(way, normal_stress_);
-        at_ += way;
+        displacement_ += way;
     }
 
     ShearTestRow row() const {
-        const JointRecord told = record(law(), joint_.history);
-        return {at_,
-                joint_.shear_force / test_.length,
-                normal_stress_,
-                told.dilation,
-                joint_.slip,
-                joint_.sliding,
-                told};
+        const JointRecord joint_record = record(law(), joint_.history);
+        return {displacement_,  joint_.shear_force / test_.length,
+                normal_stress_, joint_record.dilation,
+                joint_.slip,    joint_.sliding,
+                joint_record};
     }
 
   private:
@@ -53,11 +50,11 @@ class Specimen {
         return shear(law(), joint_, way, load(normal_stress));
     }
 
-    /// The normal stress in which dilation and what resists it agree, Eq. (61), or 0 if they part: by secants
+    /// The normal stress in which dilation and what resists it agree, Eq. (67), or 0 if they part: by secants
     /// inside a bracket.
     double equilibrium(double way) const {
         const auto excess = [&](double stress) {
-            return given_way(test_, stress) - dilation(law(), after(way, stress).history);
+            return total_closure(test_, stress) - dilation(law(), after(way, stress).history);
         };
         double low = 0, below = excess(low);
         if (below >= 0) return 0;
@@ -79,7 +76,7 @@ class Specimen {
     const ShearTest& test_;
     double stiffness_;  ///< N/m per metre
     double normal_stress_;
-    double at_ = 0;
+    double displacement_ = 0;
     ShearedJoint joint_;
 };
 
@@ -87,9 +84,9 @@ class Specimen {
 
 double shear_stiffness(const ShearTest& test) {
     const JointLaw& law = test.material.law;
-    const double of_law =
+    const double law_stiffness =
         shear_stiffness(law, fresh_history(law, true), test.normal_stress * test.length, test.length);
-    return test.material.shear_spring(0, test.length, of_law) / test.length;
+    return test.material.shear_spring(0, test.length, law_stiffness) / test.length;
 }
 
 namespace {
@@ -97,7 +94,7 @@ namespace {
 /// Goes along the path and shows `each` the specimen after every increment, and whether it is at a point of
 /// the path.
 template <class Each>
-void follow(const ShearTest& test, Each each) {
+void shear_along_path(const ShearTest& test, Each each) {
     Specimen specimen(test);
     double from = 0;
     for (const double to : test.path) {
@@ -105,7 +102,7 @@ void follow(const ShearTest& test, Each each) {
             std::max(static_cast<int>(std::ceil(std::abs(to - from) / test.increment * (1 - 1e-12))), 1);
         for (int part = 1; part <= parts; ++part) {
             const double share = static_cast<double>(part) / parts;
-            specimen.go_to(part == parts ? to : from + (to - from) * share);
+            specimen.shear_to(part == parts ? to : from + (to - from) * share);
             each(specimen, part == parts);
         }
         from = to;
@@ -116,16 +113,16 @@ void follow(const ShearTest& test, Each each) {
 
 std::vector<ShearTestRow> run_shear_test(const ShearTest& test) {
     std::vector<ShearTestRow> rows = {Specimen(test).row()};
-    follow(test, [&](const Specimen& specimen, bool) { rows.push_back(specimen.row()); });
+    shear_along_path(test, [&](const Specimen& specimen, bool) { rows.push_back(specimen.row()); });
     return rows;
 }
 
-std::vector<ShearTestRow> shear_test_at_path(const ShearTest& test) {
+std::vector<ShearTestRow> shear_test_at_path_points(const ShearTest& test) {
     std::vector<ShearTestRow> rows;
-    follow(test, [&](const Specimen& specimen, bool at_point) {
+    shear_along_path(test, [&](const Specimen& specimen, bool at_point) {
         if (at_point) rows.push_back(specimen.row());
     });
     return rows;
 }
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -4,7 +4,7 @@
 
 #include "dda/joint/joint_law.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 /// What holds the joint's faces together in a shear test.
 enum class NormalBoundary { constant_stress, constant_stiffness, constant_volume };
@@ -35,12 +35,12 @@ struct ShearTestRow {
 double shear_stiffness(const ShearTest& test);
 
 /// The rows of a test, from the start at zero displacement. Under constant stress they do not depend on the
-/// increment. Otherwise the normal stress of a row is in equilibrium with its dilation, Eq. (61), and acts
+/// increment. Otherwise the normal stress of a row is in equilibrium with its dilation, Eq. (67), and acts
 /// over the increment that led there. @pre shear_stiffness(test) > 0, and a joint that can be compressed if
 /// the volume is constant.
 std::vector<ShearTestRow> run_shear_test(const ShearTest& test);
 
 /// The rows at the points of the path only, one for each.
-std::vector<ShearTestRow> shear_test_at_path(const ShearTest& test);
+std::vector<ShearTestRow> shear_test_at_path_points(const ShearTest& test);
 
-}  // namespace dda
+}  // namespace rockslope::dda

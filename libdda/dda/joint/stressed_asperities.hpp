@@ -5,13 +5,14 @@
 
 #include "dda/joint/asperity_wear.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
-/// Asperities that decay with the plastic work and that are climbed the less the harder the joint is pressed,
-/// Eq. (65): the angle of Eq. (64), with one term, times (1 - sigma/sigma_c)^kappa, and nothing above
-/// sigma_c. Source: Jing et al. (1993) for the idea that the angle falls with normal stress and with work;
-/// the form and the exponent are not checked against the paper, nor is there its dependence on the direction
-/// in space. Limits: as for Plesha's; the strength falls with normal stress where the angle falls too fast.
+/// Asperities that decay with the plastic work and that are climbed the less the harder the joint is
+/// compressed, Eq. (71): the angle of Eq. (70), with one term, times (1 - sigma/sigma_c)^kappa, and nothing
+/// above sigma_c. Source: Jing et al. (1993) for the idea that the angle falls with normal stress and with
+/// work; the form and the exponent are not checked against the paper, nor is there its dependence on the
+/// direction in space. Limits: as for Plesha's; the strength falls with normal stress where the angle falls
+/// too fast.
 struct StressedAsperitiesSurface {
     static constexpr const char* name = "stressed-asperities";
 
@@ -23,14 +24,15 @@ struct StressedAsperitiesSurface {
 
     AsperitySurface surface(double normal_force, double length) const {
         // A bare corner has no stress that could be told: its asperities count as crushed.
-        const double most = wall_strength * length;
-        if (!(normal_force < most)) return {friction_angle, {}};
-        const double pressed = std::max(normal_force, 0.0);
-        const double left = std::pow(1 - pressed / most, exponent);
-        return {friction_angle, {{{asperity_angle * left, wear}, {}}}, -exponent / (most - pressed)};
+        const double crushing_force = wall_strength * length;
+        if (!(normal_force < crushing_force)) return {friction_angle, {}};
+        const double compressed = std::max(normal_force, 0.0);
+        const double left = std::pow(1 - compressed / crushing_force, exponent);
+        return {
+            friction_angle, {{{asperity_angle * left, wear}, {}}}, -exponent / (crushing_force - compressed)};
     }
 };
 
 using StressedAsperities = AsperityLaw<StressedAsperitiesSurface>;
 
-}  // namespace dda
+}  // namespace rockslope::dda

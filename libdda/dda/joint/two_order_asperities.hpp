@@ -2,10 +2,10 @@
 
 #include "dda/joint/asperity_wear.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 /// Two orders of asperities, waviness and unevenness, that decay with the plastic work each at its own rate:
-/// Eq. (64) with two terms. Source: Lee et al. (2001) as Ma et al. (2017) tell it, the asperity angle as the
+/// Eq. (70) with two terms. Source: Lee et al. (2001) as Ma et al. (2017) tell it, the asperity angle as the
 /// sum of two; the rates are not checked against the paper. Limits: as for Plesha's.
 struct TwoOrderAsperitiesSurface {
     static constexpr const char* name = "two-order-asperities";
@@ -23,4 +23,4 @@ struct TwoOrderAsperitiesSurface {
 
 using TwoOrderAsperities = AsperityLaw<TwoOrderAsperitiesSurface>;
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dda {
+namespace rockslope::dda {
 
 namespace {
 constexpr double largest_speed = 1e30;  ///< m/s; beyond any, so that a history stays finite
@@ -37,9 +37,9 @@ VelocityWeakening::History VelocityWeakening::advance(const History&, const Cont
 JointRecord VelocityWeakening::record(const History& history) const {
     const double least = std::tan(residual_friction_angle);
     const double range = std::tan(friction_angle) - least;
-    JointRecord told;
-    told.mobilised_ratio = range > 0 ? (friction(history.speed) - least) / range : 0;
-    return told;
+    JointRecord joint_record;
+    joint_record.mobilised_ratio = range > 0 ? (friction(history.speed) - least) / range : 0;
+    return joint_record;
 }
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -2,9 +2,9 @@
 
 #include "dda/joint/joint_types.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
-/// Friction that falls with the speed of slip, Eq. (66): tan(phi) goes from its static to its least value
+/// Friction that falls with the speed of slip, Eq. (72): tan(phi) goes from its static to its least value
 /// like exp(-v/v_c) or, with a `rate` b, as tan(phi) - b ln(1 + v/v_c) until the least value is reached.
 /// Sources: velocity-dependent friction in discontinuous deformation analysis is that of Sitar et al. (2005)
 /// and Bakun-Mazor et al. (2012), the logarithm that of steady rate-and-state friction; neither the curves
@@ -36,4 +36,4 @@ struct VelocityWeakening {
     double friction(double speed) const;
 };
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -4,14 +4,14 @@
 #include <cmath>
 #include <limits>
 
-namespace dda {
+namespace rockslope::dda {
 
 Weakening::History Weakening::fresh(bool intact) const {
     return {intact ? 0 : std::numeric_limits<double>::max()};
 }
 
 /// Of the way from peak to residual strength, what is still ahead.
-double Weakening::share_left(double u) const {
+double Weakening::remaining_fraction(double u) const {
     return exponential ? std::exp(-u / slip) : std::max(1 - u / slip, 0.0);
 }
 
@@ -19,13 +19,13 @@ double Weakening::bound(double u, double normal_force, double length) const {
     const double residual =
         std::max(normal_force, 0.0) * std::tan(residual_friction_angle) + residual_cohesion * length;
     const double peak = std::max(normal_force, 0.0) * std::tan(friction_angle) + cohesion * length;
-    return residual + (peak - residual) * share_left(u);
+    return residual + (peak - residual) * remaining_fraction(u);
 }
 
 double Weakening::bound_slope(double u, double normal_force, double length) const {
     const double lost =
         bound(0, normal_force, length) - bound(std::numeric_limits<double>::max(), normal_force, length);
-    if (exponential) return -lost * share_left(u) / slip;
+    if (exponential) return -lost * remaining_fraction(u) / slip;
     return u < slip ? -lost / slip : 0;
 }
 
@@ -46,15 +46,15 @@ Strength Weakening::strength(const History& history, double normal_force, double
         if (!(excess > 0) || !(slope > 0) || !(next < u)) break;
         u = next;
     }
-    const double arriving = elastic - trial.stiffness * std::max(u, 0.0);
+    const double end_force = elastic - trial.stiffness * std::max(u, 0.0);
     const bool forward = trial.shear_force + trial.stiffness * trial.displacement > 0;
-    return {forward ? arriving : now, forward ? now : arriving, 0};
+    return {forward ? end_force : now, forward ? now : end_force, 0};
 }
 
 Strength Weakening::strength_slope(const History& history, double normal_force, double) const {
     if (!(normal_force > 0)) return {};
     const double residual = std::tan(residual_friction_angle);
-    const double slope = residual + (std::tan(friction_angle) - residual) * share_left(history.slip);
+    const double slope = residual + (std::tan(friction_angle) - residual) * remaining_fraction(history.slip);
     return {slope, slope, 0};
 }
 
@@ -62,4 +62,4 @@ Weakening::History Weakening::advance(const History& history, const ContactMotio
     return {std::min(history.slip + std::abs(motion.slip), std::numeric_limits<double>::max())};
 }
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -2,9 +2,9 @@
 
 #include "dda/joint/joint_types.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
-/// Cohesion and friction that fall with the slip, Eq. (62): both go from their peak to their residual value
+/// Cohesion and friction that fall with the slip, Eq. (68): both go from their peak to their residual value
 /// by the same share, linearly over a slip D or like exp(-U/D), with U the accumulated magnitude of the
 /// plastic slip. Sources: the idea is that of Wang et al. (2013) for cohesion and friction and of Sitar et
 /// al. (2005) for friction; the two curves here are not checked against the papers. Limits: no dependence on
@@ -33,9 +33,9 @@ struct Weakening {
     History advance(const History& history, const ContactMotion& motion) const;
 
   private:
-    double share_left(double slip) const;
+    double remaining_fraction(double slip) const;
     double bound(double slip, double normal_force, double length) const;
     double bound_slope(double slip, double normal_force, double length) const;
 };
 
-}  // namespace dda
+}  // namespace rockslope::dda

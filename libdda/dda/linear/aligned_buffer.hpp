@@ -4,7 +4,7 @@
 #include <memory>
 #include <new>
 
-namespace dda {
+namespace rockslope::dda {
 
 /// Scalars without initial values, aligned to a cache line. Keeps its memory until more is asked for, or none
 /// is needed.
@@ -33,4 +33,4 @@ class AlignedBuffer {
     std::size_t size_ = 0;
 };
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -2,7 +2,7 @@
 
 #include <Eigen/QR>
 
-namespace dda {
+namespace rockslope::dda {
 
 Eigen::VectorXd AndersonMixing::next(const Eigen::VectorXd& x, const Eigen::VectorXd& image) {
     const Eigen::VectorXd residual = image - x;
@@ -17,13 +17,13 @@ Eigen::VectorXd AndersonMixing::next(const Eigen::VectorXd& x, const Eigen::Vect
         Eigen::MatrixXd changes(residual.size(), static_cast<Eigen::Index>(residual_changes_.size()));
         for (Eigen::Index k = 0; k < changes.cols(); ++k)
             changes.col(k) = residual_changes_[static_cast<std::size_t>(k)];
-        const Eigen::VectorXd share = changes.colPivHouseholderQr().solve(residual);
+        const Eigen::VectorXd weights = changes.colPivHouseholderQr().solve(residual);
         for (Eigen::Index k = 0; k < changes.cols(); ++k)
-            mixed -= share[k] * image_changes_[static_cast<std::size_t>(k)];
+            mixed -= weights[k] * image_changes_[static_cast<std::size_t>(k)];
     }
     last_residual_ = residual;
     last_image_ = image;
     return mixed;
 }
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <deque>
 
-namespace dda {
+namespace rockslope::dda {
 
 /// Anderson's acceleration of a fixed-point iteration x = g(x): the next iterate combines the last few so
 /// that their combined residual g(x) - x is least. For an affine g it is the generalised minimal residual
@@ -24,4 +24,4 @@ class AndersonMixing {
     std::deque<Eigen::VectorXd> image_changes_;
 };
 
-}  // namespace dda
+}  // namespace rockslope::dda

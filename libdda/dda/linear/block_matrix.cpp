@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cassert>
 
-namespace dda {
+namespace rockslope::dda {
 
 namespace {
-constexpr std::size_t most_portions = 8;
-constexpr std::size_t least_portion = 128;
+constexpr std::size_t max_chunks = 8;
+constexpr std::size_t min_chunk_length = 128;
 }  // namespace
 
 BlockPattern BlockPattern::from_pairs(int size, std::vector<std::pair<int, int>> pairs) {
@@ -43,19 +43,19 @@ void BlockMatrix::reset(const BlockPattern& pattern) {
 }
 
 // Portions of rows, which depend on their number alone, by whoever is free: each entry is read once and
-// serves both of its rows. What an entry gives to a row of a later portion waits until all have ended; where
+// serves both of its rows. What an entry gives to a row of a later chunk waits until all have ended; where
 // blocks that touch have numbers near each other these are few.
 void BlockMatrix::multiply(const BlockPattern& pattern, std::span<const Vec6> x, std::span<Vec6> y,
-                           const Crew& crew) const {
-    const std::size_t length = std::max(least_portion, (x.size() + most_portions - 1) / most_portions);
-    const std::size_t portions = (x.size() + length - 1) / length;
-    const auto end_of = [&](std::size_t portion) { return std::min((portion + 1) * length, x.size()); };
+                           const ThreadPool& pool) const {
+    const std::size_t length = std::max(min_chunk_length, (x.size() + max_chunks - 1) / max_chunks);
+    const std::size_t chunks = (x.size() + length - 1) / length;
+    const auto end_of = [&](std::size_t chunk) { return std::min((chunk + 1) * length, x.size()); };
     const auto begin_of_row = [&](std::size_t i) { return static_cast<std::size_t>(pattern.start[i]); };
     const auto column = [&](std::size_t k) { return static_cast<std::size_t>(pattern.columns[k]); };
-    crew.for_tasks(portions, [&](std::size_t portion, std::size_t) {
-        const std::size_t end = end_of(portion);
-        for (std::size_t i = portion * length; i < end; ++i) y[i].noalias() = diagonal[i] * x[i];
-        for (std::size_t i = portion * length; i < end; ++i) {
+    pool.parallel_for_dynamic(chunks, [&](std::size_t chunk, std::size_t) {
+        const std::size_t end = end_of(chunk);
+        for (std::size_t i = chunk * length; i < end; ++i) y[i].noalias() = diagonal[i] * x[i];
+        for (std::size_t i = chunk * length; i < end; ++i) {
             for (std::size_t k = begin_of_row(i); k < begin_of_row(i + 1); ++k) {
                 const std::size_t j = column(k);
                 y[i].noalias() += upper[k] * x[j];
@@ -63,9 +63,9 @@ void BlockMatrix::multiply(const BlockPattern& pattern, std::span<const Vec6> x,
             }
         }
     });
-    for (std::size_t portion = 0; portion + 1 < portions; ++portion) {
-        const std::size_t end = end_of(portion);
-        for (std::size_t i = portion * length; i < end; ++i) {
+    for (std::size_t chunk = 0; chunk + 1 < chunks; ++chunk) {
+        const std::size_t end = end_of(chunk);
+        for (std::size_t i = chunk * length; i < end; ++i) {
             for (std::size_t k = begin_of_row(i + 1); k-- > begin_of_row(i) && column(k) >= end;)
                 y[column(k)].noalias() += upper[k].transpose() * x[i];
         }
@@ -81,4 +81,4 @@ void BlockMatrix::add_outer(const BlockPattern& pattern, int i, int j, const Vec
     }
 }
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -4,10 +4,10 @@
 #include <utility>
 #include <vector>
 
-#include "dda/base/parallel.hpp"
+#include "common/base/thread_pool.hpp"
 #include "dda/base/types.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 /// Which 6x6 submatrices of a symmetric block matrix may be non-zero, Eq. (3): the diagonal, and for each row
 /// i the columns columns[start[i]] ... columns[start[i + 1] - 1], all greater than i and ascending.
@@ -31,16 +31,16 @@ struct BlockMatrix {
     void reset(const BlockPattern& pattern);
     /// y = A x; the same bytes with any number of threads.
     void multiply(const BlockPattern& pattern, std::span<const Vec6> x, std::span<Vec6> y,
-                  const Crew& crew) const;
+                  const ThreadPool& pool) const;
     void multiply(const BlockPattern& pattern, std::span<const Vec6> x, std::span<Vec6> y) const {
-        multiply(pattern, x, y, Crew(1));
+        multiply(pattern, x, y, ThreadPool(1));
     }
     /// Adds stiffness * vector * vector^T on the diagonal.
-    void add_square(int row, const Vec6& vector, double stiffness) {
+    void add_rank_one(int row, const Vec6& vector, double stiffness) {
         diagonal[static_cast<std::size_t>(row)].noalias() += (stiffness * vector) * vector.transpose();
     }
     /// Adds first * second^T at (i, j) and its transpose at (j, i); i != j.
     void add_outer(const BlockPattern& pattern, int i, int j, const Vec6& first, const Vec6& second);
 };
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -8,7 +8,7 @@
 
 #include "dda/linear/linear_solver.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 namespace {
 
@@ -52,7 +52,7 @@ class CholmodSolver final : public LinearSolver {
     void analyze(const BlockPattern& pattern) override {
         release();
         order_ = fill_reducing_order(pattern);
-        arrange(pattern);
+        find_lower_blocks(pattern);
         allocate_scalar_matrix();
         factor_ = cholmod_analyze(matrix_, &common_);
         if (factor_ == nullptr) throw std::bad_alloc();
@@ -94,28 +94,28 @@ class CholmodSolver final : public LinearSolver {
     }
 
     /// A submatrix below the diagonal, in the order of elimination.
-    struct Below {
+    struct LowerBlock {
         int row = 0;
         int source = 0;           ///< index into BlockMatrix::upper
         bool transposed = false;  ///< it is the source's transpose
     };
 
     /// Finds what lies below the diagonal in each column block.
-    void arrange(const BlockPattern& pattern) {
+    void find_lower_blocks(const BlockPattern& pattern) {
         std::vector<int> place(order_.size());
         for (std::size_t k = 0; k < order_.size(); ++k)
             place[static_cast<std::size_t>(order_[k])] = static_cast<int>(k);
-        below_.assign(order_.size(), {});
+        lower_blocks_.assign(order_.size(), {});
         for (std::size_t i = 0; i < order_.size(); ++i) {
             for (int k = pattern.start[i]; k < pattern.start[i + 1]; ++k) {
                 const int a = place[i];
                 const int b = place[static_cast<std::size_t>(pattern.columns[static_cast<std::size_t>(k)])];
-                below_[static_cast<std::size_t>(std::min(a, b))].push_back({std::max(a, b), k, a < b});
+                lower_blocks_[static_cast<std::size_t>(std::min(a, b))].push_back({std::max(a, b), k, a < b});
             }
         }
-        for (auto& column : below_)
+        for (auto& column : lower_blocks_)
             std::sort(column.begin(), column.end(),
-                      [](const Below& a, const Below& b) { return a.row < b.row; });
+                      [](const LowerBlock& a, const LowerBlock& b) { return a.row < b.row; });
         entry_count_ = order_.size() * 21 + pattern.columns.size() * 36;
     }
 
@@ -128,11 +128,11 @@ class CholmodSolver final : public LinearSolver {
         auto* row = static_cast<int*>(matrix_->i);
         int filled = 0;
         int first = 0;  // row of the diagonal submatrix
-        for (const auto& column : below_) {
+        for (const auto& column : lower_blocks_) {
             for (int k = 0; k < unknowns; ++k) {
                 *column_start++ = filled;
                 for (int m = k; m < unknowns; ++m) row[filled++] = first + m;
-                for (const Below& entry : column) {
+                for (const LowerBlock& entry : column) {
                     for (int m = 0; m < unknowns; ++m) row[filled++] = entry.row * unknowns + m;
                 }
             }
@@ -147,7 +147,7 @@ class CholmodSolver final : public LinearSolver {
             const Mat6& diagonal = matrix.diagonal[static_cast<std::size_t>(order_[i])];
             for (int k = 0; k < unknowns; ++k) {
                 for (int m = k; m < unknowns; ++m) *value++ = diagonal(m, k);
-                for (const Below& entry : below_[i]) {
+                for (const LowerBlock& entry : lower_blocks_[i]) {
                     const Mat6& upper = matrix.upper[static_cast<std::size_t>(entry.source)];
                     for (int m = 0; m < unknowns; ++m)
                         *value++ = entry.transposed ? upper(k, m) : upper(m, k);
@@ -157,10 +157,10 @@ class CholmodSolver final : public LinearSolver {
     }
 
     cholmod_common common_{};
-    std::vector<int> order_;                 ///< of elimination
-    std::vector<std::vector<Below>> below_;  ///< by column block, rows ascending
-    std::size_t entry_count_ = 0;            ///< of the lower triangle
-    std::vector<Vec6> permuted_;             ///< a right-hand side in the order of elimination
+    std::vector<int> order_;                             ///< of elimination
+    std::vector<std::vector<LowerBlock>> lower_blocks_;  ///< by column block, rows ascending
+    std::size_t entry_count_ = 0;                        ///< of the lower triangle
+    std::vector<Vec6> permuted_;                         ///< a right-hand side in the order of elimination
     cholmod_sparse* matrix_ = nullptr;
     cholmod_factor* factor_ = nullptr;
     cholmod_dense* solution_ = nullptr;
@@ -174,4 +174,4 @@ std::unique_ptr<LinearSolver> make_cholmod_solver() {
     return std::make_unique<CholmodSolver>();
 }
 
-}  // namespace dda
+}  // namespace rockslope::dda

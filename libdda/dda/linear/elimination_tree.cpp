@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace dda {
+namespace rockslope::dda {
 
 std::vector<int> elimination_tree(const BlockPattern& pattern, const std::vector<int>& place) {
     const std::size_t size = place.size();
@@ -29,11 +29,11 @@ std::vector<int> elimination_tree(const BlockPattern& pattern, const std::vector
     return parent;
 }
 
-std::vector<int> places_in(const std::vector<int>& order) {
+std::vector<int> inverse_permutation(const std::vector<int>& order) {
     std::vector<int> place(order.size());
     for (std::size_t k = 0; k < order.size(); ++k)
         place[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
     return place;
 }
 
-}  // namespace dda
+}  // namespace rockslope::dda

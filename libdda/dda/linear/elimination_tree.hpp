@@ -4,7 +4,7 @@
 
 #include "dda/linear/block_matrix.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 /// The parent of each block in the elimination tree of a given order, by places in it; -1 for a root. [Liu
 /// 1990]
@@ -12,6 +12,6 @@ namespace dda {
 std::vector<int> elimination_tree(const BlockPattern& pattern, const std::vector<int>& place);
 
 /// Where each block stands in an order.
-std::vector<int> places_in(const std::vector<int>& order);
+std::vector<int> inverse_permutation(const std::vector<int>& order);
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -4,7 +4,7 @@
 
 #include "dda/linear/substitution_kernels.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 namespace {
 
@@ -17,8 +17,8 @@ struct Kernels : Strips<Scalar, Bytes> {
 
     /// sum -= A B^T: R vectors of rows from `first`, the six rows of B, both over `count` columns.
     template <int R>
-    DDA_KERNEL static void take_product(Vector (&sum)[R][unknowns], const Scalar* a, int first_vector,
-                                        const Scalar* b, int b_row, int columns, int count) {
+    DDA_KERNEL static void subtract_product(Vector (&sum)[R][unknowns], const Scalar* a, int first_vector,
+                                            const Scalar* b, int b_row, int columns, int count) {
         const Scalar* rows[R];
         for (int r = 0; r < R; ++r) rows[r] = a + vector_at(first_vector + r, columns);
         const Scalar* factors[unknowns];
@@ -38,7 +38,7 @@ struct Kernels : Strips<Scalar, Bytes> {
 
     /// sum = sum L^-T with the factor of the six columns' own square.
     template <int R>
-    DDA_KERNEL static void solve_square(Vector (&sum)[R][unknowns], const Scalar* square) {
+    DDA_KERNEL static void solve_diagonal_block(Vector (&sum)[R][unknowns], const Scalar* square) {
 #pragma GCC unroll 6
         for (int q = 0; q < unknowns; ++q) {
             const Scalar* row = square + q * unknowns;
@@ -77,8 +77,8 @@ struct Kernels : Strips<Scalar, Bytes> {
                                            int first_vector, int column, int columns) {
         Vector sum[R][unknowns];
         load<R>(sum, rows, first_vector, column, columns);
-        if (Update) take_product<R>(sum, rows, first_vector, pivots, column, columns, column);
-        if (Solve) solve_square<R>(sum, square);
+        if (Update) subtract_product<R>(sum, rows, first_vector, pivots, column, columns, column);
+        if (Solve) solve_diagonal_block<R>(sum, square);
         store<R>(sum, rows, first_vector, column, columns);
     }
 
@@ -96,7 +96,8 @@ struct Kernels : Strips<Scalar, Bytes> {
     }
 
     /// The factor of a 6x6 submatrix on the diagonal, into `square`.
-    DDA_KERNEL static bool factor_square(const Scalar* strips, int column, int columns, Scalar* square) {
+    DDA_KERNEL static bool factor_diagonal_block(const Scalar* strips, int column, int columns,
+                                                 Scalar* square) {
         for (int q = 0; q < unknowns; ++q) {
             const Scalar* row = strips + row_at(column + q, columns) + static_cast<long>(column) * w;
             for (int p = 0; p < unknowns; ++p)
@@ -121,11 +122,11 @@ struct Kernels : Strips<Scalar, Bytes> {
     DDA_KERNEL static bool factor_pivots(Scalar* panel, int pivots) {
         const int columns = pivots * unknowns;
         const int vectors = (columns + w - 1) / w * per_strip;
-        Scalar* strips = panel + squares_size<Scalar>(pivots);
+        Scalar* strips = panel + diagonal_blocks_size<Scalar>(pivots);
         for (int column = 0; column < columns; column += unknowns) {
             columns_of_all_rows<true, false>(strips, strips, panel, column / lanes, vectors, column, columns);
             Scalar* square = panel + column * unknowns;
-            if (!factor_square(strips, column, columns, square)) return false;
+            if (!factor_diagonal_block(strips, column, columns, square)) return false;
             columns_of_all_rows<false, true>(strips, strips, square, (column + unknowns) / lanes, vectors,
                                              column, columns);
             for (int row = column / lanes * lanes; row < column; ++row) {
@@ -138,7 +139,7 @@ struct Kernels : Strips<Scalar, Bytes> {
 
     DDA_KERNEL static void solve_rows(Scalar* panel, int pivots, int begin, int end) {
         const int columns = pivots * unknowns;
-        Scalar* strips = panel + squares_size<Scalar>(pivots);
+        Scalar* strips = panel + diagonal_blocks_size<Scalar>(pivots);
         Scalar* rows = strips + static_cast<long>((columns + w - 1) / w) * w * columns;
         // A few strips at a time stay in the cache for all columns.
         constexpr int together = Rows > per_strip ? Rows : per_strip;
@@ -154,10 +155,10 @@ struct Kernels : Strips<Scalar, Bytes> {
     DDA_KERNEL static void form_tile(const Scalar* rows, int first_vector, int column, int columns,
                                      Scalar* update, long stride) {
         Vector sum[R][unknowns] = {};
-        take_product<R>(sum, rows, first_vector, rows, column, columns, columns);
+        subtract_product<R>(sum, rows, first_vector, rows, column, columns, columns);
         const auto j = static_cast<std::size_t>(column / unknowns);
         const auto first_row = static_cast<int>(first_update_row(j, w));
-        Scalar* kept = update + update_column(j, static_cast<std::size_t>(stride), w);
+        Scalar* kept = update + update_column_offset(j, static_cast<std::size_t>(stride), w);
         for (int r = 0; r < R; ++r) {
             if ((first_vector + r) * lanes < first_row) continue;
 #pragma GCC unroll 6
@@ -171,8 +172,8 @@ struct Kernels : Strips<Scalar, Bytes> {
     DDA_KERNEL static void form_update(const Scalar* panel, int pivots, int row_strips, Scalar* update,
                                        long stride, int begin, int end) {
         const int columns = pivots * unknowns;
-        const Scalar* rows =
-            panel + squares_size<Scalar>(pivots) + static_cast<long>((columns + w - 1) / w) * w * columns;
+        const Scalar* rows = panel + diagonal_blocks_size<Scalar>(pivots) +
+                             static_cast<long>((columns + w - 1) / w) * w * columns;
         const int vectors = row_strips * per_strip;
         const auto below = [&](int v, int count) {  // columns that these rows are on or below the diagonal of
             const int reached = ((v + count) * lanes + unknowns - 1) / unknowns;
@@ -237,4 +238,4 @@ std::span<const FrontKernels<Scalar>> front_kernels() {
 template std::span<const FrontKernels<float>> front_kernels();
 template std::span<const FrontKernels<double>> front_kernels();
 
-}  // namespace dda
+}  // namespace rockslope::dda

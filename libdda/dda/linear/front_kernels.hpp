@@ -2,7 +2,7 @@
 
 #include <span>
 
-namespace dda {
+namespace rockslope::dda {
 
 /// The dense work on a front. A panel's rows are stored in strips: scalar (r, c) of a panel of k block
 /// columns is at ((r / w) * 6 k + c) * w + r % w, w = strip_rows<Scalar>, so that work on a few rows reads
@@ -10,7 +10,7 @@ namespace dda {
 /// of the diagonal submatrices, 36 scalars each by rows, with the reciprocals of their diagonals.
 ///
 /// One set of them for each width of the processor's vectors; each gives the same bytes for the same panel,
-/// whoever calls it and in whatever portions.
+/// whoever calls it and in whatever chunks.
 template <class Scalar>
 struct FrontKernels {
     /// Factorises the pivots' square. @return false when it is not positive definite.
@@ -36,4 +36,4 @@ std::span<const FrontKernels<Scalar>> front_kernels();
 extern template std::span<const FrontKernels<float>> front_kernels();
 extern template std::span<const FrontKernels<double>> front_kernels();
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -6,7 +6,7 @@
 
 #include "dda/linear/front_kernels.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 namespace {
 
@@ -29,34 +29,34 @@ void add_to_strips(Scalar* strips, int row, int block_column, int columns, const
 }
 
 /// ns of predicted work below which handing some of it to another thread (about 10 us) does not pay.
-constexpr double least_shared_cost = 1e5;
+constexpr double min_parallel_cost = 1e5;
 
-/// Calls body(begin, end) for portions of [0, count).
+/// Calls body(begin, end) for chunks of [0, count).
 template <class Body>
-void share(const Crew& crew, double cost, int count, const Body& body) {
-    constexpr int portion = 8;
-    if (crew.size() == 1 || cost < least_shared_cost) {
+void parallel_for_portions(const ThreadPool& pool, double cost, int count, const Body& body) {
+    constexpr int chunk = 8;
+    if (pool.size() == 1 || cost < min_parallel_cost) {
         if (count > 0) body(0, count);
         return;
     }
     const auto part = [&](std::size_t k, std::size_t) {
-        const int begin = static_cast<int>(k) * portion;
-        body(begin, std::min(begin + portion, count));
+        const int begin = static_cast<int>(k) * chunk;
+        body(begin, std::min(begin + chunk, count));
     };
-    crew.for_tasks(static_cast<std::size_t>((count + portion - 1) / portion), std::ref(part));
+    pool.parallel_for_dynamic(static_cast<std::size_t>((count + chunk - 1) / chunk), std::ref(part));
 }
 
 }  // namespace
 
 template <class Scalar>
 void MultifrontalFactor<Scalar>::analyze(const BlockPattern& pattern, const SupernodeTree& tree,
-                                         std::size_t most_kept) {
-    plan_ = plan_fronts(pattern, tree, strip_rows<Scalar>, most_kept);
-    complete_ = false;
-    factor_.resize(plan_.factor_size);
+                                         std::size_t max_kept) {
+    symbolic_ = symbolic_factorization(pattern, tree, strip_rows<Scalar>, max_kept);
+    has_factor_ = false;
+    factor_.resize(symbolic_.factor_size);
     vector_begin_.clear();
     std::size_t end = 0;
-    for (const Front& front : plan_.fronts) {
+    for (const Front& front : symbolic_.fronts) {
         vector_begin_.push_back(end);
         end += static_cast<std::size_t>(front.pivot_strips + front.row_strips) * strip_rows<Scalar>;
     }
@@ -65,21 +65,21 @@ void MultifrontalFactor<Scalar>::analyze(const BlockPattern& pattern, const Supe
 
 template <class Scalar>
 void MultifrontalFactor<Scalar>::assemble_panel(const BlockMatrix& matrix, std::size_t f) {
-    const Front& front = plan_.fronts[f];
+    const Front& front = symbolic_.fronts[f];
     const int columns = front.pivots * unknowns;
-    Scalar* strips = panel(front) + squares_size<Scalar>(front.pivots);
+    Scalar* strips = panel(front) + diagonal_blocks_size<Scalar>(front.pivots);
     std::fill_n(
         strips,
         static_cast<std::ptrdiff_t>(front.pivot_strips + front.row_strips) * strip_rows<Scalar> * columns,
         Scalar(0));
     for (int k = 0; k < front.pivots; ++k) {
         const int column = front.first + k;
-        const auto block = static_cast<std::size_t>(plan_.order[static_cast<std::size_t>(column)]);
+        const auto block = static_cast<std::size_t>(symbolic_.order[static_cast<std::size_t>(column)]);
         const Mat6& diagonal = matrix.diagonal[block];
         add_to_strips(strips, k * unknowns, k, columns,
                       [&](int r, int c) { return static_cast<Scalar>(diagonal(r, c)); });
     }
-    for (const FrontEntry& entry : plan_.entries_of(f)) {
+    for (const FrontEntry& entry : symbolic_.entries_of(f)) {
         const Mat6& upper = matrix.upper[static_cast<std::size_t>(entry.source)];
         if (entry.transposed)
             add_to_strips(strips, entry.row, entry.column, columns,
@@ -93,21 +93,23 @@ void MultifrontalFactor<Scalar>::assemble_panel(const BlockMatrix& matrix, std::
 template <class Scalar>
 void MultifrontalFactor<Scalar>::add_updates_to_panel(std::size_t f, Scalar* space) {
     constexpr std::size_t w = strip_rows<Scalar>;
-    const Front& front = plan_.fronts[f];
+    const Front& front = symbolic_.fronts[f];
     const int columns = front.pivots * unknowns;
-    Scalar* strips = panel(front) + squares_size<Scalar>(front.pivots);
-    for (const int c : plan_.children_of(f)) {
-        const Front& child = plan_.fronts[static_cast<std::size_t>(c)];
-        const std::span<const int> targets = plan_.targets_of(static_cast<std::size_t>(c));
-        for (std::size_t j = 0; j < targets.size() && targets[j] < front.pivots; ++j) {
-            const Scalar* column = update(child, space) + update_column(j, child.stride, w);
-            const std::size_t stride = update_stride(j, child.stride, w);
-            for (std::size_t i = j; i < targets.size(); ++i) {
-                const int row = targets[i] < front.pivots ? targets[i] * unknowns
-                                                          : front.pivot_strips * strip_rows<Scalar> +
-                                                                (targets[i] - front.pivots) * unknowns;
+    Scalar* strips = panel(front) + diagonal_blocks_size<Scalar>(front.pivots);
+    for (const int c : symbolic_.children_of(f)) {
+        const Front& child = symbolic_.fronts[static_cast<std::size_t>(c)];
+        const std::span<const int> relative_indices =
+            symbolic_.relative_indices_of(static_cast<std::size_t>(c));
+        for (std::size_t j = 0; j < relative_indices.size() && relative_indices[j] < front.pivots; ++j) {
+            const Scalar* column = update(child, space) + update_column_offset(j, child.stride, w);
+            const std::size_t stride = update_column_stride(j, child.stride, w);
+            for (std::size_t i = j; i < relative_indices.size(); ++i) {
+                const int row = relative_indices[i] < front.pivots
+                                    ? relative_indices[i] * unknowns
+                                    : front.pivot_strips * strip_rows<Scalar> +
+                                          (relative_indices[i] - front.pivots) * unknowns;
                 const Scalar* source = column + i * unknowns;
-                add_to_strips(strips, row, targets[j], columns, [&](int r, int q) {
+                add_to_strips(strips, row, relative_indices[j], columns, [&](int r, int q) {
                     return source[static_cast<std::size_t>(q) * stride + static_cast<std::size_t>(r)];
                 });
             }
@@ -118,23 +120,27 @@ void MultifrontalFactor<Scalar>::add_updates_to_panel(std::size_t f, Scalar* spa
 template <class Scalar>
 void MultifrontalFactor<Scalar>::add_updates_to_update(std::size_t f, Scalar* space) {
     constexpr std::size_t w = strip_rows<Scalar>;
-    const Front& front = plan_.fronts[f];
-    for (const int c : plan_.children_of(f)) {
-        const Front& child = plan_.fronts[static_cast<std::size_t>(c)];
-        const std::span<const int> targets = plan_.targets_of(static_cast<std::size_t>(c));
+    const Front& front = symbolic_.fronts[f];
+    for (const int c : symbolic_.children_of(f)) {
+        const Front& child = symbolic_.fronts[static_cast<std::size_t>(c)];
+        const std::span<const int> relative_indices =
+            symbolic_.relative_indices_of(static_cast<std::size_t>(c));
         const auto first = static_cast<std::size_t>(
-            std::lower_bound(targets.begin(), targets.end(), front.pivots) - targets.begin());
-        for (std::size_t j = first; j < targets.size(); ++j) {
-            const auto column = static_cast<std::size_t>(targets[j] - front.pivots);
-            const Scalar* from = update(child, space) + update_column(j, child.stride, w);
-            Scalar* to = update(front, space) + update_column(column, front.stride, w);
-            const std::size_t from_stride = update_stride(j, child.stride, w);
-            const std::size_t to_stride = update_stride(column, front.stride, w);
-            for (std::size_t i = j; i < targets.size();) {  // rows that are neighbours in both
+            std::lower_bound(relative_indices.begin(), relative_indices.end(), front.pivots) -
+            relative_indices.begin());
+        for (std::size_t j = first; j < relative_indices.size(); ++j) {
+            const auto column = static_cast<std::size_t>(relative_indices[j] - front.pivots);
+            const Scalar* from = update(child, space) + update_column_offset(j, child.stride, w);
+            Scalar* to = update(front, space) + update_column_offset(column, front.stride, w);
+            const std::size_t from_stride = update_column_stride(j, child.stride, w);
+            const std::size_t to_stride = update_column_stride(column, front.stride, w);
+            for (std::size_t i = j; i < relative_indices.size();) {  // rows that are neighbours in both
                 std::size_t end = i + 1;
-                while (end < targets.size() && targets[end] == targets[end - 1] + 1) ++end;
+                while (end < relative_indices.size() &&
+                       relative_indices[end] == relative_indices[end - 1] + 1)
+                    ++end;
                 const Scalar* source = from + i * unknowns;
-                Scalar* target = to + static_cast<std::size_t>(targets[i] - front.pivots) * unknowns;
+                Scalar* target = to + static_cast<std::size_t>(relative_indices[i] - front.pivots) * unknowns;
                 const std::size_t count = (end - i) * unknowns;
                 for (int q = 0; q < unknowns; ++q, source += from_stride, target += to_stride) {
                     for (std::size_t k = 0; k < count; ++k) target[k] += source[k];
@@ -146,8 +152,8 @@ void MultifrontalFactor<Scalar>::add_updates_to_update(std::size_t f, Scalar* sp
 }
 
 template <class Scalar>
-bool MultifrontalFactor<Scalar>::eliminate(std::size_t f, Scalar* space, const Crew& crew) {
-    const Front& front = plan_.fronts[f];
+bool MultifrontalFactor<Scalar>::eliminate(std::size_t f, Scalar* space, const ThreadPool& pool) {
+    const Front& front = symbolic_.fronts[f];
     if (!kernels_.factor_pivots(panel(front), front.pivots)) return false;
     const auto strips = [&](int begin, int end) {
         kernels_.solve_rows(panel(front), front.pivots, begin, end);
@@ -156,88 +162,88 @@ bool MultifrontalFactor<Scalar>::eliminate(std::size_t f, Scalar* space, const C
         kernels_.form_update(panel(front), front.pivots, front.row_strips, update(front, space),
                              static_cast<long>(front.stride), begin, end);
     };
-    share(crew, front.cost, front.row_strips, strips);
+    parallel_for_portions(pool, front.cost, front.row_strips, strips);
     kernels_.invert_groups(panel(front), front.pivots);
-    share(crew, front.cost, front.rows, columns);
+    parallel_for_portions(pool, front.cost, front.rows, columns);
     return true;
 }
 
 template <class Scalar>
-bool MultifrontalFactor<Scalar>::work_through(std::size_t f, const BlockMatrix& matrix, Scalar* space,
-                                              const Crew& crew) {
+bool MultifrontalFactor<Scalar>::factorize_front(std::size_t f, const BlockMatrix& matrix, Scalar* space,
+                                                 const ThreadPool& pool) {
     assemble_panel(matrix, f);
     add_updates_to_panel(f, space);
-    if (!eliminate(f, space, crew)) return false;
+    if (!eliminate(f, space, pool)) return false;
     add_updates_to_update(f, space);
     return true;
 }
 
 template <class Scalar>
 void MultifrontalFactor<Scalar>::find_outdated(std::span<const char> changed) {
-    const bool all = changed.empty() || !complete_ || !plan_.keeps_updates;
-    outdated_.assign(plan_.count(), all ? 1 : 0);
+    const bool all = changed.empty() || !has_factor_ || !symbolic_.keeps_updates;
+    outdated_.assign(symbolic_.count(), all ? 1 : 0);
     if (all) return;
-    for (std::size_t f = 0; f < plan_.count(); ++f) {
-        const Front& front = plan_.fronts[f];
+    for (std::size_t f = 0; f < symbolic_.count(); ++f) {
+        const Front& front = symbolic_.fronts[f];
         for (int k = front.first; k < front.first + front.pivots; ++k) {
-            const int row = plan_.order[static_cast<std::size_t>(k)];
+            const int row = symbolic_.order[static_cast<std::size_t>(k)];
             if (changed[static_cast<std::size_t>(row)] != 0) outdated_[f] = 1;
         }
         if (outdated_[f] != 0 && front.parent >= 0) outdated_[static_cast<std::size_t>(front.parent)] = 1;
     }
-    for (const Subtree& unit : plan_.units) {
+    for (const Subtree& unit : symbolic_.refactor_units) {
         if (outdated_[static_cast<std::size_t>(unit.end - 1)] != 0)
             std::fill(outdated_.begin() + unit.begin, outdated_.begin() + unit.end, 1);
     }
 }
 
 template <class Scalar>
-bool MultifrontalFactor<Scalar>::factorize(const BlockMatrix& matrix, const Crew& crew,
+bool MultifrontalFactor<Scalar>::factorize(const BlockMatrix& matrix, const ThreadPool& pool,
                                            std::span<const char> changed) {
-    const Crew alone(1);
+    const ThreadPool serial(1);
     find_outdated(changed);
-    shared_updates_.resize(plan_.shared_space);
-    subtree_updates_.resize(plan_.subtree_space * static_cast<std::size_t>(crew.size()));
+    shared_updates_.resize(symbolic_.shared_space);
+    subtree_updates_.resize(symbolic_.subtree_space * static_cast<std::size_t>(pool.size()));
     std::atomic<bool> definite{true};
-    const auto work_through_fronts = [&](const Subtree& fronts, Scalar* space, const Crew& helpers) {
+    const auto factorize_fronts = [&](const Subtree& fronts, Scalar* space, const ThreadPool& helpers) {
         for (int f = fronts.begin; f < fronts.end && definite; ++f) {
             const auto front = static_cast<std::size_t>(f);
-            if (outdated_[front] != 0 && !work_through(front, matrix, space, helpers)) definite = false;
+            if (outdated_[front] != 0 && !factorize_front(front, matrix, space, helpers)) definite = false;
         }
     };
     const auto is_divided = [&](const Subtree& fronts) {
-        return plan_.fronts[static_cast<std::size_t>(fronts.begin)].divided;
+        return symbolic_.fronts[static_cast<std::size_t>(fronts.begin)].divided;
     };
-    plan_.tasks.rise(plan_.cost < least_shared_cost ? alone : crew,
-                     [&](std::size_t task, std::size_t thread) {
-                         const Subtree fronts = plan_.fronts_of(task);
-                         Scalar* space = subtree_updates_.data() + thread * plan_.subtree_space;
-                         if (!is_divided(fronts)) work_through_fronts(fronts, space, alone);
-                     });
-    for (std::size_t task = plan_.subtrees.size(); task < plan_.tasks.count(); ++task) {
-        const Subtree fronts = plan_.fronts_of(task);
-        if (is_divided(fronts)) work_through_fronts(fronts, nullptr, crew);
+    symbolic_.tasks.run_leaves_first(
+        symbolic_.cost < min_parallel_cost ? serial : pool, [&](std::size_t task, std::size_t thread) {
+            const Subtree fronts = symbolic_.fronts_of(task);
+            Scalar* space = subtree_updates_.data() + thread * symbolic_.subtree_space;
+            if (!is_divided(fronts)) factorize_fronts(fronts, space, serial);
+        });
+    for (std::size_t task = symbolic_.subtrees.size(); task < symbolic_.tasks.count(); ++task) {
+        const Subtree fronts = symbolic_.fronts_of(task);
+        if (is_divided(fronts)) factorize_fronts(fronts, nullptr, pool);
     }
-    if (!plan_.keeps_updates) {
+    if (!symbolic_.keeps_updates) {
         shared_updates_.release();
         subtree_updates_.release();
     }
-    complete_ = definite;
+    has_factor_ = definite;
     return definite;
 }
 
 template <class Scalar>
 void MultifrontalFactor<Scalar>::solve_forward(std::size_t f, std::span<const Vec6> b) {
-    const Front& front = plan_.fronts[f];
+    const Front& front = symbolic_.fronts[f];
     const int padded = front.pivot_strips * strip_rows<Scalar>;
     Scalar* x = vector(f);
     for (int k = 0; k < front.pivots; ++k) block(x, k) = b[row_of_pivot(front, k)].template cast<Scalar>();
     Scalar* rows = x + padded;
     std::fill(x + front.pivots * unknowns, rows + front.row_strips * strip_rows<Scalar>, Scalar(0));
-    for (const int c : plan_.children_of(f)) {
+    for (const int c : symbolic_.children_of(f)) {
         const auto child = static_cast<std::size_t>(c);
-        const Scalar* from = vector(child) + plan_.fronts[child].pivot_strips * strip_rows<Scalar>;
-        for (const int target : plan_.targets_of(child)) {
+        const Scalar* from = vector(child) + symbolic_.fronts[child].pivot_strips * strip_rows<Scalar>;
+        for (const int target : symbolic_.relative_indices_of(child)) {
             Scalar* to =
                 target < front.pivots ? x + target * unknowns : rows + (target - front.pivots) * unknowns;
             for (int q = 0; q < unknowns; ++q) to[q] += from[q];
@@ -249,15 +255,15 @@ void MultifrontalFactor<Scalar>::solve_forward(std::size_t f, std::span<const Ve
 
 template <class Scalar>
 void MultifrontalFactor<Scalar>::solve_backward(std::size_t f, std::span<Vec6> solution) {
-    const Front& front = plan_.fronts[f];
+    const Front& front = symbolic_.fronts[f];
     Scalar* x = vector(f);
     if (front.parent >= 0) {
         const auto p = static_cast<std::size_t>(front.parent);
-        const Front& parent = plan_.fronts[p];
+        const Front& parent = symbolic_.fronts[p];
         const Scalar* pivots = vector(p);
         const Scalar* rows = pivots + parent.pivot_strips * strip_rows<Scalar>;
         Scalar* to = x + front.pivot_strips * strip_rows<Scalar>;
-        for (const int target : plan_.targets_of(f)) {
+        for (const int target : symbolic_.relative_indices_of(f)) {
             std::copy_n(target < parent.pivots ? pivots + target * unknowns
                                                : rows + (target - parent.pivots) * unknowns,
                         unknowns, to);
@@ -270,15 +276,15 @@ void MultifrontalFactor<Scalar>::solve_backward(std::size_t f, std::span<Vec6> s
 }
 
 template <class Scalar>
-void MultifrontalFactor<Scalar>::solve(std::span<Vec6> x, const Crew& crew) {
-    const Crew alone(1);
-    const Crew& helpers = plan_.factor_size < least_shared_factor ? alone : crew;
-    plan_.tasks.rise(helpers, [&](std::size_t task, std::size_t) {
-        const Subtree fronts = plan_.fronts_of(task);
+void MultifrontalFactor<Scalar>::solve(std::span<Vec6> x, const ThreadPool& pool) {
+    const ThreadPool serial(1);
+    const ThreadPool& helpers = symbolic_.factor_size < min_parallel_factor_size ? serial : pool;
+    symbolic_.tasks.run_leaves_first(helpers, [&](std::size_t task, std::size_t) {
+        const Subtree fronts = symbolic_.fronts_of(task);
         for (int f = fronts.begin; f < fronts.end; ++f) solve_forward(static_cast<std::size_t>(f), x);
     });
-    plan_.tasks.descend(helpers, [&](std::size_t task, std::size_t) {
-        const Subtree fronts = plan_.fronts_of(task);
+    symbolic_.tasks.run_roots_first(helpers, [&](std::size_t task, std::size_t) {
+        const Subtree fronts = symbolic_.fronts_of(task);
         for (int f = fronts.end; f-- > fronts.begin;) solve_backward(static_cast<std::size_t>(f), x);
     });
 }
@@ -286,4 +292,4 @@ void MultifrontalFactor<Scalar>::solve(std::span<Vec6> x, const Crew& crew) {
 template class MultifrontalFactor<float>;
 template class MultifrontalFactor<double>;
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -3,15 +3,15 @@
 #include <span>
 #include <vector>
 
-#include "dda/base/parallel.hpp"
+#include "common/base/thread_pool.hpp"
 #include "dda/linear/aligned_buffer.hpp"
 #include "dda/linear/front_kernels.hpp"
-#include "dda/linear/front_plan.hpp"
+#include "dda/linear/symbolic_factor.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 /// Scalars of a factor up to which its substitutions are not shared: some 70 us of work.
-inline constexpr std::size_t least_shared_factor = std::size_t{1} << 19;
+inline constexpr std::size_t min_parallel_factor_size = std::size_t{1} << 19;
 
 /// Cholesky factorisation of a symmetric block matrix by fronts: dense work only, the subtrees of the
 /// assembly tree shared among threads. The factor is the same bytes with any number of threads. [Duff & Reid
@@ -22,17 +22,17 @@ class MultifrontalFactor {
   public:
     /// Lays out the fronts and takes the memory that the factor needs.
     void analyze(const BlockPattern& pattern, const SupernodeTree& tree,
-                 std::size_t most_kept = most_kept_updates);
+                 std::size_t max_kept = max_kept_updates);
     /// @param changed per row, where the matrix may differ from the last one, with the columns of that index;
     /// empty: everywhere. Where updates are kept only fronts above such rows are worked through, to the same
     /// bytes.
     /// @return false when the matrix is not positive definite in this precision; there is no factor then.
-    bool factorize(const BlockMatrix& matrix, const Crew& crew, std::span<const char> changed = {});
+    bool factorize(const BlockMatrix& matrix, const ThreadPool& pool, std::span<const char> changed = {});
     /// x = A^-1 b in place, with the factor's precision; the same bytes with any number of threads.
-    void solve(std::span<Vec6> x, const Crew& crew);
-    void solve(std::span<Vec6> x) { solve(x, Crew(1)); }
+    void solve(std::span<Vec6> x, const ThreadPool& pool);
+    void solve(std::span<Vec6> x) { solve(x, ThreadPool(1)); }
 
-    const FrontPlan& plan() const { return plan_; }
+    const SymbolicFactor& symbolic() const { return symbolic_; }
 
   private:
     void assemble_panel(const BlockMatrix& matrix, std::size_t f);
@@ -42,8 +42,8 @@ class MultifrontalFactor {
     /// Which fronts' panels differ from the present factor's.
     void find_outdated(std::span<const char> changed);
     /// The front's dense work; its parts may be shared.
-    bool eliminate(std::size_t f, Scalar* space, const Crew& crew);
-    bool work_through(std::size_t f, const BlockMatrix& matrix, Scalar* space, const Crew& crew);
+    bool eliminate(std::size_t f, Scalar* space, const ThreadPool& pool);
+    bool factorize_front(std::size_t f, const BlockMatrix& matrix, Scalar* space, const ThreadPool& pool);
     Scalar* update(const Front& front, Scalar* space) {
         return (front.in_subtree ? space : shared_updates_.data()) + front.update;
     }
@@ -57,12 +57,12 @@ class MultifrontalFactor {
     static auto block(Scalar* x, int k) { return Eigen::Map<Eigen::Matrix<Scalar, 6, 1>>(x + 6 * k); }
     std::size_t row_of_pivot(const Front& front, int k) const {
         const int column = front.first + k;
-        return static_cast<std::size_t>(plan_.order[static_cast<std::size_t>(column)]);
+        return static_cast<std::size_t>(symbolic_.order[static_cast<std::size_t>(column)]);
     }
 
     const FrontKernels<Scalar>& kernels_ = front_kernels<Scalar>().front();
-    FrontPlan plan_;
-    bool complete_ = false;       ///< there is a factor
+    SymbolicFactor symbolic_;
+    bool has_factor_ = false;     ///< there is a factor
     std::vector<char> outdated_;  ///< per front
     AlignedBuffer<Scalar> factor_;
     AlignedBuffer<Scalar> shared_updates_;
@@ -74,4 +74,4 @@ class MultifrontalFactor {
 extern template class MultifrontalFactor<float>;
 extern template class MultifrontalFactor<double>;
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -7,7 +7,7 @@
 #include "dda/linear/elimination_tree.hpp"
 #include "dda/linear/linear_solver.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 namespace {
 
@@ -49,7 +49,7 @@ std::vector<int> nested_dissection(const BlockPattern& pattern) {
     return order;
 }
 
-/// The places in the order in which a walk through the tree leaves them: each subtree is together.
+/// The places in the order in which a walk through the tree leaves them: each subtree is postordered.
 std::vector<int> postorder(const std::vector<int>& parent) {
     const std::size_t size = parent.size();
     std::vector<std::vector<int>> children(size + 1);  // the last: the roots
@@ -74,11 +74,11 @@ std::vector<int> postorder(const std::vector<int>& parent) {
 
 std::vector<int> fill_reducing_order(const BlockPattern& pattern) {
     const std::vector<int> order = nested_dissection(pattern);
-    std::vector<int> together;
-    together.reserve(order.size());
-    for (const int k : postorder(elimination_tree(pattern, places_in(order))))
-        together.push_back(order[static_cast<std::size_t>(k)]);
-    return together;
+    std::vector<int> postordered;
+    postordered.reserve(order.size());
+    for (const int k : postorder(elimination_tree(pattern, inverse_permutation(order))))
+        postordered.push_back(order[static_cast<std::size_t>(k)]);
+    return postordered;
 }
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -4,27 +4,27 @@
 #include <functional>
 #include <utility>
 
-namespace dda {
+namespace rockslope::dda {
 
 namespace {
 
 /// Three to nine are normal. Where they do not suffice single precision is too little.
-constexpr int most_iterations = 30;
+constexpr int max_iterations = 30;
 
 /// Of the diagonal, by which it is raised where rounding in single precision takes a pivot below zero, as of
 /// a splinter between stiff springs: the preconditioner need not be exact.
-constexpr double hold = 4e-6;
+constexpr double diagonal_shift = 4e-6;
 
-double dot(std::span<const Vec6> a, std::span<const Vec6> b, const Crew& crew) {
-    const auto of_portion = [&](std::size_t begin, std::size_t end) {
+double dot(std::span<const Vec6> a, std::span<const Vec6> b, const ThreadPool& pool) {
+    const auto chunk_value = [&](std::size_t begin, std::size_t end) {
         double sum = 0;
         for (std::size_t i = begin; i < end; ++i) sum += a[i].dot(b[i]);
         return sum;
     };
-    return crew.taken_together(a.size(), 0.0, of_portion, std::plus<>());
+    return pool.parallel_reduce(a.size(), 0.0, chunk_value, std::plus<>());
 }
 
-double scaled_square(const Vec6& v, const Vec6& weight) {
+double scaled_squared_norm(const Vec6& v, const Vec6& weight) {
     return v.cwiseAbs2().dot(weight);
 }
 
@@ -35,78 +35,80 @@ void RefinedFactor::analyze(const BlockPattern& pattern, const SupernodeTree& tr
     factor_.analyze(pattern, tree);
 }
 
-bool RefinedFactor::factorize(const BlockMatrix& matrix, const Crew& crew, std::span<const char> changed) {
+bool RefinedFactor::factorize(const BlockMatrix& matrix, const ThreadPool& pool,
+                              std::span<const char> changed) {
     matrix_ = &matrix;
     weight_.resize(matrix.diagonal.size());
-    crew.for_ranges(weight_.size(), [&](std::size_t begin, std::size_t end) {
+    pool.parallel_for(weight_.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) weight_[i] = matrix.diagonal[i].diagonal().cwiseInverse();
     });
-    if (factor_.factorize(matrix, crew, changed)) return true;
-    BlockMatrix held = matrix;
-    for (Mat6& diagonal : held.diagonal) diagonal.diagonal() *= 1 + hold;
-    return factor_.factorize(held, crew);
+    if (factor_.factorize(matrix, pool, changed)) return true;
+    BlockMatrix shifted = matrix;
+    for (Mat6& diagonal : shifted.diagonal) diagonal.diagonal() *= 1 + diagonal_shift;
+    return factor_.factorize(shifted, pool);
 }
 
-RefinedFactor::Outcome RefinedFactor::refine(std::span<Vec6> x, std::span<const Vec6> b, double share,
-                                             const Crew& crew) {
-    const Squares squares = start(x, b, crew);
-    const double enough = share * share * squares.load;
-    double left = squares.residual;
+RefinedFactor::Outcome RefinedFactor::refine(std::span<Vec6> x, std::span<const Vec6> b, double tolerance,
+                                             const ThreadPool& pool) {
+    const SquaredNorms squared_norms = reset_residual(x, b, pool);
+    const double target = tolerance * tolerance * squared_norms.load;
+    double residual_square = squared_norms.residual;
     double last = 0;
-    for (int k = 0; k <= most_iterations; ++k) {
-        if (left <= enough) return {true, k};
-        refined_ = residual_;
-        factor_.solve(refined_, crew);
-        const double energy = dot(residual_, refined_, crew);
+    for (int k = 0; k <= max_iterations; ++k) {
+        if (residual_square <= target) return {true, k};
+        preconditioned_ = residual_;
+        factor_.solve(preconditioned_, pool);
+        const double energy = dot(residual_, preconditioned_, pool);
         if (k == 0) {
-            std::swap(direction_, refined_);
+            std::swap(direction_, preconditioned_);
         } else {
-            crew.for_ranges(x.size(), [&](std::size_t begin, std::size_t end) {
+            pool.parallel_for(x.size(), [&](std::size_t begin, std::size_t end) {
                 for (std::size_t i = begin; i < end; ++i)
-                    direction_[i] = refined_[i] + (energy / last) * direction_[i];
+                    direction_[i] = preconditioned_[i] + (energy / last) * direction_[i];
             });
         }
         last = energy;
-        matrix_->multiply(pattern_, direction_, image_, crew);
-        const double curvature = dot(direction_, image_, crew);
+        matrix_->multiply(pattern_, direction_, image_, pool);
+        const double curvature = dot(direction_, image_, pool);
         if (!(curvature > 0)) return {false, k + 1};  // rounding, or the matrix is indefinite
         const double step = energy / curvature;
-        const auto go = [&](std::size_t begin, std::size_t end) {
+        const auto update = [&](std::size_t begin, std::size_t end) {
             double sum = 0;
             for (std::size_t i = begin; i < end; ++i) {
                 x[i] += step * direction_[i];
                 residual_[i] -= step * image_[i];
-                sum += scaled_square(residual_[i], weight_[i]);
+                sum += scaled_squared_norm(residual_[i], weight_[i]);
             }
             return sum;
         };
-        left = crew.taken_together(x.size(), 0.0, go, std::plus<>());
+        residual_square = pool.parallel_reduce(x.size(), 0.0, update, std::plus<>());
     }
-    return {false, most_iterations + 1};
+    return {false, max_iterations + 1};
 }
 
-RefinedFactor::Squares RefinedFactor::start(std::span<Vec6> x, std::span<const Vec6> b, const Crew& crew) {
+RefinedFactor::SquaredNorms RefinedFactor::reset_residual(std::span<Vec6> x, std::span<const Vec6> b,
+                                                          const ThreadPool& pool) {
     image_.resize(b.size());
     residual_.resize(b.size());
-    matrix_->multiply(pattern_, x, image_, crew);
-    const auto of_portion = [&](std::size_t begin, std::size_t end) {
-        Squares squares;
+    matrix_->multiply(pattern_, x, image_, pool);
+    const auto chunk_value = [&](std::size_t begin, std::size_t end) {
+        SquaredNorms squared_norms;
         for (std::size_t i = begin; i < end; ++i) {
             residual_[i] = b[i] - image_[i];
-            squares.residual += scaled_square(residual_[i], weight_[i]);
-            squares.load += scaled_square(b[i], weight_[i]);
+            squared_norms.residual += scaled_squared_norm(residual_[i], weight_[i]);
+            squared_norms.load += scaled_squared_norm(b[i], weight_[i]);
         }
-        return squares;
+        return squared_norms;
     };
-    const auto add = [](const Squares& sum, const Squares& more) {
-        return Squares{sum.residual + more.residual, sum.load + more.load};
+    const auto add = [](const SquaredNorms& sum, const SquaredNorms& more) {
+        return SquaredNorms{sum.residual + more.residual, sum.load + more.load};
     };
-    Squares squares = crew.taken_together(b.size(), Squares(), of_portion, add);
-    if (squares.residual <= squares.load) return squares;
+    SquaredNorms squared_norms = pool.parallel_reduce(b.size(), SquaredNorms(), chunk_value, add);
+    if (squared_norms.residual <= squared_norms.load) return squared_norms;
     std::fill(x.begin(), x.end(), Vec6::Zero());
     residual_.assign(b.begin(), b.end());
-    squares.residual = squares.load;
-    return squares;
+    squared_norms.residual = squared_norms.load;
+    return squared_norms;
 }
 
-}  // namespace dda
+}  // namespace rockslope::dda

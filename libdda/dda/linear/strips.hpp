@@ -1,8 +1,8 @@
 #pragma once
 
-#include "dda/linear/front_plan.hpp"
+#include "dda/linear/symbolic_factor.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 /// Kernels are inlined into functions that are compiled for one kind of processor each.
 #define DDA_KERNEL [[gnu::always_inline]] inline
@@ -13,7 +13,7 @@ struct Strips {
     typedef Scalar Vector __attribute__((vector_size(Bytes), may_alias));
     /// Of any place: the sanitizer's stack frames do not keep to the alignment that wide vectors ask for, and
     /// where the place is aligned it costs the same.
-    typedef Scalar VectorAnywhere __attribute__((vector_size(Bytes), may_alias, aligned(alignof(Scalar))));
+    typedef Scalar UnalignedVector __attribute__((vector_size(Bytes), may_alias, aligned(alignof(Scalar))));
     static constexpr int unknowns = 6;
     static constexpr int lanes = Bytes / static_cast<int>(sizeof(Scalar));
     static constexpr int w = strip_rows<Scalar>;
@@ -28,12 +28,12 @@ struct Strips {
                static_cast<long>(vector % per_strip) * lanes;
     }
 
-    DDA_KERNEL static const VectorAnywhere& load(const Scalar* at) {
-        return *reinterpret_cast<const VectorAnywhere*>(at);
+    DDA_KERNEL static const UnalignedVector& load(const Scalar* at) {
+        return *reinterpret_cast<const UnalignedVector*>(at);
     }
     DDA_KERNEL static void store(const Vector& vector, Scalar* at) {
-        *reinterpret_cast<VectorAnywhere*>(at) = vector;
+        *reinterpret_cast<UnalignedVector*>(at) = vector;
     }
 };
 
-}  // namespace dda
+}  // namespace rockslope::dda

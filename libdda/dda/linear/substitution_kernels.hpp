@@ -4,7 +4,7 @@
 
 #include "dda/linear/strips.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 /// Forward and backward substitution with a front's panel, by groups of block columns. A substitution reads
 /// the factor once and computes little: what it takes is memory's time, as long as no number waits for the
@@ -60,7 +60,7 @@ struct Substitution : Strips<Scalar, Bytes> {
     }
     DDA_KERNEL static void invert_groups(Scalar* panel, int pivots) {
         const int columns = pivots * unknowns;
-        Scalar* strips = panel + squares_size<Scalar>(pivots);
+        Scalar* strips = panel + diagonal_blocks_size<Scalar>(pivots);
         for (int first = 0; first < columns; first += group_columns) {
             const int last = first + group_columns < columns ? first + group_columns : columns;
             invert_group(panel, strips, columns, first, last);
@@ -92,8 +92,8 @@ struct Substitution : Strips<Scalar, Bytes> {
     }
     /// Takes these from x.
     template <int R>
-    DDA_KERNEL static void take(const Scalar* strips, int columns, int column, int count, int first_vector,
-                                const Scalar* y, Scalar* x) {
+    DDA_KERNEL static void subtract_products(const Scalar* strips, int columns, int column, int count,
+                                             int first_vector, const Scalar* y, Scalar* x) {
         Vector sum[R];
         multiply<R>(sum, strips, columns, column, count, first_vector, y);
         for (int r = 0; r < R; ++r) {
@@ -104,7 +104,7 @@ struct Substitution : Strips<Scalar, Bytes> {
 
     DDA_KERNEL static void forward(const Scalar* panel, int pivots, int strips, Scalar* x) {
         const int columns = pivots * unknowns;
-        const Scalar* below = panel + squares_size<Scalar>(pivots);
+        const Scalar* below = panel + diagonal_blocks_size<Scalar>(pivots);
         for (int first = 0; first < columns; first += group_columns) {
             const int last = first + group_columns < columns ? first + group_columns : columns;
             const int begin = first / lanes;
@@ -116,12 +116,13 @@ struct Substitution : Strips<Scalar, Bytes> {
             }
             const Scalar* y = own + first - begin * lanes;
             int v = last < columns ? last / lanes : vectors_up_to(last);
-            for (; v + 4 <= strips * per_strip; v += 4) take<4>(below, columns, first, last - first, v, y, x);
+            for (; v + 4 <= strips * per_strip; v += 4)
+                subtract_products<4>(below, columns, first, last - first, v, y, x);
             if (v + 2 <= strips * per_strip) {
-                take<2>(below, columns, first, last - first, v, y, x);
+                subtract_products<2>(below, columns, first, last - first, v, y, x);
                 v += 2;
             }
-            if (v < strips * per_strip) take<1>(below, columns, first, last - first, v, y, x);
+            if (v < strips * per_strip) subtract_products<1>(below, columns, first, last - first, v, y, x);
             for (int c = first; c < last; ++c) x[c] = y[c - first];
         }
     }
@@ -188,7 +189,7 @@ struct Substitution : Strips<Scalar, Bytes> {
 
     DDA_KERNEL static void backward(const Scalar* panel, int pivots, int strips, Scalar* x) {
         const int columns = pivots * unknowns;
-        const Scalar* below = panel + squares_size<Scalar>(pivots);
+        const Scalar* below = panel + diagonal_blocks_size<Scalar>(pivots);
         const int rest = pivots % group;
         const int first = (pivots - rest) * unknowns;
         if (rest == 1) group_backward<1>(below, columns, first, strips * per_strip, x);
@@ -198,4 +199,4 @@ struct Substitution : Strips<Scalar, Bytes> {
     }
 };
 
-}  // namespace dda
+}  // namespace rockslope::dda

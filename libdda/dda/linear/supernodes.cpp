@@ -5,7 +5,7 @@
 
 #include "dda/linear/elimination_tree.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 namespace {
 
@@ -37,7 +37,7 @@ std::vector<std::vector<int>> later_neighbours(const BlockPattern& pattern, cons
 Columns find_columns(const BlockPattern& pattern, const std::vector<int>& order,
                      const std::vector<int>& parent) {
     Columns columns;
-    columns.reach = later_neighbours(pattern, places_in(order));
+    columns.reach = later_neighbours(pattern, inverse_permutation(order));
     const std::size_t size = order.size();
     columns.starts.assign(size, 1);
     std::vector<std::vector<std::size_t>> children(size);
@@ -71,14 +71,14 @@ struct Candidate {
     std::vector<int> columns;  ///< places in the old order
     std::vector<int> rows;     ///< places in the old order, ascending
     std::vector<std::size_t> children;
-    bool absorbed = false;
+    bool is_merged = false;
     double cost() const {
         return front_cost(static_cast<int>(columns.size()), static_cast<int>(rows.size()));
     }
 };
 
 std::vector<Candidate> fundamental_supernodes(const BlockPattern& pattern, const std::vector<int>& order) {
-    const std::vector<int> parent = elimination_tree(pattern, places_in(order));
+    const std::vector<int> parent = elimination_tree(pattern, inverse_permutation(order));
     Columns columns = find_columns(pattern, order, parent);
     std::vector<Candidate> found;
     std::vector<std::size_t> supernode_of(order.size());
@@ -100,22 +100,22 @@ std::vector<Candidate> fundamental_supernodes(const BlockPattern& pattern, const
 }
 
 /// Lets a supernode absorb those of its children, and of theirs, that are cheaper within it.
-void absorb_children(std::vector<Candidate>& nodes, std::size_t parent) {
+void merge_children(std::vector<Candidate>& nodes, std::size_t parent) {
     Candidate& node = nodes[parent];
-    std::vector<std::size_t> asked = std::move(node.children);
+    std::vector<std::size_t> pending = std::move(node.children);
     node.children.clear();
-    for (std::size_t i = 0; i < asked.size(); ++i) {
-        Candidate& child = nodes[asked[i]];
-        const double together = front_cost(static_cast<int>(child.columns.size() + node.columns.size()),
-                                           static_cast<int>(node.rows.size()));
-        if (together > child.cost() + node.cost()) {
-            node.children.push_back(asked[i]);
+    for (std::size_t i = 0; i < pending.size(); ++i) {
+        Candidate& child = nodes[pending[i]];
+        const double merged_cost = front_cost(static_cast<int>(child.columns.size() + node.columns.size()),
+                                              static_cast<int>(node.rows.size()));
+        if (merged_cost > child.cost() + node.cost()) {
+            node.children.push_back(pending[i]);
             continue;
         }
-        child.absorbed = true;
+        child.is_merged = true;
         child.columns.insert(child.columns.end(), node.columns.begin(), node.columns.end());
         node.columns = std::move(child.columns);
-        asked.insert(asked.end(), child.children.begin(), child.children.end());
+        pending.insert(pending.end(), child.children.begin(), child.children.end());
     }
 }
 
@@ -128,7 +128,7 @@ double front_cost(int pivots, int rows) {
     return per_front + per_pivot * pivots + flops / flops_per_ns + per_assembled * rows * rows / 2;
 }
 
-double submatrices(const SupernodeTree& tree) {
+double factor_submatrices(const SupernodeTree& tree) {
     double sum = 0;
     for (const Supernode& node : tree.nodes)
         sum += node.pivots * ((node.pivots + 1) / 2.0 + static_cast<double>(node.rows.size()));
@@ -137,14 +137,14 @@ double submatrices(const SupernodeTree& tree) {
 
 SupernodeTree find_supernodes(const BlockPattern& pattern, const std::vector<int>& order) {
     std::vector<Candidate> candidates = fundamental_supernodes(pattern, order);
-    for (std::size_t s = 0; s < candidates.size(); ++s) absorb_children(candidates, s);
+    for (std::size_t s = 0; s < candidates.size(); ++s) merge_children(candidates, s);
 
     SupernodeTree tree;
     std::vector<int> place(order.size());  // by place in the old order
     std::vector<int> node_of(candidates.size(), -1);
     for (std::size_t s = 0; s < candidates.size(); ++s) {
         Candidate& candidate = candidates[s];
-        if (candidate.absorbed) continue;
+        if (candidate.is_merged) continue;
         node_of[s] = static_cast<int>(tree.nodes.size());
         Supernode node;
         node.first = static_cast<int>(tree.order.size());
@@ -165,4 +165,4 @@ SupernodeTree find_supernodes(const BlockPattern& pattern, const std::vector<int
     return tree;
 }
 
-}  // namespace dda
+}  // namespace rockslope::dda

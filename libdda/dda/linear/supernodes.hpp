@@ -4,7 +4,7 @@
 
 #include "dda/linear/block_matrix.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 /// Blocks that are eliminated one after the other with the same later neighbours: their columns of the factor
 /// form one dense front.
@@ -22,7 +22,7 @@ struct SupernodeTree {
 };
 
 /// Submatrices of the factor: on and below the diagonal of the fronts.
-double submatrices(const SupernodeTree& tree);
+double factor_submatrices(const SupernodeTree& tree);
 
 /// What a front is predicted to take, ns on one thread: a figure for comparisons.
 double front_cost(int pivots, int rows);
@@ -32,4 +32,4 @@ double front_cost(int pivots, int rows);
 /// supernodes.
 SupernodeTree find_supernodes(const BlockPattern& pattern, const std::vector<int>& order);
 
-}  // namespace dda
+}  // namespace rockslope::dda

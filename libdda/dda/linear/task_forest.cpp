@@ -8,48 +8,50 @@
 #include <thread>
 #include <utility>
 
-namespace dda {
+namespace rockslope::dda {
 
 namespace {
 
-/// Tasks that need not wait, those with the longest way first, and how many are still to be begun.
-class Line {
+/// Tasks that need not wait, those with the longest critical_path first, and how many are still to be begun.
+class ReadyQueue {
   public:
-    Line(const std::vector<double>& way, std::vector<int> waits_for)
-        : way_(way), waits_for_(std::move(waits_for)), to_begin_(waits_for_.size()) {
-        for (std::size_t task = 0; task < waits_for_.size(); ++task) {
-            if (waits_for_[task] == 0) join(static_cast<int>(task));
+    ReadyQueue(const std::vector<double>& critical_path, std::vector<int> dependency_count)
+        : critical_path_(critical_path),
+          dependency_count_(std::move(dependency_count)),
+          not_started_(dependency_count_.size()) {
+        for (std::size_t task = 0; task < dependency_count_.size(); ++task) {
+            if (dependency_count_[task] == 0) push(static_cast<int>(task));
         }
     }
-    bool is_over() const { return to_begin_ == 0; }
-    std::optional<std::size_t> take() {
+    bool all_started() const { return not_started_ == 0; }
+    std::optional<std::size_t> pop() {
         const std::lock_guard lock(mutex_);
         if (ready_.empty()) return std::nullopt;
         std::pop_heap(ready_.begin(), ready_.end());
         const int task = ready_.back().second;
         ready_.pop_back();
-        --to_begin_;
+        --not_started_;
         return static_cast<std::size_t>(task);
     }
     /// One of those that they wait for has ended.
     void release(const std::vector<int>& tasks) {
         const std::lock_guard lock(mutex_);
         for (const int task : tasks) {
-            if (--waits_for_[static_cast<std::size_t>(task)] == 0) join(task);
+            if (--dependency_count_[static_cast<std::size_t>(task)] == 0) push(task);
         }
     }
 
   private:
-    void join(int task) {
-        ready_.emplace_back(way_[static_cast<std::size_t>(task)], task);
+    void push(int task) {
+        ready_.emplace_back(critical_path_[static_cast<std::size_t>(task)], task);
         std::push_heap(ready_.begin(), ready_.end());
     }
 
-    const std::vector<double>& way_;
+    const std::vector<double>& critical_path_;
     std::mutex mutex_;
-    std::vector<int> waits_for_;
+    std::vector<int> dependency_count_;
     std::vector<std::pair<double, int>> ready_;
-    std::atomic<std::size_t> to_begin_;
+    std::atomic<std::size_t> not_started_;
 };
 
 }  // namespace
@@ -60,44 +62,45 @@ TaskForest::TaskForest(const std::vector<int>& parent, const std::vector<double>
     down_ = up_;
     std::vector<double> longest_below(count, 0);
     for (std::size_t task = 0; task < count; ++task) {
-        down_.way[task] += longest_below[task];
+        down_.critical_path[task] += longest_below[task];
         if (parent[task] < 0) continue;
         const auto above = static_cast<std::size_t>(parent[task]);
         assert(task < above);
-        up_.next[task].push_back(parent[task]);
-        ++up_.waits_for[above];
-        down_.next[above].push_back(static_cast<int>(task));
-        down_.waits_for[task] = 1;
-        longest_below[above] = std::max(longest_below[above], down_.way[task]);
+        up_.dependents[task].push_back(parent[task]);
+        ++up_.dependency_count[above];
+        down_.dependents[above].push_back(static_cast<int>(task));
+        down_.dependency_count[task] = 1;
+        longest_below[above] = std::max(longest_below[above], down_.critical_path[task]);
     }
     for (std::size_t task = count; task-- > 0;) {
-        if (parent[task] >= 0) up_.way[task] += up_.way[static_cast<std::size_t>(parent[task])];
+        if (parent[task] >= 0)
+            up_.critical_path[task] += up_.critical_path[static_cast<std::size_t>(parent[task])];
     }
 }
 
-void TaskForest::rise(const Crew& crew, const Body& body) const {
-    if (crew.size() > 1) return go(up_, crew, body);
+void TaskForest::run_leaves_first(const ThreadPool& pool, const Body& body) const {
+    if (pool.size() > 1) return run(up_, pool, body);
     for (std::size_t task = 0; task < count(); ++task) body(task, 0);
 }
 
-void TaskForest::descend(const Crew& crew, const Body& body) const {
-    if (crew.size() > 1) return go(down_, crew, body);
+void TaskForest::run_roots_first(const ThreadPool& pool, const Body& body) const {
+    if (pool.size() > 1) return run(down_, pool, body);
     for (std::size_t task = count(); task-- > 0;) body(task, 0);
 }
 
-void TaskForest::go(const Direction& direction, const Crew& crew, const Body& body) {
-    Line line(direction.way, direction.waits_for);
-    const auto take_part = [&](std::size_t, std::size_t thread) {
-        while (!line.is_over()) {
-            if (const auto task = line.take()) {
+void TaskForest::run(const Direction& direction, const ThreadPool& pool, const Body& body) {
+    ReadyQueue queue(direction.critical_path, direction.dependency_count);
+    const auto work = [&](std::size_t, std::size_t thread) {
+        while (!queue.all_started()) {
+            if (const auto task = queue.pop()) {
                 body(*task, thread);
-                line.release(direction.next[*task]);
+                queue.release(direction.dependents[*task]);
             } else {
                 std::this_thread::yield();
             }
         }
     };
-    crew.for_tasks(static_cast<std::size_t>(crew.size()), take_part);
+    pool.parallel_for_dynamic(static_cast<std::size_t>(pool.size()), work);
 }
 
-}  // namespace dda
+}  // namespace rockslope::dda

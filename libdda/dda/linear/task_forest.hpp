@@ -4,12 +4,13 @@
 #include <functional>
 #include <vector>
 
-#include "dda/base/parallel.hpp"
+#include "common/base/thread_pool.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 /// Tasks of which each waits for others: its children in the one direction, its parent in the other. Whoever
-/// of a crew is free takes, of those that need not wait any more, the one that heads the longest way.
+/// of a pool is free takes, of those that need not wait any more, the one that heads the longest
+/// critical_path.
 class TaskForest {
   public:
     /// Does a task in a thread, which counts from zero. It throws nothing.
@@ -19,23 +20,23 @@ class TaskForest {
     /// @param parent per task, a later one, -1 for a root; @param cost per task, in any unit.
     TaskForest(const std::vector<int>& parent, const std::vector<double>& cost);
 
-    std::size_t count() const { return up_.way.size(); }
+    std::size_t count() const { return up_.critical_path.size(); }
     /// Calls body(task, thread) for each task, for its children before.
-    void rise(const Crew& crew, const Body& body) const;
+    void run_leaves_first(const ThreadPool& pool, const Body& body) const;
     /// Likewise, for its parent before.
-    void descend(const Crew& crew, const Body& body) const;
+    void run_roots_first(const ThreadPool& pool, const Body& body) const;
 
   private:
     /// One of the two directions.
     struct Direction {
-        std::vector<std::vector<int>> next;  ///< per task, those that wait for it
-        std::vector<int> waits_for;          ///< per task, how many
-        std::vector<double> way;             ///< per task, the cost from it to the end
+        std::vector<std::vector<int>> dependents;  ///< per task, those that wait for it
+        std::vector<int> dependency_count;         ///< per task, how many
+        std::vector<double> critical_path;         ///< per task, the cost from it to the end
     };
-    static void go(const Direction& direction, const Crew& crew, const Body& body);
+    static void run(const Direction& direction, const ThreadPool& pool, const Body& body);
 
     Direction up_;
     Direction down_;
 };
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -1,6 +1,6 @@
 #include "dda/model/block_material.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 Mat3 elasticity(const BlockMaterial& material, Plane plane) {
     const double e = material.youngs_modulus;
@@ -19,4 +19,4 @@ Mat3 elasticity(const BlockMaterial& material, Plane plane) {
     return c;
 }
 
-}  // namespace dda
+}  // namespace rockslope::dda

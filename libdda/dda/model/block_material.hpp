@@ -4,7 +4,7 @@
 
 #include "dda/base/types.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 enum class Plane { strain, stress };
 
@@ -25,4 +25,4 @@ struct BlockMaterial {
 /// Hooke's law of the plane, Eq. (12) or (13): stress = elasticity(...) * (eps_x, eps_y, gamma_xy), in Pa.
 Mat3 elasticity(const BlockMaterial& material, Plane plane);
 
-}  // namespace dda
+}  // namespace rockslope::dda

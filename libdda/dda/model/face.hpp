@@ -1,6 +1,6 @@
 #pragma once
 
-namespace dda {
+namespace rockslope::dda {
 
 /// A part of an edge that loads or boundaries act on. It is marked on the rock: it moves and stretches with
 /// it.
@@ -10,4 +10,4 @@ struct FacePart {
     double to = 1;    ///< where it ends, above `from`
 };
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -6,13 +6,13 @@
 
 #include "dda/model/model.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 namespace {
 
-constexpr double upright = 1e-3;     // width of a face over its height
-constexpr double touching = 1e-3;    // gap between faces over their height
-constexpr double most_layers = 1e5;  // in a face
+constexpr double upright = 1e-3;        // width of a face over its height
+constexpr double max_gap_ratio = 1e-3;  // gap between faces over their height
+constexpr double max_layers = 1e5;      // in a face
 
 /// The height that a face takes of a side.
 struct Piece {
@@ -32,19 +32,19 @@ Piece piece_of(const Model& model, const FacePart& face) {
 
 }  // namespace
 
-FreeField free_field_beside(const Model& model, std::span<const FacePart> faces, const std::string& below,
-                            double layer) {
+FreeField make_free_field(const Model& model, std::span<const FacePart> faces,
+                          const std::string& base_boundary, double layer) {
     std::vector<Piece> pieces;
     for (const FacePart& face : faces) pieces.push_back(piece_of(model, face));
     if (pieces.empty()) throw std::invalid_argument("there is no face beside it");
     std::sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.from < b.from; });
-    FreeField field{below, {pieces.front().from}, {}};
+    FreeField field{base_boundary, {pieces.front().from}, {}};
     for (const Piece& piece : pieces) {
         const double height = piece.to - piece.from;
-        if (std::abs(piece.from - field.nodes.back()) > touching * height)
+        if (std::abs(piece.from - field.nodes.back()) > max_gap_ratio * height)
             throw std::invalid_argument("the faces beside it do not follow each other");
         const double wanted = layer > 0 ? std::ceil(height / layer * (1 - 1e-9)) : 1;
-        if (!(wanted <= most_layers)) throw std::invalid_argument("its layers are too thin");
+        if (!(wanted <= max_layers)) throw std::invalid_argument("its layers are too thin");
         const int count = std::max(1, static_cast<int>(wanted));
         for (int k = 1; k <= count; ++k) {
             field.nodes.push_back(piece.from + height * k / count);
@@ -54,4 +54,4 @@ FreeField free_field_beside(const Model& model, std::span<const FacePart> faces,
     return field;
 }
 
-}  // namespace dda
+}  // namespace rockslope::dda

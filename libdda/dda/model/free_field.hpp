@@ -6,14 +6,14 @@
 
 #include "dda/model/face.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 struct Model;
 
 /// A column of rock beside the model, as wide as one likes, in which waves only climb: what the rock far away
 /// does. Layers lie between nodes and have the rock of the faces beside them.
 struct FreeField {
-    std::string below;          ///< viscous boundary whose incident waves enter at the column's foot
+    std::string base_boundary;  ///< viscous boundary whose incident waves enter at the column's foot
     std::vector<double> nodes;  ///< m, heights, increasing
     std::vector<int> rock;      ///< per layer, the block beside it
 
@@ -22,7 +22,7 @@ struct FreeField {
 
 /// The column beside upright faces that follow each other without gaps. @param layer m, the largest height of
 /// a layer; 0: one for each face. @throws std::invalid_argument, which says what is wrong with the faces.
-FreeField free_field_beside(const Model& model, std::span<const FacePart> faces, const std::string& below,
-                            double layer);
+FreeField make_free_field(const Model& model, std::span<const FacePart> faces,
+                          const std::string& base_boundary, double layer);
 
-}  // namespace dda
+}  // namespace rockslope::dda

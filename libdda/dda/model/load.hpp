@@ -8,7 +8,7 @@
 #include "dda/model/face.hpp"
 #include "dda/model/time_table.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 /// A point that moves with its block.
 struct MaterialPoint {
@@ -81,4 +81,4 @@ struct BoltSpec {
     double yield_force = 0;      ///< N per metre of thickness; 0: elastic without limit
 };
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -1,6 +1,6 @@
 #include "dda/model/model.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 void Topology::add_block(const std::vector<int>& ring_sizes) {
     const int block = block_count();
@@ -19,4 +19,4 @@ void Topology::add_block(const std::vector<int>& ring_sizes) {
     block_rings.push_back(static_cast<int>(ring_corners.size()) - 1);
 }
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -10,7 +10,7 @@
 #include "dda/model/load.hpp"
 #include "dda/model/viscous_boundary.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 /// A block that an excavation has taken out is `removed`: its number stays, and nothing meets it.
 enum class Motion : std::uint8_t { free, fixed, prescribed, removed };
@@ -101,7 +101,7 @@ struct Model {
     }
     /// Whether the contacts of a joint material are augmented: where their springs are penalties and not a
     /// stiffness of the joint itself.
-    bool augments(int material) const {
+    bool is_augmented(int material) const {
         return penetration_tolerance > 0 && joint_material_at(material).normal_stiffness == 0;
     }
     const BlockMaterial& material_of(int block) const {
@@ -109,4 +109,4 @@ struct Model {
     }
 };
 
-}  // namespace dda
+}  // namespace rockslope::dda

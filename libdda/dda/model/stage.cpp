@@ -2,11 +2,11 @@
 
 #include <cmath>
 
-namespace dda {
+namespace rockslope::dda {
 
-double next_instant(const Stage& stage, double stage_time) {
+double next_step_multiple(const Stage& stage, double stage_time) {
     constexpr double rounding = 1e-9;  // of a step: more than a sum of many steps is off by
     return (std::floor(stage_time / stage.control.step + rounding) + 1) * stage.control.step;
 }
 
-}  // namespace dda
+}  // namespace rockslope::dda

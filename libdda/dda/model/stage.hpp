@@ -7,7 +7,7 @@
 #include "dda/base/types.hpp"
 #include "dda/model/time_table.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 enum class StageKind { static_equilibrium, dynamic };
 
@@ -76,6 +76,6 @@ struct Stage {
 
 /// The first of the instants k * step, k = 1, 2, ..., later than the given time, s since the stage's start.
 /// The steps of a dynamic stage end on each of them but, perhaps, the last before its end.
-double next_instant(const Stage& stage, double stage_time);
+double next_step_multiple(const Stage& stage, double stage_time);
 
-}  // namespace dda
+}  // namespace rockslope::dda

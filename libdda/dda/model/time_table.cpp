@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace dda {
+namespace rockslope::dda {
 
 TimeTable::TimeTable(std::vector<double> times, std::vector<double> values)
     : times_(std::move(times)), values_(std::move(values)) {
@@ -25,4 +25,4 @@ double TimeTable::at(double time) const {
     return values_[k - 1] + share * (values_[k] - values_[k - 1]);
 }
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-namespace dda {
+namespace rockslope::dda {
 
 /// A quantity given at instants and linear between them; constant before the first and after the last.
 /// An empty table is the constant 1, so that a load without a history simply acts.
@@ -22,4 +22,4 @@ class TimeTable {
     std::vector<double> values_;
 };
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -7,7 +7,7 @@
 #include "dda/model/face.hpp"
 #include "dda/model/free_field.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 /// In which directions a viscous boundary is held while a static stage finds the forces that bear the model.
 enum class Hold { none, normal, both };
@@ -23,4 +23,4 @@ struct ViscousBoundary {
     std::optional<FreeField> free_field = std::nullopt;
 };
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -2,7 +2,7 @@
 
 #include "dda/terms/system.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 double retardation_time(const BlockMaterial& material, const AreaMoments& moments) {
     const double largest_moment =
@@ -26,4 +26,4 @@ void add_elasticity(const Model& model, const RowMap& rows, const BlockSystem& b
     }
 }
 
-}  // namespace dda
+}  // namespace rockslope::dda

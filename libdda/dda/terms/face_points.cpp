@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-namespace dda {
+namespace rockslope::dda {
 
 std::array<FacePoint, 2> face_points(const Model& model, const MidStep& mid, const FacePart& face) {
     const auto edge = static_cast<std::size_t>(face.edge);
@@ -15,9 +15,9 @@ std::array<FacePoint, 2> face_points(const Model& model, const MidStep& mid, con
     for (const std::size_t k : {0, 1}) {
         FacePoint& point = points[k];
         point.block = block;
-        point.share = 0.5 + (k == 0 ? -offset : offset);
+        point.fraction = 0.5 + (k == 0 ? -offset : offset);
         point.weight = (face.to - face.from) * length / 2;
-        const double at = face.from + point.share * (face.to - face.from);
+        const double at = face.from + point.fraction * (face.to - face.from);
         point.arm = first + at * along - mid.centroid[static_cast<std::size_t>(block)];
         point.tangent = along / length;
         point.normal = -perpendicular(point.tangent);
@@ -25,4 +25,4 @@ std::array<FacePoint, 2> face_points(const Model& model, const MidStep& mid, con
     return points;
 }
 
-}  // namespace dda
+}  // namespace rockslope::dda

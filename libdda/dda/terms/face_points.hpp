@@ -5,12 +5,12 @@
 #include "dda/block/mid_step.hpp"
 #include "dda/model/face.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 /// A point on a face at which an integral along it is evaluated.
 struct FacePoint {
     int block = 0;
-    double share = 0;             ///< of the way along the face's part, in (0, 1)
+    double fraction = 0;          ///< of the way along the face's part, in (0, 1)
     double weight = 0;            ///< m, the length that the point stands for
     Vec2 arm = Vec2::Zero();      ///< m, from the block's centroid
     Vec2 tangent = Vec2::Zero();  ///< along the edge
@@ -21,4 +21,4 @@ struct FacePoint {
 /// degree, so for the product of a linear traction and the linear displacements of a block.
 std::array<FacePoint, 2> face_points(const Model& model, const MidStep& mid, const FacePart& face);
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -1,6 +1,6 @@
 #include "dda/terms/system.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 void add_fixed_points(const Model& model, const RowMap& rows, const BlockSystem& blocks, const MidStep& mid,
                       BaseSystem& base) {
@@ -21,4 +21,4 @@ void add_fixed_points(const Model& model, const RowMap& rows, const BlockSystem&
     }
 }
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace dda {
+namespace rockslope::dda {
 
 namespace {
 
@@ -64,7 +64,7 @@ std::vector<double> chain_step(const Chain& chain, const ColumnMotion& motion, i
     Tridiagonal system(motion.displacement.size());
     // Per node: velocity and acceleration at the step's end if it did not move.
     const auto velocity = [&](std::size_t k) {
-        return newmark.velocity_at_rest(motion.velocity[k][axis], motion.acceleration[k][axis]);
+        return newmark.velocity_at_zero_displacement(motion.velocity[k][axis], motion.acceleration[k][axis]);
     };
     const auto force = [&](std::size_t k) {
         return newmark.acceleration(0.0, motion.velocity[k][axis], motion.acceleration[k][axis]) +
@@ -89,7 +89,7 @@ std::vector<double> chain_step(const Chain& chain, const ColumnMotion& motion, i
 ColumnMotion advance_column(const Model& model, const Stage& stage, const BlockSystem& blocks,
                             const FreeField& field, const ColumnMotion& before, double stage_time,
                             const Newmark& newmark) {
-    const IncidentMotion wave = incident_motion(stage, field.below, stage_time);
+    const IncidentMotion wave = incident_motion(stage, field.base_boundary, stage_time);
     ColumnMotion after = before;
     for (const int axis : {0, 1}) {
         const Chain chain = chain_of(model, field, blocks, axis, newmark.dt);
@@ -133,10 +133,10 @@ FieldPoint field_at(const Model& model, const FreeField& field, const ColumnMoti
     const auto above = std::upper_bound(field.nodes.begin() + 1, field.nodes.end() - 1, height);
     const auto k = static_cast<std::size_t>(above - field.nodes.begin()) - 1;
     const double thickness = field.nodes[k + 1] - field.nodes[k];
-    const double share = std::clamp((height - field.nodes[k]) / thickness, 0.0, 1.0);
+    const double fraction = std::clamp((height - field.nodes[k]) / thickness, 0.0, 1.0);
     const Vec2 strain = (motion.displacement[k + 1] - motion.displacement[k]) / thickness;
     const Mat3 modulus = elasticity(model.material_of(field.rock[k]), model.plane);
-    return {(1 - share) * motion.velocity[k] + share * motion.velocity[k + 1],
+    return {(1 - fraction) * motion.velocity[k] + fraction * motion.velocity[k + 1],
             {modulus(0, 1) * strain.y(), modulus(2, 2) * strain.x()}};
 }
 
@@ -150,4 +150,4 @@ IncidentMotion incident_motion(const Stage& stage, const std::string& boundary, 
     return sum;
 }
 
-}  // namespace dda
+}  // namespace rockslope::dda

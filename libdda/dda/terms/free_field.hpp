@@ -5,7 +5,7 @@
 #include "dda/model/stage.hpp"
 #include "dda/terms/system.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 /// The motion of a free-field column, per node from the foot up.
 struct ColumnMotion {
@@ -18,7 +18,7 @@ using FreeFieldMotions = std::vector<ColumnMotion>;
 
 FreeFieldMotions fields_at_rest(const Model& model);
 
-/// The columns one step later, Eqs. (67) and (68): linear elements with the engine's integration, dashpots
+/// The columns one step later, Eqs. (51) and (52): linear elements with the engine's integration, dashpots
 /// and incident wave at the foot, the damping of the blocks beside them. The model does not act on them.
 /// Static stages have them at rest. @param blocks beside the columns; @param stage_time s, at the step's end.
 FreeFieldMotions advance_fields(const Model& model, const Stage& stage, const BlockSystem& blocks,
@@ -33,11 +33,11 @@ struct FieldPoint {
 FieldPoint field_at(const Model& model, const FreeField& field, const ColumnMotion& motion, double height);
 
 /// What enters through a boundary of that name: a velocity and a traction, to be doubled by those who let it
-/// in, Eq. (45).
+/// in, Eq. (48).
 struct IncidentMotion {
     Vec2 velocity = Vec2::Zero();  ///< m/s
     Vec2 traction = Vec2::Zero();  ///< Pa, with which the wave pushes the rock
 };
 IncidentMotion incident_motion(const Stage& stage, const std::string& boundary, double stage_time);
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -1,6 +1,6 @@
 #include "dda/terms/system.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 Mat6 mass_matrix(double mass, const AreaMoments& moments) {
     // First moments vanish about the centroid, so translation is not coupled to the other unknowns.
@@ -35,8 +35,8 @@ void add_inertia(const RowMap& rows, const BlockSystem& blocks, const Newmark& n
         base.load[row] += m * (v0 / (beta * dt) + (0.5 - beta) / beta * a0);
         if (mass_damping == 0) continue;
         base.stiffness[row] += mass_damping * newmark.velocity_rate() * m;
-        base.load[row] -= mass_damping * (m * newmark.velocity_at_rest(v0, a0));
+        base.load[row] -= mass_damping * (m * newmark.velocity_at_zero_displacement(v0, a0));
     }
 }
 
-}  // namespace dda
+}  // namespace rockslope::dda

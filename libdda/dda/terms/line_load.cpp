@@ -1,18 +1,18 @@
 #include "dda/terms/loads.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 void visit_tractions(const Model& model, const MidStep& mid, const LineLoad& load,
                      const TractionVisit& visit) {
     for (const LoadedFace& loaded : load.faces) {
         for (const FacePoint& point : face_points(model, mid, loaded.face)) {
             const double pressure =
-                loaded.pressure_from + point.share * (loaded.pressure_to - loaded.pressure_from);
+                loaded.pressure_from + point.fraction * (loaded.pressure_to - loaded.pressure_from);
             const Vec2 traction =
-                loaded.traction_from + point.share * (loaded.traction_to - loaded.traction_from);
+                loaded.traction_from + point.fraction * (loaded.traction_to - loaded.traction_from);
             visit(point, traction - pressure * point.normal);
         }
     }
 }
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace dda {
+namespace rockslope::dda {
 
 namespace {
 
@@ -46,7 +46,7 @@ struct AddLoad {
 };
 
 /// The largest acceleration by one load.
-struct StrongestOf {
+struct MaxLoadAcceleration {
     const Model& model;
     const BlockSystem& blocks;
 
@@ -59,13 +59,13 @@ struct StrongestOf {
     double operator()(const FaceLoad& load) const {
         MidStep now{blocks.vertices, blocks.points, {}};
         for (const AreaMoments& moments : blocks.moments) now.centroid.push_back(moments.centroid);
-        std::vector<double> pushed(blocks.mass.size(), 0);
+        std::vector<double> total_force(blocks.mass.size(), 0);
         visit_tractions(model, now, load, [&](const FacePoint& point, const Vec2& traction) {
-            pushed[static_cast<std::size_t>(point.block)] += point.weight * traction.norm();
+            total_force[static_cast<std::size_t>(point.block)] += point.weight * traction.norm();
         });
         double largest = 0;
-        for (std::size_t b = 0; b < pushed.size(); ++b)
-            largest = std::max(largest, pushed[b] / blocks.mass[b]);
+        for (std::size_t b = 0; b < total_force.size(); ++b)
+            largest = std::max(largest, total_force[b] / blocks.mass[b]);
         return largest;
     }
 };
@@ -91,11 +91,11 @@ void add_loads(const Model& model, const RowMap& rows, const BlockSystem& blocks
     }
 }
 
-double strongest_load(const Model& model, const BlockSystem& blocks) {
+double max_load_acceleration(const Model& model, const BlockSystem& blocks) {
     double largest = 0;
     for (const Load& load : model.loads)
-        largest = std::max(largest, std::visit(StrongestOf{model, blocks}, load));
+        largest = std::max(largest, std::visit(MaxLoadAcceleration{model, blocks}, load));
     return largest;
 }
 
-}  // namespace dda
+}  // namespace rockslope::dda

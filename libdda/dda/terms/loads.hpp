@@ -5,7 +5,7 @@
 #include "dda/terms/face_points.hpp"
 #include "dda/terms/system.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 /// What loads depend on besides the blocks.
 struct LoadInstant {
@@ -25,12 +25,12 @@ void add_loads(const Model& model, const RowMap& rows, const BlockSystem& blocks
 /// The largest acceleration that a single load, its history at 1, could give a block that it acts on, m/s2: a
 /// measure for what counts as balanced. Of a load on faces, the sum of all it pushes with, whatever the
 /// directions.
-double strongest_load(const Model& model, const BlockSystem& blocks);
+double max_load_acceleration(const Model& model, const BlockSystem& blocks);
 
 /// What is called with a face's points and the traction on the rock there, Pa.
 using TractionVisit = std::function<void(const FacePoint& point, const Vec2& traction)>;
 
-/// The tractions of the loads that act on faces, Eqs. (48)-(50), their histories at 1.
+/// The tractions of the loads that act on faces, Eqs. (54)-(56), their histories at 1.
 void visit_tractions(const Model& model, const MidStep& mid, const LineLoad& load,
                      const TractionVisit& visit);
 void visit_tractions(const Model& model, const MidStep& mid, const JointWater& load,
@@ -38,4 +38,4 @@ void visit_tractions(const Model& model, const MidStep& mid, const JointWater& l
 void visit_tractions(const Model& model, const MidStep& mid, const HeadWater& load,
                      const TractionVisit& visit);
 
-}  // namespace dda
+}  // namespace rockslope::dda

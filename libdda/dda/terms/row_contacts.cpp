@@ -1,6 +1,6 @@
 #include "dda/terms/row_contacts.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 void RowContacts::find(int rows, std::span<const ContactSprings> springs) {
     const auto for_rows = [&](const auto& visit) {
@@ -20,4 +20,4 @@ void RowContacts::find(int rows, std::span<const ContactSprings> springs) {
     });
 }
 
-}  // namespace dda
+}  // namespace rockslope::dda

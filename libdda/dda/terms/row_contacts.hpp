@@ -5,7 +5,7 @@
 
 #include "dda/terms/springs.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 /// The contacts that each row has springs of: what a row's equations are put together from, each row by
 /// itself.
@@ -24,4 +24,4 @@ class RowContacts {
     std::vector<int> contacts_;
 };
 
-}  // namespace dda
+}  // namespace rockslope::dda

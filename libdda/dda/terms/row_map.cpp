@@ -1,6 +1,6 @@
 #include "dda/terms/system.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 RowMap::RowMap(const std::vector<Motion>& motion) : row_of(motion.size(), -1) {
     for (std::size_t b = 0; b < motion.size(); ++b) {
@@ -10,4 +10,4 @@ RowMap::RowMap(const std::vector<Motion>& motion) : row_of(motion.size(), -1) {
     }
 }
 
-}  // namespace dda
+}  // namespace rockslope::dda

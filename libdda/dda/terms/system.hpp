@@ -5,7 +5,7 @@
 #include "dda/block/mid_step.hpp"
 #include "dda/model/stage.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 /// The numbering of the unknowns: one row of six for each free block; fixed and prescribed blocks have none
 /// (their displacement is known and is eliminated).
@@ -41,7 +41,7 @@ struct Newmark {
     double velocity_rate() const { return gamma / (beta * dt); }
     /// v1 when d is zero.
     template <class Vector>
-    Vector velocity_at_rest(const Vector& v0, const Vector& a0) const {
+    Vector velocity_at_zero_displacement(const Vector& v0, const Vector& a0) const {
         return (1 - gamma / beta) * v0 + dt * ((1 - gamma) - gamma * (0.5 - beta) / beta) * a0;
     }
     template <class Vector>
@@ -65,4 +65,4 @@ double retardation_time(const BlockMaterial& material, const AreaMoments& moment
 void add_fixed_points(const Model& model, const RowMap& rows, const BlockSystem& blocks, const MidStep& mid,
                       BaseSystem& base);
 
-}  // namespace dda
+}  // namespace rockslope::dda

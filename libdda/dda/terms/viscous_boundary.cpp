@@ -4,7 +4,7 @@
 
 #include "dda/terms/face_points.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 namespace {
 
@@ -24,7 +24,8 @@ Eigen::Matrix2d along_face(const FacePoint& point, double normal, double shear) 
 }
 
 /// N/m per metre of a point's holding springs, by direction.
-Eigen::Matrix2d holding_springs(const Model& model, const ViscousBoundary& boundary, const FacePoint& point) {
+Eigen::Matrix2d restraint_stiffness(const Model& model, const ViscousBoundary& boundary,
+                                    const FacePoint& point) {
     const double k = model.fixed_point_penalty;
     return along_face(point, boundary.hold == Hold::none ? 0 : k, boundary.hold == Hold::both ? k : 0);
 }
@@ -35,7 +36,7 @@ struct DashpotForce {
     Vec2 drive = Vec2::Zero();
 };
 
-/// Eq. (45) where waves come in, Eq. (69) beside a free field.
+/// Eq. (48) where waves come in, Eq. (53) beside a free field.
 DashpotForce dashpot_force(const Model& model, const ViscousBoundary& boundary, const FacePoint& point,
                            const Vec2& z, const ColumnMotion& column, const IncidentMotion& wave,
                            double height) {
@@ -94,7 +95,7 @@ std::vector<BoundaryTerm> boundary_terms(const Model& model, const RowMap& rows,
                 term.damping += t.transpose() * dashpots.damping * t;
                 force += dashpots.drive;
             } else {
-                term.stiffness += t.transpose() * holding_springs(model, boundary, point) * t;
+                term.stiffness += t.transpose() * restraint_stiffness(model, boundary, point) * t;
             }
             term.force += t.transpose() * force;
         }
@@ -109,8 +110,8 @@ void add_boundaries(std::span<const BoundaryTerm> terms, const RowMap& rows, con
         const auto row = static_cast<std::size_t>(term.row);
         const auto b = static_cast<std::size_t>(rows.block_of[row]);
         base.stiffness[row] += term.stiffness + newmark.velocity_rate() * term.damping;
-        base.load[row] +=
-            term.force - term.damping * newmark.velocity_at_rest(blocks.velocity[b], blocks.acceleration[b]);
+        base.load[row] += term.force - term.damping * newmark.velocity_at_zero_displacement(
+                                                          blocks.velocity[b], blocks.acceleration[b]);
     }
 }
 
@@ -121,10 +122,10 @@ BoundaryReactions advance_reactions(const Model& model, const MidStep& mid, cons
         for (const FacePoint& point : face_points(model, mid, face)) {
             const Vec2 moved =
                 displacement_matrix(point.arm) * displacement[static_cast<std::size_t>(point.block)];
-            reactions[reaction++] -= holding_springs(model, boundary, point) * moved;
+            reactions[reaction++] -= restraint_stiffness(model, boundary, point) * moved;
         }
     });
     return reactions;
 }
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -4,9 +4,9 @@
 #include "dda/terms/free_field.hpp"
 #include "dda/terms/system.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
-/// What the face of a viscous boundary adds to its block's equations in one step, Eqs. (44)-(47).
+/// What the face of a viscous boundary adds to its block's equations in one step, Eqs. (47)-(50).
 struct BoundaryTerm {
     int row = 0;
     Mat6 damping = Mat6::Zero();  ///< times the velocity at the step's end: the dashpots' force, reversed
@@ -34,4 +34,4 @@ void add_boundaries(std::span<const BoundaryTerm> terms, const RowMap& rows, con
 BoundaryReactions advance_reactions(const Model& model, const MidStep& mid, const Stage& stage,
                                     std::span<const Vec6> displacement, BoundaryReactions reactions);
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -2,7 +2,7 @@
 
 #include "dda/terms/loads.hpp"
 
-namespace dda {
+namespace rockslope::dda {
 
 namespace {
 
@@ -13,19 +13,19 @@ double head_at(const std::vector<Vec2>& head, double x) {
     const auto upper =
         std::upper_bound(head.begin(), head.end(), x, [](double at, const Vec2& p) { return at < p.x(); });
     const Vec2& a = *(upper - 1);
-    const double share = (x - a.x()) / (upper->x() - a.x());
-    return a.y() + share * (upper->y() - a.y());
+    const double fraction = (x - a.x()) / (upper->x() - a.x());
+    return a.y() + fraction * (upper->y() - a.y());
 }
 
-/// Where the head line bends above an edge, as shares of the edge, in order, with both its ends.
-std::vector<double> pieces_of(const std::vector<Vec2>& head, const Vec2& p, const Vec2& q) {
-    std::vector<double> shares = {0, 1};
+/// Where the head line bends above an edge, as fractions of the edge, in order, with both its ends.
+std::vector<double> linear_pieces(const std::vector<Vec2>& head, const Vec2& p, const Vec2& q) {
+    std::vector<double> fractions = {0, 1};
     for (const Vec2& bend : head) {
-        const double share = (bend.x() - p.x()) / (q.x() - p.x());
-        if (share > 0 && share < 1) shares.push_back(share);
+        const double fraction = (bend.x() - p.x()) / (q.x() - p.x());
+        if (fraction > 0 && fraction < 1) fractions.push_back(fraction);
     }
-    std::sort(shares.begin(), shares.end());
-    return shares;
+    std::sort(fractions.begin(), fractions.end());
+    return fractions;
 }
 
 /// The wet part of a piece over which depth below the head is linear: none where both ends are dry.
@@ -36,9 +36,9 @@ struct WetPart {
 };
 WetPart wet_part(int edge, double from, double to, double depth_from, double depth_to) {
     WetPart part{{edge, from, to}, std::max(depth_from, 0.0), std::max(depth_to, 0.0)};
-    const double shore = from + (to - from) * depth_from / (depth_from - depth_to);
-    if (depth_from < 0 && depth_to > 0) part.face.from = shore;
-    if (depth_from > 0 && depth_to < 0) part.face.to = shore;
+    const double waterline = from + (to - from) * depth_from / (depth_from - depth_to);
+    if (depth_from < 0 && depth_to > 0) part.face.from = waterline;
+    if (depth_from > 0 && depth_to < 0) part.face.to = waterline;
     return part;
 }
 
@@ -58,21 +58,21 @@ void visit_tractions(const Model& model, const MidStep& mid, const HeadWater& lo
         const Vec2& p = mid.vertices[static_cast<std::size_t>(edge)];
         const Vec2& q =
             mid.vertices[static_cast<std::size_t>(model.topology.next[static_cast<std::size_t>(edge)])];
-        const auto depth = [&](double share) {
-            const Vec2 at = p + share * (q - p);
+        const auto depth = [&](double fraction) {
+            const Vec2 at = p + fraction * (q - p);
             return head_at(load.head, at.x()) - at.y();
         };
-        const std::vector<double> shares = pieces_of(load.head, p, q);
-        for (std::size_t k = 0; k + 1 < shares.size(); ++k) {
+        const std::vector<double> fractions = linear_pieces(load.head, p, q);
+        for (std::size_t k = 0; k + 1 < fractions.size(); ++k) {
             const WetPart wet =
-                wet_part(edge, shares[k], shares[k + 1], depth(shares[k]), depth(shares[k + 1]));
+                wet_part(edge, fractions[k], fractions[k + 1], depth(fractions[k]), depth(fractions[k + 1]));
             if (wet.from <= 0 && wet.to <= 0) continue;
             for (const FacePoint& point : face_points(model, mid, wet.face)) {
-                const double below = wet.from + point.share * (wet.to - wet.from);
+                const double below = wet.from + point.fraction * (wet.to - wet.from);
                 visit(point, -load.unit_weight * below * point.normal);
             }
         }
     }
 }
 
-}  // namespace dda
+}  // namespace rockslope::dda

@@ -2,15 +2,15 @@
 
 #include <string>
 
-#include "blockgen/config/config_table.hpp"
-#include "blockgen/cut_blocks.hpp"
-#include "blockgen/input/read_slope_model.hpp"
-#include "blockgen/sample_joints.hpp"
+#include "blockgen/cut/cut_blocks.hpp"
+#include "blockgen/faces/enclosed_area.hpp"
+#include "blockgen/sampling/sample_joints.hpp"
+#include "common/config/config_table.hpp"
 
-namespace blockgen {
+namespace rockslope::blockgen {
 
 inline SlopeModel slope(const std::string& text) {
-    return read_slope_model(ConfigTable::from_text(text, "slope.toml"));
+    return read_slope_model(ConfigTable::from_text(text, "slope.toml"), enclosed_area);
 }
 
 /// A rectangle from the origin, of rock, without joints.
@@ -31,4 +31,4 @@ inline CutResult cut(const SlopeModel& model, bool verify = true) {
     return cut_blocks(model, all_traces(model), options);
 }
 
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

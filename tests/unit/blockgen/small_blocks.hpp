@@ -5,7 +5,7 @@
 
 #include "unit/blockgen/slopes.hpp"
 
-namespace blockgen {
+namespace rockslope::blockgen {
 
 /// Areas of all blocks, ascending.
 inline std::vector<double> areas(const BlockMesh& mesh) {
@@ -16,7 +16,7 @@ inline std::vector<double> areas(const BlockMesh& mesh) {
 }
 
 /// A sliver 1/16 m high between two joints right across; a short joint parts what lies below.
-inline SlopeModel sliver(SmallPolicy policy) {
+inline SlopeModel sliver(SmallBlockPolicy policy) {
     SlopeModel model = rectangle(8, 4);
     add_trace(model, {{-1, 2}, {9, 2}}, "lower");
     add_trace(model, {{-1, 2.0625}, {9, 2.0625}}, "upper");
@@ -25,4 +25,4 @@ inline SlopeModel sliver(SmallPolicy policy) {
     return model;
 }
 
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

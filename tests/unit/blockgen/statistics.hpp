@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-namespace blockgen {
+namespace rockslope::blockgen {
 
 /// Kolmogorov and Smirnov's distance between values and a distribution function.
 template <class Share>
@@ -25,4 +25,4 @@ inline double ks_limit(std::size_t n) {
     return 1.95 / std::sqrt(static_cast<double>(n));
 }
 
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

@@ -4,19 +4,22 @@
 
 #include <cmath>
 
+using namespace rockslope;
+
 namespace {
 
 TEST(ColourScale, CoversTheAskedShareOfTheArea) {
-    const std::vector<MovedArea> slope = {{50, 0.02}, {0.5, 40}, {48.5, 0.01}, {1, 0.3}};
-    EXPECT_EQ(distance_covering(slope, 0.99), 0.3) << "the small one that flew far is less than a hundredth";
-    EXPECT_EQ(distance_covering(slope, 0.98), 0.02);
-    EXPECT_EQ(distance_covering(slope, 1), 40);
-    EXPECT_EQ(distance_covering({{1e-9, 3}}, 0.99), 3);
-    EXPECT_EQ(distance_covering({}, 0.99), 0);
+    const std::vector<DisplacedArea> slope = {{50, 0.02}, {0.5, 40}, {48.5, 0.01}, {1, 0.3}};
+    EXPECT_EQ(area_weighted_quantile(slope, 0.99), 0.3)
+        << "the small one that flew far is less than a hundredth";
+    EXPECT_EQ(area_weighted_quantile(slope, 0.98), 0.02);
+    EXPECT_EQ(area_weighted_quantile(slope, 1), 40);
+    EXPECT_EQ(area_weighted_quantile({{1e-9, 3}}, 0.99), 3);
+    EXPECT_EQ(area_weighted_quantile({}, 0.99), 0);
     // A hundred equal parts: 99 of them are the share, whatever the rounding of the sums.
-    std::vector<MovedArea> equal;
+    std::vector<DisplacedArea> equal;
     for (int k = 1; k <= 100; ++k) equal.push_back({0.1, static_cast<double>(k)});
-    EXPECT_EQ(distance_covering(equal, 0.99), 99);
+    EXPECT_EQ(area_weighted_quantile(equal, 0.99), 99);
 }
 
 TEST(ColourScale, EndsAtTheNextRoundLength) {

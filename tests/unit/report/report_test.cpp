@@ -13,6 +13,8 @@
 #include "support/catalogue.hpp"
 #include "support/record.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -53,7 +55,7 @@ TEST_F(Report, RecordsTheToleranceThatItAsserts) {
     EXPECT_EQ(made[1].contact_frequency_step, "");
 }
 
-TEST_F(Report, JudgesEachKind) {
+TEST_F(Report, EvaluatesEachKind) {
     const Case c("V01", "a", "r");
     const double nan = std::numeric_limits<double>::quiet_NaN();
     c.expect("absolute", "m", -1e-3, 0, absolute(1e-3));
@@ -140,7 +142,7 @@ TEST(Page, ListsEveryCaseAndSaysWhichIsMissing) {
     EXPECT_NE(with_miss.find("Misses: why"), std::string::npos);
 }
 
-TEST(Page, TellsEnergyInATableOfItsOwn) {
+TEST(Page, ShowsEnergyInASeparateTable) {
     Row residual = passing("V10", energy_residual);
     residual.ours = "2e-05";
     residual.kind = ToleranceKind::below;

@@ -4,18 +4,18 @@
 
 #include <limits>
 
-#include "blockgen/base/input_error.hpp"
-#include "blockgen/sampling/draw_stream.hpp"
+#include "blockgen/sampling/random_stream.hpp"
+#include "common/base/input_error.hpp"
 #include "unit/blockgen/slopes.hpp"
 #include "unit/blockgen/statistics.hpp"
 
-namespace blockgen {
+namespace rockslope::blockgen {
 namespace {
 
 constexpr std::size_t draws = 10000;
 
 std::vector<double> sample(const Distribution& d) {
-    const DrawStream stream(1, "test");
+    const RandomStream stream(1, "test");
     std::vector<double> values;
     for (std::size_t k = 0; k < draws; ++k) values.push_back(d.quantile(stream.draw(0, 0, k)));
     return values;
@@ -38,7 +38,7 @@ TEST(Distribution, Weibull) {
     EXPECT_LT(ks_distance(sample(weibull(3, 1.7)),
                           [&](double x) { return 1 - std::exp(-std::pow(x / scale, 1.7)); }),
               ks_limit(draws));
-    EXPECT_NEAR(weibull(3, 1.7).mean_draw(), 3, 1e-6);
+    EXPECT_NEAR(weibull(3, 1.7).truncated_mean(), 3, 1e-6);
     // Shape 1 is the exponential law.
     EXPECT_NEAR(weibull(5, 1).quantile(0.3), Distribution({Law::exponential, 5}).quantile(0.3), 1e-12);
 }
@@ -52,7 +52,7 @@ TEST(Distribution, GammaOfWholeShapeIsASumOfExponentials) {
                               return 1 - std::exp(-y) * (1 + y + y * y / 2 + y * y * y / 6);
                           }),
               ks_limit(draws));
-    EXPECT_NEAR(d.mean_draw(), 2, 1e-6);
+    EXPECT_NEAR(d.truncated_mean(), 2, 1e-6);
 }
 
 TEST(Distribution, GammaHasAQuantileInAllItsRange) {
@@ -63,7 +63,7 @@ TEST(Distribution, GammaHasAQuantileInAllItsRange) {
             EXPECT_GE(d.quantile(u), last) << sd << ' ' << u;
             last = d.quantile(u);
         }
-        EXPECT_NEAR(d.mean_draw(), 1, 1e-3) << sd;
+        EXPECT_NEAR(d.truncated_mean(), 1, 1e-3) << sd;
         const Distribution truncated{Law::gamma, 1, sd, 1, 1.001};
         EXPECT_GE(truncated.quantile(0.5), 1);
         EXPECT_LE(truncated.quantile(0.5), 1.001);
@@ -81,7 +81,7 @@ TEST(Distribution, PowerLaw) {
             << a;
         const double first_moment =
             a == 2 ? std::log(40) : (std::pow(20, 2 - a) - std::pow(0.5, 2 - a)) / (2 - a);
-        EXPECT_NEAR(d.mean_draw(), first_moment / integral(20), 1e-9) << a;
+        EXPECT_NEAR(d.truncated_mean(), first_moment / integral(20), 1e-9) << a;
     }
 }
 
@@ -97,14 +97,14 @@ TEST(Distribution, TruncatedWeibullAndGammaKeepTheirShapeWithin) {
 }
 
 TEST(Distribution, MeanOfTheDraws) {
-    EXPECT_EQ(constant_value(4).mean_draw(), 4);
-    EXPECT_NEAR(Distribution({Law::exponential, 20}).mean_draw(), 20, 1e-5);
-    EXPECT_NEAR(Distribution({Law::normal, 10, 2}).mean_draw(), 10, 1e-9);
-    EXPECT_NEAR(Distribution({Law::lognormal, 3, 0.6}).mean_draw(), 3, 1e-6);
+    EXPECT_EQ(constant_value(4).truncated_mean(), 4);
+    EXPECT_NEAR(Distribution({Law::exponential, 20}).truncated_mean(), 20, 1e-5);
+    EXPECT_NEAR(Distribution({Law::normal, 10, 2}).truncated_mean(), 10, 1e-9);
+    EXPECT_NEAR(Distribution({Law::lognormal, 3, 0.6}).truncated_mean(), 3, 1e-6);
     // Between 5 and 30 an exponential law of mean 20 has the mean 20 + (5 p - 30 q) / (p - q).
     const double p = std::exp(-0.25), q = std::exp(-1.5);
-    EXPECT_NEAR(Distribution({Law::exponential, 20, 0, 5, 30}).mean_draw(), 20 + (5 * p - 30 * q) / (p - q),
-                1e-9);
+    EXPECT_NEAR(Distribution({Law::exponential, 20, 0, 5, 30}).truncated_mean(),
+                20 + (5 * p - 30 * q) / (p - q), 1e-9);
 }
 
 TEST(Distribution, KeysOfTheModelFile) {
@@ -128,4 +128,4 @@ TEST(Distribution, KeysOfTheModelFile) {
 }
 
 }  // namespace
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

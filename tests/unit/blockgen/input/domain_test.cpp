@@ -5,7 +5,7 @@
 
 #include "unit/blockgen/slopes.hpp"
 
-namespace blockgen {
+namespace rockslope::blockgen {
 namespace {
 
 using testing::HasSubstr;
@@ -40,8 +40,8 @@ TEST(Domain, ItsBoxAndItsPointsAreThoseOfAllParts) {
     EXPECT_TRUE(is_in_outlines(model, {1, 1}));
     EXPECT_TRUE(is_in_outlines(model, {4, 1}));
     EXPECT_FALSE(is_in_outlines(model, {2.5, 1}));
-    EXPECT_TRUE(lies_apart_from_domain({{2, 0}, {3, 0}, {3, 2}, {2, 2}}, model));
-    EXPECT_FALSE(lies_apart_from_domain({{2, 0}, {4, 0}, {4, 2}, {2, 2}}, model));
+    EXPECT_TRUE(is_outside_domain({{2, 0}, {3, 0}, {3, 2}, {2, 2}}, model));
+    EXPECT_FALSE(is_outside_domain({{2, 0}, {4, 0}, {4, 2}, {2, 2}}, model));
 }
 
 TEST(Domain, SetsFillAllPartsWithTheirDensity) {
@@ -92,4 +92,4 @@ TEST(Domain, BadPartsAreNamed) {
 }
 
 }  // namespace
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

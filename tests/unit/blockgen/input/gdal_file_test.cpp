@@ -9,10 +9,10 @@
 #include <filesystem>
 #include <fstream>
 
-#include "blockgen/base/input_error.hpp"
 #include "blockgen/input/geometry_file.hpp"
+#include "common/base/input_error.hpp"
 
-namespace blockgen {
+namespace rockslope::blockgen {
 namespace {
 
 using testing::HasSubstr;
@@ -128,4 +128,4 @@ TEST(GdalFile, WhatIsNoGeometryIsRefused) {
 }
 
 }  // namespace
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <filesystem>
 
-#include "blockgen/base/input_error.hpp"
 #include "blockgen/input/gdal_file.hpp"
 #include "blockgen/input/geometry_file.hpp"
+#include "common/base/input_error.hpp"
 
 #ifdef HAS_GDAL
 #include <cpl_error.h>
@@ -17,7 +17,7 @@
 #include <ogr_srs_api.h>
 #endif
 
-namespace blockgen {
+namespace rockslope::blockgen {
 namespace {
 
 #ifndef HAS_GDAL
@@ -195,4 +195,4 @@ TEST(GdalFormats, DegreesAndOpenOutlinesAreRefused) {
 #endif
 
 }  // namespace
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

@@ -7,12 +7,12 @@
 #include <filesystem>
 #include <fstream>
 
-#include "blockgen/base/input_error.hpp"
-#include "blockgen/choose_blocks.hpp"
-#include "blockgen/enclosed_area.hpp"
+#include "blockgen/cut/apply_block_selectors.hpp"
+#include "blockgen/faces/enclosed_area.hpp"
+#include "common/base/input_error.hpp"
 #include "unit/blockgen/slopes.hpp"
 
-namespace blockgen {
+namespace rockslope::blockgen {
 namespace {
 
 using testing::ElementsAre;
@@ -137,12 +137,12 @@ TEST(GeoFile, LinesThatEncloseNoAreaOrTwoAreRefused) {
 }
 
 TEST(EnclosedArea, FindsTheInnermostFace) {
-    std::vector<SourceSegment> lines;
+    std::vector<std::pair<Point, Point>> lines;
     for (const double r : {4.0, 2.0, 1.0})
         for (const auto& [a, b] :
              {std::pair(Point{-r, -r}, Point{r, -r}), std::pair(Point{r, -r}, Point{r, r}),
               std::pair(Point{r, r}, Point{-r, r}), std::pair(Point{-r, r}, Point{-r, -r})})
-            lines.push_back({a, b, 0});
+            lines.emplace_back(a, b);
     const std::vector<Point> points = {{0, 0}, {1.5, 0}, {3, 0}, {5, 0}};
     const EnclosedArea area = enclosed_area(lines, points, 0x1p-20);
     ASSERT_EQ(area.outlines.size(), 1u);
@@ -165,4 +165,4 @@ TEST(FixedBlock, AlongALine) {
 }
 
 }  // namespace
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

@@ -7,12 +7,12 @@
 #include <fstream>
 #include <numbers>
 
-#include "blockgen/base/input_error.hpp"
-#include "blockgen/sampling/draw_stream.hpp"
+#include "blockgen/sampling/random_stream.hpp"
+#include "common/base/input_error.hpp"
 #include "unit/blockgen/slopes.hpp"
 #include "unit/blockgen/statistics.hpp"
 
-namespace blockgen {
+namespace rockslope::blockgen {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
@@ -27,7 +27,7 @@ TEST(Orientation, ApparentDipAndSpacing) {
     const Orientation o = plane(60, 120, 90);
     EXPECT_NEAR(o.mean_angle(), -56.3099 * degree, 1e-6);
     EXPECT_NEAR(2 * o.spacing_factor(), 2.21880, 1e-5);
-    EXPECT_FALSE(o.is_spread());
+    EXPECT_FALSE(o.has_scatter());
     EXPECT_EQ(o.draw(0.1, 0.9), o.mean_angle());
 }
 
@@ -47,8 +47,8 @@ TEST(Orientation, FisherScatterAboutTheMean) {
     // (1 - exp(-2 K)).
     const double k = 30;
     const Orientation o = plane(0, 0, 90, k);
-    EXPECT_TRUE(o.is_spread());
-    const DrawStream stream(5, "fisher");
+    EXPECT_TRUE(o.has_scatter());
+    const RandomStream stream(5, "fisher");
     std::vector<double> cosines;
     double sum = 0;
     constexpr int n = 10000;
@@ -86,7 +86,7 @@ TEST(Orientation, FisherScatterAsTheSectionSeesIt) {
             share.push_back(share.back() + density);
         }
         const Orientation o = plane(35, 90, 90, k);
-        const DrawStream stream(11, "section");
+        const RandomStream stream(11, "section");
         const double mean_angle = o.mean_angle();
         std::vector<double> turns;
         for (int i = 0; i < 10000; ++i)
@@ -106,8 +106,8 @@ TEST(Orientation, FisherScatterAsTheSectionSeesIt) {
 
 TEST(Orientation, BootstrapDrawsEachMeasuredPlaneAsOften) {
     const Orientation o{{}, {pole_of(0.3, 1.5, 1.57), pole_of(0.5, 1.5, 1.57), pole_of(0.7, 1.5, 1.57)}, 0};
-    EXPECT_TRUE(o.is_spread());
-    const DrawStream stream(5, "bootstrap");
+    EXPECT_TRUE(o.has_scatter());
+    const RandomStream stream(5, "bootstrap");
     int count = 0;
     constexpr int n = 10000;
     for (int i = 0; i < n; ++i)
@@ -117,9 +117,9 @@ TEST(Orientation, BootstrapDrawsEachMeasuredPlaneAsOften) {
 }
 
 TEST(Orientation, SteepestJoint) {
-    const auto degrees = [](const Orientation& o) { return std::atan(o.steepest()) / degree; };
-    EXPECT_EQ(plane(60, 120, 90).steepest(), 0);
-    EXPECT_EQ((Orientation{constant_value(0.3), {}, 0}).steepest(), 0);
+    const auto degrees = [](const Orientation& o) { return std::atan(o.max_deviation_tangent()) / degree; };
+    EXPECT_EQ(plane(60, 120, 90).max_deviation_tangent(), 0);
+    EXPECT_EQ((Orientation{constant_value(0.3), {}, 0}).max_deviation_tangent(), 0);
     EXPECT_NEAR(degrees({{Law::uniform, 0, 0, -0.2, 0.4}, {}, 0}), 0.3 / degree, 0.01);
     // Half of one in ten thousand on either side of a normal law: 3.8906 standard deviations.
     EXPECT_NEAR(degrees({{Law::normal, 1, 5 * degree}, {}, 0}), 5 * 3.8906, 1e-3);
@@ -135,8 +135,8 @@ TEST(Orientation, SteepestJoint) {
     for (const double k : {20.0, 50.0, 400.0})
         for (const double direction : {90.0, 120.0, 160.0}) {
             const Orientation o = plane(60, direction, 90, k);
-            const double mean_angle = o.mean_angle(), steepest = o.steepest();
-            const DrawStream stream(7, "steep");
+            const double mean_angle = o.mean_angle(), steepest = o.max_deviation_tangent();
+            const RandomStream stream(7, "steep");
             int beyond = 0;
             double most = 0;
             for (int i = 0; i < 20000; ++i) {
@@ -188,4 +188,4 @@ TEST(Orientation, MeasuredPlanesFromAFile) {
 }
 
 }  // namespace
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

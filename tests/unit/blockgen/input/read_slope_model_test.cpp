@@ -10,7 +10,7 @@
 #include "support/case_name.hpp"
 #include "unit/blockgen/slopes.hpp"
 
-namespace blockgen {
+namespace rockslope::blockgen {
 namespace {
 
 using testing::HasSubstr;
@@ -255,4 +255,4 @@ TEST_F(GeometryFile, GeoJsonFaultsAreNamed) {
 }
 
 }  // namespace
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

@@ -6,11 +6,11 @@
 #include <chrono>
 #include <limits>
 
-#include "blockgen/base/input_error.hpp"
 #include "blockgen/mesh/check_mesh.hpp"
+#include "common/base/input_error.hpp"
 #include "support/case_name.hpp"
 
-namespace blockgen {
+namespace rockslope::blockgen {
 namespace {
 
 using testing::HasSubstr;
@@ -192,4 +192,4 @@ TEST(BlockFile, AHundredThousandBlocksReadFast) {
 }
 
 }  // namespace
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

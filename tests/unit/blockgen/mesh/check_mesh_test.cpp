@@ -5,11 +5,11 @@
 
 #include <numbers>
 
-#include "blockgen/base/input_error.hpp"
 #include "blockgen/mesh/measures.hpp"
-#include "blockgen/mesh/orientation.hpp"
+#include "common/base/input_error.hpp"
+#include "common/geometry/orientation.hpp"
 
-namespace blockgen {
+namespace rockslope::blockgen {
 namespace {
 
 using testing::HasSubstr;
@@ -124,4 +124,4 @@ TEST(Measures, FarFromTheOriginKeepTheirDigits) {
 }
 
 }  // namespace
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace blockgen {
+namespace rockslope::blockgen {
 namespace {
 
 /// One block with the given corners, turned and far from the origin.
@@ -47,4 +47,4 @@ TEST(Measures, ShapesOfAllBlocks) {
 }
 
 }  // namespace
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

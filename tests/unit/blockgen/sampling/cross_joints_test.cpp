@@ -3,11 +3,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "blockgen/base/input_error.hpp"
-#include "blockgen/sampling/trace_finder.hpp"
+#include "blockgen/sampling/trace_index.hpp"
+#include "common/base/input_error.hpp"
 #include "unit/blockgen/slopes.hpp"
 
-namespace blockgen {
+namespace rockslope::blockgen {
 namespace {
 
 const std::string bedded = R"(
@@ -74,9 +74,9 @@ TEST(CrossJoints, EndWithTheProbabilityGiven) {
     const std::size_t none = cross_joints(model).size();
     model.joint_sets[1].termination = 0.4;
     const auto some = static_cast<double>(cross_joints(model).size());
-    // Each of all - none meetings ends a piece with probability 0.4: three standard deviations.
-    const auto meetings = static_cast<double>(all - none);
-    EXPECT_NEAR((some - static_cast<double>(none)) / meetings, 0.4, 3 * std::sqrt(0.24 / meetings));
+    // Each of all - none intersections ends a piece with probability 0.4: three standard deviations.
+    const auto intersections = static_cast<double>(all - none);
+    EXPECT_NEAR((some - static_cast<double>(none)) / intersections, 0.4, 3 * std::sqrt(0.24 / intersections));
 }
 
 TEST(CrossJoints, KeysOfTheModelFile) {
@@ -90,13 +90,13 @@ TEST(CrossJoints, KeysOfTheModelFile) {
     EXPECT_THROW(slope(wrong), InputError);
 }
 
-TEST(TraceFinder, FindsWhatBruteForceFinds) {
+TEST(TraceIndex, FindsWhatBruteForceFinds) {
     SlopeModel model = rectangle(10, 10);
     for (int k = 0; k < 300; ++k)
         add_trace(model,
                   {{std::fmod(3.7 * k, 10), std::fmod(1.3 * k, 10)},
                    {std::fmod(3.7 * k + 0.1 * (k % 17), 10), std::fmod(1.3 * k + 0.07 * (k % 29), 10)}});
-    const TraceFinder finder(model.traces, Bounds::of(model.outline));
+    const TraceIndex finder(model.traces, Bounds::of(model.outline));
     for (int q = 0; q < 50; ++q) {
         const double angle = 0.13 * q;
         const Point p{5, std::fmod(0.7 * q, 10)}, u{std::cos(angle), std::sin(angle)};
@@ -110,9 +110,9 @@ TEST(TraceFinder, FindsWhatBruteForceFinds) {
             const double s = ((a.x - p.x) * u.y - (a.y - p.y) * u.x) / d;
             expected += along >= inside->first && along <= inside->second && s >= 0 && s <= 1;
         }
-        EXPECT_EQ(finder.meetings(p, u, inside->first, inside->second).size(), expected) << q;
+        EXPECT_EQ(finder.intersections(p, u, inside->first, inside->second).size(), expected) << q;
     }
 }
 
 }  // namespace
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

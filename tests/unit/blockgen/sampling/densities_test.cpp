@@ -3,10 +3,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "blockgen/sampling/rock_measure.hpp"
+#include "blockgen/sampling/rock_domain.hpp"
 #include "unit/blockgen/slopes.hpp"
 
-namespace blockgen {
+namespace rockslope::blockgen {
 namespace {
 
 /// A notched section with a tunnel, so that area and length have something to leave out.
@@ -24,14 +24,14 @@ struct Densities {
 };
 
 /// Of the traces themselves, before anything is noded. @param u the set's mean direction.
-Densities densities_of(const std::vector<Trace>& traces, const RockMeasure& rock, const Point& u) {
+Densities densities_of(const std::vector<Trace>& traces, const RockDomain& rock, const Point& u) {
     Densities sums;
     for (const Trace& t : traces) {
         const Point &a = t.points[0], &b = t.points[1];
         const double length = std::hypot(b.x - a.x, b.y - a.y), in_rock = rock.length_in(a, b);
         sums.p21 += in_rock;
         sums.p10 += in_rock * std::abs((b.x - a.x) * u.x + (b.y - a.y) * u.y) / length;
-        sums.p20 += rock.holds({(a.x + b.x) / 2, (a.y + b.y) / 2});
+        sums.p20 += rock.contains({(a.x + b.x) / 2, (a.y + b.y) / 2});
     }
     return {sums.p10 / rock.area(), sums.p20 / rock.area(), sums.p21 / rock.area()};
 }
@@ -58,7 +58,7 @@ class SeedMean {
 void expect_densities(const std::string& keys, const Densities& expected, std::uint64_t seeds) {
     SlopeModel model = slope(head + keys);
     const JointSet& set = model.joint_sets.back();
-    const RockMeasure rock(model, set.region);
+    const RockDomain rock(model, set.region);
     const double mean = set.kind == SetKind::voronoi ? 0 : set.orientation.mean_angle();
     SeedMean p10, p20, p21;
     for (model.seed = 1; model.seed <= seeds; ++model.seed) {
@@ -105,7 +105,7 @@ TEST(Densities, OfParallelSets) {
     expect_densities(within_30 + "spacing = { law = \"exponential\", mean = 1 }\n",
                      {1, 0, mean_secant(30 * degree)}, 1000);
     expect_densities(normal_15 + "spacing = { law = \"lognormal\", mean = 1, sd = 0.4, min = 0.5 }\n",
-                     {1 / Distribution{Law::lognormal, 1, 0.4, 0.5}.mean_draw(), 0, 0}, 1000);
+                     {1 / Distribution{Law::lognormal, 1, 0.4, 0.5}.truncated_mean(), 0, 0}, 1000);
     expect_densities(normal_30 + "spacing = 2\n", {0.5, 0, 0}, 1000);
     expect_densities(within_75 + "spacing = 1\n", {1, 0, mean_secant(75 * degree)}, 2000);
     expect_densities(within_30 + "spacing = 1\nregion = \"left\"\n", {1, 0, mean_secant(30 * degree)}, 1000);
@@ -121,7 +121,7 @@ TEST(Densities, OfParallelSetsOfTraces) {
     expect_densities(within_30 + "spacing = 1\ngap = { law = \"exponential\", mean = 2 }\n" + exponential_4,
                      {2.0 / 3, secant / 6, secant * 2 / 3}, 1000);
     // Truncated, both the spacing and the traces.
-    const double open = Distribution{Law::exponential, 4, 0, 2, 6}.mean_draw();
+    const double open = Distribution{Law::exponential, 4, 0, 2, 6}.truncated_mean();
     expect_densities(within_30 +
                          "spacing = { law = \"normal\", mean = 1, sd = 0.5, min = 0.5, max = 1.5 }\ngap = 2\n"
                          "trace_length = { law = \"exponential\", mean = 4, min = 2, max = 6 }\n",
@@ -196,27 +196,27 @@ TEST(Densities, OfTheReport) {
         const JointSet& set = model.joint_sets[0];
         const double mean = set.orientation.mean_angle();
         const Densities d =
-            densities_of(all_traces(model), RockMeasure(model, ""), {std::cos(mean), std::sin(mean)});
+            densities_of(all_traces(model), RockDomain(model, ""), {std::cos(mean), std::sin(mean)});
         const JointBalance b = cut(model).report.joints[0];
         EXPECT_NEAR(b.p10, d.p10, 1e-5 * d.p10) << keys;
         EXPECT_NEAR(b.p20, d.p20, 1e-8 * d.p20) << keys;  // outlines on the grid
         EXPECT_NEAR(b.p21, d.p21, 1e-5 * d.p21) << keys;
         const bool by_p21 = set.stop.measure == StopRule::Measure::p21;
-        EXPECT_NEAR(b.p10_asked, by_p21 ? 0 : set.kind == SetKind::parallel ? 1.0 / 3 : 0.5, 1e-12) << keys;
-        EXPECT_EQ(b.p21_asked, by_p21 ? 0.7 : 0) << keys;
+        EXPECT_NEAR(b.p10_target, by_p21 ? 0 : set.kind == SetKind::parallel ? 1.0 / 3 : 0.5, 1e-12) << keys;
+        EXPECT_EQ(b.p21_target, by_p21 ? 0.7 : 0) << keys;
     }
     const JointBalance flat =
         cut(slope(head + "angle = \"20 deg\"\nspacing = 2\norigin = [3, 4]\n")).report.joints[0];
-    EXPECT_EQ(flat.p10_asked, 0.5);
-    EXPECT_EQ(flat.p21_asked, 0.5);
+    EXPECT_EQ(flat.p10_target, 0.5);
+    EXPECT_EQ(flat.p21_target, 0.5);
     const JointBalance cross = cut(slope(head +
                                          "angle = \"20 deg\"\nspacing = 2\n[[joint_set]]\nname = "
                                          "\"cross\"\nkind = \"cross-jointed\"\nends_on = \"set\"\n" +
                                          "spacing = 4\n" + normal_15))
                                    .report.joints[1];
-    EXPECT_EQ(cross.p10_asked, 0.25);
-    EXPECT_EQ(cross.p21_asked, 0);
+    EXPECT_EQ(cross.p10_target, 0.25);
+    EXPECT_EQ(cross.p21_target, 0);
 }
 
 }  // namespace
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

@@ -3,10 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "blockgen/base/input_error.hpp"
+#include "common/base/input_error.hpp"
 #include "unit/blockgen/slopes.hpp"
 
-namespace blockgen {
+namespace rockslope::blockgen {
 namespace {
 
 const std::string head =
@@ -26,7 +26,7 @@ Draws draws_of(const std::string& keys) {
     const SlopeModel model = slope(head + keys);
     const JointSet& set = model.joint_sets[0];
     SetSampler sampler(set, model, 10'000'000);
-    const RockMeasure rock(model, set.region);
+    const RockDomain rock(model, set.region);
     Draws draws{expected_draws(sampler, &rock, model.traces), 0};
     if (set.kind == SetKind::parallel) sample_parallel(sampler);
     if (set.kind == SetKind::cross_jointed) sample_cross_joints(sampler, model.traces);
@@ -82,7 +82,7 @@ std::string refusal_of(const std::string& keys, std::size_t max_blocks) {
 }
 
 // Each of these would otherwise be drawn for hours, or until the memory is full.
-TEST(ExpectedDraws, RefuseEndlessSetsBeforeTheyAreDrawn) {
+TEST(ExpectedDraws, RejectTooLargeSetsBeforeSampling) {
     for (const std::string& keys :
          {std::string("angle = \"3 deg\"\nspacing = 1e-5\n"),
           std::string("angle = \"3 deg\"\nspacing = 1\norigin = [1e12, 1e12]\n"),
@@ -110,4 +110,4 @@ TEST(ExpectedDraws, CountForAllSetsTogether) {
 }
 
 }  // namespace
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

@@ -2,11 +2,11 @@
 
 #include <cmath>
 
-#include "blockgen/base/input_error.hpp"
-#include "blockgen/detail/voronoi.hpp"
+#include "blockgen/arrangement/voronoi.hpp"
+#include "common/base/input_error.hpp"
 #include "unit/blockgen/slopes.hpp"
 
-namespace blockgen {
+namespace rockslope::blockgen {
 namespace {
 
 const std::string cells = R"(
@@ -73,4 +73,4 @@ TEST(Voronoi, KeysOfTheModelFile) {
 }
 
 }  // namespace
-}  // namespace blockgen
+}  // namespace rockslope::blockgen

@@ -8,6 +8,8 @@
 #include "dda/analysis/open_close_iteration.hpp"
 #include "support/first_step.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using namespace scene;
@@ -15,8 +17,8 @@ using namespace scene;
 /// The refined solver, which remembers the matrix and the last right-hand side that it was given.
 class Watched final : public dda::LinearSolver {
   public:
-    explicit Watched(const dda::Crew& crew)
-        : solver_(dda::make_linear_solver(dda::SolverKind::refined, crew)) {}
+    explicit Watched(const ThreadPool& pool)
+        : solver_(dda::make_linear_solver(dda::SolverKind::refined, pool)) {}
 
     void analyze(const dda::BlockPattern& pattern) override {
         pattern_ = pattern;
@@ -28,12 +30,10 @@ class Watched final : public dda::LinearSolver {
         return solver_->refactorize(matrix, changed);
     }
     void solve(std::vector<Vec6>& right_hand_side) override { solver_->solve(right_hand_side); }
-    int approach(std::vector<Vec6>& x, const std::vector<Vec6>& b) override {
-        return solver_->approach(x, b);
+    int solve_coarsely(std::vector<Vec6>& x, const std::vector<Vec6>& b) override {
+        return solver_->solve_coarsely(x, b);
     }
-    void solve_roughly(std::vector<Vec6>& right_hand_side) override {
-        solver_->solve_roughly(right_hand_side);
-    }
+    void apply_factor(std::vector<Vec6>& right_hand_side) override { solver_->apply_factor(right_hand_side); }
     int refine(std::vector<Vec6>& x, const std::vector<Vec6>& b, double share) override {
         load_ = b;
         largest_share = std::max(largest_share, share);
@@ -43,7 +43,7 @@ class Watched final : public dda::LinearSolver {
     dda::OpenCloseResult iterate(const FirstStep& step) {
         analyze(step.pattern);
         const dda::StepProblem problem = step.problem();
-        return dda::iterate_open_close(problem, step.pattern, *this, work_, step.crew);
+        return dda::iterate_open_close(problem, step.pattern, *this, work_, step.pool);
     }
     /// Of the last load, what a displacement leaves in the residual.
     double residual(const std::vector<Vec6>& x) const {
@@ -79,10 +79,10 @@ struct PushedWall : FirstStep {
         for (dda::Mat6& stiffness : base.stiffness) stiffness.setZero();
         dda::add_inertia(rows, state.blocks, {0.5, 1, dt}, 0, base);
         dda::add_elasticity(model, rows, state.blocks, dt, base);
-        Dice dice(seed);
+        RandomSource random(seed);
         for (std::size_t r = 0; r < base.load.size(); ++r) {
             const double mass = state.blocks.mass[static_cast<std::size_t>(rows.block_of[r])];
-            base.load[r].head<2>() += mass * (model.gravity + 5 * dice.direction());
+            base.load[r].head<2>() += mass * (model.gravity + 5 * random.direction());
         }
     }
 
@@ -95,9 +95,10 @@ struct PushedWall : FirstStep {
             int terms = 1;
             for (const int k : row_contacts.of(r)) {
                 const dda::ContactSprings& s = springs[static_cast<std::size_t>(k)];
-                const dda::JudgedContact& judged = result.contacts[static_cast<std::size_t>(k)];
-                force += s.rows.of_row(static_cast<int>(r), judged.normal_force * s.normal.direction -
-                                                                judged.shear_force * s.shear.direction);
+                const dda::EvaluatedContact& judged = result.contacts[static_cast<std::size_t>(k)];
+                force +=
+                    s.rows.project_on_row(static_cast<int>(r), judged.normal_force * s.normal.direction -
+                                                                   judged.shear_force * s.shear.direction);
                 terms += 2;  // a normal and a shear force
             }
             largest = std::max(largest, force.head<2>().cwiseAbs().maxCoeff() / terms);
@@ -106,7 +107,7 @@ struct PushedWall : FirstStep {
     }
     static double largest_force(const dda::OpenCloseResult& result) {
         double largest = 0;
-        for (const dda::JudgedContact& judged : result.contacts)
+        for (const dda::EvaluatedContact& judged : result.contacts)
             largest = std::max({largest, judged.normal_force, std::abs(judged.shear_force)});
         return largest;
     }
@@ -115,7 +116,7 @@ struct PushedWall : FirstStep {
 TEST(AcceptedStep, SolvesItsLinearSystem) {
     for (const unsigned seed : {1u, 2u, 3u, 4u, 5u, 6u}) {
         const PushedWall step(seed, dda::StepControl().force_tolerance);
-        Watched solver(step.crew);
+        Watched solver(step.pool);
         const dda::OpenCloseResult result = solver.iterate(step);
         ASSERT_TRUE(result.converged) << "seed " << seed;
         EXPECT_GT(result.iterations, 2) << "seed " << seed << ": nothing to iterate";
@@ -131,7 +132,7 @@ TEST(AcceptedStep, BalancesItsBlocks) {
     int short_of_it = 0;
     for (unsigned seed = 1; seed <= 100; ++seed) {
         const PushedWall step(seed, tolerance);
-        Watched solver(step.crew);
+        Watched solver(step.pool);
         const dda::OpenCloseResult result = solver.iterate(step);
         ASSERT_TRUE(result.converged) << "seed " << seed;
         EXPECT_LE(step.lacking(result), tolerance * PushedWall::largest_force(result)) << "seed " << seed;

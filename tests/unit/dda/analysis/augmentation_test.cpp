@@ -4,6 +4,8 @@
 
 #include "support/walls.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using namespace scene;
@@ -132,7 +134,7 @@ struct Released {
         sim.state = glued.state;
         sim.restart_ledger();
         double before = 0;
-        sim.each_step = [&](const dda::State& state, const dda::StepReport&) {
+        sim.on_step = [&](const dda::State& state, const dda::StepReport&) {
             turned = std::max(turned, std::abs(state.blocks.rotation[static_cast<std::size_t>(block)]));
             for (const dda::Contact& c : state.contacts.contacts)
                 if (c.normal_force > 0) farthest = std::max(farthest, std::abs(c.gap));

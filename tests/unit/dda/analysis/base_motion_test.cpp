@@ -5,6 +5,8 @@
 #include "support/case_name.hpp"
 #include "support/scene.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using namespace scene;
@@ -74,7 +76,7 @@ TEST_P(PrescribedBlock, AcceleratesAsTheRecordAndDoesNotDrift) {
     s.box({20, -90}, 1, 1, Motion::fixed);
     Simulation sim(s);
     Follower follower{.01};
-    sim.each_step = [&](const dda::State& state, const dda::StepReport& report) { follower(state, report); };
+    sim.on_step = [&](const dda::State& state, const dda::StepReport& report) { follower(state, report); };
     dda::Stage stage = shaken("base", .8, .01);
     stage.control.displacement_ratio = GetParam();
     ASSERT_EQ(sim.run(stage).status, dda::RunStatus::completed);

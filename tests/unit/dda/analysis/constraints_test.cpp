@@ -4,6 +4,8 @@
 
 #include "support/scene.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using namespace scene;
@@ -110,10 +112,10 @@ TEST(Bond, BearsTheWeightOrTears) {
     EXPECT_LT(held.moved(strong.block).norm(), 1e-5);
 
     Bonded weak(.9 * weight);
-    Simulation torn(weak.s);
-    ASSERT_EQ(torn.shake(.2, 1e-3).status, dda::RunStatus::completed);
-    EXPECT_NEAR(torn.moved(weak.block).y(), -g * .04 / 2, .05 * g * .04 / 2);
-    for (const dda::Contact& c : torn.state.contacts.contacts) EXPECT_FALSE(c.bonded);
+    Simulation bond_broken(weak.s);
+    ASSERT_EQ(bond_broken.shake(.2, 1e-3).status, dda::RunStatus::completed);
+    EXPECT_NEAR(bond_broken.moved(weak.block).y(), -g * .04 / 2, .05 * g * .04 / 2);
+    for (const dda::Contact& c : bond_broken.state.contacts.contacts) EXPECT_FALSE(c.bonded);
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include "dda/analysis/excavate.hpp"
 #include "support/scene.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using namespace scene;
@@ -70,7 +72,7 @@ TEST(Excavation, BoltsAndFixedPointsGoWithTheirRock) {
     dda::State state = dda::initial_state(s.model);
     ASSERT_TRUE(dda::excavate(s.model, 1, state));
     EXPECT_EQ(state.bolt_force, std::vector<double>{2e3});
-    const dda::Model rest = dda::remaining(s.model, state.removed);
+    const dda::Model rest = dda::without_removed_blocks(s.model, state.removed);
     ASSERT_EQ(rest.bolts.size(), 1U);
     EXPECT_EQ(rest.bolts[0].name, "kept");
     ASSERT_EQ(rest.fixed_points.size(), 1U);

@@ -5,6 +5,8 @@
 #include "dda/analysis/run.hpp"
 #include "support/walls.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 /// A step of ten seconds, in which inertia is as good as nothing beside springs of ten million times E.

@@ -6,6 +6,8 @@
 #include "support/cyclic_joints.hpp"
 #include "support/scene.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using namespace scene;
@@ -25,7 +27,7 @@ Simulation pressed(double off_middle) {
     return Simulation(s);
 }
 
-// Eq. (52): the strength of the whole joint over the peak displacement, half of it at either end, also where
+// Eq. (58): the strength of the whole joint over the peak displacement, half of it at either end, also where
 // one end bears more: the joint has one stress.
 TEST(JointHistory, SpringOfTheJointIsSharedByItsEnds) {
     const double of_joint =

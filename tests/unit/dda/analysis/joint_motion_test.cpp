@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+using namespace rockslope;
+
 namespace {
 
 using dda::Contact;
@@ -17,10 +19,10 @@ Contact contact(ContactState state, double normal_force) {
 }
 
 /// The motion of both, each of 0.5 m with a spring of 1e8, under the normal forces of a trial.
-std::optional<dda::FacesMotion> moved(const std::vector<Contact>& contacts, double first, double second) {
+std::optional<dda::SegmentMotion> moved(const std::vector<Contact>& contacts, double first, double second) {
     const std::vector<int> members = {0, 1};
     const double normal[] = {first, second};
-    return dda::faces_motion(members, contacts, [&](int k) {
+    return dda::segment_motion(members, contacts, [&](int k) {
         ContactMotion motion;
         motion.displacement = k == 0 ? 1e-3 : 3e-3;
         motion.normal_force = normal[k];
@@ -33,7 +35,7 @@ std::optional<dda::FacesMotion> moved(const std::vector<Contact>& contacts, doub
 
 // The strength of a rough joint depends on its normal force over its length: where one contact opens or
 // closes the force has no jump, and nothing else may have one.
-TEST(FacesMotion, NothingJumpsWhereAContactOpens) {
+TEST(SegmentMotion, NothingJumpsWhereAContactOpens) {
     for (const ContactState second : {ContactState::open, ContactState::locked}) {
         const std::vector<Contact> contacts = {contact(ContactState::sliding, 5), contact(second, 0)};
         const auto pressed = moved(contacts, 7, 1e-9), opened = moved(contacts, 7, -1e-9);
@@ -47,7 +49,7 @@ TEST(FacesMotion, NothingJumpsWhereAContactOpens) {
     }
 }
 
-TEST(FacesMotion, AJointThatWasOpenIsAllOfItsContacts) {
+TEST(SegmentMotion, AJointThatWasOpenIsAllOfItsContacts) {
     const std::vector<Contact> contacts = {contact(ContactState::open, 0), contact(ContactState::open, 0)};
     const auto whole = moved(contacts, 3, 4);
     ASSERT_TRUE(whole);
@@ -58,7 +60,7 @@ TEST(FacesMotion, AJointThatWasOpenIsAllOfItsContacts) {
     EXPECT_FALSE(moved(contacts, -3, 0));
 }
 
-TEST(FacesMotion, TheHistoryIsThatOfTheContactThatBoreMost) {
+TEST(SegmentMotion, TheHistoryIsThatOfTheContactThatBoreMost) {
     const std::vector<Contact> contacts = {contact(ContactState::locked, 1),
                                            contact(ContactState::locked, 5)};
     EXPECT_EQ(moved(contacts, 3, 4)->history, &contacts[1].history);

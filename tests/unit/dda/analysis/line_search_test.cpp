@@ -7,80 +7,82 @@
 
 #include "support/first_step.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using namespace scene;
 
-/// A wall somewhere on its way.
+/// A wall somewhere on its direction.
 struct MovingWall {
     FirstStep step;
     dda::StepProblem problem = step.problem();
-    dda::TrialContacts trials{problem, step.crew};
+    dda::TrialContacts trials{problem, step.pool};
     std::vector<Vec6> from;
 
-    explicit MovingWall(Dice& dice) : from(moved(dice, step.rows.count(), 2)) {
-        trials.move_to(from, from);
-        trials.choose_lines();
+    explicit MovingWall(RandomSource& random) : from(moved(random, step.rows.count(), 2)) {
+        trials.set_displacement(from, from);
+        trials.select_first_entrances();
         trials.update_bounds();
-        trials.choose_springs();
+        trials.update_active_set();
         trials.force_change();  // sets what counts as converged
     }
-    /// The potential's slope after a share of the way, as the header has it.
-    double slope(const std::vector<Vec6>& target, double share) const {
+    /// The potential's slope after a step_length of the direction, as the header has it.
+    double slope(const std::vector<Vec6>& target, double step_length) const {
         double sum = 0;
         std::vector<Vec6> d(target.size());
-        std::vector<Vec6> way(target.size());
+        std::vector<Vec6> direction(target.size());
         for (std::size_t r = 0; r < d.size(); ++r) {
-            way[r] = target[r] - from[r];
-            d[r] = from[r] + share * way[r];
-            sum -= (1 - share) * way[r].dot(step.base.stiffness[r] * way[r]);
+            direction[r] = target[r] - from[r];
+            d[r] = from[r] + step_length * direction[r];
+            sum -= (1 - step_length) * direction[r].dot(step.base.stiffness[r] * direction[r]);
         }
         for (std::size_t k = 0; k < trials.count(); ++k) {
             const dda::ContactSprings& s = step.springs[k];
-            const auto measure = [&](const dda::Relative& relative, const std::vector<Vec6>& at) {
+            const auto measure = [&](const dda::RelativeMeasure& relative, const std::vector<Vec6>& at) {
                 return s.rows.measure(relative, at);
             };
             const dda::Forces law = trials.law_forces(k, measure(s.normal, d), measure(s.shear, d));
             const dda::Forces linear =
                 trials.linear_forces(k, measure(s.normal, target), measure(s.shear, target));
-            sum += (linear.normal - law.normal) * (measure(s.normal, way) - s.normal.known) +
-                   (law.shear - linear.shear) * (measure(s.shear, way) - s.shear.known);
+            sum += (linear.normal - law.normal) * (measure(s.normal, direction) - s.normal.prescribed) +
+                   (law.shear - linear.shear) * (measure(s.shear, direction) - s.shear.prescribed);
         }
         return sum;
     }
 };
 
 TEST(LineSearch, FindsWhereTheSlopePassesZero) {
-    Dice dice(7);
+    RandomSource random(7);
     int inside = 0;
     for (int round = 0; round < 40; ++round) {
-        const MovingWall wall(dice);
-        std::vector<Vec6> target = moved(dice, wall.step.rows.count(), 1 + dice.one_of(3));
-        for (Vec6& of_row : target) of_row *= std::pow(10, dice.one_of(4)) / 10;
-        dda::LineSearch search(wall.problem, wall.trials, wall.step.crew);
-        const double share = search.share(wall.from, target);
-        ASSERT_GT(share, 0);
-        ASSERT_LE(share, 1);
-        if (share == 1) {
+        const MovingWall wall(random);
+        std::vector<Vec6> target = moved(random, wall.step.rows.count(), 1 + random.index_below(3));
+        for (Vec6& of_row : target) of_row *= std::pow(10, random.index_below(4)) / 10;
+        dda::LineSearch search(wall.problem, wall.trials, wall.step.pool);
+        const double step_length = search.step_length(wall.from, target);
+        ASSERT_GT(step_length, 0);
+        ASSERT_LE(step_length, 1);
+        if (step_length == 1) {
             EXPECT_LE(wall.slope(target, 1), 0);
             continue;
         }
         ++inside;
-        EXPECT_GT(wall.slope(target, share), 0) << "round " << round;
-        EXPECT_LE(wall.slope(target, std::max(share - 1.1e-6, 0.0)), 0) << "round " << round;
+        EXPECT_GT(wall.slope(target, step_length), 0) << "round " << round;
+        EXPECT_LE(wall.slope(target, std::max(step_length - 1.1e-6, 0.0)), 0) << "round " << round;
     }
     EXPECT_GT(inside, 10);
 }
 
 TEST(LineSearch, GivesTheSameBitsWithAnyNumberOfThreads) {
-    Dice dice(8);
-    const MovingWall wall(dice);
-    const std::vector<Vec6> target = moved(dice, wall.step.rows.count(), 1);
-    const auto share = [&](int threads) {
-        const dda::Crew crew(threads);
-        return dda::LineSearch(wall.problem, wall.trials, crew).share(wall.from, target);
+    RandomSource random(8);
+    const MovingWall wall(random);
+    const std::vector<Vec6> target = moved(random, wall.step.rows.count(), 1);
+    const auto step_length = [&](int threads) {
+        const ThreadPool pool(threads);
+        return dda::LineSearch(wall.problem, wall.trials, pool).step_length(wall.from, target);
     };
-    for (const int threads : {2, 3}) EXPECT_EQ(share(threads), share(1)) << threads;
+    for (const int threads : {2, 3}) EXPECT_EQ(step_length(threads), step_length(1)) << threads;
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 
 #include "support/walls.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using namespace scene;

@@ -4,6 +4,8 @@
 
 #include "support/scene.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using namespace scene;
@@ -22,7 +24,7 @@ void expect_smooth_slide(Scene s, int slider) {
     double least = 1e300;
     double most = 0;
     int steps = 0;
-    sim.each_step = [&](const dda::State& state, const dda::StepReport&) {
+    sim.on_step = [&](const dda::State& state, const dda::StepReport&) {
         double shear = 0;
         for (const dda::Contact& c : state.contacts.contacts) {
             if (c.corner_block != slider && c.edge_block != slider) continue;

@@ -4,6 +4,8 @@
 
 #include "support/walls.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using namespace scene;

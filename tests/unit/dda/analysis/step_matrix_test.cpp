@@ -4,6 +4,8 @@
 
 #include "support/first_step.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using namespace scene;
@@ -13,25 +15,25 @@ using namespace scene;
 TEST(StepMatrix, OfWhatHasChangedIsTheSameBytesAsAFreshOne) {
     const FirstStep step;
     const dda::StepProblem problem = step.problem();
-    dda::TrialContacts trials(problem, step.crew);
+    dda::TrialContacts trials(problem, step.pool);
     dda::BlockMatrix work;
-    dda::StepMatrix matrix(problem, step.pattern, work, step.crew);
+    dda::StepMatrix matrix(problem, step.pattern, work, step.pool);
     matrix.assemble(trials);
     EXPECT_TRUE(matrix.changed().empty());
-    Dice dice(5);
+    RandomSource random(5);
     long told = 0;
     long rows = 0;
     for (const unsigned one_in : {1u, 3u, 10u, 30u, 60u, 60u}) {
         const dda::BlockMatrix last = work;
-        const std::vector<Vec6> there = moved(dice, step.rows.count(), one_in);
-        trials.move_to(there, there);
-        trials.choose_lines();
+        const std::vector<Vec6> there = moved(random, step.rows.count(), one_in);
+        trials.set_displacement(there, there);
+        trials.select_first_entrances();
         trials.update_bounds();
-        trials.choose_springs();
+        trials.update_active_set();
         matrix.assemble(trials);
 
         dda::BlockMatrix other_work;
-        dda::StepMatrix fresh(problem, step.pattern, other_work, step.crew);
+        dda::StepMatrix fresh(problem, step.pattern, other_work, step.pool);
         fresh.assemble(trials);
         EXPECT_EQ(work.diagonal, other_work.diagonal);
         EXPECT_EQ(work.upper, other_work.upper);

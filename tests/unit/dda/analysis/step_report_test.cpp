@@ -4,6 +4,8 @@
 
 #include <vector>
 
+using namespace rockslope;
+
 namespace {
 
 using dda::Contact;
@@ -13,12 +15,12 @@ using dda::ContactState;
 /// third.
 double left(double before, double after, double solved) {
     std::vector<Contact> start(1), end(1);
-    std::vector<dda::JudgedContact> judged(1);
+    std::vector<dda::EvaluatedContact> evaluated(1);
     start[0].dilation = before;
     end[0].dilation = after;
     end[0].state = ContactState::sliding;
-    judged[0].dilating = solved;
-    return dda::dilation_left(start, judged, end);
+    evaluated[0].dilation_increment = solved;
+    return dda::remaining_dilation(start, evaluated, end);
 }
 
 TEST(DilationLeft, IsWhatTheStepWasNotSolvedWith) {
@@ -31,15 +33,15 @@ TEST(DilationLeft, IsWhatTheStepWasNotSolvedWith) {
 
 TEST(DilationLeft, IsTheLargestOfWhatBearsOrOverlaps) {
     std::vector<Contact> start(4), end(4);
-    const std::vector<dda::JudgedContact> judged(4);
+    const std::vector<dda::EvaluatedContact> evaluated(4);
     end[0].state = ContactState::locked;
     end[0].dilation = .125;
     end[1].dilation = 1;  // open, and has a gap
     end[1].gap = .5;
-    EXPECT_EQ(dda::dilation_left(start, judged, end), .125);
+    EXPECT_EQ(dda::remaining_dilation(start, evaluated, end), .125);
     end[2].dilation = .25;  // open, and will close by it
     end[2].gap = -.125;
-    EXPECT_EQ(dda::dilation_left(start, judged, end), .25);
+    EXPECT_EQ(dda::remaining_dilation(start, evaluated, end), .25);
 }
 
 }  // namespace

@@ -7,6 +7,8 @@
 #include "dda/joint/barton_bandis.hpp"
 #include "support/scene.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using namespace scene;
@@ -75,13 +77,13 @@ TEST(StrengthReduction, FindsTheFactorOfABlockOnAPlane) {
 }
 
 // A block that slips until enough of its roughness works: it stands while the peak bears it, and the peak is
-// Eq. (51) at the plane's mean stress.
+// Eq. (57) at the plane's mean stress.
 TEST(StrengthReduction, ReducesRoughnessLikeFriction) {
     const double angle = 50;
     Scene s = on_incline(angle, 0, 0);
     const dda::BartonStrength barton{8, 50e6, radians(28)};
     s.model.joint_materials[0].law = dda::BartonBandis{barton, 2e-3, dda::barton_1985(), true, 1};
-    // The toe bears four fifths of the weight. The soft spring of Eq. (52) would give it its share of shear
+    // The toe bears four fifths of the weight. The soft spring of Eq. (58) would give it its share of shear
     // only after the joint has passed its peak, at a factor 3 % lower.
     s.model.joint_materials[0].shear_penalty = 1e10;
     Searched sim(s);

@@ -8,6 +8,8 @@
 #include "dda/block/mid_step.hpp"
 #include "support/scene.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using namespace scene;
@@ -76,7 +78,7 @@ TEST(Project, IsARowOfTheDisplacementMatrix) {
     }
 }
 
-TEST(MoveBlocks, CarriesPointsStressAndRatesAndLeavesTheRest) {
+TEST(MoveBlocks, MovesPointsStressAndRates) {
     Scene s;
     const int moved = s.box({0, 0}, 2, 1);
     const int still = s.box({5, 0}, 1, 1);
@@ -85,7 +87,7 @@ TEST(MoveBlocks, CarriesPointsStressAndRatesAndLeavesTheRest) {
     dda::BlockSystem blocks = dda::initial_block_system(s.model);
     blocks.velocity[0][3] = 1;
     const Vec6 quarter = (Vec6() << 10, 0, std::numbers::pi / 2, 0, 0, 0).finished();
-    dda::move_blocks(s.model, std::vector<Vec6>{quarter, Vec6::Zero()}, dda::Crew(1), blocks);
+    dda::move_blocks(s.model, std::vector<Vec6>{quarter, Vec6::Zero()}, ThreadPool(1), blocks);
     EXPECT_LT((blocks.points[0] - Vec2(10.5, 1.5)).norm(), 1e-14)
         << "arm (1, .5) becomes (-.5, 1) about (11, .5)";
     EXPECT_LT((blocks.centroid(moved) - Vec2(11, .5)).norm(), 1e-14);
@@ -103,7 +105,7 @@ TEST(MidStep, IsHalfWayWithTheExactRotation) {
     const dda::BlockSystem blocks = dda::initial_block_system(s.model);
     const Vec6 half_turn = (Vec6() << 4, 2, std::numbers::pi, 0, 0, 0).finished();
     const dda::MidStep mid =
-        dda::predict_mid_step(s.model, blocks, std::vector<Vec6>{half_turn}, dda::Crew(1));
+        dda::predict_mid_step(s.model, blocks, std::vector<Vec6>{half_turn}, ThreadPool(1));
     EXPECT_LT((mid.centroid[0] - Vec2(3, 1.5)).norm(), 1e-14);
     EXPECT_LT((mid.points[0] - Vec2(2.5, 2.5)).norm(), 1e-14);
     EXPECT_LT((mid.vertices[2] - Vec2(2.5, 2.5)).norm(), 1e-14);

@@ -7,6 +7,8 @@
 
 #include "support/scene.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using namespace scene;

@@ -5,16 +5,18 @@
 #include "dda/contact/candidates.hpp"
 #include "support/scene.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using namespace scene;
 using dda::Contact;
 using dda::ContactKind;
 
-std::vector<Contact> detect(const Scene& s, double reach = .01) {
-    const auto candidates = dda::find_candidates(s.model, s.model.vertices, 2 * reach);
-    return dda::detect_contacts(s.model, {s.model.vertices, s.model.vertices, reach}, candidates,
-                                dda::Crew(1));
+std::vector<Contact> detect(const Scene& s, double search_radius = .01) {
+    const auto candidates = dda::find_candidates(s.model, s.model.vertices, 2 * search_radius);
+    return dda::detect_contacts(s.model, {s.model.vertices, s.model.vertices, search_radius}, candidates,
+                                ThreadPool(1));
 }
 
 double total_length(const std::vector<Contact>& contacts) {

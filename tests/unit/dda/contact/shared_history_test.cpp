@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+using namespace rockslope;
+
 namespace {
 
 using dda::JointHistory;
@@ -42,16 +44,16 @@ TEST(SharedHistory, StaysAsItWasWhenACopyIsGivenAnother) {
     EXPECT_EQ(*changed, JointHistory(dda::MohrCoulomb::History{true}));
 }
 
-TEST(SharedHistory, OfARowOutlivesTheRow) {
+TEST(SharedHistory, OfABatchOutlivesTheBatch) {
     std::vector<SharedHistory> kept;
     {
-        SharedHistory::Row row(3);
+        SharedHistory::Batch batch(3);
         for (int k = 0; k < 4; ++k) {  // one more than there is room for
             dda::CyclicBartonBandis::History history;
             history.position = k;
-            kept.push_back(row.add(history));
+            kept.push_back(batch.add(history));
         }
-        kept.push_back(row.add(dda::MohrCoulomb::History{true}));
+        kept.push_back(batch.add(dda::MohrCoulomb::History{true}));
     }
     kept.erase(kept.begin());
     for (int k = 1; k < 4; ++k)

@@ -4,6 +4,8 @@
 
 #include "support/scene.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using namespace scene;
@@ -35,9 +37,9 @@ Contact carrying(Contact c) {
 
 class Transfer : public testing::Test {
   protected:
-    Contact moved_to(Contact now, double reach = .1, bool first_step = false) {
+    Contact moved_to(Contact now, double search_radius = .1, bool first_step = false) {
         std::vector<Contact> contacts = {now};
-        dda::transfer_contacts(s.model, std::vector{old}, reach, first_step, contacts);
+        dda::transfer_contacts(s.model, std::vector{old}, search_radius, first_step, contacts);
         return contacts[0];
     }
     static void expect_carried(const Contact& c) {
@@ -78,11 +80,11 @@ TEST_F(Transfer, CornerAndEdgeExchangeRoles) {
     EXPECT_EQ(old.shear_force * old.tangent, -now.shear_force * now.tangent);
 }
 
-TEST_F(Transfer, ANeighboursFaceTakesOver) {
+TEST_F(Transfer, SlidingOntoANeighboursFace) {
     expect_carried(moved_to(contact(1, 2, 4, 9, {.05, 0}, up)));
 }
 
-TEST_F(Transfer, NotFromFartherThanAnythingMoved) {
+TEST_F(Transfer, NotBeyondTheLargestDisplacement) {
     expect_fresh(moved_to(contact(1, 0, 4, 3, {.11, 0}, up)));
 }
 
@@ -105,7 +107,7 @@ TEST_F(Transfer, NotFromAnotherJoint) {
     expect_fresh(moved_to(now));
 }
 
-TEST_F(Transfer, OneContactHandsOverOnceAndToTheNearest) {
+TEST_F(Transfer, AContactMatchesOnceAndTheNearest) {
     std::vector<Contact> contacts = {contact(1, 0, 4, 3, {.05, 0}, up), contact(1, 0, 5, 3, {.01, 0}, up)};
     dda::transfer_contacts(s.model, std::vector{old}, .1, false, contacts);
     EXPECT_EQ((contacts[0].state != ContactState::open) + (contacts[1].state != ContactState::open), 1);
@@ -113,7 +115,7 @@ TEST_F(Transfer, OneContactHandsOverOnceAndToTheNearest) {
 
 // The corner slides on to a neighbour's face, while the end of the overlap that it leaves has a corner of its
 // own: what was one contact is two, and the force stays with the corner.
-TEST_F(Transfer, TheCornerTakesItsForceOnToANeighboursFace) {
+TEST_F(Transfer, ForceStaysWithTheCornerOnANeighboursFace) {
     std::vector<Contact> contacts = {contact(0, 1, 3, 5, {.01, 0}, -up), contact(1, 2, 4, 9, {.02, 0}, up)};
     dda::transfer_contacts(s.model, std::vector{old}, .1, false, contacts);
     expect_fresh(contacts[0]);
@@ -121,7 +123,7 @@ TEST_F(Transfer, TheCornerTakesItsForceOnToANeighboursFace) {
     expect_carried(contacts[1]);
 }
 
-TEST_F(Transfer, ACornerTakesItsForceToAContactThatWasThereAndBoreNothing) {
+TEST_F(Transfer, ForcePassesToAnExistingOpenContact) {
     const Contact next = contact(1, 2, 4, 9, {.02, 0}, up);
     std::vector<Contact> contacts = {next};
     dda::transfer_contacts(s.model, std::vector{old, next}, .1, false, contacts);
@@ -129,7 +131,7 @@ TEST_F(Transfer, ACornerTakesItsForceToAContactThatWasThereAndBoreNothing) {
 }
 
 // Both are between other blocks: what the corner has been through there is not what these have.
-TEST_F(Transfer, ACornerThatBoreNothingLeavesAContactThatWasThereItsHistory) {
+TEST_F(Transfer, AnOpenPredecessorKeepsTheExistingHistory) {
     old.state = ContactState::open;
     const Contact next = contact(1, 2, 4, 9, {.02, 0}, up);
     std::vector<Contact> contacts = {next};
@@ -144,7 +146,7 @@ TEST_F(Transfer, TheForceStaysTheSameAtAnotherDepth) {
     old.gap = -2e-9;  // 100 N over 5e10 N/m
     Contact now = contact(1, 0, 4, 3, {.05, 0}, up);
     now.gap = -3e-9;
-    EXPECT_NEAR(moved_to(now).rest_gap, -1e-9, 1e-20);
+    EXPECT_NEAR(moved_to(now).stress_free_gap, -1e-9, 1e-20);
 }
 
 TEST_F(Transfer, NotToADeeperContact) {

@@ -7,6 +7,8 @@
 #include "dda/joint/joint_law.hpp"
 #include "dda/joint/shear_step.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using dda::JointLaw;
@@ -79,7 +81,7 @@ TEST(TwoOrderAsperities, AreTheSumOfTwo) {
         << "only waves are left";
 }
 
-TEST(StressedAsperities, AreClimbedTheLessTheHarderTheyArePressed) {
+TEST(StressedAsperities, AreClimbedLessUnderHigherNormalStress) {
     const dda::StressedAsperities law{30 * degree, 16 * degree, 0, 4e6, 2};
     const auto angle = [&](double at) {
         return std::atan(law.strength(law.fresh(true), at * length, length, {}).forward / (at * length)) /

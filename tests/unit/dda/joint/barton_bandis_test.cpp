@@ -6,6 +6,8 @@
 
 #include "support/cyclic_joints.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using dda::BartonBandis;
@@ -46,7 +48,7 @@ TEST(BartonBandis, MobilisesRoughnessAsInBarton1985) {
     EXPECT_NEAR(stress_at(law, 1000), tangent(34.6), 1);
 }
 
-TEST(BartonBandis, WhatWasMobilisedStaysOnTheWayBack) {
+TEST(BartonBandis, MobilisedRoughnessStaysOnReversal) {
     const BartonBandis law = barton_1985_granite();
     const auto there = after(law, 2 * granite_peak);
     const auto back = law.advance(there, {0, -3 * granite_peak, force, length, false, 0, 0});
@@ -54,17 +56,17 @@ TEST(BartonBandis, WhatWasMobilisedStaysOnTheWayBack) {
     EXPECT_EQ(back.dilation, there.dilation);
 }
 
-// A strength that has to be reached with a spring: at the peak the spring of Eq. (52) just arrives.
+// A strength that has to be reached with a spring: at the peak the spring of Eq. (58) just arrives.
 TEST(BartonBandis, SpringReachesThePeakAtThePeakDisplacement) {
     const BartonBandis law = barton_1985_granite();
     const double k = law.shear_stiffness(law.fresh(true), force, length);
     EXPECT_NEAR(k, 1.92024e5 / 1.25e-3, 1e3);
-    const auto pressed = law.advance(law.fresh(true), {0, 0, force, length, false, 0, k});
-    EXPECT_EQ(law.shear_stiffness(pressed, 3 * force, length), k) << "it stays what it was at first";
+    const auto loaded = law.advance(law.fresh(true), {0, 0, force, length, false, 0, k});
+    EXPECT_EQ(law.shear_stiffness(loaded, 3 * force, length), k) << "it stays what it was at first";
 }
 
 // Of the rising curve a spring softer than it sees only the end; the strength tried is what it can arrive at.
-TEST(BartonBandis, ATrialSeesTheStrengthOnTheWay) {
+TEST(BartonBandis, TrialStrengthIsTheLowestAlongTheDisplacement) {
     const BartonBandis law = barton_1985_granite();
     const double far = 4 * granite_peak, k = 1e12;  // stiff: the force follows the curve down to x = 4
     EXPECT_NEAR(law.strength(law.fresh(true), force, length, {far, 0, k}).forward / length, stress_at(law, 4),

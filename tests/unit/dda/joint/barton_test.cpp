@@ -7,6 +7,8 @@
 
 #include "support/cyclic_joints.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using dda::BartonStrength;

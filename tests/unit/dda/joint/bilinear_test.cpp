@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+using namespace rockslope;
+
 namespace {
 
 constexpr double degree = 0.017453292519943295;
@@ -20,7 +22,7 @@ TEST(Bilinear, HasTwoSlopesThatMeetAtTheTransition) {
         << "corner";
 }
 
-TEST(Bilinear, SlipAboveTheTransitionTakesTheTeethForEver) {
+TEST(Bilinear, SlipAboveTheTransitionShearsTheTeethOff) {
     const auto fresh = teeth.fresh(true);
     EXPECT_FALSE(teeth.advance(fresh, {1e-3, 1e-3, 0.9e6, 0.5}).sheared_off);
     EXPECT_FALSE(teeth.advance(fresh, {0, 1e-3, 3e6, 0.5}).sheared_off) << "no slip";

@@ -8,6 +8,8 @@
 #include "dda/joint/shear_step.hpp"
 #include "specimens.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using dda::ContactMotion;
@@ -216,7 +218,7 @@ TYPED_TEST(JointLawConformance, HistoryDoesNotDependOnHowAPathIsSubdivided) {
     }
 }
 
-TYPED_TEST(JointLawConformance, TrialsLeaveNoTrace) {
+TYPED_TEST(JointLawConformance, TrialsDoNotChangeTheHistory) {
     for (const JointLaw& law : this->laws()) {
         for (const ShearedJoint& joint : sheared(law, random_path(4))) {
             const JointHistory before = joint.history;

@@ -6,6 +6,8 @@
 
 #include "dda/joint/shear_step.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using dda::ContinuouslyYielding;
@@ -55,7 +57,7 @@ TEST(ContinuouslyYielding, UnloadsElasticallyAndReloadsStiff) {
                 -bound * -std::expm1(-3e-4 * 1e8 / bound), 1e-8 * bound);
 }
 
-// phi_m = phi + (phi_0 - phi) exp(-u_p/R), Eq. (71): a peak on the way, and the worn friction in the end.
+// phi_m = phi + (phi_0 - phi) exp(-u_p/R), Eq. (74): a peak on the way, and the worn friction in the end.
 TEST(ContinuouslyYielding, PeaksAndWearsDown) {
     double peak = 0;
     ShearedJoint joint = fresh(wearing);
@@ -82,14 +84,14 @@ TEST(ContinuouslyYielding, AStiffSpringFollowsTheBound) {
     EXPECT_NEAR(soft.shear_force, hard.shear_force, 1e-3 * 1e5) << "where the integration changes";
 }
 
-TEST(ContinuouslyYielding, ANormalForceThatFallsTakesTheShearForceAlong) {
+TEST(ContinuouslyYielding, AFallingNormalForceReducesTheShearForce) {
     const ShearedJoint high = dda::shear(even, fresh(even), 5e-3, load);
     const ShearedJoint low = dda::shear(even, high, 1e-9, {4e4, 0.1, 1e8});
     EXPECT_NEAR(low.shear_force, 4e4 * tangent(30), 1e-3);
     EXPECT_EQ(dda::shear(even, high, 1e-3, {0, 0.1, 1e8}).shear_force, 0);
 }
 
-TEST(ContinuouslyYielding, WithoutASpringTheSlipIsTold) {
+TEST(ContinuouslyYielding, WithoutASpringTheSlipIsPrescribed) {
     const auto history = wearing.advance({}, {3e-3, 3e-3, 1e5, 0.1});
     EXPECT_EQ(history.plastic, 3e-3);
     EXPECT_DOUBLE_EQ(wearing.strength({}, 1e5, 0.1, {2e-3, 0, 0}).forward,

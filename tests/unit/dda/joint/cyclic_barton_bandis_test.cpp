@@ -1,5 +1,5 @@
 // The cyclic joint driven without blocks. Numbers named "reference" come from an independent computation of
-// the same rules with increments of d_peak/20000; the others are worked out from Eqs. (51) to (60).
+// the same rules with increments of d_peak/20000; the others are worked out from Eqs. (57) to (66).
 
 #include "dda/joint/cyclic_barton_bandis.hpp"
 
@@ -11,7 +11,9 @@
 
 #include "dda/joint/shear_test.hpp"
 #include "support/cyclic_joints.hpp"
-#include "support/others_data.hpp"
+#include "support/external_data.hpp"
+
+using namespace rockslope;
 
 namespace {
 
@@ -94,7 +96,7 @@ TEST(CyclicJoint, StrengthJumpsAtTheOriginAndTheForceDoesNot) {
 
 /// Two cycles of 15 mm and what each quarter ends with, to the digits that the reference gives.
 void expect_reference(const CyclicBartonBandis& law, double stress,
-                      const std::vector<joint_tests::Quarter>& expected, double net_work) {
+                      const std::vector<joint_tests::QuarterCycle>& expected, double net_work) {
     const auto quarters = sheared(law, stress, two_cycles);
     ASSERT_EQ(quarters.size(), expected.size() + 1);
     for (std::size_t k = 0; k < expected.size(); ++k) {
@@ -308,7 +310,7 @@ TEST(CyclicJoint, APreloadedJointStartsFromWhereItSlipsFirst) {
 }
 
 // Without the spring's stiffness the engine's word counts for what slid.
-TEST(CyclicJoint, TakesTheSlipItIsTold) {
+TEST(CyclicJoint, TakesThePrescribedSlip) {
     const auto law = granite();
     const auto slid = law.advance(law.fresh(true), {5 * mm, 5 * mm, 1e5, length, false, 0, 0});
     EXPECT_NEAR(law.strength(slid, 1e5, length, {}).forward, granite_stress(0.3) * length, 1e-3);
@@ -323,8 +325,8 @@ TEST(CyclicJoint, TakesTheSlipItIsTold) {
 // jumps.
 class ReferenceCurve : public testing::TestWithParam<const char*> {};
 TEST_P(ReferenceCurve, IsFollowedRowByRow) {
-    const auto folder = others_data("reference");
-    if (!folder) GTEST_SKIP() << others_data_missing("reference");
+    const auto folder = external_data("reference");
+    if (!folder) GTEST_SKIP() << external_data_missing("reference");
     std::ifstream file(*folder / (std::string(GetParam()) + "_A15mm_cont.csv"));
     ASSERT_TRUE(file) << *folder;
     const bool is_granite = GetParam() == std::string("granite");

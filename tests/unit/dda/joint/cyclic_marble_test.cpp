@@ -1,13 +1,15 @@
 // Partial and irregular reversals of marble at 0.5 MPa, Tables 6 and 7 of Ma et al. (2017), by hand from Eqs.
-// (51) to (58). Displacements in mm, x = d / 0.3; what the letters mean is said in cyclic_reversals_test.cpp.
+// (57) to (64). Displacements in mm, x = d / 0.3; what the letters mean is said in cyclic_reversals_test.cpp.
 // Its tables bend everywhere and its return is steeper than the advance, so that a partial reversal does not
 // close.
 
 #include <gtest/gtest.h>
 
 #include "dda/joint/shear_test.hpp"
-#include "support/cyclic_by_hand.hpp"
 #include "support/cyclic_joints.hpp"
+#include "support/cyclic_reference.hpp"
+
+using namespace rockslope;
 
 namespace {
 
@@ -18,12 +20,12 @@ using joint_tests::expect_opening;
 using joint_tests::expect_stress;
 using joint_tests::marble;
 
-class CyclicMarbleReversals : public testing::Test, protected joint_tests::ByHand {
+class CyclicMarbleReversals : public testing::Test, protected joint_tests::ReferenceJoint {
   protected:
-    CyclicMarbleReversals() : ByHand(joint_tests::marble_by_hand()) {}
-    const double k = spring();  ///< Pa/m
+    CyclicMarbleReversals() : ReferenceJoint(joint_tests::reference_marble()) {}
+    const double k = shear_stiffness();  ///< Pa/m
     /// The turn at 6 mm in the first cycle, x = 20: from ratio 0.35 to the return's -0.45, m.
-    const double turn_at_6 = turn(0.35, -0.45);
+    const double turn_at_6 = reversal_displacement(0.35, -0.45);
 };
 
 std::vector<ShearTestRow> rows(const CyclicBartonBandis& law, const std::vector<double>& path) {
@@ -65,7 +67,7 @@ TEST_F(CyclicMarbleReversals, InTheReturnWhereItBends) {
 // Behind the origin to -0.15 mm, x = 0.5 and ratio 0.1, and back: within the spring to the origin, then
 // sliding at the 0.35 that 6 mm have left, while it opens by the table up to that.
 TEST_F(CyclicMarbleReversals, AcrossTheOriginAndBack) {
-    const double slip = 0.45 * mm - turn(0.35, 0.1);
+    const double slip = 0.45 * mm - reversal_displacement(0.35, 0.1);
     ASSERT_GT(slip, 0.1 * mm);
     const auto turned = rows(marble(), {6, 0, -0.15, 0, 0.3});
     expect_stress(turned[2], -tau(0));
@@ -82,7 +84,7 @@ TEST_F(CyclicMarbleReversals, AcrossTheOriginAndBack) {
 // Behind the origin at -6 mm, ratio 0.35, where the return has -0.4: back to -5, out again, and to -0.9 mm, x
 // = 3, where it has -0.3.
 TEST_F(CyclicMarbleReversals, BehindTheOrigin) {
-    const double locked = turn(0.35, -0.4);
+    const double locked = reversal_displacement(0.35, -0.4);
     const auto turned = rows(marble(), {6, -6, -5, -6, -0.9});
     expect_stress(turned[2], -tau(0.35));
     expect_stress(turned[3], tau(-0.4));
@@ -96,7 +98,7 @@ TEST_F(CyclicMarbleReversals, BehindTheOrigin) {
 }
 
 // Slip to and fro that does not count wears nothing, but contracts: 0.06 mm at 0.45 back, at 0.35 out.
-TEST_F(CyclicMarbleReversals, SinkByLessThanTheSlipThatCounts) {
+TEST_F(CyclicMarbleReversals, SmallerThanMinSlip) {
     auto law = marble();
     law.reversal_factor = 0.9;
     const double there = 6 - turn_at_6 / mm - 0.06;
@@ -142,7 +144,7 @@ TEST_F(CyclicMarbleReversals, OfTheSecondCycleWhereItRises) {
 // Then over the bends of the return to 0.15 mm, x = 0.5 and ratio -0.05.
 TEST_F(CyclicMarbleReversals, OfTheSecondCycleInTheReturn) {
     const double worn = 0.45 - 0.1 / 3;
-    const double locked = turn(worn, -0.35);
+    const double locked = reversal_displacement(worn, -0.35);
     ASSERT_LT(locked, 0.5 * mm);
     const auto turned = second_cycle(marble(), {3.6, 3, 3.6, 0.15});
     expect_stress(turned[1], tau(worn));
@@ -161,7 +163,7 @@ TEST_F(CyclicMarbleReversals, OfTheSecondCycleInTheReturn) {
 // On across the origin to -0.45 mm, x = 1.5: the backward advance has nothing up to x = 1, then 0.05. Back,
 // at the return's -0.1, into the third cycle, which is like the second with nothing worn off: 0.25 at 0.6 mm.
 TEST_F(CyclicMarbleReversals, OfTheSecondCycleAcrossTheOrigin) {
-    const double locked = turn(0.05, -0.1);
+    const double locked = reversal_displacement(0.05, -0.1);
     ASSERT_LT(locked, 0.45 * mm);
     const auto turned = second_cycle(marble(), {3.6, 0, -0.45, 0, 0.6});
     expect_stress(turned[2], -tau(0));

@@ -1,5 +1,5 @@
-// Irregular paths of the cyclic joint, as an earthquake's, against values worked out by hand from Eqs. (51)
-// to (58). Granite at 1 MPa, displacements in mm; tau(r) and open(r) are strength and dilation angle at a
+// Irregular paths of the cyclic joint, as an earthquake's, against values worked out by hand from Eqs. (57)
+// to (64). Granite at 1 MPa, displacements in mm; tau(r) and open(r) are strength and dilation angle at a
 // ratio r, k is the spring to the peak. A turn between the bounds tau(a) and -tau(b) takes (tau(a) + tau(b))
 // / k. Those of the second cycle are in cyclic_second_cycle_test.cpp, those of marble in
 // cyclic_marble_test.cpp.
@@ -10,8 +10,10 @@
 
 #include "dda/joint/shear_step.hpp"
 #include "dda/joint/shear_test.hpp"
-#include "support/cyclic_by_hand.hpp"
 #include "support/cyclic_joints.hpp"
+#include "support/cyclic_reference.hpp"
+
+using namespace rockslope;
 
 namespace {
 
@@ -21,14 +23,14 @@ using dda::ShearTestRow;
 using joint_tests::expect_opening;
 using joint_tests::expect_stress;
 using joint_tests::granite;
-using joint_tests::granite_by_hand;
+using joint_tests::reference_granite;
 
-constexpr double mm = joint_tests::ByHand::mm, length = 0.1;
+constexpr double mm = joint_tests::ReferenceJoint::mm, length = 0.1;
 
-class CyclicReversals : public testing::Test, protected joint_tests::ByHand {
+class CyclicReversals : public testing::Test, protected joint_tests::ReferenceJoint {
   protected:
-    CyclicReversals() : ByHand(granite_by_hand()) {}
-    const double k = spring();  ///< Pa/m
+    CyclicReversals() : ReferenceJoint(reference_granite()) {}
+    const double k = shear_stiffness();  ///< Pa/m
 };
 
 std::vector<ShearTestRow> rows(const CyclicBartonBandis& law, const std::vector<double>& path) {
@@ -40,7 +42,7 @@ ShearTestRow end_of(const CyclicBartonBandis& law, const std::vector<double>& pa
 
 // Before the peak the joint is locked, whatever the path: the force is k d, and the peak is there in the end.
 // The dilation of a turn is not undone on the way back: out to d it gains the mean over the table, ratio x,
-// and back it loses at the ratio of the turning point, Eq. (58).
+// and back it loses at the ratio of the turning point, Eq. (64).
 TEST_F(CyclicReversals, BeforeThePeakTheForceIsThatOfTheSpring) {
     const auto out = [this](double d) { return opening(0, d / 1.25, d * mm); };
     const auto turned = rows(granite(), {0.6, 0.2, 0.9, 1.25});
@@ -169,7 +171,7 @@ TEST_F(CyclicReversals, SmallCyclesAndThenABigOne) {
 
 // Slip of less than min_slip, 0.1 mm, is no reversal and wears nothing: at 6 mm, x = 4.8, the table's 0.27. A
 // micron more, and the way back is one and the way out another.
-TEST_F(CyclicReversals, ByLessThanTheSlipThatCounts) {
+TEST_F(CyclicReversals, SmallerThanMinSlip) {
     auto law = granite();
     law.reversal_factor = 0.9;
     const double turn = (tau(0.3) + tau(-0.3)) / k / mm;
@@ -208,7 +210,7 @@ dda::ShearedJoint slid() {
 }
 /// N per metre, under another stress, MPa.
 double bearing(double ratio, double megapascals) {
-    return length * granite_by_hand(megapascals).tau(ratio);
+    return length * reference_granite(megapascals).tau(ratio);
 }
 
 // The pressure doubles as the joint turns: the force takes up where it was, and meets the bound of the new
@@ -222,7 +224,7 @@ TEST_F(CyclicReversals, UnderMorePressure) {
     EXPECT_NEAR(back.shear_force, -bearing(-0.3, 2), 1e-4);
     EXPECT_NEAR(back.slip - there.slip, turn - 2 * mm, 1e-15);
     EXPECT_NEAR(dda::dilation(granite(), back.history) - dda::dilation(granite(), there.history),
-                -2 * mm * granite_by_hand(2).rate(0.3), 1e-13);
+                -2 * mm * reference_granite(2).rate(0.3), 1e-13);
     EXPECT_EQ(dda::record(granite(), back.history).reversals, 1);
 }
 

@@ -1,4 +1,4 @@
-// Partial and irregular reversals after a full cycle of 15 mm, by hand from Eqs. (51) to (58). Granite at 1
+// Partial and irregular reversals after a full cycle of 15 mm, by hand from Eqs. (57) to (64). Granite at 1
 // MPa, displacements in mm, x = d / 1.25; what the letters mean is said in cyclic_reversals_test.cpp. The
 // tables of the second cycle: forward advance 0.3 x up to x = 1 and 0.3 beyond; return -0.38 + 0.08 x, then
 // -0.3; backward advance -0.38 + 0.48 x, 0.1 + 0.2 (x - 1) up to x = 2, then 0.3; return -0.3. The first
@@ -7,8 +7,10 @@
 #include <gtest/gtest.h>
 
 #include "dda/joint/shear_test.hpp"
-#include "support/cyclic_by_hand.hpp"
 #include "support/cyclic_joints.hpp"
+#include "support/cyclic_reference.hpp"
+
+using namespace rockslope;
 
 namespace {
 
@@ -19,10 +21,10 @@ using joint_tests::expect_opening;
 using joint_tests::expect_stress;
 using joint_tests::granite;
 
-class CyclicSecondCycle : public testing::Test, protected joint_tests::ByHand {
+class CyclicSecondCycle : public testing::Test, protected joint_tests::ReferenceJoint {
   protected:
-    CyclicSecondCycle() : ByHand(joint_tests::granite_by_hand()) {}
-    const double k = spring();  ///< Pa/m
+    CyclicSecondCycle() : ReferenceJoint(joint_tests::reference_granite()) {}
+    const double k = shear_stiffness();  ///< Pa/m
 };
 
 /// From the origin at the second cycle's beginning on, row 0.
@@ -64,7 +66,7 @@ TEST_F(CyclicSecondCycle, InTheReturn) {
     expect_stress(turned[2], -tau(-0.34));
     EXPECT_EQ(turned[2].record.stage, JointStage::forward_return);
     expect_opening(turned[1], turned[2], -3.75 * mm * rate(0.3) - opening(0.3, 0.34, 0.625 * mm));
-    ASSERT_LT(0.875 * mm, turn(0.3, -0.34));
+    ASSERT_LT(0.875 * mm, reversal_displacement(0.3, -0.34));
     expect_stress(turned[3], -tau(-0.34) + k * 0.875 * mm);
     expect_opening(turned[2], turned[3], opening(0.15, 0.3, 0.625 * mm) + 0.25 * mm * rate(0.3));
     EXPECT_EQ(turned[3].record.reversals, 3);
@@ -94,7 +96,7 @@ TEST_F(CyclicSecondCycle, InTheBackwardAdvance) {
 // it. At 0.5 mm it slides at 0.12, by more than 0.1 mm; that is the fourth reversal, and still the second
 // cycle.
 TEST_F(CyclicSecondCycle, AcrossTheOriginAndBack) {
-    const double slip = 1 * mm - turn(0.12, -0.188);
+    const double slip = 1 * mm - reversal_displacement(0.12, -0.188);
     ASSERT_GT(slip, 0.1 * mm);
     const auto turned = rows(granite(), {5, 0, -0.5, 0, 0.5});
     expect_stress(turned[3], -tau(-0.188));
@@ -112,7 +114,7 @@ TEST_F(CyclicSecondCycle, AcrossTheOriginAndBack) {
 TEST_F(CyclicSecondCycle, AcrossTheOriginIntoTheThird) {
     auto law = granite();
     law.further_cycle_factor = 0.5;
-    const double locked = turn(0.14, -0.3);
+    const double locked = reversal_displacement(0.14, -0.3);
     ASSERT_LT(locked, 1.5 * mm);
     const auto turned = rows(law, {3, -1.5, 0, 0.5});
     expect_stress(turned[2], -tau(0.14));
@@ -127,8 +129,8 @@ TEST_F(CyclicSecondCycle, AcrossTheOriginIntoTheThird) {
 // millimetre of slip back is the third, 0.2187: the bound goes up, and the joint waits for its spring there,
 // closing at the same rate. A tenth out again is the fourth, 0.19683.
 TEST_F(CyclicSecondCycle, WornByReversals) {
-    const double back = turn(0.243, -0.243) + 0.1 * mm;
-    const double out = turn(0.2187, -0.2187) + 0.1 * mm;
+    const double back = reversal_displacement(0.243, -0.243) + 0.1 * mm;
+    const double out = reversal_displacement(0.2187, -0.2187) + 0.1 * mm;
     const auto turned = rows(wearing(), {5, 3, 5});
     expect_stress(turned[1], tau(0.243));
     expect_stress(turned[2], -tau(-0.2187));
@@ -141,8 +143,8 @@ TEST_F(CyclicSecondCycle, WornByReversals) {
 
 // Ten times back by 0.06 mm of slip and out again by as much: never 0.1 mm on end, so nothing wears, and at
 // 0.3 both ways it closes.
-TEST_F(CyclicSecondCycle, ToAndFroByLessThanTheSlipThatCounts) {
-    const double there = 5 - turn(0.243, -0.243) / mm - 0.06;
+TEST_F(CyclicSecondCycle, ToAndFroBySmallerThanMinSlip) {
+    const double there = 5 - reversal_displacement(0.243, -0.243) / mm - 0.06;
     std::vector<double> path = {5};
     for (int n = 0; n < 10; ++n) path.insert(path.end(), {there, 5});
     path.push_back(7.5);
@@ -157,8 +159,8 @@ TEST_F(CyclicSecondCycle, ToAndFroByLessThanTheSlipThatCounts) {
 
 // Back by 0.06, 0.03 and 0.03 mm of slip, with spring alone between: it counts at 0.1 mm in all. The bound is
 // then that of 0.2187, which the spring reaches on the 0.02 mm left.
-TEST_F(CyclicSecondCycle, BackInPartsOfLessThanTheSlipThatCounts) {
-    const double there = 5 - turn(0.243, -0.243) / mm - 0.06;
+TEST_F(CyclicSecondCycle, BackInPartsSmallerThanMinSlip) {
+    const double there = 5 - reversal_displacement(0.243, -0.243) / mm - 0.06;
     const auto turned = rows(wearing(), {5, there, there + 0.4, there - 0.03, there + 0.4, there - 0.06});
     expect_stress(turned[4], -tau(-0.243));
     EXPECT_EQ(turned[4].record.reversals, 2) << "0.09 mm";

@@ -6,12 +6,14 @@
 
 #include "dda/joint/joint_law.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using dda::Elastic;
 using dda::JointMaterial;
 
-TEST(Elastic, NeverSlipsWhateverPressesOrPulls) {
+TEST(Elastic, NeverSlipsInCompressionOrTension) {
     const Elastic law;
     for (const bool intact : {true, false}) {
         for (const double normal : {-1e12, -1.0, -1e-12, 0.0, 1e-12, 1.0, 1e12}) {
@@ -25,8 +27,8 @@ TEST(Elastic, NeverSlipsWhateverPressesOrPulls) {
 
 TEST(Elastic, NothingWears) {
     const Elastic law;
-    EXPECT_TRUE(law.advance(law.fresh(true), {1e-3, 1e-3, -1e9, 1, false}).glued);
-    EXPECT_FALSE(law.advance(law.fresh(false), {1e-3, 1e-3, 1e9, 1, false}).glued);
+    EXPECT_TRUE(law.advance(law.fresh(true), {1e-3, 1e-3, -1e9, 1, false}).bonded);
+    EXPECT_FALSE(law.advance(law.fresh(false), {1e-3, 1e-3, 1e9, 1, false}).bonded);
 }
 
 TEST(JointStiffness, IsTimesTheLengthAndTakesThePlaceOfThePenalty) {

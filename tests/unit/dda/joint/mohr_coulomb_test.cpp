@@ -6,6 +6,8 @@
 
 #include "dda/joint/joint_law.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using dda::MohrCoulomb;

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+using namespace rockslope;
+
 namespace {
 
 using dda::NormalClosure;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+using namespace rockslope;
+
 namespace {
 
 using dda::PeakSpring;
@@ -21,17 +23,18 @@ dda::BartonStrength rough() {
 }
 
 PeakSpring after(const PeakSpring& spring, double normal_force, double length) {
-    return spring.pressed({normal_force, length, length, true}, rough(), peak_displacement);
+    return spring.loaded({normal_force, length, length, true}, rough(), peak_displacement);
 }
 PeakSpring shaken(const PeakSpring& spring, double normal_force, double length) {
-    return spring.pressed({normal_force, length, length, false}, rough(), peak_displacement);
+    return spring.loaded({normal_force, length, length, false}, rough(), peak_displacement);
 }
 
 TEST(PeakSpring, TakesTheJointToItsPeakStrengthAtThePeakDisplacement) {
     const PeakSpring spring = after({}, 1e6, 10);
     // 0.1 MPa: 25 + 4 * 3 = 37 degrees.
-    EXPECT_NEAR(spring.of_part(10), 1e6 * std::tan(37 * degree) / peak_displacement, 1e-6 * 1e8);
-    EXPECT_NEAR(spring.of_part(4) + spring.of_part(6), spring.of_part(10), 1e-6);
+    EXPECT_NEAR(spring.stiffness_of_part(10), 1e6 * std::tan(37 * degree) / peak_displacement, 1e-6 * 1e8);
+    EXPECT_NEAR(spring.stiffness_of_part(4) + spring.stiffness_of_part(6), spring.stiffness_of_part(10),
+                1e-6);
 }
 
 TEST(PeakSpring, IsThatOfTheLargestForce) {
@@ -41,11 +44,12 @@ TEST(PeakSpring, IsThatOfTheLargestForce) {
 }
 
 TEST(PeakSpring, OfAJointThatWasAtRestStaysWhenItIsShaken) {
-    const PeakSpring rested = after({}, 1e6, 10);
-    EXPECT_EQ(shaken(rested, 3e6, 10), rested);
+    const PeakSpring found_at_rest = after({}, 1e6, 10);
+    EXPECT_EQ(shaken(found_at_rest, 3e6, 10), found_at_rest);
     const PeakSpring fresh = shaken(shaken({}, 1e6, 10), 3e6, 10);
-    EXPECT_EQ(fresh.of_part(10), after({}, 3e6, 10).of_part(10)) << "it was never at rest";
-    EXPECT_EQ(after(fresh, 1e6, 10).of_part(10), fresh.of_part(10)) << "it comes to rest";
+    EXPECT_EQ(fresh.stiffness_of_part(10), after({}, 3e6, 10).stiffness_of_part(10))
+        << "it was never at rest";
+    EXPECT_EQ(after(fresh, 1e6, 10).stiffness_of_part(10), fresh.stiffness_of_part(10)) << "it comes to rest";
 }
 
 // Faces that met with a sliver of their length: a spring kept per length would be a billion times as stiff
@@ -53,19 +57,21 @@ TEST(PeakSpring, OfAJointThatWasAtRestStaysWhenItIsShaken) {
 TEST(PeakSpring, BelongsToTheJointWhateverItsLength) {
     const PeakSpring grazed = after({}, 1e6, 1e-8);
     const double least = 1e6 * std::tan(25 * degree) / peak_displacement;
-    EXPECT_NEAR(grazed.of_part(1e-8), least, 1e-6 * least) << "above the wall strength: no roughness";
-    EXPECT_EQ(grazed.of_part(10), grazed.of_part(1e-8)) << "the length has grown since";
+    EXPECT_NEAR(grazed.stiffness_of_part(1e-8), least, 1e-6 * least)
+        << "above the wall strength: no roughness";
+    EXPECT_EQ(grazed.stiffness_of_part(10), grazed.stiffness_of_part(1e-8)) << "the length has grown since";
     const PeakSpring flush = after(grazed, 1e6, 10);
-    EXPECT_EQ(flush.of_part(10), after({}, 1e6, 10).of_part(10));
+    EXPECT_EQ(flush.stiffness_of_part(10), after({}, 1e6, 10).stiffness_of_part(10));
     const PeakSpring slid_off = after(flush, 1e6, 0.1);
-    EXPECT_EQ(slid_off.of_part(0.1), flush.of_part(10)) << "what is left of the overlap bears it";
+    EXPECT_EQ(slid_off.stiffness_of_part(0.1), flush.stiffness_of_part(10))
+        << "what is left of the overlap bears it";
 }
 
-TEST(PeakSpring, IsNoneWithoutForceLengthOrPeak) {
+TEST(PeakSpring, IsZeroWithoutForceLengthOrPeak) {
     EXPECT_EQ(after({}, 0, 10), PeakSpring{});
     EXPECT_EQ(after({}, 1e6, 0), PeakSpring{}) << "a bare corner";
-    EXPECT_EQ(PeakSpring{}.pressed({1e6, 10, 10, true}, rough(), 0), PeakSpring{}) << "strength at once";
-    EXPECT_EQ(PeakSpring{}.of_part(1), 0);
+    EXPECT_EQ(PeakSpring{}.loaded({1e6, 10, 10, true}, rough(), 0), PeakSpring{}) << "strength at once";
+    EXPECT_EQ(PeakSpring{}.stiffness_of_part(1), 0);
 }
 
 }  // namespace

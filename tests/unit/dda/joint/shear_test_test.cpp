@@ -6,6 +6,8 @@
 
 #include "support/cyclic_joints.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using dda::NormalBoundary;
@@ -32,7 +34,7 @@ TEST(ShearTest, RowsBeginAtTheStartAndEndAtEachTurn) {
     EXPECT_EQ(rows[12].displacement, -2e-3);
     EXPECT_EQ(rows.back().displacement, 1e-3);
     for (const auto& row : rows) EXPECT_EQ(row.normal_stress, 1e6);
-    const auto turns = dda::shear_test_at_path(test);
+    const auto turns = dda::shear_test_at_path_points(test);
     ASSERT_EQ(turns.size(), 3u);
     EXPECT_EQ(turns[1].shear_stress, rows[12].shear_stress);
 }
@@ -40,7 +42,7 @@ TEST(ShearTest, RowsBeginAtTheStartAndEndAtEachTurn) {
 TEST(ShearTest, ThePointsOfAPathMayRepeat) {
     ShearTest test = granite_test();
     test.path = {0, 1e-3, 1e-3, 2e-3};
-    EXPECT_EQ(dda::shear_test_at_path(test).size(), 4u);
+    EXPECT_EQ(dda::shear_test_at_path_points(test).size(), 4u);
 }
 
 TEST(ShearTest, SpringIsTheMaterialsOrTheLaws) {
@@ -130,7 +132,7 @@ TEST(ShearTest, ConstantStiffnessConvergesWithTheIncrement) {
 }
 
 // Contraction unloads the joint, at last altogether: it opens and bears nothing.
-TEST(ShearTest, AContractingJointComesFreeUnderAStiffBoundary) {
+TEST(ShearTest, AContractingJointUnloadsUnderAStiffBoundary) {
     ShearTest test = granite_test();
     test.boundary = NormalBoundary::constant_stiffness;
     test.normal_stress = 1e4;  // lost after a micrometre

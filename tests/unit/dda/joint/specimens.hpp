@@ -6,7 +6,7 @@
 #include "dda/joint/joint_law.hpp"
 #include "support/cyclic_joints.hpp"
 
-namespace joint_tests {
+namespace rockslope::joint_tests {
 
 constexpr double degree = 0.017453292519943295;
 
@@ -71,4 +71,4 @@ inline std::vector<dda::ContinuouslyYielding> specimens(std::type_identity<dda::
         {45 * degree, 30 * degree, 2e-3}, {40 * degree, 25 * degree, 2e-2}, {30 * degree, 30 * degree, 1e-3}};
 }
 
-}  // namespace joint_tests
+}  // namespace rockslope::joint_tests

@@ -6,6 +6,8 @@
 
 #include "dda/joint/shear_step.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using dda::ContactMotion;
@@ -60,7 +62,7 @@ TEST(VelocityWeakening, AStaticStepHasNoSpeed) {
     EXPECT_TRUE(std::isfinite(smooth.advance({}, far).speed));
 }
 
-TEST(VelocityWeakening, TheRecordTellsWhatIsLeft) {
+TEST(VelocityWeakening, RecordHoldsTheRemainingFraction) {
     EXPECT_EQ(smooth.record({}).mobilised_ratio, 1);
     EXPECT_NEAR(smooth.record({0.1}).mobilised_ratio, std::exp(-1), 1e-15);
     EXPECT_EQ(VelocityWeakening({0.5, 0.5, 0.1, 0}).record({}).mobilised_ratio, 0) << "none to lose";

@@ -6,6 +6,8 @@
 
 #include "dda/joint/shear_step.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using dda::JointLaw;
@@ -41,7 +43,7 @@ TEST(Weakening, FallsLikeAnExponential) {
 }
 
 // Softer than the joint weakens, the spring cannot hold it: it slips on until the strength falls no more.
-TEST(Weakening, ASoftSpringLetsGoAtOnce) {
+TEST(Weakening, ASoftSpringDropsToResidualAtOnce) {
     const double soft = 0.5 * (peak - residual) / 5e-3;
     const double s = peak / soft * 1.0001;
     EXPECT_NEAR(sheared(linear, s, soft).shear_force, residual, 1e-6);

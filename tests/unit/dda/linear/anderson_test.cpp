@@ -7,6 +7,8 @@
 
 #include "support/case_name.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 /// g(x) = A x + b and its fixed point.

@@ -4,6 +4,8 @@
 
 #include "unit/dda/linear/random_systems.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using dda::BlockMatrix;
@@ -37,7 +39,7 @@ TEST(BlockPattern, DoesNotDependOnTheOrderOfPairs) {
               BlockPattern::from_pairs(3, {{2, 1}, {1, 0}, {0, 1}}));
 }
 
-// The larger one in several portions of rows, whose columns are anywhere.
+// The larger one in several chunks of rows, whose columns are anywhere.
 TEST(BlockMatrix, MultipliesAsTheDenseOneDoesOnAnyNumberOfThreads) {
     for (const int size : {20, 300}) {
         const RandomSystem system(size, 3 * size, 3);
@@ -53,7 +55,7 @@ TEST(BlockMatrix, MultipliesAsTheDenseOneDoesOnAnyNumberOfThreads) {
         EXPECT_LT((y - dense(system.pattern, system.matrix) * x).norm(), 1e-13 * y.norm());
         for (const int threads : {2, 3}) {
             std::vector<Vec6> shared(rows);
-            system.matrix.multiply(system.pattern, system.load, shared, dda::Crew(threads));
+            system.matrix.multiply(system.pattern, system.load, shared, ThreadPool(threads));
             EXPECT_EQ(shared, product);
         }
     }

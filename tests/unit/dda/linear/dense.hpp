@@ -4,6 +4,8 @@
 
 #include "dda/linear/block_matrix.hpp"
 
+namespace rockslope {
+
 /// A block matrix written out in full.
 inline Eigen::MatrixXd dense(const dda::BlockPattern& pattern, const dda::BlockMatrix& matrix) {
     Eigen::MatrixXd full = Eigen::MatrixXd::Zero(6 * pattern.size, 6 * pattern.size);
@@ -18,3 +20,5 @@ inline Eigen::MatrixXd dense(const dda::BlockPattern& pattern, const dda::BlockM
     }
     return full;
 }
+
+}  // namespace rockslope

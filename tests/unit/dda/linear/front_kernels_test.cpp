@@ -6,8 +6,10 @@
 #include <Eigen/LU>
 
 #include "dda/linear/aligned_buffer.hpp"
-#include "dda/linear/front_plan.hpp"
+#include "dda/linear/symbolic_factor.hpp"
 #include "unit/dda/linear/random_systems.hpp"
+
+using namespace rockslope;
 
 namespace {
 
@@ -21,14 +23,14 @@ class DenseFront {
 
     DenseFront(int pivot_blocks, int row_blocks, unsigned seed)
         : pivots(pivot_blocks), rows(row_blocks), columns(6 * pivots), padded((columns + w - 1) / w * w) {
-        Draw draw(seed);
+        RandomNumbers draw(seed);
         const int size = columns + 6 * rows;
         const Matrix root =
             Matrix::NullaryExpr(size, size, [&] { return static_cast<Scalar>(draw.number()); });
         matrix = root * root.transpose() + Matrix::Identity(size, size) * static_cast<Scalar>(size) / 4;
         strips = (columns + w - 1) / w + (6 * rows + w - 1) / w;
         const std::size_t length =
-            dda::squares_size<Scalar>(pivots) + static_cast<std::size_t>(strips * w * columns);
+            dda::diagonal_blocks_size<Scalar>(pivots) + static_cast<std::size_t>(strips * w * columns);
         panel_.resize(length);
         std::fill_n(panel_.data(), length, Scalar(0));
         for (int c = 0; c < columns; ++c) {
@@ -38,7 +40,7 @@ class DenseFront {
     /// A scalar of the panel by its row in the dense front.
     Scalar& at(int row, int column) {
         const int r = row < columns ? row : row - columns + padded;
-        return panel_.data()[dda::squares_size<Scalar>(pivots) +
+        return panel_.data()[dda::diagonal_blocks_size<Scalar>(pivots) +
                              static_cast<std::size_t>(((r / w) * columns + column) * w + r % w)];
     }
     int row_strips() const { return (6 * rows + w - 1) / w; }
@@ -58,8 +60,8 @@ Scalar at_update(const Scalar* update, int row, int column, int stride) {
     constexpr std::size_t w = dda::strip_rows<Scalar>;
     const auto j = static_cast<std::size_t>(column / 6);
     const auto height = static_cast<std::size_t>(stride);
-    return update[dda::update_column(j, height, w) +
-                  static_cast<std::size_t>(column % 6) * dda::update_stride(j, height, w) +
+    return update[dda::update_column_offset(j, height, w) +
+                  static_cast<std::size_t>(column % 6) * dda::update_column_stride(j, height, w) +
                   static_cast<std::size_t>(row)];
 }
 
@@ -140,7 +142,7 @@ TYPED_TEST(FrontKernels, Solve) {
         kernels.invert_groups(front.panel(), front.pivots);
         const auto a11 = front.matrix.topLeftCorner(k, k);
         const auto a21 = front.matrix.bottomLeftCorner(m, k);
-        Draw draw(3);
+        RandomNumbers draw(3);
         const Vector b = Vector::NullaryExpr(k + m, [&] { return static_cast<Scalar>(draw.number()); });
 
         dda::AlignedBuffer<Scalar> x;

@@ -11,12 +11,14 @@
 #include "support/walls.hpp"
 #include "unit/dda/linear/random_systems.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using dda::Mat6;
 using dda::Vec6;
 
-const dda::Crew two_threads(2);
+const ThreadPool two_threads(2);
 
 struct Kind {
     const char* name;
@@ -92,7 +94,7 @@ TEST_P(Solvers, RefuseAnIndefiniteMatrixAndRecover) {
     EXPECT_LT(system.error_of(x), 1e-11);
 }
 
-TEST_P(Solvers, RefuseABlockThatNothingHolds) {
+TEST_P(Solvers, RefuseAZeroDiagonalBlock) {
     RandomSystem system(4, 6, 3);
     system.matrix.diagonal[2].setZero();
     for (Mat6& upper : system.matrix.upper) upper.setZero();
@@ -102,7 +104,7 @@ TEST_P(Solvers, RefuseABlockThatNothingHolds) {
 }
 
 // With a mass of 1e-9 and springs of 1 the condition number is some 1e10: of 16 digits some 6 are left.
-TEST_P(Solvers, KeepTheDigitsThatTheConditionLeaves) {
+TEST_P(Solvers, AreAccurateToTheConditionNumber) {
     for (const unsigned seed : {1u, 2u, 3u}) {
         const RandomSystem system(40, 150, seed, 1e-9);
         const auto solver = GetParam().make();
@@ -212,20 +214,20 @@ TEST_P(Solvers, SolveOneRightHandSideAfterAnother) {
 
 // From anywhere to a first solution, whose residual is below 1e-5 of the load (the condition number is below
 // 1e4); to it one for a change of the load; then the rounding of both is taken away.
-TEST_P(Solvers, SolveInThreeStrokes) {
+TEST_P(Solvers, SolveCoarselyAddAndRefine) {
     for (const double guess : {0.0, 1.0, 1e6}) {
         RandomSystem system(60, 200, 9);
         const auto solver = GetParam().make();
         solver->analyze(system.pattern);
         ASSERT_TRUE(solver->factorize(system.matrix));
         std::vector<Vec6> x(system.load.size(), Vec6::Constant(guess));
-        EXPECT_GT(solver->approach(x, system.load), 0);
+        EXPECT_GT(solver->solve_coarsely(x, system.load), 0);
         EXPECT_LT(system.error_of(x), 1e-1);
         std::vector<Vec6> change(system.load.rbegin(), system.load.rend());
         for (std::size_t i = 0; i < change.size(); ++i) system.load[i] += change[i];
-        solver->solve_roughly(change);
+        solver->apply_factor(change);
         for (std::size_t i = 0; i < change.size(); ++i) x[i] += change[i];
-        solver->refine(x, system.load, dda::exact_residual);
+        solver->refine(x, system.load, dda::full_tolerance);
         EXPECT_LT(system.error_of(x), 1e-11) << "from " << guess;
     }
 }

@@ -9,11 +9,13 @@
 #include "support/walls.hpp"
 #include "unit/dda/linear/random_systems.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using dda::BlockPattern;
 using dda::Front;
-using dda::FrontPlan;
+using dda::SymbolicFactor;
 using dda::Vec6;
 
 dda::SupernodeTree tree_of(const BlockPattern& pattern) {
@@ -22,16 +24,16 @@ dda::SupernodeTree tree_of(const BlockPattern& pattern) {
 
 // From the moment a front forms its update until its parent has taken it, nobody else writes there. Within
 // subtrees each thread has a space of its own; the roots of all subtrees come before the fronts above.
-TEST(FrontPlan, KeepsUpdatesApartWhileTheyAreNeeded) {
+TEST(SymbolicFactor, KeepsUpdatesApartWhileTheyAreNeeded) {
     for (const int columns : {1, 4, 15, 30}) {
         const auto pattern = BlockPattern::from_pairs(columns * 20, grid_graph(columns, 20));
-        const FrontPlan plan = dda::plan_fronts(pattern, tree_of(pattern), 8, 0);
+        const SymbolicFactor plan = dda::symbolic_factorization(pattern, tree_of(pattern), 8, 0);
         EXPECT_FALSE(plan.keeps_updates);
         const int count = static_cast<int>(plan.count());
         const auto front = [&](int f) -> const Front& { return plan.fronts[static_cast<std::size_t>(f)]; };
         const auto size = [&](const Front& f) {
             const auto rows = static_cast<std::size_t>(f.rows);
-            return 6 * (rows * f.stride - dda::left_out_before(rows, 8));
+            return 6 * (rows * f.stride - dda::omitted_rows_before(rows, 8));
         };
         std::vector<int> subtree(plan.count(), -1);
         for (const dda::Subtree& one : plan.subtrees) {
@@ -42,7 +44,7 @@ TEST(FrontPlan, KeepsUpdatesApartWhileTheyAreNeeded) {
             const bool inside = front(a).in_subtree;
             EXPECT_LE(front(a).update + size(front(a)), inside ? plan.subtree_space : plan.shared_space);
             EXPECT_TRUE(subtree[static_cast<std::size_t>(a)] >= 0 ||
-                        std::binary_search(plan.top.begin(), plan.top.end(), a));
+                        std::binary_search(plan.top_fronts.begin(), plan.top_fronts.end(), a));
             for (int b = 0; b < count; ++b) {
                 if (a == b || front(b).in_subtree != inside) continue;
                 const bool a_is_root = !inside && subtree[static_cast<std::size_t>(a)] >= 0;
@@ -61,14 +63,14 @@ TEST(FrontPlan, KeepsUpdatesApartWhileTheyAreNeeded) {
 
 // Units are subtrees of subtrees. What their inner fronts hand on is needed by the unit only; all other
 // updates stay where they are.
-TEST(FrontPlan, HasAPlaceForTheUpdateOfEachUnit) {
+TEST(SymbolicFactor, HasAPlaceForTheUpdateOfEachUnit) {
     const auto pattern = BlockPattern::from_pairs(30 * 40, grid_graph(30, 40));
-    const FrontPlan plan = dda::plan_fronts(pattern, tree_of(pattern), 8);
+    const SymbolicFactor plan = dda::symbolic_factorization(pattern, tree_of(pattern), 8);
     ASSERT_TRUE(plan.keeps_updates);
-    EXPECT_GT(plan.units.size(), plan.subtrees.size());
+    EXPECT_GT(plan.refactor_units.size(), plan.subtrees.size());
     const auto front = [&](int f) -> const Front& { return plan.fronts[static_cast<std::size_t>(f)]; };
     std::vector<char> is_inner(plan.count(), 0);
-    for (const dda::Subtree& unit : plan.units) {
+    for (const dda::Subtree& unit : plan.refactor_units) {
         EXPECT_TRUE(std::any_of(plan.subtrees.begin(), plan.subtrees.end(), [&](const dda::Subtree& subtree) {
             return subtree.begin <= unit.begin && unit.end <= subtree.end;
         }));
@@ -84,12 +86,12 @@ TEST(FrontPlan, HasAPlaceForTheUpdateOfEachUnit) {
         if (one.in_subtree) continue;
         const auto rows = static_cast<std::size_t>(one.rows);
         EXPECT_GE(one.update, end);
-        end = one.update + 6 * (rows * one.stride - dda::left_out_before(rows, 8));
+        end = one.update + 6 * (rows * one.stride - dda::omitted_rows_before(rows, 8));
     }
     EXPECT_EQ(end, plan.shared_space);
 }
 
-TEST(FrontPlan, KeepsOfAnUpdateWhatIsOnAndBelowTheDiagonal) {
+TEST(SymbolicFactor, StoresTheLowerTriangleOfAnUpdate) {
     for (const std::size_t w : {8, 16}) {
         for (const std::size_t rows : {1, 2, 5, 9, 40}) {
             const std::size_t stride = (6 * rows + w - 1) / w * w;
@@ -98,23 +100,23 @@ TEST(FrontPlan, KeepsOfAnUpdateWhatIsOnAndBelowTheDiagonal) {
                 const std::size_t first = dda::first_update_row(j, w);
                 EXPECT_LE(first, 6 * j);
                 EXPECT_GT(first + w, 6 * j);
-                EXPECT_EQ(dda::update_column(j, stride, w) + first, end);
-                EXPECT_EQ(dda::update_stride(j, stride, w), stride - first);
+                EXPECT_EQ(dda::update_column_offset(j, stride, w) + first, end);
+                EXPECT_EQ(dda::update_column_stride(j, stride, w), stride - first);
                 end += 6 * (stride - first);
             }
-            EXPECT_EQ(end, 6 * (rows * stride - dda::left_out_before(rows, w)));
+            EXPECT_EQ(end, 6 * (rows * stride - dda::omitted_rows_before(rows, w)));
         }
     }
 }
 
 template <class Scalar>
 std::vector<Vec6> solution(const scene::StepSystem& system, int threads) {
-    const dda::Crew crew(threads);
+    const ThreadPool pool(threads);
     dda::MultifrontalFactor<Scalar> factor;
     factor.analyze(system.pattern, tree_of(system.pattern));
-    EXPECT_TRUE(factor.factorize(system.matrix, crew));
+    EXPECT_TRUE(factor.factorize(system.matrix, pool));
     std::vector<Vec6> x = system.load;
-    factor.solve(x, crew);
+    factor.solve(x, pool);
     return x;
 }
 
@@ -129,19 +131,19 @@ TEST(MultifrontalFactor, IsTheSameBytesOnOneThreadAndTwo) {
     EXPECT_EQ(solution<float>(system, 1), solution<float>(system, 2));
 }
 
-TEST(MultifrontalFactor, SubstitutesTheSameBytesOnAnyNumberOfThreads) {
+TEST(MultifrontalFactor, SolvesToTheSameBytesOnAnyNumberOfThreads) {
     const scene::StepSystem system = scene::step_system(scene::running_bond_wall(50, 50, 10).model, 0.005);
     dda::MultifrontalFactor<double> factor;
     factor.analyze(system.pattern, tree_of(system.pattern));
-    ASSERT_GT(factor.plan().factor_size, dda::least_shared_factor);
-    ASSERT_TRUE(factor.factorize(system.matrix, dda::Crew(1)));
+    ASSERT_GT(factor.symbolic().factor_size, dda::min_parallel_factor_size);
+    ASSERT_TRUE(factor.factorize(system.matrix, ThreadPool(1)));
     std::vector<Vec6> expected = system.load;
     factor.solve(expected);
     for (const int threads : {2, 3}) {
-        const dda::Crew crew(threads);
+        const ThreadPool pool(threads);
         for (int k = 0; k < 5; ++k) {
             std::vector<Vec6> x = system.load;
-            factor.solve(x, crew);
+            factor.solve(x, pool);
             EXPECT_EQ(x, expected) << threads << " threads";
         }
     }
@@ -154,7 +156,7 @@ scene::StepSystem with_open(const std::vector<std::size_t>& contacts) {
     });
 }
 
-std::vector<char> rows_that_differ(const dda::BlockMatrix& a, const dda::BlockMatrix& b) {
+std::vector<char> changed_rows(const dda::BlockMatrix& a, const dda::BlockMatrix& b) {
     std::vector<char> differ(a.diagonal.size(), 0);
     for (std::size_t i = 0; i < differ.size(); ++i) differ[i] = a.diagonal[i] == b.diagonal[i] ? 0 : 1;
     return differ;
@@ -162,27 +164,27 @@ std::vector<char> rows_that_differ(const dda::BlockMatrix& a, const dda::BlockMa
 
 // Contacts open and close at random, a few or a fifth of them; what is factorised in part must be the same as
 // what is factorised at once. Where updates are not kept everything is factorised, to the same bytes.
-TEST(MultifrontalFactor, OfWhatHasChangedIsTheSameBytesAsAFreshOne) {
-    Draw draw(11);
+TEST(MultifrontalFactor, RefactorizationEqualsAFullFactorization) {
+    RandomNumbers draw(11);
     const scene::StepSystem whole = large_system();
     for (const int threads : {1, 2}) {
-        const dda::Crew crew(threads);
+        const ThreadPool pool(threads);
         dda::MultifrontalFactor<double> kept;
         dda::MultifrontalFactor<double> not_kept;
         kept.analyze(whole.pattern, tree_of(whole.pattern));
         not_kept.analyze(whole.pattern, tree_of(whole.pattern), 0);
-        EXPECT_TRUE(kept.plan().keeps_updates);
-        ASSERT_TRUE(kept.factorize(whole.matrix, crew));
-        ASSERT_TRUE(not_kept.factorize(whole.matrix, crew));
+        EXPECT_TRUE(kept.symbolic().keeps_updates);
+        ASSERT_TRUE(kept.factorize(whole.matrix, pool));
+        ASSERT_TRUE(not_kept.factorize(whole.matrix, pool));
         scene::StepSystem last = whole;
         for (const int count : {1, 3, 1500, 20, 0}) {
             std::vector<std::size_t> open;
             for (int k = 0; k < count; ++k) open.push_back(static_cast<std::size_t>(draw.below(6000)));
             scene::StepSystem now = with_open(open);
-            const std::vector<char> changed = rows_that_differ(last.matrix, now.matrix);
+            const std::vector<char> changed = changed_rows(last.matrix, now.matrix);
             EXPECT_GT(std::count(changed.begin(), changed.end(), 1), 0);
-            ASSERT_TRUE(kept.factorize(now.matrix, crew, changed));
-            ASSERT_TRUE(not_kept.factorize(now.matrix, crew, changed));
+            ASSERT_TRUE(kept.factorize(now.matrix, pool, changed));
+            ASSERT_TRUE(not_kept.factorize(now.matrix, pool, changed));
             std::vector<Vec6> x = now.load;
             std::vector<Vec6> y = now.load;
             kept.solve(x);
@@ -195,32 +197,32 @@ TEST(MultifrontalFactor, OfWhatHasChangedIsTheSameBytesAsAFreshOne) {
 }
 
 // Told that nothing has changed, it does nothing, whatever the matrix is.
-TEST(MultifrontalFactor, WorksThroughNothingElse) {
+TEST(MultifrontalFactor, RefactorizesOnlyChangedFronts) {
     scene::StepSystem system = large_system();
-    const dda::Crew crew(1);
+    const ThreadPool pool(1);
     dda::MultifrontalFactor<double> factor;
     factor.analyze(system.pattern, tree_of(system.pattern));
-    ASSERT_TRUE(factor.factorize(system.matrix, crew));
+    ASSERT_TRUE(factor.factorize(system.matrix, pool));
     std::vector<Vec6> before = system.load;
     factor.solve(before);
     for (dda::Mat6& diagonal : system.matrix.diagonal) diagonal *= 2;
-    ASSERT_TRUE(factor.factorize(system.matrix, crew, std::vector<char>(system.matrix.diagonal.size(), 0)));
+    ASSERT_TRUE(factor.factorize(system.matrix, pool, std::vector<char>(system.matrix.diagonal.size(), 0)));
     std::vector<Vec6> after = system.load;
     factor.solve(after);
     EXPECT_EQ(before, after);
 }
 
-TEST(MultifrontalFactor, StartsAnewAfterARefusal) {
+TEST(MultifrontalFactor, RecoversAfterAnIndefiniteMatrix) {
     const scene::StepSystem system = large_system();
-    const dda::Crew crew(1);
+    const ThreadPool pool(1);
     dda::MultifrontalFactor<double> factor;
     factor.analyze(system.pattern, tree_of(system.pattern));
-    ASSERT_TRUE(factor.factorize(system.matrix, crew));
+    ASSERT_TRUE(factor.factorize(system.matrix, pool));
     dda::BlockMatrix spoiled = system.matrix;
     spoiled.diagonal[7] = -spoiled.diagonal[7];
-    std::vector<char> changed = rows_that_differ(spoiled, system.matrix);
-    EXPECT_FALSE(factor.factorize(spoiled, crew, changed));
-    ASSERT_TRUE(factor.factorize(system.matrix, crew, changed));
+    std::vector<char> changed = changed_rows(spoiled, system.matrix);
+    EXPECT_FALSE(factor.factorize(spoiled, pool, changed));
+    ASSERT_TRUE(factor.factorize(system.matrix, pool, changed));
     std::vector<Vec6> x = system.load;
     factor.solve(x);
     EXPECT_EQ(x, solution<double>(system, 1));
@@ -248,25 +250,25 @@ TEST(MultifrontalFactor, SolvesAWallAsCholmodDoes) {
     EXPECT_LT(difference(solution<float>(system, 1), expected), 1e-2);
 }
 
-TEST(MultifrontalFactor, RefusesWhatIsNoNumber) {
+TEST(MultifrontalFactor, RefusesNan) {
     RandomSystem system(20, 40, 3);
-    const dda::Crew crew(1);
+    const ThreadPool pool(1);
     dda::MultifrontalFactor<double> factor;
     factor.analyze(system.pattern, tree_of(system.pattern));
     system.matrix.diagonal[7](4, 2) = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_FALSE(factor.factorize(system.matrix, crew));
+    EXPECT_FALSE(factor.factorize(system.matrix, pool));
 }
 
-TEST(MultifrontalFactor, OfSinglePrecisionIsRefusedWhereItCannotTell) {
+TEST(MultifrontalFactor, SinglePrecisionFailsOnANearlySingularMatrix) {
     // A mass 1e-12 of the springs is lost in them.
     const RandomSystem system(6, 4, 2, 1e-12);
-    const dda::Crew crew(1);
+    const ThreadPool pool(1);
     dda::MultifrontalFactor<double> wide;
     wide.analyze(system.pattern, tree_of(system.pattern));
-    EXPECT_TRUE(wide.factorize(system.matrix, crew));
+    EXPECT_TRUE(wide.factorize(system.matrix, pool));
     dda::MultifrontalFactor<float> narrow;
     narrow.analyze(system.pattern, tree_of(system.pattern));
-    EXPECT_FALSE(narrow.factorize(system.matrix, crew));
+    EXPECT_FALSE(narrow.factorize(system.matrix, pool));
 }
 
 }  // namespace

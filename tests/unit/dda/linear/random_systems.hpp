@@ -7,9 +7,11 @@
 #include "dda/linear/block_matrix.hpp"
 #include "unit/dda/linear/dense.hpp"
 
-class Draw {
+namespace rockslope {
+
+class RandomNumbers {
   public:
-    explicit Draw(unsigned seed) : engine_(seed) {}
+    explicit RandomNumbers(unsigned seed) : engine_(seed) {}
     double number() { return static_cast<double>(engine_()) / 4294967296.0 * 2 - 1; }
     int below(int limit) { return static_cast<int>(engine_() % static_cast<unsigned>(limit)); }
     dda::Vec6 vector() {
@@ -28,7 +30,7 @@ struct RandomSystem {
     std::vector<dda::Vec6> load;
 
     RandomSystem(int size, int springs, unsigned seed, double mass = 0.1) {
-        Draw draw(seed);
+        RandomNumbers draw(seed);
         std::vector<std::pair<int, int>> pairs;
         for (int k = 0; k < springs && size > 1; ++k) {
             const int i = draw.below(size);
@@ -72,3 +74,5 @@ inline std::vector<std::pair<int, int>> grid_graph(int columns, int rows) {
     }
     return pairs;
 }
+
+}  // namespace rockslope

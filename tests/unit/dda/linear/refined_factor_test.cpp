@@ -6,18 +6,20 @@
 
 #include "dda/linear/linear_solver.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using dda::Vec6;
 
-const dda::Crew alone(1);
+const ThreadPool alone(1);
 
 /// Of one block whose first two unknowns are nearly the same: 1 and 1 on one row, 1 and 1 + `apart` on the
 /// other.
-struct NearlyTheSame {
+struct NearlySingular {
     dda::BlockPattern pattern = dda::BlockPattern::from_pairs(1, {});
     dda::BlockMatrix matrix;
-    explicit NearlyTheSame(double apart) {
+    explicit NearlySingular(double apart) {
         matrix.reset(pattern);
         dda::Mat6& block = matrix.diagonal[0];
         block.setIdentity();
@@ -29,9 +31,9 @@ struct NearlyTheSame {
 const Vec6 load = (Vec6() << 1, 2, 3, 4, 5, 6).finished();
 
 // 1 + 2^-25 is 1 in single precision, and the second pivot zero; held up, the factor preconditions as well.
-TEST(RefinedFactor, HoldsAPivotThatRoundingTakes) {
+TEST(RefinedFactor, ShiftsTheDiagonalWhenAPivotTurnsNegative) {
     const double apart = std::ldexp(1, -25);
-    const NearlyTheSame system(apart);
+    const NearlySingular system(apart);
     dda::RefinedFactor factor;
     factor.analyze(system.pattern, dda::find_supernodes(system.pattern, {0}));
     ASSERT_TRUE(factor.factorize(system.matrix, alone));
@@ -43,8 +45,8 @@ TEST(RefinedFactor, HoldsAPivotThatRoundingTakes) {
     EXPECT_LT((x[0].tail<4>() - load.tail<4>()).norm(), 1e-10);
 }
 
-TEST(RefinedSolver, HasNoNumberForAMatrixThatIsHardlyIndefinite) {
-    const NearlyTheSame system(-3e-8);
+TEST(RefinedSolver, ReturnsNanForANearlyDefiniteMatrix) {
+    const NearlySingular system(-3e-8);
     const auto solver = dda::make_linear_solver(dda::SolverKind::refined, alone);
     solver->analyze(system.pattern);
     ASSERT_TRUE(solver->factorize(system.matrix)) << "in single precision it looks definite";

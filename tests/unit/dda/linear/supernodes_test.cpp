@@ -9,6 +9,8 @@
 #include "dda/linear/linear_solver.hpp"
 #include "unit/dda/linear/random_systems.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using dda::BlockPattern;

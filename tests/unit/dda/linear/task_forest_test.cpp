@@ -4,6 +4,8 @@
 
 #include <atomic>
 
+using namespace rockslope;
+
 namespace {
 
 const std::vector<int> no_tasks;
@@ -21,10 +23,10 @@ TEST_P(TaskForests, DoTasksInOrder) {
     const dda::TaskForest forest(parent, std::vector<double>(count, 1.0));
     ASSERT_EQ(forest.count(), count);
     for (const int threads : {1, 2, 3}) {
-        const dda::Crew crew(threads);
+        const ThreadPool pool(threads);
         for (int again = 0; again < 50; ++again) {
             std::vector<std::atomic<int>> done(count);
-            forest.rise(crew, [&](std::size_t task, std::size_t thread) {
+            forest.run_leaves_first(pool, [&](std::size_t task, std::size_t thread) {
                 EXPECT_LT(thread, static_cast<std::size_t>(threads));
                 for (std::size_t k = 0; k < count; ++k) {
                     if (parent[k] == static_cast<int>(task)) {
@@ -34,7 +36,7 @@ TEST_P(TaskForests, DoTasksInOrder) {
                 ++done[task];
             });
             for (const auto& times : done) EXPECT_EQ(times, 1);
-            forest.descend(crew, [&](std::size_t task, std::size_t) {
+            forest.run_roots_first(pool, [&](std::size_t task, std::size_t) {
                 if (parent[task] >= 0) {
                     EXPECT_EQ(done[static_cast<std::size_t>(parent[task])], 2);
                 }

@@ -5,6 +5,8 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
+using namespace rockslope;
+
 namespace {
 
 using dda::Mat3;

@@ -7,6 +7,8 @@
 #include "support/error_of.hpp"
 #include "support/rock_mesh.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using namespace scene;
@@ -17,17 +19,17 @@ TEST(FreeField, HasTheLayersOfTheFacesWhicheverTheirOrder) {
     s.box({0, 0}, 3, 2);
     // Left sides run down: of the lower one the upper quarter is missing.
     const std::vector<dda::FacePart> left = {{3, 0, 1}, {7, 0.25, 1}};
-    const dda::FreeField field = dda::free_field_beside(s.model, {left.data(), 1}, "below", 1);
+    const dda::FreeField field = dda::make_free_field(s.model, {left.data(), 1}, "below", 1);
     EXPECT_EQ(field.nodes, (std::vector<double>{2, 2.75, 3.5}));
     EXPECT_EQ(field.rock, (std::vector<int>{0, 0}));
-    EXPECT_THROW(dda::free_field_beside(s.model, left, "below", 0), std::invalid_argument) << "a gap";
+    EXPECT_THROW(dda::make_free_field(s.model, left, "below", 0), std::invalid_argument) << "a gap";
     const std::vector<dda::FacePart> whole = {{3, 0, 1}, {7, 0, 1}};
-    const dda::FreeField both = dda::free_field_beside(s.model, whole, "below", 0);
+    const dda::FreeField both = dda::make_free_field(s.model, whole, "below", 0);
     EXPECT_EQ(both.nodes, (std::vector<double>{0, 2, 3.5}));
     EXPECT_EQ(both.rock, (std::vector<int>{1, 0}));
-    EXPECT_THROW(dda::free_field_beside(s.model, {}, "below", 0), std::invalid_argument);
+    EXPECT_THROW(dda::make_free_field(s.model, {}, "below", 0), std::invalid_argument);
     const std::vector<dda::FacePart> base = {{4, 0, 1}};
-    EXPECT_THROW(dda::free_field_beside(s.model, base, "below", 0), std::invalid_argument) << "level";
+    EXPECT_THROW(dda::make_free_field(s.model, base, "below", 0), std::invalid_argument) << "level";
 }
 
 // A static stage has the columns at rest, a dynamic one moves them; a stage that is cut in two goes on.

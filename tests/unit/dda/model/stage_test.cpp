@@ -2,22 +2,24 @@
 
 #include <gtest/gtest.h>
 
+using namespace rockslope;
+
 namespace {
 
-TEST(NextInstant, IsTheNextMultipleOfTheStep) {
+TEST(NextStepMultiple, IsTheNextMultipleOfTheStep) {
     dda::Stage stage;
     stage.control.step = .005;
-    EXPECT_DOUBLE_EQ(dda::next_instant(stage, 0), .005);
-    EXPECT_DOUBLE_EQ(dda::next_instant(stage, .001), .005);
-    EXPECT_DOUBLE_EQ(dda::next_instant(stage, .005), .01) << "later, not equal";
+    EXPECT_DOUBLE_EQ(dda::next_step_multiple(stage, 0), .005);
+    EXPECT_DOUBLE_EQ(dda::next_step_multiple(stage, .001), .005);
+    EXPECT_DOUBLE_EQ(dda::next_step_multiple(stage, .005), .01) << "later, not equal";
 }
 
-TEST(NextInstant, IsNotFooledByTheRoundingOfASum) {
+TEST(NextStepMultiple, ToleratesTheRoundingOfASum) {
     dda::Stage stage;
     stage.control.step = .005;
     double time = 0;
     for (int k = 1; k <= 10000; ++k) {
-        EXPECT_DOUBLE_EQ(dda::next_instant(stage, time), k * .005);
+        EXPECT_DOUBLE_EQ(dda::next_step_multiple(stage, time), k * .005);
         time += .005;  // off by 1e-11 in the end, a step's 2e-9th part
     }
 }

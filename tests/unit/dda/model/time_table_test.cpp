@@ -5,6 +5,8 @@
 #include <limits>
 #include <stdexcept>
 
+using namespace rockslope;
+
 namespace {
 
 using dda::TimeTable;

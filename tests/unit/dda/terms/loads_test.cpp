@@ -4,6 +4,8 @@
 
 #include "support/scene.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using namespace scene;
@@ -17,7 +19,7 @@ Vec6 force_on_first(const Scene& s, double time = 0) {
     const dda::RowMap rows(s.model.motion);
     const std::vector<Vec6> still(s.model.motion.size(), Vec6::Zero());
     return dda::load_forces(s.model, rows, blocks,
-                            dda::predict_mid_step(s.model, blocks, still, dda::Crew(1)), {time})[0];
+                            dda::predict_mid_step(s.model, blocks, still, ThreadPool(1)), {time})[0];
 }
 /// Largest difference of two forces, over the largest component of the second.
 double difference(const Vec6& a, const Vec6& b) {
@@ -118,13 +120,13 @@ TEST(StrongestLoad, CountsOpposedPressuresAsLoads) {
     Scene s;
     s.box({0, 0}, 1, 1);
     const dda::BlockSystem blocks = dda::initial_block_system(s.model);
-    EXPECT_EQ(dda::strongest_load(s.model, blocks), 0);
+    EXPECT_EQ(dda::max_load_acceleration(s.model, blocks), 0);
     s.model.loads.push_back(dda::LineLoad{
         {LoadedFace{{0, 0, 1}, 5e3, 5e3, {0, 0}, {0, 0}}, LoadedFace{{2, 0, 1}, 5e3, 5e3, {0, 0}, {0, 0}}},
         {}});
-    EXPECT_NEAR(dda::strongest_load(s.model, blocks), 1e4 / 2500, 1e-12);
+    EXPECT_NEAR(dda::max_load_acceleration(s.model, blocks), 1e4 / 2500, 1e-12);
     s.model.loads.push_back(dda::BodyLoad{-1, {0, 7}, {}});
-    EXPECT_EQ(dda::strongest_load(s.model, blocks), 7);
+    EXPECT_EQ(dda::max_load_acceleration(s.model, blocks), 7);
 }
 
 }  // namespace

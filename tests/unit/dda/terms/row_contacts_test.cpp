@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+using namespace rockslope;
+
 namespace {
 
 dda::ContactSprings between(int first, int second) {

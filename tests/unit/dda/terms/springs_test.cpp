@@ -5,6 +5,8 @@
 #include "support/scene.hpp"
 #include "unit/dda/linear/dense.hpp"
 
+using namespace rockslope;
+
 namespace {
 
 using namespace scene;
@@ -23,7 +25,7 @@ struct Touching {
     }
     dda::ContactSprings springs(const dda::RowMap& rows, const dda::MidStep& mid,
                                 const std::vector<Vec6>& known) const {
-        return dda::contact_springs(s.model, rows, mid, known, std::vector{contact}, dda::Crew(1))[0];
+        return dda::contact_springs(s.model, rows, mid, known, std::vector{contact}, ThreadPool(1))[0];
     }
 };
 
@@ -50,9 +52,9 @@ TEST(ContactSprings, AddNeitherMomentumNorMoment) {
     const dda::BlockSystem blocks = dda::initial_block_system(t.s.model);
     const dda::MidStep mid{blocks.vertices, {}, {blocks.centroid(0), blocks.centroid(1)}};
     const auto spring = t.springs(dda::RowMap(t.s.model.motion), mid, {Vec6::Zero(), Vec6::Zero()});
-    for (const dda::Relative& relative : {spring.normal, spring.shear}) {
-        const Vec6 of_corner = spring.rows.of_first(relative);
-        const Vec6 of_edge = spring.rows.of_second(relative);
+    for (const dda::RelativeMeasure& relative : {spring.normal, spring.shear}) {
+        const Vec6 of_corner = spring.rows.gradient_first(relative);
+        const Vec6 of_edge = spring.rows.gradient_second(relative);
         const Vec2 on_corner = of_corner.head<2>();
         const Vec2 on_edge = of_edge.head<2>();
         EXPECT_LT((on_corner + on_edge).norm(), 1e-15);
@@ -76,11 +78,11 @@ TEST(ContactSprings, KnowADisplacementWithoutUnknowns) {
                 1e-15);
 }
 
-TEST(PairRows, WorkAForceOnTheirMeasureInEitherOrder) {
+TEST(BlockPair, WorkAForceOnTheirMeasureInEitherOrder) {
     for (const auto& [first, second] :
          {std::pair(0, 2), std::pair(2, 0), std::pair(1, -1), std::pair(-1, 1)}) {
-        const dda::PairRows rows{first, second, {.3, -.7}, {-.4, .2}};
-        const dda::Relative relative{{.6, .8}, .5};
+        const dda::BlockPair rows{first, second, {.3, -.7}, {-.4, .2}};
+        const dda::RelativeMeasure relative{{.6, .8}, .5};
         std::vector<Vec6> force(3, Vec6::Zero());
         rows.add_force(relative, 7, force);
         // The work of a force in a displacement is the force times what the measure grows by.

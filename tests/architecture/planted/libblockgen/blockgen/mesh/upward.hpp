@@ -1,2 +1,2 @@
 #pragma once
-#include "blockgen/picture/canvas.hpp"
+#include "blockgen/picture/block_picture.hpp"

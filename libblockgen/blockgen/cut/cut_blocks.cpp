@@ -1,0 +1,338 @@
+#include "blockgen/cut/cut_blocks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+#include "blockgen/arrangement/arrange.hpp"
+#include "blockgen/arrangement/walk_faces.hpp"
+#include "blockgen/cut/apply_block_selectors.hpp"
+#include "blockgen/cut/island_cuts.hpp"
+#include "blockgen/cut/merge_blocks.hpp"
+#include "blockgen/cut/simplify_boundaries.hpp"
+#include "blockgen/faces/mark_edges.hpp"
+#include "blockgen/input/domain.hpp"
+#include "blockgen/mesh/check_mesh.hpp"
+#include "common/base/disjoint_sets.hpp"
+#include "common/base/text.hpp"
+#include "common/geometry/polygon.hpp"
+
+namespace rockslope::blockgen {
+
+namespace {
+
+/// The bounded faces of a planar graph by Euler's formula, E - V + components.
+std::size_t count_bounded_faces(const NodedEdges& noded) {
+    DisjointSets sets(noded.vertices.size());
+    std::size_t components = noded.vertices.size();
+    for (const auto& [a, b] : noded.edges)
+        components -= sets.unite(static_cast<std::size_t>(a), static_cast<std::size_t>(b));
+    return noded.edges.size() + components - noded.vertices.size();
+}
+
+/// CGAL's arrangement sweeps the plane and so checks the edges once more. Where that would take most of the
+/// time, faces are walked instead; the areas are proved in both cases, and --verify sweeps anyway.
+Subdivision subdivide(const NodedEdges& noded) {
+    constexpr std::size_t max_swept_edges = 100'000;
+    return noded.edges.size() <= max_swept_edges ? arrange(noded) : walk_faces(noded);
+}
+
+[[noreturn]] void fail_too_many(const SlopeModel& model, double count, std::size_t limit) {
+    throw InputError(model.domain_location,
+                     "the joints make about " + std::to_string(std::llround(count)) + " blocks",
+                     "at most " + std::to_string(limit) + " (--max-blocks sets the limit)");
+}
+
+class Cutter {
+  public:
+    Cutter(const SlopeModel& model, const std::vector<Trace>& traces, const CutOptions& options)
+        : model_(model),
+          traces_(traces),
+          table_(model),
+          noded_(node(options)),
+          subdivision_(subdivide(noded_)),
+          faces_(classify_and_merge_faces()),
+          boundary_(noded_, subdivision_, faces_),
+          edges_(mark_edges(noded_, subdivision_, faces_, boundary_, model, traces, table_)) {}
+
+    CutResult cut(const CutOptions& options) {
+        blocks_ = block_rings(noded_, subdivision_, faces_, boundary_);
+        removed_ = redundant_vertices(noded_, subdivision_, faces_, boundary_, edges_.marks);
+        CutResult result;
+        fill_mesh(result.mesh);
+        result.report.warnings = model_.notes;
+        add_excavations(result);
+        apply_block_selectors(result.mesh, model_, result.report.warnings);
+        check(result.mesh);
+        fill_report(result);
+        verify_area(result.report);
+        add_network(result.report);
+        if (options.verify) verify(result.report);
+        return result;
+    }
+
+  private:
+    /// A mesh that is unfit is a fault of this program, not of its input.
+    static void check(const BlockMesh& mesh) {
+        try {
+            check_mesh(mesh, "the cut mesh");
+        } catch (const InputError& error) {
+            throw std::logic_error(error.what());
+        }
+    }
+
+    NodedEdges node(const CutOptions& options) const {
+        const std::vector<SourceSegment> segments = source_segments(model_, traces_, table_);
+        const double estimate = estimated_blocks(model_, segments, table_);
+        if (estimate > 4.0 * static_cast<double>(options.max_blocks) + 1000)
+            fail_too_many(model_, estimate, options.max_blocks);
+        NodedEdges noded = node_joints(segments, model_.grid);
+        const std::size_t faces = count_bounded_faces(noded);
+        if (faces > options.max_blocks) fail_too_many(model_, static_cast<double>(faces), options.max_blocks);
+        return noded;
+    }
+
+    /// The faces' blocks after small ones are joined and islands filled, as the model wants.
+    FaceBlocks classify_and_merge_faces() {
+        FaceBlocks faces = classify_faces(noded_, subdivision_, model_, table_);
+        if (faces.material.empty())
+            throw InputError(model_.domain_location, "no rock is left",
+                             "a domain larger than its holes and tunnels");
+        if (model_.small_blocks.policy != SmallBlockPolicy::keep)
+            merge_small_blocks(faces, noded_, subdivision_, model_, traces_, table_, merges_);
+        if (model_.islands == IslandPolicy::fill) {
+            const BlockBoundary boundary(noded_, subdivision_, faces);
+            fill_islands(faces, block_rings(noded_, subdivision_, faces, boundary), noded_, subdivision_,
+                         model_, merges_);
+        }
+        return faces;
+    }
+
+    std::int32_t block_of(std::size_t half_edge) const {
+        return faces_.block[static_cast<std::size_t>(subdivision_.face[half_edge])];
+    }
+    const GridPoint& start(std::size_t half_edge) const {
+        return noded_.vertices[static_cast<std::size_t>(boundary_.origin[half_edge])];
+    }
+
+    /// Only names that a block bears enter the file.
+    std::int32_t material_index(BlockMesh& mesh, std::int32_t block) const {
+        const std::string& name = material_of(faces_, model_, static_cast<std::size_t>(block));
+        const auto found = std::find(mesh.block_materials.begin(), mesh.block_materials.end(), name);
+        if (found == mesh.block_materials.end()) {
+            mesh.block_materials.push_back(name);
+            return static_cast<std::int32_t>(mesh.block_materials.size() - 1);
+        }
+        return static_cast<std::int32_t>(found - mesh.block_materials.begin());
+    }
+
+    void fill_mesh(BlockMesh& mesh) {
+        std::vector<std::int32_t> number(noded_.vertices.size(), -1);
+        std::vector<std::int32_t> ring;
+        std::vector<EdgeMark> marks;
+        mesh.joint_materials = edges_.joint_materials;
+        mesh.joints = edges_.joints;
+        for (const BlockRings& block : blocks_) {
+            mesh.begin_block(material_index(mesh, block.block));
+            for (const auto& half_edges : block.rings) {
+                ring.clear();
+                marks.clear();
+                for (const std::int32_t h : half_edges) {
+                    const auto v = static_cast<std::size_t>(boundary_.origin[static_cast<std::size_t>(h)]);
+                    if (removed_[v]) continue;
+                    if (number[v] < 0) {
+                        number[v] = static_cast<std::int32_t>(mesh.vertices.size());
+                        mesh.vertices.push_back(noded_.frame.place(noded_.vertices[v]));
+                        places_.push_back(noded_.vertices[v]);
+                    }
+                    ring.push_back(number[v]);
+                    marks.push_back(edges_.marks[static_cast<std::size_t>(h / 2)]);
+                }
+                mesh.add_ring(ring, marks);
+                twice_block_area_ += twice_ring_area(ring);
+            }
+        }
+    }
+
+    /// Every excavation that takes rock out, in the order of the model.
+    void add_excavations(CutResult& result) const {
+        std::vector<ExcavatedBlocks> excavations;
+        for (const Excavation& e : model_.excavations) excavations.push_back({e.name, e.stage, {}});
+        for (std::size_t b = 0; b < blocks_.size(); ++b)
+            if (const std::int32_t k = faces_.excavation[static_cast<std::size_t>(blocks_[b].block)]; k >= 0)
+                excavations[static_cast<std::size_t>(k)].blocks.push_back(static_cast<std::int32_t>(b));
+        for (ExcavatedBlocks& e : excavations) {
+            if (e.blocks.empty())
+                result.report.warnings.push_back("excavation '" + e.name + "' takes no rock out");
+            else
+                result.mesh.excavations.push_back(std::move(e));
+        }
+    }
+
+    Int128 twice_ring_area(const std::vector<std::int32_t>& ring) const {
+        Int128 sum = 0;
+        const auto place = [&](std::size_t k) { return places_[static_cast<std::size_t>(ring[k])]; };
+        for (std::size_t k = 1; k + 1 < ring.size(); ++k) sum += twice_area(place(0), place(k), place(k + 1));
+        return sum;
+    }
+
+    /// The blocks of the mesh fill the rock: as integers, without rounding. Where no hole or tunnel reaches
+    /// over the outline or another, the rock's area also follows from the noded outlines alone, each walked
+    /// in its own direction.
+    void verify_area(CutReport& report) const {
+        Int128 twice_rock = 0, twice_outlines = 0;
+        for (std::size_t e = 0; e < noded_.edges.size(); ++e) {
+            const Int128 area = twice_area({0, 0}, start(2 * e), start(2 * e + 1));
+            const int left = block_of(2 * e) != FaceBlocks::outside,
+                      right = block_of(2 * e + 1) != FaceBlocks::outside;
+            twice_rock += area * (left - right);
+            for (const EdgeSource& s : noded_.sources_of(e)) {
+                const bool is_void = (s.source >= table_.first_hole && s.source < table_.first_region) ||
+                                     (s.source >= table_.first_tunnel && s.source < table_.first_joint);
+                if (s.source == 0 || is_void) twice_outlines += (s.reversed != is_void ? -1 : 1) * area;
+            }
+        }
+        if (twice_rock != twice_block_area_) throw std::logic_error("the blocks do not fill the domain");
+        if (faces_.has_disjoint_voids && twice_rock != twice_outlines)
+            throw std::logic_error("the outline does not enclose the rock");
+        report.domain_area = static_cast<double>(twice_rock) / 2 * noded_.frame.step * noded_.frame.step;
+        report.area_proved = true;
+    }
+
+    void verify(CutReport& report) const {
+        const ArrangementSummary exact = arrange_exactly(noded_), ours = summarize(noded_, subdivision_);
+        if (exact.vertices != ours.vertices || exact.edges != ours.edges ||
+            exact.twice_areas != ours.twice_areas || exact.adjacency != ours.adjacency)
+            throw std::logic_error("an arrangement with exact construction disagrees: " +
+                                   std::to_string(exact.twice_areas.size()) + " faces for " +
+                                   std::to_string(ours.twice_areas.size()));
+        report.verified = true;
+    }
+
+    void add_network(CutReport& report) const {
+        NetworkReport network =
+            measure_network(noded_, subdivision_, faces_, model_, traces_, table_, report.domain_area);
+        report.joints = std::move(network.joints);
+        report.nodes = network.nodes;
+        report.changes = joint_changes(noded_, subdivision_, faces_, model_, traces_, table_);
+        report.changes.insert(report.changes.end(), merges_.changes.begin(), merges_.changes.end());
+        report.warnings.insert(report.warnings.end(), network.warnings.begin(), network.warnings.end());
+        for (const Tunnel& tunnel : model_.tunnels)
+            if (is_outside_domain(tunnel.outline, model_))
+                report.warnings.push_back("tunnel '" + tunnel.name +
+                                          "' lies outside the outline and takes nothing away");
+    }
+
+    void fill_report(CutResult& result) const {
+        CutReport& report = result.report;
+        const BlockMesh& mesh = result.mesh;
+        report.blocks = mesh.block_count();
+        report.merges = merges_;
+        report.noding_rounds = noded_.rounds;
+        report.largest_snap = noded_.largest_snap;
+        report.merged_vertices = static_cast<std::size_t>(std::count(removed_.begin(), removed_.end(), 1));
+        for (const EdgeMark& mark : mesh.edge_marks)
+            ++(mark == EdgeMark{} ? report.boundary_edges : report.interior_edges);
+        report.interior_edges /= 2;
+        report.sizes = size_summary(mesh);
+        report.shapes = shape_summary(mesh);
+        for (const ExcavatedBlocks& e : mesh.excavations) {
+            report.excavations.push_back({e.name, e.stage, e.blocks.size(), 0});
+            for (const std::int32_t b : e.blocks)
+                report.excavations.back().area += block_area(mesh, static_cast<std::size_t>(b));
+        }
+        for (std::size_t b = 0; b < mesh.block_count(); ++b)
+            report.slivers += block_roundness(mesh, b) < model_.small_blocks.below_roundness;
+        count_islands(report);
+        if (model_.kinematics)
+            report.kinematics = screen_blocks(mesh, *model_.kinematics, domain_bounds(model_), model_.grid);
+    }
+
+    void count_islands(CutReport& report) const {
+        for (const BlockRings& block : blocks_)
+            for (std::size_t r = 1; r < block.rings.size(); ++r) {
+                ++report.holes;
+                if (!encloses_rock(block.rings[r], subdivision_, faces_)) continue;
+                ++report.islands;
+                if (model_.islands == IslandPolicy::keep) warn_of_island(block.rings[r], report);
+                if (model_.islands != IslandPolicy::error) continue;
+                const auto h = static_cast<std::size_t>(block.rings[r][0]);
+                const Point p = noded_.frame.place(start(h));
+                throw InputError(
+                    model_.domain_location,
+                    "one block encloses others at (" + shortest_text(p.x) + ", " + shortest_text(p.y) + ")",
+                    "joints that reach the rim, or islands = \"keep\", \"cut\" or \"fill\"");
+            }
+    }
+
+    /// Names the first islands that are kept; of the rest, the report's count tells.
+    void warn_of_island(const std::vector<std::int32_t>& hole, CutReport& report) const {
+        constexpr std::size_t max_named = 5;
+        if (report.islands > max_named + 1) return;
+        if (report.islands == max_named + 1) {
+            report.warnings.push_back("further islands are kept: 'islands' in the report counts them");
+            return;
+        }
+        const GridPoint first = start(static_cast<std::size_t>(hole[0]));
+        Int128 twice = 0;
+        for (std::size_t k = 1; k + 1 < hole.size(); ++k)
+            twice -= twice_area(first, start(static_cast<std::size_t>(hole[k])),
+                                start(static_cast<std::size_t>(hole[k + 1])));
+        char area[32];
+        std::snprintf(area, sizeof area, "%.4g",
+                      static_cast<double>(twice) / 2 * noded_.frame.step * noded_.frame.step);
+        const Point p = noded_.frame.place(first);
+        report.warnings.push_back(std::string("an island of ") + area + " m2 at (" + shortest_text(p.x) +
+                                  ", " + shortest_text(p.y) + ") is kept within one block");
+    }
+
+    const SlopeModel& model_;
+    const std::vector<Trace>& traces_;
+    SourceTable table_;
+    NodedEdges noded_;
+    Subdivision subdivision_;
+    MergeReport merges_;
+    FaceBlocks faces_;
+    BlockBoundary boundary_;
+    EdgeMarks edges_;
+    std::vector<BlockRings> blocks_;
+    std::vector<char> removed_;
+    std::vector<GridPoint> places_;  ///< per vertex of the mesh
+    Int128 twice_block_area_ = 0;
+};
+
+Change island_cut_change(const Trace& cut) {
+    const Point &a = cut.points.front(), &b = cut.points.back();
+    return {ChangeKind::island_cut,
+            {(a.x + b.x) / 2, (a.y + b.y) / 2},
+            0,
+            std::hypot(b.x - a.x, b.y - a.y),
+            cut.name,
+            {}};
+}
+
+}  // namespace
+
+CutResult cut_blocks(const SlopeModel& model, const std::vector<Trace>& traces, const CutOptions& options) {
+    // A cut may open one block that another island lies in, which the next round finds.
+    constexpr int max_rounds = 20;
+    std::vector<Trace> all = traces;
+    for (int round = 0;; ++round) {
+        CutResult result = Cutter(model, all, options).cut(options);
+        result.report.island_cuts = all.size() - traces.size();
+        for (std::size_t k = traces.size(); k < all.size(); ++k)
+            result.report.changes.push_back(island_cut_change(all[k]));
+        sort_changes(result.report.changes);
+        if (model.islands != IslandPolicy::cut || result.report.islands == 0) return result;
+        const std::vector<Trace> cuts = island_cuts(result.mesh);
+        if (cuts.empty() || round == max_rounds) {
+            result.report.warnings.push_back(std::to_string(result.report.islands) +
+                                             " islands could not be cut to their rim and are kept");
+            return result;
+        }
+        all.insert(all.end(), cuts.begin(), cuts.end());
+    }
+}
+
+}  // namespace rockslope::blockgen

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "blockgen/input/read_slope_model.hpp"
+
+namespace rockslope::blockgen {
+
+/// The area that lines enclose, by noding and arranging them: an EnclosedAreaFunction.
+EnclosedArea enclosed_area(std::span<const std::pair<Point, Point>> lines, std::span<const Point> points,
+                           double step);
+
+}  // namespace rockslope::blockgen

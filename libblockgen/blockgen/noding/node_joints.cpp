@@ -1,0 +1,214 @@
+#include "blockgen/noding/node_joints.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "blockgen/noding/link_chains.hpp"
+#include "blockgen/noding/snap_round.hpp"
+
+namespace rockslope::blockgen {
+
+namespace {
+
+constexpr std::int64_t extent_limit = std::int64_t{1} << 38;
+
+/// A source along a piece between two grid points, the first before the second.
+struct Piece {
+    FineSegment line;
+    EdgeSource source;
+    friend auto operator<=>(const Piece&, const Piece&) = default;
+};
+
+Piece piece_of(GridPoint a, GridPoint b, EdgeSource source) {
+    if (b < a) return {{b, a}, {source.source, !source.reversed}};
+    return {{a, b}, source};
+}
+
+struct Box {
+    double low_x = std::numeric_limits<double>::infinity(), low_y = low_x, high_x = -low_x, high_y = -low_x;
+};
+
+Box box_of(std::span<const SourceSegment> segments) {
+    Box box;
+    for (const SourceSegment& s : segments)
+        for (const Point& p : {s.a, s.b}) {
+            box.low_x = std::min(box.low_x, p.x);
+            box.low_y = std::min(box.low_y, p.y);
+            box.high_x = std::max(box.high_x, p.x);
+            box.high_y = std::max(box.high_y, p.y);
+        }
+    return box;
+}
+
+/// A frame whose origin is the box's middle rounded to whole metres, or to whole steps where those are
+/// longer.
+GridFrame frame_of(const Box& box, double step) {
+    const double unit = std::max(1.0, step);
+    GridFrame frame;
+    frame.step = step;
+    frame.origin = {std::round((box.low_x + box.high_x) / 2 / unit) * unit,
+                    std::round((box.low_y + box.high_y) / 2 / unit) * unit};
+    const double farthest =
+        std::max({std::abs(box.low_x), std::abs(box.high_x), std::abs(box.low_y), std::abs(box.high_y)});
+    if (!(farthest / step < 0x1p52))
+        throw std::invalid_argument("coordinates have too many digits for this grid");
+    if (!(std::max(box.high_x - box.low_x, box.high_y - box.low_y) / step <
+          static_cast<double>(extent_limit)))
+        throw std::invalid_argument("the model is too large for this grid");
+    return frame;
+}
+
+/// How many units of the first round's grid make one cell: as fine as the exact arithmetic allows, at most
+/// 4096.
+std::int64_t first_pass_units_per_cell(const Box& box, double step) {
+    const double cells = std::max({box.high_x - box.low_x, box.high_y - box.low_y, step}) / step + 4;
+    std::int64_t units_per_cell = 2;
+    while (units_per_cell < 4096 && cells * static_cast<double>(2 * units_per_cell) < 0x1p40)
+        units_per_cell *= 2;
+    return units_per_cell;
+}
+
+/// Segments in units of the first round's grid. @param largest_move m, grows to how far an end moves.
+std::vector<Piece> fine_pieces(std::span<const SourceSegment> segments, const GridFrame& frame,
+                               std::int64_t units_per_cell, double& largest_move) {
+    const double scale = static_cast<double>(units_per_cell) / frame.step;
+    const auto fine = [&](const Point& p) {
+        const double x = (p.x - frame.origin.x) * scale, y = (p.y - frame.origin.y) * scale;
+        const GridPoint unit{std::llround(x), std::llround(y)};
+        const double moved =
+            std::hypot(x - static_cast<double>(unit.x), y - static_cast<double>(unit.y)) / scale;
+        largest_move = std::max(largest_move, moved);
+        return unit;
+    };
+    std::vector<Piece> pieces;
+    pieces.reserve(segments.size());
+    for (const SourceSegment& s : segments)
+        if (const GridPoint a = fine(s.a), b = fine(s.b); a != b)
+            pieces.push_back(piece_of(a, b, {s.source, false}));
+    return pieces;
+}
+
+/// Distinct lines, sorted, and what runs along them.
+struct Lines {
+    std::vector<FineSegment> lines;
+    LineSources along;
+};
+
+Lines distinct_lines(std::vector<Piece> pieces) {
+    std::sort(pieces.begin(), pieces.end());
+    Lines result;
+    for (const Piece& piece : pieces) {
+        if (result.lines.empty() || piece.line != result.lines.back()) {
+            result.lines.push_back(piece.line);
+            result.along.first.push_back(0);
+        }
+        result.along.sources.push_back(piece.source);
+        result.along.first.back() = static_cast<std::int32_t>(result.along.sources.size());
+    }
+    return result;
+}
+
+/// Distance of a cell's centre from a segment, in cells.
+double distance(const FineSegment& s, const GridPoint& cell, std::int64_t units_per_cell) {
+    const double scale = 1 / static_cast<double>(units_per_cell);
+    const double ux = static_cast<double>(s.b.x - s.a.x) * scale,
+                 uy = static_cast<double>(s.b.y - s.a.y) * scale;
+    const double wx = static_cast<double>(cell.x * units_per_cell - s.a.x) * scale;
+    const double wy = static_cast<double>(cell.y * units_per_cell - s.a.y) * scale;
+    const double t = std::clamp((wx * ux + wy * uy) / (ux * ux + uy * uy), 0.0, 1.0);
+    return std::hypot(wx - t * ux, wy - t * uy);
+}
+
+/// How far the cells of a chain lie off its line, in cells.
+double largest_move(const FineSegment& line, const SnappedChains& chains, std::size_t k,
+                    std::int64_t units_per_cell) {
+    double largest = 0;
+    for (const std::int32_t cell : chains.chain(k))
+        largest =
+            std::max(largest, distance(line, chains.cells[static_cast<std::size_t>(cell)], units_per_cell));
+    return largest;
+}
+
+double largest_move(const SnapRoundingPass& round, const NodedEdges& network) {
+    double largest = 0;
+    for (std::size_t k = 0; k < round.edges.size(); ++k) {
+        if (round.chains.chain(k).size() == 2) continue;
+        const auto& [a, b] = network.edges[static_cast<std::size_t>(round.edges[k])];
+        const FineSegment line{network.vertices[static_cast<std::size_t>(a)],
+                               network.vertices[static_cast<std::size_t>(b)]};
+        largest = std::max(largest, largest_move(line, round.chains, k, 1));
+    }
+    return largest;
+}
+
+/// Ends of closed outlines come first, so that their corners stay where they are; a source of lower number
+/// first.
+std::vector<GridPoint> anchors_of(const std::vector<Piece>& pieces, std::int64_t units_per_cell) {
+    std::vector<std::pair<std::int32_t, GridPoint>> ends;
+    const auto cell = [units_per_cell](const GridPoint& p) {
+        const auto nearest = [units_per_cell](std::int64_t x) {
+            const std::int64_t shifted = x + units_per_cell / 2;
+            return shifted >= 0 ? shifted / units_per_cell
+                                : -((-shifted + units_per_cell - 1) / units_per_cell);
+        };
+        return GridPoint{nearest(p.x), nearest(p.y)};
+    };
+    for (const Piece& piece : pieces)
+        if (piece.source.source == 0) {
+            ends.emplace_back(piece.source.source, cell(piece.line.a));
+            ends.emplace_back(piece.source.source, cell(piece.line.b));
+        }
+    std::sort(ends.begin(), ends.end());
+    std::vector<GridPoint> anchors;
+    for (const auto& [source, end] : ends) anchors.push_back(end);
+    return anchors;
+}
+
+}  // namespace
+
+std::span<const EdgeSource> NodedEdges::sources_of(std::size_t edge) const {
+    return std::span(sources).subspan(static_cast<std::size_t>(first_source[edge]),
+                                      static_cast<std::size_t>(first_source[edge + 1] - first_source[edge]));
+}
+
+NodedEdges node_joints(std::span<const SourceSegment> segments, double step) {
+    NodedEdges result;
+    if (segments.empty()) return result;
+    const Box box = box_of(segments);
+    result.frame = frame_of(box, step);
+    {
+        const std::int64_t units_per_cell = first_pass_units_per_cell(box, step);
+        double rounded = 0;
+        std::vector<Piece> pieces = fine_pieces(segments, result.frame, units_per_cell, rounded);
+        const std::vector<GridPoint> anchors = anchors_of(pieces, units_per_cell);
+        const Lines lines = distinct_lines(std::move(pieces));
+        const SnappedChains chains = snap_round_merging_cells(lines.lines, units_per_cell, anchors);
+        for (std::size_t k = 0; k < lines.lines.size(); ++k)
+            result.largest_snap =
+                std::max(result.largest_snap, step * largest_move(lines.lines[k], chains, k, units_per_cell));
+        result.largest_snap += rounded;
+        link_chains(chains, lines.along, result);
+    }
+    std::vector<char> changed;  // in the first round, all
+    for (result.rounds = 1;; ++result.rounds) {
+        const SnapRoundingPass round = snap_round_edges(result.vertices, result.edges, changed);
+        if (round.is_fully_noded()) return result;
+        result.largest_snap += step * largest_move(round, result);
+        const LineSources along{std::move(result.first_source), std::move(result.sources)};
+        changed = link_chains(chains_of_all_edges(round, result), along, result);
+    }
+}
+
+std::vector<std::size_t> improperly_noded_edges(std::span<const GridPoint> vertices,
+                                                std::span<const std::pair<std::int32_t, std::int32_t>> edges,
+                                                std::span<const char> changed) {
+    const SnapRoundingPass round = snap_round_edges(vertices, edges, changed);
+    std::vector<std::size_t> improper;
+    for (std::size_t k = 0; k < round.edges.size(); ++k)
+        if (round.chains.chain(k).size() != 2) improper.push_back(static_cast<std::size_t>(round.edges[k]));
+    return improper;
+}
+
+}  // namespace rockslope::blockgen

@@ -1,0 +1,283 @@
+#include "blockgen/report/changes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <tuple>
+
+#include "blockgen/report/cut_context.hpp"
+#include "common/base/disjoint_sets.hpp"
+
+namespace rockslope::blockgen {
+
+namespace {
+
+double distance(const Point& p, const Point& a, const Point& b) {
+    const double ux = b.x - a.x, uy = b.y - a.y, wx = p.x - a.x, wy = p.y - a.y;
+    const double square = ux * ux + uy * uy;
+    const double t = square > 0 ? std::clamp((wx * ux + wy * uy) / square, 0.0, 1.0) : 0;
+    return std::hypot(wx - t * ux, wy - t * uy);
+}
+
+double distance(const Point& p, const std::vector<Point>& line, bool closed) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k + (closed ? 0 : 1) < line.size(); ++k)
+        least = std::min(least, distance(p, line[k], line[(k + 1) % line.size()]));
+    return least;
+}
+
+/// The traces' edges, those of trace t at [first[t], first[t + 1]).
+struct EdgesOfTraces {
+    std::vector<std::int32_t> first, edges;
+
+    EdgesOfTraces(const NodedEdges& noded, std::size_t traces, const SourceTable& table)
+        : first(traces + 1, 0) {
+        for_each(noded, table, [&](std::size_t t, std::size_t) { ++first[t + 1]; });
+        std::partial_sum(first.begin(), first.end(), first.begin());
+        edges.resize(static_cast<std::size_t>(first.back()));
+        std::vector<std::int32_t> fill(first.begin(), first.end() - 1);
+        for_each(noded, table, [&](std::size_t t, std::size_t e) {
+            edges[static_cast<std::size_t>(fill[t]++)] = static_cast<std::int32_t>(e);
+        });
+    }
+
+    std::span<const std::int32_t> of(std::size_t t) const {
+        return std::span(edges).subspan(static_cast<std::size_t>(first[t]),
+                                        static_cast<std::size_t>(first[t + 1] - first[t]));
+    }
+
+  private:
+    template <class Visit>
+    static void for_each(const NodedEdges& noded, const SourceTable& table, const Visit& visit) {
+        for (std::size_t e = 0; e < noded.edges.size(); ++e) {
+            std::int32_t last = -1;
+            for (const EdgeSource& s : noded.sources_of(e)) {  // sorted by source
+                if (!table.is_joint(s.source) || s.source == last) continue;
+                last = s.source;
+                visit(static_cast<std::size_t>(s.source - table.first_joint), e);
+            }
+        }
+    }
+};
+
+/// A trace's end and the vertex that it became.
+struct TraceEnd {
+    std::int32_t vertex, trace;
+    Point point;
+    double gap = std::numeric_limits<double>::infinity();  ///< m, to the nearest other source at the vertex
+    std::int32_t other = -1;                               ///< that source
+};
+
+class JointChanges {
+  public:
+    explicit JointChanges(const CutContext& parts)
+        : context_(parts), edges_(parts.noded, parts.traces.size(), parts.table) {}
+
+    std::vector<Change> run() {
+        join_ends();
+        for (std::size_t t = 0; t < context_.traces.size(); ++t) {
+            prune(t);
+            if (t < context_.model.traces.size()) drop(t);
+        }
+        sort_changes(changes_);
+        return std::move(changes_);
+    }
+
+  private:
+    Point place(std::int32_t vertex) const {
+        return context_.noded.frame.place(context_.noded.vertices[static_cast<std::size_t>(vertex)]);
+    }
+    double length_of(std::size_t edge) const {
+        const Point a = place(context_.noded.edges[edge].first), b = place(context_.noded.edges[edge].second);
+        return std::hypot(b.x - a.x, b.y - a.y);
+    }
+
+    /// The vertex of the trace nearest to one of its ends, when it lies within reach of a snap.
+    std::optional<TraceEnd> end_at(std::size_t t, const Point& p) const {
+        double least = 2 * context_.noded.frame.step;
+        std::optional<TraceEnd> end;
+        for (const std::int32_t e : edges_.of(t))
+            for (const std::int32_t v : {context_.noded.edges[static_cast<std::size_t>(e)].first,
+                                         context_.noded.edges[static_cast<std::size_t>(e)].second}) {
+                const Point q = place(v);
+                const double d = std::max(std::abs(q.x - p.x), std::abs(q.y - p.y));
+                if (d >= least) continue;
+                least = d;
+                end = TraceEnd{v, static_cast<std::int32_t>(t), p};
+            }
+        return end;
+    }
+
+    void join_ends() {
+        std::vector<TraceEnd> ends;
+        for (std::size_t t = 0; t < context_.traces.size(); ++t)
+            for (const Point& p : {context_.traces[t].points.front(), context_.traces[t].points.back()})
+                if (const auto end = end_at(t, p)) ends.push_back(*end);
+        std::stable_sort(ends.begin(), ends.end(),
+                         [](const TraceEnd& a, const TraceEnd& b) { return a.vertex < b.vertex; });
+        std::vector<std::int32_t> first(context_.noded.vertices.size() + 1, 0);
+        for (const TraceEnd& end : ends) ++first[static_cast<std::size_t>(end.vertex) + 1];
+        std::partial_sum(first.begin(), first.end(), first.begin());
+        for (std::size_t e = 0; e < context_.noded.edges.size(); ++e)
+            for (const std::int32_t v : {context_.noded.edges[e].first, context_.noded.edges[e].second})
+                for (std::int32_t k = first[static_cast<std::size_t>(v)];
+                     k < first[static_cast<std::size_t>(v) + 1]; ++k)
+                    for (const EdgeSource& s : context_.noded.sources_of(e))
+                        note_source(ends[static_cast<std::size_t>(k)], s.source);
+        for (const TraceEnd& end : ends) add_joined(end);
+    }
+
+    void note_source(TraceEnd& end, std::int32_t source) const {
+        if (source == context_.table.first_joint + end.trace || source == end.other) return;
+        const double gap = distance_from(end.point, source);
+        if (gap >= end.gap) return;
+        end.gap = gap;
+        end.other = source;
+    }
+
+    double distance_from(const Point& p, std::int32_t source) const {
+        const auto part = [source](const auto& list, std::int32_t first) -> const auto& {
+            return list[static_cast<std::size_t>(source - first)];
+        };
+        if (context_.table.is_joint(source))
+            return distance(p, part(context_.traces, context_.table.first_joint).points, false);
+        if (source >= context_.table.first_tunnel)
+            return distance(p, part(context_.model.tunnels, context_.table.first_tunnel).outline, true);
+        if (context_.table.is_excavation(source))
+            return distance(p, part(context_.model.excavations, context_.table.first_excavation).outline,
+                            true);
+        if (context_.table.is_region(source))
+            return distance(p, part(context_.model.regions, context_.table.first_region).polygon, true);
+        if (source >= context_.table.first_hole)
+            return distance(p, part(context_.model.holes, context_.table.first_hole), true);
+        double least = distance(p, context_.model.outline, true);
+        for (const Ring& ring : context_.model.further_outlines)
+            least = std::min(least, distance(p, ring, true));
+        return least;
+    }
+
+    void add_joined(const TraceEnd& end) {
+        // What the last digits of a double leave between lines that were meant to meet is no gap.
+        const double rounding = 64 * std::numeric_limits<double>::epsilon() *
+                                std::max(std::abs(end.point.x), std::abs(end.point.y));
+        if (end.other < 0 || !(end.gap > rounding)) return;
+        Change change{ChangeKind::end_joined, place(end.vertex), 0, end.gap, name_of(end.trace), "outline"};
+        if (context_.table.is_joint(end.other))
+            change.other = name_of(end.other - context_.table.first_joint);
+        changes_.push_back(std::move(change));
+    }
+
+    const std::string& name_of(std::int32_t trace) const {
+        return context_.traces[static_cast<std::size_t>(trace)].name;
+    }
+
+    /// One row for each run of a trace's edges that part nothing.
+    void prune(std::size_t t) {
+        std::vector<std::pair<std::int32_t, std::size_t>> ends;  // vertex, number of the pruned edge
+        std::vector<std::size_t> pruned;
+        for (const std::int32_t edge : edges_.of(t)) {
+            const auto e = static_cast<std::size_t>(edge);
+            const std::int32_t left = context_.block_of(2 * e), right = context_.block_of(2 * e + 1);
+            if (left != right || left == FaceBlocks::outside) continue;
+            ends.emplace_back(context_.noded.edges[e].first, pruned.size());
+            ends.emplace_back(context_.noded.edges[e].second, pruned.size());
+            pruned.push_back(e);
+        }
+        if (pruned.empty()) return;
+        std::sort(ends.begin(), ends.end());
+        DisjointSets runs(pruned.size());
+        for (std::size_t k = 1; k < ends.size(); ++k)
+            if (ends[k].first == ends[k - 1].first) runs.unite(ends[k].second, ends[k - 1].second);
+
+        struct Run {
+            double length = 0;
+            std::int32_t first = std::numeric_limits<std::int32_t>::max(), last = -1;
+        };
+        std::vector<Run> of_root(pruned.size());
+        for (std::size_t k = 0; k < pruned.size(); ++k) {
+            Run& run = of_root[runs.root(k)];
+            run.length += length_of(pruned[k]);
+            run.first = std::min(run.first, context_.noded.edges[pruned[k]].first);
+            run.last = std::max(run.last, context_.noded.edges[pruned[k]].second);
+        }
+        for (const Run& run : of_root) {
+            if (run.last < 0) continue;
+            const Point a = place(run.first), b = place(run.last);
+            changes_.push_back({ChangeKind::piece_pruned,
+                                {(a.x + b.x) / 2, (a.y + b.y) / 2},
+                                0,
+                                run.length,
+                                context_.traces[t].name,
+                                {}});
+        }
+    }
+
+    /// A given trace of which no piece lies in the rock.
+    void drop(std::size_t t) {
+        bool in_rock = false, on_face = false;
+        for (const std::int32_t edge : edges_.of(t)) {
+            const auto e = static_cast<std::size_t>(edge);
+            const bool left = context_.block_of(2 * e) != FaceBlocks::outside,
+                       right = context_.block_of(2 * e + 1) != FaceBlocks::outside;
+            in_rock = in_rock || (left && right);
+            on_face = on_face || left != right;
+        }
+        if (in_rock || (on_face && context_.model.outline_of_traces)) return;
+        double length = 0;
+        const std::vector<Point>& points = context_.traces[t].points;
+        for (std::size_t k = 0; k + 1 < points.size(); ++k)
+            length += std::hypot(points[k + 1].x - points[k].x, points[k + 1].y - points[k].y);
+        const ChangeKind kind = on_face                              ? ChangeKind::trace_on_free_face
+                                : length < context_.noded.frame.step ? ChangeKind::trace_without_length
+                                                                     : ChangeKind::trace_outside;
+        const Point &a = points.front(), &b = points.back();
+        changes_.push_back(
+            {kind, {(a.x + b.x) / 2, (a.y + b.y) / 2}, 0, length, context_.traces[t].name, {}});
+    }
+
+    CutContext context_;
+    EdgesOfTraces edges_;
+    std::vector<Change> changes_;
+};
+
+}  // namespace
+
+const char* label_of(ChangeKind kind) {
+    switch (kind) {
+        case ChangeKind::block_merged:
+            return "small block merged";
+        case ChangeKind::piece_dropped:
+            return "joint dropped beside small block";
+        case ChangeKind::island_filled:
+            return "island filled";
+        case ChangeKind::island_cut:
+            return "island cut";
+        case ChangeKind::end_joined:
+            return "end joined";
+        case ChangeKind::piece_pruned:
+            return "joint piece pruned";
+        case ChangeKind::trace_outside:
+            return "trace outside the rock dropped";
+        case ChangeKind::trace_on_free_face:
+            return "trace along a free face dropped";
+        case ChangeKind::trace_without_length:
+            return "trace without length dropped";
+    }
+    return "";
+}
+
+void sort_changes(std::vector<Change>& changes) {
+    std::stable_sort(changes.begin(), changes.end(), [](const Change& a, const Change& b) {
+        return std::tuple(a.kind, a.at.x, a.at.y, a.length) < std::tuple(b.kind, b.at.x, b.at.y, b.length);
+    });
+}
+
+std::vector<Change> joint_changes(const NodedEdges& noded, const Subdivision& subdivision,
+                                  const FaceBlocks& faces, const SlopeModel& model,
+                                  const std::vector<Trace>& traces, const SourceTable& table) {
+    return JointChanges({noded, subdivision, faces, model, traces, table}).run();
+}
+
+}  // namespace rockslope::blockgen

@@ -1,0 +1,132 @@
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "blockgen/report/cut_report.hpp"
+
+namespace rockslope::blockgen {
+
+const char* label_of(BlockMode mode) {
+    switch (mode) {
+        case BlockMode::enclosed:
+            return "enclosed";
+        case BlockMode::tapered:
+            return "tapered";
+        case BlockMode::stable:
+            return "stable";
+        case BlockMode::falling:
+            return "falling";
+        case BlockMode::sliding:
+            return "sliding";
+        case BlockMode::sliding_two_faces:
+            return "sliding on two faces";
+    }
+    return "";
+}
+
+namespace {
+
+nlohmann::ordered_json deciles_json(const Deciles& d) {
+    return {{"p10", d.p10}, {"p50", d.p50}, {"p90", d.p90}};
+}
+
+nlohmann::ordered_json kinematics_json(const KinematicReport& report) {
+    using json = nlohmann::ordered_json;
+    json counts = json::object(), blocks = json::array();
+    for (const BlockMode mode : {BlockMode::enclosed, BlockMode::tapered, BlockMode::stable,
+                                 BlockMode::falling, BlockMode::sliding, BlockMode::sliding_two_faces})
+        counts[label_of(mode)] = std::count(report.mode.begin(), report.mode.end(), mode);
+    for (const KeyBlock& b : report.blocks) {
+        json row = {{"block", b.block},
+                    {"mode", label_of(b.mode)},
+                    {"factor_of_safety", b.factor_of_safety},
+                    {"direction", {b.direction.x, b.direction.y}},
+                    {"area_m2", b.area}};
+        if (b.joint >= 0) row["joint"] = b.joint;
+        blocks.push_back(std::move(row));
+    }
+    return {{"counts", counts}, {"blocks", blocks}};
+}
+
+nlohmann::ordered_json changes_json(const std::vector<Change>& changes) {
+    nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+    for (const Change& c : changes) {
+        nlohmann::ordered_json row = {{"what", label_of(c.kind)}, {"at", {c.at.x, c.at.y}}};
+        if (c.area > 0) row["area_m2"] = c.area;
+        row["length_m"] = c.length;
+        if (!c.joint.empty()) row["joint"] = c.joint;
+        if (!c.other.empty()) row["to"] = c.other;
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+}  // namespace
+
+std::string report_text(const CutReport& report) {
+    using json = nlohmann::ordered_json;
+    json joints = json::array();
+    for (const JointBalance& b : report.joints) {
+        json asked = json::object();
+        if (b.p10_target > 0) asked["p10_per_m"] = b.p10_target;
+        if (b.p20_target > 0) asked["p20_per_m2"] = b.p20_target;
+        if (b.p21_target > 0) asked["p21_m_per_m2"] = b.p21_target;
+        if (b.count_target > 0) asked["count"] = b.count_target;
+        joints.push_back({{"name", b.name},
+                          {"traces", b.traces},
+                          {"input_m", b.input},
+                          {"retained_m", b.retained},
+                          {"pruned_m", b.pruned},
+                          {"on_boundary_m", b.on_boundary},
+                          {"outside_m", b.outside},
+                          {"p10_per_m", b.p10},
+                          {"p20_per_m2", b.p20},
+                          {"p21_m_per_m2", b.p21},
+                          {"asked", asked}});
+    }
+    const SizeSummary& s = report.sizes;
+    json root = {
+        {"blocks", report.blocks},
+        {"holes", report.holes},
+        {"islands", report.islands},
+        {"island_cuts", report.island_cuts},
+        {"filled_islands", report.merges.filled_islands},
+        {"small_blocks",
+         {{"found", report.merges.small_blocks},
+          {"merged", report.merges.merged_blocks},
+          {"merged_area_m2", report.merges.merged_area},
+          {"kept", report.merges.kept_small}}},
+        {"interior_edges", report.interior_edges},
+        {"boundary_edges", report.boundary_edges},
+        {"slivers", report.slivers},
+        {"merged_vertices", report.merged_vertices},
+        {"noding_rounds", report.noding_rounds},
+        {"largest_snap_m", report.largest_snap},
+        {"domain_area_m2", report.domain_area},
+        {"area_proved", report.area_proved},
+        {"verified_exactly", report.verified},
+        {"block_area_m2",
+         {{"smallest", s.smallest_area},
+          {"d10", s.d10},
+          {"d50", s.d50},
+          {"d90", s.d90},
+          {"largest", s.largest_area}}},
+        {"roundness", deciles_json(report.shapes.roundness)},
+        {"aspect", deciles_json(report.shapes.aspect)},
+        {"mean_corners", report.shapes.mean_corners},
+        {"smallest_edge_m", s.smallest_edge},
+        {"smallest_angle_deg", s.smallest_angle * 180 / std::numbers::pi},
+        {"joints", joints},
+        {"nodes",
+         {{"i", report.nodes.i}, {"y", report.nodes.y}, {"x", report.nodes.x}, {"edge", report.nodes.edge}}},
+        {"excavations", json::array()},
+        {"changes", changes_json(report.changes)},
+        {"warnings", report.warnings}};
+    for (const ExcavationReport& e : report.excavations)
+        root["excavations"].push_back(
+            {{"name", e.name}, {"stage", e.stage}, {"blocks", e.blocks}, {"area_m2", e.area}});
+    if (report.kinematics) root["kinematics"] = kinematics_json(*report.kinematics);
+    return root.dump(2) + "\n";
+}
+
+}  // namespace rockslope::blockgen

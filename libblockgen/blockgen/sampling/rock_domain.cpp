@@ -1,0 +1,101 @@
+#include "blockgen/sampling/rock_domain.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "blockgen/faces/classify_faces.hpp"
+#include "blockgen/input/domain.hpp"
+
+namespace rockslope::blockgen {
+
+namespace {
+
+/// The area of the rock without joints, or within one region, from an arrangement of the outlines alone.
+double area_of(const SlopeModel& model, const Ring* region) {
+    SlopeModel bare;
+    bare.grid = model.grid;
+    bare.outline = model.outline;
+    bare.further_outlines = model.further_outlines;
+    bare.holes = model.holes;
+    bare.tunnels = model.tunnels;
+    if (region != nullptr) bare.regions.push_back({"region", "region", "", *region, {}});
+    const SourceTable table(bare);
+    const NodedEdges noded = node_joints(source_segments(bare, {}, table), bare.grid);
+    const Subdivision subdivision = arrange(noded);
+    const FaceBlocks faces = classify_faces(noded, subdivision, bare, table);
+    const auto counts = [&](std::size_t half_edge) {
+        const std::int32_t block = faces.block[static_cast<std::size_t>(subdivision.face[half_edge])];
+        return block != FaceBlocks::outside &&
+               (region == nullptr || faces.material[static_cast<std::size_t>(block)] == 1);
+    };
+    Int128 twice = 0;
+    for (std::size_t e = 0; e < noded.edges.size(); ++e)
+        twice += twice_area({0, 0}, noded.vertices[static_cast<std::size_t>(noded.edges[e].first)],
+                            noded.vertices[static_cast<std::size_t>(noded.edges[e].second)]) *
+                 (int{counts(2 * e)} - int{counts(2 * e + 1)});
+    return static_cast<double>(twice) / 2 * noded.frame.step * noded.frame.step;
+}
+
+double distance(const Point& a, const Point& b) {
+    return std::hypot(b.x - a.x, b.y - a.y);
+}
+
+/// The length that stretches along a line cover together, each given by its two ends.
+double covered_length(std::vector<std::pair<double, double>> stretches) {
+    std::sort(stretches.begin(), stretches.end());
+    double length = 0, end = 0;
+    for (const auto& [from, to] : stretches) {
+        length += std::max(to - std::max(from, end), 0.0);
+        end = std::max(end, to);
+    }
+    return length;
+}
+
+}  // namespace
+
+RockDomain::RockDomain(const SlopeModel& model, const std::string& region) : model_(model) {
+    for (const Region& candidate : model.regions)
+        if (candidate.name == region) region_ = &candidate.polygon;
+    area_ = area_of(model, region_);
+}
+
+double RockDomain::length_in(const Point& a, const Point& b) const {
+    double length = 0;
+    for (const auto& [c, d] : pieces_in_region(a, b)) {
+        length += length_in_part(c, d, model_.outline);
+        for (const Ring& part : model_.further_outlines) length += length_in_part(c, d, part);
+    }
+    return std::max(length, 0.0);
+}
+
+double RockDomain::length_in_part(const Point& a, const Point& b, const Ring& part) const {
+    double length = 0;
+    for (const auto& [p, q] : clip_to_ring(a, b, part)) {
+        std::vector<std::pair<double, double>> cavities;  // they may overlap
+        const auto subtract = [&, start = p, end = q](const Ring& cavity) {
+            for (const auto& [c, d] : clip_to_ring(start, end, cavity))
+                cavities.emplace_back(distance(start, c), distance(start, d));
+        };
+        for (const Ring& hole : model_.holes) subtract(hole);
+        for (const Tunnel& tunnel : model_.tunnels) subtract(tunnel.outline);
+        length += distance(p, q) - covered_length(std::move(cavities));
+    }
+    return length;
+}
+
+bool RockDomain::contains(const Point& p) const {
+    if (region_ != nullptr && side_of_ring(*region_, p) < 0) return false;
+    if (!is_in_outlines(model_, p)) return false;
+    for (const Ring& hole : model_.holes)
+        if (side_of_ring(hole, p) > 0) return false;
+    for (const Tunnel& tunnel : model_.tunnels)
+        if (side_of_ring(tunnel.outline, p) > 0) return false;
+    return true;
+}
+
+std::vector<std::pair<Point, Point>> RockDomain::pieces_in_region(const Point& a, const Point& b) const {
+    if (region_ == nullptr) return {{a, b}};
+    return clip_to_ring(a, b, *region_);
+}
+
+}  // namespace rockslope::blockgen

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "blockgen/input/slope_model.hpp"
+
+namespace rockslope::blockgen {
+
+/// The rock that a joint set belongs to: all of it, or that within the set's region.
+class RockDomain {
+  public:
+    RockDomain(const SlopeModel& model, const std::string& region);
+
+    /// m2; as integers on the model's grid.
+    double area() const { return area_; }
+    /// The part of a segment in the rock, m.
+    double length_in(const Point& a, const Point& b) const;
+    bool contains(const Point& p) const;
+    /// The pieces of a segment in the region; all of it when the set has none.
+    std::vector<std::pair<Point, Point>> pieces_in_region(const Point& a, const Point& b) const;
+
+  private:
+    double length_in_part(const Point& a, const Point& b, const Ring& part) const;
+
+    const SlopeModel& model_;
+    const Ring* region_ = nullptr;
+    double area_ = 0;
+};
+
+}  // namespace rockslope::blockgen

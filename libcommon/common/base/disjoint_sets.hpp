@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace rockslope {
+
+/// Sets that only grow together (union-find with path halving); the smallest member stands for its set.
+class DisjointSets {
+  public:
+    explicit DisjointSets(std::size_t size) : parent_(size) {
+        std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+    }
+
+    std::size_t root(std::size_t i) {
+        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+        return i;
+    }
+    /// True when the two were apart.
+    bool unite(std::size_t i, std::size_t j) {
+        i = root(i);
+        j = root(j);
+        if (i == j) return false;
+        if (j < i) std::swap(i, j);
+        parent_[j] = i;
+        return true;
+    }
+
+  private:
+    std::vector<std::size_t> parent_;
+};
+
+}  // namespace rockslope

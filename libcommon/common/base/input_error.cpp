@@ -1,0 +1,34 @@
+#include "common/base/input_error.hpp"
+
+#include <algorithm>
+
+namespace rockslope {
+
+namespace {
+
+std::string one_line(const SourceLocation& place, const std::string& what, const std::string& expected) {
+    std::string text = place.text();
+    if (!text.empty()) text += ": ";
+    text += what;
+    if (!expected.empty()) text += "; expected " + expected;
+    std::replace_if(
+        text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; },
+        ' ');
+    return text;
+}
+
+}  // namespace
+
+std::string SourceLocation::text() const {
+    std::string result = file;
+    if (line > 0) {
+        result += ':' + std::to_string(line);
+        if (column > 0) result += ':' + std::to_string(column);
+    }
+    return result;
+}
+
+InputError::InputError(const SourceLocation& place, const std::string& what, const std::string& expected)
+    : std::runtime_error(one_line(place, what, expected)), place_(place) {}
+
+}  // namespace rockslope

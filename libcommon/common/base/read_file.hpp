@@ -1,0 +1,12 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace rockslope {
+
+/// The bytes of a whole file. @throws InputError naming the path and the system's reason (missing, a folder,
+/// no permission).
+std::string read_text_file(const std::filesystem::path& path);
+
+}  // namespace rockslope

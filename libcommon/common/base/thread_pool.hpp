@@ -1,0 +1,61 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <memory>
+
+#include "common/base/function_ref.hpp"
+
+namespace rockslope {
+
+class WorkerThreads;
+
+/// A fixed pool of threads for loops whose iterations are independent. Each index is computed by exactly one
+/// thread and writes only its own results, so a loop gives the same bytes with any number of threads; sums
+/// are taken over chunks that do not depend on it. A pool does one loop at a time.
+class ThreadPool {
+  public:
+    /// @param threads at least 1; 1 runs every loop in the calling thread.
+    explicit ThreadPool(int threads = 1);
+    ~ThreadPool();
+    ThreadPool(const ThreadPool&) = delete;
+    ThreadPool& operator=(const ThreadPool&) = delete;
+
+    int size() const { return threads_; }
+    /// Calls body(begin, end) for ranges that together cover [0, count); short loops stay in the calling
+    /// thread.
+    void parallel_for(std::size_t count, FunctionRef<void(std::size_t, std::size_t)> body) const;
+    /// Calls body(index, thread) for each index in [0, count), the next one by whichever thread is free: for
+    /// few long tasks, the longest first. Threads count from zero, for work space of their own.
+    void parallel_for_dynamic(std::size_t count, FunctionRef<void(std::size_t, std::size_t)> body) const;
+    /// chunk_value(begin, end) for chunks of [0, count), taken together in their order: `initial`, then
+    /// combine(so far, the next one's). Portions depend on `count` alone.
+    template <class Value, class ChunkValue, class Combine>
+    Value parallel_reduce(std::size_t count, Value initial, const ChunkValue& chunk_value,
+                          const Combine& combine) const;
+
+  private:
+    static constexpr std::size_t max_chunks = 64;
+    static constexpr std::size_t min_chunk_length = 64;
+
+    int threads_;
+    std::unique_ptr<WorkerThreads> workers_;
+};
+
+template <class Value, class ChunkValue, class Combine>
+Value ThreadPool::parallel_reduce(std::size_t count, Value initial, const ChunkValue& chunk_value,
+                                  const Combine& combine) const {
+    const std::size_t length = std::max(min_chunk_length, (count + max_chunks - 1) / max_chunks);
+    std::array<Value, max_chunks> chunk_values;
+    const std::size_t chunks = (count + length - 1) / length;
+    const auto chunk_end = [&](std::size_t chunk) { return std::min((chunk + 1) * length, count); };
+    parallel_for(count, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t p = (begin + length - 1) / length; p * length < end; ++p)
+            chunk_values[p] = chunk_value(p * length, chunk_end(p));
+    });
+    for (std::size_t p = 0; p < chunks; ++p) initial = combine(initial, chunk_values[p]);
+    return initial;
+}
+
+}  // namespace rockslope

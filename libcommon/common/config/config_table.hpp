@@ -1,0 +1,117 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "common/base/input_error.hpp"
+
+namespace rockslope {
+
+/// The physical dimension of a value in a model file. A bare number is in SI (angles: radians only with
+/// "rad"; a bare number for an angle is an error that asks for a unit); a string may carry one of the
+/// dimension's units.
+enum class Dimension {
+    none,
+    length,           // m, mm, cm, km
+    angle,            // deg, rad; returned in radians
+    time,             // s, ms, min
+    mass_density,     // kg/m3, t/m3, g/cm3
+    stress,           // Pa, kPa, MPa, GPa
+    stiffness,        // N/m per metre of thickness (a penalty): N/m, kN/m, MN/m, GN/m, and Pa, kPa, MPa, GPa
+    joint_stiffness,  // Pa/m, kPa/m, MPa/m, GPa/m
+    acceleration,     // m/s2, cm/s2, gal, g (9.80665 m/s2)
+    velocity,         // m/s, cm/s, mm/s
+    force,            // N, kN, MN
+    frequency         // Hz, rad/s
+};
+
+/// A strict view of one table of a TOML model file. Every key that is read is marked; finish() makes an error
+/// of each key that nobody read, with the nearest known key as a suggestion. All errors are InputError with
+/// the place. Values that are not finite, or beyond 1e30, are refused everywhere. Copies share one view.
+/// Ranges are the caller's, through `checked`.
+///
+/// An `expected` text completes "expected ...": "a positive number", not "must be positive".
+class ConfigTable {
+  public:
+    /// Reads and parses a file, then applies the overrides `key.path=value` of the command line: value in
+    /// TOML syntax, and whatever is not (a bare word, "35 deg") taken as a string; stage[1].step for the
+    /// second [[stage]]; tables on the way are made when absent. @throws InputError for unreadable files and
+    /// syntax errors.
+    static ConfigTable from_file(const std::filesystem::path& path,
+                                 const std::vector<std::string>& overrides = {});
+    static ConfigTable from_text(std::string_view text, const std::string& file_name,
+                                 const std::vector<std::string>& overrides = {});
+
+    bool has(std::string_view key) const;
+    /// The place of a key's value, or of the table when the key is absent.
+    SourceLocation place(std::string_view key = {}) const;
+    /// The dotted path of this table in its file ("stage[1].base_motion"), for messages.
+    const std::string& path() const;
+
+    double number(std::string_view key, Dimension dimension = Dimension::none) const;
+    double number(std::string_view key, Dimension dimension, double fallback) const;
+    std::int64_t integer(std::string_view key) const;
+    std::int64_t integer(std::string_view key, std::int64_t fallback) const;
+    bool boolean(std::string_view key, bool fallback) const;
+    std::string string(std::string_view key) const;
+    std::string string(std::string_view key, std::string_view fallback) const;
+    /// A string that must be one of `choices`; the error suggests the nearest.
+    std::string choice(std::string_view key, const std::vector<std::string>& choices) const;
+    std::string choice(std::string_view key, const std::vector<std::string>& choices,
+                       std::string_view fallback) const;
+    /// [x, y]
+    std::array<double, 2> pair(std::string_view key, Dimension dimension = Dimension::none) const;
+    std::array<double, 2> pair(std::string_view key, Dimension dimension,
+                               std::array<double, 2> fallback) const;
+    /// [[x, y], ...]
+    std::vector<std::array<double, 2>> pairs(std::string_view key,
+                                             Dimension dimension = Dimension::none) const;
+    std::vector<double> numbers(std::string_view key, Dimension dimension = Dimension::none) const;
+    std::vector<std::string> strings(std::string_view key) const;
+    /// A list of rings, [[[x, y], ...], ...]; empty when the key is absent.
+    std::vector<std::vector<std::array<double, 2>>> rings(std::string_view key) const;
+
+    /// True when the key holds a table (not a number, string or array).
+    bool is_table(std::string_view key) const;
+    bool is_string(std::string_view key) const;
+    ConfigTable table(std::string_view key) const;  ///< error when absent
+    std::optional<ConfigTable> optional_table(std::string_view key) const;
+    ConfigTable table_or_empty(std::string_view key) const;  ///< a table without keys when absent
+    std::vector<ConfigTable> array_of_tables(std::string_view key) const;  ///< empty when absent
+    /// The sub-tables of this table, by name, in the order of the file: [block_material.*]. Marks them read.
+    std::vector<std::pair<std::string, ConfigTable>> named_tables() const;
+
+    /// A path as its writer meant it: relative to the model file's folder, or to the working directory when
+    /// it came from an override of the command line.
+    std::filesystem::path file_path(std::string_view key) const;
+
+    /// Returns `value`, or throws at the key's place when `accepted` refuses it.
+    double checked(std::string_view key, double value, const std::function<bool(double)>& accepted,
+                   const std::string& expected) const;
+    [[noreturn]] void fail(std::string_view key, const std::string& what, const std::string& expected) const;
+
+    /// @throws InputError for the first key of this table, and of the tables read through it, that nobody
+    /// read.
+    void finish() const;
+
+    /// The tables and keys read so far, in the order of reading and with the defaults that stood in for
+    /// absent keys: TOML text that reads back to the same values. Paths of files are written relative to
+    /// `folder`, or absolute when it is empty.
+    std::string effective_text(const std::filesystem::path& folder = {}) const;
+
+    struct Impl;
+    explicit ConfigTable(std::shared_ptr<Impl> impl) : impl_(std::move(impl)) {}
+
+  private:
+    std::shared_ptr<Impl> impl_;
+};
+
+}  // namespace rockslope

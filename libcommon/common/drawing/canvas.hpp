@@ -1,0 +1,83 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "common/drawing/colour.hpp"
+#include "common/geometry/polygon.hpp"
+
+namespace rockslope {
+
+enum class PictureFormat { svg, png, pdf };
+
+/// The format that a file name's extension asks for, in any letter case; nothing for another extension.
+std::optional<PictureFormat> picture_format(const std::filesystem::path& path);
+
+/// How a line is drawn. Width and dashes in points.
+struct Stroke {
+    Colour colour = black;
+    double width = 0.8;
+    std::vector<double> dashes = {};
+};
+
+enum class Anchor { start, middle, end };
+
+/// How a line of text is set. Size in points; `anchor` and `vertical` tell which part of it lies at the given
+/// place: across start = left, along the page's height start = baseline, end = top.
+struct TextStyle {
+    double size = 9;
+    Colour colour = black;
+    Anchor anchor = Anchor::start;
+    Anchor vertical = Anchor::start;
+    bool bold = false;
+    double angle = 0;                           ///< rad, counter-clockwise
+    std::optional<Colour> halo = std::nullopt;  ///< drawn round the letters so that they stand out
+};
+
+/// A page in points (1/72 inch), origin at the upper left, y downwards. It records what is drawn and becomes
+/// a file at the end: SVG, PDF, or PNG with two pixels a point. The bytes depend on what was drawn only, not
+/// on the time of day.
+class Canvas {
+  public:
+    /// A white page. @param width, height in pt, positive.
+    Canvas(double width, double height);
+    ~Canvas();
+    Canvas(Canvas&&) noexcept;
+    Canvas& operator=(Canvas&&) noexcept;
+
+    double width() const;
+    double height() const;
+
+    /// Fills the even-odd inside of the rings, so that inner rings are holes, and draws them.
+    void polygon(std::span<const Ring> rings, const std::optional<Colour>& fill,
+                 const std::optional<Stroke>& stroke);
+    /// Parallel lines inside the rings. @param spacing pt; @param angle rad, counter-clockwise.
+    void hatch(std::span<const Ring> rings, const Stroke& stroke, double spacing, double angle);
+    void polyline(std::span<const Point> points, const Stroke& stroke);
+    void circle(const Point& centre, double radius, const std::optional<Colour>& fill,
+                const std::optional<Stroke>& stroke);
+    /// A line with a filled head at its end.
+    void arrow(const Point& from, const Point& to, const Stroke& stroke, double head = 5);
+    void text(const Point& place, const std::string& line, const TextStyle& style = {});
+    double text_width(const std::string& line, const TextStyle& style = {}) const;
+
+    /// Everything drawn until the matching unclip() stays within the box.
+    void clip(const Point& upper_left, const Point& lower_right);
+    void unclip();
+
+    /// The bytes of the picture. @throws std::runtime_error when Cairo fails.
+    std::string bytes(PictureFormat format) const;
+    /// Writes by temporary name and rename, the format by extension. @throws InputError for an unknown
+    /// extension, OutputError when the file cannot be written.
+    void write(const std::filesystem::path& path) const;
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace rockslope

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "common/geometry/polygon.hpp"
+
+namespace rockslope {
+
+/// An upright box.
+struct Bounds {
+    Point low, high;
+
+    static Bounds of(const Ring& ring);
+    std::array<Point, 4> corners() const;
+    Bounds expanded(double margin) const;
+    /// The box's point that lies nearest.
+    Point nearest(const Point& p) const;
+    /// The parameters between which point + t direction lies in the box; nothing when the line misses it.
+    std::optional<std::pair<double, double>> clip(const Point& point, const Point& direction) const;
+};
+
+/// The pieces of a segment inside a ring, in order along it.
+std::vector<std::pair<Point, Point>> clip_to_ring(const Point& a, const Point& b, const Ring& ring);
+
+}  // namespace rockslope

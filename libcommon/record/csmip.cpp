@@ -1,0 +1,71 @@
+// CSMIP/CDMG V2: for each channel a header, then acceleration, velocity and displacement, each behind a line
+// such as
+//   3251 points of accel data equally spaced at  .020 sec.  (units: cm/sec/sec)
+// in fields of ten characters, which may touch.
+
+#include "record/fixed_fields.hpp"
+#include "record/record_format.hpp"
+#include "record/stacked_blocks.hpp"
+
+namespace rockslope::record {
+
+namespace {
+
+constexpr FieldLayout usual_layout{8, 10};
+
+struct Announcement {
+    std::size_t count = 0;
+    Quantity quantity = Quantity::acceleration;
+    double dt = 0;     // s
+    std::string unit;  // lower case
+};
+
+std::optional<Announcement> announcement_of(std::string_view line) {
+    const std::string plain = lower_case(line.substr(0, 120));
+    const auto words = words_of(plain, " \t():,");
+    // "3251 points of accel data equally spaced at .020 sec. units cm/sec/sec"
+    if (words.size() < 11 || words[1] != "points" || words[2] != "of" || words[5] != "equally" ||
+        words[7] != "at")
+        return std::nullopt;
+    const auto count = field_count(words[0]);
+    const auto quantity = quantity_of_abbreviation(words[3]);
+    const auto dt = field_number(words[8]);
+    if (!count || !quantity || !dt) return std::nullopt;
+    for (std::size_t k = 9; k + 1 < words.size(); ++k)
+        if (words[k] == "units") return Announcement{*count, *quantity, *dt, std::string(words[k + 1])};
+    return std::nullopt;
+}
+
+std::vector<StackedBlock> blocks_of(const RecordLines& lines) {
+    std::vector<StackedBlock> blocks;
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        if (const auto announced = announcement_of(lines[i])) blocks.push_back({i, announced->quantity});
+    return blocks;
+}
+
+bool is_csmip(const RecordLines& lines) {
+    constexpr std::size_t longest_header = 100;
+    for (std::size_t i = 0; i < std::min(longest_header, lines.size()); ++i)
+        if (announcement_of(lines[i])) return true;
+    return false;
+}
+
+Record read_csmip(const RecordLines& lines, const RecordDeclaration& declaration) {
+    const std::size_t line = choose_block(blocks_of(lines), declaration, lines).line;
+    const Announcement announced = *announcement_of(lines[line]);
+    check_count(announced.count, lines, line);
+    check_sampling(announced.dt, announced.count, lines, line);
+    const FieldLayout layout = stated_layout(lines[line]).value_or(usual_layout);
+    Record record{announced.dt,
+                  fixed_fields(lines, line + 1, announced.count, layout, quantity_name(announced.quantity)),
+                  {}};
+    expect_block_end(lines, line + 1 + layout.lines_of(announced.count), announced.count);
+    resolve_units(record, announced.quantity, announced.unit, declaration, lines, line);
+    return record;
+}
+
+}  // namespace
+
+const RecordFormat csmip_format{"csmip", "CSMIP V2", true, is_csmip, read_csmip};
+
+}  // namespace rockslope::record

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "record/accelerogram.hpp"
+
+namespace rockslope::record {
+
+/// The record as a PEER AT2 file: four header lines (the first is `heading`, the second `title`), then the
+/// acceleration in g, five to a line, eight significant digits.
+std::string at2_text(const Accelerogram& record, const std::string& title,
+                     const std::string& heading = "SYNTHETIC STRONG MOTION RECORD");
+
+/// The record as two columns, time in s and acceleration in m/s2, with a header row that names them and
+/// `title` as a comment; every number reads back as the same double.
+std::string csv_text(const Accelerogram& record, const std::string& title);
+
+}  // namespace rockslope::record

@@ -1,0 +1,251 @@
+#include "dda/analysis/friction_coupling.hpp"
+
+#include <Eigen/Cholesky>
+#include <cmath>
+#include <limits>
+
+namespace rockslope::dda {
+
+namespace {
+
+/// Changes told in one iteration, at one back-substitution each.
+constexpr int max_directions = 12;
+/// Of the first difference between held forces and bounds: nearer than that the springs will change anyway.
+constexpr double relative_tolerance = 0.02;
+/// Of the differences, left by a back-substitution that gained little. The second of these is the last.
+constexpr double stagnation_ratio = 0.8;
+constexpr int max_stagnations = 2;
+/// What is added to the products of directions of length one, lest one that hardly differs from others is
+/// taken many times over.
+constexpr double regularisation = 1e-14;
+
+using Products = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_directions, max_directions>;
+using Coefficients = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_directions, 1>;
+
+/// Of columns with each other, and minus the vector that they are to bring to zero.
+struct NormalEquations {
+    Products products;  ///< the lower half counts
+    Coefficients right_hand_side;
+
+    NormalEquations() : NormalEquations(0) {}
+    explicit NormalEquations(int count)
+        : products(Products::Zero(count, count)), right_hand_side(Coefficients::Zero(count)) {}
+};
+
+/// Of chunks [begin, end) of two columns.
+double product(const std::vector<double>& a, const std::vector<double>& b, std::size_t begin,
+               std::size_t end) {
+    const auto size = static_cast<Eigen::Index>(end - begin);
+    return Eigen::Map<const Eigen::VectorXd>(a.data() + begin, size)
+        .dot(Eigen::Map<const Eigen::VectorXd>(b.data() + begin, size));
+}
+
+/// The coefficients of the columns that bring a vector nearest to zero.
+Coefficients least_squares(const NormalEquations& equations) {
+    auto [products, right_hand_side] = equations;
+    products.triangularView<Eigen::StrictlyUpper>() = products.transpose();
+    Coefficients scale(right_hand_side.size());
+    for (Eigen::Index j = 0; j < scale.size(); ++j)
+        scale[j] = products(j, j) > 0 ? 1 / std::sqrt(products(j, j)) : 0;
+    products = (scale.asDiagonal() * products * scale.asDiagonal()).eval();
+    products.diagonal().array() += regularisation;
+    right_hand_side = scale.cwiseProduct(right_hand_side).eval();
+    return scale.cwiseProduct(products.ldlt().solve(right_hand_side));
+}
+
+}  // namespace
+
+FrictionCoupling::FrictionCoupling(const StepProblem& problem, TrialContacts& trials, LinearSolver& solver,
+                                   const ThreadPool& pool)
+    : p_(problem), trials_(trials), solver_(solver), pool_(pool) {
+    directions_.reserve(max_directions);
+    for (const JointMaterial& material : p_.model.joint_materials) {
+        const auto* law = std::get_if<MohrCoulomb>(&material.law);
+        friction_coefficients_.push_back(law == nullptr
+                                             ? FrictionCoefficients{}
+                                             : FrictionCoefficients{std::tan(law->friction_angle),
+                                                                    std::tan(law->residual_friction_angle)});
+    }
+}
+
+void FrictionCoupling::linearize_bound(Sliding& sliding, std::span<const Vec6> d) const {
+    const Contact& contact = p_.contacts[sliding.contact];
+    if (const auto* law = std::get_if<MohrCoulomb>(&trials_.law_of(sliding.contact))) {
+        const JointHistory& history = contact.history;
+        const bool broken = std::get<MohrCoulomb::History>(history).broken;
+        const double reduced = 1 / p_.model.strength_reduction;
+        const FrictionCoefficients& friction =
+            friction_coefficients_[static_cast<std::size_t>(contact.joint_material)];
+        sliding.slope = reduced * (broken ? friction.residual : friction.intact);
+        sliding.cohesion = reduced * (broken ? law->residual_cohesion : law->cohesion) * contact.length;
+        sliding.lowest_normal_force = broken ? 0 : -std::numeric_limits<double>::infinity();
+        return;
+    }
+    if (trials_.is_on_segment(sliding.contact)) {
+        sliding.line_missing = !trials_.has_line(sliding.contact);
+        const BoundLine line = trials_.bound_tangent(sliding.contact);
+        sliding.slope = line.slope;
+        sliding.cohesion = line.cohesion;
+        return;
+    }
+    if (!(sliding.normal > 0) && !sliding.bonded) {
+        sliding.slope = trials_.bound_secant(sliding.contact);
+        return;
+    }
+    const auto bound_at = [&](double normal) { return trials_.bound_at(sliding.contact, normal, d); };
+    sliding.cohesion = bound_at(sliding.normal);
+    if (!(sliding.normal > 0)) return;
+    const double half = sliding.normal / 2;
+    sliding.slope = (sliding.cohesion - bound_at(half)) / half;
+    sliding.cohesion -= sliding.slope * sliding.normal;
+}
+
+void FrictionCoupling::find_sliding(std::span<const Vec6> d) {
+    sliding_.clear();
+    sliding_.reserve(trials_.count());
+    for (std::size_t k = 0; k < trials_.count(); ++k) {
+        if (!trials_.has_normal_spring(k) || trials_.has_shear_spring(k)) continue;
+        sliding_.emplace_back().contact = k;
+    }
+    pool_.parallel_for(sliding_.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            Sliding& sliding = sliding_[i];
+            const std::size_t k = sliding.contact;
+            const ContactSprings& springs = p_.springs[k];
+            sliding.sign = trials_.slides_forward(k) ? 1 : -1;
+            sliding.bonded = trials_.is_bonded(k);
+            sliding.friction_force = trials_.friction_force(k);
+            sliding.normal = trials_.linear_normal(k, springs.rows.measure(springs.normal, d));
+            linearize_bound(sliding, d);
+        }
+    });
+    complete_lines(d);
+}
+
+/// Most are there: a pair of faces keeps them for the step.
+void FrictionCoupling::complete_lines(std::span<const Vec6> d) {
+    for (const Sliding& sliding : sliding_)
+        if (sliding.line_missing) trials_.request_line(sliding.contact);
+    trials_.find_requested_lines();
+    for (Sliding& sliding : sliding_)
+        if (sliding.line_missing) linearize_bound(sliding, d);
+}
+
+double FrictionCoupling::update_residuals() {
+    double largest = 0;
+    for (Sliding& sliding : sliding_) {
+        sliding.residual = sliding.bound() - sliding.friction_force;
+        largest = std::max(largest, std::abs(sliding.residual));
+    }
+    return largest;
+}
+
+double FrictionCoupling::residual_norm() const {
+    double squares = 0;
+    for (const Sliding& sliding : sliding_) squares += sliding.residual * sliding.residual;
+    return std::sqrt(squares);
+}
+
+void FrictionCoupling::set_load(std::span<Vec6> load) {
+    force_change_.assign(trials_.count(), 0);
+    for (const Sliding& sliding : sliding_) force_change_[sliding.contact] = sliding.residual;
+    pool_.parallel_for(load.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t row = begin; row < end; ++row) {
+            load[row].setZero();
+            for (const int contact : p_.row_contacts.of(row)) {
+                const auto k = static_cast<std::size_t>(contact);
+                if (force_change_[k] == 0) continue;
+                const ContactSprings& springs = p_.springs[k];
+                load[row] += springs.rows.project_on_row(static_cast<int>(row),
+                                                         -force_change_[k] * springs.shear.direction);
+            }
+        }
+    });
+}
+
+void FrictionCoupling::apply_operator(Direction& direction, std::size_t rows) {
+    direction.coefficient = 0;
+    for (std::vector<double>* of_sliding :
+         {&direction.friction_force, &direction.normal, &direction.residual}) {
+        of_sliding->reserve(trials_.count());  // once for the step, however many slide
+        of_sliding->resize(sliding_.size());
+    }
+    direction.displacement.resize(rows);
+    set_load(direction.displacement);
+    solver_.apply_factor(direction.displacement);
+    pool_.parallel_for(sliding_.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const Sliding& sliding = sliding_[i];
+            const ContactSprings& springs = p_.springs[sliding.contact];
+            const double opening =
+                springs.normal.direction.dot(springs.rows.relative_displacement(direction.displacement));
+            direction.friction_force[i] = sliding.residual;
+            direction.normal[i] = -trials_.normal_stiffness(sliding.contact) * opening;
+        }
+    });
+}
+
+void FrictionCoupling::minimize_residual(int count) {
+    const std::span<Direction> directions = std::span(directions_).first(static_cast<std::size_t>(count));
+    const auto chunk_value = [&](std::size_t begin, std::size_t end) {
+        NormalEquations equations(count);
+        for (int j = 0; j < count; ++j) {
+            Direction& direction = directions[static_cast<std::size_t>(j)];
+            for (std::size_t i = begin; i < end; ++i) {
+                direction.residual[i] =
+                    sliding_[i].bound_slope() * direction.normal[i] - direction.friction_force[i];
+                equations.right_hand_side[j] -= direction.residual[i] * sliding_[i].residual;
+            }
+            for (int k = 0; k <= j; ++k)
+                equations.products(j, k) =
+                    product(direction.residual, directions[static_cast<std::size_t>(k)].residual, begin, end);
+        }
+        return equations;
+    };
+    const auto add = [](NormalEquations sum, const NormalEquations& more) {
+        sum.products += more.products;
+        sum.right_hand_side += more.right_hand_side;
+        return sum;
+    };
+    const Coefficients coefficients =
+        least_squares(pool_.parallel_reduce(sliding_.size(), NormalEquations(count), chunk_value, add));
+    for (int j = 0; j < count; ++j) directions[static_cast<std::size_t>(j)].coefficient += coefficients[j];
+    pool_.parallel_for(sliding_.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            for (int j = 0; j < count; ++j) {
+                const Direction& direction = directions[static_cast<std::size_t>(j)];
+                sliding_[i].friction_force += coefficients[j] * direction.friction_force[i];
+                sliding_[i].normal += coefficients[j] * direction.normal[i];
+            }
+        }
+    });
+}
+
+int FrictionCoupling::solve(std::span<Vec6> d) {
+    find_sliding(d);
+    double largest_residual = update_residuals();
+    const double target_residual = std::max(trials_.tolerance() / 2, relative_tolerance * largest_residual);
+    int count = 0;
+    for (int stagnations = 0;
+         largest_residual > target_residual && stagnations < max_stagnations && count < max_directions;) {
+        const double before = residual_norm();
+        if (static_cast<int>(directions_.size()) == count) directions_.emplace_back();
+        apply_operator(directions_[static_cast<std::size_t>(count++)], d.size());
+        minimize_residual(count);
+        largest_residual = update_residuals();
+        if (residual_norm() > stagnation_ratio * before) ++stagnations;
+    }
+    pool_.parallel_for(count == 0 ? 0 : d.size(), [&](std::size_t begin, std::size_t end) {
+        for (const Direction& direction : std::span(directions_).first(static_cast<std::size_t>(count))) {
+            for (std::size_t r = begin; r < end; ++r)
+                d[r] += direction.coefficient * direction.displacement[r];
+        }
+    });
+    for (const Sliding& sliding : sliding_) {
+        trials_.set_friction_force(sliding.contact, sliding.friction_force);
+        trials_.set_bound_to_friction_force(sliding.contact);
+    }
+    return count;
+}
+
+}  // namespace rockslope::dda

@@ -1,0 +1,212 @@
+#include "dda/checkpoint/checkpoint.hpp"
+
+#include <algorithm>
+
+#include "common/base/input_error.hpp"
+#include "common/base/output_error.hpp"
+#include "common/base/sha256.hpp"
+#include "dda/checkpoint/state_archive.hpp"
+#include "dda/hdf/hdf.hpp"
+#include "dda/writers/result_writer.hpp"
+
+namespace rockslope::dda {
+
+namespace {
+
+constexpr std::int64_t checkpoint_version = 13;
+constexpr std::size_t chunk = 1 << 16;  // elements
+
+template <class T>
+void store(HdfFile& file, const std::string& name, const std::vector<T>& values) {
+    file.add_dataset(name, hdf_type_of<T>(), 1, std::min(std::max<std::size_t>(values.size(), 1), chunk),
+                     false);
+    file.append(name, values);
+}
+
+std::vector<double> peak_values(const std::vector<Peaks>& peaks) {
+    std::vector<double> values;
+    for (const Peaks& p : peaks)
+        values.insert(values.end(), {p.displacement, p.displacement_time, p.velocity, p.velocity_time,
+                                     p.acceleration, p.acceleration_time, p.relative, p.relative_time});
+    return values;
+}
+
+std::vector<Peaks> peaks_of(const std::vector<double>& values) {
+    std::vector<Peaks> peaks;
+    for (std::size_t i = 0; i + 8 <= values.size(); i += 8)
+        peaks.push_back({values[i], values[i + 1], values[i + 2], values[i + 3], values[i + 4], values[i + 5],
+                         values[i + 6], values[i + 7]});
+    return peaks;
+}
+
+std::vector<double> slip_values(const std::vector<FirstSlip>& slips) {
+    std::vector<double> values;
+    for (const FirstSlip& s : slips)
+        values.insert(values.end(), {s.sliding_since, s.time, s.dynamic_time, static_cast<double>(s.other),
+                                     static_cast<double>(s.joint_material)});
+    return values;
+}
+
+std::vector<FirstSlip> slips_of(const std::vector<double>& values) {
+    std::vector<FirstSlip> slips;
+    for (std::size_t i = 0; i + 5 <= values.size(); i += 5)
+        slips.push_back({values[i], values[i + 1], values[i + 2], static_cast<int>(values[i + 3]),
+                         static_cast<int>(values[i + 4])});
+    return slips;
+}
+
+std::vector<double> plane_values(const std::vector<BlockOnPlane>& planes) {
+    std::vector<double> values;
+    for (const BlockOnPlane& p : planes)
+        values.insert(values.end(), {static_cast<double>(p.block), static_cast<double>(p.base),
+                                     p.downhill.x(), p.downhill.y(), p.dip, p.peak.friction, p.peak.adhesion,
+                                     p.residual.friction, p.residual.adhesion});
+    return values;
+}
+
+std::vector<BlockOnPlane> planes_of(const std::vector<double>& values) {
+    std::vector<BlockOnPlane> planes;
+    for (std::size_t i = 0; i + 9 <= values.size(); i += 9)
+        planes.push_back({static_cast<int>(values[i]),
+                          static_cast<int>(values[i + 1]),
+                          {values[i + 2], values[i + 3]},
+                          values[i + 4],
+                          {values[i + 5], values[i + 6]},
+                          {values[i + 7], values[i + 8]}});
+    return planes;
+}
+
+std::vector<double> trial_values(const std::vector<ReductionTrial>& trials) {
+    std::vector<double> values;
+    for (const ReductionTrial& t : trials)
+        values.insert(values.end(), {t.factor, t.stands ? 1.0 : 0.0, static_cast<double>(t.steps),
+                                     t.unbalanced_force, t.displacement});
+    return values;
+}
+
+std::vector<ReductionTrial> trials_of(const std::vector<double>& values) {
+    std::vector<ReductionTrial> trials;
+    for (std::size_t i = 0; i + 5 <= values.size(); i += 5)
+        trials.push_back({values[i], values[i + 1] != 0, static_cast<std::int64_t>(values[i + 2]),
+                          values[i + 3], values[i + 4]});
+    return trials;
+}
+
+std::vector<std::int64_t> counts_of(const ResultsState& results) {
+    return {results.stage,           results.next_frame,        results.next_history,
+            results.last_frame_step, results.last_history_step, results.fallbacks};
+}
+
+/// Reals that there is one of each.
+std::vector<double> reals_of(const ResultsState& results) {
+    return {results.wall_time, results.remaining_dilation};
+}
+
+template <class T>
+void append_bytes(std::string& text, const std::vector<T>& values) {
+    text.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
+}
+
+/// SHA-256 of all that a run is continued from: HDF5 does not notice a damaged number, and a state is full of
+/// indices.
+std::string digest_of(const Checkpoint& checkpoint, const StateArchive& state) {
+    std::string text = checkpoint.input_hash;
+    append_bytes(text, state.reals);
+    append_bytes(text, state.integers);
+    append_bytes(text, state.bytes);
+    append_bytes(text, counts_of(checkpoint.results));
+    append_bytes(text, reals_of(checkpoint.results));
+    append_bytes(text, peak_values(checkpoint.results.peaks));
+    append_bytes(text, trial_values(checkpoint.results.trials));
+    append_bytes(text, slip_values(checkpoint.results.first_slips));
+    append_bytes(text, plane_values(checkpoint.results.planes));
+    for (const auto& [name, position] : checkpoint.positions)
+        text += name + " " + std::to_string(position) + "\n";
+    return sha256(text);
+}
+
+void write_results_state(HdfFile& file, const ResultsState& results) {
+    store(file, "/results", counts_of(results));
+    store(file, "/figures", reals_of(results));
+    store(file, "/peaks", peak_values(results.peaks));
+    store(file, "/trials", trial_values(results.trials));
+    store(file, "/first_slips", slip_values(results.first_slips));
+    store(file, "/planes", plane_values(results.planes));
+}
+
+ResultsState read_results_state(const HdfFile& file) {
+    const auto counts = file.read<std::int64_t>("/results", 0, 6);
+    const auto figures = file.read<double>("/figures", 0, 2);
+    ResultsState results;
+    results.stage = static_cast<int>(counts[0]);
+    results.next_frame = counts[1];
+    results.next_history = counts[2];
+    results.last_frame_step = counts[3];
+    results.last_history_step = counts[4];
+    results.fallbacks = counts[5];
+    results.wall_time = figures[0];
+    results.remaining_dilation = figures[1];
+    results.peaks = peaks_of(file.read_all<double>("/peaks"));
+    results.trials = trials_of(file.read_all<double>("/trials"));
+    results.first_slips = slips_of(file.read_all<double>("/first_slips"));
+    results.planes = planes_of(file.read_all<double>("/planes"));
+    return results;
+}
+
+}  // namespace
+
+void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint) {
+    const std::filesystem::path temporary = path.string() + ".tmp";
+    const StateArchive state = archive(checkpoint.state);
+    try {
+        HdfFile file = HdfFile::create(temporary);
+        file.reserve(8 * (state.reals.size() + state.integers.size()) + state.bytes.size() + (1 << 18));
+        file.set_attribute("/", "version", checkpoint_version);
+        file.set_attribute("/", "input_hash", checkpoint.input_hash);
+        file.set_attribute("/", "digest", digest_of(checkpoint, state));
+        store(file, "/reals", state.reals);
+        store(file, "/integers", state.integers);
+        store(file, "/bytes", state.bytes);
+        write_results_state(file, checkpoint.results);
+        file.add_group("/positions");
+        for (const auto& [name, position] : checkpoint.positions)
+            file.set_attribute("/positions", name, position);
+        file.flush();
+    } catch (const OutputError&) {
+        std::error_code ignored;
+        std::filesystem::remove(temporary, ignored);
+        throw;
+    }
+    std::error_code error;
+    std::filesystem::rename(temporary, path, error);
+    if (error) throw OutputError(path, "cannot be replaced: " + error.message());
+}
+
+Checkpoint read_checkpoint(const std::filesystem::path& path) {
+    if (!std::filesystem::exists(path))
+        throw InputError({path.string()}, "there is no checkpoint to resume from",
+                         "the output folder of a run that was stopped");
+    try {
+        const HdfFile file = HdfFile::open_to_read(path);
+        const std::int64_t version = file.integer_attribute("/", "version");
+        if (version != checkpoint_version)
+            throw std::runtime_error("the checkpoint has version " + std::to_string(version));
+        Checkpoint checkpoint;
+        checkpoint.input_hash = file.string_attribute("/", "input_hash");
+        const StateArchive state{file.read_all<double>("/reals"), file.read_all<std::int64_t>("/integers"),
+                                 file.read_all<std::uint8_t>("/bytes")};
+        checkpoint.results = read_results_state(file);
+        for (const WriterEntry& writer : writer_table())
+            if (file.has_attribute("/positions", writer.name))
+                checkpoint.positions[writer.name] = file.integer_attribute("/positions", writer.name);
+        if (file.string_attribute("/", "digest") != digest_of(checkpoint, state))
+            throw std::runtime_error("the file is damaged");
+        checkpoint.state = restore(state);
+        return checkpoint;
+    } catch (const std::runtime_error& error) {
+        throw InputError({path.string()}, std::string("cannot be resumed from: ") + error.what(),
+                         "a checkpoint written by this version of dda-run");
+    }
+}
+
+}  // namespace rockslope::dda

@@ -1,0 +1,331 @@
+#include "dda/hdf/hdf.hpp"
+
+#include <fcntl.h>
+#include <hdf5.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <mutex>
+#include <utility>
+
+#include "common/base/output_error.hpp"
+
+namespace rockslope::dda {
+
+namespace {
+
+/// An HDF5 identifier that is closed at the end of its scope.
+class HdfHandle {
+  public:
+    using Closer = herr_t (*)(hid_t);
+
+    HdfHandle() = default;
+    HdfHandle(hid_t id, Closer closer) : id_(id), closer_(closer) {}
+    ~HdfHandle() { reset(); }
+    HdfHandle(HdfHandle&& other) noexcept : id_(std::exchange(other.id_, -1)), closer_(other.closer_) {}
+    HdfHandle& operator=(HdfHandle&& other) noexcept {
+        if (this != &other) {
+            reset();
+            id_ = std::exchange(other.id_, -1);
+            closer_ = other.closer_;
+        }
+        return *this;
+    }
+
+    hid_t id() const { return id_; }
+    explicit operator bool() const { return id_ >= 0; }
+    void reset() {
+        if (id_ >= 0) closer_(id_);
+        id_ = -1;
+    }
+
+  private:
+    hid_t id_ = -1;
+    Closer closer_ = nullptr;
+};
+
+hid_t memory_type(HdfType type) {
+    switch (type) {
+        case HdfType::f4:
+            return H5T_NATIVE_FLOAT;
+        case HdfType::f8:
+            return H5T_NATIVE_DOUBLE;
+        case HdfType::i8:
+            return H5T_NATIVE_INT64;
+        default:
+            return H5T_NATIVE_UINT8;
+    }
+}
+
+hid_t file_type(HdfType type) {
+    switch (type) {
+        case HdfType::f4:
+            return H5T_IEEE_F32LE;
+        case HdfType::f8:
+            return H5T_IEEE_F64LE;
+        case HdfType::i8:
+            return H5T_STD_I64LE;
+        default:
+            return H5T_STD_U8LE;
+    }
+}
+
+/// The library's own error printing is off (libraries do not print), and so is its file locking.
+void prepare_library() {
+    static std::once_flag once;
+    std::call_once(once, [] {
+        ::setenv("HDF5_USE_FILE_LOCKING", "FALSE", 1);
+        H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+    });
+}
+
+HdfHandle string_type(std::size_t size) {
+    HdfHandle type(H5Tcopy(H5T_C_S1), H5Tclose);
+    H5Tset_size(type.id(), size);
+    H5Tset_strpad(type.id(), H5T_STR_NULLPAD);
+    H5Tset_cset(type.id(), H5T_CSET_ASCII);
+    return type;
+}
+
+}  // namespace
+
+struct HdfFile::Access {
+    HdfHandle file;
+
+    hid_t id() const { return file.id(); }
+    /// May be invalid.
+    HdfHandle dataset(const std::string& name) const {
+        return {H5Dopen2(id(), name.c_str(), H5P_DEFAULT), H5Dclose};
+    }
+};
+
+HdfFile::HdfFile(std::filesystem::path path) : path_(std::move(path)), file_(std::make_unique<Access>()) {}
+HdfFile::~HdfFile() = default;
+HdfFile::HdfFile(HdfFile&&) noexcept = default;
+HdfFile& HdfFile::operator=(HdfFile&&) noexcept = default;
+
+HdfFile HdfFile::create(const std::filesystem::path& path) {
+    prepare_library();
+    const HdfHandle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
+    H5Pset_obj_track_times(creation.id(), 0);
+    const HdfHandle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+    H5Pset_libver_bounds(access.id(), H5F_LIBVER_EARLIEST, H5F_LIBVER_LATEST);
+    errno = 0;
+    HdfFile file(path);
+    file.file_->file =
+        HdfHandle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.id(), access.id()), H5Fclose);
+    file.check(file.file_->id(), "cannot be created");
+    return file;
+}
+
+HdfFile HdfFile::open_to_read(const std::filesystem::path& path) {
+    prepare_library();
+    errno = 0;
+    HdfFile file(path);
+    file.file_->file = HdfHandle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+    file.check(file.file_->id(), "cannot be read as HDF5");
+    return file;
+}
+
+void HdfFile::fail(const std::string& what) const {
+    throw OutputError(path_, errno != 0 ? what + ": " + std::strerror(errno) : what);
+}
+
+std::int64_t HdfFile::check(std::int64_t result, const std::string& what) const {
+    if (result < 0) fail(what);
+    return result;
+}
+
+void HdfFile::add_group(const std::string& name) {
+    HdfHandle(
+        check(H5Gcreate2(file_->id(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), "group " + name),
+        H5Gclose);
+}
+
+void HdfFile::set_attribute(const std::string& object, const std::string& name,
+                            const std::vector<std::int64_t>& values) {
+    const hsize_t size = values.size();
+    const HdfHandle space(H5Screate_simple(1, &size, nullptr), H5Sclose);
+    const HdfHandle attribute(H5Acreate_by_name(file_->id(), object.c_str(), name.c_str(), H5T_STD_I64LE,
+                                                space.id(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                              H5Aclose);
+    check(attribute.id(), "attribute " + name);
+    check(H5Awrite(attribute.id(), H5T_NATIVE_INT64, values.data()), "attribute " + name);
+}
+
+void HdfFile::set_attribute(const std::string& object, const std::string& name, std::int64_t value) {
+    // The object stays open meanwhile: an attribute opened by name alone cannot be written again after a
+    // flush (HDF5 1.10).
+    const HdfHandle owner(check(H5Oopen(file_->id(), object.c_str(), H5P_DEFAULT), "object " + object),
+                          H5Oclose);
+    const bool exists = H5Aexists(owner.id(), name.c_str()) > 0;
+    const HdfHandle space(H5Screate(H5S_SCALAR), H5Sclose);
+    const HdfHandle attribute(
+        exists ? H5Aopen(owner.id(), name.c_str(), H5P_DEFAULT)
+               : H5Acreate2(owner.id(), name.c_str(), H5T_STD_I64LE, space.id(), H5P_DEFAULT, H5P_DEFAULT),
+        H5Aclose);
+    check(attribute.id(), "attribute " + name);
+    check(H5Awrite(attribute.id(), H5T_NATIVE_INT64, &value), "attribute " + name);
+}
+
+void HdfFile::set_attribute(const std::string& object, const std::string& name, const std::string& ascii) {
+    const HdfHandle type = string_type(std::max<std::size_t>(ascii.size(), 1));
+    const HdfHandle space(H5Screate(H5S_SCALAR), H5Sclose);
+    const HdfHandle attribute(H5Acreate_by_name(file_->id(), object.c_str(), name.c_str(), type.id(),
+                                                space.id(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                              H5Aclose);
+    check(attribute.id(), "attribute " + name);
+    check(H5Awrite(attribute.id(), type.id(), ascii.c_str()), "attribute " + name);
+}
+
+bool HdfFile::has_attribute(const std::string& object, const std::string& name) const {
+    return H5Aexists_by_name(file_->id(), object.c_str(), name.c_str(), H5P_DEFAULT) > 0;
+}
+
+std::int64_t HdfFile::integer_attribute(const std::string& object, const std::string& name) const {
+    const HdfHandle attribute(
+        check(H5Aopen_by_name(file_->id(), object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
+              "has no attribute " + name),
+        H5Aclose);
+    std::int64_t value = 0;
+    check(H5Aread(attribute.id(), H5T_NATIVE_INT64, &value), "attribute " + name);
+    return value;
+}
+
+std::string HdfFile::string_attribute(const std::string& object, const std::string& name) const {
+    const HdfHandle attribute(
+        check(H5Aopen_by_name(file_->id(), object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
+              "has no attribute " + name),
+        H5Aclose);
+    const HdfHandle type(H5Aget_type(attribute.id()), H5Tclose);
+    constexpr std::size_t longest = 1 << 16;
+    if (H5Tget_class(type.id()) != H5T_STRING || H5Tis_variable_str(type.id()) != 0 ||
+        H5Tget_size(type.id()) > longest)
+        fail("attribute " + name + " is no text of fixed length");
+    std::string text(H5Tget_size(type.id()), '\0');
+    check(H5Aread(attribute.id(), type.id(), text.data()), "attribute " + name);
+    return text;
+}
+
+void HdfFile::add_dataset(const std::string& name, HdfType type, int width, std::size_t chunk,
+                          bool compressed) {
+    const int rank = width == 1 ? 1 : 2;
+    const hsize_t size[] = {0, static_cast<hsize_t>(width)};
+    const hsize_t limit[] = {H5S_UNLIMITED, static_cast<hsize_t>(width)};
+    const hsize_t chunks[] = {std::max<std::size_t>(chunk, 1), static_cast<hsize_t>(width)};
+    const HdfHandle space(H5Screate_simple(rank, size, limit), H5Sclose);
+    const HdfHandle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+    H5Pset_obj_track_times(creation.id(), 0);
+    H5Pset_chunk(creation.id(), rank, chunks);
+    if (compressed) {
+        H5Pset_shuffle(creation.id());
+        H5Pset_deflate(creation.id(), 1);
+    }
+    HdfHandle(check(H5Dcreate2(file_->id(), name.c_str(), file_type(type), space.id(), H5P_DEFAULT,
+                               creation.id(), H5P_DEFAULT),
+                    "dataset " + name),
+              H5Dclose);
+}
+
+bool HdfFile::has(const std::string& name) const {
+    return H5Lexists(file_->id(), name.c_str(), H5P_DEFAULT) > 0;
+}
+
+std::pair<std::size_t, std::size_t> HdfFile::shape_of(const std::string& name) const {
+    const HdfHandle set = file_->dataset(name);
+    check(set.id(), "has no dataset " + name);
+    const HdfHandle space(H5Dget_space(set.id()), H5Sclose);
+    hsize_t size[2] = {0, 1};
+    const int rank = H5Sget_simple_extent_ndims(space.id());
+    if (rank < 1 || rank > 2) fail("dataset " + name + " is no table");
+    check(H5Sget_simple_extent_dims(space.id(), size, nullptr), "dataset " + name);
+    if (size[1] < 1) fail("dataset " + name + " has no columns");
+    return {size[0], size[1]};
+}
+
+void HdfFile::check_rows(const std::string& name, std::size_t first, std::size_t count) const {
+    const std::size_t rows = row_count(name);
+    if (first > rows || count > rows - first) fail("dataset " + name + " ends early");
+}
+
+void HdfFile::append_bytes(const std::string& name, HdfType type, const void* data,
+                           std::size_t element_count) {
+    const HdfHandle set = file_->dataset(name);
+    check(set.id(), "has no dataset " + name);
+    const hsize_t width = width_of(name);
+    const hsize_t start[] = {row_count(name), 0};
+    const hsize_t count[] = {element_count / width, width};
+    const hsize_t size[] = {start[0] + count[0], width};
+    if (count[0] == 0) return;
+    const int rank = width == 1 ? 1 : 2;
+    errno = 0;
+    check(H5Dset_extent(set.id(), size), "cannot be written");
+    const HdfHandle space(H5Dget_space(set.id()), H5Sclose);
+    H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, start, nullptr, count, nullptr);
+    const HdfHandle memory(H5Screate_simple(rank, count, nullptr), H5Sclose);
+    check(H5Dwrite(set.id(), memory_type(type), memory.id(), space.id(), H5P_DEFAULT, data),
+          "cannot be written");
+}
+
+void HdfFile::read_bytes(const std::string& name, HdfType type, std::size_t first, std::size_t count,
+                         void* data) const {
+    if (count == 0) return;
+    const HdfHandle set = file_->dataset(name);
+    check(set.id(), "has no dataset " + name);
+    const hsize_t width = width_of(name);
+    const hsize_t start[] = {first, 0};
+    const hsize_t counts[] = {count, width};
+    const HdfHandle space(H5Dget_space(set.id()), H5Sclose);
+    errno = 0;
+    check(H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, start, nullptr, counts, nullptr),
+          "dataset " + name);
+    const HdfHandle memory(H5Screate_simple(width == 1 ? 1 : 2, counts, nullptr), H5Sclose);
+    check(H5Dread(set.id(), memory_type(type), memory.id(), space.id(), H5P_DEFAULT, data),
+          "dataset " + name + " cannot be read");
+}
+
+std::vector<std::string> HdfFile::names_in(const std::string& group) const {
+    std::vector<std::string> names;
+    const auto collect = [](hid_t, const char* name, const H5L_info_t*, void* out) -> herr_t {
+        static_cast<std::vector<std::string>*>(out)->emplace_back(name);
+        return 0;
+    };
+    errno = 0;
+    check(H5Literate_by_name(file_->id(), group.c_str(), H5_INDEX_NAME, H5_ITER_INC, nullptr, collect, &names,
+                             H5P_DEFAULT),
+          "has no group " + group);
+    return names;
+}
+
+void HdfFile::reserve(std::size_t bytes) const {
+    const int descriptor = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC);
+    if (descriptor < 0) fail("cannot be written");
+    const off_t end = ::lseek(descriptor, 0, SEEK_END);
+    const int result = ::fallocate(descriptor, FALLOC_FL_KEEP_SIZE, end, static_cast<off_t>(bytes));
+    int reason = result == 0 || errno == EOPNOTSUPP || errno == ENOSYS ? 0 : errno;
+    ::close(descriptor);
+    // The limit on a file's size is not looked at when room is set aside beyond its end.
+    rlimit limit{};
+    if (::getrlimit(RLIMIT_FSIZE, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY &&
+        static_cast<std::size_t>(end) + bytes > limit.rlim_cur)
+        reason = EFBIG;
+    errno = reason;
+    if (reason != 0) fail("cannot be written");
+}
+
+void HdfFile::rename_to(const std::filesystem::path& path) {
+    std::error_code error;
+    std::filesystem::rename(path_, path, error);
+    if (error) throw OutputError(path, "cannot be replaced: " + error.message());
+    path_ = path;
+}
+
+void HdfFile::flush() {
+    errno = 0;
+    check(H5Fflush(file_->id(), H5F_SCOPE_GLOBAL), "cannot be written");
+}
+
+}  // namespace rockslope::dda

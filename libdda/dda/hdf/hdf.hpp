@@ -1,0 +1,106 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rockslope::dda {
+
+/// The element types that our files hold.
+enum class HdfType { f4, f8, i8, u1 };
+
+template <class T>
+constexpr HdfType hdf_type_of();
+template <>
+constexpr HdfType hdf_type_of<float>() {
+    return HdfType::f4;
+}
+template <>
+constexpr HdfType hdf_type_of<double>() {
+    return HdfType::f8;
+}
+template <>
+constexpr HdfType hdf_type_of<std::int64_t>() {
+    return HdfType::i8;
+}
+template <>
+constexpr HdfType hdf_type_of<std::uint8_t>() {
+    return HdfType::u1;
+}
+
+/// An HDF5 file of datasets that grow by rows. File locking is off, so that a viewer may look at a running
+/// analysis; no times are stored, so that equal writes make equal bytes. Every failure is an OutputError
+/// naming the file (reading: likewise).
+class HdfFile {
+  public:
+    static HdfFile create(const std::filesystem::path& path);
+    static HdfFile open_to_read(const std::filesystem::path& path);
+    ~HdfFile();
+    HdfFile(HdfFile&&) noexcept;
+    HdfFile& operator=(HdfFile&&) noexcept;
+
+    const std::filesystem::path& path() const { return path_; }
+
+    void add_group(const std::string& name);
+    void set_attribute(const std::string& object, const std::string& name,
+                       const std::vector<std::int64_t>& values);
+    void set_attribute(const std::string& object, const std::string& name, std::int64_t value);
+    void set_attribute(const std::string& object, const std::string& name, const std::string& ascii);
+    bool has_attribute(const std::string& object, const std::string& name) const;
+    std::int64_t integer_attribute(const std::string& object, const std::string& name) const;
+    std::string string_attribute(const std::string& object, const std::string& name) const;
+
+    /// Adds an empty dataset of rows of `width` elements (1: one-dimensional); `chunk` rows are stored
+    /// together. Large ones are compressed.
+    void add_dataset(const std::string& name, HdfType type, int width, std::size_t chunk, bool compressed);
+    bool has(const std::string& name) const;
+    std::size_t row_count(const std::string& name) const { return shape_of(name).first; }
+
+    template <class T>
+    void append(const std::string& name, const std::vector<T>& values) {
+        append_bytes(name, hdf_type_of<T>(), values.data(), values.size());
+    }
+    /// Rows [first, first + count) of a dataset, row after row.
+    template <class T>
+    std::vector<T> read(const std::string& name, std::size_t first, std::size_t count) const {
+        check_rows(name, first, count);
+        std::vector<T> values(count * width_of(name));
+        read_bytes(name, hdf_type_of<T>(), first, count, values.data());
+        return values;
+    }
+    template <class T>
+    std::vector<T> read_all(const std::string& name) const {
+        return read<T>(name, 0, row_count(name));
+    }
+    std::vector<std::string> names_in(const std::string& group) const;
+
+    /// Makes sure that the disk has room for so many bytes more before anything of them is written.
+    void reserve(std::size_t bytes) const;
+    void flush();
+    /// Renames the file while it stays open. @throws OutputError.
+    void rename_to(const std::filesystem::path& path);
+
+  private:
+    struct Access;  // HDF5's identifiers stay out of this header
+    explicit HdfFile(std::filesystem::path path);
+
+    [[noreturn]] void fail(const std::string& what) const;
+    /// Passes on what HDF5 returned, unless it says failure.
+    std::int64_t check(std::int64_t result, const std::string& what) const;
+    /// Rows and width of a dataset.
+    std::pair<std::size_t, std::size_t> shape_of(const std::string& name) const;
+    std::size_t width_of(const std::string& name) const { return shape_of(name).second; }
+    /// A damaged file may name rows that are not there, more of them than memory holds.
+    void check_rows(const std::string& name, std::size_t first, std::size_t count) const;
+    void append_bytes(const std::string& name, HdfType type, const void* data, std::size_t element_count);
+    void read_bytes(const std::string& name, HdfType type, std::size_t first, std::size_t count,
+                    void* data) const;
+
+    std::filesystem::path path_;
+    std::unique_ptr<Access> file_;
+};
+
+}  // namespace rockslope::dda

@@ -1,0 +1,119 @@
+#include "dda/input/read_face_loads.hpp"
+
+#include <algorithm>
+
+#include "common/base/text.hpp"
+#include "common/geometry/polygon.hpp"
+#include "dda/input/find_faces.hpp"
+
+namespace rockslope::dda {
+
+namespace {
+
+void check_known(const ConfigTable& table, const char* key, const std::vector<std::string>& names,
+                 const std::string& name) {
+    if (std::find(names.begin(), names.end(), name) != names.end()) return;
+    const auto nearest = nearest_word(name, names);
+    table.fail(key, "there is no " + std::string(key) + " '" + name + "'",
+               nearest ? "perhaps '" + *nearest + "'" : "one of " + std::to_string(names.size()) + " names");
+}
+
+/// What a table says about which faces water reaches.
+class WettedFaceFilter {
+  public:
+    WettedFaceFilter(const ConfigTable& table, const Model& model, bool free_faces_too) : model_(model) {
+        if (table.has("joint_material")) {
+            material_ = table.string("joint_material");
+            std::vector<std::string> names;
+            for (const JointMaterial& material : model.joint_materials) names.push_back(material.name);
+            check_known(table, "joint_material", names, material_);
+        }
+        if (table.has("joint_set")) {
+            set_ = table.string("joint_set");
+            check_known(table, "joint_set", model.joint_sets, set_);
+        }
+        if (table.has("region")) {
+            for (const auto& [x, y] : table.pairs("region", Dimension::length))
+                region_.push_back({x - model.origin.x(), y - model.origin.y()});
+            if (region_.size() < 3)
+                table.fail("region", "'region' in [" + table.path() + "] is no polygon",
+                           "three points or more");
+        }
+        free_faces_ = free_faces_too && table.boolean("free_faces", true);
+    }
+
+    bool is_wet(std::size_t edge) const {
+        const Topology& topology = model_.topology;
+        if (model_.motion[static_cast<std::size_t>(topology.block_of[edge])] != Motion::free) return false;
+        const Vec2& next = model_.vertices[static_cast<std::size_t>(topology.next[edge])];
+        const Vec2 middle = (model_.vertices[edge] + next) / 2;
+        if (!region_.empty() && side_of_ring(region_, {middle.x(), middle.y()}) < 0) return false;
+        const int material = topology.joint_material[edge];
+        if (material < 0) return free_faces_;
+        if (!material_.empty() && model_.joint_material_at(material).name != material_) return false;
+        const int joint = topology.joint[edge];
+        return set_.empty() || (joint >= 0 && model_.joint_sets[static_cast<std::size_t>(joint)] == set_);
+    }
+
+  private:
+    const Model& model_;
+    std::string material_;
+    std::string set_;
+    Ring region_;  ///< m, in the model's coordinates
+    bool free_faces_ = false;
+};
+
+}  // namespace
+
+LineLoad read_line_load(const ConfigTable& table, const Model& model, InputFiles& files) {
+    const FacesAlongLine line = read_faces(table, model);
+    if (!table.has("pressure") && !table.has("traction"))
+        table.fail("pressure", "[" + table.path() + "] has neither 'pressure' nor 'traction'", "one of them");
+    const double pressure = table.number("pressure", Dimension::stress, 0);
+    const double pressure_end = table.number("pressure_end", Dimension::stress, pressure);
+    const std::array<double, 2> traction = table.pair("traction", Dimension::stress, {0, 0});
+    const std::array<double, 2> traction_end = table.pair("traction_end", Dimension::stress, traction);
+    LineLoad load;
+    for (const FaceAlongLine& found : line.faces) {
+        const auto pressure_at = [&](double along) {
+            return pressure + along / line.length * (pressure_end - pressure);
+        };
+        const auto traction_at = [&](double along) {
+            const double share = along / line.length;
+            return Vec2(traction[0] + share * (traction_end[0] - traction[0]),
+                        traction[1] + share * (traction_end[1] - traction[1]));
+        };
+        load.faces.push_back({found.face, pressure_at(found.start), pressure_at(found.end),
+                              traction_at(found.start), traction_at(found.end)});
+    }
+    load.history = read_history(table, files);
+    return load;
+}
+
+std::vector<int> read_wetted_faces(const ConfigTable& table, const Model& model, bool free_faces_too) {
+    const WettedFaceFilter filter(table, model, free_faces_too);
+    std::vector<int> edges;
+    for (int edge = 0; edge < model.topology.corner_count(); ++edge) {
+        if (filter.is_wet(static_cast<std::size_t>(edge))) edges.push_back(edge);
+    }
+    if (edges.empty())
+        table.fail("region", "[" + table.path() + "] wets no face of a block that can move",
+                   "joints or a region with such faces");
+    return edges;
+}
+
+std::vector<Vec2> read_head(const ConfigTable& table, const Model& model) {
+    std::vector<Vec2> head;
+    for (const auto& [x, y] : table.pairs("head", Dimension::length)) {
+        const Vec2 point = Vec2(x, y) - model.origin;
+        if (!head.empty() && point.x() <= head.back().x())
+            table.fail("head", "'head' in [" + table.path() + "] does not go on to the right",
+                       "points with growing x");
+        head.push_back(point);
+    }
+    if (head.empty())
+        table.fail("head", "'head' in [" + table.path() + "] is empty", "one point or more, [[x, y], ...]");
+    return head;
+}
+
+}  // namespace rockslope::dda

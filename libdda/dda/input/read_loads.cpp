@@ -1,0 +1,188 @@
+#include "dda/input/read_loads.hpp"
+
+#include <optional>
+#include <type_traits>
+
+#include "common/base/read_file.hpp"
+#include "common/base/text.hpp"
+#include "dda/input/find_block.hpp"
+#include "dda/input/read_face_loads.hpp"
+#include "dda/input/read_materials.hpp"
+#include "dda/input/read_mesh.hpp"
+#include "record/two_columns.hpp"
+
+namespace rockslope::dda {
+
+namespace {
+
+Vec2 vector_of(const std::array<double, 2>& pair) {
+    return {pair[0], pair[1]};
+}
+
+/// The place `at = [x, y]`, in the model's coordinates.
+Vec2 read_place(const ConfigTable& table, const Model& model) {
+    return vector_of(table.pair("at", Dimension::length)) - model.origin;
+}
+
+std::string point_text(const Vec2& point) {
+    return "[" + shortest_text(point.x()) + ", " + shortest_text(point.y()) + "]";
+}
+
+int block_at(const ConfigTable& table, const Vec2& point, const Model& model) {
+    const std::optional<int> block = find_block(model, point);
+    if (!block)
+        table.fail("at",
+                   "'at' in [" + table.path() + "] is " + point_text(point + model.origin) +
+                       ", where there is no block",
+                   "a point inside a block");
+    return *block;
+}
+
+int block_index(const ConfigTable& table, const Model& model) {
+    const std::int64_t block = table.integer("block");
+    if (block < 0 || block >= model.block_count())
+        table.fail("block", "'block' in [" + table.path() + "] is " + std::to_string(block),
+                   "an index from 0 to " + std::to_string(model.block_count() - 1));
+    return static_cast<int>(block);
+}
+
+int measured_point(const ConfigTable& table, const Model& model) {
+    const std::string name = table.string("measured_point");
+    std::vector<std::string> names;
+    for (const MeasuredPointSpec& point : model.measured_points) {
+        if (point.name == name) return point.point;
+        names.push_back(point.name);
+    }
+    const auto nearest = nearest_word(name, names);
+    table.fail("measured_point", "there is no measured point '" + name + "' in the block file",
+               nearest ? "perhaps '" + *nearest + "'"
+                       : "the name of one of its " + std::to_string(names.size()) + " measured points");
+}
+
+/// The material point named by `measured_point = NAME` or `at = [x, y]`.
+int read_point(const ConfigTable& table, Model& model) {
+    if (table.has("measured_point")) return measured_point(table, model);
+    const Vec2 point = read_place(table, model);
+    return add_material_point(model, block_at(table, point, model), point);
+}
+
+// One key and one reader per load of the list in load.hpp; a load without them does not compile.
+
+constexpr const char* load_key(std::type_identity<PointLoad>) {
+    return "point_load";
+}
+PointLoad read_load(std::type_identity<PointLoad>, const ConfigTable& table, Model& model,
+                    InputFiles& files) {
+    return {read_point(table, model), vector_of(table.pair("force", Dimension::force)),
+            read_history(table, files)};
+}
+
+constexpr const char* load_key(std::type_identity<BodyLoad>) {
+    return "body_load";
+}
+BodyLoad read_load(std::type_identity<BodyLoad>, const ConfigTable& table, Model& model, InputFiles& files) {
+    const bool one_block = table.has("block") || table.has("at");
+    return {one_block ? read_block(table, model) : -1,
+            vector_of(table.pair("acceleration", Dimension::acceleration)), read_history(table, files)};
+}
+
+constexpr const char* load_key(std::type_identity<LineLoad>) {
+    return "line_load";
+}
+LineLoad read_load(std::type_identity<LineLoad>, const ConfigTable& table, Model& model, InputFiles& files) {
+    return read_line_load(table, model, files);
+}
+
+constexpr const char* load_key(std::type_identity<JointWater>) {
+    return "joint_water";
+}
+JointWater read_load(std::type_identity<JointWater>, const ConfigTable& table, Model& model,
+                     InputFiles& files) {
+    return {read_wetted_faces(table, model, false), positive(table, "pressure", Dimension::stress),
+            read_history(table, files)};
+}
+
+constexpr const char* load_key(std::type_identity<HeadWater>) {
+    return "head_water";
+}
+HeadWater read_load(std::type_identity<HeadWater>, const ConfigTable& table, Model& model,
+                    InputFiles& files) {
+    return {read_wetted_faces(table, model, true), read_head(table, model),
+            positive(table, "unit_weight", Dimension::none, water_unit_weight), read_history(table, files)};
+}
+
+template <class... Loads>
+void read_each_load(std::type_identity<std::variant<Loads...>>, const ConfigTable& run, Model& model,
+                    InputFiles& files) {
+    const auto read_all = [&](auto kind) {
+        for (const ConfigTable& table : run.array_of_tables(load_key(kind)))
+            model.loads.emplace_back(read_load(kind, table, model, files));
+    };
+    (read_all(std::type_identity<Loads>{}), ...);
+}
+
+void read_fixed_points(const ConfigTable& run, Model& model) {
+    for (const ConfigTable& table : run.array_of_tables("fixed_point")) {
+        FixedPoint point;
+        point.point = read_point(table, model);
+        const std::string direction = table.choice("direction", {"both", "x", "y"}, "both");
+        point.hold_x = direction != "y";
+        point.hold_y = direction != "x";
+        model.fixed_points.push_back(point);
+    }
+}
+
+void read_initial_velocities(const ConfigTable& run, Model& model) {
+    for (const ConfigTable& table : run.array_of_tables("initial_velocity")) {
+        model.initial_velocity.resize(static_cast<std::size_t>(model.block_count()), Vec6::Zero());
+        Vec6& velocity = model.initial_velocity[static_cast<std::size_t>(read_block(table, model))];
+        velocity.head<2>() = vector_of(table.pair("velocity", Dimension::velocity));
+        velocity[2] = table.number("angular_velocity", Dimension::none, 0);
+    }
+}
+
+TimeTable checked_times(const std::vector<double>& times, const std::vector<double>& values,
+                        const ConfigTable& table) {
+    if (times.size() != values.size() || times.empty())
+        table.fail("values",
+                   "'values' in [" + table.path() + "] has " + std::to_string(values.size()) +
+                       " entries and 'times' " + std::to_string(times.size()),
+                   "as many values as times, at least one");
+    for (std::size_t i = 1; i < times.size(); ++i)
+        if (times[i] <= times[i - 1])
+            table.fail("times",
+                       "'times' in [" + table.path() + "] does not grow at entry " + std::to_string(i + 1),
+                       "strictly increasing times");
+    return {times, values};
+}
+
+}  // namespace
+
+TimeTable read_history(const ConfigTable& table, InputFiles& files) {
+    const auto history = table.optional_table("history");
+    return history ? read_time_table(*history, Dimension::none, files) : TimeTable{};
+}
+
+int read_block(const ConfigTable& table, const Model& model) {
+    if (table.has("block")) return block_index(table, model);
+    return block_at(table, read_place(table, model), model);
+}
+
+TimeTable read_time_table(const ConfigTable& table, Dimension dimension, InputFiles& files) {
+    if (!table.has("file"))
+        return checked_times(table.numbers("times", Dimension::time), table.numbers("values", dimension),
+                             table);
+    const std::filesystem::path file = table.file_path("file");
+    files.push_back(file);
+    const std::string text = read_text_file(file);
+    const record::TwoColumns columns = record::parse_two_columns(record::RecordLines(text, file.string()));
+    return {columns.times, columns.values};
+}
+
+void read_loads(const ConfigTable& run, Model& model, InputFiles& files) {
+    read_each_load(std::type_identity<Load>{}, run, model, files);
+    read_fixed_points(run, model);
+    read_initial_velocities(run, model);
+}
+
+}  // namespace rockslope::dda

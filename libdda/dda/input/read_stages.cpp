@@ -1,0 +1,110 @@
+#include "dda/input/read_stages.hpp"
+
+#include <algorithm>
+
+#include "common/base/text.hpp"
+#include "dda/input/read_base_motions.hpp"
+#include "dda/input/read_boundaries.hpp"
+#include "dda/input/read_materials.hpp"
+
+namespace rockslope::dda {
+
+namespace {
+
+constexpr int largest_count = 1'000'000'000;
+
+double in_range(const ConfigTable& table, std::string_view key, double fallback, double low, double high,
+                const std::string& expected) {
+    const double value = table.number(key, Dimension::none, fallback);
+    return table.checked(
+        key, value, [=](double v) { return v >= low && v <= high; }, expected);
+}
+
+int count(const ConfigTable& table, std::string_view key, int fallback) {
+    const std::int64_t value = table.integer(key, fallback);
+    table.checked(
+        key, static_cast<double>(value), [](double v) { return v >= 1 && v <= largest_count; },
+        "a whole number from 1");
+    return static_cast<int>(value);
+}
+
+StepControl read_step_control(const ConfigTable& table) {
+    StepControl control;
+    control.step = positive(table, "step", Dimension::time, control.step);
+    control.smallest_step = positive(table, "smallest_step", Dimension::time, control.smallest_step);
+    control.cut = table.checked(
+        "cut", table.number("cut", Dimension::none, control.cut), [](double v) { return v > 0 && v < 1; },
+        "a factor between 0 and 1");
+    control.growth = in_range(table, "growth", control.growth, 1, 1e6, "a factor of at least 1");
+    control.iteration_limit = count(table, "iteration_limit", control.iteration_limit);
+    control.displacement_ratio =
+        positive(table, "displacement_ratio", Dimension::none, control.displacement_ratio);
+    control.force_tolerance = positive(table, "force_tolerance", Dimension::none, control.force_tolerance);
+    if (control.smallest_step > control.step)
+        table.fail("smallest_step", "'smallest_step' in [" + table.path() + "] is larger than the step",
+                   "at most " + shortest_text(control.step) + " s");
+    return control;
+}
+
+double height_of(const Model& model) {
+    double low = model.vertices.front().y(), high = low;
+    for (const Vec2& v : model.vertices) {
+        low = std::min(low, v.y());
+        high = std::max(high, v.y());
+    }
+    return high - low;
+}
+
+StrengthReduction read_strength_reduction(const ConfigTable& table, const Model& model) {
+    constexpr double failure_displacement_ratio = 0.01;  // of the model's height
+    StrengthReduction search;
+    search.lowest = in_range(table, "lowest_factor", search.lowest, 1e-3, 1, "a factor from 0.001 to 1");
+    search.highest = in_range(table, "highest_factor", search.highest, 1, 1e3, "a factor from 1 to 1000");
+    search.width = in_range(table, "factor_tolerance", search.width, 1e-6, 1, "a ratio from 1e-6 to 1");
+    search.displacement_limit = positive(table, "displacement_limit", Dimension::length,
+                                         failure_displacement_ratio * height_of(model));
+    return search;
+}
+
+Stage read_stage(const ConfigTable& table, std::size_t index, const Model& model, InputFiles& files) {
+    Stage stage;
+    stage.name = table.string("name", "stage " + std::to_string(index + 1));
+    const std::string kind = table.choice("kind", {"static", "dynamic", "strength-reduction"});
+    stage.kind = kind == "dynamic" ? StageKind::dynamic : StageKind::static_equilibrium;
+    stage.control = read_step_control(table);
+    stage.mass_damping = not_negative(table, "mass_damping", Dimension::none, 0);
+    if (stage.kind == StageKind::static_equilibrium) {
+        stage.tolerance = positive(table, "tolerance", Dimension::none, stage.tolerance);
+        stage.step_limit = count(table, "step_limit", stage.step_limit);
+        if (kind == "strength-reduction") {
+            stage.strength_reduction = read_strength_reduction(table, model);
+            stage.reset_displacements = false;
+            return stage;
+        }
+        stage.reset_displacements = table.boolean("reset_displacements", stage.reset_displacements);
+        stage.reset_joint_history = table.boolean("reset_joint_history", stage.reset_joint_history);
+        return stage;
+    }
+    stage.duration = positive(table, "duration", Dimension::time);
+    stage.dynamic_coefficient =
+        in_range(table, "dynamic_coefficient", stage.dynamic_coefficient, 0, 1, "a number from 0 to 1");
+    stage.newmark_beta =
+        in_range(table, "newmark_beta", stage.newmark_beta, 1e-3, 1, "a number from 0.001 to 1");
+    stage.newmark_gamma =
+        in_range(table, "newmark_gamma", stage.newmark_gamma, 0.5, 1, "a number from 0.5 to 1");
+    stage.incident_waves = read_incident_waves(table, model, files);
+    read_base_motions(table, model, files, stage);
+    return stage;
+}
+
+}  // namespace
+
+std::vector<Stage> read_stages(const ConfigTable& run, const Model& model, InputFiles& files) {
+    std::vector<Stage> stages;
+    for (const ConfigTable& table : run.array_of_tables("stage"))
+        stages.push_back(read_stage(table, stages.size(), model, files));
+    if (stages.empty()) throw InputError(run.place(), "there is no stage", "at least one [[stage]]");
+    return stages;
+}
+
+}  // namespace rockslope::dda

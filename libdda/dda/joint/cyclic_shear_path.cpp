@@ -1,0 +1,355 @@
+#include "dda/joint/cyclic_shear_path.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace rockslope::dda {
+
+namespace {
+
+using Law = CyclicBartonBandis;
+
+constexpr double no_distance = std::numeric_limits<double>::infinity();
+
+int sign_of(double value) {
+    return value > 0 ? 1 : value < 0 ? -1 : 0;
+}
+
+LinearAngle part_of(const LinearAngle& piece, double from, double to) {
+    if (from == 0 && to == piece.length && to > 0) return piece;
+    return {to - from, piece.angle_at(from), to == piece.length ? piece.last : piece.angle_at(to)};
+}
+
+/// Where on a piece the bound N tan(angle) begins to grow faster than the spring: its length if no_distance.
+/// The slope N angle' / cos² grows along the piece where the angle does.
+double spring_overtaken_at(const LinearAngle& piece, double normal_force, double stiffness) {
+    if (!(piece.last > piece.first)) return piece.length;
+    const double turn = (piece.last - piece.first) / piece.length;
+    const double square = normal_force * turn / stiffness;
+    if (square >= 1) return 0;
+    return std::clamp((std::acos(std::sqrt(square)) - piece.first) / turn, 0.0, piece.length);
+}
+
+/// Where a shear force that starts below the bound and climbs with the spring meets it; infinity if
+/// no_distance. Force minus bound is concave up to where the bound outruns the spring, so Newton's steps from
+/// the left approach the root from the left.
+double distance_to_slip(double force, const LinearAngle& piece, double normal_force, double stiffness,
+                        const TangentCache& tan) {
+    const double lowest = normal_force * tan(std::min(piece.first, piece.last));
+    if (force + stiffness * piece.length < lowest) return no_distance;
+    if (piece.first == piece.last) return std::max((lowest - force) / stiffness, 0.0);
+    const double last = spring_overtaken_at(piece, normal_force, stiffness);
+    const auto strength_margin = [&](double along) {
+        return normal_force * tan(piece.angle_at(along)) - force - stiffness * along;
+    };
+    if (strength_margin(last) > 0) return no_distance;
+    const double turn = (piece.last - piece.first) / piece.length;
+    double along = 0;
+    for (int k = 0; k < 100; ++k) {
+        const double tangent = tan(piece.angle_at(along));
+        const double gap = normal_force * tangent - force - stiffness * along;
+        const double slope = stiffness - normal_force * turn * (1 + tangent * tangent);
+        if (!(gap > 0) || !(slope > 0)) break;
+        const double next = along + gap / slope;
+        if (next >= last) return last;
+        if (next <= along) break;
+        along = next;
+    }
+    return along;
+}
+
+}  // namespace
+
+double TangentCache::operator()(double angle) const {
+    for (const Entry& entry : entries_)
+        if (entry.angle == angle) return entry.tangent;
+    const double tangent = std::tan(angle);
+    entries_[oldest_] = {angle, tangent};
+    oldest_ = (oldest_ + 1) % entries_.size();
+    return tangent;
+}
+
+CyclicShearPath::CyclicShearPath(const Law& law, const Law::History& history, double normal_force,
+                                 double length, double stiffness, double shear_force, Purpose purpose)
+    : law_(law),
+      history_(history),
+      mobilised_(law_, history_),
+      normal_force_(normal_force),
+      stiffness_(stiffness),
+      damage_(purpose == Purpose::history ? law.damage : 0),
+      roughness_(law.barton.roughness_angle(normal_force, law.stressed_length(length))),
+      force_(shear_force),
+      purpose_(purpose) {}
+
+void CyclicShearPath::displace(double displacement) {
+    target_ = history_.position + displacement;
+    if (displacement != 0) direction_ = displacement > 0 ? 1 : -1;
+    while (history_.position != target_) {
+        const Place here = place(direction_);
+        const bool stays = here.away || sign_of(target_) == sign_of(history_.position);
+        const Piece next = piece(here, stays ? std::abs(target_) : 0);
+        const double done = traverse(here, next);
+        const double distance = here.distance + (here.away ? done : -done);
+        const bool reaches_end = done == next.bound.length && next.reaches_end;
+        // A part too short to change the position would be walked for ever.
+        const bool stuck = done > 0 && distance == here.distance;
+        if (done > 0) update_position(here, reaches_end || stuck ? next.end : distance);
+    }
+    finish();
+}
+
+void CyclicShearPath::prescribe_slip(double displacement, double slip) {
+    slip_prescribed_ = true;
+    slip_ratio_ = displacement != 0 ? std::abs(slip / displacement) : 0;
+    displace(displacement);
+}
+
+/// f of Eq. (63): wear by reversals and by cycles beyond those given.
+double CyclicShearPath::wear_factor() const {
+    const int further = history_.cycle - static_cast<int>(law_.cycles.size());
+    double wear = 1;
+    if (law_.reversal_factor != 1) wear *= std::pow(law_.reversal_factor, history_.reversals);
+    if (law_.further_cycle_factor != 1 && further > 0) wear *= std::pow(law_.further_cycle_factor, further);
+    return wear;
+}
+
+// --- bounds
+
+double CyclicShearPath::bound_ratio(int direction) const {
+    return mobilised_.bound_ratio(place(direction));
+}
+
+double CyclicShearPath::bound(int direction) const {
+    const double opposing = law_.barton.residual_friction_angle + bound_ratio(direction) * roughness_;
+    return normal_force_ *
+           tan_(std::clamp(resisting_angle(direction, opposing), 0.0, BartonStrength::largest_angle));
+}
+
+/// The angle that resists motion in a direction, from phi_r + ratio i: where only forward motion climbs the
+/// roughness, backward motion goes down it.
+double CyclicShearPath::resisting_angle(int direction, double angle) const {
+    const bool downwards = law_.asymmetric && !mobilised_.is_fresh() && direction != history_.forward;
+    return downwards ? std::abs(2 * law_.barton.residual_friction_angle - angle) : angle;
+}
+
+// --- pieces of the way
+
+/// Total angle on the way to `end`, no farther than it is linear.
+LinearAngle CyclicShearPath::bound_angles(const Place& place, double end) const {
+    const double friction = law_.barton.residual_friction_angle, wear = history_.wear;
+    const RoughnessTable& table = mobilised_.bound_table(place);
+    const bool rising = mobilised_.is_before_first_peak(place, (place.distance + end) / 2);
+    const auto angle = [&](double distance) {
+        return friction + wear * (rising ? 1 : table.ratio(distance / law_.peak_displacement)) * roughness_;
+    };
+    double highest = BartonStrength::largest_angle;
+    if (mobilised_.is_worn(place)) {
+        const double worn = mobilised_.furthest(place.side);
+        const double ratio =
+            mobilised_.is_before_first_peak(place, worn) ? 1 : table.ratio(worn / law_.peak_displacement);
+        highest = std::clamp(friction + wear * ratio * roughness_, 0.0, highest);
+    }
+    LinearAngle piece =
+        clamp_leading_part({std::abs(end - place.distance), angle(place.distance), angle(end)}, 0, highest);
+    const double first = resisting_angle(direction_, piece.first),
+                 last = resisting_angle(direction_, piece.last);
+    if (first == piece.first && last == piece.last) return piece;
+    const double kink = 2 * friction;  // where roughness carries the joint and friction turns round
+    if ((piece.first < kink) != (piece.last < kink) && piece.first != kink) {
+        const LinearAngle part =
+            clamp_leading_part(piece, std::min(piece.first, kink), std::max(piece.first, kink));
+        if (part.length < piece.length) return {part.length, first, 0};
+    }
+    return {piece.length, first, last};
+}
+
+/// Dilation angle of a mobilised ratio, wear included: Eq. (60) within the limits of the total angle.
+double CyclicShearPath::dilation_angle(double ratio) const {
+    const double friction = law_.barton.residual_friction_angle;
+    return (law_.barton.total_angle(roughness_, ratio) - friction) / damage_;
+}
+
+/// Dilation angle on the way to `end`, no farther than it is linear and keeps its sign.
+LinearAngle CyclicShearPath::dilation_angles(const Place& place, double end) const {
+    const double length = std::abs(end - place.distance);
+    if (damage_ == 0) return {length, 0, 0};
+    const double friction = law_.barton.residual_friction_angle, wear = history_.wear;
+    const RoughnessTable& table = mobilised_.roughness_table(place);
+    const double towards = law_.unsigned_ratios && !place.away ? -1 : 1;
+    const auto angle = [&](double distance) {
+        return friction + towards * wear * table.ratio(distance / law_.peak_displacement) * roughness_;
+    };
+    double highest = BartonStrength::largest_angle;
+    if (mobilised_.is_worn(place)) highest = std::clamp(angle(mobilised_.furthest(place.side)), 0.0, highest);
+    LinearAngle piece = clamp_leading_part({length, angle(place.distance), angle(end)}, 0, highest);
+    if ((piece.first - friction) * (piece.last - friction) < 0)
+        piece = piece.first < friction ? clamp_leading_part(piece, piece.first, friction)
+                                       : clamp_leading_part(piece, friction, piece.first);
+    return {piece.length, (piece.first - friction) / damage_, (piece.last - friction) / damage_};
+}
+
+CyclicShearPath::Piece CyclicShearPath::piece(const Place& place, double target) const {
+    const double knot = mobilised_.next_knot(place, damage_ != 0);
+    Piece made;
+    made.end = place.away ? std::min(knot, target) : std::max(knot, target);
+    const double length = std::abs(made.end - place.distance);
+    made.bound = bound_angles(place, made.end);
+    made.dilation = dilation_angles(place, made.end);
+    const double linear = std::min(made.bound.length, made.dilation.length);
+    made.reaches_end = linear == length;
+    made.bound = part_of(made.bound, 0, linear);
+    made.dilation = part_of(made.dilation, 0, linear);
+    made.unloading = damage_ == 0 ? 0 : dilation_angle(history_.wear * history_.unloading_ratio);
+    return made;
+}
+
+// --- phases
+
+/// Walks a piece as far as nothing changes the laws on the way. @return m, how far.
+double CyclicShearPath::traverse(const Place& place, const Piece& piece) {
+    const double length = piece.bound.length;
+    if (slip_prescribed_) {
+        if (slip_ratio_ > 0 && begin_slip(place, direction_)) return 0;
+        record_motion(place, piece, 0, length, slip_ratio_ > 0);
+        count_slip(direction_, length * slip_ratio_);
+        return length;
+    }
+    double along = 0;
+    bool below = direction_ * force_ < normal_force_ * tan_(piece.bound.first);
+    while (along < length) {
+        const LinearAngle rest = part_of(piece.bound, along, length);
+        if (below || spring_overtaken_at(rest, normal_force_, stiffness_) == 0) {
+            const double met =
+                below ? distance_to_slip(direction_ * force_, rest, normal_force_, stiffness_, tan_)
+                      : no_distance;
+            const double locked = std::min(met, rest.length);
+            record_motion(place, piece, along, along + locked, false);
+            force_ += direction_ * stiffness_ * locked;
+            along = met < rest.length ? along + locked : length;
+            below = false;
+        } else {
+            bool interrupted = false;
+            along = slide(place, piece, along, interrupted);
+            if (interrupted) return along;
+        }
+    }
+    return length;
+}
+
+/// Slides along a piece until the bound outruns the spring, or until the slip changes the laws.
+double CyclicShearPath::slide(const Place& place, const Piece& piece, double along, bool& interrupted) {
+    const LinearAngle rest = part_of(piece.bound, along, piece.bound.length);
+    const double bound = normal_force_ * tan_(rest.first);
+    const double drop = (direction_ * force_ - bound) / stiffness_;
+    interrupted = begin_slip(place, direction_);
+    if (interrupted) return along;
+    force_ = direction_ * bound;
+    interrupted = count_slip(direction_, std::max(drop, 0.0));
+    if (interrupted) return along;
+    double end = spring_overtaken_at(rest, normal_force_, stiffness_);
+    const bool opposite = history_.slip_direction == -direction_;
+    if (opposite) {
+        // The slip left until it counts as a reversal is a force left to a joint that had not slipped.
+        const double left = law_.min_slip - history_.reverse_slip;
+        const double turned =
+            distance_to_slip(bound - stiffness_ * left, rest, normal_force_, stiffness_, tan_);
+        interrupted = turned < end;
+        end = std::min(end, turned);
+    }
+    const double after = normal_force_ * tan_(rest.angle_at(end));
+    record_motion(place, piece, along, along + end, true);
+    force_ = direction_ * after;
+    const double slip = end - (after - bound) / stiffness_;
+    if (interrupted)
+        count_reversal();
+    else
+        count_slip(direction_, std::max(slip, 0.0));
+    return end == rest.length ? piece.bound.length : along + end;
+}
+
+/// The faces' movement apart on a part of a piece.
+void CyclicShearPath::record_motion(const Place& place, const Piece& piece, double from, double to,
+                                    bool sliding) {
+    history_.sliding = sliding;
+    last_side_ = place.side;
+    last_away_ = place.away;
+    history_.stage = static_cast<std::int32_t>(CyclicRoughness::stage(place, sliding));
+    if (damage_ == 0) return;
+    const bool unloading = !place.away && !sliding;
+    const LinearAngle dilation = part_of(piece.dilation, from, to);
+    const double rate = unloading ? -std::tan(piece.unloading) : mean_tangent(dilation.first, dilation.last);
+    history_.dilation += (to - from) * rate;
+    if (law_.floor_dilation) history_.dilation = std::max(history_.dilation, 0.0);
+}
+
+/// @return whether the joint's origin or its forward direction has changed by its first slip.
+bool CyclicShearPath::begin_slip(const Place& place, int direction) {
+    slipped_ = true;
+    if (!mobilised_.is_fresh()) return false;
+    history_.forward = direction;
+    if (place.away) return false;
+    // It was pulled the other way when it was made, and slips before it has come back: it starts from here.
+    target_ -= history_.position;
+    history_.position = 0;
+    history_.furthest_forward = 0;
+    return true;
+}
+
+/// @return whether the slip counts as a reversal.
+bool CyclicShearPath::count_slip(int direction, double amount) {
+    if (!(amount > 0)) return false;
+    if (history_.slip_direction == 0) history_.slip_direction = direction;
+    if (history_.slip_direction == direction) {
+        history_.reverse_slip = 0;
+        return false;
+    }
+    history_.reverse_slip += amount;
+    if (!(history_.reverse_slip > law_.min_slip)) return false;
+    count_reversal();
+    return true;
+}
+
+void CyclicShearPath::count_reversal() {
+    ++history_.reversals;
+    history_.slip_direction = -history_.slip_direction;
+    history_.reverse_slip = 0;
+    history_.wear = wear_factor();
+}
+
+void CyclicShearPath::update_position(const Place& place, double distance) {
+    history_.position = distance == 0 ? 0 : (place.away ? direction_ : -direction_) * distance;
+    if (place.away) {
+        double& reached = place.side > 0 ? history_.furthest_forward : history_.furthest_backward;
+        reached = std::max(reached, distance);
+        return;
+    }
+    if (distance != 0) return;
+    if (mobilised_.is_fresh()) history_.furthest_forward = 0;
+    if (place.side < 0 && history_.furthest_backward >= law_.peak_displacement) {
+        ++history_.cycle;
+        history_.furthest_forward = history_.furthest_backward = 0;
+        history_.wear = wear_factor();
+    }
+}
+
+/// A bound that has come down on a force at rest makes it slip; then what the history tells is put down.
+void CyclicShearPath::finish() {
+    bounds_ = {bound(1), bound(-1), 0};
+    for (const int direction : {1, -1}) {
+        if (slip_prescribed_) break;
+        const double excess = direction * force_ - (direction > 0 ? bounds_.forward : bounds_.backward);
+        if (!(excess > 1e-14 * std::abs(force_))) continue;
+        begin_slip(place(direction), direction);
+        force_ = direction * bound(direction);
+        count_slip(direction, excess / stiffness_);
+        bounds_ = {bound(1), bound(-1), 0};
+    }
+    if (last_side_ == 0 || purpose_ == Purpose::strength) return;
+    const Place there = {std::abs(history_.position), last_side_, last_away_};
+    if (last_away_) history_.unloading_ratio = mobilised_.advance_ratio(there);
+    history_.mobilised_ratio =
+        mobilised_.mobilised_ratio(there, history_.sliding != 0, history_.unloading_ratio);
+}
+
+}  // namespace rockslope::dda

@@ -1,0 +1,79 @@
+#include "dda/monitor/measured_joint.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dda/contact/detect.hpp"
+
+namespace rockslope::dda {
+
+namespace {
+
+Vec2 displacement_of(const State& state, int point) {
+    const auto p = static_cast<std::size_t>(point);
+    return state.blocks.points[p] - state.displacement_origin[p];
+}
+
+/// ContactSums over the contacts of a joint.
+struct ContactSums {
+    double normal_force = 0, shear_force = 0, length = 0, strength = 0, slip = 0;
+    int closed = 0;
+    bool slides = false;
+    const Contact* most_loaded = nullptr;
+
+    void add(const Contact& contact) {
+        if (contact.state == ContactState::open) return;
+        ++closed;
+        normal_force += contact.normal_force;
+        shear_force += contact.shear_force;
+        length += contact.length;
+        slip += contact.slip;
+        slides = slides || contact.state == ContactState::sliding;
+        if (!most_loaded || contact.normal_force > most_loaded->normal_force) most_loaded = &contact;
+    }
+};
+
+double smaller(const Strength& strength) {
+    return std::min(strength.forward, strength.backward);
+}
+
+}  // namespace
+
+JointReading read_joint(const Model& model, const State& state, const MeasuredJoint& joint) {
+    const auto& vertices = state.blocks.vertices;
+    const auto first = static_cast<std::size_t>(joint.edge);
+    const auto last = static_cast<std::size_t>(model.topology.next[first]);
+    const Vec2 tangent = (vertices[last] - vertices[first]).normalized();
+    const Vec2 normal = -perpendicular(tangent);
+    const Vec2 relative_displacement =
+        displacement_of(state, joint.other_point) - displacement_of(state, joint.point);
+    const int block = model.topology.block_of[first];
+    const int other = model.material_points[static_cast<std::size_t>(joint.other_point)].block;
+
+    JointReading reading;
+    reading.displacement = -relative_displacement.dot(tangent);
+    reading.dilation = relative_displacement.dot(normal);
+    ContactSums sums;
+    for (const Contact& contact : state.contacts.contacts) {
+        if (std::minmax(contact.corner_block, contact.edge_block) != std::minmax(block, other)) continue;
+        if (std::abs(cross(contact.normal, normal)) > parallel_tolerance) continue;
+        sums.add(contact);
+        const JointLaw& law = model.joint_material_at(contact.joint_material).law;
+        if (contact.state != ContactState::open && !has_segment_history(law))
+            sums.strength += smaller(strength(law, contact.history, contact.normal_force, contact.length));
+    }
+    if (sums.closed == 0) return reading;
+    const JointLaw& law = model.joint_material_at(sums.most_loaded->joint_material).law;
+    if (has_segment_history(law))
+        sums.strength = smaller(strength(law, sums.most_loaded->history, sums.normal_force, sums.length));
+    const double per_length = sums.length > 0 ? 1 / sums.length : 0;
+    reading.shear_stress = -sums.shear_force * per_length;
+    reading.normal_stress = sums.normal_force * per_length;
+    reading.strength = sums.strength / model.strength_reduction * per_length;
+    reading.slip = -sums.slip / sums.closed;
+    reading.state = sums.slides ? ContactState::sliding : ContactState::locked;
+    reading.record = record(law, sums.most_loaded->history);
+    return reading;
+}
+
+}  // namespace rockslope::dda

@@ -1,0 +1,232 @@
+#include "dda/results/results.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace rockslope::dda {
+
+namespace {
+
+/// A time within this share of an interval of its due time is on time.
+constexpr double due_tolerance = 1e-6;
+
+double dynamic_duration(const std::vector<Stage>& stages, std::size_t count) {
+    double duration = 0;
+    for (std::size_t i = 0; i < count; ++i)
+        if (stages[i].kind == StageKind::dynamic) duration += stages[i].duration;
+    return duration;
+}
+
+double seconds(std::chrono::steady_clock::duration duration) {
+    return std::chrono::duration<double>(duration).count();
+}
+
+void update_peak(double value, double time, double& peak, double& peak_time) {
+    if (value <= peak) return;
+    peak = value;
+    peak_time = time;
+}
+
+/// A static stage ends by what its last step reports, which a checkpoint does not hold: none falls between
+/// that step and the stage's end.
+bool ends_stage(const State& state, const Stage& stage, const StepReport& report) {
+    return stage.kind == StageKind::static_equilibrium &&
+           (report.unbalanced_force <= stage.tolerance || state.stage_steps >= stage.step_limit);
+}
+
+/// Whether displacements count anew from a stage's end.
+bool resets_displacements(const Stage& stage) {
+    return stage.kind == StageKind::static_equilibrium && stage.reset_displacements;
+}
+
+}  // namespace
+
+Results::Results(const Model& model, const std::vector<Stage>& stages, const OutputSpec& output,
+                 ResultsOptions options, const Checkpoint* resume_from)
+    : model_(model),
+      stages_(stages),
+      output_(output),
+      options_(std::move(options)),
+      points_(tracked_points(model)),
+      reference_(find_point(points_, output.relative_to)),
+      resuming_(resume_from != nullptr),
+      start_(Clock::now()),
+      last_checkpoint_(start_) {
+    if (output_.frames > 0) frame_interval_ = dynamic_duration(stages_, stages_.size()) / output_.frames;
+    if (resume_from) progress_ = resume_from->results;
+    progress_.peaks.resize(points_.size());
+    progress_.first_slips.resize(static_cast<std::size_t>(model.block_count()));
+    for (const WriterEntry& entry : writer_table()) {
+        WriterContext context{model_,       options_.folder, output_.name,
+                              std::nullopt, options_.pvd,    output_.relative_to};
+        if (!entry.is_enabled(context)) continue;
+        if (resume_from) context.resume_from = resume_from->positions.at(entry.name);
+        writers_.push_back({entry.name, entry.make(context)});
+    }
+}
+
+Results::~Results() = default;
+
+double Results::wall_time() const {
+    return progress_.wall_time + seconds(Clock::now() - start_);
+}
+
+bool Results::is_due(std::int64_t& next, double interval, double stage_time) const {
+    const double intervals = stage_time / interval + due_tolerance;
+    if (intervals < static_cast<double>(next)) return false;
+    next = static_cast<std::int64_t>(std::floor(intervals)) + 1;
+    return true;
+}
+
+bool Results::frame_is_due(const State& state, const Stage& stage) {
+    if (stage.kind == StageKind::dynamic)
+        return frame_interval_ > 0 && is_due(progress_.next_frame, frame_interval_, state.stage_time);
+    return output_.static_frame_interval > 0 && state.stage_steps % output_.static_frame_interval == 0;
+}
+
+void Results::write_frame(const State& state) {
+    if (progress_.last_frame_step == state.step_count) return;
+    progress_.last_frame_step = state.step_count;
+    for (const NamedWriter& entry : writers_) entry.writer->frame(state);
+}
+
+void Results::write_history(const State& state, const Stage& stage) {
+    if (progress_.last_history_step == state.step_count) return;
+    progress_.last_history_step = state.step_count;
+    for (const NamedWriter& entry : writers_) entry.writer->history(state, stage);
+}
+
+void Results::update_peaks(const State& state) {
+    const Vec2 from =
+        reference_ ? motion_of(model_, state, points_[*reference_]).displacement : Vec2(Vec2::Zero());
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+        const PointMotion motion = motion_of(model_, state, points_[i]);
+        Peaks& peaks = progress_.peaks[i];
+        update_peak(motion.displacement.norm(), state.time, peaks.displacement, peaks.displacement_time);
+        update_peak(motion.velocity.norm(), state.time, peaks.velocity, peaks.velocity_time);
+        update_peak(motion.acceleration.norm(), state.time, peaks.acceleration, peaks.acceleration_time);
+        update_peak((motion.displacement - from).norm(), state.time, peaks.relative, peaks.relative_time);
+    }
+}
+
+/// Before the first dynamic step there may be no contacts yet.
+void Results::update_sliding(const State& state, const StepReport& report) {
+    const bool is_first = state.dynamic_time <= report.step * (1 + 1e-9);
+    if (is_first) progress_.planes = find_blocks_on_planes(model_, state);
+    update_first_slips(model_, state, report, output_.slip_threshold, progress_.first_slips);
+}
+
+void Results::save_checkpoint(const State& state) {
+    Checkpoint checkpoint{state, progress_, {}, options_.input_hash};
+    checkpoint.results.wall_time = wall_time();
+    for (const NamedWriter& entry : writers_) checkpoint.positions[entry.name] = entry.writer->position();
+    write_checkpoint(options_.folder / "checkpoint.h5", checkpoint);
+    last_checkpoint_ = Clock::now();
+}
+
+Progress Results::progress_of(const State& state, const Stage& stage, const StepReport& report) const {
+    const double before = dynamic_duration(stages_, static_cast<std::size_t>(progress_.stage));
+    const double now = stage.kind == StageKind::dynamic ? state.stage_time : 0;
+    return {stage,
+            state,
+            report,
+            before + now,
+            dynamic_duration(stages_, stages_.size()),
+            seconds(Clock::now() - start_)};
+}
+
+void Results::stage_begins(const Model&, const State& state, const Stage& stage, int stage_index) {
+    if (std::exchange(resuming_, false)) return;
+    progress_.stage = stage_index;
+    progress_.next_frame = progress_.next_history = 1;
+    if (stage.strength_reduction) progress_.trials.clear();
+    // The state's second row: the first, of the same instant, has the displacements that the last stage made.
+    if (stage_index > 0 && resets_displacements(stages_[static_cast<std::size_t>(stage_index) - 1]))
+        progress_.last_history_step = -1;
+    write_frame(state);
+    write_history(state, stage);
+}
+
+bool Results::step_done(const Model&, const State& state, const Stage& stage, const StepReport& report) {
+    for (const NamedWriter& entry : writers_) entry.writer->step(state, stage, report);
+    progress_.fallbacks += report.fallbacks;
+    progress_.remaining_dilation = std::max(progress_.remaining_dilation, report.remaining_dilation);
+    if (output_.history_interval == 0 ||
+        is_due(progress_.next_history, output_.history_interval, state.stage_time))
+        write_history(state, stage);
+    const bool ends = ends_stage(state, stage, report);
+    if (!ends && frame_is_due(state, stage)) write_frame(state);
+    // Displacements of a static stage that resets them are not the motion that peaks are asked for.
+    if (stage.kind == StageKind::dynamic) {
+        update_peaks(state);
+        update_sliding(state, report);
+    }
+
+    const bool go_on = options_.progress(progress_of(state, stage, report));
+    if (ends) return true;
+    if (!go_on || seconds(Clock::now() - last_checkpoint_) >= output_.checkpoint_interval)
+        save_checkpoint(state);
+    return go_on;
+}
+
+bool Results::trial_step_done(const Model&, const State& state, const Stage& stage,
+                              const StepReport& report) {
+    return options_.progress(progress_of(state, stage, report));
+}
+
+void Results::trial_done(const Model&, const State&, const Stage&, const ReductionTrial& trial) {
+    progress_.trials.push_back(trial);
+}
+
+void Results::mechanism_found(const Model&, const State& state, const Stage& stage) {
+    write_history(state, stage);
+    write_frame(state);
+}
+
+void Results::stage_ends(const Model&, const State& state, const Stage& stage, int stage_index) {
+    if (stage.strength_reduction) return;  // what it has to show is the mechanism
+    write_history(state, stage);
+    // A viewer finds a frame by its time, so of an instant there is one: that of the next stage's start.
+    const bool is_last = static_cast<std::size_t>(stage_index) + 1 == stages_.size();
+    if (is_last || !resets_displacements(stage)) write_frame(state);
+}
+
+void Results::stage_fails(const Model&, const State& state, const Stage& stage, int) {
+    write_history(state, stage);
+    write_frame(state);
+}
+
+namespace {
+
+double bytes_per_frame(const Model& model) {
+    constexpr double compressed = 0.6;  // of the floats of the blocks, shuffled and deflated
+    const double bytes_per_corner = model.origin.isZero(0) ? 3 * 4 : 3 * 8;  // coordinates
+    constexpr double bytes_per_block = 14 * 4;                               // quantities of a block
+    constexpr double bytes_per_contact = 90;  // coordinates, cell and quantities
+    constexpr double contacts_per_block = 4;  // of a jointed mass
+    const double blocks =
+        bytes_per_corner * static_cast<double>(model.vertices.size()) + model.block_count() * bytes_per_block;
+    const double contacts = model.block_count() * contacts_per_block * bytes_per_contact;
+    return compressed * blocks + contacts;
+}
+
+}  // namespace
+
+double estimated_bytes(const Model& model, const std::vector<Stage>& stages, const OutputSpec& output) {
+    const double frames = (dynamic_duration(stages, stages.size()) > 0 ? output.frames : 0) + 1.0 +
+                          static_cast<double>(stages.size());
+    return frames * bytes_per_frame(model);
+}
+
+double max_static_frame_bytes(const Model& model, const std::vector<Stage>& stages,
+                              const OutputSpec& output) {
+    if (output.static_frame_interval == 0) return 0;
+    double frames = 0;
+    for (const Stage& stage : stages)
+        if (stage.kind == StageKind::static_equilibrium && !stage.strength_reduction)
+            frames += std::floor(static_cast<double>(stage.step_limit) / output.static_frame_interval);
+    return frames * bytes_per_frame(model);
+}
+
+}  // namespace rockslope::dda

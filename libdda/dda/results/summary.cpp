@@ -1,0 +1,197 @@
+#include "dda/results/summary.hpp"
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "common/base/read_file.hpp"
+#include "common/base/sha256.hpp"
+#include "dda/results/block_table.hpp"
+
+namespace rockslope::dda {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+const char* status_name(RunStatus status) {
+    switch (status) {
+        case RunStatus::completed:
+            return "completed";
+        case RunStatus::not_converged:
+            return "not converged";
+        case RunStatus::not_settled:
+            return "not settled";
+        case RunStatus::not_written:
+            return "not written";
+        default:
+            return "stopped";
+    }
+}
+
+Json pair(const Vec2& v) {
+    return Json::array({v.x(), v.y()});
+}
+
+/// Null where there is nothing to compare with.
+Json over_reference(double peak, const Results& results) {
+    if (!results.reference()) return nullptr;
+    const double base = results.state().peaks[*results.reference()].acceleration;
+    return base > 0 ? Json(peak / base) : Json(nullptr);
+}
+
+Json peaks_json(const Results& results, const Model& model, const State& state) {
+    const PointMotion from =
+        results.reference() ? motion_of(model, state, results.points()[*results.reference()]) : PointMotion{};
+    Json points = Json::array();
+    for (std::size_t i = 0; i < results.points().size(); ++i) {
+        const TrackedPoint& point = results.points()[i];
+        const Peaks& peaks = results.state().peaks[i];
+        const PointMotion motion = motion_of(model, state, point);
+        points.push_back({{"name", point.name},
+                          {"kind", point.material_point >= 0 ? "measured point" : "prescribed block"},
+                          {"final_displacement", pair(motion.displacement)},
+                          {"peak_displacement", peaks.displacement},
+                          {"peak_displacement_time", peaks.displacement_time},
+                          {"peak_velocity", peaks.velocity},
+                          {"peak_velocity_time", peaks.velocity_time},
+                          {"peak_acceleration", peaks.acceleration},
+                          {"peak_acceleration_time", peaks.acceleration_time},
+                          {"permanent_displacement", pair(motion.displacement - from.displacement)},
+                          {"relative_speed", (motion.velocity - from.velocity).norm()},
+                          {"peak_relative_displacement", peaks.relative},
+                          {"peak_relative_displacement_time", peaks.relative_time},
+                          {"amplification", over_reference(peaks.acceleration, results)}});
+    }
+    return points;
+}
+
+Json farthest_block(const Model& model, const State& state) {
+    int farthest = 0;
+    double distance = -1;
+    for (int block = 0; block < model.block_count(); ++block) {
+        const Vec2 moved =
+            state.blocks.centroid(block) - state.centroid_origin[static_cast<std::size_t>(block)];
+        if (model.motion[static_cast<std::size_t>(block)] != Motion::free || !state.is_present(block) ||
+            moved.norm() <= distance)
+            continue;
+        distance = moved.norm();
+        farthest = block;
+    }
+    if (distance < 0) return nullptr;
+    return {
+        {"block", farthest}, {"displacement", distance}, {"centroid", pair(state.blocks.centroid(farthest))}};
+}
+
+Json contact_counts(const State& state) {
+    std::array<int, 3> counts{};
+    for (const Contact& contact : state.contacts.contacts) ++counts[static_cast<std::size_t>(contact.state)];
+    return {{"open", counts[0]}, {"sliding", counts[1]}, {"locked", counts[2]}};
+}
+
+/// How many blocks slipped, and which first.
+Json slips_json(const std::vector<FirstSlip>& slips) {
+    const auto slipped = [](const FirstSlip& slip) { return slip.has_slipped(); };
+    const auto count = std::count_if(slips.begin(), slips.end(), slipped);
+    if (count == 0) return Json::object({{"blocks", 0}});
+    const auto first = std::min_element(slips.begin(), slips.end(), [&](const auto& a, const auto& b) {
+        return slipped(a) && (!slipped(b) || a.dynamic_time < b.dynamic_time);
+    });
+    return {{"blocks", count},
+            {"first", first - slips.begin()},
+            {"first_time", first->time},
+            {"first_time_of_shaking", first->dynamic_time}};
+}
+
+Json planes_json(const std::vector<PlaneSlip>& slips) {
+    Json planes = Json::array();
+    for (const PlaneSlip& slip : slips)
+        planes.push_back({{"block", slip.plane.block},
+                          {"base", slip.plane.base},
+                          {"dip", slip.plane.dip},
+                          {"yield_coefficient", slip.yield},
+                          {"newmark_slip", slip.newmark},
+                          {"slip", slip.simulated}});
+    return planes;
+}
+
+Json energy_json(const Energy& e) {
+    return {{"kinetic", e.kinetic},           {"strain", e.strain},
+            {"contact", e.contact},           {"constraint", e.constraint},
+            {"gravity", e.gravity},           {"friction_loss", e.friction_loss},
+            {"damping_loss", e.damping_loss}, {"numerical_loss", e.numerical_loss},
+            {"released", e.released},         {"boundary_loss", e.boundary_loss},
+            {"excavated", e.excavated},       {"external_work", e.external_work},
+            {"residual", e.residual()}};
+}
+
+/// The bracket that the trials leave, null where none stood or none failed, and the trials.
+Json factor_of_safety(const std::vector<ReductionTrial>& trials) {
+    Json stands, fails;
+    Json list = Json::array();
+    for (const ReductionTrial& trial : trials) {
+        Json& bound = trial.stands ? stands : fails;
+        const bool tighter = bound.is_null() || (trial.stands ? trial.factor > bound.get<double>()
+                                                              : trial.factor < bound.get<double>());
+        if (tighter) bound = trial.factor;
+        list.push_back({{"factor", trial.factor},
+                        {"stands", trial.stands},
+                        {"steps", trial.steps},
+                        {"unbalanced_force", trial.unbalanced_force},
+                        {"displacement", trial.displacement}});
+    }
+    return {{"stands", stands}, {"fails", fails}, {"trials", list}};
+}
+
+Json contact_json(const Model& model, const Contact& contact) {
+    return {{"corner_block", contact.corner_block},
+            {"edge_block", contact.edge_block},
+            {"at", pair(contact.point + model.origin)},
+            {"joint_material", model.joint_material_at(contact.joint_material).name},
+            {"normal_force", contact.normal_force},
+            {"shear_force", contact.shear_force},
+            {"gap", contact.gap}};
+}
+
+}  // namespace
+
+std::vector<InputFile> hash_files(const std::vector<std::filesystem::path>& files) {
+    std::vector<InputFile> inputs;
+    for (const std::filesystem::path& file : files)
+        inputs.push_back({file.string(), sha256(read_text_file(file))});
+    return inputs;
+}
+
+std::string summary_text(const Model& model, const std::vector<Stage>& stages, const State& state,
+                         const RunOutcome& outcome, const Results& results, const std::string& version,
+                         const std::vector<InputFile>& inputs) {
+    Json json;
+    json["status"] = status_name(outcome.status);
+    json["message"] = outcome.message;
+    if (outcome.worst_contact) json["worst_contact"] = contact_json(model, *outcome.worst_contact);
+    json["stage"] = stages[static_cast<std::size_t>(results.state().stage)].name;
+    json["time"] = state.time;
+    json["steps"] = state.step_count;
+    json["wall_time"] = results.wall_time();
+    json["blocks"] = model.block_count();
+    json["contacts"] = contact_counts(state);
+    json["fallbacks"] = results.state().fallbacks;
+    json["largest_dilation_left"] = results.state().remaining_dilation;
+    json["farthest_block"] = farthest_block(model, state);
+    if (results.reference()) json["reference"] = results.points()[*results.reference()].name;
+    json["points"] = peaks_json(results, model, state);
+    if (state.dynamic_time > 0) {
+        json["first_slip"] = slips_json(results.state().first_slips);
+        json["blocks_on_planes"] = planes_json(plane_slips(model, stages, state, results));
+    }
+    json["energy"] = energy_json(state.energy);
+    if (!results.state().trials.empty()) json["factor_of_safety"] = factor_of_safety(results.state().trials);
+    json["units"] = "SI, per metre of thickness";
+    json["version"] = version;
+    json["inputs"] = Json::array();
+    for (const InputFile& input : inputs)
+        json["inputs"].push_back({{"file", input.path}, {"sha256", input.sha256}});
+    return json.dump(2) + "\n";
+}
+
+}  // namespace rockslope::dda

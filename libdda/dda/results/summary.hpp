@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "dda/analysis/run.hpp"
+#include "dda/results/results.hpp"
+
+namespace rockslope::dda {
+
+/// A file that a run was made from.
+struct InputFile {
+    std::string path;
+    std::string sha256;
+};
+
+/// Reads and hashes files. @throws InputError for one that cannot be read.
+std::vector<InputFile> hash_files(const std::vector<std::filesystem::path>& files);
+
+/// How a run ended, as JSON text: outcome, stages, peaks, energies, contacts, wall time, version and inputs.
+std::string summary_text(const Model& model, const std::vector<Stage>& stages, const State& state,
+                         const RunOutcome& outcome, const Results& results, const std::string& version,
+                         const std::vector<InputFile>& inputs);
+
+}  // namespace rockslope::dda

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace rockslope::dda {
+
+/// A row of a CSV file in the making.
+class CsvRow {
+  public:
+    explicit CsvRow(const std::filesystem::path& path) : path_(path) {}
+
+    CsvRow& text(std::string_view value);  ///< quoted where CSV asks for it
+    CsvRow& integer(std::int64_t value);
+    /// Shortest decimal that reads back to the same double. @throws OutputError when it is not finite, naming
+    /// `what`.
+    CsvRow& number(double value, std::string_view what);
+    std::string line() const { return line_ + '\n'; }
+
+  private:
+    CsvRow& field(std::string_view value);
+
+    const std::filesystem::path& path_;
+    std::string line_;
+    bool first_ = true;
+};
+
+/// A text file that grows by whole lines: each is on its way to the disk when append() returns, and a line
+/// that does not fit on the disk is taken back.
+class CsvFile {
+  public:
+    /// A new file, or with `resume_from` an old one cut to that many bytes. @throws OutputError.
+    CsvFile(std::filesystem::path path, std::optional<std::int64_t> resume_from);
+    ~CsvFile();
+    CsvFile(const CsvFile&) = delete;
+    CsvFile& operator=(const CsvFile&) = delete;
+
+    void append(std::string_view lines);
+    std::int64_t size() const { return size_; }
+    const std::filesystem::path& path() const { return path_; }
+    CsvRow row() const { return CsvRow(path_); }
+
+  private:
+    [[noreturn]] void fail(const std::string& what, int reason) const;
+
+    std::filesystem::path path_;
+    int descriptor_ = -1;
+    std::int64_t size_ = 0;
+};
+
+}  // namespace rockslope::dda

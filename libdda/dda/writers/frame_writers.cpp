@@ -1,0 +1,96 @@
+#include <functional>
+
+#include "common/base/output_error.hpp"
+#include "dda/writers/frame_data.hpp"
+#include "dda/writers/result_writer.hpp"
+
+namespace rockslope::dda {
+
+namespace {
+
+/// Single precision holds a model's own coordinates to micrometres, and those of a national grid to half a
+/// metre.
+HdfType type_of_points(const Model& model) {
+    return model.origin.isZero(0) ? HdfType::f4 : HdfType::f8;
+}
+
+using FrameOf = std::function<GridFrame(const Model&, const State&)>;
+using MakeFile = std::function<VtkHdfFile(const std::filesystem::path&)>;
+
+std::vector<std::string> names_of(const std::vector<GridColumn>& columns) {
+    std::vector<std::string> names;
+    for (const GridColumn& column : columns) names.push_back(column.name);
+    return names;
+}
+
+/// The file of a resumed run: the frames up to the checkpoint are written anew, by the same calls as before,
+/// so that the bytes are those of a run that was never interrupted. The old file stays until they stand.
+VtkHdfFile resumed_file(const std::filesystem::path& path, const MakeFile& make,
+                        const std::vector<GridColumn>& columns, std::int64_t frames) {
+    const std::filesystem::path copy = path.string() + ".resumed";
+    try {
+        VtkHdfFile file = make(copy);
+        const VtkHdfReader old(path);
+        for (std::int64_t k = 0; k < frames; ++k) file.append(old.frame(k, names_of(columns)));
+        file.rename_to(path);
+        return file;
+    } catch (const OutputError&) {
+        std::error_code ignored;
+        std::filesystem::remove(copy, ignored);
+        throw;
+    }
+}
+
+class FrameWriter : public ResultWriter {
+  public:
+    FrameWriter(const WriterContext& context, const std::string& extension,
+                const std::vector<GridColumn>& columns, const MakeFile& make, FrameOf frame_of)
+        : model_(context.model),
+          frame_of_(std::move(frame_of)),
+          file_(context.resume_from ? resumed_file(context.folder / (context.name + extension), make, columns,
+                                                   *context.resume_from)
+                                    : make(context.folder / (context.name + extension))) {}
+
+    void frame(const State& state) override { file_.append(frame_of_(model_, state)); }
+    std::int64_t position() const override { return file_.frame_count(); }
+
+  private:
+    const Model& model_;
+    FrameOf frame_of_;
+    VtkHdfFile file_;
+};
+
+/// Frames that bring the cells of the blocks that are there.
+std::unique_ptr<ResultWriter> make_excavated_block_frames(const WriterContext& context) {
+    const MakeFile make = [&](const std::filesystem::path& path) {
+        return VtkHdfFile(path, block_columns(), type_of_points(context.model),
+                          static_cast<std::size_t>(context.model.block_count()));
+    };
+    return std::make_unique<FrameWriter>(
+        context, ".vtkhdf", block_columns(), make,
+        [cells = block_cells(context.model)](const Model& model, const State& state) {
+            return active_block_frame(model, state, cells);
+        });
+}
+
+}  // namespace
+
+std::unique_ptr<ResultWriter> make_block_frames(const WriterContext& context) {
+    if (!context.model.excavations.empty()) return make_excavated_block_frames(context);
+    const MakeFile make = [&](const std::filesystem::path& path) {
+        return VtkHdfFile(path, block_columns(), type_of_points(context.model), block_cells(context.model),
+                          context.model.vertices.size());
+    };
+    return std::make_unique<FrameWriter>(context, ".vtkhdf", block_columns(), make, block_frame);
+}
+
+std::unique_ptr<ResultWriter> make_joint_frames(const WriterContext& context) {
+    const MakeFile make = [&](const std::filesystem::path& path) {
+        // Blocks of a jointed mass touch about three neighbours each, with two contacts a joint.
+        return VtkHdfFile(path, contact_columns(), type_of_points(context.model),
+                          6 * static_cast<std::size_t>(context.model.block_count()) + 64);
+    };
+    return std::make_unique<FrameWriter>(context, ".joints.vtkhdf", contact_columns(), make, contact_frame);
+}
+
+}  // namespace rockslope::dda

@@ -1,0 +1,67 @@
+#include "dda/monitor/point_motion.hpp"
+#include "dda/writers/csv_file.hpp"
+#include "dda/writers/result_writer.hpp"
+
+namespace rockslope::dda {
+
+namespace {
+
+/// The motion of points, as it is or less that of one of them.
+class HistoryCsv : public ResultWriter {
+  public:
+    HistoryCsv(const WriterContext& context, const char* file, const std::string& relative_to)
+        : model_(context.model), file_(context.folder / file, context.resume_from) {
+        points_ = tracked_points(context.model);
+        if (const auto reference = find_point(points_, relative_to)) {
+            reference_ = points_[*reference];
+            points_.erase(points_.begin() + static_cast<std::ptrdiff_t>(*reference));
+        }
+        if (!context.resume_from) file_.append(heading());
+    }
+
+    void history(const State& state, const Stage& stage) override {
+        CsvRow row = file_.row();
+        row.number(state.time, "the time").text(stage.name);
+        const PointMotion of_reference = reference_ ? motion_of(model_, state, *reference_) : PointMotion{};
+        for (const TrackedPoint& point : points_) {
+            const PointMotion motion = relative(motion_of(model_, state, point), of_reference);
+            for (const Vec2& v : {motion.displacement, motion.velocity, motion.acceleration})
+                row.number(v.x(), "the motion of '" + point.name + "'")
+                    .number(v.y(), "the motion of '" + point.name + "'");
+        }
+        file_.append(row.line());
+    }
+    std::int64_t position() const override { return file_.size(); }
+
+  private:
+    static PointMotion relative(const PointMotion& point, const PointMotion& to) {
+        return {point.displacement - to.displacement, point.velocity - to.velocity,
+                point.acceleration - to.acceleration};
+    }
+    std::string heading() const {
+        CsvRow row = file_.row();
+        row.text("time (s)").text("stage");
+        for (const TrackedPoint& point : points_)
+            for (const char* quantity :
+                 {" ux (m)", " uy (m)", " vx (m/s)", " vy (m/s)", " ax (m/s2)", " ay (m/s2)"})
+                row.text((point.block >= 0 ? "prescribed " : "") + point.name + quantity);
+        return row.line();
+    }
+
+    const Model& model_;
+    std::vector<TrackedPoint> points_;
+    std::optional<TrackedPoint> reference_;
+    CsvFile file_;
+};
+
+}  // namespace
+
+std::unique_ptr<ResultWriter> make_history_csv(const WriterContext& context) {
+    return std::make_unique<HistoryCsv>(context, "history.csv", "");
+}
+
+std::unique_ptr<ResultWriter> make_relative_csv(const WriterContext& context) {
+    return std::make_unique<HistoryCsv>(context, "relative.csv", context.relative_to);
+}
+
+}  // namespace rockslope::dda

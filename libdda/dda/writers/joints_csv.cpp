@@ -1,0 +1,76 @@
+#include "dda/monitor/measured_joint.hpp"
+#include "dda/writers/csv_file.hpp"
+#include "dda/writers/result_writer.hpp"
+
+namespace rockslope::dda {
+
+namespace {
+
+constexpr const char* headings[] = {"displacement (m)",
+                                    "dilation (m)",
+                                    "shear stress (Pa)",
+                                    "normal stress (Pa)",
+                                    "strength (Pa)",
+                                    "slip (m)",
+                                    "state",
+                                    "stage",
+                                    "mobilised ratio",
+                                    "reversals",
+                                    "cycle"};
+
+const char* state_name(ContactState state) {
+    switch (state) {
+        case ContactState::open:
+            return "open";
+        case ContactState::sliding:
+            return "sliding";
+        case ContactState::locked:
+            return "locked";
+    }
+    return "";
+}
+
+class JointsCsv : public ResultWriter {
+  public:
+    explicit JointsCsv(const WriterContext& context)
+        : model_(context.model), file_(context.folder / "joints.csv", context.resume_from) {
+        if (!context.resume_from) file_.append(heading());
+    }
+
+    void history(const State& state, const Stage& stage) override {
+        CsvRow row = file_.row();
+        row.number(state.time, "the time").text(stage.name);
+        for (const MeasuredJoint& joint : model_.measured_joints) {
+            const JointReading reading = read_joint(model_, state, joint);
+            const std::string what = "the joint '" + joint.name + "'";
+            for (const double value : {reading.displacement, reading.dilation, reading.shear_stress,
+                                       reading.normal_stress, reading.strength, reading.slip})
+                row.number(value, what);
+            row.text(state_name(reading.state)).text(stage_name(reading.record.stage));
+            row.number(reading.record.mobilised_ratio, what);
+            row.integer(reading.record.reversals).integer(reading.record.cycle);
+        }
+        file_.append(row.line());
+    }
+    std::int64_t position() const override { return file_.size(); }
+
+  private:
+    std::string heading() const {
+        CsvRow row = file_.row();
+        row.text("time (s)").text("stage");
+        for (const MeasuredJoint& joint : model_.measured_joints)
+            for (const char* quantity : headings) row.text(joint.name + " " + quantity);
+        return row.line();
+    }
+
+    const Model& model_;
+    CsvFile file_;
+};
+
+}  // namespace
+
+std::unique_ptr<ResultWriter> make_joints_csv(const WriterContext& context) {
+    return std::make_unique<JointsCsv>(context);
+}
+
+}  // namespace rockslope::dda

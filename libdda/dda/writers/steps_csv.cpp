@@ -1,0 +1,76 @@
+#include "dda/writers/csv_file.hpp"
+#include "dda/writers/result_writer.hpp"
+
+namespace rockslope::dda {
+
+namespace {
+
+constexpr const char* headings[] = {"time (s)",
+                                    "stage",
+                                    "step (s)",
+                                    "iterations",
+                                    "factorizations",
+                                    "fallbacks",
+                                    "cuts",
+                                    "open",
+                                    "sliding",
+                                    "locked",
+                                    "largest penetration (m)",
+                                    "dilation left (m)",
+                                    "largest displacement (m)",
+                                    "unbalanced force (weight)",
+                                    "omega_contact dt",
+                                    "kinetic (J/m)",
+                                    "strain (J/m)",
+                                    "contact (J/m)",
+                                    "constraint (J/m)",
+                                    "gravity (J/m)",
+                                    "friction loss (J/m)",
+                                    "damping loss (J/m)",
+                                    "numerical loss (J/m)",
+                                    "released (J/m)",
+                                    "boundary loss (J/m)",
+                                    "excavated (J/m)",
+                                    "external work (J/m)",
+                                    "residual (J/m)"};
+
+class StepsCsv : public ResultWriter {
+  public:
+    explicit StepsCsv(const WriterContext& context)
+        : file_(context.folder / "steps.csv", context.resume_from) {
+        if (context.resume_from) return;
+        CsvRow row = file_.row();
+        for (const char* heading : headings) row.text(heading);
+        file_.append(row.line());
+    }
+
+    void step(const State& state, const Stage& stage, const StepReport& report) override {
+        const Energy& e = state.energy;
+        CsvRow row = file_.row();
+        row.number(report.time, "the time").text(stage.name).number(report.step, "the step");
+        for (const int count : {report.iterations, report.factorizations, report.fallbacks, report.cuts,
+                                report.open, report.sliding, report.locked})
+            row.integer(count);
+        for (const double value :
+             {report.largest_penetration, report.remaining_dilation, report.largest_displacement,
+              report.unbalanced_force, report.contact_frequency_step})
+            row.number(value, "a figure of the step");
+        for (const double value :
+             {e.kinetic, e.strain, e.contact, e.constraint, e.gravity, e.friction_loss, e.damping_loss,
+              e.numerical_loss, e.released, e.boundary_loss, e.excavated, e.external_work, e.residual()})
+            row.number(value, "an energy");
+        file_.append(row.line());
+    }
+    std::int64_t position() const override { return file_.size(); }
+
+  private:
+    CsvFile file_;
+};
+
+}  // namespace
+
+std::unique_ptr<ResultWriter> make_steps_csv(const WriterContext& context) {
+    return std::make_unique<StepsCsv>(context);
+}
+
+}  // namespace rockslope::dda

@@ -1,0 +1,2 @@
+#pragma once
+#include "blockgen/input/slope_model.hpp"

@@ -1,0 +1,2 @@
+#pragma once
+#include "blockgen/mesh/block_mesh.hpp"

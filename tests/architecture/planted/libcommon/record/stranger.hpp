@@ -1,0 +1,2 @@
+#pragma once
+#include "dda/base/types.hpp"

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "support/overlap.hpp"
+#include "support/scene.hpp"
+
+namespace rockslope::scene {
+
+/// Blocks on their way to each other.
+struct FlightSetup {
+    Scene scene;
+    std::vector<Vec6> velocity;  ///< per block
+    dda::Stage stage;
+};
+
+/// Watches a flight step by step: no block gets into another farther than its contacts say, energy does not
+/// grow, momentum stays where nothing but the blocks themselves acts.
+class FlightMonitor {
+  public:
+    /// @param max_residual how much the ledger may leave unexplained, over the largest kinetic energy.
+    explicit FlightMonitor(const FlightSetup& thrown, double max_residual = .01)
+        : sim_(thrown.scene), stage_(thrown.stage), max_residual_(max_residual) {
+        for (int b = 0; b < sim_.model.block_count(); ++b)
+            sim_.velocity(b) = thrown.velocity[static_cast<std::size_t>(b)];
+        sim_.restart_ledger();
+        energy_ = sim_.state.energy.stores();
+        kinetic_ = sim_.state.energy.kinetic;
+        momentum_ = momentum(sim_.state);
+        for (std::size_t b = 0; b < thrown.velocity.size(); ++b) {
+            scale_ += sim_.state.blocks.mass[b] * thrown.velocity[b].head<2>().norm();
+            isolated_ = isolated_ && sim_.model.motion[b] == dda::Motion::free;
+        }
+        isolated_ = isolated_ && sim_.model.gravity.isZero(0);
+        sim_.on_step = [this](const dda::State& state, const dda::StepReport& report) {
+            observe(state, report);
+        };
+    }
+    void run() {
+        const dda::RunOutcome outcome = sim_.run(stage_);
+        EXPECT_EQ(outcome.status, dda::RunStatus::completed) << outcome.message;
+    }
+    /// Closed contacts, summed over the steps.
+    int closed_contacts() const { return closed_contacts_; }
+    const Simulation& simulation() const { return sim_; }
+
+  private:
+    static Vec2 momentum(const dda::State& state) {
+        Vec2 sum = Vec2::Zero();
+        for (std::size_t b = 0; b < state.blocks.mass.size(); ++b)
+            sum += state.blocks.mass[b] * state.blocks.velocity[b].head<2>();
+        return sum;
+    }
+
+    void observe(const dda::State& state, const dda::StepReport& report) {
+        for (const dda::Contact& c : state.contacts.contacts)
+            closed_contacts_ += c.state != dda::ContactState::open;
+        check_overlaps(state, report);
+        // The equations are solved to the rounding of stiffness times displacement, 1e-16 and a few.
+        rounding_ += 1e-15 * sim_.model.normal_penalty * report.largest_displacement * report.step;
+        if (isolated_) {
+            ASSERT_LE((momentum(state) - momentum_).norm(), 1e-9 * scale_ + rounding_)
+                << "t = " << state.time;
+        }
+        kinetic_ = std::max(kinetic_, state.energy.kinetic);
+        ASSERT_LE(state.energy.stores(), energy_ + 1e-9 * kinetic_) << "t = " << state.time;
+        ASSERT_LE(std::abs(state.energy.residual()), max_residual_ * kinetic_) << "t = " << state.time;
+    }
+
+    void check_overlaps(const dda::State& state, const dda::StepReport& report) {
+        // Two corners on each other have one contact. Where it opens in a step, the other corner may still be
+        // as deep as the contact was before: it has no force, so that it gains no energy, and leaves.
+        const double depth = std::max(report.largest_penetration, depth_before_) + 2e-9;
+        depth_before_ = report.largest_penetration;
+        for (const Overlap& overlap : overlaps(sim_.model.topology, state.blocks.vertices)) {
+            const double rim =
+                std::min(perimeter(sim_.model.topology, state.blocks.vertices, overlap.first),
+                         perimeter(sim_.model.topology, state.blocks.vertices, overlap.second));
+            ASSERT_LE(overlap.area, depth * rim)
+                << "blocks " << overlap.first << " and " << overlap.second << ", t = " << state.time;
+        }
+    }
+
+    Simulation sim_;
+    dda::Stage stage_;
+    double max_residual_;
+    bool isolated_ = true;
+    int closed_contacts_ = 0;
+    double energy_ = 0;        ///< J, before
+    double kinetic_ = 0;       ///< J, the most so far
+    Vec2 momentum_{0, 0};      ///< kg m/s, before
+    double scale_ = 0;         ///< kg m/s, sum of the blocks' momenta without their directions
+    double rounding_ = 0;      ///< kg m/s, that the solutions so far may have cost
+    double depth_before_ = 0;  ///< m, largest penetration a step ago
+};
+
+}  // namespace rockslope::scene

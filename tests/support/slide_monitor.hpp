@@ -1,0 +1,145 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "support/overlap.hpp"
+#include "support/scene.hpp"
+
+namespace rockslope::scene {
+
+/// Watches a slide: what must hold at every step, and what is dearer to look at now and then.
+class SlideMonitor {
+  public:
+    SlideMonitor(const Scene& scene, int threads, int overlaps_every)
+        : sim_(scene, threads), overlaps_every_(overlaps_every), momentum_(momentum(sim_.state)) {
+        first_area_ = unstrained_area(sim_.state);
+        sim_.on_step = [this](const dda::State& state, const dda::StepReport& report) {
+            observe(state, report);
+        };
+    }
+    /// Prints a line each `period` of simulated time, s.
+    void print_every(double period) { period_ = next_ = period; }
+    void run(double duration) {
+        const dda::RunOutcome outcome = sim_.shake(duration, .005);
+        EXPECT_EQ(outcome.status, dda::RunStatus::completed) << outcome.message;
+        check_overlaps(sim_.state);
+    }
+
+    double deepest() const { return deepest_; }          ///< m, largest penetration
+    double deepest_overlap() const { return overlap_; }  ///< m, overlap beyond it over perimeter
+    double turned_away() const { return turned_away_; }  ///< sine: how far a face that bears is turned away
+    double area_change() const { return area_change_; }  ///< of the total, relative
+    double momentum_change() const { return unbalanced_; }  ///< kg m/s that no force explains
+    double momentum_moved() const { return moved_; }        ///< kg m/s, by the forces altogether
+    double lowest() const {
+        double lowest = 1e9;
+        for (std::size_t b = 1; b < sim_.state.blocks.moments.size(); ++b)
+            lowest = std::min(lowest, sim_.state.blocks.moments[b].centroid.y());
+        return lowest;
+    }
+    double mean_displacement() const {
+        double sum = 0;
+        for (int b = 1; b < sim_.model.block_count(); ++b) sum += sim_.moved(b).norm();
+        return sum / (sim_.model.block_count() - 1);
+    }
+
+  private:
+    static Vec2 momentum(const dda::State& state) {
+        Vec2 sum = Vec2::Zero();
+        for (std::size_t b = 1; b < state.blocks.mass.size(); ++b)
+            sum += state.blocks.mass[b] * state.blocks.velocity[b].head<2>();
+        return sum;
+    }
+
+    /// The total area without the strain that the stresses tell of, m2, Eq. (9).
+    double unstrained_area(const dda::State& state) const {
+        double sum = 0;
+        for (std::size_t b = 1; b < state.blocks.mass.size(); ++b) {
+            const auto& rock = sim_.model.material_of(static_cast<int>(b));
+            const dda::Vec3& stress = state.blocks.stress[b];
+            const double nu = rock.poissons_ratio;
+            const double strain = (1 + nu) * (1 - 2 * nu) / rock.youngs_modulus * (stress[0] + stress[1]);
+            sum += state.blocks.moments[b].area * std::exp(-strain);
+        }
+        return sum;
+    }
+
+    void observe(const dda::State& state, const dda::StepReport& report) {
+        deepest_ = std::max(deepest_, report.largest_penetration);
+        for (const dda::Contact& c : state.contacts.contacts)
+            turned_away_ = std::max(turned_away_, back_face_sine(c));
+        Vec2 force = Vec2::Zero();
+        for (std::size_t b = 1; b < state.blocks.mass.size(); ++b)
+            force += state.blocks.mass[b] * sim_.model.gravity;
+        for (const dda::Contact& c : state.contacts.contacts) {
+            if (c.edge_block == 0) force += c.normal_force * c.normal - c.shear_force * c.tangent;
+            if (c.corner_block == 0) force -= c.normal_force * c.normal - c.shear_force * c.tangent;
+        }
+        const Vec2 now = momentum(state);
+        unexplained_ += now - momentum_ - report.step * force;
+        unbalanced_ = std::max(unbalanced_, unexplained_.norm());
+        moved_ = std::max(moved_, now.norm());
+        momentum_ = now;
+        area_change_ = std::max(area_change_, std::abs(unstrained_area(state) / first_area_ - 1));
+        if (++steps_ % overlaps_every_ == 0) check_overlaps(state);
+        iterations_ += report.iterations;
+        cuts_ += report.cuts;
+        if (state.time >= next_) print_progress(state);
+    }
+
+    /// How far a corner's edges go back behind the face that bears it: the sine of the angle, at least 0.
+    double back_face_sine(const dda::Contact& contact) const {
+        if (contact.state == dda::ContactState::open) return 0;
+        const dda::Topology& topology = sim_.model.topology;
+        const auto at = [&](int k) { return sim_.state.blocks.vertices[static_cast<std::size_t>(k)]; };
+        double sine = 0;
+        const auto corner = static_cast<std::size_t>(contact.corner);
+        for (const int end : {topology.next[corner], topology.previous[corner]})
+            sine = std::max(sine, -(at(end) - at(contact.corner)).normalized().dot(contact.normal));
+        return sine;
+    }
+
+    void print_progress(const dda::State& state) {
+        const dda::Energy& energy = state.energy;
+        std::printf(
+            "%5.2f s: %d steps, %.1f iterations each, %d cuts, penetration %.3g m, overlap %.3g m, "
+            "momentum %.2g of %.3g, area %.2g; kinetic %.3g J, friction %.4g J, residual %.2g J\n",
+            state.time, steps_, double(iterations_) / steps_, cuts_, deepest_, overlap_, unbalanced_, moved_,
+            area_change_, energy.kinetic, energy.friction_loss, energy.residual());
+        std::fflush(stdout);
+        next_ += period_;
+    }
+
+    void check_overlaps(const dda::State& state) {
+        for (const Overlap& o : overlaps(sim_.model.topology, state.blocks.vertices)) {
+            const double rim = perimeter(sim_.model.topology, state.blocks.vertices, o.second);
+            overlap_ = std::max(overlap_, o.area / rim);
+        }
+    }
+
+    Simulation sim_;
+    int overlaps_every_;
+    Vec2 momentum_;
+    Vec2 unexplained_{0, 0};  ///< kg m/s, so far
+    double first_area_ = 0;
+    double deepest_ = 0, overlap_ = 0, turned_away_ = 0, area_change_ = 0, unbalanced_ = 0, moved_ = 0;
+    int steps_ = 0, cuts_ = 0;
+    long iterations_ = 0;
+    double period_ = 0, next_ = 1e9;  ///< s, of the lines that tell of the run
+};
+
+inline void expect_slide_invariants(const SlideMonitor& slide) {
+    EXPECT_LT(slide.deepest(), 1e-3) << "of blocks of 1 m";
+    EXPECT_LT(slide.deepest_overlap(), slide.deepest()) << "no block is in another farther than contacts say";
+    // A face turns by 3 degrees before it is let go, and a block by as much in a step.
+    EXPECT_LT(slide.turned_away(), .2) << "what bears a corner faces it";
+    EXPECT_LT(slide.area_change(), 1e-9) << "rounding of some thousand steps";
+    // The forces told are those of the laws; the motion's differ from them by up to a millionth of the
+    // largest when a step has converged.
+    EXPECT_LT(slide.momentum_change(), 1e-6 * slide.momentum_moved());
+    EXPECT_GT(slide.lowest(), 0) << "nobody is below the plane";
+}
+
+}  // namespace rockslope::scene

@@ -1,0 +1,34 @@
+#include "blockgen/noding/bucket_grid.hpp"
+
+#include <gtest/gtest.h>
+
+namespace rockslope::blockgen {
+namespace {
+
+/// Pairs of segments that share a bucket, counted once for each bucket, per segment: the work of looking for
+/// crossings.
+double pairs_per_segment(std::int64_t columns, std::int64_t spacing, std::int64_t length) {
+    std::vector<FineSegment> segments;
+    for (std::int64_t i = 0; i < columns; ++i)
+        for (std::int64_t j = 0; j < columns; ++j)
+            segments.push_back(
+                {{i * spacing, j * spacing}, {i * spacing + length, j * spacing + length / 3}});
+    const BucketGrid grid(segments, 1);
+    double pairs = 0;
+    for (std::size_t b = 0; b < grid.bucket_count(); ++b) {
+        const auto near = static_cast<double>(grid.segments_of(b).size());
+        pairs += near * (near - 1) / 2;
+    }
+    return pairs / static_cast<double>(segments.size());
+}
+
+// From cracks far apart to joints as long as they are apart: the work per segment is bounded, however many
+// there are.
+TEST(BucketGrid, WorkPerSegmentIsBounded) {
+    for (const std::int64_t columns : {30, 100, 300})
+        for (const std::int64_t length : {10, 1000, 10'000})
+            EXPECT_LT(pairs_per_segment(columns, 10'000, length), 30) << columns << ' ' << length;
+}
+
+}  // namespace
+}  // namespace rockslope::blockgen

@@ -1,0 +1,108 @@
+#include "blockgen/noding/link_chains.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+namespace rockslope::blockgen {
+namespace {
+
+constexpr double cell = 0x1p-5;  // coarse, so that much comes near something else
+
+NodedEdges random_network(unsigned seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> coordinate(0, 16);
+    std::vector<SourceSegment> segments;
+    for (int k = 0; k < 80; ++k) {
+        const Point a{coordinate(random), coordinate(random)}, b{coordinate(random), coordinate(random)};
+        segments.push_back({a, {a.x + 0.3 * (b.x - a.x), a.y + 0.3 * (b.y - a.y)}, k});
+    }
+    return node_joints(segments, cell);
+}
+
+std::vector<GridPoint> places(const SnappedChains& chains, std::size_t k) {
+    std::vector<GridPoint> result;
+    for (const std::int32_t c : chains.chain(k)) result.push_back(chains.cells[static_cast<std::size_t>(c)]);
+    return result;
+}
+
+/// Adds edges across a clean network, so that there is something to snap, and marks them.
+std::vector<char> spoil(NodedEdges& network, unsigned seed) {
+    std::mt19937 random(seed);
+    std::vector<char> changed(network.edges.size(), 0);
+    const auto vertex = [&] {
+        return static_cast<std::int32_t>(random() % static_cast<unsigned>(network.vertices.size()));
+    };
+    for (int k = 0; k < 6; ++k) {
+        const auto [a, b] = std::minmax({vertex(), vertex()});
+        if (a == b) continue;
+        network.edges.emplace_back(a, b);
+        changed.push_back(1);
+    }
+    return changed;
+}
+
+TEST(SnapRoundEdges, ALocalRoundDoesWhatARoundOfAllDoes) {
+    std::size_t spared = 0, bent = 0;
+    for (unsigned seed = 1; seed <= 40; ++seed) {
+        NodedEdges network = random_network(seed);
+        const std::vector<char> changed = spoil(network, seed);
+        const SnapRoundingPass all = snap_round_edges(network.vertices, network.edges, {});
+        const SnapRoundingPass local = snap_round_edges(network.vertices, network.edges, changed);
+        ASSERT_EQ(all.edges.size(), network.edges.size());
+        std::size_t next = 0;
+        for (std::size_t e = 0; e < network.edges.size(); ++e) {
+            if (next < local.edges.size() && local.edges[next] == static_cast<std::int32_t>(e)) {
+                ASSERT_EQ(places(local.chains, next++), places(all.chains, e)) << seed << ' ' << e;
+            } else {
+                ++spared;
+                ASSERT_EQ(all.chains.chain(e).size(), 2u) << seed << ' ' << e;
+            }
+            bent += all.chains.chain(e).size() != 2;
+        }
+    }
+    EXPECT_GT(spared, 1000u);  // or nothing was compared
+    EXPECT_GT(bent, 200u);
+}
+
+TEST(LinkChains, OfALocalRoundMakesTheNetworkOfARoundOfAll) {
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+        NodedEdges network = random_network(seed);
+        const std::vector<char> changed = spoil(network, seed);
+        LineSources along;
+        for (std::size_t e = 0; e < network.edges.size(); ++e) {
+            along.sources.push_back({static_cast<std::int32_t>(e), false});
+            along.first.push_back(static_cast<std::int32_t>(e + 1));
+        }
+        NodedEdges from_all, from_local;
+        const auto chains = [&](std::span<const char> marks) {
+            return chains_of_all_edges(snap_round_edges(network.vertices, network.edges, marks), network);
+        };
+        link_chains(chains({}), along, from_all);
+        link_chains(chains(changed), along, from_local);
+        EXPECT_EQ(from_all.vertices, from_local.vertices);
+        EXPECT_EQ(from_all.edges, from_local.edges);
+        EXPECT_EQ(from_all.sources, from_local.sources);
+        EXPECT_EQ(from_all.first_source, from_local.first_source);
+    }
+}
+
+TEST(LinkChains, EqualLinksBecomeOneEdgeAndCollapsedChainsAreDropped) {
+    SnappedChains chains;
+    chains.cells = {{0, 0}, {5, 0}, {9, 0}, {9, 9}};
+    chains.items = {0, 1, 2, 2, 1, 3};
+    chains.first = {0, 3, 5, 6};
+    NodedEdges network;
+    const std::vector<char> changed =
+        link_chains(chains, {{0, 1, 2, 3}, {{7, false}, {8, false}, {9, false}}}, network);
+    EXPECT_EQ(network.vertices, (std::vector<GridPoint>{{0, 0}, {5, 0}, {9, 0}}));
+    EXPECT_EQ(network.edges, (std::vector<std::pair<std::int32_t, std::int32_t>>{{0, 1}, {1, 2}}));
+    EXPECT_EQ(changed, (std::vector<char>{1, 1}));
+    ASSERT_EQ(network.sources_of(1).size(), 2u);
+    EXPECT_EQ(network.sources_of(1)[0], (EdgeSource{7, false}));
+    EXPECT_EQ(network.sources_of(1)[1], (EdgeSource{8, true}));
+}
+
+}  // namespace
+}  // namespace rockslope::blockgen

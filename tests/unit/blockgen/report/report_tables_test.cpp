@@ -1,0 +1,53 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "blockgen/picture/block_picture.hpp"
+#include "blockgen/picture/size_picture.hpp"
+#include "unit/blockgen/slopes.hpp"
+
+namespace rockslope::blockgen {
+namespace {
+
+using testing::HasSubstr;
+
+CutResult sample() {
+    SlopeModel model = rectangle(8, 4);
+    add_trace(model, {{-1, 2}, {9, 2}}, "bedding");
+    add_trace(model, {{2, -1}, {2, 2}}, "cross");
+    add_trace(model, {{30, -1}, {40, 2}}, "stray");
+    model.kinematics = KinematicScreen{std::numbers::pi / 6, {"bottom", "left", "right", "top"}};
+    return cut(model);
+}
+
+TEST(ReportTables, SayWhatTheJsonSays) {
+    const CutResult result = sample();
+    const std::string tables = report_tables(result.report), json = report_text(result.report);
+    EXPECT_THAT(tables, HasSubstr("number                    3\n"));
+    EXPECT_THAT(tables, HasSubstr("32 m2, which the blocks fill exactly"));
+    EXPECT_THAT(tables, HasSubstr("bedding                  1      10.00       8.00       0.00"));
+    EXPECT_THAT(tables, HasSubstr("1 abutments (Y)"));
+    EXPECT_THAT(tables, HasSubstr("enclosed                 3"));
+    EXPECT_THAT(tables, HasSubstr("1 trace of 'stray' lies outside the rock"));
+    EXPECT_THAT(json, HasSubstr("\"mean_corners\": 4.333"));
+    EXPECT_THAT(json, HasSubstr("\"aspect\""));
+    EXPECT_THAT(json, HasSubstr("\"enclosed\": 3"));
+}
+
+TEST(Pictures, OfSizesAndOfALayer) {
+    const BlockMesh mesh = sample().mesh;
+    const std::string sizes = draw_sizes(mesh).bytes(PictureFormat::svg);
+    EXPECT_EQ(sizes, draw_sizes(mesh).bytes(PictureFormat::svg));
+    EXPECT_GT(sizes.size(), 5000u);
+    EXPECT_LT(draw_sizes(BlockMesh{}).bytes(PictureFormat::svg).size(), sizes.size());
+    const std::string plain = draw_blocks(mesh).bytes(PictureFormat::svg);
+    BlockLayer layer{"title", {{"entry", {1, 0, 0}}}, {-1, -1, -1}};
+    const std::string with_legend = draw_blocks(mesh, layer).bytes(PictureFormat::svg);
+    EXPECT_NE(plain, with_legend);
+    layer.entry_of_block[1] = 0;
+    EXPECT_NE(with_legend, draw_blocks(mesh, layer).bytes(PictureFormat::svg));
+}
+
+}  // namespace
+}  // namespace rockslope::blockgen

@@ -1,0 +1,71 @@
+#include "common/base/atomic_file.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <string>
+
+#include "common/base/input_error.hpp"
+#include "common/base/output_error.hpp"
+#include "common/base/read_file.hpp"
+
+namespace rockslope {
+namespace {
+
+namespace fs = std::filesystem;
+
+class AtomicFile : public ::testing::Test {
+  protected:
+    void SetUp() override {
+        folder = fs::path(::testing::TempDir()) / ("atomic_file_" + std::to_string(::getpid()));
+        fs::create_directories(folder);
+    }
+    void TearDown() override { fs::remove_all(folder); }
+    std::size_t files_in_folder() const {
+        return static_cast<std::size_t>(
+            std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+    }
+    fs::path folder;
+};
+
+TEST_F(AtomicFile, HoldsTheBytesAndNothingElseIsLeft) {
+    const std::string bytes("a\0b\r\n", 5);
+    write_file_atomically(folder / "f", bytes);
+    EXPECT_EQ(read_text_file(folder / "f"), bytes);
+    write_file_atomically(folder / "f", "");
+    EXPECT_EQ(read_text_file(folder / "f"), "");
+    EXPECT_EQ(files_in_folder(), 1u);
+}
+
+TEST_F(AtomicFile, FailureKeepsTheOldFile) {
+    fs::create_directory(folder / "d");
+    fs::create_directory(folder / "d" / "inner");
+    EXPECT_THROW(write_file_atomically(folder / "d", "x"), OutputError);
+    EXPECT_EQ(files_in_folder(), 1u) << "the temporary file must go";
+    EXPECT_THROW(write_file_atomically(folder / "missing" / "f", "x"), OutputError);
+}
+
+TEST_F(AtomicFile, AFullDeviceIsNamed) {
+    try {
+        write_file_atomically("/dev/full", "x");
+        FAIL();
+    } catch (const OutputError& error) {
+        EXPECT_STREQ(error.what(), "/dev/full: cannot be written: No space left on device");
+    }
+}
+
+TEST_F(AtomicFile, UnreadablePathsAreInputErrors) {
+    EXPECT_THROW(read_text_file(folder), InputError);
+    try {
+        read_text_file(folder / "none");
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_EQ(std::string(error.what()),
+                  (folder / "none").string() +
+                      ": cannot be read: No such file or directory; expected a readable file");
+    }
+}
+
+}  // namespace
+}  // namespace rockslope

@@ -1,0 +1,86 @@
+#include "common/base/output_check.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+
+#include "common/base/input_error.hpp"
+
+namespace rockslope {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+template <class Action>
+std::string error_of(const Action& action) {
+    try {
+        action();
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+class OutputCheck : public testing::Test {
+  protected:
+    void SetUp() override {
+        fs::create_directories(folder / "sub");
+        std::ofstream(folder / "model.toml") << "x";
+        std::ofstream(folder / "record.csv") << "x";
+        fs::create_symlink(folder / "record.csv", folder / "link.csv");
+    }
+    void TearDown() override { fs::remove_all(folder); }
+
+    std::string error_for(const fs::path& file, const fs::path& created_later = {}) const {
+        return error_of([&] {
+            check_output(folder / file, {folder / "model.toml", folder / "record.csv"}, created_later);
+        });
+    }
+
+    const fs::path folder = fs::path(testing::TempDir()) / ("output_check_" + std::to_string(::getpid()));
+};
+
+TEST_F(OutputCheck, AcceptsWhatCanBeWritten) {
+    EXPECT_EQ(error_for("new.blocks"), "no error");
+    EXPECT_EQ(error_for("sub/new.blocks"), "no error");
+    EXPECT_EQ(error_of([] { check_output("/dev/null", {}); }), "no error");
+    EXPECT_EQ(error_for("later/run.d", folder / "later"), "no error") << "the program makes that folder";
+    EXPECT_EQ(error_of([&] { check_output_folder(folder / "later" / "still"); }), "no error");
+}
+
+TEST_F(OutputCheck, RefusesWhatCannotBeWritten) {
+    EXPECT_THAT(error_for("sub"), HasSubstr("this is a folder"));
+    EXPECT_THAT(error_for("later/run.d"), HasSubstr("no such folder"));
+    EXPECT_THAT(error_for("model.toml/run.d"), HasSubstr("no such folder"));
+    EXPECT_THAT(error_for(std::string(250, 'x')), HasSubstr("cannot be written: File name too long"));
+    EXPECT_THAT(error_of([&] { check_output_folder(folder / "model.toml"); }), HasSubstr("Not a directory"));
+    EXPECT_THAT(error_of([&] { check_output_folder(folder / "model.toml" / "out"); }),
+                HasSubstr("expected a folder for the results"));
+    if (::geteuid() == 0) return;  // who may write everywhere
+    fs::permissions(folder / "sub", fs::perms::owner_write, fs::perm_options::remove);
+    EXPECT_THAT(error_for("sub/new.blocks"), HasSubstr("Permission denied"));
+    EXPECT_THAT(error_of([&] { check_output_folder(folder / "sub" / "out"); }),
+                HasSubstr("Permission denied"));
+}
+
+TEST_F(OutputCheck, RefusesToOverwriteAnInputUnderAnyName) {
+    EXPECT_THAT(error_for("model.toml"), HasSubstr("overwrite the model file"));
+    EXPECT_THAT(error_for("sub/../model.toml"), HasSubstr("overwrite the model file"));
+    EXPECT_THAT(error_for("record.csv"), HasSubstr("overwrite the input file"));
+    EXPECT_THAT(error_for("link.csv"), HasSubstr("overwrite the input file"));
+}
+
+TEST_F(OutputCheck, RefusesTwoResultsOfOneName) {
+    const auto error_for_both = [&](const fs::path& a, const fs::path& b) {
+        return error_of([&] { check_distinct({a, {}, b, {}}); });
+    };
+    EXPECT_EQ(error_for_both("a.csv", "b.csv"), "no error");
+    EXPECT_THAT(error_for_both("a.csv", "./a.csv"), HasSubstr("two results of one name"));
+    EXPECT_THAT(error_for_both(folder / "sub" / ".." / "a", folder / "a"), HasSubstr("different names"));
+}
+
+}  // namespace
+}  // namespace rockslope

@@ -1,0 +1,158 @@
+#include "common/base/thread_pool.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <ctime>
+#include <functional>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+using namespace rockslope;
+
+namespace {
+
+
+class ThreadPoolSizes : public testing::TestWithParam<int> {};
+
+// Lengths on both sides of the one below which a loop stays in the calling thread, and not divisible by the
+// pool's size.
+TEST_P(ThreadPoolSizes, CallsEachIndexOnce) {
+    const ThreadPool pool(GetParam());
+    for (const std::size_t count : {0u, 1u, 7u, 511u, 512u, 513u, 10007u}) {
+        std::vector<int> visits(count, 0);
+        pool.parallel_for(count, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t k = begin; k < end; ++k) ++visits[k];
+        });
+        EXPECT_EQ(visits, std::vector<int>(count, 1)) << count << " indices, " << GetParam() << " threads";
+    }
+}
+
+TEST_P(ThreadPoolSizes, RethrowsAnExceptionInTheCaller) {
+    const ThreadPool pool(GetParam());
+    for (const std::size_t failing : {0u, 9999u}) {
+        const auto body = [&](std::size_t begin, std::size_t end) {
+            if (begin <= failing && failing < end)
+                throw std::runtime_error("index " + std::to_string(failing));
+        };
+        EXPECT_THROW(pool.parallel_for(10000, body), std::runtime_error);
+    }
+    std::atomic<int> sum = 0;
+    pool.parallel_for(10000,
+                      [&](std::size_t begin, std::size_t end) { sum += static_cast<int>(end - begin); });
+    EXPECT_EQ(sum, 10000) << "the crew works on after a failure";
+}
+
+TEST_P(ThreadPoolSizes, RunsEachTaskOnceWithItsThreadIndex) {
+    const ThreadPool pool(GetParam());
+    for (const std::size_t count : {0u, 1u, 2u, 5u, 300u}) {
+        std::vector<std::thread::id> by(count);
+        std::vector<std::size_t> thread(count, 99);
+        std::vector<int> visits(count, 0);
+        pool.parallel_for_dynamic(count, [&](std::size_t task, std::size_t t) {
+            ++visits[task];
+            thread[task] = t;
+            by[task] = std::this_thread::get_id();
+        });
+        EXPECT_EQ(visits, std::vector<int>(count, 1));
+        for (std::size_t a = 0; a < count; ++a) {
+            EXPECT_LT(thread[a], static_cast<std::size_t>(pool.size()));
+            for (std::size_t b = 0; b < a; ++b) EXPECT_TRUE(thread[a] != thread[b] || by[a] == by[b]);
+        }
+    }
+}
+
+TEST_P(ThreadPoolSizes, RethrowsATasksExceptionInTheCaller) {
+    const ThreadPool pool(GetParam());
+    const auto fail = [](std::size_t task, std::size_t) {
+        if (task == 3) throw std::runtime_error("task 3");
+    };
+    EXPECT_THROW(pool.parallel_for_dynamic(20, fail), std::runtime_error);
+}
+INSTANTIATE_TEST_SUITE_P(Threads, ThreadPoolSizes, testing::Values(1, 2, 3, 5),
+                         testing::PrintToStringParamName());
+
+TEST(ThreadPool, HasAtLeastOneThread) {
+    EXPECT_EQ(ThreadPool(0).size(), 1);
+    EXPECT_EQ(ThreadPool(-10).size(), 1);
+    EXPECT_EQ(ThreadPool(2).size(), 2);
+}
+
+/// Waits until both of a pool's two threads are in the same loop.
+class Rendezvous {
+  public:
+    void arrive() {
+        ++here_;
+        const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+        while (here_ < 2 && std::chrono::steady_clock::now() < end) std::this_thread::yield();
+    }
+    bool is_complete() const { return here_ == 2; }
+
+  private:
+    std::atomic<int> here_ = 0;
+};
+
+TEST(ThreadPool, SplitsLongLoopsAmongThreads) {
+    const ThreadPool pool(2);
+    Rendezvous rendezvous;
+    pool.parallel_for(10000, [&](std::size_t, std::size_t) { rendezvous.arrive(); });
+    EXPECT_TRUE(rendezvous.is_complete());
+}
+
+TEST(ThreadPool, WakesSleepingThreads) {
+    const ThreadPool pool(2);
+    for (const int idle_ms : {0, 1, 20}) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(idle_ms));
+        Rendezvous rendezvous;
+        pool.parallel_for_dynamic(2, [&](std::size_t, std::size_t) { rendezvous.arrive(); });
+        EXPECT_TRUE(rendezvous.is_complete()) << "after " << idle_ms << " ms";
+    }
+}
+
+// Other threads of the process, a BLAS library's, may take a while until they sleep, too.
+TEST(ThreadPool, IdleThreadsSleep) {
+    const ThreadPool pool(2);
+    pool.parallel_for_dynamic(2, [](std::size_t, std::size_t) {});
+    double busy = 1;  // share of a tenth of a second, of the whole process
+    for (int attempt = 0; attempt < 20 && busy > 0.2; ++attempt) {
+        const std::clock_t before = std::clock();
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        busy = 10 * static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
+    }
+    EXPECT_LE(busy, 0.2);
+}
+
+// Many short loops one after the other, so that helpers come early, late and not at all.
+TEST(ThreadPool, RunsEveryTaskExactlyOnce) {
+    const ThreadPool pool(3);
+    for (int round = 0; round < 20000; ++round) {
+        std::array<int, 5> visits{};
+        pool.parallel_for_dynamic(visits.size(), [&](std::size_t k, std::size_t) { ++visits[k]; });
+        ASSERT_EQ(visits, (std::array{1, 1, 1, 1, 1})) << "round " << round;
+    }
+}
+
+TEST(ThreadPool, ReducesAlikeWithAnyNumberOfThreads) {
+    for (const std::size_t count : {0u, 1u, 63u, 64u, 65u, 4096u, 4097u, 100003u}) {
+        const auto sum = [&](int threads) {
+            return ThreadPool(threads).parallel_reduce(
+                count, 0.5,
+                [](std::size_t begin, std::size_t end) {
+                    double chunk = 0;
+                    for (std::size_t k = begin; k < end; ++k) chunk += 1 / static_cast<double>(k + 1);
+                    return chunk;
+                },
+                std::plus<>());
+        };
+        const double alone = sum(1);
+        double expected = 0.5;
+        for (std::size_t k = 0; k < count; ++k) expected += 1 / static_cast<double>(k + 1);
+        EXPECT_NEAR(alone, expected, 1e-12 * expected) << count;
+        for (const int threads : {2, 3, 5}) EXPECT_EQ(sum(threads), alone) << count << ", " << threads;
+    }
+}
+
+}  // namespace

@@ -1,0 +1,187 @@
+// Runs that stop and go on from their checkpoint.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "common/base/read_file.hpp"
+#include "common/base/text.hpp"
+#include "dda/analysis/step.hpp"
+#include "dda/checkpoint/state_archive.hpp"
+#include "dda/results/block_table.hpp"
+#include "unit/dda/results/run_in_a_folder.hpp"
+#include "support/walls.hpp"
+
+namespace rockslope::dda {
+namespace {
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+using ContinuedRun = RunInAFolder;
+
+TEST_F(ContinuedRun, EndsInTheSameBytes) {
+    simulate("whole");
+    // Stops in the settling, early and late in the shaking, and in its last step.
+    const auto steps = static_cast<int>(lines_of(folder / "whole" / "steps.csv").size()) - 1;
+    for (const int stop : {1, steps / 2, steps - 20, steps}) {
+        const std::string name = "stopped" + std::to_string(stop);
+        EXPECT_EQ(stop_and_resume(name, stop).status, RunStatus::completed) << stop;
+        expect_same_files(name, "whole");
+    }
+}
+
+TEST_F(ContinuedRun, RestoresExcavatedBlocks) {
+    blockgen::BlockMesh mesh = io_test::two_block_mesh();
+    const auto first = static_cast<std::int32_t>(mesh.vertices.size());
+    mesh.vertices.insert(mesh.vertices.end(), {{.1, 1}, {.9, 1}, {.9, 1.5}, {.1, 1.5}});
+    mesh.begin_block(0);
+    mesh.add_ring(std::vector<std::int32_t>{first, first + 1, first + 2, first + 3},
+                  std::vector<blockgen::EdgeMark>(4));
+    mesh.excavations = {{"bench", 2, {2}}};
+    blockgen::write_block_file(folder / "two.blocks", mesh);
+    input = read_run(folder / "run.toml");
+    ASSERT_EQ(input.model.excavations.size(), 1u);
+    simulate("whole");
+    const VtkHdfReader frames = frames_of("whole");
+    const auto blocks_in = [&](std::int64_t k) { return frames.frame(k, {"block"}).columns[0].size(); };
+    EXPECT_EQ(blocks_in(0), 3u) << "before the stages";
+    EXPECT_EQ(blocks_in(frames.frame_count() - 1), 2u) << "taken out when the shaking began";
+    // Stops before and after the block is gone, right after it went, and in the last step.
+    const auto lines = lines_of(folder / "whole" / "steps.csv");
+    const auto settled = static_cast<int>(std::count_if(
+        lines.begin(), lines.end(), [](const auto& l) { return l.find("settle") != std::string::npos; }));
+    const auto steps = static_cast<int>(lines.size()) - 1;
+    ASSERT_GT(settled, 1);
+    ASSERT_GT(steps, settled + 2);
+    for (const int stop : {1, settled, settled + 1, (settled + steps) / 2, steps}) {
+        const std::string name = "stopped" + std::to_string(stop);
+        EXPECT_EQ(stop_and_resume(name, stop).status, RunStatus::completed) << stop;
+        expect_same_files(name, "whole");
+    }
+}
+
+TEST_F(ContinuedRun, CountsOnToTheStepLimit) {
+    input.stages[0].tolerance = 1e-300;
+    input.stages[0].step_limit = 40;
+    const RunOutcome whole = simulate("whole");
+    ASSERT_EQ(whole.status, RunStatus::not_settled);
+    ASSERT_EQ(lines_of(folder / "whole" / "steps.csv").size(), 1 + 40u);
+    for (const int stop : {1, 25, 39}) {
+        const std::string name = "stopped" + std::to_string(stop);
+        const RunOutcome outcome = stop_and_resume(name, stop);
+        EXPECT_EQ(outcome.status, RunStatus::not_settled) << stop;
+        EXPECT_EQ(outcome.message, whole.message) << stop;
+        expect_same_files(name, "whole");
+    }
+    // The limit's own step leaves nothing to go on with.
+    int step = 0;
+    EXPECT_EQ(simulate("late", [&](const Progress&) { return ++step < 40; }).status, RunStatus::not_settled);
+}
+
+TEST_F(ContinuedRun, ListsEveryFrameOnceForOlderParaView) {
+    pvd = true;
+    simulate("whole");
+    const auto steps = static_cast<int>(lines_of(folder / "whole" / "steps.csv").size()) - 1;
+    EXPECT_EQ(stop_and_resume("stopped", steps / 2).status, RunStatus::completed);
+    const std::string list = read_text_file(folder / "stopped" / "run.pvd");
+    EXPECT_EQ(list, read_text_file(folder / "whole" / "run.pvd"));
+    const std::vector<double> times = frames_of("stopped").times();
+    std::size_t at = 0;
+    for (std::size_t k = 0; k < times.size(); ++k) {
+        const std::string file = "run." + std::to_string(k) + ".vtu";
+        const std::string entry = "timestep=\"" + shortest_text(times[k]) + "\" file=\"" + file + "\"";
+        at = list.find(entry, at);
+        ASSERT_NE(at, std::string::npos) << entry << " is missing or out of order";
+        EXPECT_EQ(read_text_file(folder / "stopped" / file), read_text_file(folder / "whole" / file));
+    }
+    EXPECT_EQ(std::count(list.begin(), list.end(), '\n'), static_cast<long>(times.size()) + 5);
+}
+
+TEST_F(ContinuedRun, RestoresFirstSlips) {
+    const auto table_of = [&](const std::string& name, int stop) {
+        fs::create_directories(folder / name);
+        int step = 0;
+        const ProgressFunction progress = [&](const Progress&) { return ++step < stop; };
+        State state = initial_state(input.model);
+        auto results = std::make_unique<Results>(input.model, input.stages, input.output,
+                                                 ResultsOptions{folder / name, false, "hash", progress});
+        if (run(input.model, input.stages, state, *results).status == RunStatus::stopped) {
+            const Checkpoint checkpoint = read_checkpoint(folder / name / "checkpoint.h5");
+            results = std::make_unique<Results>(
+                input.model, input.stages, input.output,
+                ResultsOptions{folder / name, false, "hash", [](const Progress&) { return true; }},
+                &checkpoint);
+            state = checkpoint.state;
+            run(input.model, input.stages, state, *results, {1, checkpoint.results.stage, true});
+        }
+        return block_table(input.model, state, *results,
+                           plane_slips(input.model, input.stages, state, *results), "blocks.csv");
+    };
+    const std::string whole = table_of("whole", 1'000'000);
+    const auto steps = static_cast<int>(lines_of(folder / "whole" / "steps.csv").size()) - 1;
+    EXPECT_EQ(table_of("stopped", steps - 30), whole);
+}
+
+// A joint that parts as it is sheared: the largest of the step log's column so far goes on with the run.
+TEST_F(ContinuedRun, RestoresTheLargestRemainingDilation) {
+    CyclicBartonBandis law;
+    law.barton = {8, 100e6, .3};
+    law.peak_displacement = 1e-3;
+    law.damage = 1;
+    const RoughnessTable rough = {{{0, 1}}};
+    law.cycles = {{rough, rough, rough, rough}};
+    for (JointMaterial& material : input.model.joint_materials) material.law = law;
+    int step = 0;
+    ASSERT_EQ(simulate("a", [&](const Progress&) { return ++step < 80; }).status, RunStatus::stopped);
+
+    const auto cell = [](const std::string& line, int column) {
+        std::istringstream cells(line);
+        std::string text;
+        for (int k = 0; k <= column; ++k) std::getline(cells, text, ',');
+        return text;
+    };
+    const auto log = lines_of(folder / "a" / "steps.csv");
+    int column = 0;
+    while (cell(log[0], column) != "dilation left (m)") ++column;
+    double largest = 0;
+    for (std::size_t k = 1; k < log.size(); ++k) largest = std::max(largest, std::stod(cell(log[k], column)));
+    EXPECT_GT(largest, 0);
+    EXPECT_EQ(read_checkpoint(folder / "a" / "checkpoint.h5").results.remaining_dilation, largest);
+}
+
+// What a stepper keeps from step to step, as its factor and the lists that it works on, leaves no trace in
+// the results: one that begins with a state's copy goes on with the same bytes. From some five hundred blocks
+// on the factor is in single precision and solutions are refined.
+TEST(ContinuedSteps, OfAWallWithARefinedFactorAreTheSameBytes) {
+    const Model model = scene::running_bond_wall(26, 24, 10).model;
+    Stage stage;
+    stage.control.force_tolerance = 1e-4;
+    const auto stepped = [&](TimeStepper& stepper, State state, int steps) {
+        for (int k = 0; k < steps; ++k) {
+            StepAttempt attempt = stepper.advance(stage, state, 0.005);
+            EXPECT_EQ(attempt.rejection, Rejection::none);
+            state = std::move(attempt.state);
+        }
+        return state;
+    };
+    TimeStepper whole(model, 1);
+    const State half = stepped(whole, initial_state(model), 3);
+    const StateArchive end = archive(stepped(whole, half, 4));
+    TimeStepper resumed(model, 1);
+    const StateArchive again = archive(stepped(resumed, restore(archive(half)), 4));
+    EXPECT_TRUE(again.reals == end.reals);
+    EXPECT_EQ(again.integers, end.integers);
+    EXPECT_EQ(again.bytes, end.bytes);
+}
+
+TEST_F(ContinuedRun, ACheckpointOfOtherContentIsRefused) {
+    folder.write("checkpoint.h5", "not HDF5");
+    EXPECT_THAT(io_test::error_of([&] { read_checkpoint(folder / "checkpoint.h5"); }),
+                HasSubstr("cannot be resumed from"));
+    EXPECT_THAT(io_test::error_of([&] { read_checkpoint(folder / "none.h5"); }),
+                HasSubstr("there is no checkpoint to resume from"));
+}
+
+}  // namespace
+}  // namespace rockslope::dda

@@ -1,0 +1,81 @@
+#include "dda/contact/inherited_penetration.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/scene.hpp"
+
+using namespace rockslope;
+
+namespace {
+
+using namespace scene;
+
+/// A block's lowest corner, 0.3 mm deep in a box's top, has slid 70 um past the box's end; the face that
+/// comes after it leans by some angle. The box's corner is behind that face now.
+struct SlidPast {
+    Scene s;
+    dda::Contact contact;
+
+    SlidPast(double lean_degrees, double inherited_penetration) {
+        s.box({-1, -1}, 1, 1);
+        const Vec2 corner(7e-5, -3e-4);
+        const double lean = radians(lean_degrees);
+        s.block({{corner, corner + Vec2(.5, 1), corner + Vec2(-std::cos(lean), std::sin(lean))}});
+        contact.corner = 4;
+        contact.corner_block = 1;
+        contact.edge = 2;
+        contact.edge_block = 0;
+        contact.normal = {0, 1};
+        contact.gap = -3e-4;
+        contact.inherited_penetration = inherited_penetration;
+    }
+    std::optional<double> depth() const {
+        return dda::penetration_accounted_for(s.model.topology, s.model.vertices, contact);
+    }
+};
+
+// In a slide one leant by 3.1 degrees, was not told of, and the steps went down to nanoseconds.
+TEST(InheritedPenetration, OfACornerPastTheEdgeEndIsThatOfTheEnd) {
+    for (const double lean : {0., 3.5, 30.}) {
+        const double depth = 3e-4 * std::cos(radians(lean)) - 7e-5 * std::sin(radians(lean));
+        EXPECT_NEAR(SlidPast(lean, 3e-4).depth().value_or(0), depth, 1e-15) << lean;
+    }
+}
+
+TEST(InheritedPenetration, IgnoresAFaceThatTurnsAway) {
+    EXPECT_EQ(SlidPast(60, 3e-4).depth(), std::nullopt);
+}
+
+TEST(InheritedPenetration, IsAtMostTwiceTheInheritedPenetration) {
+    EXPECT_EQ(SlidPast(3.5, 1e-4).depth(), std::nullopt);
+}
+
+// A joint that has contracted by 0.4 um lets its corners in that far, before it bears.
+TEST(InheritedPenetration, OfAContractedJointIsAtLeastItsContraction) {
+    Scene s;
+    s.box({0, 0}, 2, 1);
+    s.box({.5, 1 - 3e-7}, 1, 1);
+    dda::Contact contact;
+    contact.corner = 4;
+    contact.corner_block = 1;
+    contact.edge = 2;
+    contact.edge_block = 0;
+    contact.normal = {0, 1};
+    contact.dilation = -4e-7;
+    contact.gap = -3e-7 - contact.dilation;
+    const auto penetration = [&] {
+        return dda::InheritedPenetrations(s.model.topology, s.model.vertices, std::vector{contact}, 1e-3)
+            .in_block(4, 0);
+    };
+    EXPECT_DOUBLE_EQ(penetration(), 4e-7);
+    contact.inhibited = true;
+    EXPECT_EQ(penetration(), 0);
+}
+
+TEST(InheritedPenetration, IgnoresAnInhibitedContact) {
+    SlidPast slid(3.5, 3e-4);
+    slid.contact.inhibited = true;
+    EXPECT_EQ(slid.depth(), std::nullopt);
+}
+
+}  // namespace

@@ -1,0 +1,174 @@
+#include "dda/contact/undetected_penetration.hpp"
+
+#include <gtest/gtest.h>
+
+#include "dda/contact/candidates.hpp"
+#include "support/scene.hpp"
+
+using namespace rockslope;
+
+namespace {
+
+using namespace scene;
+using dda::Contact;
+using dda::UndetectedPenetration;
+
+constexpr double tolerance = 1e-9;
+constexpr double clip_depth = 1e-5;
+
+std::vector<UndetectedPenetration> undetected_penetrations(const Scene& s, const std::vector<Vec2>& moved,
+                                                           const std::vector<dda::CornerEdge>& candidates,
+                                                           const std::vector<Contact>& contacts) {
+    return dda::find_undetected_penetrations(s.model, s.model.vertices, moved, candidates, contacts, 1,
+                                             tolerance, clip_depth, ThreadPool(1));
+}
+
+/// A plate 2 cm thick, its upper face y = 0 edge 2; a block above it moves as told, corner by corner.
+class UndetectedPenetrations : public testing::Test {
+  protected:
+    UndetectedPenetrations() {
+        s.block({{{-1, -.02}, {1, -.02}, {1, 0}, {-1, 0}}});
+        s.block({{{0, .1}, {.2, .3}, {-.2, .3}}});
+    }
+    std::vector<UndetectedPenetration> after(const std::vector<Vec2>& block,
+                                             const std::vector<Contact>& contacts = {}) {
+        std::vector<Vec2> moved = s.model.vertices;
+        std::copy(block.begin(), block.end(), moved.begin() + 4);
+        return undetected_penetrations(s, moved, dda::find_candidates(s.model, s.model.vertices, 1),
+                                       contacts);
+    }
+    /// A closed contact of corner 4 with the plate's upper face.
+    static Contact contact(double depth) {
+        Contact c;
+        c.corner = 4;
+        c.edge = 2;
+        c.corner_block = 1;
+        c.edge_block = 0;
+        c.gap = -depth;
+        c.state = dda::ContactState::locked;
+        return c;
+    }
+    Scene s;
+};
+
+TEST_F(UndetectedPenetrations, NoneWhereTheCornerStaysOutside) {
+    EXPECT_TRUE(after({{0, 1e-12}, {.2, .2}, {-.2, .2}}).empty());
+    EXPECT_TRUE(after({{0, -.5 * tolerance}, {.2, .2}, {-.2, .2}}).empty()) << "by rounding";
+}
+
+TEST_F(UndetectedPenetrations, ACornerWithoutAContactIsFoundWithItsEdgeAndDepth) {
+    const auto found = after({{.1, -.005}, {.3, .2}, {-.1, .2}});
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].pair, (dda::CornerEdge{4, 2}));
+    EXPECT_NEAR(found[0].depth, .005, 1e-15);
+    EXPECT_FALSE(found[0].passed_through);
+}
+
+TEST_F(UndetectedPenetrations, AClosedContactAccountsForTwiceItsPenetration) {
+    const std::vector<Vec2> dipped = {{0, -.001}, {.2, .2}, {-.2, .2}};
+    EXPECT_TRUE(after(dipped, {contact(.001)}).empty());
+    EXPECT_TRUE(after(dipped, {contact(.0006)}).empty());
+    EXPECT_EQ(after(dipped, {contact(.0004)}).size(), 1U);
+    Contact open = contact(.001);
+    open.state = dda::ContactState::open;
+    EXPECT_EQ(after(dipped, {open}).size(), 1U);
+}
+
+TEST_F(UndetectedPenetrations, AContactAccountsForNoOtherCorner) {
+    const auto found = after({{0, -.001}, {.2, -.001}, {0, .2}}, {contact(.001)});
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].pair.corner, 5);
+}
+
+TEST_F(UndetectedPenetrations, ACornerOutsideAgainPassedThroughTheBlock) {
+    const auto found = after({{0, -.5}, {.2, .2}, {-.2, .2}});
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_TRUE(found[0].passed_through);
+    EXPECT_EQ(found[0].pair, (dda::CornerEdge{4, 2})) << "what it came in through";
+    EXPECT_NEAR(found[0].depth, .01, 1e-15) << "half-way through the plate";
+}
+
+// Two blocks flush with each other. The upper one's corner was past the lower one's by a fraction of a micron
+// and behind its face by less; now it is within, and deeper. Only the side face has been crossed, and it is
+// the nearer: but a corner that came from above cannot touch it.
+TEST_F(UndetectedPenetrations, ACornerThatSlidPastAnotherPenetratesTheFacingEdge) {
+    Scene flush;
+    flush.block({{{0, -1}, {1, -1}, {1, 0}, {0, 0}}});
+    flush.block({{{0, 0}, {1 + 2e-7, -2e-8}, {1, 1}, {0, 1}}});
+    std::vector<Vec2> moved = flush.model.vertices;
+    moved[5] = {1 - 6e-7, -2e-5};
+    const auto found =
+        undetected_penetrations(flush, moved, dda::find_candidates(flush.model, flush.model.vertices, 1), {});
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].pair, (dda::CornerEdge{5, 2})) << "its upper face, not its right one";
+}
+
+TEST_F(UndetectedPenetrations, ACornerThatEntersAndLeavesByOneEdgeIsNotReported) {
+    // The plate's middle swings up past the corner and back: the plate turns as it slides.
+    s.model.vertices[0] = {-1, -.12};
+    s.model.vertices[3] = {-1, -.1};
+    s.model.vertices[4] = {.5, -.02};
+    s.model.vertices[5] = {.7, .2};
+    s.model.vertices[6] = {.3, .2};
+    std::vector<Vec2> moved = s.model.vertices;
+    moved[0] = {-1, -.02};
+    moved[3] = {-1, 0};
+    moved[1] = {1, -.12};
+    moved[2] = {1, -.1};
+    moved[4] = {-.5, -.02};
+    moved[5] = {-.3, .2};
+    moved[6] = {-.7, .2};
+    const auto candidates = dda::find_candidates(s.model, s.model.vertices, 1);
+    EXPECT_TRUE(undetected_penetrations(s, moved, candidates, {}).empty());
+}
+
+TEST_F(UndetectedPenetrations, AShallowClipOfACornerIsNotReported) {
+    // Corner 4 goes past the plate's upper right corner (1, 0), from above it to beside it.
+    const auto past = [&](double clip) {
+        s.model.vertices[4] = {1 - clip, clip};
+        s.model.vertices[5] = {1.5, .5};
+        s.model.vertices[6] = {1, .5};
+        return after({{1 + clip, -3 * clip}, {1.5, .5}, {1, .5}});
+    };
+    EXPECT_TRUE(past(clip_depth / 10).empty());
+    const auto found = past(.001);
+    ASSERT_EQ(found.size(), 2U) << "each corner went through the other's block";
+    EXPECT_TRUE(found[0].passed_through);
+    EXPECT_TRUE(found[1].passed_through);
+}
+
+TEST_F(UndetectedPenetrations, ACornerThatWasInsideMayNotGetDeeper) {
+    s.model.vertices[4] = {0, -.001};
+    EXPECT_TRUE(after({{.1, -.001}, {.3, .2}, {-.1, .2}}).empty());
+    EXPECT_TRUE(after({{0, -.0005}, {.2, .2}, {-.2, .2}}).empty());
+    const auto found = after({{0, -.002}, {.2, .2}, {-.2, .2}});
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].pair, (dda::CornerEdge{4, 2})) << "the nearest edge";
+}
+
+TEST_F(UndetectedPenetrations, OfTwoEdgesCrossedTheCornerCameInThroughTheOneItCanTouch) {
+    // It crosses the lines of both the upper and the right face; at the end its rock lies to the right.
+    s.model.vertices[4] = {1.01, .0005};
+    s.model.vertices[5] = {1.5, -.005};
+    s.model.vertices[6] = {1.5, .005};
+    const auto found = after({{.99, -.005}, {1.5, -.01}, {1.5, 0}});
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].pair, (dda::CornerEdge{4, 1}));
+}
+
+TEST_F(UndetectedPenetrations, AWallOfAHoleIsLikeAnyOther) {
+    Scene holed;
+    holed.block({{{-2, -2}, {2, -2}, {2, 2}, {-2, 2}}, {{-1, -1}, {-1, 1}, {1, 1}, {1, -1}}});
+    holed.box({-.5, -.5}, 1, 1);
+    std::vector<Vec2> moved = holed.model.vertices;
+    for (std::size_t k = 8; k < 12; ++k) moved[k] += Vec2(.6, 0);
+    const auto candidates = dda::find_candidates(holed.model, holed.model.vertices, 1);
+    const auto found = undetected_penetrations(holed, moved, candidates, {});
+    ASSERT_EQ(found.size(), 2U) << "both right corners";
+    for (const UndetectedPenetration& penetration : found) {
+        EXPECT_NEAR(penetration.depth, .1, 1e-15);
+        EXPECT_EQ(penetration.pair.edge, 6) << "the hole's right side";
+    }
+}
+
+}  // namespace

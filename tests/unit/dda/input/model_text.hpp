@@ -1,0 +1,44 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "dda/input/read_run.hpp"
+#include "unit/dda/input/small_models.hpp"
+
+namespace rockslope::io_test {
+
+/// The reading of one model text and of what becomes of it when a part is replaced. The model is that of
+/// two_block_mesh(), in "two.blocks".
+class ModelTextTest : public ::testing::Test {
+  protected:
+    explicit ModelTextTest(std::string text) : text_(std::move(text)) {
+        blockgen::write_block_file(folder / "two.blocks", two_block_mesh());
+    }
+    dda::RunInput read(const std::string& text, dda::RunReadOptions options = {}) const {
+        return dda::read_run(folder.write("run.toml", text), options);
+    }
+    /// The text with `before`, which must be in it, replaced.
+    std::string changed(const std::string& before, const std::string& after) const {
+        std::string text = text_;
+        const std::size_t at = text.find(before);
+        EXPECT_NE(at, std::string::npos) << before;
+        return at == std::string::npos ? text : text.replace(at, before.size(), after);
+    }
+    /// The error of the changed text, without the folder's path.
+    std::string error_with(const std::string& before, const std::string& after) const {
+        std::string error = error_of([&] { read(changed(before, after)); });
+        const std::string prefix = folder.path().string() + "/";
+        for (std::size_t found; (found = error.find(prefix)) != std::string::npos;)
+            error.erase(found, prefix.size());
+        return error;
+    }
+
+    Folder folder;
+
+  private:
+    std::string text_;
+};
+
+}  // namespace rockslope::io_test

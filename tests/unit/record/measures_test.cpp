@@ -1,0 +1,70 @@
+#include "record/measures.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "record/baseline.hpp"
+
+namespace rockslope::record {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+Accelerogram sine(double amplitude, double frequency, double step, int samples) {
+    Accelerogram record{step, {}};
+    for (int k = 0; k < samples; ++k) {
+        record.values.push_back(amplitude * std::sin(2 * pi * frequency * step * k));
+    }
+    return record;
+}
+
+// A sin(wt) over whole cycles: v reaches 2 A / w, u drifts by A / w per second, the integral of a^2 is A^2 T
+// / 2. Linear interpolation of the sine costs (w dt)^2 / 12 = 3e-6 of each.
+TEST(Measures, OfASineAreItsIntegrals) {
+    const RecordMeasures measures = measure(sine(3, 1, 0.001, 4001));
+    EXPECT_NEAR(measures.peak_acceleration, 3, 1e-12);
+    EXPECT_NEAR(measures.peak_velocity, 3 / pi, 1e-5);
+    EXPECT_NEAR(measures.final_velocity, 0, 1e-9);
+    EXPECT_NEAR(measures.final_displacement, 4 * 3 / (2 * pi), 1e-4);
+    EXPECT_NEAR(measures.arias_intensity, pi / (2 * 9.80665) * 9 * 4 / 2, 1e-4);
+    EXPECT_NEAR(measures.significant_duration, 0.9 * 4, 0.1);
+    EXPECT_NEAR(measures.significant_duration_75, 0.7 * 4, 0.1);
+}
+
+TEST(Measures, OfASilentOrSingleSampleAreZero) {
+    for (const Accelerogram& record : {Accelerogram{0.01, {0}}, Accelerogram{0.01, {0, 0, 0}}}) {
+        const RecordMeasures measures = measure(record);
+        EXPECT_EQ(measures.peak_velocity, 0);
+        EXPECT_EQ(measures.arias_intensity, 0);
+        EXPECT_EQ(measures.significant_duration, 0);
+    }
+}
+
+// The sine above drifts by 1.9 m; afterwards it must not, and its ends must keep their values.
+TEST(CorrectBaseline, StopsTheGroundWhereItStarted) {
+    const Accelerogram before = sine(3, 1, 0.01, 401);
+    const Accelerogram after = correct_baseline(before);
+    const RecordMeasures measures = measure(after);
+    EXPECT_NEAR(measures.final_velocity, 0, 1e-13);
+    EXPECT_NEAR(measures.final_displacement, 0, 1e-13);
+    EXPECT_EQ(after.values.front(), before.values.front());
+    EXPECT_EQ(after.values.back(), before.values.back());
+}
+
+TEST(CorrectBaseline, LeavesAMotionAtRestAsItIs) {
+    const Accelerogram once = correct_baseline(sine(3, 1, 0.01, 401));
+    const Accelerogram twice = correct_baseline(once);
+    for (std::size_t k = 0; k < once.values.size(); ++k) {
+        EXPECT_NEAR(twice.values[k], once.values[k], 1e-12);
+    }
+}
+
+TEST(CorrectBaseline, RefusesTooFewSamples) {
+    EXPECT_THROW(correct_baseline({0.01, {}}), std::invalid_argument);
+    EXPECT_THROW(correct_baseline({0.01, {0, 1, 0}}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace rockslope::record
