@@ -1,4 +1,4 @@
-// Cutting beside GEOS, each in a process of its own so that its memory can be told: rows of CSV.
+// Compares cutting by blockgen and by GEOS, each in a separate process to measure its memory. Prints CSV.
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -23,31 +23,33 @@ namespace {
 using namespace blockgen;
 using peer::Family;
 
-struct Figures {
+/// Result that the child process sends to its parent.
+struct ChildResult {
     std::size_t blocks = 0;
-    double wall = 0;
+    double wall = 0;  ///< s
 };
 
-/// Sampling, cutting, proof, and the block file.
+/// Samples the joints, cuts, checks and writes the block file. @return the number of blocks.
 std::size_t cut_and_write(const SlopeModel& model, const std::string& file) {
     CutOptions options;
     options.max_blocks = 4'000'000;
-    const CutResult result = cut_blocks(model, peer::traces_across_rim(model), options);
+    const CutResult result = cut_blocks(model, peer::traces_across_boundary(model), options);
     write_block_file(file, result.mesh);
     return result.mesh.block_count();
 }
 
 std::size_t polygonize(const SlopeModel& model) {
-    return peer::geos_blocks(model.outline, peer::traces_across_rim(model)).size();
+    return peer::geos_blocks(model.outline, peer::traces_across_boundary(model)).size();
 }
 
-/// What one run of a route took.
+/// Time and memory of one run of a route (blockgen or GEOS).
 struct Sample {
     std::size_t blocks = 0;
-    double wall = 0, cpu = 0, bytes = 0;
+    double wall = 0, cpu = 0;  ///< s
+    double bytes = 0;          ///< peak memory
 };
 
-/// Runs one route in a child. @return nothing when it failed.
+/// Runs one route in a child process. @return nothing when it failed.
 std::optional<Sample> run_once(const std::string& route, Family family, double blocks,
                                const std::string& file) {
     int pipe_ends[2];
@@ -56,13 +58,13 @@ std::optional<Sample> run_once(const std::string& route, Family family, double b
     if (child == 0) {
         const SlopeModel model = peer::family_slope(family, blocks);
         const auto start = std::chrono::steady_clock::now();
-        Figures figures;
+        ChildResult figures;
         figures.blocks = route == "blockgen" ? cut_and_write(model, file) : polygonize(model);
         figures.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         _exit(write(pipe_ends[1], &figures, sizeof figures) == sizeof figures ? 0 : 1);
     }
     close(pipe_ends[1]);
-    Figures figures;
+    ChildResult figures;
     const bool complete = read(pipe_ends[0], &figures, sizeof figures) == sizeof figures;
     close(pipe_ends[0]);
     int status = 0;
@@ -96,8 +98,8 @@ void print_row(const std::string& route, Family family, double blocks, const std
     std::fflush(stdout);
 }
 
-/// The routes in turn, so that both meet the same load. GEOS takes so much longer that a million blocks are
-/// cut by it once. @return false when a run failed.
+/// Runs both routes alternately, so that both see the same load of the machine. GEOS cuts a million blocks
+/// only once, because it takes much longer. @return false when a run failed.
 bool measure(Family family, double blocks, double largest_of_geos, int repeats, const std::string& file) {
     std::vector<Sample> ours, peers;
     const int peer_repeats = blocks > largest_of_geos ? 0 : blocks >= 1e6 ? 1 : repeats;
@@ -120,8 +122,8 @@ bool measure(Family family, double blocks, double largest_of_geos, int repeats, 
 
 }  // namespace
 
-/// bench_cutting FILE [LARGEST [LARGEST_OF_GEOS [REPEATS]]]: 1e4 blocks and ten times as many each time;
-/// medians of the repeats.
+/// bench_cutting FILE [LARGEST [LARGEST_OF_GEOS [REPEATS]]]: cuts 1e4, 1e5, ... blocks and prints the medians
+/// of the repeats.
 int main(int argc, char** argv) {
     if (argc < 2) {
         std::fputs("bench_cutting SCRATCH.blocks [LARGEST [LARGEST_OF_GEOS [REPEATS]]]\n", stderr);

@@ -1,5 +1,5 @@
-// What a contact's joint law costs: its strength, asked for in every iteration, and the advance of its
-// history, once a step. Each law in the three situations of a step: pressed and not moved, moved and locked,
+// Times the joint laws of a contact: the strength, evaluated in each iteration, and the advance of the
+// history, once per step. Each law is timed for a compressed contact at rest, locked with a displacement, and
 // sliding.
 
 #include <benchmark/benchmark.h>
@@ -19,7 +19,7 @@ constexpr JointLoad load{1e5, 0.1, 1.5e8};
 
 struct Situation {
     const char* name;
-    double displacement;  ///< m, of the step
+    double displacement;  ///< shear displacement of the step, m
 };
 constexpr Situation situations[] = {{"rest", 0}, {"locked", -1e-6}, {"sliding", 1e-5}};
 
@@ -28,7 +28,7 @@ struct Candidate {
     JointLaw law;
 };
 
-/// Rough joints of rock in the second cycle, so that tables and wear are all in use.
+/// The joint laws; the cyclic ones are in their second cycle, so that tables and wear are in use.
 std::vector<Candidate> candidates() {
     dda::MohrCoulomb smooth;
     smooth.friction_angle = smooth.residual_friction_angle = 0.6;
@@ -46,10 +46,10 @@ std::vector<Candidate> candidates() {
     };
 }
 
-/// The joint after one cycle and on its way out again, sliding.
+/// The joint after one cycle, sliding forward again.
 ShearedJoint worn(const JointLaw& law) {
     ShearedJoint joint{dda::fresh_history(law, true)};
-    for (const double way : {5e-3, -8e-3, 6e-3}) joint = dda::shear(law, joint, way, load);
+    for (const double displacement : {5e-3, -8e-3, 6e-3}) joint = dda::shear(law, joint, displacement, load);
     return joint;
 }
 

@@ -16,12 +16,12 @@ constexpr const char* usage =
     "bench_scenes --wall COLUMNSxROWS [--step S] [--duration S] | --model RUN.toml --blocks FILE --out "
     "FOLDER\n"
     "    [--threads N] [--repeat N] [--commit NAME] [--no-heading]\n"
-    "Runs a scene N times and prints the median run as CSV, a row for each stage.\n";
+    "Runs a scene N times and prints the median run as CSV, one row per stage.\n";
 
 using bench::Options;
 using bench::read_number;
 
-/// s, the shortest step and duration that are taken for meant.
+/// Smallest allowed step and duration, s.
 constexpr double min_time = 1e-9;
 
 bench::Outcome run_once(const Options& options, int threads) {

@@ -7,10 +7,11 @@
 
 namespace rockslope::bench {
 
-/// By name with its dashes; a flag's value is "yes".
+/// Values by option name with its dashes; the value of a flag is "yes".
 using Options = std::map<std::string, std::string>;
 
-/// @param options the defaults. @throws std::invalid_argument for what is no option with a value.
+/// @param options the defaults. @throws std::invalid_argument for an argument that is not an option with a
+/// value.
 inline Options read_options(int argc, char** argv, Options options) {
     for (int i = 1; i < argc; ++i) {
         const std::string name = argv[i];
@@ -24,22 +25,22 @@ inline Options read_options(int argc, char** argv, Options options) {
     return options;
 }
 
-/// @throws std::invalid_argument for what is not a number or is below the least.
+/// @throws std::invalid_argument for a text that is not a number or is below `minimum`.
 template <class Number>
-Number read_number(const std::string& text, Number least) {
+Number read_number(const std::string& text, Number minimum) {
     Number value{};
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size() || !(value >= least))
+    if (error != std::errc{} || end != text.data() + text.size() || !(value >= minimum))
         throw std::invalid_argument(text);
     return value;
 }
 
-/// COLUMNSxROWS. @throws std::invalid_argument
 struct WallSize {
     int columns = 0;
     int rows = 0;
 };
 
+/// Reads COLUMNSxROWS. @throws std::invalid_argument
 inline WallSize read_wall_size(const std::string& text) {
     const std::size_t cross = text.find('x');
     if (cross == std::string::npos) throw std::invalid_argument(text);

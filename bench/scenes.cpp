@@ -10,14 +10,14 @@ namespace rockslope::bench {
 
 namespace {
 
-/// Runs the stages; with an observer that writes, its time counts too.
+/// Runs the stages. The time of the writing observer, if given, is included.
 std::vector<StageStatistics> timed(const dda::Model& model, const std::vector<dda::Stage>& stages,
                                    int threads, dda::RunObserver* writer) {
-    StageRecorder tally(writer);
+    StageRecorder recorder(writer);
     dda::State state = dda::initial_state(model);
-    const dda::RunOutcome outcome = dda::run(model, stages, state, tally, {threads, 0, false});
+    const dda::RunOutcome outcome = dda::run(model, stages, state, recorder, {threads, 0, false});
     if (outcome.status != dda::RunStatus::completed) throw std::runtime_error(outcome.message);
-    return tally.stages();
+    return recorder.stages();
 }
 
 }  // namespace

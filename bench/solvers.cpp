@@ -1,4 +1,4 @@
-// What the linear solvers take for the first step of running-bond walls: bench_solvers STEP PENALTY
+// Times the linear solvers on the first step of running-bond walls: bench_solvers STEP PENALTY
 // COLUMNSxROWS...
 
 #include <algorithm>
@@ -20,28 +20,28 @@ namespace {
 
 constexpr int repeats = 5;
 
-/// Of this thread, us.
+/// CPU time of this thread, us.
 double cpu_time() {
     timespec now{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
     return 1e6 * static_cast<double>(now.tv_sec) + 1e-3 * static_cast<double>(now.tv_nsec);
 }
 
-/// The least of several times that a call takes: others on the machine only ever add to it.
+/// Smallest CPU time of several calls, us; other load on the machine can only increase it.
 template <class Call>
 double min_time(const Call& call) {
-    double least = std::numeric_limits<double>::infinity();
+    double smallest = std::numeric_limits<double>::infinity();
     for (int k = 0; k < repeats; ++k) {
         const double start = cpu_time();
         call();
-        least = std::min(least, cpu_time() - start);
+        smallest = std::min(smallest, cpu_time() - start);
     }
-    return least;
+    return smallest;
 }
 
 struct Row {
     double analysis = 0, factor = 0, solution = 0;  ///< us
-    double bytes = 0;                               ///< 0 where it does not tell
+    double bytes = 0;                               ///< 0 when the solver does not report it
 };
 
 void print(const scene::StepSystem& system, const char* solver, const Row& row) {
@@ -65,7 +65,7 @@ Row cholmod(const scene::StepSystem& system) {
 
 template <class Scalar>
 Row multifrontal(const scene::StepSystem& system) {
-    const ThreadPool alone(1);
+    const ThreadPool one_thread(1);
     dda::MultifrontalFactor<Scalar> factor;
     Row row;
     std::vector<dda::Vec6> x;
@@ -73,7 +73,7 @@ Row multifrontal(const scene::StepSystem& system) {
     factor.analyze(system.pattern,
                    dda::find_supernodes(system.pattern, dda::fill_reducing_order(system.pattern)));
     row.analysis = cpu_time() - start;
-    row.factor = min_time([&] { factor.factorize(system.matrix, alone); });
+    row.factor = min_time([&] { factor.factorize(system.matrix, one_thread); });
     row.solution = min_time([&] { factor.solve(x = system.load); });
     const dda::SymbolicFactor& plan = factor.symbolic();
     row.bytes =

@@ -8,23 +8,23 @@
 
 namespace rockslope::bench {
 
-/// What one stage of a run took. Counts are of accepted steps, but iterations and factorizations include
-/// refused attempts.
+/// Statistics of one stage of a run. Steps and cuts count accepted steps; iterations and factorizations
+/// include rejected attempts.
 struct StageStatistics {
     std::string stage;
-    double step = 0;  ///< s, the largest allowed
+    double step = 0;  ///< s, the largest allowed step
     long long steps = 0;
     long long iterations = 0;
     long long factorizations = 0;
     long long cuts = 0;
     double wall_time = 0;     ///< s
-    double residual = 0;      ///< J/m, of the energy balance, at the stage's end, since the run's start
+    double residual = 0;      ///< J/m, residual of the energy balance since the start of the run
     double input_energy = 0;  ///< J/m, see `StageRecorder`
 };
 
-/// Counts a run stage by stage and hands everything on to another observer, if there is one.
-/// The input energy is the largest external work so far; in a run without external work, the largest gravity
-/// energy released.
+/// Records the statistics of a run by stages, and forwards all events to another observer, if there is one.
+/// The input energy is the largest external work so far or, in a run without external work, the largest
+/// gravity energy released.
 class StageRecorder : public dda::RunObserver {
   public:
     explicit StageRecorder(dda::RunObserver* next = nullptr) : next_(next) {}
@@ -48,8 +48,7 @@ class StageRecorder : public dda::RunObserver {
     double max_gravity_energy_ = 0;
 };
 
-/// Of several runs of the same scene the one whose total wall time is the median.
-/// @pre at least one run.
+/// The run with the median total wall time, of several runs of the same scene. @pre at least one run.
 std::vector<StageStatistics> median_run(std::vector<std::vector<StageStatistics>> runs);
 
 }  // namespace rockslope::bench

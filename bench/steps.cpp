@@ -1,5 +1,4 @@
-// What the phases of steps take: bench_steps --wall COLUMNSxROWS | --model RUN.toml --blocks FILE, see
-// `usage`.
+// Times the phases of steps: bench_steps --wall COLUMNSxROWS | --model RUN.toml --blocks FILE, see `usage`.
 
 #include <malloc.h>
 #include <sys/resource.h>
@@ -29,13 +28,12 @@ constexpr const char* usage =
     "bench_steps --wall COLUMNSxROWS [--penalty TIMES-E] | --model RUN.toml --blocks FILE [--name SCENE]\n"
     "    [--step S] [--steps N] [--warm N] [--iterations N] [--threads N]\n"
     "    [--solver multifrontal|refined|cholmod] [--no-heading]\n"
-    "Runs the model's stages but the last one to their ends, takes WARM steps of the last, then N that "
-    "count,\n"
-    "and prints what their phases took as CSV, in us per block and step: CPU time on one thread, wall time "
-    "on several. `at four` is what a step of four open-close\n"
-    "iterations takes: the phases of the iteration are scaled to four of them, the others are as measured.\n"
-    "With --iterations WARM steps are taken as after their first iteration; the next step's equations are\n"
-    "then iterated that often, N times over.\n";
+    "Runs all stages of the model except the last, then WARM steps of the last stage, then N timed steps.\n"
+    "Prints the times of their phases as CSV, in us per block and step: CPU time on one thread, wall time\n"
+    "on several. `at four` is the time of a step of four open-close iterations: the phases of the iteration\n"
+    "are scaled to four iterations, the other phases are as measured.\n"
+    "With --iterations, WARM steps are accepted after their first iteration; the equations of the next step\n"
+    "are then iterated that number of times. This is repeated N times.\n";
 
 using bench::Options;
 using bench::read_number;
@@ -61,7 +59,7 @@ struct Scene {
     std::string name;
     dda::Model model;
     dda::Stage stage;
-    std::vector<dda::Stage> before;  ///< run to their ends first
+    std::vector<dda::Stage> before;  ///< stages to run before the timed one
 };
 
 Scene wall(const Options& options) {
@@ -83,17 +81,17 @@ Scene slope(const Options& options) {
     return scene;
 }
 
-/// At the end of the stages before the one that is measured.
+/// The state at the start of the timed stage.
 dda::State prepared(const Scene& scene, int threads) {
     dda::State state = dda::initial_state(scene.model);
-    dda::RunObserver nobody;
-    const dda::RunOutcome outcome = dda::run(scene.model, scene.before, state, nobody, {threads});
+    dda::RunObserver no_observer;
+    const dda::RunOutcome outcome = dda::run(scene.model, scene.before, state, no_observer, {threads});
     if (outcome.status != dda::RunStatus::completed) throw std::runtime_error(outcome.message);
     dda::begin_stage(state);
     return state;
 }
 
-/// Means over the steps that count.
+/// Sums over the timed steps.
 struct Figures {
     int steps = 0;
     double iterations = 0;
@@ -101,8 +99,8 @@ struct Figures {
     double substitutions = 0;
     dda::PhaseTimes::Clock clock;
     dda::PhaseTimes times{clock};
-    double update = 0;      ///< s of updates that were not in `times`
-    double peak_bytes = 0;  ///< of the process, up to the last step that counts
+    double update = 0;      ///< s, updates that are not in `times`
+    double peak_bytes = 0;  ///< peak memory of the process up to the last timed step
 
     double seconds(Phase phase) const { return times.seconds(phase) + (phase == Phase::update ? update : 0); }
     double total() const {
@@ -119,16 +117,17 @@ struct Figures {
     }
 };
 
-/// The state after a step that is taken as after the first iteration.
+/// The state after a step that is accepted after its first iteration.
 dda::State step_without_tolerance(dda::TimeStepper& stepper, dda::Stage stage, const dda::State& state,
                                   double dt) {
     stage.control.force_tolerance = 1e300;
     dda::StepAttempt attempt = stepper.advance(stage, state, dt);
-    if (attempt.rejection != dda::Rejection::none) throw std::runtime_error("a step is refused");
+    if (attempt.rejection != dda::Rejection::none) throw std::runtime_error("a step is rejected");
     return std::move(attempt.state);
 }
 
-/// Times a step's equations, iterated so often; the update is that of a step taken after the first iteration.
+/// Times the given number of iterations of a step. The time of the update is that of a step accepted after
+/// its first iteration.
 void iterate(dda::TimeStepper& stepper, dda::Stage stage, const dda::State& state, double dt, int iterations,
              Figures& figures) {
     stage.control.iteration_limit = iterations;
@@ -139,12 +138,12 @@ void iterate(dda::TimeStepper& stepper, dda::Stage stage, const dda::State& stat
     figures.factorizations += attempt.report.factorizations;
     figures.substitutions += attempt.report.substitutions;
     if (attempt.rejection == dda::Rejection::none) return;
-    dda::PhaseTimes of_loose_step(figures.clock);
-    stepper.time_phases(&of_loose_step);
+    dda::PhaseTimes times_of_update(figures.clock);
+    stepper.time_phases(&times_of_update);
     const dda::State next = step_without_tolerance(stepper, stage, state, dt);
-    figures.update += of_loose_step.seconds(Phase::update);
+    figures.update += times_of_update.seconds(Phase::update);
     figures.peak_bytes = peak_bytes();
-    // Of the same step over again the factor would know too much: it is left with that of the next one.
+    // Repeating the same step would reuse its factor. One iteration of the next step replaces the factor.
     stepper.time_phases(nullptr);
     stage.control.iteration_limit = 1;
     stepper.advance(stage, next, dt);
@@ -168,19 +167,19 @@ Figures measure(const Scene& scene, const Options& options) {
             continue;
         }
         if (k == warm) stepper.time_phases(&figures.times);
-        const bool counts = k >= warm;
-        // A step that is refused is taken again at a third, as in a run, and costs what both cost.
+        const bool is_timed = k >= warm;
+        // A rejected step is repeated with a third of its size, as in a run; all attempts are timed.
         dda::StepAttempt attempt;
         for (double size = dt;; size /= 3) {
-            if (size < dt / 1000) throw std::runtime_error("step " + std::to_string(k) + " is refused");
+            if (size < dt / 1000) throw std::runtime_error("step " + std::to_string(k) + " is rejected");
             attempt = stepper.advance(scene.stage, state, size);
-            if (counts) figures.iterations += attempt.report.iterations;
-            if (counts) figures.factorizations += attempt.report.factorizations;
-            if (counts) figures.substitutions += attempt.report.substitutions;
+            if (is_timed) figures.iterations += attempt.report.iterations;
+            if (is_timed) figures.factorizations += attempt.report.factorizations;
+            if (is_timed) figures.substitutions += attempt.report.substitutions;
             if (attempt.rejection == dda::Rejection::none) break;
         }
         state = std::move(attempt.state);
-        if (counts) ++figures.steps;
+        if (is_timed) ++figures.steps;
         figures.peak_bytes = peak_bytes();
     }
     return figures;
@@ -210,7 +209,7 @@ void print(const Scene& scene, const Options& options, const Figures& f) {
 
 int main(int argc, char** argv) {
 #ifdef __GLIBC__
-    // As dda-run does.
+    // The same settings as dda-run: freed memory stays in the process.
     mallopt(M_MMAP_THRESHOLD, 32 << 20);
     mallopt(M_TRIM_THRESHOLD, 1 << 30);
 #endif

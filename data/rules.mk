@@ -1,4 +1,4 @@
-# The chain of an example: model files -> blocks -> run -> pictures. A folder's Makefile includes this file.
+# The rules of an example: model files -> blocks -> run -> pictures. The Makefile of each example includes this file.
 #
 #   slope.toml -> slope.blocks           blockgen    geometry: redone when the joints change
 #   run.toml, slope.blocks -> out/       dda-run     mechanics: redone when strengths, stages or the record change
@@ -8,7 +8,8 @@
 # make pictures       drawings              make run       only the analysis
 # make clean          removes all results   make RECORD=x  another accelerogram (PEER AT2 or two-column CSV)
 #
-# BIN is the folder of the programs, OUT that of the results. BLOCKGEN_FLAGS and RUN_FLAGS are handed on, e.g.
+# BIN is the folder of the programs, OUT the folder of the results. BLOCKGEN_FLAGS and RUN_FLAGS are passed to the
+# programs, e.g.
 #   make OUT=out-weak RUN_FLAGS="--set joint_material.bedding.friction_angle='28 deg'"
 
 BIN ?= ../../build/release/bin
@@ -30,7 +31,7 @@ slope.blocks: slope.toml $(wildcard $(BLOCKGEN))
 	$(BLOCKGEN) slope.toml -o $@ --depfile slope.blocks.d --picture $(PICTURES)/blocks.png --report slope.report.json \
 	    $(BLOCKGEN_FLAGS)
 
-# What changes the run without changing a file: its text changes when, and only when, the options do.
+# A file with the options of the run. It is rewritten only when the options change, so that make repeats the run.
 RUN_OPTIONS = $(if $(RECORD),--set 'stage[$(SHAKEN_STAGE)].base_motion.x.file="$(abspath $(RECORD))"') $(RUN_FLAGS)
 $(OUT)/options: force
 	@mkdir -p $(OUT)
@@ -38,7 +39,8 @@ $(OUT)/options: force
 quoted = '$(subst ','\'',$(1))'
 .PHONY: force
 
-# A failed analysis keeps its results, with a summary that says why, dated back so that the next make tries again.
+# A failed analysis keeps its results and a summary with the reason. The summary gets an old date, so that the next make
+# repeats the run.
 $(OUT)/summary.json: run.toml slope.blocks $(OUT)/options $(if $(RECORD),$(abspath $(RECORD))) $(wildcard $(DDA_RUN))
 	$(DDA_RUN) run.toml --blocks slope.blocks -o $(OUT) --depfile $(OUT)/summary.json.d $(RUN_OPTIONS) || \
 	    { code=$$?; touch -c -d 1980-01-01 $@; exit $$code; }

@@ -1,6 +1,6 @@
-# A direct shear test of blocks beside the joint by itself: what the folders of such tests add to rules.mk.
+# A direct shear test of blocks, compared with the joint law alone: additional rules of these examples.
 #
-#   run.toml, shear-test.toml -> law.toml        the joint's material, once
+#   run.toml, shear-test.toml -> law.toml        the joint material of run.toml, copied
 #   law.toml, out/joints.csv -> pictures/shear.png  joint-shear: the law as a line, the blocks as circles, the misfit
 JOINT_SHEAR ?= $(BIN)/joint-shear
 

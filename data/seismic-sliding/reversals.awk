@@ -1,4 +1,5 @@
-# Of a joints.csv: the slip back near 10 s of shaking, what the joint then bore, and where it all ended.
+# Reads a joints.csv. Prints the backward slip near 10 s of shaking, the shear stress of the joint then, the number of
+# changes of direction, and the slip at the end.
 $2 == "shake" {
     if (start == "") start = $1
     t = $1 - start

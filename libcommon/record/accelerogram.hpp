@@ -12,7 +12,7 @@ struct Accelerogram {
     double duration() const { return values.empty() ? 0 : step * static_cast<double>(values.size() - 1); }
 };
 
-/// Velocity and displacement that go with an accelerogram, at its instants, from rest at the first.
+/// Velocity and displacement of an accelerogram at its samples, from rest at the first one.
 struct GroundMotion {
     std::vector<double> velocity;      ///< m/s
     std::vector<double> displacement;  ///< m
@@ -21,7 +21,7 @@ struct GroundMotion {
 /// Integrates twice, exactly for an acceleration that is linear between samples.
 GroundMotion integrate(const Accelerogram& record);
 
-/// The largest absolute value; 0 of nothing.
+/// The largest absolute value; 0 if there is none.
 double largest_magnitude(const std::vector<double>& values);
 
 }  // namespace rockslope::record

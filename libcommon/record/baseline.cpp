@@ -39,12 +39,12 @@ Accelerogram correct_baseline(const Accelerogram& record) {
     effect << final_motion(constant), final_motion(linear);
     const Eigen::FullPivLU<Eigen::Matrix2d> inverse(effect);
 
-    // The second pass removes what rounding leaves of the first.
+    // The second pass removes the rounding error of the first.
     Accelerogram corrected = record;
     for (int pass = 0; pass < 2; ++pass) {
-        const Eigen::Vector2d share = inverse.solve(final_motion(corrected));
+        const Eigen::Vector2d coefficients = inverse.solve(final_motion(corrected));
         for (std::size_t k = 0; k < corrected.values.size(); ++k) {
-            corrected.values[k] -= share[0] * constant.values[k] + share[1] * linear.values[k];
+            corrected.values[k] -= coefficients[0] * constant.values[k] + coefficients[1] * linear.values[k];
         }
     }
     return corrected;

@@ -10,15 +10,14 @@ namespace rockslope::record {
 
 namespace {
 
-/// The section with the pole p and its conjugate, or the real pole p alone, in the z plane. The zeros are
-/// where the filter stops: z = 1 of a high pass, z = -1 of a low pass. Its gain is one where the filter
-/// passes.
+/// The section with a pole and its conjugate, or with one real pole, in the z plane. Its zeros are at z = 1
+/// for a high pass and at z = -1 for a low pass. Its gain is one at the other end of the spectrum.
 FilterSection section_of(std::complex<double> pole, bool is_pair, Pass pass) {
     const double zero = pass == Pass::high ? 1 : -1;
     FilterSection section;
     section.a1 = is_pair ? -2 * pole.real() : -pole.real();
     section.a2 = is_pair ? std::norm(pole) : 0;
-    const double passed = -zero;  // the z of the passed end
+    const double passed = -zero;  // z where the gain is one
     const double gain = (1 + section.a1 * passed + section.a2) /
                         (is_pair ? (passed - zero) * (passed - zero) : 1 - zero * passed);
     section.b0 = gain;
@@ -27,7 +26,7 @@ FilterSection section_of(std::complex<double> pole, bool is_pair, Pass pass) {
     return section;
 }
 
-/// The state of a section, as the transposed direct form keeps it.
+/// The state of a section in the transposed direct form II.
 using SectionState = std::array<double, 2>;
 
 /// The state in which a constant input of 1 gives a constant output.
@@ -39,7 +38,7 @@ SectionState steady_state(const FilterSection& s) {
 
 void run(const std::vector<FilterSection>& filter, std::vector<double>& signal) {
     if (signal.empty()) return;
-    double steady = signal.front();  // the constant that reaches each section
+    double steady = signal.front();  // steady input of the section
     for (const FilterSection& s : filter) {
         const SectionState unit = steady_state(s);
         SectionState state = {unit[0] * steady, unit[1] * steady};

@@ -1,7 +1,7 @@
-// COSMOS V1.20: for each time history some lines of text, integer header, real header, comments, then a line
-// such as
+// COSMOS V1.20 format: for each time history some lines of text, an integer header, a real header, comments,
+// and a line such as
 //   7000  acceleration pts, approx   70 secs, units=cm/sec2(04),Format=(8F10.5)
-// Every block states its layout; fields may touch.
+// before the samples. Every block states its layout. Fields may have no separators.
 
 #include "record/fixed_fields.hpp"
 #include "record/record_format.hpp"
@@ -12,7 +12,7 @@ namespace rockslope::record {
 namespace {
 
 constexpr std::size_t stage_number = 1, quantity_number = 2;  // among the integers, from 1
-constexpr std::size_t step_number = 62;                       // among the reals, from 1: ms, of these samples
+constexpr std::size_t step_number = 62;                       // among the reals, from 1: sample step, ms
 
 constexpr std::string_view integer_header = "integer-header values follow";
 constexpr std::string_view real_header = "real-header values follow";
@@ -53,7 +53,7 @@ FieldLayout layout_at(const RecordLines& lines, std::size_t line) {
     return *layout;
 }
 
-/// The numbers of the last header of that kind above a line.
+/// The numbers of the last header with `phrase` above a line.
 std::vector<double> header_above(const RecordLines& lines, std::size_t line, std::string_view phrase) {
     for (std::size_t i = line; i-- > 0;) {
         if (announcement_of(lines[i])) break;
@@ -88,12 +88,11 @@ Record read_cosmos(const RecordLines& lines, const RecordDeclaration& declaratio
     const std::vector<double> integers = header_above(lines, line, integer_header);
     const std::vector<double> reals = header_above(lines, line, real_header);
     if (header_number(integers, stage_number, lines, line) == 0 || announced.unit.starts_with("count"))
-        lines.fail(line, "the record is raw: counts that no instrument correction has turned into motion",
-                   "a V1 or V2 record");
+        lines.fail(line, "the record is raw: counts without instrument correction", "a V1 or V2 record");
     // 1, 2, 3 for acceleration, velocity, displacement
     const double quantity = header_number(integers, quantity_number, lines, line);
     if (quantity != 1 + static_cast<double>(announced.quantity))
-        lines.fail(line, "the integer header says otherwise than 'pts' what the samples are",
+        lines.fail(line, "the integer header and the line with 'pts' give different quantities",
                    "quantity 1, 2 or 3 for acceleration, velocity, displacement");
     Record record;
     record.dt = header_number(reals, step_number, lines, line) / 1000;

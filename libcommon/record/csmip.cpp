@@ -1,7 +1,7 @@
-// CSMIP/CDMG V2: for each channel a header, then acceleration, velocity and displacement, each behind a line
-// such as
+// CSMIP/CDMG V2 format: for each channel a header, then acceleration, velocity and displacement, each after a
+// line such as
 //   3251 points of accel data equally spaced at  .020 sec.  (units: cm/sec/sec)
-// in fields of ten characters, which may touch.
+// in fields of ten characters, possibly without separators.
 
 #include "record/fixed_fields.hpp"
 #include "record/record_format.hpp"

@@ -1,4 +1,4 @@
-// ESM and ITACA (.ASC): 64 lines "KEY: value", then one sample a line.
+// ESM and ITACA format (.ASC): 64 lines "KEY: value", then one sample per line.
 
 #include "common/base/text.hpp"
 #include "record/fixed_fields.hpp"
@@ -35,18 +35,19 @@ bool is_esm(const RecordLines& lines) {
 Record read_esm(const RecordLines& lines, const RecordDeclaration& declaration) {
     const HeaderValue ndata = header_value(lines, "NDATA");
     const auto count = field_count(ndata.text);
-    if (!count) lines.fail(ndata.line, "'" + std::string(ndata.text) + "' is no NDATA", "a whole number");
+    if (!count)
+        lines.fail(ndata.line, "'" + std::string(ndata.text) + "' is not a valid NDATA", "a whole number");
     check_count(*count, lines, ndata.line);
     const HeaderValue interval = header_value(lines, "SAMPLING_INTERVAL_S");
     const auto dt = field_number(interval.text);
     if (!dt)
-        lines.fail(interval.line, "'" + std::string(interval.text) + "' is no SAMPLING_INTERVAL_S",
+        lines.fail(interval.line, "'" + std::string(interval.text) + "' is not a valid SAMPLING_INTERVAL_S",
                    "a time in s");
     check_sampling(*dt, *count, lines, interval.line);
     const HeaderValue type = header_value(lines, "DATA_TYPE");
     const auto quantity = quantity_of_name(type.text);
     if (!quantity)
-        lines.fail(type.line, "'" + std::string(type.text) + "' is no time history",
+        lines.fail(type.line, "'" + std::string(type.text) + "' is not a time history",
                    "DATA_TYPE: ACCELERATION, VELOCITY or DISPLACEMENT");
     const HeaderValue unit = header_value(lines, "UNITS");
 

@@ -14,7 +14,7 @@ bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
 
-/// The whole number that begins at `at`, which moves behind it; at most three digits, as no layout has more.
+/// Reads a whole number of at most three digits at `at`, and moves `at` behind it.
 std::size_t small_number(std::string_view text, std::size_t& at) {
     std::size_t number = 0;
     for (int digits = 0; at < text.size() && is_digit(text[at]) && digits < 3; ++at, ++digits)
@@ -49,7 +49,7 @@ std::optional<std::size_t> field_count(std::string_view field) {
     const auto number = field_number(field);
     if (!number || *number < 0 || *number >= largest_count || *number != std::floor(*number))
         return std::nullopt;
-    return static_cast<std::size_t>(*number);
+    return *number;
 }
 
 std::vector<double> fixed_fields(const RecordLines& lines, std::size_t first, std::size_t count,
@@ -71,7 +71,7 @@ std::vector<double> fixed_fields(const RecordLines& lines, std::size_t first, st
             if (!value)
                 lines.fail(
                     index,
-                    is_blank(field) ? "a number is missing" : "'" + std::string(field) + "' is no number",
+                    is_blank(field) ? "a number is missing" : "'" + std::string(field) + "' is not a number",
                     "value " + std::to_string(values.size() + 1) + " of " + std::to_string(count) +
                         " of the " + what,
                     k * layout.width + 1);
@@ -79,7 +79,7 @@ std::vector<double> fixed_fields(const RecordLines& lines, std::size_t first, st
             rest.remove_prefix(field.size());
         }
         if (!is_blank(rest))
-            lines.fail(index, "the line goes on after the last number",
+            lines.fail(index, "there is text after the last number",
                        values.size() == count
                            ? "the end of the " + what + ", " + std::to_string(count) + " values"
                            : std::to_string(layout.per_line) + " numbers of " + std::to_string(layout.width) +
@@ -109,7 +109,7 @@ bool has_fixed_fields(const RecordLines& lines, std::size_t first, std::size_t c
 
 void check_count(std::size_t count, const RecordLines& lines, std::size_t index) {
     if (count < 2)
-        lines.fail(index, "the header promises " + std::to_string(count) + " values", "at least 2 values");
+        lines.fail(index, "the header states " + std::to_string(count) + " values", "at least 2 values");
 }
 
 }  // namespace rockslope::record

@@ -10,7 +10,8 @@
 
 namespace rockslope::record {
 
-/// A block of numbers as Fortran writes it: `per_line` fields of `width` characters, which may touch.
+/// Layout of a block of numbers written by Fortran: `per_line` fields of `width` characters, without
+/// separators.
 struct FieldLayout {
     std::size_t per_line = 0;
     std::size_t width = 0;
@@ -18,29 +19,29 @@ struct FieldLayout {
     std::size_t lines_of(std::size_t count) const { return (count + per_line - 1) / per_line; }
 };
 
-/// The layout that a line states, "(8F10.5)" or "(10I8)"; nothing when it states none.
+/// The layout stated in a line as "(8F10.5)" or "(10I8)"; nothing if there is none.
 std::optional<FieldLayout> stated_layout(std::string_view line);
 
-/// The finite number in a field, blanks around it allowed, a leading '+' too; nothing when there is none.
+/// The finite number in a field, with optional blanks around it and a leading '+'; nothing if there is none.
 std::optional<double> field_number(std::string_view field);
 
-/// The whole number from 0 in a field; nothing when there is none, or it is 10^9 or more.
+/// The whole number in a field, from 0 to below 10^9; nothing if there is none.
 std::optional<std::size_t> field_count(std::string_view field);
 
-/// Exactly `count` numbers from line `first` on.
-/// @param what names the numbers in messages: "value 5 of the acceleration".
-/// @throws InputError with line and column when the text ends too early, a field is no finite number, or a
-/// line goes on behind its last field.
+/// Reads exactly `count` numbers from line `first` on.
+/// @param what name of the numbers in messages: "value 5 of the acceleration".
+/// @throws InputError with line and column if the text ends too early, a field is not a finite number, or a
+/// line has text after its last field.
 std::vector<double> fixed_fields(const RecordLines& lines, std::size_t first, std::size_t count,
                                  FieldLayout layout, const std::string& what);
 
-/// Throws when line `index`, behind a block of `count` numbers, is a line of numbers: the count is wrong.
+/// @throws InputError if line `index`, the first after a block of `count` numbers, contains numbers.
 void expect_block_end(const RecordLines& lines, std::size_t index, std::size_t count);
 
-/// Whether the lines from `first` on hold `count` numbers in that layout.
+/// Whether the lines from `first` on contain `count` numbers in the layout.
 bool has_fixed_fields(const RecordLines& lines, std::size_t first, std::size_t count, FieldLayout layout);
 
-/// Throws at line `index` when a header's count is no record's: fewer than two samples.
+/// @throws InputError at line `index` if the count of a header is less than two samples.
 void check_count(std::size_t count, const RecordLines& lines, std::size_t index);
 
 }  // namespace rockslope::record

@@ -1,5 +1,5 @@
-// GeoNet V1A and V2A: components one behind the other, each with 16 lines of text, 40 integers (10I8), 60
-// reals (10F8) and its samples (10F8.1): acceleration, in V2A then velocity and displacement, in mm and s.
+// GeoNet V1A and V2A formats: components in sequence, each with 16 lines of text, 40 integers (10I8), 60
+// reals (10F8) and samples (10F8.1) in mm and s: acceleration, and in V2A also velocity and displacement.
 
 #include "common/base/text.hpp"
 #include "record/fixed_fields.hpp"
@@ -14,19 +14,20 @@ constexpr FieldLayout layout{10, 8};
 constexpr std::size_t text_lines = 16, integers_count = 40, reals_count = 60;
 constexpr std::size_t header_lines = text_lines + 4 + 6;
 
-/// Where the headers, counted from 1, hold the count of the n-th time history and the step of all.
+/// Numbers of the header entries, from 1: sample count of the first time history, and time step. In a
+/// corrected record the counts of the second and third time history follow.
 constexpr std::size_t raw_count = 31, corrected_count = 34, raw_step = 25, corrected_step = 26;
 
 constexpr const char* units[] = {"mm/s2", "mm/s", "mm"};  // in the order of Quantity
 
 struct TimeHistory {
-    StackedBlock block;     // its line is the component's first
-    std::size_t first = 0;  // index of the line of its first samples
+    StackedBlock block;     // its line is the first line of the component
+    std::size_t first = 0;  // index of the first line of samples
     std::size_t count = 0;
     double dt = 0;  // s
 };
 
-/// What line 10 of the text says, if it says "Number of points  5800".
+/// The count in line 10 of the text, "Number of points  5800", if it has this form.
 std::optional<std::size_t> points_in_words(std::string_view line) {
     const auto words = words_of(line);
     if (words.size() < 4 || words[0] != "Number" || words[2] != "points") return std::nullopt;
@@ -37,12 +38,12 @@ std::size_t header_count(const std::vector<double>& integers, std::size_t number
                          std::size_t start) {
     const std::size_t line = start + text_lines + (number - 1) / layout.per_line;
     const auto count = field_count(shortest_text(integers[number - 1]));
-    if (!count) lines.fail(line, "the header holds no number of points", "a whole number");
+    if (!count) lines.fail(line, "the header has no number of points", "a whole number");
     check_count(*count, lines, line);
     return *count;
 }
 
-/// Appends the time histories of the component that begins at line `start`; returns the line behind it.
+/// Appends the time histories of the component that begins at line `start`. @return the first line after it.
 std::size_t append_component(std::vector<TimeHistory>& histories, const RecordLines& lines,
                              std::size_t start) {
     const std::size_t integers_line = start + text_lines;
@@ -55,7 +56,7 @@ std::size_t append_component(std::vector<TimeHistory>& histories, const RecordLi
         const std::size_t count = header_count(integers, raw ? raw_count : corrected_count + k, lines, start);
         const auto in_words = points_in_words(lines[start + 9]);
         if (!raw && in_words && *in_words != count)
-            lines.fail(start + 9, "the text promises " + std::to_string(*in_words) + " points",
+            lines.fail(start + 9, "the text states " + std::to_string(*in_words) + " points",
                        std::to_string(count) + ", as the integer header says");
         check_sampling(dt, count, lines, start + text_lines + 6);
         histories.push_back({{start, static_cast<Quantity>(k)}, line, count, dt});

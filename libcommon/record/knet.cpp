@@ -1,4 +1,5 @@
-// K-NET and KiK-net of NIED: 17 header lines, their values from column 19 on, then counts, eight to a line.
+// K-NET and KiK-net format of NIED: 17 header lines with values from column 19 on, then counts, eight to a
+// line.
 
 #include <cmath>
 #include <numeric>
@@ -27,14 +28,14 @@ HeaderValue header_value(const RecordLines& lines, std::string_view key) {
     lines.fail(0, "the header has no '" + std::string(key) + "'", "a K-NET header of 17 lines");
 }
 
-/// A positive number, followed by `unit`.
+/// A positive header value, with or without `unit` after it.
 double positive_value(const RecordLines& lines, std::string_view key, std::string_view unit) {
     const HeaderValue value = header_value(lines, key);
     std::string_view text = value.text;
     if (text.ends_with(unit)) text.remove_suffix(unit.size());
     const auto number = field_number(text);
     if (!number || *number <= 0)
-        lines.fail(value.line, "'" + std::string(value.text) + "' is no " + std::string(key),
+        lines.fail(value.line, "'" + std::string(value.text) + "' is not a valid " + std::string(key),
                    "a positive number", value_column + 1);
     return *number;
 }
@@ -49,8 +50,8 @@ double scale_factor(const RecordLines& lines) {
         const auto below = field_number(value.text.substr(at + unit.size()));
         if (above && below && *above > 0 && *below > 0) return *above / *below;
     }
-    lines.fail(value.line, "'" + std::string(value.text) + "' is no scale factor",
-               "such as 3920(gal)/6182761", value_column + 1);
+    lines.fail(value.line, "'" + std::string(value.text) + "' is not a scale factor",
+               "a scale factor such as 3920(gal)/6182761", value_column + 1);
 }
 
 bool is_knet(const RecordLines& lines) {
@@ -66,15 +67,15 @@ Record read_knet(const RecordLines& lines, const RecordDeclaration& declaration)
     const std::size_t line = header_value(lines, "Duration Time").line;
     const double samples = std::round(frequency * duration);
     if (!(samples >= 2 && samples < 1e9))
-        lines.fail(line, "a duration of " + shortest_text(duration) + " s is no record's",
-                   "2 samples at least, and fewer than 1e9");
-    const auto count = static_cast<std::size_t>(samples);
+        lines.fail(line, "a duration of " + shortest_text(duration) + " s gives too few or too many samples",
+                   "at least 2 samples and fewer than 1e9");
+    const std::size_t count = samples;
     const double scale = scale_factor(lines);
     Record record{1 / frequency, fixed_fields(lines, header_lines, count, counts_layout, "record"), {}};
     check_sampling(record.dt, count, lines, line);
     expect_block_end(lines, header_lines + counts_layout.lines_of(count), count);
 
-    // The counts stand on the offset of the digitiser; the header's Max. Acc. is without it.
+    // The counts contain the offset of the digitiser. Max. Acc. in the header is without it.
     const double mean =
         std::accumulate(record.values.begin(), record.values.end(), 0.0) / static_cast<double>(count);
     for (double& value : record.values) value = (value - mean) * scale;

@@ -22,8 +22,8 @@ namespace {
 
 constexpr int compared_periods = 100;
 constexpr double misfit_tolerance = 0.02;  // largest misfit
-constexpr double step_lengths[] = {1,    0.7,  0.5, 0.35,
-                                   0.25, 0.12, 0.06};  // of the way to the target in a round
+/// Step lengths tried in a round with wavelets; 1 is the full correction.
+constexpr double step_lengths[] = {1, 0.7, 0.5, 0.35, 0.25, 0.12, 0.06};
 
 std::vector<double> periods_of(const TargetSpectrum& target) {
     std::vector<double> periods;
@@ -33,7 +33,7 @@ std::vector<double> periods_of(const TargetSpectrum& target) {
     return periods;
 }
 
-/// Target over response, as a spectrum of factors.
+/// The factors target / response at the compared periods.
 TargetSpectrum target_over_response(const Accelerogram& record, const TargetSpectrum& target,
                                     double damping) {
     TargetSpectrum factors{periods_of(target), {}};
@@ -55,15 +55,15 @@ SpectralMatch evaluate_match(const Accelerogram& record, const TargetSpectrum& f
     return match;
 }
 
-/// What a round with wavelets makes smaller: a norm of the misfits that heeds the large ones, sixth powers.
+/// Merit of the line search in a round with wavelets: the 6-norm of the misfits, which weights large ones.
 double norm_of_misfits(const TargetSpectrum& factors) {
     double sum = 0;
     for (const double factor : factors.accelerations) sum += std::pow(1 / factor - 1, 6);
     return std::pow(sum, 1 / 6.0);
 }
 
-/// Each Fourier amplitude times the factor of its period. Zeros behind the record keep its end out of its
-/// beginning.
+/// Multiplies each Fourier amplitude by the factor of its period, and corrects the baseline. The record is
+/// padded with zeros, so that its end does not wrap around to its beginning.
 Accelerogram scale_amplitudes(const Accelerogram& record, const TargetSpectrum& factors) {
     std::vector<double> padded = record.values;
     padded.resize(2 * std::bit_ceil(record.values.size()), 0.0);
@@ -82,16 +82,16 @@ Accelerogram scale_amplitudes(const Accelerogram& record, const TargetSpectrum& 
     return correct_baseline({record.step, std::move(padded)});
 }
 
-/// The best of some rounds in the frequency domain.
+/// The round in the frequency domain with the smallest mean misfit.
 SpectralMatch match_in_frequency_domain(const Accelerogram& record, const TargetSpectrum& target,
                                         double damping, int rounds) {
-    Accelerogram present = record;
-    TargetSpectrum factors = target_over_response(present, target, damping);
-    SpectralMatch best = evaluate_match(present, factors);
+    Accelerogram current = record;
+    TargetSpectrum factors = target_over_response(current, target, damping);
+    SpectralMatch best = evaluate_match(current, factors);
     for (int round = 0; round < rounds; ++round) {
-        present = scale_amplitudes(present, factors);
-        factors = target_over_response(present, target, damping);
-        const SpectralMatch match = evaluate_match(present, factors);
+        current = scale_amplitudes(current, factors);
+        factors = target_over_response(current, target, damping);
+        const SpectralMatch match = evaluate_match(current, factors);
         if (match.mean_misfit < best.mean_misfit) best = match;
     }
     return best;
@@ -103,36 +103,36 @@ std::vector<TargetOrdinate> target_ordinates(const TargetSpectrum& target) {
     return ordinates;
 }
 
-/// A record on its way, and target over response.
+/// An iterate of the record, with its factors target / response.
 struct Candidate {
     Accelerogram record;
     TargetSpectrum factors;
 };
 
-Candidate with_change(const Accelerogram& record, const std::vector<double>& change, double share,
+Candidate with_change(const Accelerogram& record, const std::vector<double>& change, double step_length,
                       const TargetSpectrum& target, double damping) {
     Accelerogram candidate = record;
-    for (std::size_t k = 0; k < change.size(); ++k) candidate.values[k] += share * change[k];
+    for (std::size_t k = 0; k < change.size(); ++k) candidate.values[k] += step_length * change[k];
     candidate = correct_baseline(candidate);
     TargetSpectrum factors = target_over_response(candidate, target, damping);
     return {std::move(candidate), std::move(factors)};
 }
 
-/// The best of the step_lengths of the way, tried from long to short until one betters the present and the
-/// next does not better that. None need better the present: then the least harm is done, which may lead out
-/// of a corner.
-Candidate wavelet_step(const Candidate& present, const TargetSpectrum& target, double damping) {
-    const std::vector<double> change = matching_wavelets(present.record, target_ordinates(target), damping);
-    const double present_norm = norm_of_misfits(present.factors);
+/// Line search along the wavelet correction. Tries the step lengths from long to short until one reduces the
+/// misfit norm and the next does not reduce it further. If none reduces it, the smallest increase is taken,
+/// which may lead out of a local minimum.
+Candidate wavelet_step(const Candidate& current, const TargetSpectrum& target, double damping) {
+    const std::vector<double> change = matching_wavelets(current.record, target_ordinates(target), damping);
+    const double current_norm = norm_of_misfits(current.factors);
     std::optional<Candidate> best;
     double smallest = 0;
-    for (const double share : step_lengths) {
-        Candidate candidate = with_change(present.record, change, share, target, damping);
+    for (const double step_length : step_lengths) {
+        Candidate candidate = with_change(current.record, change, step_length, target, damping);
         const double norm = norm_of_misfits(candidate.factors);
         if (!best || norm < smallest) {
             smallest = norm;
             best = std::move(candidate);
-        } else if (smallest < present_norm) {
+        } else if (smallest < current_norm) {
             break;
         }
     }
@@ -154,9 +154,9 @@ double TargetSpectrum::at(double period) const {
     const auto next = std::upper_bound(periods.begin(), periods.end(), period);
     if (next == periods.begin()) return accelerations.front();
     if (next == periods.end()) return accelerations.back();
-    const auto k = static_cast<std::size_t>(next - periods.begin());
-    const double share = std::log(period / periods[k - 1]) / std::log(periods[k] / periods[k - 1]);
-    return accelerations[k - 1] * std::pow(accelerations[k] / accelerations[k - 1], share);
+    const std::size_t k = next - periods.begin();
+    const double fraction = std::log(period / periods[k - 1]) / std::log(periods[k] / periods[k - 1]);
+    return accelerations[k - 1] * std::pow(accelerations[k] / accelerations[k - 1], fraction);
 }
 
 TargetSpectrum read_target_spectrum(const std::filesystem::path& path) {
@@ -168,7 +168,7 @@ TargetSpectrum read_target_spectrum(const std::filesystem::path& path) {
         lines.fail(0, "the heading names no acceleration and unit", "period (s),acceleration (g)");
     for (std::size_t k = 0; k < columns.times.size(); ++k) {
         if (!(columns.times[k] >= 1e-3 && columns.times[k] <= 1e3 && columns.values[k] > 0))
-            lines.fail(columns.lines[k], "is no ordinate of a spectrum",
+            lines.fail(columns.lines[k], "the line is not an ordinate of a spectrum",
                        "a period of 0.001 to 1000 s and a positive acceleration");
         columns.values[k] *= *factor;
     }
@@ -180,10 +180,10 @@ SpectralMatch match_spectrum(const Accelerogram& record, const TargetSpectrum& t
     check(record, target, damping, rounds);
     SpectralMatch best = match_in_frequency_domain(record, target, damping, rounds);
     if (!(damping > 0)) return best;
-    Candidate present{best.record, target_over_response(best.record, target, damping)};
+    Candidate current{best.record, target_over_response(best.record, target, damping)};
     for (int round = 0; round < rounds && best.largest_misfit > misfit_tolerance; ++round) {
-        present = wavelet_step(present, target, damping);
-        const SpectralMatch match = evaluate_match(present.record, present.factors);
+        current = wavelet_step(current, target, damping);
+        const SpectralMatch match = evaluate_match(current.record, current.factors);
         if (match.largest_misfit < best.largest_misfit) best = match;
     }
     return best;

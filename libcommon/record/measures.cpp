@@ -20,8 +20,9 @@ std::vector<double> squared_integral(const Accelerogram& record) {
     return integral;
 }
 
-double instant_of_share(const std::vector<double>& integral, double share, double step) {
-    const auto first = std::lower_bound(integral.begin(), integral.end(), share * integral.back());
+/// The time, s, at which the integral reaches a fraction of its final value.
+double time_of_fraction(const std::vector<double>& integral, double fraction, double step) {
+    const auto first = std::lower_bound(integral.begin(), integral.end(), fraction * integral.back());
     return step * static_cast<double>(first - integral.begin());
 }
 
@@ -37,8 +38,9 @@ RecordMeasures measure(const Accelerogram& record) {
     measures.final_velocity = motion.velocity.back();
     measures.final_displacement = motion.displacement.back();
     measures.arias_intensity = std::numbers::pi / (2 * standard_gravity) * integral.back();
-    const auto since_five_percent = [&](double share) {
-        return instant_of_share(integral, share, record.step) - instant_of_share(integral, 0.05, record.step);
+    const auto since_five_percent = [&](double fraction) {
+        return time_of_fraction(integral, fraction, record.step) -
+               time_of_fraction(integral, 0.05, record.step);
     };
     measures.significant_duration = since_five_percent(0.95);
     measures.significant_duration_75 = since_five_percent(0.75);

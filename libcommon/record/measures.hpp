@@ -4,13 +4,13 @@
 
 namespace rockslope::record {
 
-/// What engineers quote of a record.
+/// Intensity measures of a record.
 struct RecordMeasures {
     double peak_acceleration = 0;     ///< m/s2
     double peak_velocity = 0;         ///< m/s
     double peak_displacement = 0;     ///< m
-    double final_velocity = 0;        ///< m/s, with its sign
-    double final_displacement = 0;    ///< m, with its sign
+    double final_velocity = 0;        ///< m/s, signed
+    double final_displacement = 0;    ///< m, signed
     double arias_intensity = 0;       ///< m/s, pi / (2 g) times the integral of a^2 (Arias 1970)
     double significant_duration = 0;  ///< s, from 5 % to 95 % of the Arias intensity (Trifunac & Brady 1975)
     double significant_duration_75 = 0;  ///< s, from 5 % to 75 %

@@ -4,10 +4,10 @@
 
 namespace rockslope::record {
 
-/// Version 2 begins with a sequence number of six digits, a letter for the quality and a blank, version 3
-/// with "MS" and a 3; both are binary.
 namespace {
 
+/// Version 2 begins with a sequence number of six digits, a quality letter and a blank; version 3 begins with
+/// "MS" and a byte 3. Both are binary.
 bool is_miniseed(const RecordLines& lines) {
     const std::string_view bytes = lines.bytes();
     constexpr std::size_t fixed_header = 40;
@@ -20,17 +20,16 @@ bool is_miniseed(const RecordLines& lines) {
            bytes.substr(0, 4096).find('\0') != std::string_view::npos;
 }
 
-Record refuse_miniseed(const RecordLines& lines, const RecordDeclaration&) {
+Record reject_miniseed(const RecordLines& lines, const RecordDeclaration&) {
     throw InputError(
         {lines.file_name()},
-        "is miniSEED: raw counts, which the instrument's response (StationXML) turns into motion; remove the "
-        "response "
-        "with the tools of the data centre or with ObsPy's remove_response, and write two columns",
+        "is miniSEED: raw counts without the instrument response (StationXML); remove the response with the "
+        "tools of the data centre or with ObsPy's remove_response, and write two columns",
         "time in s and acceleration, velocity or displacement, with their unit");
 }
 
 }  // namespace
 
-const RecordFormat miniseed_format{"miniseed", "miniSEED", false, is_miniseed, refuse_miniseed};
+const RecordFormat miniseed_format{"miniseed", "miniSEED", false, is_miniseed, reject_miniseed};
 
 }  // namespace rockslope::record

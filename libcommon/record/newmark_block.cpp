@@ -29,13 +29,13 @@ std::vector<double> newmark_slip(const Accelerogram& record, const SlidingPlane&
     if (!in_range(plane.dip) || !in_range(plane.friction))
         throw std::invalid_argument("dip and friction must be at least 0 and below 90 degrees");
     const double sine = std::sin(plane.dip), cosine = std::cos(plane.dip), mu = std::tan(plane.friction);
-    const int pieces = std::max(1, static_cast<int>(std::ceil(record.step / max_sliding_substep)));
-    const double dt = record.step / pieces;
+    const int substeps = std::max(1, static_cast<int>(std::ceil(record.step / max_sliding_substep)));
+    const double dt = record.step / substeps;
     RigidSlider block({mu, 0}, {mu, 0});
     std::vector<double> slip(record.values.size(), 0.0);
     for (std::size_t k = 1; k < slip.size(); ++k) {
-        for (int piece = 0; piece < pieces; ++piece) {
-            const double a = std::lerp(record.values[k - 1], record.values[k], (piece + 0.5) / pieces);
+        for (int i = 0; i < substeps; ++i) {
+            const double a = std::lerp(record.values[k - 1], record.values[k], (i + 0.5) / substeps);
             block.advance(gravity * sine - a * cosine, gravity * cosine + a * sine, dt);
         }
         slip[k] = block.slip();

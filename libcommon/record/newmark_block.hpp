@@ -6,27 +6,27 @@
 
 namespace rockslope::record {
 
-/// A rigid block on a plane through its ground, without cohesion.
+/// A cohesionless plane on which a rigid block slides.
 struct SlidingPlane {
-    double dip = 0;       ///< rad, of the plane, from 0, less than pi/2; it falls towards +x
-    double friction = 0;  ///< rad, angle of friction, from 0, less than pi/2
+    double dip = 0;       ///< rad, in [0, pi/2); the plane dips towards +x
+    double friction = 0;  ///< rad, friction angle, in [0, pi/2)
 };
 
-/// What a plane bears against sliding, per mass of the block.
+/// Shear strength of a plane per mass of the block: friction * normal acceleration + adhesion.
 struct PlaneStrength {
-    double friction = 0;  ///< tangent of the angle of friction
-    double adhesion = 0;  ///< m/s2: cohesion times the length of the plane over the block's mass
+    double friction = 0;  ///< tangent of the friction angle
+    double adhesion = 0;  ///< m/s2, cohesion times the length of the plane over the mass of the block
 };
 
-/// A rigid block that slides on a plane, one way or the other, with the residual strength from its first
-/// slip on.
+/// A rigid block that slides on a plane in either direction. From its first slip on it has the residual
+/// strength.
 class RigidSlider {
   public:
     RigidSlider(const PlaneStrength& peak, const PlaneStrength& residual)
         : strength_(peak), residual_(residual) {}
 
-    /// Over `dt` seconds of constant accelerations, m/s2: `drive` downhill and `pressure` into the plane;
-    /// without pressure there is no friction. Friction stops the block, and does not turn it round.
+    /// Advances by `dt` seconds under constant accelerations, m/s2: `drive` downhill, `pressure` into the
+    /// plane. A negative pressure gives no friction. Friction can stop the block but not reverse it.
     void advance(double drive, double pressure, double dt);
     double slip() const { return slip_; }  ///< m, downhill positive
 
@@ -37,19 +37,18 @@ class RigidSlider {
     double slip_ = 0;
 };
 
-/// s: pieces no longer than this are short enough for accelerations of earthquakes.
+/// Longest substep for earthquake accelerations, s.
 inline constexpr double max_sliding_substep = 2.5e-4;
 
-/// The horizontal acceleration of the ground, over g, at which a block begins to slide downhill, towards +x
-/// relative to the ground: the ground moves towards -x. tan(friction - dip), negative when it slides by
-/// itself (Newmark 1965).
+/// Yield coefficient tan(friction - dip): the horizontal ground acceleration over g, towards -x, at which the
+/// block begins to slide downhill (Newmark 1965). Negative if it slides under its own weight.
 double yield_coefficient(const SlidingPlane& plane);
 
-/// Slip of the block over the ground at the record's instants, m, positive downhill; it may slide uphill,
-/// too. The block's equation along the plane is
+/// Slip of the block relative to the ground at the samples of the record, m, positive downhill. The block may
+/// also slide uphill. Its equation of motion along the plane is
 ///   s'' = g sin(dip) - a cos(dip) - sign(s') mu N,  N = max(0, g cos(dip) + a sin(dip)),
-/// with a the ground's horizontal acceleration towards +x; it sticks while the drive is within friction.
-/// Integrated in pieces of 0.25 ms or less with the acceleration in their middle.
+/// with a the horizontal ground acceleration towards +x. The block sticks while the drive is below friction.
+/// Integrated in substeps of 0.25 ms or less, with the acceleration at their midpoints.
 /// @throws std::invalid_argument for angles out of range.
 std::vector<double> newmark_slip(const Accelerogram& record, const SlidingPlane& plane,
                                  double gravity = 9.81);

@@ -83,7 +83,7 @@ Record read_peer(const RecordLines& lines, const RecordDeclaration& declaration)
                    "line 3 such as ACCELERATION TIME SERIES IN UNITS OF G");
     const auto sampling = sampling_of(lines[count_line]);
     if (!sampling)
-        lines.fail(count_line, "no number of points and step",
+        lines.fail(count_line, "the number of points and the time step are missing",
                    "\"NPTS= 7999, DT= .0050 SEC\" or \"4096 0.0100 NPTS, DT\"");
     if (sampling->count < 2)
         lines.fail(count_line, "NPTS is " + std::to_string(sampling->count), "at least 2 values");

@@ -22,9 +22,9 @@ RecordLines::RecordLines(std::string_view text, std::string file_name)
 
 void RecordLines::fail(std::size_t index, const std::string& what, const std::string& expected,
                        std::size_t column) const {
-    SourceLocation where = place(index);
-    where.column = static_cast<int>(column);
-    throw InputError(where, what, expected);
+    SourceLocation location = place(index);
+    location.column = static_cast<int>(column);
+    throw InputError(location, what, expected);
 }
 
 std::vector<std::string_view> words_of(std::string_view line, std::string_view separators) {
@@ -67,9 +67,9 @@ std::optional<double> sample_number(std::string_view text) {
     if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
     const std::size_t exponent = text.find_first_of("Dd");
     if (exponent == std::string_view::npos) return parse_number(text);
-    std::string spelt(text);
-    spelt[exponent] = 'E';
-    return parse_number(spelt);
+    std::string with_e(text);
+    with_e[exponent] = 'E';
+    return parse_number(with_e);
 }
 
 std::string lower_case(std::string_view text) {

@@ -9,7 +9,7 @@
 
 namespace rockslope::record {
 
-/// A text cut into lines (LF or CRLF; a byte order mark is skipped), which knows the place of each for
+/// A text split into lines (LF or CRLF; a byte order mark is skipped), with the location of each for
 /// messages.
 class RecordLines {
   public:
@@ -18,10 +18,11 @@ class RecordLines {
     std::size_t size() const { return lines_.size(); }
     std::string_view operator[](std::size_t index) const { return lines_[index]; }
     SourceLocation place(std::size_t index) const { return {file_name_, static_cast<int>(index) + 1}; }
-    /// The whole text as it came, for formats that are not made of lines.
+    /// The whole text unchanged, for binary formats.
     std::string_view bytes() const { return bytes_; }
     const std::string& file_name() const { return file_name_; }
-    /// Throws at a line, and a column counted from 1 where one is known. `expected` completes "expected ...".
+    /// @throws InputError at a line, and at a column counted from 1 if one is given. `expected` completes
+    /// "expected ...".
     [[noreturn]] void fail(std::size_t index, const std::string& what, const std::string& expected,
                            std::size_t column = 0) const;
 
@@ -31,17 +32,17 @@ class RecordLines {
     std::string file_name_;
 };
 
-/// The words of a line between blanks, tabs and the other separators given.
+/// The words of a line between separators.
 std::vector<std::string_view> words_of(std::string_view line, std::string_view separators = " \t");
 
 /// The fields of a line of CSV, unquoted.
 std::vector<std::string> csv_fields(std::string_view line);
 
-/// Without the blanks and tabs at both ends.
+/// The text without the blanks and tabs at both ends.
 std::string_view trimmed(std::string_view text);
 
-/// The number that the whole of `text` spells, as Fortran writes it too: with a plus sign in front, with D
-/// for its exponent. Nothing when it spells none, or is not finite.
+/// The finite number written in `text`, also in Fortran's notation with a leading '+' or the exponent D.
+/// Nothing if the text is anything else.
 std::optional<double> sample_number(std::string_view text);
 
 std::string lower_case(std::string_view text);

@@ -38,7 +38,7 @@ constexpr UnitRow units[] = {
     {Quantity::displacement, "mm", 1e-3},
 };
 
-/// Times that are written in the wrong unit or damaged fall outside, no strong-motion record does.
+/// Limits that every strong-motion record meets. Damaged times and times in a wrong unit do not.
 constexpr double shortest_step = 1e-6;  // s
 constexpr double longest_record = 1e6;  // s
 
@@ -117,7 +117,7 @@ void resolve_units(Record& record, std::optional<Quantity> own_quantity, const s
     const std::optional<Quantity> stated_quantity =
         declaration.quantity ? declaration.quantity : own_quantity;
     if (!stated_quantity && !declaration.assumed_quantity)
-        lines.fail(index, "nothing says what the values are",
+        lines.fail(index, "the quantity of the values is not given",
                    "quantity = \"acceleration\", \"velocity\" or \"displacement\" beside file = ... in the "
                    "model file");
     record.quantity = stated_quantity ? *stated_quantity : *declaration.assumed_quantity;
@@ -126,7 +126,7 @@ void resolve_units(Record& record, std::optional<Quantity> own_quantity, const s
                    quantity_name(record.quantity) + ", as the model file says");
     const std::string unit = own_unit.empty() ? declaration.unit : own_unit;
     if (unit.empty())
-        lines.fail(index, "nothing says in which unit the values are",
+        lines.fail(index, "the unit of the values is not given",
                    "unit = \"...\" beside file = ... in the model file");
     const std::optional<double> factor = record_unit_factor(record.quantity, unit);
     if (!factor) lines.fail(index, "the unit '" + unit + "' is not known", known_units(record.quantity));

@@ -10,14 +10,15 @@ namespace rockslope::record {
 
 namespace {
 
-/// The step of the oscillator: (u, v) after = transition (u, v) before + load (a before, a after).
+/// One step of the oscillator: (u, v) after = transition (u, v) before + load (a before, a after).
 struct StepMatrices {
     Eigen::Matrix2d transition;
     Eigen::Matrix2d load;
 };
 
 /// Under a(t) = a0 + s t, s = (a1 - a0) / h, a particular solution is u_p(t) = c + d t with d = -s / w^2 and
-/// c = -a0 / w^2 + 2 z s / w^3. What differs from it at the step's start decays freely, by `transition`:
+/// c = -a0 / w^2 + 2 z s / w^3. The difference from it at the start of the step decays freely, by
+/// `transition`:
 ///   x(h) = transition (x(0) - x_p(0)) + x_p(h).
 StepMatrices step_matrices(double frequency, double damping, double h) {
     const double damped = frequency * std::sqrt(1 - damping * damping);
@@ -31,7 +32,7 @@ StepMatrices step_matrices(double frequency, double damping, double h) {
     const double stiffness = frequency * frequency;
     const double slope = 1 / (h * stiffness);
     const double lag = 2 * damping / (frequency * h * stiffness);
-    // Columns: the particular solution at the step's start for a unit a before, and for a unit a after.
+    // Columns: the particular solution at the start of the step for a0 = 1, a1 = 0 and for a0 = 0, a1 = 1.
     Eigen::Matrix2d at_start;
     at_start << -1 / stiffness - lag, lag, slope, -slope;
     Eigen::Matrix2d at_end = at_start;

@@ -15,16 +15,15 @@ Accelerogram rotated(const HorizontalComponent& first, const HorizontalComponent
     const double between = std::sin((second.azimuth - first.azimuth) * degree);
     if (!(std::abs(between) >= std::sin(10 * degree)) || !std::isfinite(azimuth))
         throw std::invalid_argument(
-            "azimuths must be finite, and the components 10 degrees or more off one line");
-    // e(azimuth) as a combination of e(first) and e(second).
-    const double share_of_first = std::sin((second.azimuth - azimuth) * degree) / between;
-    const double share_of_second = std::sin((azimuth - first.azimuth) * degree) / between;
-    // With g_i the dual vectors, a = sum a_i g_i and e . g_i is the share of e_i in e.
+            "azimuths must be finite, and the components at least 10 degrees from parallel");
+    // e(azimuth) = first_weight e(first) + second_weight e(second), so a . e is the same combination of a_i.
+    const double first_weight = std::sin((second.azimuth - azimuth) * degree) / between;
+    const double second_weight = std::sin((azimuth - first.azimuth) * degree) / between;
     Accelerogram result{step, {}};
     const std::size_t count = std::min(first.record.values.size(), second.record.values.size());
     for (std::size_t k = 0; k < count; ++k)
-        result.values.push_back(share_of_first * first.record.values[k] +
-                                share_of_second * second.record.values[k]);
+        result.values.push_back(first_weight * first.record.values[k] +
+                                second_weight * second.record.values[k]);
     return result;
 }
 

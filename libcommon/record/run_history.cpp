@@ -12,7 +12,7 @@ namespace {
 constexpr std::string_view first_columns = "time (s),stage,";
 constexpr std::string_view prescribed = "prescribed ";
 
-/// The letter and the unit in the headings of a quantity's columns, "crest ux (m)".
+/// Letter and unit of a quantity in column headings such as "crest ux (m)".
 struct Column {
     char letter;
     const char* unit;
@@ -40,7 +40,7 @@ std::vector<std::string> points_of(const std::vector<std::string>& headings) {
     return points;
 }
 
-/// The column of a point and direction; "base x" finds "prescribed base", too.
+/// The column of a point and direction. "base x" also finds the column of "prescribed base".
 std::size_t find_column(const RecordLines& lines, const RecordDeclaration& declaration, Quantity quantity) {
     const std::vector<std::string> headings = csv_fields(lines[0]);
     const std::string& point = declaration.point;
@@ -48,14 +48,14 @@ std::size_t find_column(const RecordLines& lines, const RecordDeclaration& decla
     if (point.size() > 2) {
         std::string name =
             point.substr(0, point.size() - 1) + column.letter + point.back() + " (" + column.unit + ")";
-        for (const std::string& full : {name, std::string(prescribed) + name}) {
-            const auto found = std::find(headings.begin(), headings.end(), full);
-            if (found != headings.end()) return static_cast<std::size_t>(found - headings.begin());
+        for (const std::string& heading : {name, std::string(prescribed) + name}) {
+            const auto found = std::find(headings.begin(), headings.end(), heading);
+            if (found != headings.end()) return found - headings.begin();
         }
     }
     std::string known;
-    for (const std::string& one : points_of(headings)) known += (known.empty() ? "'" : ", '") + one + "'";
-    lines.fail(0, point.empty() ? "nothing says which point is meant" : "there is no point '" + point + "'",
+    for (const std::string& name : points_of(headings)) known += (known.empty() ? "'" : ", '") + name + "'";
+    lines.fail(0, point.empty() ? "no point is given" : "there is no point '" + point + "'",
                "point = " + (known.empty() ? "\"...\"" : "one of " + known));
 }
 
@@ -64,7 +64,7 @@ struct Samples {
     std::vector<std::size_t> lines;
 };
 
-/// The column in the rows of the file's last stage.
+/// The times and values of a column in the rows of the last stage.
 Samples last_stage(const RecordLines& lines, std::size_t column) {
     Samples samples;
     const std::size_t count = csv_fields(lines[0]).size();
@@ -82,7 +82,7 @@ Samples last_stage(const RecordLines& lines, std::size_t column) {
         if (fields[1] != stage) samples = {};
         stage = fields[1];
         if (!samples.times.empty() && !(*time > samples.times.back()))
-            lines.fail(i, "the time does not grow", "the history of a run");
+            lines.fail(i, "the time does not increase", "the history of a run");
         samples.times.push_back(*time);
         samples.values.push_back(*value);
         samples.lines.push_back(i);
@@ -92,7 +92,7 @@ Samples last_stage(const RecordLines& lines, std::size_t column) {
     return samples;
 }
 
-/// Rows may be late where steps were cut: the values between them, at even instants as many.
+/// The samples interpolated at as many equal steps. Rows of a history are uneven where time steps were cut.
 Record at_uniform_steps(const Samples& samples) {
     const std::size_t count = samples.times.size();
     Record record;
@@ -101,9 +101,9 @@ Record at_uniform_steps(const Samples& samples) {
     for (std::size_t i = 0; i < count; ++i) {
         const double time = samples.times.front() + static_cast<double>(i) * record.dt;
         while (k + 2 < count && samples.times[k + 1] < time) ++k;
-        const double share = (time - samples.times[k]) / (samples.times[k + 1] - samples.times[k]);
+        const double fraction = (time - samples.times[k]) / (samples.times[k + 1] - samples.times[k]);
         record.values.push_back(
-            std::lerp(samples.values[k], samples.values[k + 1], std::clamp(share, 0.0, 1.0)));
+            std::lerp(samples.values[k], samples.values[k + 1], std::clamp(fraction, 0.0, 1.0)));
     }
     return record;
 }

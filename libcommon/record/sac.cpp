@@ -1,5 +1,6 @@
-// SAC, binary, of either byte order: 70 reals, 40 integers and 192 characters of header, then NPTS reals, all
-// of four bytes; version 7 adds 22 doubles at the end. The format does not say what the samples are.
+// SAC format, binary, in either byte order: a header of 70 reals, 40 integers (four bytes each) and 192
+// characters, then NPTS reals of four bytes. Version 7 adds 22 doubles at the end. The format does not state
+// the quantity of the samples.
 
 #include <array>
 #include <bit>
@@ -36,7 +37,7 @@ float real_at(std::string_view bytes, std::size_t word, bool big_endian) {
     return std::bit_cast<float>(word_at(bytes, word, big_endian));
 }
 
-/// The byte order in which the version is 6 or 7; nothing when it is so in none.
+/// The byte order in which the header version is 6 or 7; nothing if there is none.
 std::optional<bool> is_big_endian(std::string_view bytes) {
     if (bytes.size() < header_bytes) return std::nullopt;
     for (const bool big : {false, true}) {
@@ -46,7 +47,7 @@ std::optional<bool> is_big_endian(std::string_view bytes) {
     return std::nullopt;
 }
 
-/// The decimal number that the four bytes stand for: 0.02, not 0.0199999996.
+/// The shortest decimal number that rounds to the float: 0.02, not 0.0199999996.
 double decimal(float value) {
     std::array<char, 32> text{};
     const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
@@ -57,19 +58,19 @@ double decimal(float value) {
     throw InputError({lines.file_name()}, what, expected);
 }
 
-/// The number of samples, which must fill the file.
+/// The number of samples in the header. @throws InputError if the file size does not match it.
 std::size_t checked_count(const RecordLines& lines, bool big) {
     const std::string_view bytes = lines.bytes();
     const std::int32_t points = integer_at(bytes, points_word, big);
     if (points < 2) fail(lines, "NPTS is " + std::to_string(points), "at least 2 samples");
     const std::size_t footer = integer_at(bytes, version_word, big) == 7 ? footer_bytes : 0;
-    const std::size_t whole = header_bytes + 4 * static_cast<std::size_t>(points) + footer;
-    if (bytes.size() != whole)
+    const std::size_t expected_size = header_bytes + 4 * static_cast<std::size_t>(points) + footer;
+    if (bytes.size() != expected_size)
         fail(lines,
              "the file has " + std::to_string(bytes.size()) + " bytes" +
-                 (bytes.size() < whole ? ": it is cut off" : ": there are more than the header says"),
-             std::to_string(whole) + " for NPTS = " + std::to_string(points));
-    return static_cast<std::size_t>(points);
+                 (bytes.size() < expected_size ? ": it is cut off" : ": there are more than the header says"),
+             std::to_string(expected_size) + " for NPTS = " + std::to_string(points));
+    return points;
 }
 
 bool is_sac(const RecordLines& lines) {
@@ -85,7 +86,7 @@ Record read_sac(const RecordLines& lines, const RecordDeclaration& declaration) 
     const std::string_view bytes = lines.bytes();
     const auto big = is_big_endian(bytes);
     if (!big) fail(lines, "there is no SAC header", "632 bytes, version 6 or 7");
-    if (integer_at(bytes, type_word, *big) != time_series) fail(lines, "is no time series", "IFTYPE = 1");
+    if (integer_at(bytes, type_word, *big) != time_series) fail(lines, "is not a time series", "IFTYPE = 1");
     if (integer_at(bytes, even_word, *big) != 1) fail(lines, "the time step is uneven", "LEVEN = 1");
     const std::size_t count = checked_count(lines, *big);
     Record record{decimal(real_at(bytes, step_word, *big)), {}, {}};

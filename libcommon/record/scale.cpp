@@ -12,10 +12,10 @@ namespace rockslope::record {
 
 namespace {
 
-double ratio(double target, double present, const std::string& name) {
+double ratio(double target, double current, const std::string& name) {
     if (!(target > 0) || !std::isfinite(target)) throw std::invalid_argument(name + " must be positive");
-    if (!(present > 0)) throw std::invalid_argument("a record without motion has no " + name + " to scale");
-    return target / present;
+    if (!(current > 0)) throw std::invalid_argument("a record without motion has no " + name + " to scale");
+    return target / current;
 }
 
 }  // namespace
@@ -38,8 +38,8 @@ Accelerogram scaled_to_arias(const Accelerogram& record, double intensity) {
 Accelerogram scaled_to_ordinate(const Accelerogram& record, double period, double damping,
                                 double acceleration) {
     const std::array periods = {period};
-    const double present = response_spectrum(record, periods, damping).front().absolute_acceleration;
-    return scaled(record, ratio(acceleration, present, "spectral ordinate"));
+    const double current = response_spectrum(record, periods, damping).front().absolute_acceleration;
+    return scaled(record, ratio(acceleration, current, "spectral ordinate"));
 }
 
 }  // namespace rockslope::record

@@ -4,19 +4,21 @@
 
 namespace rockslope::record {
 
-/// The record times a factor, of either sign, finite; otherwise std::invalid_argument.
+// Scaling. The functions with a target throw std::invalid_argument if it is not positive or the record has no
+// motion.
+
+/// The record times a factor of either sign. @throws std::invalid_argument if the factor is not finite.
 Accelerogram scaled(const Accelerogram& record, double factor);
 
-/// Scaled by a positive factor so that the largest absolute acceleration is `peak`, m/s2.
+/// The record scaled to a largest absolute acceleration of `peak`, m/s2.
 Accelerogram scaled_to_peak(const Accelerogram& record, double peak);
 
-/// Scaled so that the Arias intensity, m/s, is the one given: it grows with the square of the factor.
+/// The record scaled to an Arias intensity, m/s, which is proportional to the square of the factor.
 Accelerogram scaled_to_arias(const Accelerogram& record, double intensity);
 
-/// Scaled so that an oscillator's largest absolute acceleration is `acceleration`, m/s2.
-/// @param period s, positive; @param damping of critical, in [0, 1).
+/// The record scaled so that the response spectrum at `period` is `acceleration`, m/s2, absolute.
+/// @param period s, positive; @param damping ratio, in [0, 1).
 Accelerogram scaled_to_ordinate(const Accelerogram& record, double period, double damping,
                                 double acceleration);
-// Each throws std::invalid_argument for a target that is not positive, and for a record that does not move.
 
 }  // namespace rockslope::record

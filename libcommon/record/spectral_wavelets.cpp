@@ -13,34 +13,34 @@ namespace rockslope::record {
 
 namespace {
 
-constexpr double regularisation = 1e-4;  // of the mean diagonal; 1e-2 leaves half of a misfit where it was
+constexpr double regularisation = 1e-4;  // of the mean diagonal; 1e-2 corrects only half of a misfit
 constexpr double samples_per_period = 20;
-constexpr double candidate_fraction = 0.85;  // of the target: from there on an extreme may become the largest
+constexpr double candidate_fraction = 0.85;  // of the target; a smaller extreme cannot become the largest
 constexpr double width_factor = 3;
-constexpr double reach = 4.5;             // widths, beyond which a wavelet is below 2e-9 of its size
-constexpr int max_active_set_rounds = 4;  // rounds of the active set
+constexpr double reach = 4.5;  // half length of a wavelet in widths; beyond it is below 2e-9 of its peak
+constexpr int max_active_set_rounds = 4;
 
-/// An oscillator and what it does between the samples.
+/// An oscillator and its response at substeps between the samples.
 struct Oscillator {
     TargetOrdinate target;
-    int substeps = 1;              ///< of a sample's step
-    std::vector<double> response;  ///< absolute acceleration, at each part
-    std::vector<double> hat;       ///< likewise, to a record that is 1 at its second sample, 0 at all others
+    int substeps = 1;              ///< per sample
+    std::vector<double> response;  ///< absolute acceleration at each substep, m/s2
+    std::vector<double> hat;       ///< response to a record that is 1 at its second sample and 0 elsewhere
 };
 
-/// A local extreme of an oscillator's response.
+/// A local extreme of the response of an oscillator.
 struct Extreme {
     std::size_t oscillator = 0, instant = 0;
-    double value = 0;  ///< in shares of the target, with its sign
+    double value = 0;  ///< over the target, signed
 };
 
-/// What is to be changed, the extremes of which it must be changed in front.
+/// The candidate extremes, and which of them are required to become the target.
 struct Extremes {
     std::vector<Extreme> list;
     std::vector<bool> is_active;
 };
 
-/// The samples of a wavelet from `first` on; zero elsewhere.
+/// A wavelet: its samples from `first` on, zero elsewhere.
 struct Wavelet {
     std::size_t first = 0;
     std::vector<double> values;
@@ -63,13 +63,13 @@ Oscillator oscillator_on(const Accelerogram& record, const TargetOrdinate& targe
     return oscillator;
 }
 
-std::vector<Extreme> local_extremes(const Oscillator& oscillator, std::size_t place) {
+std::vector<Extreme> local_extremes(const Oscillator& oscillator, std::size_t index) {
     std::vector<Extreme> extremes;
     const std::vector<double>& x = oscillator.response;
     for (std::size_t k = 1; k < x.size(); ++k) {
         const double next = k + 1 < x.size() ? std::abs(x[k + 1]) : 0;
         if (std::abs(x[k]) >= std::abs(x[k - 1]) && std::abs(x[k]) > next)
-            extremes.push_back({place, k, x[k] / oscillator.target.acceleration});
+            extremes.push_back({index, k, x[k] / oscillator.target.acceleration});
     }
     return extremes;
 }
@@ -78,7 +78,8 @@ bool is_smaller(const Extreme& a, const Extreme& b) {
     return std::abs(a.value) < std::abs(b.value);
 }
 
-/// The largest of each oscillator and all above their target are active; the near ones are listed.
+/// The extremes above candidate_fraction of their target. Those above the target and the largest one of each
+/// oscillator are active.
 Extremes extremes_of(const std::vector<Oscillator>& oscillators) {
     Extremes found;
     for (std::size_t i = 0; i < oscillators.size(); ++i) {
@@ -94,12 +95,12 @@ Extremes extremes_of(const std::vector<Oscillator>& oscillators) {
     return found;
 }
 
-/// The wavelet to which the oscillator responds most at `time`, as large as the target.
+/// The wavelet with the amplitude of the target to which the oscillator responds most at `time`, s.
 Wavelet wavelet(const Accelerogram& record, const TargetOrdinate& target, double damping, double time) {
-    const double undamped_share = std::sqrt(1 - damping * damping);
-    const double damped = 2 * std::numbers::pi / target.period * undamped_share;
+    const double frequency_ratio = std::sqrt(1 - damping * damping);  // damped over undamped
+    const double damped = 2 * std::numbers::pi / target.period * frequency_ratio;
     const double width = width_factor * 1.178 * std::pow(target.period, 0.93);
-    const double centre = time - std::atan(undamped_share / damping) / damped;
+    const double centre = time - std::atan(frequency_ratio / damping) / damped;
     const double last = static_cast<double>(record.values.size()) - 2;
     const double from = std::max(1.0, std::ceil((centre - reach * width) / record.step));
     const double to = std::min(last, std::floor((centre + reach * width) / record.step));
@@ -112,15 +113,15 @@ Wavelet wavelet(const Accelerogram& record, const TargetOrdinate& target, double
     return shape;
 }
 
-/// An oscillator's response at an instant to a wavelet, in shares of its target: the sum of those to the
-/// samples' hats.
-double wavelet_response(const Wavelet& cause, const Oscillator& oscillator, std::size_t instant) {
-    const auto substeps = static_cast<std::size_t>(oscillator.substeps);
+/// Response of an oscillator to a wavelet at an instant, over its target: the sum of the responses to the hat
+/// functions of the samples.
+double wavelet_response(const Wavelet& wavelet, const Oscillator& oscillator, std::size_t instant) {
+    const std::size_t substeps = oscillator.substeps;
     double sum = 0;
-    for (std::size_t k = 0; k < cause.values.size(); ++k) {
-        const std::size_t start = (cause.first + k - 1) * substeps;
+    for (std::size_t k = 0; k < wavelet.values.size(); ++k) {
+        const std::size_t start = (wavelet.first + k - 1) * substeps;
         if (start > instant) break;
-        sum += cause.values[k] * oscillator.hat[instant - start];
+        sum += wavelet.values[k] * oscillator.hat[instant - start];
     }
     return sum / oscillator.target.acceleration;
 }
@@ -136,15 +137,15 @@ Eigen::MatrixXd response_matrix(const std::vector<Wavelet>& wavelets,
     return matrix;
 }
 
-/// The smallest amplitudes with which the active extremes become what is aimed at.
-Eigen::VectorXd minimum_norm_amplitudes(const Eigen::MatrixXd& effect_of_all, const Extremes& extremes) {
+/// The amplitudes of smallest norm with which the active extremes become their targets, regularised.
+Eigen::VectorXd minimum_norm_amplitudes(const Eigen::MatrixXd& full_matrix, const Extremes& extremes) {
     std::vector<Eigen::Index> rows;
     for (std::size_t i = 0; i < extremes.list.size(); ++i)
         if (extremes.is_active[i]) rows.push_back(static_cast<Eigen::Index>(i));
-    const Eigen::MatrixXd matrix = effect_of_all(rows, Eigen::all);
+    const Eigen::MatrixXd matrix = full_matrix(rows, Eigen::all);
     Eigen::VectorXd missing(rows.size());
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        const double value = extremes.list[static_cast<std::size_t>(rows[i])].value;
+        const double value = extremes.list[rows[i]].value;
         missing[static_cast<Eigen::Index>(i)] = std::copysign(1, value) - value;
     }
     Eigen::MatrixXd normal = matrix * matrix.transpose();
@@ -152,7 +153,7 @@ Eigen::VectorXd minimum_norm_amplitudes(const Eigen::MatrixXd& effect_of_all, co
     return matrix.transpose() * normal.ldlt().solve(missing);
 }
 
-/// Makes active what these amplitudes lift above its target. @returns whether there is such.
+/// Activates the extremes that these amplitudes lift above their target. @return whether there are any.
 bool extend_active_set(Extremes& extremes, const Eigen::MatrixXd& matrix, const Eigen::VectorXd& amplitudes) {
     const Eigen::VectorXd change = matrix * amplitudes;
     bool has_grown = false;

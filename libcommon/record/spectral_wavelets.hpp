@@ -7,24 +7,24 @@
 
 namespace rockslope::record {
 
-/// What a response spectrum is to become at a period.
+/// The target of a response spectrum at one period.
 struct TargetOrdinate {
     double period = 0;        ///< s
     double acceleration = 0;  ///< m/s2, absolute
 };
 
-/// What to add to a record so that its response spectrum becomes what is aimed at, if responses grew
-/// linearly: a sum of wavelets, m/s2, at the record's samples (Lilhanand & Tseng 1988).
+/// A sum of wavelets, m/s2 at the samples of the record, to be added to it. The response spectrum of the sum
+/// meets the target if the extremes of the responses stay at their times (Lilhanand & Tseng 1988).
 ///
-/// An oscillator's response has many extremes, one a half cycle. At first its largest is to become the
-/// target. If what that needs lifts another above its target, that one is to become its own target as well,
-/// and so on: an active set, which keeps peaks from taking turns. Every extreme within 15 % of its target
-/// brings a wavelet, a tapered cosine of the oscillator's own frequency, cos(w' t) exp(-(t / g)^2) with g = 3
-/// * 1.178 f^-0.93, so placed that the oscillator responds most at the extreme; such leave hardly any
-/// velocity (Al Atik & Abrahamson 2010, whose own are a third as long: too broad in frequency to tell
-/// oscillators 5 % apart). There are more wavelets than conditions; the smallest amplitudes that do are
-/// taken, slightly regularised.
-/// @param targets not empty; @param damping of critical, in (0, 1).
+/// The response of an oscillator has one extreme per half cycle. Its largest extreme is required to become
+/// the target. If the correction lifts another extreme above the target, that one is required to become the
+/// target too: an active set, which keeps extremes from alternating. Every extreme above 85 % of the target
+/// adds a wavelet, a tapered cosine of the damped frequency of the oscillator, cos(w' t) exp(-(t / g)^2)
+/// with g = 3 * 1.178 f^-0.93, placed so that the response to it is largest at the extreme. Such wavelets
+/// leave hardly any velocity (Al Atik & Abrahamson 2010; theirs are a third as long, and too broad in
+/// frequency to separate oscillators 5 % apart). There are more wavelets than conditions; the amplitudes are
+/// the regularised minimum-norm solution.
+/// @param targets not empty; @param damping ratio, in (0, 1).
 std::vector<double> matching_wavelets(const Accelerogram& record, std::span<const TargetOrdinate> targets,
                                       double damping);
 

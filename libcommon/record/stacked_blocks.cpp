@@ -16,11 +16,11 @@ std::optional<Quantity> quantity_of_abbreviation(std::string_view word) {
 const StackedBlock& choose_block(const std::vector<StackedBlock>& blocks,
                                  const RecordDeclaration& declaration, const RecordLines& lines) {
     if (blocks.empty())
-        lines.fail(0, "no time history is announced", "acceleration, velocity or displacement");
-    const auto is = [&](Quantity quantity) {
+        lines.fail(0, "the file has no time history", "acceleration, velocity or displacement");
+    const auto has = [](Quantity quantity) {
         return [quantity](const StackedBlock& block) { return block.quantity == quantity; };
     };
-    const bool any_acceleration = std::any_of(blocks.begin(), blocks.end(), is(Quantity::acceleration));
+    const bool any_acceleration = std::any_of(blocks.begin(), blocks.end(), has(Quantity::acceleration));
     const Quantity wanted =
         declaration.quantity.value_or(any_acceleration ? Quantity::acceleration : blocks.front().quantity);
     int channel = 0;

@@ -9,18 +9,18 @@
 
 namespace rockslope::record {
 
-/// One time history in a file that stacks several: where it begins and what it is.
+/// One time history in a file with several.
 struct StackedBlock {
-    std::size_t line = 0;  ///< index of the line that announces it
+    std::size_t line = 0;  ///< index of its heading line
     Quantity quantity = Quantity::acceleration;
 };
 
-/// "accel", "ACCELERATION", "veloc", "displ", ...: what a heading's abbreviated word means.
+/// The quantity of an abbreviated word in a heading: "accel", "ACCELERATION", "veloc", "displ", ...
 std::optional<Quantity> quantity_of_abbreviation(std::string_view word);
 
-/// The block of the declared quantity (acceleration, or the first block's where there is none) and channel:
-/// the n-th block of a quantity belongs to channel n.
-/// @throws InputError when there is none.
+/// The block of the declared channel and quantity. Without a declared quantity it is acceleration, or that
+/// of the first block if there is no acceleration. The n-th block of a quantity belongs to channel n.
+/// @throws InputError if there is no such block.
 const StackedBlock& choose_block(const std::vector<StackedBlock>& blocks,
                                  const RecordDeclaration& declaration, const RecordLines& lines);
 

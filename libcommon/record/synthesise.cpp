@@ -38,7 +38,7 @@ void check(const SyntheticMotion& recipe) {
     require(spectrum.kappa >= 0, "kappa must not be negative");
 }
 
-/// A number in (0, 1), the `draw`-th of the seed's sequence: the same on every machine.
+/// The `draw`-th random number of a seed, uniform in (0, 1), the same on every machine.
 double uniform(std::uint64_t seed, std::uint32_t draw) {
     const r123::Philox4x32 generator;
     const r123::Philox4x32::ctr_type counter = {{draw, 0, 0, 0}};
@@ -65,22 +65,21 @@ std::vector<double> stationary_noise(const SyntheticMotion& recipe, std::size_t 
     return noise;
 }
 
-/// The acceleration of an oscillator relative to the ground that `record` shakes, with its sign turned: the
-/// low cut.
+/// The low-cut filter: the ground acceleration minus the absolute acceleration of an oscillator on it.
 Accelerogram without_low_frequencies(const Accelerogram& record, const PowerSpectrum& spectrum) {
     const OscillatorMotion motion =
         oscillate(record, 1 / spectrum.low_cut_frequency, spectrum.low_cut_damping);
-    Accelerogram rest = record;
-    for (std::size_t k = 0; k < rest.values.size(); ++k) {
-        rest.values[k] -= motion.absolute_acceleration[k];
+    Accelerogram filtered = record;
+    for (std::size_t k = 0; k < filtered.values.size(); ++k) {
+        filtered.values[k] -= motion.absolute_acceleration[k];
     }
-    return rest;
+    return filtered;
 }
 
-/// 1, and a half cosine down to 0 over the last `length` seconds.
+/// Taper: 1, then half a cosine from 1 to 0 over the last `length` seconds.
 double closing_taper(double time, double duration, double length) {
-    const double left = (duration - time) / length;
-    return left >= 1 ? 1.0 : 0.5 * (1 - std::cos(std::numbers::pi * std::max(left, 0.0)));
+    const double to_end = (duration - time) / length;
+    return to_end >= 1 ? 1.0 : 0.5 * (1 - std::cos(std::numbers::pi * std::max(to_end, 0.0)));
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 
 namespace rockslope::record {
 
-/// The recipe of an artificial accelerogram.
+/// Parameters of an artificial accelerogram.
 struct SyntheticMotion {
     std::uint64_t seed = 1;
     double step = 0.005;   ///< s, positive
@@ -19,19 +19,18 @@ struct SyntheticMotion {
 };
 
 /// An artificial accelerogram, in six steps:
-///   1. stationary Gaussian-like noise of the ground's power spectrum by the spectral representation
-///   (Shinozuka & Deodatis
-///      1991), a(t) = sum_k sqrt(2 S_g(f_k) df) cos(2 pi f_k t + phi_k), with uniform phases phi_k from a
-///      counter-based generator (Salmon et al. 2011) keyed by the seed; f_k are the multiples of 1 / (2
-///      duration) up to half the sampling rate, so the noise does not repeat within the record;
-///   2. times the envelope;
-///   3. through the low cut in the time domain, after the envelope and not before it, because the envelope
-///   would bring the
-///      lowest frequencies back (Rezaeian & Der Kiureghian 2010);
-///   4. tapered to zero over the last second (or tenth of the record, if less);
-///   5. baseline-corrected;
-///   6. scaled so that its largest absolute value is `peak`.
-/// First and last samples are zero and the ground ends at rest where it started.
+///   1. stationary Gaussian-like noise with the density of ground_density, by the spectral representation
+///      (Shinozuka & Deodatis 1991), a(t) = sum_k sqrt(2 S_g(f_k) df) cos(2 pi f_k t + phi_k), with uniform
+///      phases phi_k from a counter-based generator (Salmon et al. 2011) keyed by the seed. f_k are the
+///      multiples of 1 / (2 duration) up to half the sampling rate, so the noise does not repeat within the
+///      record;
+///   2. multiplication by the envelope;
+///   3. low-cut filter in the time domain. It comes after the envelope, which would bring the lowest
+///      frequencies back (Rezaeian & Der Kiureghian 2010);
+///   4. taper to zero over the last second, or over the last tenth of the record if that is less;
+///   5. baseline correction;
+///   6. scaling to the largest absolute value `peak`.
+/// The first and last samples are zero, and the ground ends at rest where it started.
 /// @throws std::invalid_argument for a parameter outside its range.
 Accelerogram synthesise(const SyntheticMotion& recipe);
 

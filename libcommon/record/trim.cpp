@@ -9,12 +9,12 @@ namespace rockslope::record {
 
 Accelerogram trimmed(const Accelerogram& record, double from, double to) {
     if (!(from >= 0) || !(to > from))
-        throw std::invalid_argument("a record is cut from an instant to a later one");
+        throw std::invalid_argument("the end of a cut must be later than its start");
     const double last = static_cast<double>(record.values.size()) - 1;
     const double first_kept = std::round(from / record.step);
     const double last_kept = std::min(std::round(to / record.step), last);
     if (!(last_kept >= first_kept + 1))
-        throw std::invalid_argument("fewer than two samples lie between the instants of a cut");
+        throw std::invalid_argument("fewer than two samples lie between the start and the end of a cut");
     const auto begin = record.values.begin();
     return {record.step,
             {begin + static_cast<std::ptrdiff_t>(first_kept),

@@ -15,9 +15,9 @@ namespace {
 
 constexpr std::string_view separators = " \t,;";
 
-/// A step may differ from the mean step by this share of it: times are often written with few digits.
+/// Largest relative difference of a step from the mean step. Times are often written with few digits.
 constexpr double step_tolerance = 1e-3;
-/// The times may drift from n dt by this share of dt over the whole record.
+/// Largest difference of a time from n dt over the whole record, relative to dt.
 constexpr double drift_tolerance = 1e-2;
 
 bool is_skipped(std::string_view line) {
@@ -39,8 +39,8 @@ std::optional<Row> row_of(std::string_view line) {
     return Row{*time, *value};
 }
 
-/// Whether a line is meant as a sample, if a bad one: a heading does not begin with a number, be it nan or
-/// 1e999.
+/// Whether a line is a sample, possibly an invalid one. A heading does not begin with a number, not even nan
+/// or 1e999.
 bool begins_with_number(std::string_view line) {
     const auto words = words_of(line, separators);
     if (words.empty()) return false;
@@ -55,7 +55,7 @@ std::size_t first_content(const RecordLines& lines) {
     return i;
 }
 
-/// What a heading such as "time (s), acceleration (m/s2)" says of the second column.
+/// Quantity and unit of the second column in a heading such as "time (s), acceleration (m/s2)".
 RecordDeclaration parse_heading(std::string_view line) {
     RecordDeclaration heading;
     const std::size_t comma = line.find_first_of(",;\t");
@@ -66,14 +66,14 @@ RecordDeclaration parse_heading(std::string_view line) {
     return heading;
 }
 
-/// Six digits, for messages.
+/// A number with six digits, for messages.
 std::string short_text(double value) {
     char text[32];
     std::snprintf(text, sizeof text, "%.6g", value);
     return text;
 }
 
-/// The step of the times, which must be equal within the tolerances.
+/// The mean time step. @throws InputError if the steps are not equal within the tolerances.
 double uniform_step(const RecordLines& lines, const TwoColumns& columns) {
     const std::vector<double>& times = columns.times;
     const double dt = (times.back() - times.front()) / static_cast<double>(times.size() - 1);
@@ -89,7 +89,7 @@ double uniform_step(const RecordLines& lines, const TwoColumns& columns) {
                            short_text(dt) + " s",
                        "equal steps");
     }
-    // The rounding of sums is not part of the step: 0.01, not 0.009999999999999998.
+    // Removes the rounding error of sums: 0.01, not 0.009999999999999998.
     const double rounded = std::round(dt * 1e9) / 1e9;
     return std::abs(rounded - dt) <= 1e-12 ? rounded : dt;
 }
@@ -124,7 +124,7 @@ TwoColumns parse_two_columns(const RecordLines& lines) {
             lines.fail(i, "'" + std::string(lines[i].substr(0, 60)) + "' is not a sample",
                        "two finite numbers, time and value");
         if (!columns.times.empty() && row->time <= columns.times.back())
-            lines.fail(i, "the time does not grow",
+            lines.fail(i, "the time does not increase",
                        "a time later than " + shortest_text(columns.times.back()) + " s");
         columns.times.push_back(row->time);
         columns.values.push_back(row->value);

@@ -39,7 +39,7 @@ Accelerogram sine_burst(double peak, double frequency, int cycles, double step) 
 
 Accelerogram ricker(double peak, double frequency, double step) {
     check(peak, frequency, step);
-    // The middle is a sample, so that the peak is met and the wavelet stays symmetric.
+    // The middle is a sample, so the peak is exact and the wavelet is symmetric.
     const auto half = static_cast<std::size_t>(std::ceil(2 / (frequency * step)));
     Accelerogram record{step, {}};
     for (std::size_t k = 0; k <= 2 * half; ++k) {

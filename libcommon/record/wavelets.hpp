@@ -4,14 +4,14 @@
 
 namespace rockslope::record {
 
-/// A burst of whole cycles of a sine under the envelope sin^2(pi t / T), T = cycles / frequency, corrected so
-/// that the ground ends at rest where it began.
-/// @param peak m/s2, largest absolute acceleration; @param frequency Hz; @param cycles 2 to 10000; @param
-/// step s, at most a tenth of a period. All positive; otherwise std::invalid_argument.
+/// Whole cycles of a sine under the envelope sin^2(pi t / T), T = cycles / frequency, baseline-corrected so
+/// that the ground ends at rest where it started.
+/// @param peak m/s2, largest absolute acceleration; @param frequency Hz; @param cycles 2 to 10000;
+/// @param step s, at most a tenth of a period. All positive; otherwise std::invalid_argument.
 Accelerogram sine_burst(double peak, double frequency, int cycles, double step);
 
-/// Ricker's wavelet, a = peak (1 - 2 q) exp(-q) with q = (pi f (t - 2 / f))^2, from 0 to 4 / f; f is where
-/// its spectrum is largest. Its velocity and displacement come back to zero. Parameters as above.
+/// Ricker wavelet, a = peak (1 - 2 q) exp(-q) with q = (pi f (t - 2 / f))^2, from 0 to 4 / f. Its spectrum is
+/// largest at f. Velocity and displacement return to zero. Parameters as above.
 Accelerogram ricker(double peak, double frequency, double step);
 
 }  // namespace rockslope::record

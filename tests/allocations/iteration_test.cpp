@@ -1,5 +1,5 @@
-// What a step asks operator new for: as many allocations of memory however many blocks there are, and what is
-// worked on is kept from one open-close iteration to the next.
+// Memory allocations of a step: their number does not depend on the number of blocks, and the open-close
+// iteration keeps its work space from one iteration to the next.
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ using namespace rockslope;
 
 namespace {
 
-/// Bytes from which a piece of memory is work space, and not bookkeeping that is as long in a small model.
+/// Smallest size of a large allocation, bytes. Smaller ones do not grow with the model.
 constexpr std::size_t large = 2048;
 std::atomic<long> large_allocations{0};
 std::atomic<long> all_allocations{0};
@@ -22,14 +22,14 @@ std::atomic<long> all_allocations{0};
 void* take(std::size_t size) {
     ++all_allocations;
     if (size >= large) ++large_allocations;
-    if (void* piece = std::malloc(size > 0 ? size : 1)) return piece;
+    if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;
     throw std::bad_alloc();
 }
 
 }  // namespace
 
-// All that the library's own forms do not come back to, and with them what they are freed by: a sanitizer
-// holds each new to the delete of its family.
+// Replaces the basic forms of operator new, to which the other forms of the library forward, and the matching
+// forms of delete: a sanitizer reports a mismatch of the two.
 void* operator new(std::size_t size) {
     return take(size);
 }
@@ -40,34 +40,35 @@ void* operator new(std::size_t size, const std::nothrow_t& /*unused*/) noexcept 
         return nullptr;
     }
 }
-void operator delete(void* piece) noexcept {
-    std::free(piece);
+void operator delete(void* memory) noexcept {
+    std::free(memory);
 }
-void operator delete(void* piece, std::size_t /*unused*/) noexcept {
-    std::free(piece);
+void operator delete(void* memory, std::size_t /*unused*/) noexcept {
+    std::free(memory);
 }
-void operator delete(void* piece, const std::nothrow_t& /*unused*/) noexcept {
-    std::free(piece);
+void operator delete(void* memory, const std::nothrow_t& /*unused*/) noexcept {
+    std::free(memory);
 }
 
 namespace {
 
-/// Large allocations that a step asks for which is given up after so many iterations.
+/// The number of large allocations in a step that is limited to `iterations` iterations.
 long large_allocations_in(dda::TimeStepper& stepper, dda::Stage stage, const dda::State& state,
                           int iterations) {
     stage.control.iteration_limit = iterations;
     const long before = large_allocations;
     const dda::StepAttempt attempt = stepper.advance(stage, state, 0.005);
-    EXPECT_EQ(attempt.report.iterations, iterations) << "the step is to be a hard one";
+    EXPECT_EQ(attempt.report.iterations, iterations) << "the step must need more iterations";
     return large_allocations - before;
 }
 
-/// Changes of the held forces that an iteration may tell, each in memory of its own for the step, and how
-/// many allocations that is.
+/// Largest number of search directions of the friction coupling, and the allocations for each. Their memory
+/// is kept for the step.
 constexpr int max_directions = 12;
 constexpr int allocations_per_direction = 4;
 
-// A wall let go: everything slides. What is worked on is made in the first iterations.
+// A wall released from rest, in which all contacts slide. The work space is allocated in the first
+// iterations.
 TEST(Allocations, LaterIterationsAllocateOnlyNewDirections) {
     const dda::Model model = scene::running_bond_wall(12, 12, 100).model;
     for (const int threads : {1, 2}) {
@@ -83,7 +84,7 @@ TEST(Allocations, LaterIterationsAllocateOnlyNewDirections) {
     }
 }
 
-/// Pieces of any size that a warm step of a wall asks for.
+/// The number of allocations of any size in the third step of a wall.
 long allocations_of_step(int columns, int rows) {
     const dda::Model model = scene::running_bond_wall(columns, rows, 100).model;
     dda::TimeStepper stepper(model, 1);
@@ -99,7 +100,7 @@ long allocations_of_step(int columns, int rows) {
     return allocations;
 }
 
-// The walls are as wide as each other, for the list of the contacts of the block below grows as they come.
+// All walls have the same width, because the contact list of the base block grows with it.
 TEST(Allocations, AllocationsPerStepDoNotDependOnTheNumberOfBlocks) {
     const long few = allocations_of_step(12, 3);
     EXPECT_GT(few, 0);

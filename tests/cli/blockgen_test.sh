@@ -1,5 +1,5 @@
 #!/bin/sh
-# What users and Makefiles rely on: exit codes, one-line errors with their place, and that a failed run touches no file.
+# blockgen as users and Makefiles call it: exit codes, one-line errors with their location, no file changed by a failed run.
 #   blockgen_test.sh PROGRAM
 set -eu
 program=$1
@@ -32,13 +32,13 @@ side = "bottom"
 END
 printf 'x1,y1,x2,y2\n3,-1,20,31\n' >'faults of the slope.csv'
 
-# Success: one line, every result, the same bytes again.
+# Success: one line of output, all results, identical bytes when repeated.
 "$program" slope.toml --picture p.svg --report r.json --depfile d.d --verify >out.txt 2>err.txt
 [ "$(wc -l <out.txt)" -eq 1 ] || fail "not one line: $(cat out.txt)"
 grep -q 'slope.blocks: .* blocks, D50 .*verified' out.txt || fail "summary: $(cat out.txt)"
-[ ! -s err.txt ] || fail "said: $(cat err.txt)"
+[ ! -s err.txt ] || fail "printed to the standard error: $(cat err.txt)"
 [ "$(head -n 1 slope.blocks)" = 'ddablk 1' ] || fail 'not a block file'
-grep -q '"area_proved": true' r.json || fail 'no proof in the report'
+grep -q '"area_proved": true' r.json || fail 'the report does not confirm the area'
 grep -qF 'faults\ of\ the\ slope.csv:' d.d || fail 'the depfile lacks the traces'
 printf 'slope.blocks:\n\tfalse\ninclude d.d\n' >Makefile
 make -q slope.blocks || fail 'make finds the blocks out of date'
@@ -60,13 +60,13 @@ grep -v '^provenance' echo.blocks >b.txt
 cmp a.txt b.txt || fail 'the echoed model makes other blocks'
 "$program" slope.toml -o k.blocks --set 'kinematics.friction_angle="30 deg"' --kinematic-picture k.svg \
     --size-picture s.svg --report k.txt >out.txt
-grep -q 'which the blocks fill exactly' k.txt || fail 'no tables in the report'
+grep -q 'filled exactly by the blocks' k.txt || fail 'no tables in the report'
 [ -s k.svg ] || fail 'no kinematic picture'
 [ -s s.svg ] || fail 'no picture of the sizes'
 "$program" --version | grep -q '^blockgen [0-9]' || fail version
 "$program" --help | grep -q -- --max-blocks || fail help
 
-# Failure: the old results stay, nothing new appears.
+# Failure: earlier results are unchanged, and no new file appears.
 echo old >slope.blocks
 list before.txt
 refused() {
@@ -107,4 +107,4 @@ fi
 printf '[domain\n' >broken.toml
 list before.txt
 refused 'broken.toml:1' broken.toml
-echo 'blockgen: all as promised'
+echo 'blockgen: all checks passed'

@@ -1,11 +1,11 @@
 # shellcheck shell=sh
-# What every test of the programs begins with: an empty folder of its own, removed at the end, and `fail`.
-# To be sourced. $folder.* are beside the folder for what must not be seen in it.
+# Common part of the tests of the programs, to be sourced: changes into an empty temporary folder, removed at the end, and
+# defines `fail`. Files that must not appear in the folder are named $folder.*.
 folder=$(mktemp -d)
 trap 'chmod -R u+w "$folder"; rm -rf "$folder" "$folder".*' EXIT
 cd "$folder"
 
-# rock_and_bedding: the materials of most runs here.
+# rock_and_bedding: prints the materials of most runs in these tests.
 rock_and_bedding() {
     cat <<'MODEL'
 [block_material.rock]
@@ -23,7 +23,7 @@ fail() {
     exit 1
 }
 
-# run_refused EXPECTED COMMAND...: exit code 2, nothing on the standard output, one line that says what was expected.
+# run_refused EXPECTED COMMAND...: requires exit code 2, no standard output, and one error line that matches EXPECTED.
 run_refused() {
     expected=$1
     shift

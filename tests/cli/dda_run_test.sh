@@ -1,5 +1,5 @@
 #!/bin/sh
-# dda-run and dda-plot as users call them: bad input, stopping and going on, what Make needs.
+# dda-run and dda-plot as users call them: bad input, stopping and resuming, dependency files for Make.
 #   dda_run_test.sh BIN_FOLDER
 set -eu
 run=$1/dda-run
@@ -49,7 +49,7 @@ MODEL
 } >run.toml
 printf 'time (s),acceleration (m/s2)\n0,0\n0.1,5\n0.2,-5\n0.3,0\n' >record.csv
 
-# refused EXPECTED SED_EXPRESSION [OPTION...]: the edited model is refused in one line and nothing is written.
+# refused EXPECTED SED_EXPRESSION [OPTION...]: requires that the edited model is refused with one line and no file is written.
 refused() {
     expected=$1
     sed "$2" run.toml >bad.toml
@@ -87,7 +87,7 @@ code=0
 [ "$code" -eq 2 ] || fail "exit code $code for a folder that cannot be made"
 rm err.txt
 
-# A whole run; what Make needs; the echo runs to the same bytes.
+# A complete run; the dependency file; the written model file gives identical results.
 "$run" run.toml -o whole --depfile run.d 2>/dev/null
 for file in run.vtkhdf run.joints.vtkhdf history.csv steps.csv summary.json run.toml; do
     [ -s "whole/$file" ] || fail "no $file"
@@ -104,7 +104,7 @@ done
 "$run" --template | grep -q 'joint_material.joint' || fail "no template"
 "$run" --help | grep -q -- '--resume' || fail "no help"
 
-# Stopped by a file, then continued.
+# A run stopped by a file and then resumed.
 mkdir stopped
 sed 's/duration = 1/duration = 40/' run.toml >long.toml
 "$run" long.toml -o long --set 'output.name="run"' 2>/dev/null
@@ -121,7 +121,7 @@ code=0
 [ "$code" -eq 2 ] || fail "resumed with other input"
 "$run" long.toml -o stopped --set 'output.name="run"' --resume 2>/dev/null
 for file in history.csv steps.csv run.vtkhdf run.joints.vtkhdf; do
-    cmp "long/$file" "stopped/$file" || fail "the continued run gives another $file"
+    cmp "long/$file" "stopped/$file" || fail "the resumed run gives another $file"
 done
 
 # Pictures.
@@ -140,4 +140,4 @@ done
 "$plot" whole --frames last -o other
 "$plot" whole --frames last --largest 0.02 -o given
 cmp -s other/run.frame-0011.png given/run.frame-0011.png && fail "--largest changes nothing"
-echo "dda-run keeps its word"
+echo "dda-run: all checks passed"

@@ -1,11 +1,11 @@
 #!/bin/sh
-# A model on a national grid moves as the same model near zero, to the last bit, and is drawn where it lies.
+# A model with coordinates of a national grid moves exactly as the same model near the origin, and can be drawn.
 #   far_test.sh BIN_FOLDER
 set -eu
 bin=$1
 # shellcheck source=tests/cli/common.sh
 . "$(dirname "$0")/common.sh"
-# wedge X Y: two blocks on a prescribed base, the model's middle at (X, Y), a whole number of metres.
+# wedge X Y FOLDER: runs two blocks on a prescribed base; the centre of the model is (X, Y), whole metres.
 wedge() {
     awk -v x="$1" -v y="$2" 'function p(a, b) { return sprintf("[%.10g, %.10g]", a + x, b + y) }
         BEGIN {

@@ -1,5 +1,5 @@
 #!/bin/sh
-# The shipped record is what its recipe makes, byte for byte, and bad command lines leave no file.
+# The artificial record of the project is reproduced byte for byte, and invalid command lines leave no file.
 #   ground_motion_test.sh PROGRAM RECORDS
 set -eu
 program=$1
@@ -7,8 +7,8 @@ records=$2
 # shellcheck source=tests/cli/common.sh
 . "$(dirname "$0")/common.sh"
 "$program" synthesise --seed 2 -o again.at2 --spectrum again.csv >measures.txt
-cmp again.at2 "$records/artificial-m6.5.at2" || fail "the shipped record is not the recipe's"
-cmp again.csv "$records/artificial-m6.5-spectrum.csv" || fail "the shipped spectrum is not the record's"
+cmp again.at2 "$records/artificial-m6.5.at2" || fail "the artificial record is not reproduced"
+cmp again.csv "$records/artificial-m6.5-spectrum.csv" || fail "the spectrum of the artificial record is not reproduced"
 grep -q 'peak acceleration 0.3500 g' measures.txt || fail "peak is not 0.35 g"
 rm -- *
 
@@ -27,7 +27,7 @@ refused "at2 or .csv" synthesise -o a.txt
 refused ".svg, .png or .pdf" synthesise -o a.at2 --picture a.gif
 refused "no/such/folder" synthesise -o no/such/folder/a.at2
 
-# What is done to a record: what is asked for is what is printed, and the file reads back the same.
+# Processing a record: the printed measures are the requested ones, and the file reads back the same.
 record=$records/artificial-m6.5.at2
 expect() {
     expected=$1
@@ -61,20 +61,20 @@ refused "exactly one" scale "$record" -o a.at2
 refused "exactly one" scale "$record" -o a.at2 --peak 1 --factor 2
 refused "go together" scale "$record" -o a.at2 --ordinate 1
 refused "peak must be positive" scale "$record" -o a.at2 --peak nan
-refused "later one" trim "$record" -o a.at2 --from 3 --to 2
+refused "later than its start" trim "$record" -o a.at2 --from 3 --to 2
 refused "step" resample "$record" -o a.at2
 refused "10000000 samples" resample "$record" -o a.at2 --step 0
 expect 'duration 2 s' trim "$record" -o part.at2 --to 2
 expect 'duration 2 s' rotate "$record" part.at2 -o a.at2 --azimuth 0 --azimuth 90 --section 2 2>cut.txt
-grep -q '20 s and 2 s: the longer one is cut' cut.txt || fail "rotate does not say what it cuts: $(cat cut.txt)"
+grep -q '20 s and 2 s: the longer one is cut' cut.txt || fail "rotate does not report the cut: $(cat cut.txt)"
 rm -- *
 refused "azimuth twice" rotate "$record" "$record" -o a.at2 --azimuth 1 --section 2
-refused "off one line" rotate "$record" "$record" -o a.at2 --azimuth 1 --azimuth 181 --section 2
+refused "10 degrees from parallel" rotate "$record" "$record" -o a.at2 --azimuth 1 --azimuth 181 --section 2
 refused "corner frequency" correct "$record" -o a.at2 --high-pass 200
 refused "shift twice" correct "$record" -o a.at2 --shift 1
 refused "damping" show "$record" --damping 1
 
-# Wavelets, and a record made to fit a spectrum.
+# Wavelets, and a record matched to a spectrum.
 expect 'peak acceleration 0.2500 g' synthesise --kind sine --peak 0.25 --frequency 2 --cycles 6 -o sine.at2
 expect 'duration 3 s' show sine.at2
 expect 'duration 2 s' synthesise --kind ricker --peak 0.25 --frequency 2 -o ricker.at2
@@ -89,7 +89,7 @@ printf 'period,value\n1,2\n2,3\n' >"$folder.csv"
 refused "names no acceleration" match "$record" -o a.at2 --target "$folder.csv"
 refused "overwrite" match "$record" -o "$folder.csv" --target "$folder.csv"
 
-# Records beside each other; a run's history; a record of velocity.
+# Several records in one picture; the history of a run; a record of velocity.
 expect 'peak acceleration 0.1750 g' scale "$record" -o half.at2 --factor 0.5
 "$program" plot "$record" half.at2 -o both.svg || fail "plot refused"
 grep -q 'svg' both.svg || fail "plot drew nothing"
@@ -110,7 +110,7 @@ grep -q svg tracks.svg || fail "compare drew nothing"
 awk 'BEGIN { print "time (s),velocity (m/s)"
              for (k = 0; k <= 1000; ++k) printf "%.3f,%.12f\n", k / 200, sin(k / 100) }' >velocity.csv
 expect 'peak acceleration 0.2039 g' convert velocity.csv -o acceleration.csv 2>note.txt
-grep -q 'holds velocity; its acceleration' note.txt || fail "nothing said of the velocity"
+grep -q 'contains velocity; it is differentiated' note.txt || fail "no note on the velocity: $(cat note.txt)"
 rm -- *
 refused "expected one or more" plot -o a.png
 refused ".svg, .png or .pdf" plot "$record" -o a.csv

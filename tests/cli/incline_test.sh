@@ -1,6 +1,6 @@
 #!/bin/sh
-# data/incline as its reader runs it: the chain by make, what is redone after which edit, the same bytes twice, and the
-# distance that Newmark's sliding block gives.
+# data/incline run by make as a user would: which programs run after which edit, identical bytes when repeated, and the slip
+# of Newmark's sliding block.
 #   incline_test.sh BIN DATA
 set -eu
 bin=$1
@@ -15,7 +15,7 @@ run() {
     make --no-print-directory BIN="$bin" run "$@" >log 2>&1 || { cat log >&2; fail "make run $*"; }
 }
 
-# expect PROGRAM yes|no: whether the last make called it.
+# expect PROGRAM yes|no REASON: checks whether the last make called the program.
 expect() {
     called=no
     grep -q "/$1 " log && called=yes
@@ -31,7 +31,7 @@ run
 expect blockgen no "nothing changed"
 expect dda-run no "nothing changed"
 
-sleep 1 # make compares times; some file systems count them in seconds
+sleep 1 # make compares file times, which some file systems store in whole seconds
 sed -i 's/friction_angle = "25 deg"/friction_angle = "26 deg"/' run.toml
 run
 expect blockgen no "strength changed"
@@ -53,9 +53,9 @@ for file in history.csv steps.csv incline.vtkhdf incline.joints.vtkhdf; do
     cmp "out/$file" "first/$file" || fail "$file differs between two runs of the same input"
 done
 
-# The slip down the plane is the block's displacement less the base's. Newmark's equation for this base motion, a slope of
-# atan(7/24) and a friction of 25 deg, integrated with a step of 1e-5 s, gives 0.4930 m; 1 % is the tolerance for such
-# comparisons, the spring of the contact and the finite step being what differs.
+# The slip is the displacement of the block relative to the base. Newmark's equation for this base motion, a slope of
+# atan(7/24) and a friction of 25 deg, integrated with a step of 1e-5 s, gives 0.4930 m. The tolerance of 1 % allows for the
+# contact spring and the finite step.
 awk -F, '
     NR == 1 { for (i = 1; i <= NF; ++i) column[$i] = i }
     END {

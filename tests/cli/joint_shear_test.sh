@@ -1,5 +1,5 @@
 #!/bin/sh
-# joint-shear writes the same rows whatever the increment, compares with a table, and refuses bad input without a trace.
+# joint-shear: the same rows for any increment, comparison with a table, no file left after invalid input.
 #   joint_shear_test.sh PROGRAM
 set -eu
 program=$1
@@ -14,7 +14,7 @@ grep -q '<svg' rows.svg || fail "no picture"
 "$program" test.toml -o again.csv >/dev/null
 cmp rows.csv again.csv || fail "not the same bytes twice"
 
-# Compared with its own rows there is no misfit; a laboratory's units are read.
+# The misfit to its own rows is zero; laboratory units are converted.
 "$program" test.toml -o coarse.csv --set shear_test.increment=0.003 --compare rows.csv >told.txt
 grep -q '^misfit of shear stress: rms 0 MPa, largest 0 MPa' told.txt || fail "$(cat told.txt)"
 printf '# a laboratory\ndisplacement (mm);temperature (C);shear stress (kPa)\n1.25;20;1920.24\n15;21;813.551\n' >lab.csv
@@ -23,7 +23,7 @@ grep -q '^misfit of shear stress: rms 0.007071 MPa, largest 0.01 MPa at 15 mm' t
 "$program" test.toml -o along.csv --set 'shear_test.path={file="lab.csv"}' >/dev/null
 tail -n 1 along.csv | grep -q '^0.015,8035' || fail "a path from a file: $(tail -n 1 along.csv)"
 
-# Normal stress grows with dilation where something resists it.
+# With a stiff normal boundary the normal stress grows with dilation.
 stiff='shear_test.boundary="constant-stiffness"'
 "$program" test.toml -o stiff.csv --picture stiff.svg --set "$stiff" --set shear_test.boundary_stiffness=1e9 >/dev/null
 awk -F, 'NR > 1 && ($3 - 1e6 - 1e9 * $4 > 1 || $3 - 1e6 - 1e9 * $4 < -1) && $3 > 0 { exit 1 }' stiff.csv ||
@@ -45,7 +45,7 @@ refused '--output is missing' test.toml
 refused '.svg, .png or .pdf' test.toml -o a.csv --picture a.gif
 refused 'perhaps\|did you mean' test.toml -o a.csv --set shear_test.lenth=1
 refused 'positive number' test.toml -o a.csv --set shear_test.normal_stress=0
-refused 'goes nowhere' test.toml -o a.csv --set 'shear_test.path=[0, 0]'
+refused 'has no displacement other than 0' test.toml -o a.csv --set 'shear_test.path=[0, 0]'
 refused 'more than 1e7 rows' test.toml -o a.csv --set shear_test.increment=1e-12
 refused 'cannot be compressed' test.toml -o a.csv --set 'shear_test.boundary="constant-volume"'
 refused 'boundary_stiffness' test.toml -o a.csv --set "$stiff"

@@ -1,5 +1,5 @@
 #!/bin/sh
-# A run that cannot converge ends by itself, with a named contact, its last frame, and a picture of both.
+# A run that does not converge ends, reports its worst contact and writes its last frame; dda-plot draws both.
 #   no_convergence_test.sh BIN_FOLDER
 set -eu
 run=$1/dda-run
@@ -33,7 +33,8 @@ ring 7 6 8 9
 edges 0:0 - - -
 end
 BLOCKS
-# Shaken at 2 g, the blocks slip and lift off: states change, and one iteration with no smaller step left cannot follow.
+# Shaken at 2 g, the blocks slip and lift off. The contact states change, and one iteration without a smaller step does not
+# converge.
 printf 'time (s),acceleration (m/s2)\n0,0\n0.1,20\n0.2,-20\n0.3,0\n' >record.csv
 {
     echo 'blocks = "stack.blocks"'
@@ -73,7 +74,7 @@ time=$(sed -n 's/^  "time": \(.*\),$/\1/p' out/summary.json)
 stepped=$(tail -n 1 out/steps.csv | cut -d, -f1)
 [ "$time" = "$stepped" ] || fail "the summary's time is $time, the last step's $stepped"
 
-# One command draws what the run did not get past; asked for alone, nothing else.
+# One command draws the worst contact; with --worst-contact it draws nothing else.
 "$plot" out
 for picture in worst-contact worst-contact-near frame-0000; do
     [ -s "out/run.$picture.png" ] || fail "no picture $picture"
@@ -83,7 +84,7 @@ done
 run.worst-contact.png" ] || fail "other pictures too: $(ls alone)"
 cmp -s alone/run.worst-contact.png alone/run.worst-contact-near.png && fail "both pictures are the same"
 
-# A run that came to its end has none, and a damaged summary is refused.
+# A completed run has no worst contact, and a damaged summary is refused.
 "$run" run.toml -o whole --set 'stage[1].iteration_limit=100' --set 'stage[1].smallest_step=1e-9' 2>/dev/null
 "$plot" whole
 [ ! -e whole/run.worst-contact.png ] || fail "a worst contact of a run that converged"
@@ -95,4 +96,4 @@ for edit in 's/"edge_block": [0-9]*/"edge_block": 99/' 's/"edge_block": [0-9]*/"
     run_refused 'summary\|no block of the worst contact' "$plot" out --worst-contact -o refused
     [ ! -e refused ] || fail "something written for $edit"
 done
-echo "a run that cannot converge says where"
+echo "a run that does not converge reports its worst contact"

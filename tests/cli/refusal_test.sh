@@ -1,6 +1,5 @@
 #!/bin/sh
-# A refused run touches nothing: neither the files it would have read, nor results that are there. A full disk and a kill leave
-# results that can be read.
+# A refused run changes no file, neither its input nor existing results. A full disk and a killed run leave readable results.
 #   refusal_test.sh BIN_FOLDER
 set -eu
 bin=$1
@@ -43,7 +42,7 @@ printf 'time (s),acceleration (m/s2)\n0,0\n0.1,5\n0.2,-5\n0.3,0\n' >record.csv
 "$bin/dda-run" run.toml -o good 2>/dev/null
 cp -r good spoilt
 
-# refused EXPECTED PROGRAM ARGUMENT...: exit code 2, one line that says what was expected, and every file as it was.
+# refused EXPECTED PROGRAM ARGUMENT...: requires exit code 2, one error line that matches EXPECTED, and unchanged files.
 listing() {
     find . -type f -exec sha256sum {} + | sort -k 2
     find . ! -type f | sort
@@ -58,10 +57,10 @@ refused() {
     cmp -s "$folder.before" "$folder.after" || fail "$program $* touched: $(diff "$folder.before" "$folder.after")"
 }
 
-# What is read is not overwritten, however it is spelt.
+# Input files are not overwritten, however their paths are written.
 refused 'overwrite the model file' blockgen slope.toml --report "$folder/slope.toml"
 refused 'overwrite the input file' blockgen slope.toml --report ./outline.csv
-refused 'two results of one name' blockgen slope.toml --report ./slope.blocks
+refused 'two results are the same file' blockgen slope.toml --report ./slope.blocks
 refused 'output is empty' blockgen slope.toml -o ''
 refused 'overwrite the model file' dda-run run.toml -o .
 refused 'overwrite the model file' dda-run good/run.toml -o good
@@ -70,12 +69,12 @@ refused 'overwrite the input file' dda-run run.toml -o new --depfile slope.block
 cp record.csv good/history.csv
 refused 'overwrite the input file' dda-run run.toml -o good --set 'stage[0].base_motion.x.file=good/history.csv'
 cp spoilt/history.csv good/history.csv
-refused 'two results of one name' dda-run run.toml -o good --depfile good/steps.csv
-refused 'two results of one name' ground-motion synthesise -o a.csv --spectrum a.csv
+refused 'two results are the same file' dda-run run.toml -o good --depfile good/steps.csv
+refused 'two results are the same file' ground-motion synthesise -o a.csv --spectrum a.csv
 refused 'seed must not be negative' ground-motion synthesise -o a.csv --seed -1
 refused 'leave no motion' ground-motion synthesise -o a.csv --kappa 1e308
 
-# Results that are there survive a run that cannot begin.
+# A run that cannot start leaves existing results unchanged.
 refused 'no such folder' dda-run run.toml -o good --depfile nowhere/run.d
 refused 'this is a folder' dda-run run.toml -o good --depfile good
 refused 'no such folder' ground-motion synthesise -o a.csv --spectrum nowhere/s.csv
@@ -86,11 +85,11 @@ rmdir spoilt/history.csv
 refused 'Not a directory' dda-run run.toml -o run.toml
 refused 'Not a directory' dda-plot good -o run.toml/pictures
 
-# Folders that dda-plot cannot draw.
-refused 'holds no' dda-plot nowhere
+# Result folders that dda-plot refuses.
+refused 'contains no' dda-plot nowhere
 refused 'history.csv: cannot be read' dda-plot spoilt -o pictures
 head -n 1 good/history.csv >spoilt/history.csv
-refused 'holds no row yet' dda-plot spoilt -o pictures
+refused 'contains no rows yet' dda-plot spoilt -o pictures
 sed '1s/crest uy/crest vy/' good/history.csv >spoilt/history.csv
 refused 'no column .crest uy' dda-plot spoilt -o pictures
 for file in run.vtkhdf run.joints.vtkhdf; do
@@ -101,17 +100,17 @@ for file in run.vtkhdf run.joints.vtkhdf; do
     refused 'cannot be read as HDF5' dda-plot spoilt -o pictures
 done
 
-# A kill between a frame of the blocks and that of their contacts leaves the one without the other: the rest is drawn.
+# A run killed between writing a frame of blocks and its contacts leaves an incomplete frame; the others are drawn.
 "$bin/dda-run" run.toml -o fewer --set output.frames=5 2>/dev/null
 cp good/* spoilt
 cp fewer/run.joints.vtkhdf spoilt
 "$bin/dda-plot" fewer --frames all -o whole_pictures
-"$bin/dda-plot" spoilt --frames all -o pictures || fail "a frame that is not whole keeps the others from being drawn"
+"$bin/dda-plot" spoilt --frames all -o pictures || fail "an incomplete frame prevents drawing the others"
 drawn=$(find pictures -type f | wc -l)
-[ "$drawn" -eq "$(find whole_pictures -type f | wc -l)" ] || fail "$drawn pictures of the frames that are whole"
+[ "$drawn" -eq "$(find whole_pictures -type f | wc -l)" ] || fail "$drawn pictures of the complete frames"
 rm -r pictures whole_pictures
 
-# A killed run can be drawn, and continued only from what it wrote itself. Checkpoints come every 0.05 s of wall time.
+# A killed run can be drawn, and resumed only from its own files. Checkpoints are written every 0.05 s of wall time.
 sed -e 's/duration = 0.5/duration = 1000/' -e 's/frames = 10/frames = 2000\ncheckpoint_interval = 0.05/' run.toml >long.toml
 "$bin/dda-run" long.toml -o killed 2>/dev/null &
 pid=$!
@@ -125,7 +124,7 @@ corrupt() {
     cp -r killed spoilt
 }
 corrupt
-refused 'now it is asked for' dda-run long.toml -o spoilt --resume --pvd
+refused 'but it is requested now' dda-run long.toml -o spoilt --resume --pvd
 refused 'belongs to a run of other input' dda-run run.toml -o spoilt --resume
 for file in history.csv steps.csv long.vtkhdf long.joints.vtkhdf; do
     corrupt
@@ -140,7 +139,7 @@ for bytes in 0 100 5000; do
     refused 'checkpoint.h5: cannot be resumed from' dda-run long.toml -o spoilt --resume
 done
 
-# A disk that is full from the start, and one that fills up: files may grow to so many blocks of 512 bytes.
+# A disk that is full from the start, and disks that fill up: a limit of the file size, in blocks of 512 bytes.
 for blocks in 0 1 8 64 800 1200; do
     rm -rf full
     (
@@ -151,7 +150,7 @@ for blocks in 0 1 8 64 800 1200; do
     grep -q '^exit code 1$' "$folder.out" || fail "on a disk of $blocks blocks: $(cat "$folder.out")"
     grep -q 'cannot be written: File too large' "$folder.out" || fail "said: $(cat "$folder.out")"
 done
-# There is room for the summary where there is none for a frame.
+# The summary fits on a disk on which a frame does not fit.
 grep -q '"status": "not written"' full/summary.json || fail "no summary of a run that could not be written"
-"$bin/dda-plot" full -o pictures || fail "what stood before the disk was full cannot be drawn"
-echo "refusals touch nothing"
+"$bin/dda-plot" full -o pictures || fail "the frames written before the disk was full cannot be drawn"
+echo "refused runs change no file"

@@ -7,12 +7,13 @@
 
 namespace rockslope::fuzz {
 
-/// Damages a file the way transfers and editors do: bytes changed, pieces cut out, doubled or swapped, words
-/// put in that readers stumble over. The same seed does the same damage.
+/// Damages a text like transfers and editors do: it changes bytes, removes, repeats or swaps pieces, and
+/// inserts words that are difficult for readers. The same seed does the same damage.
 class Mutator {
   public:
     explicit Mutator(unsigned long seed) : random_(seed) {}
 
+    /// A random index below n; 0 if n is 0.
     std::size_t pick(std::size_t n) { return n == 0 ? 0 : random_() % n; }
 
     std::string of(std::string text) {

@@ -1,7 +1,8 @@
-// Feeds damaged files to the readers of slope models, block files, Shi's line files, CSV and GeoJSON: bytes
-// changed, pieces cut out, doubled or swapped. Each must be read, or refused by InputError.
-//   fuzz_readers SECONDS [FIRST_SEED [STEP]]        fuzz_readers --seeds FILE replays seeds, one a line
-// A step of five from seed 0 stays with slope models, from 1 with block files, and so on in the order above.
+// Feeds damaged files to the readers of slope models, block files, Shi's line files, CSV and GeoJSON. Each
+// must be read or be rejected by InputError.
+//   fuzz_readers SECONDS [FIRST_SEED [STEP]]        fuzz_readers --seeds FILE replays seeds, one per line
+// With a step of five, first seed 0 tests slope models only, 1 block files only, and so on in the order
+// above.
 #include <unistd.h>
 
 #include <cstdio>

@@ -1,7 +1,6 @@
-// Feeds damaged records of ground motion, in every format, to their readers: recognised from the content, and
-// by a declared format that may be the wrong one. Each must be read into a record that a base can follow, or
-// refused by InputError.
-//   fuzz_records SECONDS [FIRST_SEED [STEP]]        fuzz_records --seeds FILE replays seeds, one a line
+// Feeds damaged ground-motion records in every format to their readers, with the format recognised by
+// content or declared, sometimes wrongly. Each must give a valid record or be rejected by InputError.
+//   fuzz_records SECONDS [FIRST_SEED [STEP]]        fuzz_records --seeds FILE replays seeds, one per line
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -17,7 +16,7 @@ using namespace rockslope;
 
 namespace {
 
-/// A second of miniSEED: a header that is recognised, and samples that are not read.
+/// A miniSEED file: a header that is recognised, and samples that are not read.
 std::string miniseed() {
     std::string text = "000001D ABCD 00HNEXX";
     return text + std::string(512 - text.size(), '\0');
@@ -29,14 +28,14 @@ std::string run_history() {
     return text;
 }
 
-std::vector<small_records::SmallRecord> starts() {
+std::vector<small_records::SmallRecord> undamaged_records() {
     std::vector<small_records::SmallRecord> records = small_records::all();
     records.push_back({"miniseed", miniseed()});
     records.push_back({"run", run_history()});
     return records;
 }
 
-/// Mostly what fits the file, so that the damage is what decides; sometimes the word of another format or
+/// A declaration that mostly fits the file, so that the damage decides; sometimes with another format or
 /// unit.
 record::RecordDeclaration declaration_of(fuzz::Mutator& damage, const std::string& format) {
     static const std::vector<std::string> keys = record::record_format_keys();
@@ -52,7 +51,7 @@ record::RecordDeclaration declaration_of(fuzz::Mutator& damage, const std::strin
     return declaration;
 }
 
-bool is_in_allowed_range(const record::Record& record) {
+bool is_valid(const record::Record& record) {
     if (!(record.dt > 0) || record.values.size() < 2) return false;
     for (const double value : record.values)
         if (!std::isfinite(value)) return false;
@@ -60,15 +59,15 @@ bool is_in_allowed_range(const record::Record& record) {
 }
 
 bool passes(unsigned long seed) {
-    static const std::vector<small_records::SmallRecord> records = starts();
+    static const std::vector<small_records::SmallRecord> records = undamaged_records();
     fuzz::Mutator damage(seed);
     const small_records::SmallRecord& start = records[seed % records.size()];
     const record::RecordDeclaration declaration = declaration_of(damage, start.format);
     try {
         const record::Record record = record::parse_record(damage.of(start.text), "record", declaration);
-        if (is_in_allowed_range(record)) return true;
-        std::printf("seed %lu (%s): %zu samples at %g s, or one that is not finite\n", seed, start.format,
-                    record.values.size(), record.dt);
+        if (is_valid(record)) return true;
+        std::printf("seed %lu (%s): %zu samples at %g s, or a sample that is not finite\n", seed,
+                    start.format, record.values.size(), record.dt);
         return false;
     } catch (const InputError&) {
         ++fuzz::refused;

@@ -9,15 +9,15 @@
 
 namespace rockslope::fuzz {
 
-/// How many inputs were refused, as bad ones should be.
+/// Number of inputs rejected by InputError.
 inline unsigned long refused = 0;
-/// Set by a signal to end: what was done until then is still told.
+/// Set by a signal. The run then ends and still prints its summary.
 inline volatile std::sig_atomic_t is_stopped = 0;
 
-/// The whole of a fuzzer's main: PROGRAM SECONDS [FIRST_SEED [STEP]], or PROGRAM --seeds FILE, which replays
-/// seeds, one a line. A step of as many as there are kinds of input stays with one kind. Seconds are those of
-/// the processor.
-/// @param passes runs one seed and prints what is wrong with it. @returns the exit code.
+/// The main function of a fuzzer: PROGRAM SECONDS [FIRST_SEED [STEP]] runs until the CPU time is used up,
+/// PROGRAM --seeds FILE replays seeds, one per line. A step equal to the number of kinds of input stays with
+/// one kind.
+/// @param passes runs one seed and prints what is wrong with it. @return the exit code.
 template <class Passes>
 int run_seeds(int argc, char** argv, const Passes& passes) {
     if (argc < 2) {

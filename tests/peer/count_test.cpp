@@ -1,4 +1,4 @@
-// Block counts beside those of GEOS, a polygonizer in floating point.
+// Compares block counts with those of GEOS, which polygonizes in floating point.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,13 +18,13 @@ using Case = std::pair<Family, double>;
 
 class BlockCount : public testing::TestWithParam<Case> {};
 
-TEST_P(BlockCount, IsThatOfGeos) {
+TEST_P(BlockCount, EqualsThatOfGeos) {
     const auto [family, blocks] = GetParam();
     blockgen::SlopeModel model = family_slope(family, blocks);
-    // As fine as the size allows: on the default grid three joints that cross within 1e-6 m meet in one
+    // The finest grid for this size: on the default grid three joints that cross within 1e-6 m meet in one
     // point.
     model.grid = 0x1p-30;
-    const std::vector<blockgen::Trace> traces = traces_across_rim(model);
+    const std::vector<blockgen::Trace> traces = traces_across_boundary(model);
     const blockgen::CutResult ours = blockgen::cut_blocks(model, traces);
     const std::vector<GeosBlock> theirs = geos_blocks(model.outline, traces);
     EXPECT_EQ(ours.mesh.block_count(), theirs.size());
@@ -48,9 +48,9 @@ INSTANTIATE_TEST_SUITE_P(Families, BlockCount,
                              return name + "_" + std::to_string(static_cast<int>(test_case.param.second));
                          });
 
-// Digitised maps in UTM coordinates. GEOS closes gaps below 1e-12 of the largest coordinate, 6.7e-6 m here,
-// where its plain noding fails; a grid of 2^-17 m closes one of 6.2e-6 m in KB11, that of 2^-20 m does not.
-TEST(Maps, HaveTheBlocksOfGeos) {
+// Digitised maps in UTM coordinates. When plain noding fails, GEOS closes gaps below 1e-12 of the largest
+// coordinate, here 6.7e-6 m. A grid of 2^-17 m closes a gap of 6.2e-6 m in KB11; a grid of 2^-20 m does not.
+TEST(Maps, HaveAsManyBlocksAsWithGeos) {
     const auto maps = external_data("joint-maps");
     if (!maps) GTEST_SKIP() << external_data_missing("joint-maps");
     for (const auto& [name, grid, fewer] :

@@ -12,7 +12,7 @@ namespace rockslope::peer {
 
 namespace {
 
-/// A GEOS session; everything made in it ends with it.
+/// A GEOS session; it must outlive all geometries created in it.
 class Session {
   public:
     Session() : handle_(GEOS_init_r()) {
@@ -43,7 +43,7 @@ class Session {
 
     Geometry owned(GEOSGeometry* geometry) const {
         if (geometry == nullptr) throw std::runtime_error("GEOS: " + error_);
-        // The C interface frees through its session, which a plain deleter cannot know.
+        // The C interface frees a geometry through its session, which a captureless deleter cannot store.
         thread_local GEOSContextHandle_t current = nullptr;
         current = handle_;
         return {geometry, [](GEOSGeometry* g) { GEOSGeom_destroy_r(current, g); }};

@@ -38,7 +38,7 @@ SlopeModel family_slope(Family family, double blocks) {
     const double s = size / std::sqrt(blocks);
     if (family == Family::two_sets)
         model.joint_sets = {set_at(20, constant_value(s)), set_at(110, constant_value(s))};
-    // Two sets at 60 degrees cross sin 60 / s^2 times a unit area, so three sets 2.6 times.
+    // Two sets at 60 degrees have sin 60 / s^2 crossings per area, so three sets have 2.6 / s^2.
     if (family == Family::three_sets)
         for (const double angle : {0.5, 60.5, 120.5}) {
             const double mean = s * std::sqrt(3 * std::sin(std::numbers::pi / 3));
@@ -54,10 +54,10 @@ SlopeModel family_slope(Family family, double blocks) {
     return model;
 }
 
-std::vector<Trace> traces_across_rim(const SlopeModel& model) {
+std::vector<Trace> traces_across_boundary(const SlopeModel& model) {
     std::vector<Trace> traces = all_traces(model);
     const Bounds bounds = Bounds::of(model.outline);
-    const auto is_at_rim = [&](const Point& p) {
+    const auto is_on_boundary = [&](const Point& p) {
         return std::min({p.x - bounds.low.x, bounds.high.x - p.x, p.y - bounds.low.y, bounds.high.y - p.y}) <
                1e-9;
     };
@@ -65,8 +65,8 @@ std::vector<Trace> traces_across_rim(const SlopeModel& model) {
         Point &a = trace.points[0], &b = trace.points[1];
         const double length = std::hypot(b.x - a.x, b.y - a.y);
         const Point u{(b.x - a.x) / length, (b.y - a.y) / length};
-        if (is_at_rim(a)) a = {a.x - u.x, a.y - u.y};
-        if (is_at_rim(b)) b = {b.x + u.x, b.y + u.y};
+        if (is_on_boundary(a)) a = {a.x - u.x, a.y - u.y};
+        if (is_on_boundary(b)) b = {b.x + u.x, b.y + u.y};
     }
     return traces;
 }

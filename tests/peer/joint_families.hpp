@@ -7,10 +7,10 @@
 
 namespace rockslope::peer {
 
-/// Three kinds of jointing that make blocks of quite different sorts.
+/// Three kinds of joint networks that give different types of blocks.
 enum class Family {
-    two_sets,        ///< persistent, of constant spacing
-    three_sets,      ///< persistent, of exponential spacing
+    two_sets,        ///< two persistent sets of constant spacing
+    three_sets,      ///< three persistent sets of exponential spacing
     ending_in_rock,  ///< three sets of traces and rock bridges
 };
 
@@ -18,11 +18,11 @@ inline constexpr std::array families = {Family::two_sets, Family::three_sets, Fa
 
 std::string name_of(Family family);
 
-/// A square of 100 m with joints that make about so many blocks.
+/// A square of 100 m with joints that give about the given number of blocks.
 blockgen::SlopeModel family_slope(Family family, double blocks);
 
-/// The joints of a model, those that end at the rim drawn on across it: where a sampler clips, rounding may
-/// leave the end on either side.
-std::vector<blockgen::Trace> traces_across_rim(const blockgen::SlopeModel& model);
+/// The joints of a model. Joints that end at the boundary are extended by 1 m beyond it, because the
+/// sampler's clipping may round their ends to either side.
+std::vector<blockgen::Trace> traces_across_boundary(const blockgen::SlopeModel& model);
 
 }  // namespace rockslope::peer

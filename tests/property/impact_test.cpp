@@ -1,5 +1,6 @@
-// Blocks thrown at each other at random: whatever the shapes, speeds and steps, no block gets into another
-// farther than its contacts say, none comes out on another's far side, momentum stays, energy does not grow.
+// Random blocks thrown at each other. For all shapes, speeds and steps: no block penetrates another by more
+// than its contacts account for, none passes through another, momentum is conserved, and energy does not
+// grow.
 
 #include <gtest/gtest.h>
 
@@ -12,8 +13,8 @@ namespace {
 
 using namespace scene;
 
-/// Two or three blocks, the second and third on their way to the first: half of them with a corner aimed at
-/// a corner, as exactly as rounding allows or past it by a little.
+/// Two or three blocks; the second and third fly towards the first. Half of them have a corner aimed at a
+/// corner, either exactly or with a small offset.
 FlightSetup random_throw(unsigned seed) {
     RandomSource random(seed);
     FlightSetup result;
@@ -27,11 +28,11 @@ FlightSetup random_throw(unsigned seed) {
     result.velocity.push_back(Vec6::Zero());
     const unsigned count = 1 + random.index_below(2);
     const double speed = random.magnitude(.1, 50);
-    double slowest_way = 0;
+    double longest_flight = 0;
     for (unsigned k = 0; k < count; ++k) {
         const double own_size = size * random.magnitude(.1, 1);
         const Ring shape = placed(random_ring(random, own_size), random.between(0, 6), Vec2(0, 0));
-        // Thrown from outside of the target's circle, on its own side of it.
+        // Starts outside the circumscribed circle of the target, each block on its own side.
         const Vec2 from = placed(Vec2(0, 1), std::numbers::pi * k + random.between(-.5, .5), Vec2(0, 0));
         const double away = (size + own_size) / std::sqrt(2) * random.between(1.05, 1.2);
         Vec2 aim = size * random.between(-.3, .3) * dda::perpendicular(from);
@@ -47,12 +48,12 @@ FlightSetup random_throw(unsigned seed) {
         v.head<2>() = -speed * random.between(.5, 1) * from;
         if (random.index_below(2) == 0) v[2] = speed / size * random.between(-2, 2);
         result.velocity.push_back(v);
-        slowest_way = std::max(slowest_way, away / -v.head<2>().dot(from));
+        longest_flight = std::max(longest_flight, away / -v.head<2>().dot(from));
     }
-    result.stage.duration = 1.5 * slowest_way;
+    result.stage.duration = 1.5 * longest_flight;
     result.stage.control.step = random.magnitude(1e-5, 5e-3);
     result.stage.control.step = std::max(result.stage.control.step, result.stage.duration / 400);
-    // Half of the throws at Shi's limit, half with as long a way as the step makes it.
+    // Half of the throws have Shi's displacement limit, half have none.
     if (random.index_below(2) == 0) result.stage.control.displacement_ratio = 100;
     return result;
 }
@@ -68,26 +69,26 @@ TEST_P(Impact, NoBlockPenetratesAnotherUndetected) {
 }
 INSTANTIATE_TEST_SUITE_P(Fifties, Impact, testing::Range(0U, 20U), testing::PrintToStringParamName());
 
-/// Throws that went wrong once, by what was wrong.
+/// Throws that once failed, named by the cause.
 class KnownThrow : public testing::TestWithParam<unsigned> {};
 
 TEST_P(KnownThrow, NoBlockPenetratesAnotherUndetected) {
     FlightMonitor(random_throw(GetParam())).run();
 }
-INSTANTIATE_TEST_SUITE_P(BlockTurnedOntoAnotherCorner, KnownThrow, testing::Values(82U, 217U, 570U, 900U),
+INSTANTIATE_TEST_SUITE_P(BlockRotatedOntoAnotherCorner, KnownThrow, testing::Values(82U, 217U, 570U, 900U),
                          testing::PrintToStringParamName());
-INSTANTIATE_TEST_SUITE_P(TipWentThroughAThinBlock, KnownThrow, testing::Values(78U, 193U, 424U, 438U),
+INSTANTIATE_TEST_SUITE_P(TipPassedThroughAThinBlock, KnownThrow, testing::Values(78U, 193U, 424U, 438U),
                          testing::PrintToStringParamName());
-INSTANTIATE_TEST_SUITE_P(CornerBesideTheOneThatBears, KnownThrow, testing::Values(108U, 508U, 583U, 643U),
+INSTANTIATE_TEST_SUITE_P(CornerBesideTheLoadedOne, KnownThrow, testing::Values(108U, 508U, 583U, 643U),
                          testing::PrintToStringParamName());
-INSTANTIATE_TEST_SUITE_P(ArmsFromAMistakenRotationGaveEnergy, KnownThrow, testing::Values(521U, 564U, 616U),
+INSTANTIATE_TEST_SUITE_P(WrongPredictedRotationAddedEnergy, KnownThrow, testing::Values(521U, 564U, 616U),
                          testing::PrintToStringParamName());
-INSTANTIATE_TEST_SUITE_P(LineBehindWasGivenAForce, KnownThrow, testing::Values(24U, 864U),
+INSTANTIATE_TEST_SUITE_P(RearEntranceLineHadAForce, KnownThrow, testing::Values(24U, 864U),
                          testing::PrintToStringParamName());
 
-// A plate 1 cm thick, hit by a block at 50 m/s with steps that take the block up to ten thicknesses far.
+// A block hits a plate 1 cm thick at 50 m/s. It moves by up to ten times the thickness in a step.
 TEST(ThinPlate, IsNotPassedThrough) {
-    for (const double way : {.002, .01, .025, .1}) {
+    for (const double step_displacement : {.002, .01, .025, .1}) {
         for (const double turned : {0.0, .1, .5}) {
             Scene s;
             s.model.gravity.setZero();
@@ -99,17 +100,15 @@ TEST(ThinPlate, IsNotPassedThrough) {
             sim.restart_ledger();
             dda::Stage stage;
             stage.duration = .01;
-            stage.control.step = way / 50;
+            stage.control.step = step_displacement / 50;
             stage.control.displacement_ratio = 10;
             ASSERT_EQ(sim.run(stage).status, dda::RunStatus::completed);
             const auto& vertices = sim.state.blocks.vertices;
             const Vec2 along = vertices[2] - vertices[3];
             for (int k = 4; k < 8; ++k) {
-                EXPECT_GT(
-                    dda::cross(along, vertices[static_cast<std::size_t>(k)] - vertices[3]) / along.norm(),
-                    -1e-3)
-                    << "corner " << k << " is above the plate; way of a step " << way << ", turned "
-                    << turned;
+                EXPECT_GT(dda::cross(along, vertices[k] - vertices[3]) / along.norm(), -1e-3)
+                    << "corner " << k << " must be above the plate; displacement of a step "
+                    << step_displacement << " m, rotated by " << turned;
             }
         }
     }

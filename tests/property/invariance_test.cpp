@@ -1,4 +1,5 @@
-// What must not matter: the order of the blocks, where the model is, which way it is turned, its units.
+// Detected contacts must not depend on the order of the blocks, nor on position, orientation and units of the
+// model.
 
 #include <gtest/gtest.h>
 
@@ -15,14 +16,14 @@ namespace {
 
 using namespace scene;
 
-/// Blocks as lists of rings, before they are anywhere.
+/// Blocks as lists of rings, before they are transformed.
 struct Shapes {
     std::vector<std::vector<Ring>> blocks;
     std::vector<dda::Motion> motion;
 };
 
-/// Polygons of all kinds scattered so that they touch, overlap and stand apart, a hundred times smaller ones
-/// among them; neighbours with common corners; a block with a hole and one in it.
+/// Random polygons that touch, overlap or are apart, some a hundred times smaller; neighbours with common
+/// corners; a block with a hole and another one in it.
 Shapes scattered(unsigned seed) {
     RandomSource random(seed);
     Shapes shapes;
@@ -35,7 +36,7 @@ Shapes scattered(unsigned seed) {
         const Vec2 place(random.between(-3, 3), random.between(-3, 3));
         add({placed(random_ring(random, size), random.between(0, 6), place)});
     }
-    // Quadrilaterals around common corners, which rounding puts in one place.
+    // Quadrilaterals around common corners, which have exactly the same coordinates.
     const Vec2 centre(random.between(3, 4), random.between(3, 4));
     Ring around;
     for (int k = 0; k < 5; ++k) {
@@ -52,11 +53,11 @@ Shapes scattered(unsigned seed) {
     return shapes;
 }
 
-/// How a model differs from another: what of each block is where.
+/// A change of orientation, position, units and order of the blocks.
 struct Change {
     double angle = 0;
     Vec2 shift{0, 0};
-    double metre = 1;  ///< how many units of length a metre is
+    double metre = 1;  ///< units of length per metre
     std::vector<std::size_t> order;
 };
 
@@ -74,64 +75,63 @@ Scene built(const Shapes& shapes, const Change& change = {}) {
     return s;
 }
 
-/// A corner or an edge by its block's number among the shapes and its own in the block.
+/// A corner or an edge: the index of its block among the shapes, and its own index in the block.
 using Name = std::pair<std::size_t, int>;
-struct Told {
+struct ContactData {
     double gap = 0;
     double length = 0;
     dda::ContactKind kind = dda::ContactKind::vertex_edge;
     bool grouped = false;
-    double edge = 0;    ///< m, the edge's length
-    double inside = 0;  ///< m, how far inside the edge's ends the corner is
-    Name end;           ///< the edge's end that is nearer
-    Vec2 normal{0, 0};  ///< as if the model had not been turned
+    double edge = 0;    ///< m, length of the edge
+    double inside = 0;  ///< m, distance of the corner's projection from the nearer end, positive on the edge
+    Name end;           ///< the nearer end of the edge
+    Vec2 normal{0, 0};  ///< transformed back
 };
-using Contacts = std::map<std::pair<Name, Name>, Told>;
+using Contacts = std::map<std::pair<Name, Name>, ContactData>;
 
-/// The contacts found, in the shapes' names, the model's angles and metres.
-Contacts contacts_of(const Shapes& shapes, const Change& change, double reach) {
+/// The detected contacts, transformed back to the names, orientation and units of the shapes.
+Contacts contacts_of(const Shapes& shapes, const Change& change, double search_radius) {
     const Scene s = built(shapes, change);
-    const auto candidates = dda::find_candidates(s.model, s.model.vertices, 2 * reach * change.metre);
+    const auto candidates = dda::find_candidates(s.model, s.model.vertices, 2 * search_radius * change.metre);
     const auto found = dda::detect_contacts(
-        s.model, {s.model.vertices, s.model.vertices, reach * change.metre, 1e-9 * change.metre}, candidates,
-        ThreadPool(1));
-    const auto name = [&](int corner) -> Name {
-        const int block = s.model.topology.block_of[static_cast<std::size_t>(corner)];
-        const auto b = static_cast<std::size_t>(block);
-        return {change.order.empty() ? b : change.order[b], corner - s.model.topology.block_corners[b]};
+        s.model, {s.model.vertices, s.model.vertices, search_radius * change.metre, 1e-9 * change.metre},
+        candidates, ThreadPool(1));
+    const auto name = [&](dda::CornerIndex corner) -> Name {
+        const dda::BlockIndex b = s.model.topology.block_of[corner];
+        return {change.order.empty() ? std::size_t{b} : change.order[b],
+                corner - s.model.topology.block_corners[b]};
     };
-    const auto at = [&](int corner) { return s.model.vertices[static_cast<std::size_t>(corner)]; };
+    const auto at = [&](dda::CornerIndex corner) { return s.model.vertices[corner]; };
     Contacts contacts;
     for (const dda::Contact& c : found) {
-        const int next = s.model.topology.next[static_cast<std::size_t>(c.edge)];
-        const auto geometry = dda::corner_edge_geometry(at(c.corner), at(c.edge), at(next));
-        contacts[{name(c.corner), name(c.edge)}] = {
-            c.gap / change.metre,
-            c.length / change.metre,
-            c.kind,
-            c.group >= 0,
-            geometry.length / change.metre,
-            geometry.end_margin() / change.metre,
-            name(geometry.along < geometry.length / 2 ? c.edge : next),
-            placed(c.normal, -change.angle, Vec2(0, 0))};
+        const dda::CornerIndex start = start_of(c.edge), end = s.model.topology.end_of(c.edge);
+        const auto geometry = dda::corner_edge_geometry(at(c.corner), at(start), at(end));
+        contacts[{name(c.corner), name(start)}] = {c.gap / change.metre,
+                                                   c.length / change.metre,
+                                                   c.kind,
+                                                   c.group >= 0,
+                                                   geometry.length / change.metre,
+                                                   geometry.end_margin() / change.metre,
+                                                   name(geometry.along < geometry.length / 2 ? start : end),
+                                                   placed(c.normal, -change.angle, Vec2(0, 0))};
     }
     return contacts;
 }
 
-/// How many metres a gap may differ by where coordinates do by `rounding`: the corner by as much, and the
-/// line by as much at the edge's ends, in proportion to the distance beyond them.
-double gap_tolerance(const Told& told, double rounding) {
-    return rounding * (2 + 2 * std::max(0.0, -told.inside) / told.edge);
+/// The error of a gap for coordinate errors of `rounding`, m: that of the corner and that of the line, which
+/// grows with the distance beyond the ends of the edge.
+double gap_tolerance(const ContactData& data, double rounding) {
+    return rounding * (2 + 2 * std::max(0.0, -data.inside) / data.edge);
 }
 
-/// Half the overlaps of up to four pairs of faces, each with a corner at either end that is off by twice the
-/// rounding along the edge.
+/// The error of a contact length, m: half the overlaps of up to four pairs of faces, each with an error of
+/// twice the rounding at both ends.
 double length_tolerance(double rounding) {
     return 8 * rounding;
 }
 
-/// Whether two contacts are of one line at one pair of corners that are in the same place but for rounding:
-/// which of the corners stands for the line is then nobody's business.
+/// Whether two contacts are on the same line at the same pair of corners, and these corners coincide up to
+/// rounding. Either corner may then represent the line.
 bool same_line_of_coinciding_corners(const Contacts::value_type& a, const Contacts::value_type& b,
                                      double rounding) {
     const auto corners = [](const Contacts::value_type& c) {
@@ -142,8 +142,7 @@ bool same_line_of_coinciding_corners(const Contacts::value_type& a, const Contac
                4 * rounding / std::min(a.second.edge, b.second.edge);
 }
 
-/// The same contacts, with lengths that differ no more than by what coordinates do times what that makes of
-/// it.
+/// Expects the same contacts, with gaps and lengths equal up to the propagated rounding errors.
 void expect_same(const Contacts& one, const Contacts& other, double rounding) {
     EXPECT_EQ(one.size(), other.size());
     for (const auto& a : one) {
@@ -168,21 +167,21 @@ void expect_same(const Contacts& one, const Contacts& other, double rounding) {
 class DetectionInput : public testing::TestWithParam<unsigned> {
   protected:
     const Shapes shapes = scattered(GetParam());
-    const double reach = RandomSource(GetParam() + 1000).magnitude(.003, .3);
-    const Contacts plain = contacts_of(shapes, {}, reach);
-    /// Of coordinates up to 8 m, that are turned and scaled: a few units of their last place.
+    const double search_radius = RandomSource(GetParam() + 1000).magnitude(.003, .3);
+    const Contacts plain = contacts_of(shapes, {}, search_radius);
+    /// Rounding error of coordinates up to 8 m that are rotated and scaled, m: a few units in the last place.
     static constexpr double rounding = 8 * 4 * 2.2e-16;
 };
 
-TEST_P(DetectionInput, FindsSomething) {
+TEST_P(DetectionInput, HasManyContacts) {
     EXPECT_GT(plain.size(), 10U);
 }
 
 TEST_P(DetectionInput, DoesNotDependOnUnits) {
-    // A power of two changes no bit; a thousand rounds.
+    // A power of two scales without rounding; 1000 and 0.001 round.
     for (const double metre : {1024.0, 1000.0, .001}) {
         SCOPED_TRACE(metre);
-        expect_same(plain, contacts_of(shapes, {0, {0, 0}, metre, {}}, reach), rounding);
+        expect_same(plain, contacts_of(shapes, {0, {0, 0}, metre, {}}, search_radius), rounding);
     }
 }
 
@@ -193,7 +192,7 @@ TEST_P(DetectionInput, DoesNotDependOnTheOrderOfTheBlocks) {
     for (int k = 0; k < 5; ++k) {
         for (std::size_t b = change.order.size(); b > 1; --b)
             std::swap(change.order[b - 1], change.order[random.index_below(static_cast<unsigned>(b))]);
-        expect_same(plain, contacts_of(shapes, change, reach), 0x1p-50);
+        expect_same(plain, contacts_of(shapes, change, search_radius), 0x1p-50);
     }
 }
 
@@ -201,7 +200,8 @@ TEST_P(DetectionInput, DoesNotDependOnTheOrientationOfTheModel) {
     RandomSource random(GetParam() + 3000);
     for (int k = 0; k < 5; ++k) {
         const Vec2 shift(random.between(-5, 5), random.between(-5, 5));
-        expect_same(plain, contacts_of(shapes, {random.between(0, 6), shift, 1, {}}, reach), 2 * rounding);
+        expect_same(plain, contacts_of(shapes, {random.between(0, 6), shift, 1, {}}, search_radius),
+                    2 * rounding);
     }
 }
 
@@ -210,7 +210,7 @@ TEST_P(DetectionInput, DoesNotDependOnThePositionOfTheModel) {
     const double far_rounding = 0x1p-33 / std::sqrt(2.0);
     for (const Vec2& shift : {Vec2(1e6, 0), Vec2(-1e6, 1e6), Vec2(1e6 / 3, -1e6 / 7)}) {
         SCOPED_TRACE(shift.transpose());
-        expect_same(plain, contacts_of(shapes, {0, shift, 1, {}}, reach), far_rounding);
+        expect_same(plain, contacts_of(shapes, {0, shift, 1, {}}, search_radius), far_rounding);
     }
 }
 

@@ -1,5 +1,4 @@
-// Shapes that a detector of convex neighbours of like size would not know: a block in another's hole, blocks
-// a hundred times smaller than what they meet.
+// Unusual shapes: a block in the hole of another, and blocks that hit one a hundred times their size.
 
 #include <gtest/gtest.h>
 
@@ -45,7 +44,7 @@ FlightSetup empty_space(RandomSource& random) {
     return result;
 }
 
-/// A frame with a hole of three to eight corners, and a block in the hole on its way to the frame.
+/// A frame with a hole of three to eight corners, and a block in the hole that moves towards the frame.
 FlightSetup in_a_hole(unsigned seed) {
     RandomSource random(seed);
     FlightSetup result = empty_space(random);
@@ -66,7 +65,7 @@ FlightSetup in_a_hole(unsigned seed) {
     return result;
 }
 
-/// One or two pebbles on their way to a block a hundred times their size.
+/// One or two pebbles that fly towards a block a hundred times their size.
 FlightSetup pebbles(unsigned seed) {
     RandomSource random(seed);
     FlightSetup result = empty_space(random);
@@ -77,12 +76,13 @@ FlightSetup pebbles(unsigned seed) {
     const double own = size / 100;
     const double speed = random.magnitude(.1, 10);
     const unsigned count = 1 + random.index_below(2);
-    // At a corner of the target, and at the one farthest from it.
+    // Aimed at a corner of the target, and at the corner farthest from it.
     const Vec2 farthest = *std::max_element(target.begin(), target.end(), [&](const Vec2& a, const Vec2& b) {
         return (a - target[0]).norm() < (b - target[0]).norm();
     });
     for (unsigned k = 0; k < count; ++k) {
-        // From outside of the circle about the target, past the corner by up to a pebble.
+        // Starts outside the circumscribed circle of the target and misses the corner by at most a pebble's
+        // size.
         const Vec2 corner = k == 0 ? target[0] : farthest;
         const Vec2 outwards = corner.normalized();
         const Vec2 from = placed(outwards, random.between(-.5, .5), Vec2(0, 0));
@@ -101,7 +101,7 @@ FlightSetup pebbles(unsigned seed) {
 
 class InAHole : public testing::TestWithParam<unsigned> {};
 
-TEST_P(InAHole, ABlockStaysThere) {
+TEST_P(InAHole, ABlockDoesNotLeaveTheHole) {
     int hits = 0;
     for (unsigned seed = 50 * GetParam() + 1; seed <= 50 * (GetParam() + 1); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
@@ -110,13 +110,13 @@ TEST_P(InAHole, ABlockStaysThere) {
         if (HasFatalFailure()) return;
         hits += thrown.closed_contacts() > 0;
     }
-    EXPECT_EQ(hits, 50) << "each of them meets the frame";
+    EXPECT_EQ(hits, 50) << "each block must hit the frame";
 }
 INSTANTIATE_TEST_SUITE_P(Fifties, InAHole, testing::Range(0U, 4U), testing::PrintToStringParamName());
 
 class Pebbles : public testing::TestWithParam<unsigned> {};
 
-TEST_P(Pebbles, DoNotGetIntoABlockAHundredTimesTheirSize) {
+TEST_P(Pebbles, DoNotPenetrateABlockAHundredTimesTheirSize) {
     int hits = 0;
     for (unsigned seed = 50 * GetParam() + 1; seed <= 50 * (GetParam() + 1); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
@@ -125,12 +125,12 @@ TEST_P(Pebbles, DoNotGetIntoABlockAHundredTimesTheirSize) {
         if (HasFatalFailure()) return;
         hits += thrown.closed_contacts() > 0;
     }
-    EXPECT_GT(hits, 25) << "most of them meet it";
+    EXPECT_GT(hits, 25) << "most pebbles must hit the block";
 }
 INSTANTIATE_TEST_SUITE_P(Fifties, Pebbles, testing::Range(0U, 4U), testing::PrintToStringParamName());
 
 // A block of 1 m on two pebbles of 1 cm, on the ground.
-TEST(Pebbles, BearABlockAHundredTimesTheirSize) {
+TEST(Pebbles, CarryABlockAHundredTimesTheirSize) {
     Scene s;
     s.friction(30);
     s.box({-1, -1}, 3, 1, dda::Motion::fixed);
@@ -140,19 +140,19 @@ TEST(Pebbles, BearABlockAHundredTimesTheirSize) {
     Simulation sim(s);
     const dda::RunOutcome outcome = sim.settle();
     ASSERT_EQ(outcome.status, dda::RunStatus::completed) << outcome.message;
-    const double weight = sim.state.blocks.mass[static_cast<std::size_t>(block)] * s.model.gravity.norm();
-    const double pebble = sim.state.blocks.mass[static_cast<std::size_t>(left)] * s.model.gravity.norm();
-    const auto under = [&](int upper, int lower) {
+    const double weight = sim.state.blocks.mass[block] * s.model.gravity.norm();
+    const double pebble = sim.state.blocks.mass[left] * s.model.gravity.norm();
+    const auto under = [&](dda::BlockIndex upper, dda::BlockIndex lower) {
         double sum = 0;
         for (const dda::Contact& c : sim.state.contacts.contacts)
             if (std::minmax(c.corner_block, c.edge_block) == std::minmax(upper, lower)) sum += c.normal_force;
         return sum;
     };
-    // The middle is 0.395 m from the left pebble's and 0.295 m from the right one's. Where on a pebble the
-    // block presses is not told by statics: half of its width, of 0.69 m.
-    const double play = weight * .005 / .69;
-    EXPECT_NEAR(under(block, left), weight * .295 / .69, play);
-    EXPECT_NEAR(under(block, right), weight * .395 / .69, play);
+    // The middle of the block is 0.395 m from that of the left pebble and 0.295 m from that of the right one.
+    // The point of contact on a pebble is statically indeterminate, within half its width, of 0.69 m.
+    const double indeterminacy = weight * .005 / .69;
+    EXPECT_NEAR(under(block, left), weight * .295 / .69, indeterminacy);
+    EXPECT_NEAR(under(block, right), weight * .395 / .69, indeterminacy);
     EXPECT_NEAR(under(block, left) + under(block, right), weight, 1e-6 * weight);
     EXPECT_NEAR(under(left, 0), under(block, left) + pebble, 1e-6 * weight);
     EXPECT_NEAR(under(right, 0), under(block, right) + pebble, 1e-6 * weight);

@@ -1,4 +1,4 @@
-// The measure that the property tests trust must itself be right.
+// Tests of the overlap area, which the other property tests use as their measure.
 
 #include "support/overlap.hpp"
 
@@ -14,8 +14,7 @@ using namespace scene;
 
 double area(const Scene& s) {
     const double one = overlap_area(s.model.topology, s.model.vertices, 0, 1);
-    EXPECT_NEAR(one, overlap_area(s.model.topology, s.model.vertices, 1, 0), 1e-14)
-        << "of two in either order";
+    EXPECT_NEAR(one, overlap_area(s.model.topology, s.model.vertices, 1, 0), 1e-14) << "must be symmetric";
     return one;
 }
 
@@ -40,14 +39,14 @@ TEST(Overlap, OfCrossedPlatesNeedsNoCornerInside) {
     EXPECT_NEAR(area(s), 1e-4, 1e-15);
 }
 
-TEST(Overlap, OfNeighboursIsNothing) {
+TEST(Overlap, OfNeighboursIsZero) {
     Scene s;
     s.block({{{0, 0}, {1, .1}, {.9, 1.3}, {.1, .8}}});
     s.block({{{1, .1}, {2, 0}, {1.9, 1}, {.9, 1.3}}});
     EXPECT_NEAR(area(s), 0, 1e-15);
 }
 
-TEST(Overlap, AHoleIsNoRock) {
+TEST(Overlap, DoesNotCountHoles) {
     Scene s;
     s.block({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{1, 1}, {1, 3}, {3, 3}, {3, 1}}});
     s.box({1.5, 1.5}, 1, 1);
@@ -55,7 +54,7 @@ TEST(Overlap, AHoleIsNoRock) {
     Scene reaching;
     reaching.block({{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{1, 1}, {1, 3}, {3, 3}, {3, 1}}});
     reaching.box({1.5, 1.5}, 1.6, 1);
-    EXPECT_NEAR(area(reaching), .1, 1e-14) << "it dips into the wall";
+    EXPECT_NEAR(area(reaching), .1, 1e-14) << "0.1 m of the block is in the frame";
 }
 
 TEST(Overlap, OfAConcaveBlockCountsBothArms) {
@@ -65,7 +64,7 @@ TEST(Overlap, OfAConcaveBlockCountsBothArms) {
     EXPECT_NEAR(area(s), 2 * .25, 1e-15);
 }
 
-TEST(Overlap, OfManyFindsThePairsWhoseBoxesMeet) {
+TEST(Overlap, FindsAllOverlappingPairs) {
     Scene s;
     for (int k = 0; k < 5; ++k) s.box({.9 * k, 0}, 1, 1);
     s.box({0, 5}, 9, 1);

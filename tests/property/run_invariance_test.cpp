@@ -1,5 +1,5 @@
-// Whole runs: neither the order of the blocks nor where the model is, which way it is turned nor its units
-// change how a pile comes down, but for rounding and what the pile makes of it.
+// The result of a run must not depend on the order of the blocks, nor on position, orientation and units of
+// the model, except for the amplified rounding errors.
 
 #include <gtest/gtest.h>
 
@@ -14,20 +14,20 @@ using namespace scene;
 constexpr double duration = .3;
 constexpr double longest_step = .002;
 
-/// How a model is told in another way. Time stays in seconds, in which the engine's own times are.
-struct Telling {
+/// Another description of the same model. Time is in seconds, because the engine has times of its own.
+struct Description {
     double angle = 0;
     Vec2 shift{0, 0};
-    double metre = 1;     ///< how many units of length a metre is
-    double kilogram = 1;  ///< and of mass
+    double metre = 1;     ///< units of length per metre
+    double kilogram = 1;  ///< units of mass per kilogram
     std::vector<int> order;
 
-    int original(int block) const { return order.empty() ? block : order[static_cast<std::size_t>(block)]; }
-    Vec2 told(const Vec2& x) const { return metre * placed(x, angle, shift); }
-    Vec2 untold(const Vec2& x) const { return placed(x / metre - shift, -angle, Vec2(0, 0)); }
+    int original(int block) const { return order.empty() ? block : order[block]; }
+    Vec2 transformed(const Vec2& x) const { return metre * placed(x, angle, shift); }
+    Vec2 transformed_back(const Vec2& x) const { return placed(x / metre - shift, -angle, Vec2(0, 0)); }
 };
 
-/// Blocks of all kinds above a trough.
+/// Random blocks above a trough.
 struct Pile {
     std::vector<Ring> blocks;
     std::vector<Vec6> velocity;
@@ -52,50 +52,51 @@ Pile random_pile(unsigned seed) {
     return pile;
 }
 
-Scene built(const Pile& pile, const Telling& telling) {
+Scene built(const Pile& pile, const Description& description) {
     Scene s;
     s.friction(30);
     for (int k = 0; k < static_cast<int>(pile.blocks.size()); ++k) {
-        const auto b = static_cast<std::size_t>(telling.original(k));
+        const auto b = static_cast<std::size_t>(description.original(k));
         Ring ring;
-        for (const Vec2& v : pile.blocks[b]) ring.push_back(telling.told(v));
+        for (const Vec2& v : pile.blocks[b]) ring.push_back(description.transformed(v));
         s.block({ring}, b == 0 ? dda::Motion::fixed : dda::Motion::free);
         Vec6 velocity = pile.velocity[b];
-        velocity.head<2>() = telling.metre * placed(Vec2(velocity.head<2>()), telling.angle, Vec2(0, 0));
+        velocity.head<2>() =
+            description.metre * placed(Vec2(velocity.head<2>()), description.angle, Vec2(0, 0));
         s.model.initial_velocity.push_back(velocity);
     }
-    // Per metre of thickness: a density is a mass on an area, stresses and stiffnesses are forces on a
-    // length.
-    s.model.gravity = telling.metre * placed(s.model.gravity, telling.angle, Vec2(0, 0));
+    // Per metre of thickness, a density is mass per area, and stresses and stiffnesses are force per length.
+    s.model.gravity = description.metre * placed(s.model.gravity, description.angle, Vec2(0, 0));
     for (auto& rock : s.model.block_materials) {
-        rock.density *= telling.kilogram / (telling.metre * telling.metre);
-        rock.youngs_modulus *= telling.kilogram;
+        rock.density *= description.kilogram / (description.metre * description.metre);
+        rock.youngs_modulus *= description.kilogram;
     }
-    s.model.normal_penalty *= telling.kilogram;
-    s.model.shear_penalty *= telling.kilogram;
+    s.model.normal_penalty *= description.kilogram;
+    s.model.shear_penalty *= description.kilogram;
     return s;
 }
 
-/// Where all corners are in the end, in the pile's own order and coordinates, and what a step may have cost.
+/// The final positions of all corners in the order and coordinates of the pile, and the error bound of the
+/// run.
 struct End {
     std::vector<std::vector<Vec2>> corners;
-    double steps_error = 0;  ///< m, see below
+    double steps_error = 0;  ///< m, see ErrorSum
     std::size_t steps = 0;
     int hits = 0;      ///< closed contacts, summed over the steps
-    double moved = 0;  ///< m, on average
+    double moved = 0;  ///< m, mean displacement of the blocks
 };
 
-/// A step's equations are met up to the rounding of coordinates, of which the engine allows for eight units,
-/// and up to the share of the largest contact force that convergence is told by, which is that share of a
-/// penetration. A contact may thus be off by e, and a velocity by 2 e / dt, Eq. (16) with gamma = 1, for the
-/// rest of the run. The sum over the steps is the largest way that comes of it, m.
+/// Bound of the displacement error that the errors of the steps cause, m. The equations of a step are
+/// satisfied up to coordinate rounding, for which the engine allows eight units, and up to the force
+/// tolerance, which is the same fraction of the largest penetration. A contact may thus be wrong by e, and a
+/// velocity by 2 e / dt, Eq. (16) with gamma = 1, for the rest of the run.
 class ErrorSum {
   public:
     ErrorSum(double largest_coordinate, double force_tolerance)
         : rounding_(8 * 2.3e-16 * largest_coordinate), tolerance_(force_tolerance) {}
     void add(double time, const dda::StepReport& report) {
-        const double off = rounding_ + tolerance_ * report.largest_penetration;
-        sum_ += 2 * off / report.step * (duration - time + report.step);
+        const double error = rounding_ + tolerance_ * report.largest_penetration;
+        sum_ += 2 * error / report.step * (duration - time + report.step);
     }
     double sum() const { return sum_; }
 
@@ -104,8 +105,8 @@ class ErrorSum {
     double sum_ = 0;
 };
 
-End run(const Pile& pile, const Telling& telling = {}) {
-    Simulation sim(built(pile, telling));
+End run(const Pile& pile, const Description& description = {}) {
+    Simulation sim(built(pile, description));
     dda::Stage stage;
     stage.duration = duration;
     stage.control.step = longest_step;
@@ -120,15 +121,14 @@ End run(const Pile& pile, const Telling& telling = {}) {
     };
     const dda::RunOutcome outcome = sim.run(stage);
     EXPECT_EQ(outcome.status, dda::RunStatus::completed) << outcome.message;
-    end.steps_error = error.sum() / telling.metre;
+    end.steps_error = error.sum() / description.metre;
     end.steps = sim.reports.size();
     end.corners.resize(pile.blocks.size());
     for (int b = 0; b < sim.model.block_count(); ++b) {
-        const auto& first = sim.model.topology.block_corners;
-        auto& corners = end.corners[static_cast<std::size_t>(telling.original(b))];
-        for (int k = first[static_cast<std::size_t>(b)]; k < first[static_cast<std::size_t>(b) + 1]; ++k)
-            corners.push_back(telling.untold(sim.state.blocks.vertices[static_cast<std::size_t>(k)]));
-        end.moved += sim.moved(b).norm() / telling.metre / (sim.model.block_count() - 1);
+        auto& corners = end.corners[description.original(b)];
+        for (const dda::CornerIndex k : sim.model.topology.corners_of(b))
+            corners.push_back(description.transformed_back(sim.state.blocks.vertices[k]));
+        end.moved += sim.moved(b).norm() / description.metre / (sim.model.block_count() - 1);
     }
     return end;
 }
@@ -144,12 +144,13 @@ double difference(const End& one, const End& other) {
 
 class PileRun : public testing::TestWithParam<unsigned> {
   protected:
-    /// How many times as far blocks are off in the end as they were put or would have flown by themselves:
-    /// the most of a few piles with all blocks shifted and kicked at random. Some 1e5: a block that comes off
-    /// an impact with 2 d / dt - v has d off by the error and its speed by 1000 / s of it, and hits the next.
-    double growth() const {
+    /// The factor by which the pile amplifies a displacement error: the largest of three runs with random
+    /// changes of positions and velocities. About 1e5: an impact gives a block the velocity 2 d / dt - v,
+    /// which turns an error of d into one of the velocity that is 1000 / s times as large, and the block hits
+    /// the next one.
+    double error_growth() const {
         RandomSource random(GetParam() + 1000);
-        double most = 1;
+        double largest = 1;
         for (int k = 0; k < 3; ++k) {
             Pile nudged = pile;
             for (std::size_t b = 1; b < pile.blocks.size(); ++b) {
@@ -157,35 +158,36 @@ class PileRun : public testing::TestWithParam<unsigned> {
                 for (Vec2& v : nudged.blocks[b]) v += nudge;
                 nudged.velocity[b].head<2>() += nudge_size / duration * random.direction();
             }
-            most = std::max(most, difference(plain, run(nudged)) / (2 * nudge_size));
+            largest = std::max(largest, difference(plain, run(nudged)) / (2 * nudge_size));
         }
-        return most;
+        return largest;
     }
     static constexpr double nudge_size = 1e-9;  // m
 
-    /// The same end, but for what the pile makes of the errors of two runs' steps, and of coordinates that
-    /// were off by `first` in the beginning.
-    void expect_close(const End& end, double first) const {
-        const double bound = growth() * (first + plain.steps_error + end.steps_error);
-        ASSERT_LT(bound, 5e-3) << "a hundredth of a block: beyond that the test tells nothing";
+    /// Expects the same final positions up to the amplified errors of both runs and of the initial
+    /// coordinates.
+    /// @param initial_error m, of the coordinates
+    void expect_close(const End& end, double initial_error) const {
+        const double bound = error_growth() * (initial_error + plain.steps_error + end.steps_error);
+        ASSERT_LT(bound, 5e-3) << "with a bound above a hundredth of a block the test shows nothing";
         EXPECT_LT(difference(plain, end), bound);
         EXPECT_EQ(end.steps, plain.steps);
     }
-    void expect_same(const Telling& telling) const { expect_close(run(pile, telling), 0); }
+    void expect_same(const Description& description) const { expect_close(run(pile, description), 0); }
 
     const Pile pile = random_pile(GetParam());
     const End plain = run(pile);
 };
 
-TEST_P(PileRun, ComesDownAndHits) {
+TEST_P(PileRun, FallsAndHasContacts) {
     EXPECT_GT(plain.moved, .1);
     EXPECT_GT(plain.hits, 10);
 }
 
-// The order decides in what order sums are taken, and between ties.
+// The order of the blocks decides the order of summation and ties.
 TEST_P(PileRun, DoesNotDependOnTheOrderOfTheBlocks) {
     RandomSource random(GetParam() + 2000);
-    Telling permuted;
+    Description permuted;
     for (int k = 0; k < static_cast<int>(pile.blocks.size()); ++k) permuted.order.push_back(k);
     for (std::size_t b = permuted.order.size(); b > 1; --b)
         std::swap(permuted.order[b - 1], permuted.order[random.index_below(static_cast<unsigned>(b))]);
@@ -202,8 +204,8 @@ TEST_P(PileRun, DoesNotDependOnUnits) {
     expect_same({0, {0, 0}, 1 / .3048, 1 / 14.59, {}});
 }
 
-// Coordinates of 1e6 m as a file has them, rounded to half of 2^-33 m in x and in y, and less the whole
-// metres of the model's origin again, as readers do.
+// Coordinates of 1e6 m, as in a file, are rounded to half of 2^-33 m in x and in y. The reader then subtracts
+// the origin of the model in whole metres.
 TEST_P(PileRun, DoesNotDependOnThePositionOfTheModel) {
     Pile far = pile;
     const Vec2 place(1e6, -1e6);
@@ -211,7 +213,7 @@ TEST_P(PileRun, DoesNotDependOnThePositionOfTheModel) {
         for (Vec2& v : ring) v = Vec2(v + place) - place;
     }
     const End end = run(far);
-    EXPECT_GT(difference(plain, end), 0) << "it was rounded";
+    EXPECT_GT(difference(plain, end), 0) << "the coordinates must have been rounded";
     expect_close(end, 0x1p-33 / std::sqrt(2.0));
 }
 

@@ -1,5 +1,5 @@
-// Candidates are kept while nothing has moved half the skin. What is found among the kept ones must be what
-// is found among those of the moment, to the last bit, and a search of all pairs must find no more.
+// Candidates are kept until a vertex has moved by half the skin. The contacts found among kept candidates
+// must be bitwise those of a fresh search, and a search of all pairs must find no others.
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ using namespace scene;
 
 constexpr double search_radius = 0.02;
 
-/// Blocks of all kinds, close together.
+/// Random blocks, close together.
 Scene heap(RandomSource& random) {
     Scene s;
     for (int k = 0; k < 30; ++k)
@@ -25,21 +25,19 @@ Scene heap(RandomSource& random) {
     return s;
 }
 
-/// Each block shifted at random by no more than that, m, and turned about its first corner by some of it.
-void stir(RandomSource& random, const dda::Topology& topology, double most, std::vector<Vec2>& vertices) {
-    for (std::size_t b = 0; b + 1 < topology.block_corners.size(); ++b) {
-        const Vec2 shift = random.between(0, most / 2) * random.direction();
-        const double angle = random.between(-most / 8, most / 8);
-        const auto begin = static_cast<std::size_t>(topology.block_corners[b]);
-        const auto end = static_cast<std::size_t>(topology.block_corners[b + 1]);
-        const Vec2 first = vertices[begin];
-        for (std::size_t k = begin; k < end; ++k)
+/// Shifts each block at random and rotates it about its first corner. @param largest m, bound of the shift
+void stir(RandomSource& random, const dda::Topology& topology, double largest, std::vector<Vec2>& vertices) {
+    for (const dda::BlockIndex b : topology.blocks()) {
+        const Vec2 shift = random.between(0, largest / 2) * random.direction();
+        const double angle = random.between(-largest / 8, largest / 8);
+        const Vec2 first = vertices[topology.block_corners[b]];
+        for (const dda::CornerIndex k : topology.corners_of(b))
             vertices[k] = first + placed(vertices[k] - first, angle, shift);
     }
 }
 
-/// What tells contacts apart, with every number that detection and transfer give them.
-auto all_of(const dda::Contact& c) {
+/// All data of a contact that detection and transfer set.
+auto all_data(const dda::Contact& c) {
     return std::tuple(c.corner, c.edge, c.kind, c.joint_material, c.group, c.line, c.inhibited,
                       c.inherited_penetration, c.length, c.point.x(), c.point.y(), c.normal.x(), c.normal.y(),
                       c.gap, c.dilation, c.stress_free_gap, c.state, c.normal_force, c.shear_force, c.slip,
@@ -59,27 +57,27 @@ TEST_P(Skin, FindsTheContactsOfAFreshSearch) {
     std::size_t contacts = 0;
     for (int step = 0; step < 60; ++step) {
         const dda::ContactSearch search{vertices, vertices, {}, search_radius, edge, 1e-9, 0.001, step == 0};
-        dda::ContactSet forgetful = last;
-        forgetful.reference.clear();
+        dda::ContactSet without_candidates = last;
+        without_candidates.reference.clear();
         const dda::ContactSet with_skin = dda::find_contacts(scene.model, last, search, pool).set;
-        const dda::ContactSet anew = dda::find_contacts(scene.model, forgetful, search, pool).set;
+        const dda::ContactSet fresh = dda::find_contacts(scene.model, without_candidates, search, pool).set;
         kept += step > 0 && with_skin.reference == last.reference ? 1 : 0;
-        // A contact of before stays while it is a candidate, and of those the older set may have others:
-        // beyond the search_radius, where they are held back.
-        const auto within_reach = [&](const dda::ContactSet& set) {
-            std::vector<decltype(all_of({}))> found;
+        // A transferred contact is kept as long as it is a candidate. The two candidate sets may differ
+        // beyond the search radius, where contacts are inhibited, so only contacts within it are compared.
+        const auto within_search_radius = [&](const dda::ContactSet& set) {
+            std::vector<decltype(all_data({}))> found;
             for (const dda::Contact& c : set.contacts) {
-                const auto at = [&](int corner) { return vertices[static_cast<std::size_t>(corner)]; };
-                const int end = scene.model.topology.next[static_cast<std::size_t>(c.edge)];
-                if (dda::distance_to_segment(at(c.corner), at(c.edge), at(end)) <= search_radius)
-                    found.push_back(all_of(c));
+                const Vec2& end = vertices[scene.model.topology.end_of(c.edge)];
+                if (dda::distance_to_segment(vertices[c.corner], vertices[start_of(c.edge)], end) <=
+                    search_radius)
+                    found.push_back(all_data(c));
             }
             return found;
         };
-        const auto found = within_reach(with_skin);
-        EXPECT_EQ(found, within_reach(anew)) << "in step " << step;
+        const auto found = within_search_radius(with_skin);
+        EXPECT_EQ(found, within_search_radius(fresh)) << "in step " << step;
         contacts += found.size();
-        // All that are within search_radius are among the kept ones.
+        // All pairs within the search radius are among the kept candidates.
         for (const dda::CornerEdge& pair : dda::find_candidates(scene.model, vertices, search_radius))
             EXPECT_TRUE(std::binary_search(with_skin.candidates.begin(), with_skin.candidates.end(), pair));
         last = with_skin;

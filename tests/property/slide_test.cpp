@@ -1,4 +1,4 @@
-// A slope that comes down as a whole and runs out on a plane.
+// A slope that collapses completely and runs out on a plane.
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ using namespace scene;
 TEST(LongSlide, LosesNoBlockAndBalancesItsEnergy) {
     SlideMonitor slide(collapsing_slope(20, 6, 1), 1, 20);
     slide.run(10);
-    EXPECT_GT(slide.mean_displacement(), 20) << "it has run out";
+    EXPECT_GT(slide.mean_displacement(), 20) << "the slope must run out";
     expect_slide_invariants(slide);
 }
 

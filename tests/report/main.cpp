@@ -1,5 +1,5 @@
-// Merges the rows and pictures that the verification tests recorded into the report of the documentation, or
-// checks that the committed report is the one that the tests would make.
+// Writes the verification report of the documentation from the rows and pictures that the verification tests
+// recorded, or checks that the committed report agrees with them.
 
 #include <algorithm>
 #include <cstdio>
@@ -24,7 +24,7 @@ using namespace verification;
 constexpr const char* usage =
     "verification_table write ROWS DOCS   make DOCS/verification.md, .tsv and pictures from the rows in "
     "ROWS\n"
-    "verification_table check ROWS DOCS   exit code 1 if a row is outside or DOCS does not hold these "
+    "verification_table check ROWS DOCS   exit code 1 if a row is outside or DOCS does not agree with these "
     "rows\n";
 
 std::vector<Row> recorded_rows(const fs::path& folder) {
@@ -88,18 +88,18 @@ int check_report(const fs::path& recorded, const fs::path& docs) {
     for (const std::string& fault : missing_balances(fresh)) faults.push_back(fault);
     for (const Row& row : fresh) {
         if (row.verdict == Verdict::fails)
-            faults.push_back(row.id + ", " + row.set_up + ", " + row.quantity + ": outside");
+            faults.push_back(row.id + ", " + row.set_up + ", " + row.quantity + ": outside its tolerance");
     }
     const std::vector<PictureLink> pictures = links(read_pictures(recorded.string()));
     for (const PictureLink& picture : pictures) {
         if (!fs::exists(docs / picture.path)) faults.push_back(picture.path + ": missing");
     }
     if (faults.empty() && contents(docs / "verification.md") != page(in_order(committed), pictures))
-        faults.emplace_back("verification.md is not the page of verification.tsv");
+        faults.emplace_back("verification.md does not agree with verification.tsv");
     for (const std::string& fault : faults) std::fprintf(stderr, "%s\n", fault.c_str());
     if (!faults.empty())
         std::fprintf(stderr,
-                     "cmake --build --preset release --target verification_report makes the report anew\n");
+                     "cmake --build --preset release --target verification_report writes the report again\n");
     return faults.empty() ? 0 : 1;
 }
 

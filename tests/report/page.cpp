@@ -29,8 +29,8 @@ std::string with_unit(const std::string& value, const std::string& unit) {
     return unit.empty() || value.empty() ? value : value + " " + unit;
 }
 
-std::string percent(const std::string& share) {
-    return to_text(100 * std::strtod(share.c_str(), nullptr)) + " %";
+std::string percent(const std::string& fraction) {
+    return to_text(100 * std::strtod(fraction.c_str(), nullptr)) + " %";
 }
 
 std::string expected_of(const Row& row) {
@@ -80,8 +80,8 @@ bool is_energy(const Row& row) {
            row.quantity == integration_loss;
 }
 
-/// The largest error of a case as a share of its tolerance, over the rows that have one.
-std::string worst_share(const std::vector<Row>& rows) {
+/// Largest error of a case over its tolerance, in per cent, of the rows that have a tolerance.
+std::string worst_error_ratio(const std::vector<Row>& rows) {
     double worst = -1;
     for (const Row& row : rows) {
         const double tolerance = std::strtod(row.tolerance.c_str(), nullptr);
@@ -118,14 +118,14 @@ std::string range_of_steps(const std::vector<Row>& rows) {
 }
 
 void write_summary(std::ostream& out, const std::vector<Row>& rows) {
-    out << "| id | case | rows | largest error, share of its tolerance | ω_c Δt | verdict "
+    out << "| id | case | rows | largest error over its tolerance | ω_c Δt | verdict "
            "|\n|---|---|---|---|---|---|\n";
     for (const CatalogueCase& entry : catalogue) {
         const std::vector<Row> own = rows_of(rows, entry.id);
         out << "| "
             << (own.empty() ? std::string(entry.id)
                             : "[" + std::string(entry.id) + "](#" + std::string(entry.id) + ")")
-            << " | " << entry.title << " | " << own.size() << " | " << worst_share(own) << " | "
+            << " | " << entry.title << " | " << own.size() << " | " << worst_error_ratio(own) << " | "
             << range_of_steps(own) << " | " << summary_verdict(own) << " |\n";
     }
 }
@@ -141,16 +141,18 @@ void write_misses(std::ostream& out, const std::vector<Row>& rows) {
     }
 }
 
-/// One line for each set-up that has an energy balance, instead of three in its case's table.
+/// One line for each set-up with an energy balance, in place of three in the table of its case.
 void write_energy(std::ostream& out, const std::vector<Row>& rows) {
     if (std::none_of(rows.begin(), rows.end(), is_energy)) return;
-    out << "\n## Energy\n\nOf every dynamic case, as shares of the energy exchanged: the largest kinetic "
-           "energy or "
-           "change of another account of\nthe ledger ([theory](theory.md), sec. 8) since the dynamic stage "
-           "began. The residual is what the ledger does not explain\nat the worst instant, and must be below "
-           "1e-3; "
-           "friction must not give energy back in any step, beyond rounding.\nThe loss by the time "
-           "integration is Eq. (42) of the theory, no error of the balance.\n\n"
+    out << "\n## Energy\n\nThe energy balance of every dynamic case, relative to the energy exchanged: the "
+           "largest kinetic "
+           "energy or\nchange of another account of the ledger ([theory](theory.md), sec. 8) since the start "
+           "of the "
+           "dynamic stage. The largest\nresidual of the ledger must be below 1e-3. The work of friction must "
+           "not be "
+           "negative in any step, except for rounding. The\nloss by the time integration, Eq. (42) of the "
+           "theory, is "
+           "not an error of the balance.\n\n"
            "| id | set-up | residual | least work of friction in a step | lost by the time integration | "
            "verdict |\n|---|---|---|---|---|---|\n";
     for (const Row& row : rows) {
@@ -171,11 +173,12 @@ void write_energy(std::ostream& out, const std::vector<Row>& rows) {
 }
 
 void write_reasons(std::ostream& out, const std::vector<Row>& rows, bool misses) {
-    std::vector<std::string> said;
+    std::vector<std::string> written;
     for (const Row& row : rows) {
         if ((row.verdict == Verdict::misses) != misses || is_energy(row)) continue;
-        if (row.reason.empty() || std::find(said.begin(), said.end(), row.reason) != said.end()) continue;
-        said.push_back(row.reason);
+        if (row.reason.empty() || std::find(written.begin(), written.end(), row.reason) != written.end())
+            continue;
+        written.push_back(row.reason);
         out << (misses ? "\nMisses: " : "\nTolerance: ") << row.reason << "\n";
     }
 }
@@ -215,14 +218,13 @@ std::vector<Row> in_order(std::vector<Row> rows) {
 std::string page(const std::vector<Row>& rows, const std::vector<PictureLink>& pictures) {
     std::ostringstream out;
     out << "# Verification\n\n"
-           "Written by the verification tests; do not edit. Anew with\n\n"
+           "Written by the verification tests; do not edit. To write it again:\n\n"
            "    cmake --build --preset release --target verification_report\n\n"
            "Each row is one assertion of a test: the tolerance shown is the one asserted. ω_c Δt is the "
            "frequency of the "
            "contact\nspring on the lightest block times the step ([theory](theory.md), sec. 7); rows without "
            "it have no "
-           "contact. How the expected\nvalues come about is in the [notes](verification-notes.md), the "
-           "numbers also in "
+           "contact. The [notes](verification-notes.md)\nderive the expected values. The numbers are also in "
            "[verification.tsv](verification.tsv).\n\n## Summary\n\n";
     write_summary(out, rows);
     write_misses(out, rows);
@@ -262,7 +264,7 @@ std::vector<std::string> differences(const std::vector<Row>& committed, const st
             found.push_back(key(row) + ": " + to_text(row.verdict) + ", committed: " + to_text(was.verdict));
         }
         const auto promise = [](const Row& r) { return expected_of(r) + ", tolerance " + tolerance_of(r); };
-        // A reference that informs is ours, and its digits may differ.
+        // The reference of a row for information is computed by us, and its digits may differ.
         if (row.kind != ToleranceKind::none && promise(row) != promise(was)) {
             found.push_back(key(row) + ": expected " + promise(row) + ", committed: " + promise(was));
         }

@@ -7,26 +7,26 @@
 
 namespace rockslope::verification {
 
-/// What the page says of a picture that lies beside it.
+/// A picture of the page.
 struct PictureLink {
     std::string id;    ///< of the case
     std::string path;  ///< relative to the page
     std::string title;
 };
 
-/// The rows in the catalogue's order, those of one case in the order they were recorded in. Throws
-/// std::runtime_error when two rows have the same case, set-up and quantity.
+/// The rows sorted by case; those of one case stay in the order in which they were recorded.
+/// @throws std::runtime_error if two rows have the same case, set-up and quantity.
 std::vector<Row> in_order(std::vector<Row> rows);
 
-/// The report as Markdown: a summary with a line for each case of the catalogue, then each case's table.
+/// The report as Markdown: a summary with a line per case of the catalogue, then a table per case.
 std::string page(const std::vector<Row>& rows, const std::vector<PictureLink>& pictures);
 
-/// The dynamic cases that have rows but no energy balance, one line each.
+/// One line for each dynamic case that has rows but no energy balance.
 std::vector<std::string> missing_balances(const std::vector<Row>& rows);
 
-/// What differs between a committed report and a new run, one line each: rows that are missing or new, and
-/// rows whose verdict, expectation or tolerance has changed. The results' digits may differ by machine and
-/// are not compared.
+/// One line for each difference between a committed report and a new run: rows that are missing or new, and
+/// rows with another verdict, expected value or tolerance. Results are not compared, since their digits may
+/// differ by machine.
 std::vector<std::string> differences(const std::vector<Row>& committed, const std::vector<Row>& fresh);
 
 }  // namespace rockslope::verification

@@ -32,14 +32,16 @@ Picture read_picture(const std::filesystem::path& path) {
         curve.x.resize(count);
         curve.y.resize(count);
         for (std::size_t k = 0; k < count; ++k) in >> curve.x[k] >> curve.y[k];
-        if (!in) throw std::runtime_error(path.string() + ": curve '" + curve.name + "' is cut short");
+        if (!in)
+            throw std::runtime_error(path.string() + ": curve '" + curve.name + "' has fewer than " +
+                                     std::to_string(count) + " points");
         picture.curves.push_back(std::move(curve));
     }
     if (picture.curves.empty()) throw std::runtime_error(path.string() + ": no curve");
     return picture;
 }
 
-/// A range of values along one axis, widened to whole ticks.
+/// The range of an axis, widened to multiples of the tick.
 struct Axis {
     double low, high, tick;
 
@@ -47,12 +49,12 @@ struct Axis {
         if (most <= least) most = least + 1;
         const double rough = (most - least) / 6;
         const double decade = std::pow(10, std::floor(std::log10(rough)));
-        const double share = rough / decade;
-        tick = decade * (share < 1.5 ? 1 : share < 3.5 ? 2 : share < 7.5 ? 5 : 10);
+        const double ratio = rough / decade;
+        tick = decade * (ratio < 1.5 ? 1 : ratio < 3.5 ? 2 : ratio < 7.5 ? 5 : 10);
         low = tick * std::floor(least / tick + 1e-9);
         high = tick * std::ceil(most / tick - 1e-9);
     }
-    double share(double value) const { return (value - low) / (high - low); }
+    double fraction(double value) const { return (value - low) / (high - low); }
     int ticks() const { return static_cast<int>(std::lround((high - low) / tick)); }
     double at(int k) const { return low + k * tick; }
 };
@@ -95,9 +97,9 @@ std::string escaped(const std::string& text) {
 
 struct Frame {
     Axis x, y;
-    std::string px(double value) const { return pixel(left + (width - left - right) * x.share(value)); }
+    std::string px(double value) const { return pixel(left + (width - left - right) * x.fraction(value)); }
     std::string py(double value) const {
-        return pixel(height - bottom - (height - top - bottom) * y.share(value));
+        return pixel(height - bottom - (height - top - bottom) * y.fraction(value));
     }
 };
 
@@ -126,7 +128,7 @@ void draw_axes(std::ostream& out, const Picture& picture, const Frame& frame) {
     text(out, pixel(left), "20", "start", picture.title, " font-weight=\"bold\"");
 }
 
-/// A point for each pixel is enough: the others would only make the file long.
+/// Indices of about 500 evenly spaced points of a curve, as many as there are pixels.
 std::vector<std::size_t> thinned(const Curve& curve) {
     const std::size_t stride = std::max<std::size_t>(1, curve.x.size() / 500);
     std::vector<std::size_t> kept;
@@ -143,7 +145,7 @@ void draw_curve(std::ostream& out, const Curve& curve, const Frame& frame, std::
     out << "\"/>\n";
 }
 
-/// One line below the title; a letter is taken to be 6.7 px wide.
+/// Draws the legend in one line below the title, for letters 6.7 px wide.
 void draw_legend(std::ostream& out, const Picture& picture) {
     double x = left;
     const double y = 38;

@@ -7,21 +7,20 @@
 
 namespace rockslope::verification {
 
-/// A picture as the tests recorded it.
+/// A picture recorded by a test.
 struct Picture {
     std::string id;    ///< of the case
-    std::string stem;  ///< file name without its ending
+    std::string stem;  ///< file name without extension
     std::string title;
     std::string x_label;
     std::string y_label;
     std::vector<Curve> curves;
 };
 
-/// All pictures in a folder, in order of their names. Throws std::runtime_error, naming the file, on a
-/// malformed one.
+/// All pictures in a folder, sorted by name. @throws std::runtime_error that names a malformed file.
 std::vector<Picture> read_pictures(const std::string& folder);
 
-/// The picture as a scalable drawing: the first curve thick and pale, the reference; the others thin over it.
+/// The picture as SVG: the first curve, the reference, thick and pale, the others thin on top of it.
 std::string draw(const Picture& picture);
 
 }  // namespace rockslope::verification

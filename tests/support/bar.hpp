@@ -4,9 +4,9 @@
 
 namespace rockslope::scene {
 
-/// A straight bar along x of equal blocks glued by elastic joints, so stiff that they take a thousandth of
-/// the rock's give; without gravity and without damping of the strain modes. It begins at x = 0 and is
-/// centred on y = 0. A bar that thin carries plane waves: its height is that of one block.
+/// A straight bar of equal blocks along x, from x = 0, centred on y = 0, one block high. The joints are
+/// elastic and add a thousandth to the compliance of the rock. No gravity, no damping of the strain modes.
+/// The thin bar carries plane waves.
 struct Bar {
     Scene s;
     int count;
@@ -17,8 +17,8 @@ struct Bar {
     static constexpr double glued = 1e3;
     static constexpr double free = 1e-3;
 
-    /// @param shear of the joints, as the constants above. Blocks of uniform strain that are glued in shear
-    /// must all spread alike, and a bar of them cannot have free sides.
+    /// @param shear stiffness of the joints, as the constants above. With joints glued in shear, blocks of
+    /// uniform strain all have the same lateral strain, and the sides of the bar are not free.
     Bar(int blocks, double length, dda::Plane plane, double shear = free)
         : count(blocks), block_length(length), height(length) {
         const double unit = 10e9 / block_length;
@@ -30,16 +30,16 @@ struct Bar {
     }
 
     double density() const { return s.model.block_materials[0].density; }
-    /// Keeps all corners from moving along an axis: confined, or in pure shear.
+    /// Fixes all corners along the given axes, for confinement or pure shear.
     void hold(bool x, bool y) {
         for (int b = 0; b < count; ++b) {
             for (int corner = 4 * b; corner < 4 * b + 4; ++corner) {
-                const int point = s.material_point(b, s.model.vertices[static_cast<std::size_t>(corner)]);
+                const int point = s.material_point(b, s.model.vertices[corner]);
                 s.model.fixed_points.push_back({point, x, y});
             }
         }
     }
-    /// Pushes the left end with a traction, Pa, times a history.
+    /// Loads the left end with a traction, Pa, times a history.
     void push(const Vec2& traction, const dda::TimeTable& history) {
         for (const double y : {-height / 2, height / 2})
             s.model.loads.push_back(
@@ -47,7 +47,7 @@ struct Bar {
     }
 };
 
-/// One raised cosine, (1 - cos(2 pi t / duration)) / 2, from `start` on.
+/// One raised cosine, (1 - cos(2 pi t / duration)) / 2, from the time `start`, s.
 inline dda::TimeTable raised_cosine(double duration, double start = 0) {
     std::vector<double> times;
     std::vector<double> values;
@@ -59,8 +59,8 @@ inline dda::TimeTable raised_cosine(double duration, double start = 0) {
     return {times, values};
 }
 
-/// Dynamic, by the average acceleration: it conserves energy, where the default would damp waves by
-/// omega dt / 4, theory sec. 3.
+/// A dynamic stage with the average-acceleration method, which conserves energy. The default would damp waves
+/// by omega dt / 4, theory section 3.
 inline dda::Stage wave_stage(double duration, double step) {
     dda::Stage stage;
     stage.name = "wave";
@@ -71,7 +71,7 @@ inline dda::Stage wave_stage(double duration, double step) {
     return stage;
 }
 
-/// Velocities of some blocks' centroids along one axis, step by step.
+/// Records the velocities of the centroids of some blocks along one axis at every step.
 struct Seismogram {
     std::vector<double> times;
     std::vector<std::vector<double>> values;  ///< per station
@@ -80,7 +80,7 @@ struct Seismogram {
         sim.on_step = [this, stations, axis](const dda::State& state, const dda::StepReport&) {
             times.push_back(state.stage_time);
             for (std::size_t k = 0; k < stations.size(); ++k)
-                values[k].push_back(state.blocks.velocity[static_cast<std::size_t>(stations[k])][axis]);
+                values[k].push_back(state.blocks.velocity[stations[k]][axis]);
         };
     }
     Seismogram(const Seismogram&) = delete;
@@ -91,7 +91,7 @@ struct Seismogram {
         for (const double v : values[station]) result = std::max(result, std::abs(v));
         return result;
     }
-    /// The instant about which the energy that passes a station is balanced, s.
+    /// Mean arrival time of the energy at a station, s: centroid of the squared velocity over time.
     double arrival(std::size_t station) const {
         double moment = 0;
         double sum = 0;

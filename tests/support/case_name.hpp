@@ -6,8 +6,8 @@
 
 namespace rockslope {
 
-/// Names for the cases of a parametrised test, so that a list of tests can be read: GoogleTest takes letters,
-/// digits and underscores. "w_dt 0.05" becomes "w_dt_0_05".
+/// Name of a case of a parametrised test, of the letters, digits and underscores that GoogleTest accepts:
+/// "w_dt 0.05" becomes "w_dt_0_05".
 inline std::string case_name(const std::string& text) {
     std::string name;
     for (const char c : text) {
@@ -18,7 +18,7 @@ inline std::string case_name(const std::string& text) {
     return name;
 }
 
-/// A number as it goes into case_name(), of at most six digits.
+/// A number as text for case_name(), of at most six digits.
 inline std::string case_number(double value) {
     char text[32];
     std::snprintf(text, sizeof text, "%g", value);

@@ -5,19 +5,19 @@
 
 namespace rockslope::verification {
 
-/// One case of the catalogue as the report prints it.
+/// A case of the verification catalogue, as printed in the report.
 struct CatalogueCase {
     std::string_view id;
     std::string_view title;
-    std::string_view basis;  ///< the equation or source that the expected value comes from
-    bool dynamic = true;     ///< whether its tests move blocks in time, and owe an energy balance
+    std::string_view basis;  ///< equation or source of the expected value
+    bool dynamic = true;     ///< whether its tests have dynamic stages, which require an energy balance
 };
 
-/// Every case that the report must list, in its order. A test names its id; a case without a row shows as
-/// missing.
+/// All cases, in the order of the report. A test refers to a case by its id; a case without a row is reported
+/// as not covered.
 extern const std::array<CatalogueCase, 54> catalogue;
 
-/// @return the case of that id. Throws std::out_of_range, naming the id, when there is none.
+/// The case with this id. @throws std::out_of_range that names the id if there is none.
 const CatalogueCase& catalogue_case(std::string_view id);
 
 }  // namespace rockslope::verification

@@ -4,8 +4,8 @@
 
 namespace rockslope::scene {
 
-/// Layers of blocks, about 1 m by 1 m and cut at random, on a face of 35 degrees that ends on a level plane:
-/// nothing holds them at the foot, and they run out. Block 0 is the ground. Friction 8 degrees.
+/// Layers of random blocks, about 1 m by 1 m, on a slope of 35 degrees that ends on a level plane. Without
+/// support at the foot they slide down and run out. Block 0 is the ground. Friction 8 degrees.
 inline Scene collapsing_slope(int columns, int layers, unsigned seed) {
     Scene s;
     s.friction(8);
@@ -18,7 +18,7 @@ inline Scene collapsing_slope(int columns, int layers, unsigned seed) {
     s.block({{{top.x(), -5}, {plane, -5}, {plane, 0}, foot, top}}, dda::Motion::fixed);
     RandomSource random(seed);
     for (int layer = 0; layer < layers; ++layer) {
-        // Joints across the layer lean by up to 10 degrees; the lowest layer begins a little above the foot.
+        // Joints across a layer lean by up to 10 degrees. The lowest layer begins 2 m above the foot.
         double low = 2;
         double low_above = 2 + .2 * random.between(-1, 1);
         for (int column = 0; column < columns; ++column) {

@@ -9,8 +9,8 @@
 
 namespace rockslope::joint_tests {
 
-/// Rows of a test of 0.1 m of joint under constant stress (Pa), one at least for the start and for each
-/// turning point (mm).
+/// Shear test of a joint of 0.1 m under constant stress. @param stress Pa. @param path turning points, mm.
+/// @param increment m; the default gives one row for the start and one per turning point.
 inline std::vector<dda::ShearTestRow> sheared(const dda::CyclicBartonBandis& law, double stress,
                                               std::vector<double> path, double increment = 1) {
     for (double& displacement : path) displacement *= 1e-3;
@@ -23,7 +23,7 @@ inline std::vector<dda::ShearTestRow> sheared(const dda::CyclicBartonBandis& law
     return dda::run_shear_test(test);
 }
 
-/// The granite joint of Ma et al. (2017), Table 3, and the marble one.
+/// The granite and the marble joint of Ma et al. (2017), Table 3.
 inline dda::BartonStrength granite_strength() {
     return {12.8, 151e6, 34.6 * 0.017453292519943295};
 }
@@ -32,7 +32,7 @@ inline dda::BartonStrength marble_strength() {
 }
 constexpr double granite_peak = 1.25e-3, marble_peak = 0.3e-3;  ///< m
 
-/// Both joints as in Tables 4 to 7, the backward advance continued from the forward return.
+/// Both joints with Tables 4 to 7. The backward advance starts at the end of the forward return.
 inline dda::CyclicBartonBandis granite() {
     dda::CyclicBartonBandis law;
     law.barton = granite_strength();
@@ -67,7 +67,7 @@ inline dda::CyclicBartonBandis marble() {
     };
     return law;
 }
-/// J2 of Tables 9 and 10, with the factor of 0.9 per reversal.
+/// Joint J2 of Tables 9 and 10, with a factor of 0.9 per reversal.
 inline dda::CyclicBartonBandis sliding_plane() {
     dda::CyclicBartonBandis law;
     law.barton = {3.98, 80e6, 1 * 0.017453292519943295};
@@ -79,12 +79,12 @@ inline dda::CyclicBartonBandis sliding_plane() {
     return law;
 }
 
-/// What a quarter of a cycle of 15 mm ends with, to the digits of an independent integration.
+/// Stress and dilation at the end of a quarter of a cycle of 15 mm, from an independent integration.
 struct QuarterCycle {
     double stress;    ///< MPa
     double dilation;  ///< mm
 };
-/// Two cycles, granite under 1 MPa and marble under 0.5 MPa.
+/// Two cycles each: granite under 1 MPa, marble under 0.5 MPa.
 inline const std::vector<QuarterCycle> granite_quarters = {{.8036, 2.207},  {-.4336, -.018}, {-.8306, 2.036},
                                                            {.4337, -.309},  {.9314, 1.805},  {-.4453, -.426},
                                                            {-.9314, 1.449}, {.4929, -.757}};

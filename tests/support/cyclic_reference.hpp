@@ -8,8 +8,8 @@
 
 namespace rockslope::joint_tests {
 
-/// A rough joint under a constant stress, worked out from Eqs. (57), (60) and (61) and not by the engine's
-/// laws. Ratios are of mobilised over peak roughness, wear included.
+/// A rough joint under constant stress, computed from Eqs. (57), (60) and (61) independently of the joint
+/// laws of the program. Ratios are mobilised over peak roughness, with wear.
 struct ReferenceJoint {
     static constexpr double mm = 1e-3;  ///< m
     static constexpr double degree = 0.017453292519943295;
@@ -27,14 +27,15 @@ struct ReferenceJoint {
     }
     /// Tangent of the dilation angle.
     double rate(double ratio) const { return std::tan(roughness_angle(ratio)); }
-    /// What a way opens along which the ratio goes evenly from one value to another, Eq. (61).
+    /// Dilation over a displacement along which the ratio changes linearly, Eq. (61), in the unit of
+    /// `displacement`.
     double opening(double from, double to, double displacement) const {
         const double a = roughness_angle(from), b = roughness_angle(to);
         return displacement * std::log(std::cos(a) / std::cos(b)) / (b - a);
     }
-    /// Of the spring that leads to the peak, Pa/m.
+    /// Shear stiffness up to the peak, Pa/m.
     double shear_stiffness() const { return tau(1) / (peak * mm); }
-    /// The way from a strength forward to one backward, m.
+    /// Elastic displacement from the forward to the backward strength, m.
     double reversal_displacement(double forward, double backward) const {
         return (tau(forward) + tau(backward)) / shear_stiffness();
     }
@@ -51,7 +52,7 @@ inline ReferenceJoint reference_marble() {
 inline void expect_stress(const dda::ShearTestRow& row, double expected) {
     EXPECT_NEAR(row.shear_stress, expected, 1e-3);
 }
-/// Dilation from one row to another.
+/// Compares the increase of the dilation between two rows, m.
 inline void expect_opening(const dda::ShearTestRow& from, const dda::ShearTestRow& to, double expected) {
     EXPECT_NEAR(to.dilation - from.dilation, expected, 1e-13);
 }

@@ -9,7 +9,7 @@
 
 namespace rockslope::scene {
 
-/// Follows the energy ledger from one instant on, step by step.
+/// Monitors the energy ledger from a start, step by step.
 class EnergyMonitor {
   public:
     explicit EnergyMonitor(const dda::Energy& start)
@@ -34,15 +34,15 @@ class EnergyMonitor {
         least_friction_ = std::min(least_friction_, now.friction_loss - last_.friction_loss);
         last_ = now;
     }
-    /// The largest kinetic energy, or the largest change of any other account since the start, J: no sum over
-    /// the swings of a vibration, so that shares of it are not flattered. Where less than a millionth of what
-    /// was stored is exchanged, that millionth: the rest is rounding.
+    /// Energy exchanged since the start, J: the largest of the kinetic energy and of the changes of all other
+    /// accounts, at least a millionth of the energy stored at the start, since less is rounding. It is not
+    /// summed over the cycles of a vibration, which would make errors relative to it look small.
     double exchanged() const { return exchanged_; }
-    /// What the ledger left unexplained at the worst instant, over the energy exchanged.
+    /// Largest residual of the ledger, over the energy exchanged.
     double residual() const { return fraction(residual_); }
-    /// What friction took in the step in which it took least, over the energy exchanged.
+    /// Smallest work of friction in a step, over the energy exchanged.
     double least_friction() const { return fraction(least_friction_); }
-    /// Taken by the time integration since the start, over the energy exchanged.
+    /// Loss by the time integration since the start, over the energy exchanged.
     double integration_loss() const { return fraction(last_.numerical_loss - start_.numerical_loss); }
 
   private:

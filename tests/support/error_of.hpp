@@ -6,7 +6,7 @@
 
 namespace rockslope {
 
-/// What an InputError says; "no error" when none was thrown.
+/// The text of the InputError that an action throws; "no error" if it throws none.
 template <class Action>
 std::string error_of(const Action& action) {
     try {

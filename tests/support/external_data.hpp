@@ -7,8 +7,8 @@
 
 namespace rockslope {
 
-/// A folder of records, joint maps or curves that others have published and the project may not carry:
-/// $DDA_SHARED/<name>, or shared/<name> beside a folder that the sources are in; nothing where there is none.
+/// A folder of published records, joint maps or curves that may not be redistributed with the project:
+/// $DDA_SHARED/<name>, or shared/<name> beside a parent folder of the sources; nothing if there is none.
 inline std::optional<std::filesystem::path> external_data(const std::string& name) {
     namespace fs = std::filesystem;
     if (const char* shared = std::getenv("DDA_SHARED")) {
@@ -21,10 +21,9 @@ inline std::optional<std::filesystem::path> external_data(const std::string& nam
     return std::nullopt;
 }
 
-/// Why a test that needs them is skipped.
+/// The reason for skipping a test that needs the data.
 inline std::string external_data_missing(const std::string& name) {
-    return "these are others' data, which the project may not carry; set DDA_SHARED to the folder that "
-           "holds " +
+    return "external data, which may not be redistributed; set DDA_SHARED to the folder that contains " +
            name;
 }
 

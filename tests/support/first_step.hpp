@@ -7,7 +7,7 @@
 
 namespace rockslope::scene {
 
-/// The first step of a wall, as the open-close iteration sees it.
+/// The input of the open-close iteration in the first step of a wall.
 struct FirstStep {
     ThreadPool pool{1};
     dda::Model model = running_bond_wall(8, 8, 10).model;
@@ -30,13 +30,13 @@ struct FirstStep {
 
     FirstStep() {
         row_contacts.find(rows.count(), springs);
-        std::vector<std::pair<int, int>> pairs;
+        std::vector<std::pair<dda::RowIndex, dda::RowIndex>> pairs;
         for (const auto& s : springs) {
             if (s.rows.first >= 0 && s.rows.second >= 0) pairs.emplace_back(s.rows.first, s.rows.second);
         }
         pattern = dda::BlockPattern::from_pairs(rows.count(), std::move(pairs));
-        base.stiffness.assign(static_cast<std::size_t>(rows.count()), dda::Mat6::Identity());
-        base.load.assign(static_cast<std::size_t>(rows.count()), Vec6::Zero());
+        base.stiffness.assign(rows.count(), dda::Mat6::Identity());
+        base.load.assign(rows.count(), Vec6::Zero());
     }
     dda::StepProblem problem() const {
         return {model,          control, rows,    base,         state.blocks, still, set.contacts,
@@ -44,7 +44,7 @@ struct FirstStep {
     }
 };
 
-/// Blocks that go this way by some 0.1 mm, some of them; contacts open and slip.
+/// Displacements of 0.1 mm in random directions for one row in `one_in`, at random: contacts open and slip.
 inline std::vector<Vec6> moved(RandomSource& random, int rows, unsigned one_in) {
     std::vector<Vec6> d(static_cast<std::size_t>(rows), Vec6::Zero());
     for (Vec6& of_row : d) {

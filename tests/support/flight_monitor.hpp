@@ -10,22 +10,21 @@
 
 namespace rockslope::scene {
 
-/// Blocks on their way to each other.
+/// Blocks thrown at each other.
 struct FlightSetup {
     Scene scene;
     std::vector<Vec6> velocity;  ///< per block
     dda::Stage stage;
 };
 
-/// Watches a flight step by step: no block gets into another farther than its contacts say, energy does not
-/// grow, momentum stays where nothing but the blocks themselves acts.
+/// Monitors a flight step by step: overlaps are no deeper than the penetration of contacts, energy does not
+/// grow, and momentum is conserved if no external force acts.
 class FlightMonitor {
   public:
-    /// @param max_residual how much the ledger may leave unexplained, over the largest kinetic energy.
+    /// @param max_residual largest residual of the energy ledger over the largest kinetic energy.
     explicit FlightMonitor(const FlightSetup& thrown, double max_residual = .01)
         : sim_(thrown.scene), stage_(thrown.stage), max_residual_(max_residual) {
-        for (int b = 0; b < sim_.model.block_count(); ++b)
-            sim_.velocity(b) = thrown.velocity[static_cast<std::size_t>(b)];
+        for (int b = 0; b < sim_.model.block_count(); ++b) sim_.velocity(b) = thrown.velocity[b];
         sim_.restart_ledger();
         energy_ = sim_.state.energy.stores();
         kinetic_ = sim_.state.energy.kinetic;
@@ -59,7 +58,7 @@ class FlightMonitor {
         for (const dda::Contact& c : state.contacts.contacts)
             closed_contacts_ += c.state != dda::ContactState::open;
         check_overlaps(state, report);
-        // The equations are solved to the rounding of stiffness times displacement, 1e-16 and a few.
+        // The equations are solved to the rounding of stiffness times displacement, a few 1e-16.
         rounding_ += 1e-15 * sim_.model.normal_penalty * report.largest_displacement * report.step;
         if (isolated_) {
             ASSERT_LE((momentum(state) - momentum_).norm(), 1e-9 * scale_ + rounding_)
@@ -71,8 +70,8 @@ class FlightMonitor {
     }
 
     void check_overlaps(const dda::State& state, const dda::StepReport& report) {
-        // Two corners on each other have one contact. Where it opens in a step, the other corner may still be
-        // as deep as the contact was before: it has no force, so that it gains no energy, and leaves.
+        // Two corners that meet have one contact. If it opens in a step, the other corner may still be as
+        // deep as the contact was a step ago. It has no force, gains no energy, and leaves.
         const double depth = std::max(report.largest_penetration, depth_before_) + 2e-9;
         depth_before_ = report.largest_penetration;
         for (const Overlap& overlap : overlaps(sim_.model.topology, state.blocks.vertices)) {
@@ -89,11 +88,11 @@ class FlightMonitor {
     double max_residual_;
     bool isolated_ = true;
     int closed_contacts_ = 0;
-    double energy_ = 0;        ///< J, before
-    double kinetic_ = 0;       ///< J, the most so far
-    Vec2 momentum_{0, 0};      ///< kg m/s, before
-    double scale_ = 0;         ///< kg m/s, sum of the blocks' momenta without their directions
-    double rounding_ = 0;      ///< kg m/s, that the solutions so far may have cost
+    double energy_ = 0;        ///< J, at the start
+    double kinetic_ = 0;       ///< J, largest so far
+    Vec2 momentum_{0, 0};      ///< kg m/s, at the start
+    double scale_ = 0;         ///< kg m/s, sum of the magnitudes of the blocks' momenta
+    double rounding_ = 0;      ///< kg m/s, possible error of the solutions so far
     double depth_before_ = 0;  ///< m, largest penetration a step ago
 };
 

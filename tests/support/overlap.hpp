@@ -10,7 +10,7 @@
 
 namespace rockslope::scene {
 
-/// How much of two blocks is in the same place: a measure that knows nothing of contacts.
+/// The overlap of two blocks, computed from their polygons without contacts.
 struct Overlap {
     int first = 0;
     int second = 0;
@@ -25,37 +25,36 @@ struct Side {
     double sign = 0;  ///< +1 where the rock is below the side
 };
 
-inline dda::Vec2 at(std::span<const dda::Vec2> vertices, int corner) {
-    return vertices[static_cast<std::size_t>(corner)];
+inline dda::Vec2 at(std::span<const dda::Vec2> vertices, dda::CornerIndex corner) {
+    return vertices[corner];
 }
 
 inline std::vector<Side> sides_of(const dda::Topology& topology, std::span<const dda::Vec2> vertices,
                                   int block) {
     std::vector<Side> sides;
-    const auto b = static_cast<std::size_t>(block);
-    for (int k = topology.block_corners[b]; k < topology.block_corners[b + 1]; ++k) {
+    for (const dda::CornerIndex k : topology.corners_of(block)) {
         const dda::Vec2 from = at(vertices, k);
-        const dda::Vec2 to = at(vertices, topology.next[static_cast<std::size_t>(k)]);
+        const dda::Vec2 to = at(vertices, topology.next[k]);
         if (from.x() < to.x()) sides.push_back({from, to, -1});
         if (from.x() > to.x()) sides.push_back({to, from, 1});
     }
     return sides;
 }
 
-/// The integral over their common range of the lower of two sides, as heights over `base`.
+/// Area between `base` and the lower of two sides, over their common range of x, m2.
 inline double area_below_both(const Side& a, const Side& b, double base) {
     const double from = std::max(a.left.x(), b.left.x());
     const double to = std::min(a.right.x(), b.right.x());
     if (to <= from) return 0;
     const auto height = [&](const Side& s, double x) {
-        const double share = (x - s.left.x()) / (s.right.x() - s.left.x());
-        return s.left.y() + share * (s.right.y() - s.left.y()) - base;
+        const double fraction = (x - s.left.x()) / (s.right.x() - s.left.x());
+        return s.left.y() + fraction * (s.right.y() - s.left.y()) - base;
     };
     const double a0 = height(a, from), a1 = height(a, to);
     const double b0 = height(b, from), b1 = height(b, to);
     const double d0 = a0 - b0, d1 = a1 - b1;
     if (d0 * d1 >= 0) return (to - from) * (d0 + d1 < 0 ? a0 + a1 : b0 + b1) / 2;
-    const double crossing = d0 / (d0 - d1);  // share of the range up to where the sides cross
+    const double crossing = d0 / (d0 - d1);  // fraction of the range at which the sides cross
     const double height_there = a0 + crossing * (a1 - a0);
     const double before = (d0 < 0 ? a0 : b0) + height_there;
     const double after = (d1 < 0 ? a1 : b1) + height_there;
@@ -64,10 +63,9 @@ inline double area_below_both(const Side& a, const Side& b, double base) {
 
 }  // namespace detail
 
-/// The area that two blocks have in common, m2; any simple polygons with holes. A block is the sum over its
-/// sides of what lies below them, counted against where the rock is above the side; so the common area is the
-/// sum over all pairs of sides of what lies below both. Exact but for rounding of the size of the blocks'
-/// area times 1e-16.
+/// Area of the intersection of two blocks, m2, for any simple polygons with holes. The area of a block is the
+/// signed sum of the areas below its sides. The area of the intersection is then the signed sum, over all
+/// pairs of sides, of the area below both. Exact up to rounding, 1e-16 of the blocks' area.
 inline double overlap_area(const dda::Topology& topology, std::span<const dda::Vec2> vertices, int first,
                            int second) {
     const auto a = detail::sides_of(topology, vertices, first);
@@ -90,10 +88,10 @@ inline std::vector<Overlap> overlaps(const dda::Topology& topology, std::span<co
         dda::Vec2 low, high;
     };
     std::vector<Box> boxes;
-    for (std::size_t b = 0; b + 1 < topology.block_corners.size(); ++b) {
+    for (const dda::BlockIndex b : topology.blocks()) {
         Box box{detail::at(vertices, topology.block_corners[b]),
                 detail::at(vertices, topology.block_corners[b])};
-        for (int k = topology.block_corners[b]; k < topology.block_corners[b + 1]; ++k) {
+        for (const dda::CornerIndex k : topology.corners_of(b)) {
             box.low = box.low.cwiseMin(detail::at(vertices, k));
             box.high = box.high.cwiseMax(detail::at(vertices, k));
         }
@@ -119,10 +117,8 @@ inline std::vector<Overlap> overlaps(const dda::Topology& topology, std::span<co
 
 inline double perimeter(const dda::Topology& topology, std::span<const dda::Vec2> vertices, int block) {
     double sum = 0;
-    const auto b = static_cast<std::size_t>(block);
-    for (int k = topology.block_corners[b]; k < topology.block_corners[b + 1]; ++k) {
-        sum += (detail::at(vertices, topology.next[static_cast<std::size_t>(k)]) - detail::at(vertices, k))
-                   .norm();
+    for (const dda::CornerIndex k : topology.corners_of(block)) {
+        sum += (detail::at(vertices, topology.next[k]) - detail::at(vertices, k)).norm();
     }
     return sum;
 }

@@ -12,10 +12,10 @@
 
 namespace rockslope::verification {
 
-/// How contacts keep blocks apart: springs of a multiple of Young's modulus, alone or augmented.
+/// Stiffness of the contacts: a multiple of Young's modulus, with or without augmentation.
 struct ContactSetting {
     double penalty_over_e;
-    double tolerance = 0;  ///< m, of penetration; 0: springs alone
+    double tolerance = 0;  ///< m, penetration tolerance of augmented contacts; 0: pure penalty
 
     void apply(scene::Scene& s) const {
         s.model.normal_penalty = s.model.shear_penalty =
@@ -28,16 +28,15 @@ struct ContactSetting {
     }
 };
 
-/// The settings between which a static answer must not change.
+/// Settings that must all give the same static answer.
 inline std::vector<ContactSetting> settings(double tolerance) {
     return {{1}, {100}, {1, tolerance}, {100, tolerance}};
 }
 
 using Answer = std::function<double(const ContactSetting&)>;
 
-/// Order at which an answer approaches its limit as the penalty grows: the slope of a straight line through
-/// the logarithms of the changes from each penalty of 10 to 10 000 E to the next. The limit need not be
-/// known.
+/// Order of convergence of an answer with the penalty: slope of the straight line through the logarithms of
+/// the changes between successive penalties from 10 to 10 000 E. The limit need not be known.
 struct PenaltySeries {
     double order = 0;
     double limit = 0;                                    ///< extrapolated at first order from the last two
@@ -46,11 +45,11 @@ struct PenaltySeries {
 
     explicit PenaltySeries(const Answer& of) {
         for (const double p : penalty) answer.push_back(of({p}));
-        // Least squares over three points one decade apart need the outer two only.
+        // The least-squares slope of three equidistant points depends on the outer two only.
         order = std::log10((answer[0] - answer[1]) / (answer[2] - answer[3])) / 2;
         limit = answer[3] + (answer[3] - answer[2]) / 9;
     }
-    /// Distance from the limit against the penalty, beside the first order through its last point.
+    /// Records a picture: error against penalty, and the first order through the last point.
     void draw(const std::string& id, const std::string& quantity) const {
         Curve line{"first order", {}, {}};
         Curve engine{"engine", {}, {}};
@@ -60,34 +59,35 @@ struct PenaltySeries {
             engine.x.push_back(line.x.back());
             engine.y.push_back(std::log10(std::abs(answer[k] - limit)));
         }
-        record_picture(id, "penalty", id + ": " + quantity + ", its error by the contacts' give",
+        record_picture(id, "penalty", id + ": " + quantity + ", error against penalty",
                        "log₁₀ of penalty over E", "log₁₀ of the error in m", {line, engine});
     }
 };
 
-/// How a displacement depends on the contacts' giving way.
+/// Bounds of the error of a displacement by the compliance of the contacts.
 struct ComplianceBounds {
-    double tolerance;  ///< m, of penetration, when augmented
-    double augmented;  ///< m, what penetrations of the tolerance make of it at most
-    double plain;      ///< m, what springs of 1 E make of it at most; those of n E a share of 1/n
+    double tolerance;  ///< m, penetration tolerance of augmented contacts
+    double augmented;  ///< m, largest error with augmented contacts
+    double plain;      ///< m, largest error with a penalty of 1 E; with n E it is 1/n of this
 };
 
-/// Asserts and records that springs alone err by the first order in 1/penalty and by no more than they give
-/// way, and that augmented contacts reach the limit whatever their penalty.
+/// Asserts and records that the error of pure penalty contacts is of first order in 1/penalty and within the
+/// bounds, and that augmented contacts give the limit with every penalty.
 inline void expect_first_order(const std::string& id, const std::string& set_up, const std::string& quantity,
-                               const ComplianceBounds& give, const Answer& of) {
+                               const ComplianceBounds& bounds, const Answer& of) {
     const PenaltySeries series(of);
     series.draw(id, quantity);
-    Case(id, set_up + ", penalties of 10 to 10 000 E",
-         "an exact first order but for the share of forces among contacts, which changes with the penalty")
+    Case(
+        id, set_up + ", penalties of 10 to 10 000 E",
+        "exact first order but for the distribution of forces among contacts, which changes with the penalty")
         .expect("order of " + quantity + " in 1/penalty", "", series.order, 1, absolute(.02));
     for (const double penalty : {1., 100.}) {
         const ContactSetting plain{penalty};
-        const ContactSetting augmented{penalty, give.tolerance};
-        Case(id, set_up + ", " + plain.name(), "what the springs give way under the weight")
-            .expect(quantity, "m", of(plain), series.limit, absolute(give.plain / penalty));
-        Case(id, set_up + ", " + augmented.name(), "what penetrations of the tolerance make of it")
-            .expect(quantity, "m", of(augmented), series.limit, absolute(give.augmented));
+        const ContactSetting augmented{penalty, bounds.tolerance};
+        Case(id, set_up + ", " + plain.name(), "compliance of the springs under the weight")
+            .expect(quantity, "m", of(plain), series.limit, absolute(bounds.plain / penalty));
+        Case(id, set_up + ", " + augmented.name(), "effect of penetrations of the tolerance")
+            .expect(quantity, "m", of(augmented), series.limit, absolute(bounds.augmented));
     }
 }
 

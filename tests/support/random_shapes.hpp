@@ -6,28 +6,28 @@
 
 namespace rockslope::scene {
 
-/// Draws that are the same with every compiler and library.
+/// Random numbers that are the same with every compiler and library.
 class RandomSource {
   public:
     explicit RandomSource(unsigned seed) : engine_(seed) { engine_.discard(16); }
-    double between(double low, double high) { return low + (high - low) * share(); }
-    /// Evenly over the orders of magnitude.
-    double magnitude(double low, double high) { return low * std::pow(high / low, share()); }
+    double between(double low, double high) { return low + (high - low) * uniform(); }
+    /// Log-uniform in [low, high).
+    double magnitude(double low, double high) { return low * std::pow(high / low, uniform()); }
     /// One of 0, 1, ..., count - 1.
-    unsigned index_below(unsigned count) { return static_cast<unsigned>(share() * count); }
+    unsigned index_below(unsigned count) { return static_cast<unsigned>(uniform() * count); }
     Vec2 direction() {
         const double angle = between(0, 2 * std::numbers::pi);
         return {std::cos(angle), std::sin(angle)};
     }
 
   private:
-    double share() { return static_cast<double>(engine_()) / 4294967296.0; }
+    double uniform() { return static_cast<double>(engine_()) / 4294967296.0; }
     std::mt19937 engine_;
 };
 
 using Ring = std::vector<Vec2>;
 
-/// The point x, turned by an angle, rad, and shifted.
+/// The point x, rotated by an angle, rad, and shifted.
 inline Vec2 placed(const Vec2& x, double angle, const Vec2& shift) {
     return shift + Vec2(std::cos(angle) * x.x() - std::sin(angle) * x.y(),
                         std::sin(angle) * x.x() + std::cos(angle) * x.y());
@@ -71,7 +71,7 @@ inline Ring random_ring(RandomSource& random, double size) {
     }
 }
 
-/// A ring turned and shifted.
+/// A ring, rotated and shifted.
 inline Ring placed(const Ring& ring, double angle, const Vec2& shift) {
     Ring result;
     for (const Vec2& v : ring) result.push_back(placed(v, angle, shift));

@@ -15,7 +15,7 @@ namespace rockslope::verification {
 
 namespace {
 
-/// The folder of the report, or an empty path when nobody asked for one.
+/// The folder of the report; empty if the environment variable is not set.
 std::filesystem::path report_folder() {
     const char* folder = std::getenv("DDA_VERIFICATION_REPORT");
     return folder == nullptr ? std::filesystem::path() : std::filesystem::path(folder);
@@ -23,7 +23,7 @@ std::filesystem::path report_folder() {
 
 std::string test_name() {
     const testing::TestInfo* info = testing::UnitTest::GetInstance()->current_test_info();
-    if (info == nullptr) throw std::logic_error("a verification case belongs inside a test");
+    if (info == nullptr) throw std::logic_error("a verification case must be inside a test");
     std::string name = std::string(info->test_suite_name()) + "." + info->name();
     for (char& c : name) {
         if (c == '/') c = '-';
@@ -31,18 +31,18 @@ std::string test_name() {
     return name;
 }
 
-/// One file for a test, begun anew when the test runs: tests of one program may run side by side.
+/// Appends a row to the test's own file, which is truncated at its first row: tests may run in parallel.
 void append(const Row& row) {
     const std::filesystem::path folder = report_folder();
     if (folder.empty()) return;
     std::filesystem::create_directories(folder);
-    static std::set<std::string> begun;
+    static std::set<std::string> started;
     const std::string name = test_name();
-    const bool first = begun.insert(name).second;
+    const bool first = started.insert(name).second;
     std::ofstream out(folder / (name + ".tsv"), first ? std::ios::trunc : std::ios::app);
     if (first) write_header(out);
     write_row(out, row);
-    if (!out.flush()) throw std::runtime_error("cannot write the report's rows into " + folder.string());
+    if (!out.flush()) throw std::runtime_error("cannot write the rows of the report to " + folder.string());
 }
 
 void fail(const Row& row, const std::string& what, const char* file, int line) {
@@ -52,7 +52,7 @@ void fail(const Row& row, const std::string& what, const char* file, int line) {
                                << what;
 }
 
-void judge(Row row, bool within, const char* file, int line) {
+void record_verdict(Row row, bool within, const char* file, int line) {
     row.verdict = within ? Verdict::passes : Verdict::fails;
     append(row);
     if (!within) fail(row, "", file, line);
@@ -71,7 +71,7 @@ Case::Case(std::string id, std::string set_up, std::string reason)
     catalogue_case(id_);
     for (const std::string& text : {set_up_, reason_}) {
         if (text.find_first_of("\t\n|") != std::string::npos)
-            throw std::invalid_argument("a row's text must have no tab, line end or bar: " + text);
+            throw std::invalid_argument("the text of a row must not contain a tab, line end or bar: " + text);
     }
 }
 
@@ -94,7 +94,7 @@ Row Case::row(const std::string& quantity, const std::string& unit) const {
 Row Case::compared(const std::string& quantity, const std::string& unit, double ours, double expected,
                    Tolerance tolerance) const {
     if (tolerance.kind == ToleranceKind::relative && expected == 0)
-        throw std::invalid_argument("a share of zero is no tolerance");
+        throw std::invalid_argument("a relative tolerance needs an expected value other than zero");
     Row made = row(quantity, unit);
     made.expected = to_text(expected);
     made.ours = to_text(ours);
@@ -107,8 +107,8 @@ Row Case::compared(const std::string& quantity, const std::string& unit, double 
 
 void Case::expect(const std::string& quantity, const std::string& unit, double ours, double expected,
                   Tolerance tolerance, const char* file, int line) const {
-    judge(compared(quantity, unit, ours, expected, tolerance), within_tolerance(ours, expected, tolerance),
-          file, line);
+    record_verdict(compared(quantity, unit, ours, expected, tolerance),
+                   within_tolerance(ours, expected, tolerance), file, line);
 }
 
 void Case::expect_below(const std::string& quantity, const std::string& unit, double ours, double limit,
@@ -117,7 +117,7 @@ void Case::expect_below(const std::string& quantity, const std::string& unit, do
     made.ours = to_text(std::abs(ours));
     made.tolerance = to_text(limit);
     made.kind = ToleranceKind::below;
-    judge(made, std::abs(ours) < limit, file, line);
+    record_verdict(made, std::abs(ours) < limit, file, line);
 }
 
 void Case::expect_above(const std::string& quantity, const std::string& unit, double ours, double limit,
@@ -126,7 +126,7 @@ void Case::expect_above(const std::string& quantity, const std::string& unit, do
     made.ours = to_text(ours);
     made.tolerance = to_text(limit);
     made.kind = ToleranceKind::above;
-    judge(made, ours > limit, file, line);
+    record_verdict(made, ours > limit, file, line);
 }
 
 void Case::expect_outcome(const std::string& quantity, const std::string& ours, const std::string& expected,
@@ -135,7 +135,7 @@ void Case::expect_outcome(const std::string& quantity, const std::string& ours, 
     made.expected = expected;
     made.ours = ours;
     made.kind = ToleranceKind::outcome;
-    judge(made, ours == expected, file, line);
+    record_verdict(made, ours == expected, file, line);
 }
 
 void Case::inform(const std::string& quantity, const std::string& unit, double ours, double reference) const {
@@ -158,7 +158,7 @@ void Case::expect_miss(const std::string& quantity, const std::string& unit, dou
     made.reason = why;
     append(made);
     if (within_tolerance(ours, expected, tolerance))
-        fail(made, ": no longer a miss, expect it instead", file, line);
+        fail(made, ": no longer a miss; use expect() instead", file, line);
 }
 
 void record_picture(const std::string& id, const std::string& slug, const std::string& title,
@@ -175,7 +175,7 @@ void record_picture(const std::string& id, const std::string& slug, const std::s
         out << curve.x.size() << ' ' << curve.name << '\n';
         for (std::size_t k = 0; k < curve.x.size(); ++k) out << curve.x[k] << ' ' << curve.y.at(k) << '\n';
     }
-    if (!out.flush()) throw std::runtime_error("cannot write a picture's curves into " + folder.string());
+    if (!out.flush()) throw std::runtime_error("cannot write the curves of a picture to " + folder.string());
 }
 
 }  // namespace rockslope::verification

@@ -8,50 +8,50 @@
 
 namespace rockslope::verification {
 
-/// How far a result may be from what is expected. The tolerance recorded is the one asserted.
+/// Largest difference of a result from its expected value. The tolerance recorded is the one asserted.
 struct Tolerance {
     ToleranceKind kind = ToleranceKind::relative;
     double value = 0;
 };
-/// A share of the expected value.
-inline Tolerance relative(double share) {
-    return {ToleranceKind::relative, share};
+/// A fraction of the expected value.
+inline Tolerance relative(double fraction) {
+    return {ToleranceKind::relative, fraction};
 }
 /// An amount in the quantity's unit.
 inline Tolerance absolute(double amount) {
     return {ToleranceKind::absolute, amount};
 }
 
-/// A set-up of one case of the catalogue. Each call asserts (a GoogleTest expectation at the caller's line)
-/// and records a row of the report in the folder that the environment variable DDA_VERIFICATION_REPORT names;
-/// without that variable it only asserts.
+/// A set-up of a case of the catalogue. Each call asserts (a GoogleTest expectation at the caller's line) and
+/// records a row of the report, in the folder of the environment variable DDA_VERIFICATION_REPORT. Without
+/// that variable it only asserts.
 class Case {
   public:
-    /// @param id of the catalogue; @param set_up what tells this set-up from the others of the case; @param
-    /// reason why the tolerances are what they are.
+    /// @param id of the catalogue. @param set_up distinguishes this set-up from the others of the case.
+    /// @param reason of the tolerances.
     Case(std::string id, std::string set_up, std::string reason);
 
-    /// omega_contact * dt of the run that the following rows come from, dimensionless.
+    /// Sets omega_contact * dt of the run of the following rows, dimensionless.
     Case& contact_frequency_step(double value);
 
-    /// A number that must come out within the tolerance.
+    /// Expects a number within the tolerance.
     void expect(const std::string& quantity, const std::string& unit, double ours, double expected,
                 Tolerance tolerance, const char* file = __builtin_FILE(), int line = __builtin_LINE()) const;
-    /// A number whose magnitude must stay below a limit.
+    /// Expects a number whose magnitude is below a limit.
     void expect_below(const std::string& quantity, const std::string& unit, double ours, double limit,
                       const char* file = __builtin_FILE(), int line = __builtin_LINE()) const;
-    /// A number that must exceed a limit.
+    /// Expects a number above a limit.
     void expect_above(const std::string& quantity, const std::string& unit, double ours, double limit,
                       const char* file = __builtin_FILE(), int line = __builtin_LINE()) const;
-    /// A word: the mode of failure, or whether something moves.
+    /// Expects a word: the mode of failure, or whether something moves.
     void expect_outcome(const std::string& quantity, const std::string& ours, const std::string& expected,
                         const char* file = __builtin_FILE(), int line = __builtin_LINE()) const;
-    /// A number that is reported beside its reference and not judged.
+    /// Records a number and its reference without an assertion.
     void inform(const std::string& quantity, const std::string& unit, double ours, double reference) const;
-    /// A number that is reported and has nothing to be compared with.
+    /// Records a number that has no reference.
     void inform(const std::string& quantity, const std::string& unit, double ours) const;
-    /// A number known to be outside its tolerance: the row says so, with `why`. Fails when it has come
-    /// within, so that the list of misses cannot outlive its cause.
+    /// Records a known miss: a number outside its tolerance, with the reason `why`. Fails if the number is
+    /// within the tolerance, so that no miss is listed after its cause is gone.
     void expect_miss(const std::string& quantity, const std::string& unit, double ours, double expected,
                      Tolerance tolerance, const std::string& why, const char* file = __builtin_FILE(),
                      int line = __builtin_LINE()) const;
@@ -74,9 +74,8 @@ struct Curve {
     std::vector<double> y;
 };
 
-/// Records curves that the report draws as one picture below the case's table. The first is drawn as the
-/// reference.
-/// @param slug tells the case's pictures apart: letters, digits and dashes.
+/// Records curves that the report draws as one picture below the table of the case. The first curve is the
+/// reference. @param slug identifies the picture of the case: letters, digits and dashes.
 void record_picture(const std::string& id, const std::string& slug, const std::string& title,
                     const std::string& x_label, const std::string& y_label, const std::vector<Curve>& curves);
 

@@ -9,8 +9,7 @@ namespace rockslope::verification {
 enum class ToleranceKind { relative, absolute, below, above, outcome, none };
 enum class Verdict { passes, fails, misses, informs };
 
-/// One line of the report. Numbers are kept as the text that is printed, so that reading and writing change
-/// nothing.
+/// A row of the report. Numbers are stored as their printed text, so that reading and writing change nothing.
 struct Row {
     std::string id;
     std::string set_up;
@@ -18,15 +17,15 @@ struct Row {
     std::string unit;
     std::string expected;
     std::string ours;
-    std::string error;  ///< in the measure of the tolerance: a share, or an amount in `unit`
+    std::string error;  ///< as the tolerance: relative, or absolute in `unit`
     std::string tolerance;
     ToleranceKind kind = ToleranceKind::none;
     std::string contact_frequency_step;  ///< omega_contact * dt; empty without contact
     Verdict verdict = Verdict::informs;
-    std::string reason;  ///< of the tolerance; of the miss
+    std::string reason;  ///< reason of the tolerance or of the miss
 };
 
-/// Quantities of the energy balance, all over the energy exchanged; the report has a table for them.
+/// Quantities of the energy balance, over the energy exchanged. The report has a separate table for them.
 inline constexpr const char* energy_residual = "energy residual";
 inline constexpr const char* friction_work = "least work of friction in a step";
 inline constexpr const char* integration_loss = "lost by the time integration";
@@ -39,7 +38,7 @@ std::string to_text(Verdict verdict);
 void write_header(std::ostream& out);
 /// One line of tab-separated fields.
 void write_row(std::ostream& out, const Row& row);
-/// Reads a file that begins with the header. Throws std::runtime_error, naming file and line, on another
+/// Reads a file that begins with the header. @throws std::runtime_error that names file and line, for another
 /// header, a wrong number of fields or an unknown word.
 std::vector<Row> read_rows(const std::string& path);
 

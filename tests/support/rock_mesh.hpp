@@ -4,9 +4,9 @@
 
 namespace rockslope::scene {
 
-/// A rectangle of square blocks of 1 m glued by joints that take a thousandth of the rock's give; without
-/// gravity and without damping. Waves come in through a viscous boundary below; free-field columns or plain
-/// dashpots stand at the sides.
+/// A rectangle of square blocks of 1 m. The joints are elastic and add a thousandth to the compliance of the
+/// rock. No gravity, no damping. Waves enter through a viscous boundary at the base; the sides are free, or
+/// have dashpots or free fields.
 struct RockMesh {
     Scene s;
     int columns, rows;
@@ -39,7 +39,7 @@ struct RockMesh {
     }
     int block(int column, int row) const { return row * columns + column; }
 
-    /// A pulse of 1 m/s along an axis that climbs from below.
+    /// A pulse of 1 m/s along an axis that enters at the base. @param pulse its duration, s.
     dda::Stage shaken(int axis, double pulse, double duration, double step) const {
         dda::Stage stage = wave_stage(duration, step);
         const dda::TimeTable at_rest({0, 1}, {0, 0}), wave = raised_cosine(pulse);

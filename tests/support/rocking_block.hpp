@@ -10,10 +10,10 @@
 
 namespace rockslope::scene {
 
-/// A slender block on a rigid base in Housner's idealisation: it turns about one corner or the other, never
-/// slides, and at each impact keeps the share e = 1 - 3/2 sin^2(alpha) of its speed of rotation. theta > 0
-/// turns about the left corner, s is its sign: theta'' = -p^2 (sin(alpha s - theta) - a/g cos(alpha s -
-/// theta)), p^2 = 3 g/(4 R) with R half the diagonal and a the base's acceleration to the right.
+/// A slender block on a rigid base, as Housner idealised it. It rotates about one of its lower corners and
+/// does not slide. Each impact multiplies its angular velocity by e = 1 - 3/2 sin^2(alpha). With theta > 0
+/// about the left corner and s the sign of theta, theta'' = -p^2 (sin(alpha s - theta) - a/g cos(alpha s -
+/// theta)), p^2 = 3 g/(4 R), with R half the diagonal and a the acceleration of the base to the right.
 class HousnerBlock {
   public:
     HousnerBlock(double width, double height)
@@ -28,8 +28,8 @@ class HousnerBlock {
         std::vector<double> impact_speed;  ///< rad/s, before the impact
         bool overturned = false;
     };
-    /// Classical Runge-Kutta steps of `dt`; an impact is met where its step's chord crosses zero. At rest it
-    /// stays while |a| < g tan(alpha).
+    /// Integrates by the classical Runge-Kutta method in steps of `dt`. The time of an impact is interpolated
+    /// linearly. A block at rest stays while |a| < g tan(alpha).
     Motion release(double angle, const std::function<double(double)>& base, double duration,
                    double dt = 1e-4) const {
         Motion motion{{0}, {angle}, {}, {}, false};
@@ -40,20 +40,20 @@ class HousnerBlock {
             const double t = k * dt;
             if (theta == 0 && omega == 0 && std::abs(base(t)) <= g * std::tan(alpha_)) continue;
             const double side = theta != 0 ? theta : omega != 0 ? omega : base(t);
-            const auto turned = [&](double time, double th) {
+            const auto angular_acceleration = [&](double time, double th) {
                 const double lever = std::copysign(alpha_, side) - th;
                 return -p2_ * (std::sin(lever) - base(time) / g * std::cos(lever));
             };
             const double before = theta;
             const double speed_before = omega;
-            runge_kutta(turned, t, dt, theta, omega);
+            runge_kutta(angular_acceleration, t, dt, theta, omega);
             if (before != 0 && theta * before <= 0) {
-                const double share = before / (before - theta);
-                motion.impacts.push_back(t + share * dt);
-                omega = speed_before + share * (omega - speed_before);
+                const double fraction = before / (before - theta);
+                motion.impacts.push_back(t + fraction * dt);
+                omega = speed_before + fraction * (omega - speed_before);
                 motion.impact_speed.push_back(std::abs(omega));
                 omega *= restitution();
-                theta = (1 - share) * dt * omega;
+                theta = (1 - fraction) * dt * omega;
             }
             motion.time.push_back(t + dt);
             motion.angle.push_back(theta);
@@ -82,8 +82,7 @@ class HousnerBlock {
     double p2_;
 };
 
-/// The same block in the engine, on a base that a record may move; friction of 60 degrees, so that it does
-/// not slide.
+/// The same block computed by DDA, on a base that may move. With friction of 60 degrees it does not slide.
 struct RockingBlock {
     double width = 0;
     double height = 0;
@@ -91,13 +90,13 @@ struct RockingBlock {
     double damping_ratio = 0.1;
 
     std::vector<double> time, angle;
-    std::vector<double> impacts;       ///< s, when the raised corner comes down
-    std::vector<double> impact_speed;  ///< rad/s, in the step before
+    std::vector<double> impacts;       ///< s, of the raised corner
+    std::vector<double> impact_speed;  ///< rad/s, in the step before the impact
     double frequency_step = 0;
     std::optional<EnergyMonitor> energy;
 
-    /// Lets the block go, tilted by `angle0` about its left corner, settled on that corner by a force that is
-    /// then taken away; or, untilted, shakes it.
+    /// Releases the block from a tilt `angle0`, rad, about its left corner, on which it has settled with its
+    /// top fixed horizontally; or, without a tilt, shakes its base.
     void run(double angle0, const dda::TimeTable& base, double duration) {
         Scene s;
         s.friction(60);
@@ -131,14 +130,14 @@ struct RockingBlock {
     }
 
   private:
-    /// The raised corner is the right one while the block leans to the left.
+    /// Records the angle and detects impacts by the sign of the angle.
     void observe(const dda::State& state) {
         const double theta = std::atan2(state.blocks.vertices[5].y() - state.blocks.vertices[4].y(),
                                         state.blocks.vertices[5].x() - state.blocks.vertices[4].x());
         const double omega = state.blocks.velocity[1][2];
         if (!angle.empty() && theta * angle.back() <= 0 && std::abs(omega_) > 1e-2) {
-            const double share = angle.back() / (angle.back() - theta);
-            impacts.push_back(time.back() + share * (state.stage_time - time.back()));
+            const double fraction = angle.back() / (angle.back() - theta);
+            impacts.push_back(time.back() + fraction * (state.stage_time - time.back()));
             impact_speed.push_back(std::abs(omega_));
         }
         time.push_back(state.stage_time);

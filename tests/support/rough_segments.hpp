@@ -9,7 +9,7 @@
 
 namespace rockslope::scene {
 
-/// Contacts of one pair of rough faces after the other, at a step's start.
+/// Contacts of a sequence of rough joint segments at the start of a step, with random states and histories.
 struct RoughSegments {
     dda::Model model;
     std::vector<dda::Contact> contacts;
@@ -21,7 +21,7 @@ struct RoughSegments {
     dda::BaseSystem base;
     dda::RowMap rows{model.motion};
 
-    /// @param ends contacts of each pair, in turn.
+    /// @param ends number of contacts of each segment.
     RoughSegments(RandomSource& random, const std::vector<int>& ends) {
         model.joint_materials.push_back({"granite", joint_tests::granite(), 0, 0});
         model.joint_materials.push_back({"plane", joint_tests::sliding_plane(), 0, 0});

@@ -22,13 +22,13 @@ inline double radians(double degrees) {
     return degrees * std::numbers::pi / 180;
 }
 
-/// A joint that neither opens nor slips, of normal and shear stiffness in Pa/m.
+/// A joint that neither opens nor slips, with normal and shear stiffness in Pa/m.
 inline dda::JointMaterial elastic_joint(double normal, double shear) {
     return {"joint", dda::Elastic{}, 0, 0, normal, shear};
 }
 
-/// Describes small models in code: polygons, one joint material unless said otherwise, the catalogue's
-/// default rock (2500 kg/m3, 10 GPa, 0.25) and penalty (5e10 N/m).
+/// Builds small models from polygons. By default there is one joint material, the rock of the catalogue (2500
+/// kg/m3, 10 GPa, 0.25) and its penalty (5e10 N/m).
 class Scene {
   public:
     Scene() {
@@ -76,19 +76,19 @@ class Scene {
     dda::Model model;
 };
 
-/// Drives a scene stage by stage and keeps the step reports.
+/// Runs a scene stage by stage and stores the step reports.
 class Simulation : public dda::RunObserver {
   public:
     explicit Simulation(const Scene& s, int thread_count = 1)
         : model(s.model), state(dda::initial_state(model)), threads(thread_count) {}
 
-    /// Goes on with a stage after those that have been run.
+    /// Runs a stage after those that have been run.
     dda::RunOutcome run(const dda::Stage& stage) {
         first_report_ = reports.size();
         stages.push_back(stage);
         return dda::run(model, stages, state, *this, {threads, static_cast<int>(stages.size()) - 1, false});
     }
-    /// Gravity until nothing moves.
+    /// Runs a static stage.
     dda::RunOutcome settle(double step = 0.005, double tolerance = 1e-9) {
         dda::Stage stage;
         stage.name = "settle";
@@ -105,7 +105,7 @@ class Simulation : public dda::RunObserver {
         return run(stage);
     }
 
-    /// The energy of dynamic stages in a row is watched as one.
+    /// One energy monitor observes consecutive dynamic stages.
     void stage_begins(const dda::Model&, const dda::State& s, const dda::Stage& stage, int) override {
         if (stage.kind == dda::StageKind::static_equilibrium)
             energy.reset();
@@ -120,7 +120,7 @@ class Simulation : public dda::RunObserver {
         return true;
     }
 
-    /// Starts the energy ledger anew, after the test has changed the state.
+    /// Restarts the energy ledger, after the test has changed the state.
     void restart_ledger() {
         state.energy = {};
         dda::Ledger(model, dda::RowMap(model.motion)).update_stored_energy(state, state.energy);
@@ -128,13 +128,12 @@ class Simulation : public dda::RunObserver {
         energy.reset();
     }
     Vec2 moved(int block) const {
-        const auto b = static_cast<std::size_t>(block);
-        return state.blocks.moments[b].centroid - state.centroid_origin[b];
+        return state.blocks.moments[block].centroid - state.centroid_origin[block];
     }
-    const Vec6& velocity(int block) const { return state.blocks.velocity[static_cast<std::size_t>(block)]; }
-    Vec6& velocity(int block) { return state.blocks.velocity[static_cast<std::size_t>(block)]; }
-    const dda::Vec3& stress(int block) const { return state.blocks.stress[static_cast<std::size_t>(block)]; }
-    /// omega_contact * dt, the largest in the steps of the last run.
+    const Vec6& velocity(int block) const { return state.blocks.velocity[block]; }
+    Vec6& velocity(int block) { return state.blocks.velocity[block]; }
+    const dda::Vec3& stress(int block) const { return state.blocks.stress[block]; }
+    /// Largest omega_contact * dt of the last run's steps.
     double contact_frequency_step() const {
         double largest = 0;
         for (std::size_t k = first_report_; k < reports.size(); ++k)
@@ -152,7 +151,7 @@ class Simulation : public dda::RunObserver {
     int threads;
     std::vector<dda::Stage> stages;  ///< run so far
     std::vector<dda::StepReport> reports;
-    std::optional<EnergyMonitor> energy;  ///< of the last dynamic stages
+    std::optional<EnergyMonitor> energy;  ///< of the last consecutive dynamic stages
     std::function<void(const dda::State&, const dda::StepReport&)> on_step;
 
   private:

@@ -7,25 +7,25 @@
 
 namespace rockslope::scene {
 
-/// The seismic sliding of Ma et al. (2017), Fig. 9: five blocks of 50.2 m x 71.1 m beside each other, bonded,
-/// on a plane of 2 degrees whose joint wears with every change of direction.
+/// The seismic sliding of Ma et al. (2017), Fig. 9: five bonded blocks of 50.2 m x 71.1 m side by side on a
+/// plane of 2 degrees, whose joint wears with every reversal of slip.
 struct SeismicSlide {
     dda::JointLaw plane = joint_tests::sliding_plane();
-    double shear_penalty = 3e7;    ///< N/m per metre, of a contact on the plane; 0: what the law finds
-    double normal_penalty = 5e11;  ///< likewise
+    double shear_penalty = 3e7;    ///< N/m per metre, of a contact on the plane; 0: that of the joint law
+    double normal_penalty = 5e11;  ///< N/m per metre, of all contacts
     double amplitude = 0.28;       ///< m, of the base's displacement
     double frequency = 0.8;        ///< Hz
     double step = 0.005;           ///< s
     double youngs_modulus = 5e12;  ///< Pa; not in the paper: the reference is rigid
-    /// s, when the joint of every block counts a change of direction, whatever it does; empty: when it slips
-    /// back.
+    /// s, times at which the joint of every block counts a reversal, in place of those of its slip; empty:
+    /// the reversals of its slip count.
     std::vector<double> prescribed_reversals = {};
 
     std::vector<double> time;  ///< s
-    std::vector<double> slip;  ///< m, of the third block, down the plane relative to the base
+    std::vector<double> slip;  ///< m, of the third block down the plane, relative to the base
     int reversals = 0;         ///< of slip on the plane, below the third block
     dda::RunOutcome outcome;
-    std::optional<EnergyMonitor> energy;  ///< of the shaking
+    std::optional<EnergyMonitor> energy;  ///< of the dynamic stages
     double frequency_step = 0;
 
     void run(double duration);
@@ -60,8 +60,7 @@ inline Scene SeismicSlide::scene(const dda::JointLaw& law) const {
     s.model.topology.joint_material.assign(4, 0);
     for (int k = 0; k < count; ++k) {
         const int block = s.box(k * width * along, width, height, dda::Motion::free, angle);
-        const auto first =
-            static_cast<std::size_t>(s.model.topology.block_corners[static_cast<std::size_t>(block)]);
+        const dda::EdgeIndex first = edge_from(s.model.topology.block_corners[block]);
         s.model.topology.joint_material[first] = 0;
         if (k + 1 < count) s.model.topology.joint_material[first + 1] = 1;
         if (k > 0) s.model.topology.joint_material[first + 3] = 1;
@@ -79,7 +78,7 @@ inline double SeismicSlide::acceleration(double t) const {
            ((growth * growth - 4 / (t * t) - w * w) * std::sin(w * t) + 2 * growth * w * std::cos(w * t));
 }
 
-/// Of a stage that lasts from one instant of the shaking to another.
+/// Base acceleration of a stage between two times of the shaking.
 inline dda::TimeTable SeismicSlide::record(double from, double to) const {
     std::vector<double> times, values;
     for (int k = 0; k * 1e-3 <= to - from + 1e-9; ++k) {
@@ -89,18 +88,18 @@ inline dda::TimeTable SeismicSlide::record(double from, double to) const {
     return {times, values};
 }
 
-/// The joint on the plane bears the blocks, and has not moved.
+/// Gives the joint on the plane the history of a joint that bears the blocks and has not slipped.
 inline void SeismicSlide::preload_joint(dda::State& state) const {
     const auto above = [](const dda::Contact& c) { return std::max(c.corner_block, c.edge_block); };
     for (dda::Contact& contact : state.contacts.contacts) {
         if (contact.joint_material != 0) continue;
-        dda::ContactMotion pressed;
+        dda::ContactMotion preload;
         for (const dda::Contact& other : state.contacts.contacts) {
             if (other.joint_material != 0 || above(other) != above(contact)) continue;
-            pressed.normal_force += other.normal_force;
-            pressed.length += other.length;
+            preload.normal_force += other.normal_force;
+            preload.length += other.length;
         }
-        contact.history = dda::advance(plane, dda::fresh_history(plane, true), pressed);
+        contact.history = dda::advance(plane, dda::fresh_history(plane, true), preload);
     }
 }
 
@@ -114,10 +113,10 @@ inline void SeismicSlide::count_reversal(dda::State& state) const {
     }
 }
 
-/// Settled as if glued, so that the joint bears the blocks before it has moved; then shaken.
+/// Settles the blocks with high friction, so that the joint bears them without slip, then shakes the base.
 inline void SeismicSlide::run(double duration) {
     Simulation settled(scene(Scene::mohr_coulomb(80)));
-    outcome = settled.settle(1);  // the springs of the plane are soft
+    outcome = settled.settle(1);  // large steps, since the springs of the plane are soft
     if (outcome.status != dda::RunStatus::completed) return;
     if (!prescribed_reversals.empty()) std::get<dda::CyclicBartonBandis>(plane).min_slip = 1e9;
     Simulation sim(scene(plane));
@@ -125,21 +124,21 @@ inline void SeismicSlide::run(double duration) {
     preload_joint(sim.state);
     sim.restart_ledger();
     const Vec2 down(std::cos(radians(2)), -std::sin(radians(2)));
-    const auto place = [&] { return (sim.moved(3) - sim.moved(0)).dot(down); };
-    const double start = place();
-    double begun = 0;  // s, when the stage at hand began
+    const auto position = [&] { return (sim.moved(3) - sim.moved(0)).dot(down); };
+    const double start = position();
+    double stage_start = 0;  // s, of the present stage
     sim.on_step = [&](const dda::State& state, const dda::StepReport&) {
-        time.push_back(begun + state.stage_time);
-        slip.push_back(place() - start);
+        time.push_back(stage_start + state.stage_time);
+        slip.push_back(position() - start);
     };
     const auto shake = [&](double until) {
         dda::Stage stage;
         stage.name = "shaking";
-        stage.duration = until - begun;
+        stage.duration = until - stage_start;
         stage.control.step = step;
-        stage.base_motions.push_back({"base", record(begun, until), {}});
+        stage.base_motions.push_back({"base", record(stage_start, until), {}});
         outcome = sim.run(stage);
-        begun = until;
+        stage_start = until;
     };
     for (const double t : prescribed_reversals) {
         shake(t);

@@ -5,7 +5,7 @@
 
 namespace rockslope::scene {
 
-/// A joint of 0.1 m in the direct shear test of Ma et al. (2017), Fig. 4, and the load on it.
+/// A joint of 0.1 m in the direct shear test of Ma et al. (2017), Fig. 4, and its load.
 struct ShearedRock {
     dda::CyclicBartonBandis law;
     double normal_stress;    ///< Pa
@@ -19,15 +19,15 @@ inline ShearedRock sheared_marble() {
     return {joint_tests::marble(), 0.5e6, 1.13060e6, 1.884e8};
 }
 
-/// The test as blocks: the upper one, 0.1 m wide, is held along the joint at its lower corners and loaded
-/// across it; the lower one, wide enough for the joint to keep its length, moves.
+/// The shear test as two blocks. The upper one, 0.1 m wide, is fixed along the joint at its lower corners and
+/// loaded normal to it. The lower one moves; it is wide enough for the joint to keep its length.
 class ShearBox {
   public:
     static constexpr double length = 0.1;  ///< m, of the joint
 
-    /// What a laboratory would read, from the settled start.
+    /// Readings of the test, relative to the settled start.
     struct Reading {
-        double displacement = 0;  ///< m, of the lower block past the upper one
+        double displacement = 0;  ///< m, of the lower block relative to the upper one
         double stress = 0;        ///< Pa
         double dilation = 0;      ///< m
     };
@@ -38,16 +38,17 @@ class ShearBox {
     }
     bool settled() const { return settled_; }
 
-    /// Moves the lower block by steady increments (m), and looks after each.
+    /// Moves the lower block by `displacement`, m, in equal increments, m, and calls observe(reading) after
+    /// each.
     dda::RunOutcome go(double displacement, double increment,
-                       const std::function<void(const Reading&)>& look) {
+                       const std::function<void(const Reading&)>& observe) {
         dda::Stage stage;
         stage.name = "shear";
         stage.control.step = 1e-3;
         stage.duration = std::abs(displacement) / increment * stage.control.step;
         stage.dynamic_coefficient = 0;
         sim_.velocity(lower)[0] = std::copysign(increment / stage.control.step, displacement);
-        sim_.on_step = [&](const dda::State&, const dda::StepReport&) { look(reading()); };
+        sim_.on_step = [&](const dda::State&, const dda::StepReport&) { observe(reading()); };
         return sim_.run(stage);
     }
     Reading reading() const {
@@ -71,17 +72,18 @@ class ShearBox {
         s.model.block_materials[0].poissons_ratio = 0;
         s.box({-0.1, -0.1}, 0.3, 0.1, dda::Motion::prescribed, 0, "lower");
         s.box({0, 0}, length, length);
-        const double share = rock.normal_stress * length / 2;
+        const double half_load = rock.normal_stress * length / 2;
         for (const double x : {0.0, length}) {
             s.model.fixed_points.push_back({s.material_point(upper, {x, 0}), true, false});
-            s.model.loads.push_back(dda::PointLoad{s.material_point(upper, {x, length}), {0, -share}, {}});
+            s.model.loads.push_back(
+                dda::PointLoad{s.material_point(upper, {x, length}), {0, -half_load}, {}});
         }
         return s;
     }
 
     Simulation sim_;
     bool settled_ = false;
-    double height_ = 0;  ///< m, of the upper block's corner before the shearing
+    double height_ = 0;  ///< m, of the upper block's corner at the start
 };
 
 }  // namespace rockslope::scene

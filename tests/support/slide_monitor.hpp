@@ -9,7 +9,8 @@
 
 namespace rockslope::scene {
 
-/// Watches a slide: what must hold at every step, and what is dearer to look at now and then.
+/// Monitors a slide: momentum, area and contacts at every step, overlaps of blocks at every
+/// `overlaps_every`-th.
 class SlideMonitor {
   public:
     SlideMonitor(const Scene& scene, int threads, int overlaps_every)
@@ -19,7 +20,7 @@ class SlideMonitor {
             observe(state, report);
         };
     }
-    /// Prints a line each `period` of simulated time, s.
+    /// Prints a line of progress every `period` of simulated time, s.
     void print_every(double period) { period_ = next_ = period; }
     void run(double duration) {
         const dda::RunOutcome outcome = sim_.shake(duration, .005);
@@ -27,12 +28,12 @@ class SlideMonitor {
         check_overlaps(sim_.state);
     }
 
-    double deepest() const { return deepest_; }          ///< m, largest penetration
-    double deepest_overlap() const { return overlap_; }  ///< m, overlap beyond it over perimeter
-    double turned_away() const { return turned_away_; }  ///< sine: how far a face that bears is turned away
-    double area_change() const { return area_change_; }  ///< of the total, relative
-    double momentum_change() const { return unbalanced_; }  ///< kg m/s that no force explains
-    double momentum_moved() const { return moved_; }        ///< kg m/s, by the forces altogether
+    double deepest() const { return deepest_; }             ///< m, largest penetration
+    double deepest_overlap() const { return overlap_; }     ///< m, overlap beyond it over perimeter
+    double turned_away() const { return turned_away_; }     ///< largest back_face_sine()
+    double area_change() const { return area_change_; }     ///< largest relative change of the total area
+    double momentum_change() const { return unbalanced_; }  ///< kg m/s, largest change without a force
+    double momentum_moved() const { return moved_; }        ///< kg m/s, largest total momentum
     double lowest() const {
         double lowest = 1e9;
         for (std::size_t b = 1; b < sim_.state.blocks.moments.size(); ++b)
@@ -53,7 +54,7 @@ class SlideMonitor {
         return sum;
     }
 
-    /// The total area without the strain that the stresses tell of, m2, Eq. (9).
+    /// Total area of the blocks less that of their elastic strain, m2, Eq. (9).
     double unstrained_area(const dda::State& state) const {
         double sum = 0;
         for (std::size_t b = 1; b < state.blocks.mass.size(); ++b) {
@@ -89,14 +90,14 @@ class SlideMonitor {
         if (state.time >= next_) print_progress(state);
     }
 
-    /// How far a corner's edges go back behind the face that bears it: the sine of the angle, at least 0.
+    /// Sine of the largest angle by which an edge of a corner dips behind the face that bears it; 0 if none
+    /// does.
     double back_face_sine(const dda::Contact& contact) const {
         if (contact.state == dda::ContactState::open) return 0;
         const dda::Topology& topology = sim_.model.topology;
-        const auto at = [&](int k) { return sim_.state.blocks.vertices[static_cast<std::size_t>(k)]; };
+        const auto at = [&](dda::CornerIndex k) { return sim_.state.blocks.vertices[k]; };
         double sine = 0;
-        const auto corner = static_cast<std::size_t>(contact.corner);
-        for (const int end : {topology.next[corner], topology.previous[corner]})
+        for (const dda::CornerIndex end : {topology.next[contact.corner], topology.previous[contact.corner]})
             sine = std::max(sine, -(at(end) - at(contact.corner)).normalized().dot(contact.normal));
         return sine;
     }
@@ -122,24 +123,26 @@ class SlideMonitor {
     Simulation sim_;
     int overlaps_every_;
     Vec2 momentum_;
-    Vec2 unexplained_{0, 0};  ///< kg m/s, so far
+    Vec2 unexplained_{0, 0};  ///< kg m/s, change of momentum without a force, so far
     double first_area_ = 0;
     double deepest_ = 0, overlap_ = 0, turned_away_ = 0, area_change_ = 0, unbalanced_ = 0, moved_ = 0;
     int steps_ = 0, cuts_ = 0;
     long iterations_ = 0;
-    double period_ = 0, next_ = 1e9;  ///< s, of the lines that tell of the run
+    double period_ = 0, next_ = 1e9;  ///< s, interval and next time of progress lines
 };
 
 inline void expect_slide_invariants(const SlideMonitor& slide) {
-    EXPECT_LT(slide.deepest(), 1e-3) << "of blocks of 1 m";
-    EXPECT_LT(slide.deepest_overlap(), slide.deepest()) << "no block is in another farther than contacts say";
-    // A face turns by 3 degrees before it is let go, and a block by as much in a step.
-    EXPECT_LT(slide.turned_away(), .2) << "what bears a corner faces it";
+    EXPECT_LT(slide.deepest(), 1e-3) << "penetration of blocks of 1 m";
+    EXPECT_LT(slide.deepest_overlap(), slide.deepest())
+        << "overlaps are no deeper than the penetration of contacts";
+    // A contact is released if its face dips by more than 3 degrees, and a block may turn by as much in a
+    // step.
+    EXPECT_LT(slide.turned_away(), .2) << "a corner is borne by faces that face it";
     EXPECT_LT(slide.area_change(), 1e-9) << "rounding of some thousand steps";
-    // The forces told are those of the laws; the motion's differ from them by up to a millionth of the
-    // largest when a step has converged.
+    // Reported forces are those of the joint laws. In a converged step they differ from those of the linear
+    // system by up to a millionth of the largest.
     EXPECT_LT(slide.momentum_change(), 1e-6 * slide.momentum_moved());
-    EXPECT_GT(slide.lowest(), 0) << "nobody is below the plane";
+    EXPECT_GT(slide.lowest(), 0) << "no block is below the plane";
 }
 
 }  // namespace rockslope::scene

@@ -21,21 +21,21 @@ struct Track {
     std::vector<double> time;  ///< s
     std::vector<double> slip;  ///< m, downhill relative to the base
 
-    /// Linear between the instants; the track must reach `t`.
+    /// Linear interpolation; the track must reach `t`.
     double at(double t) const {
         const auto after = std::lower_bound(time.begin(), time.end(), t - 1e-9);
         const auto k = static_cast<std::size_t>(after - time.begin());
         if (k == 0 || time.at(k) == t) return slip.at(k);
-        const double share = (t - time[k - 1]) / (time[k] - time[k - 1]);
-        return slip[k - 1] + share * (slip[k] - slip[k - 1]);
+        const double fraction = (t - time[k - 1]) / (time[k] - time[k - 1]);
+        return slip[k - 1] + fraction * (slip[k] - slip[k - 1]);
     }
     verification::Curve curve(const std::string& name) const { return {name, time, slip}; }
 };
 
-/// Newmark's sliding block, integrated to convergence: in the base's frame a unit mass feels the drive
-/// g sin(psi) - a cos(psi) downhill and the friction tan(phi) (g cos(psi) + a sin(psi)) against its velocity,
-/// a being the base's horizontal acceleration, positive downhill. Explicit steps of 1e-5 s at mid-step
-/// accelerations; a velocity that would change its sign within a step stops there.
+/// Newmark's sliding block, integrated to convergence. In the frame of the base a unit mass has the driving
+/// force g sin(psi) - a cos(psi) downhill and the friction tan(phi) (g cos(psi) + a sin(psi)) against its
+/// velocity, with a the horizontal acceleration of the base, positive downhill. Explicit steps of 1e-5 s with
+/// the acceleration at mid-step; a velocity that would change sign in a step becomes zero.
 inline Track sliding_reference(double psi_degrees, double phi_degrees, const Acceleration& base,
                                double duration) {
     const double psi = radians(psi_degrees);
@@ -67,10 +67,11 @@ inline Track sliding_reference(double psi_degrees, double phi_degrees, const Acc
     return track;
 }
 
-/// How the shaking reaches the block.
+/// The way in which the shaking is applied to the block.
 enum class Shaking { moving_base, body_force, frame };
 
-/// A block, 2 m long and 1 m high, on an incline that falls to the right; settled as if glued, then shaken.
+/// A block, 2 m long and 1 m high, on an incline that dips to the right. It settles with high friction and is
+/// then shaken.
 struct SlidingBlock {
     double psi = 0;  ///< degrees
     double phi = 0;  ///< degrees
@@ -81,12 +82,12 @@ struct SlidingBlock {
     double base_speed = 0;  ///< m/s, of the base at the start, positive downhill and horizontal
 
     Track track{};
-    double stopped = 0;   ///< s, the last instant at which the block slid
+    double stopped = 0;   ///< s, last time at which it moved faster than 1 mm/s
     double fastest = 0;   ///< m/s, relative to the base
-    double started = -1;  ///< s, when it first moved faster than 1 mm/s
+    double started = -1;  ///< s, first time at which it moved faster than 1 mm/s; -1: never
     double frequency_step = 0;
 
-    /// Runs the engine for `duration` in steps of `step`, s; records the case's energy balance.
+    /// Runs DDA for `duration` in steps of `step`, s, and records the energy balance of the case.
     void run(const std::string& id, const std::string& set_up, double duration, double step);
 
   private:
@@ -105,7 +106,7 @@ inline Scene SlidingBlock::scene(double friction_degrees) const {
     return s;
 }
 
-/// Samples every 0.5 ms: a sine of 2 Hz is then met to 5e-6.
+/// The acceleration of the base times `sign`, in samples every 0.5 ms: the error for a sine of 2 Hz is 5e-6.
 inline dda::TimeTable SlidingBlock::table(double duration, double sign) const {
     std::vector<double> times;
     std::vector<double> values;

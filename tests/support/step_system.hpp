@@ -24,7 +24,8 @@ inline void add_stiffness(const dda::BlockPair& rows, const dda::RelativeMeasure
                          rows.gradient_second(relative));
 }
 
-/// The system of a step of `dt` with every contact that touches locked, except where `open` says so.
+/// The linear system of a first step of `dt`, s, with all contacts locked except those for which open(index)
+/// is true.
 inline StepSystem step_system(
     const dda::Model& model, double dt,
     const std::function<bool(std::size_t)>& open = [](std::size_t) { return false; }) {
@@ -40,19 +41,19 @@ inline StepSystem step_system(
     const auto springs = dda::contact_springs(model, rows, mid, still, contacts.contacts, pool);
 
     StepSystem system;
-    std::vector<std::pair<int, int>> pairs;
+    std::vector<std::pair<dda::RowIndex, dda::RowIndex>> pairs;
     for (const auto& s : springs) {
         if (s.rows.first >= 0 && s.rows.second >= 0) pairs.emplace_back(s.rows.first, s.rows.second);
     }
     system.pattern = dda::BlockPattern::from_pairs(rows.count(), std::move(pairs));
     dda::BaseSystem base;
-    base.stiffness.assign(static_cast<std::size_t>(rows.count()), dda::Mat6::Zero());
-    base.load.assign(static_cast<std::size_t>(rows.count()), Vec6::Zero());
+    base.stiffness.assign(rows.count(), dda::Mat6::Zero());
+    base.load.assign(rows.count(), Vec6::Zero());
     dda::add_inertia(rows, state.blocks, {0.5, 1, dt}, 0, base);
     dda::add_elasticity(model, rows, state.blocks, dt, base);
     dda::add_fixed_points(model, rows, state.blocks, mid, base);
     for (std::size_t r = 0; r < base.load.size(); ++r) {
-        const auto b = static_cast<std::size_t>(rows.block_of[r]);
+        const dda::BlockIndex b = rows.block_of[r];
         base.load[r].head<2>() += state.blocks.mass[b] * model.gravity;
     }
     system.matrix.reset(system.pattern);

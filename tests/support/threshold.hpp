@@ -4,8 +4,8 @@
 
 namespace rockslope::scene {
 
-/// Where an outcome changes: `holds` must be false at `fails` and true at `stands`, whichever is larger.
-/// @return the middle of the bracket after `halvings` of it.
+/// Bisects for the value at which an outcome changes. `holds` must be false at `fails` and true at `stands`;
+/// either may be larger. @return the middle of the bracket after `halvings` bisections.
 inline double threshold(double fails, double stands, int halvings, const std::function<bool(double)>& holds) {
     for (int k = 0; k < halvings; ++k) {
         const double middle = (fails + stands) / 2;

@@ -1,4 +1,4 @@
-// The same bytes on one thread and on two. These are the tests that the thread sanitizer watches.
+// Bitwise the same results on one thread and on two. The thread sanitizer runs these tests.
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ namespace {
 
 using namespace scene;
 
-/// Whether two vectors of plain numbers agree to the last bit.
+/// Whether two vectors are bitwise equal.
 template <class Vector>
 bool same_bits(const std::vector<Vector>& a, const std::vector<Vector>& b) {
     return a.size() == b.size() &&
@@ -21,8 +21,8 @@ bool same_bits(const std::vector<Vector>& a, const std::vector<Vector>& b) {
                        a.size() * sizeof(Vector)) == 0;
 }
 
-/// A wall that gravity sets upon in mid-air, so that contacts close, slide and open; more than 512 contacts,
-/// so that loops are shared.
+/// A wall under sudden gravity: contacts close, slide and open. It has more than 512 contacts, so that loops
+/// run on several threads.
 Simulation dropped_wall(int threads) {
     Simulation sim(running_bond_wall(12, 12, 10), threads);
     EXPECT_EQ(sim.shake(0.05, 0.005).status, dda::RunStatus::completed);
@@ -30,7 +30,7 @@ Simulation dropped_wall(int threads) {
     return sim;
 }
 
-/// Likewise, with rough joints that wear; more than 512 pairs of faces.
+/// The same for rough joints with wear, with more than 512 joint segments.
 Simulation dropped_rough_wall(int threads) {
     dda::CyclicBartonBandis law;
     law.barton = {8, 100e6, .5};
@@ -65,11 +65,11 @@ void expect_same_bits(Simulation (&make)(int threads)) {
     }
 }
 
-TEST(Determinism, OneThreadAndTwoGiveTheSameBits) {
+TEST(Determinism, OneAndTwoThreadsGiveTheSameBits) {
     expect_same_bits(dropped_wall);
 }
 
-TEST(Determinism, OneThreadAndTwoGiveRoughJointsTheSameBits) {
+TEST(Determinism, OneAndTwoThreadsGiveTheSameBitsForRoughJoints) {
     expect_same_bits(dropped_rough_wall);
 }
 

@@ -1,4 +1,4 @@
-// Arches: two blocks that lean on each other, and a ring of voussoirs.
+// Arches: two blocks leaning on each other, and a ring of voussoirs.
 
 #include <gtest/gtest.h>
 
@@ -15,8 +15,8 @@ namespace {
 using namespace scene;
 using namespace verification;
 
-/// Two blocks that span 10 m between fixed abutments. Rock and springs are a hundred times stiffer than the
-/// catalogue's: with those the arch shortens by 0.3 mm and sinks by 1 % of its rise.
+/// Two blocks that span 10 m between fixed abutments. Rock and springs are a hundred times stiffer than in
+/// the catalogue, with whose values the arch would shorten by 0.3 mm and sink by 1 % of its rise.
 struct TwoBlocks {
     explicit TwoBlocks(double thickness, const ContactSetting& contact_setting = {5})
         : t(thickness), setting(contact_setting) {}
@@ -59,8 +59,8 @@ double thrust_of(const Simulation& arch) {
 }
 
 // V48. Hinges at the abutments' lower edges and at the crown's upper one: each block of length s/2 and weight
-// w s/2 turns about its abutment, so the thrust is H = w s^2/(8 t). The abutment bears w s/2 along its face:
-// it slips for tan(phi) < 4 t/s.
+// w s/2 rotates about its abutment, so the thrust is H = w s^2/(8 t). The shear force on the abutment is w
+// s/2: it slips for tan(phi) < 4 t/s.
 TEST(TwoBlockArch, ThrustsAndSlipsAsThreeHinges) {
     for (const double t : {1., .5}) {
         TwoBlocks arch(t);
@@ -80,10 +80,10 @@ TEST(TwoBlockArch, ThrustsAndSlipsAsThreeHinges) {
     }
 }
 
-// V48. The crown sinks by what the three hinges give way, times their leverage of s/2 to t: at most 15
-// penetrations, the abutments' twice 5 and the crown's 5. The thrust is that of the undeformed arch, but for
-// the arm that the sinking takes from it.
-TEST(TwoBlockArch, ThrustsAlikeForAnyPenalty) {
+// V48. The crown sinks by the penetrations of the three hinges times the leverage s/2 over t: at most 15
+// penetrations, twice 5 at the abutments and 5 at the crown. The thrust is that of the undeformed arch,
+// corrected for the lever arm lost by sinking.
+TEST(TwoBlockArch, HasTheSameThrustForAnyPenalty) {
     for (const ContactSetting& setting : settings(1e-8)) {
         TwoBlocks arch(1, setting);
         const std::string set_up = "s = 10 m, t = 1 m, " + setting.name();
@@ -126,8 +126,8 @@ struct Ring {
         }
         return s;
     }
-    /// Falls, if in two seconds some block has moved by more than a hundredth of the radius; an arch that
-    /// stands settles by micrometres, one that falls opens hinges and accelerates.
+    /// Whether no block moves by more than a hundredth of the radius in two seconds. A stable arch settles by
+    /// micrometres; an unstable one opens hinges and accelerates.
     bool stands(double ratio) {
         Simulation sim(scene(ratio * radius));
         EXPECT_EQ(sim.shake(2, 2e-3).status, dda::RunStatus::completed);
@@ -141,8 +141,8 @@ struct Ring {
     std::optional<EnergyMonitor> energy;  ///< of the last run
 };
 
-// V49. The line of thrust of a semicircular ring of its own weight stays inside for t/R above 0.1075
-// (Milankovitch), R the mean radius; thinner, it opens five hinges.
+// V49. The line of thrust of a semicircular ring under self-weight stays inside the ring for t/R above 0.1075
+// (Milankovitch), with the mean radius R. A thinner ring opens five hinges.
 TEST(LongArch, StandsFromMilankovitchsThickness) {
     Ring ring;
     ASSERT_FALSE(ring.stands(.09));

@@ -1,4 +1,4 @@
-// Bolts: an elastic hanger, and the tension that holds a block on a plane.
+// Bolts: an elastic bolt carries a hanging block; the tension that holds a block on a plane.
 
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ TEST(HangingBlock, StretchesItsBolt) {
     Simulation sim(s);
     ASSERT_EQ(sim.settle().status, dda::RunStatus::completed);
     const double weight = 2500 * g;
-    // The block's own stretch moves its top as well; the bar is measured between its ends.
+    // The strain of the block moves its top, too; the elongation is measured between the ends of the bolt.
     const double elongation = (sim.state.blocks.points[0] - sim.state.blocks.points[1]).norm() - length;
     const Case hanger("V42", "W = 24 525 N, E A = 100 MN, L = 2 m",
                       "required; settled to 1e-9 of the weight");
@@ -35,19 +35,19 @@ TEST(HangingBlock, StretchesItsBolt) {
     hanger.expect("elongation", "m", elongation, weight * length / stiffness, relative(.005));
 }
 
-/// Whether a 2 m x 1 m block on 30 degrees with friction of 25 stays under a bolt of constant tension. The
-/// bolt is long and all but slack in stiffness, so that neither its tension nor its direction changes with
-/// the block's motion.
+/// A 2 m x 1 m block on 30 degrees with a friction angle of 25 degrees, held by a bolt of constant tension.
+/// The bolt is long and of very small stiffness, so that the motion of the block changes neither its tension
+/// nor its direction.
 class BoltedBlock {
   public:
     explicit BoltedBlock(const Vec2& pull, const ContactSetting& setting = {5})
         : pull_(pull), setting_(setting) {}
 
     bool holds(double tension) {
-        Simulation glued(scene(80, tension));
-        EXPECT_EQ(glued.settle().status, dda::RunStatus::completed);
+        Simulation settled(scene(80, tension));
+        EXPECT_EQ(settled.settle().status, dda::RunStatus::completed);
         Simulation sim(scene(25, tension));
-        sim.state = glued.state;
+        sim.state = settled.state;
         EXPECT_EQ(sim.shake(1, 1e-3).status, dda::RunStatus::completed);
         frequency_step = sim.contact_frequency_step();
         energy = sim.energy;
@@ -75,8 +75,8 @@ class BoltedBlock {
     ContactSetting setting_;
 };
 
-// V41. Limit equilibrium, W sin psi - T_t = (W cos psi + T_n) tan phi, T_n and T_t the tension's parts into
-// the plane and uphill. Sliding at 0.1 % less gains 0.5 mm in the second that is run.
+// V41. Limit equilibrium: W sin psi - T_t = (W cos psi + T_n) tan phi, with the components T_n into the plane
+// and T_t uphill. With 0.1 % less tension the block slides by 0.5 mm in the simulated second.
 struct BoltDirection {
     const char* name;
     Vec2 pull;
@@ -106,7 +106,7 @@ void expect_limit_tension(const BoltDirection& direction, const std::string& set
     expect_energy_balance("V41", set_up, *block.energy, block.frequency_step);
 }
 
-TEST(BoltedBlock, HoldsFromTheTensionOfLimitEquilibrium) {
+TEST(BoltedBlock, NeedsTheTensionOfLimitEquilibrium) {
     const std::vector<BoltDirection> directions = bolt_directions();
     EXPECT_NEAR(directions[0].tension, 10115.5, .1);
     EXPECT_NEAR(directions[1].tension, 4291.3, .1);

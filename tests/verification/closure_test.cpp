@@ -18,7 +18,8 @@ using namespace verification;
 constexpr double stiffness = 1e9, largest = 1e-4;  // Pa/m, m
 constexpr double unit = stiffness * largest;       // Pa, at half the largest closure
 
-/// A stiff block of 1 m without Poisson's effect on a fixed floor, with a joint between that can be closed.
+/// A stiff block of 1 m with zero Poisson's ratio on a fixed floor; the joint between them has a largest
+/// closure.
 Scene block_on_joint() {
     Scene s;
     s.model.block_materials[0].poissons_ratio = 0;
@@ -53,9 +54,9 @@ TEST(NormalClosure, FollowsTheHyperbola) {
     }
 }
 
-/// The share s of the largest closure at which the work of a weight equals what the joint has stored:
-/// k V^2 (-s - ln(1 - s)) = W V s.
-double deepest_share(double weight) {
+/// The closure over the largest closure, s, at which the work of a weight equals the energy stored in the
+/// joint: k V^2 (-s - ln(1 - s)) = W V s.
+double deepest_closure_ratio(double weight) {
     double low = 1e-9, high = 1 - 1e-9;
     for (int k = 0; k < 100; ++k) {
         const double s = (low + high) / 2;
@@ -64,9 +65,9 @@ double deepest_share(double weight) {
     return low;
 }
 
-// V54. The block's weight comes all at once: it swings down to where the joint has stored the work of the
-// weight, and up again to where it began.
-TEST(NormalClosure, SwingsToWhereTheEnergyIsStored) {
+// V54. The weight of the block acts suddenly. The block moves down until the joint has stored the work of the
+// weight, and returns to its initial position.
+TEST(NormalClosure, OscillatesBetweenTheClosuresOfEqualEnergy) {
     const std::string set_up = "weight of k V at once";
     const double weight = unit;
     Scene s = block_on_joint();
@@ -93,7 +94,7 @@ TEST(NormalClosure, SwingsToWhereTheEnergyIsStored) {
     Case row("V54", set_up,
              "a step passes the turning point by up to (omega dt)^2 / 8, omega of the stiffest spring");
     row.contact_frequency_step(sim.contact_frequency_step())
-        .expect("deepest closure over the largest", "", deepest / largest, deepest_share(weight),
+        .expect("deepest closure over the largest", "", deepest / largest, deepest_closure_ratio(weight),
                 relative(1e-3));
     row.expect("highest after it, over the largest", "", highest / largest, 0, absolute(1e-3));
     expect_energy_balance("V54", set_up, sim);

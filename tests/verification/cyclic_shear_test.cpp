@@ -1,4 +1,4 @@
-// The direct shear test of Ma et al. (2017), Fig. 4, as blocks: a joint that is sheared to and fro and wears.
+// The direct shear test of Ma et al. (2017), Fig. 4, with blocks: cyclic shear of a joint that wears.
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,8 @@ namespace {
 using namespace scene;
 using namespace verification;
 
-/// The test beside the law by itself, which goes through the same displacements under the stress applied.
+/// Compares the blocks with the joint law alone, driven through the same displacements under the applied
+/// stress.
 class Comparison {
   public:
     explicit Comparison(const ShearedRock& rock) : rock_(rock), box_(rock) {
@@ -60,7 +61,7 @@ void expect_two_cycles(const std::string& name, const ShearedRock& rock,
     const std::vector<double> path = {a, -a, -a, a, a, -a, -a, a};
     for (std::size_t k = 0; k < path.size(); ++k) {
         test.go(path[k], rock.law.peak_displacement / 250);
-        // At the origin the bound jumps, and the spring has begun to climb or has not.
+        // The bound jumps at the origin, and the state of the shear spring there depends on the step.
         const std::string at = " after quarter " + std::to_string(k + 1);
         if (k % 2 == 0)
             blocks.expect("stress" + at, "MPa", test.stress() / 1e6, expected[k].stress,
@@ -72,8 +73,9 @@ void expect_two_cycles(const std::string& name, const ShearedRock& rock,
     blocks.expect_below("dilation off the law", "mm", test.worst_dilation() * 1e3, 5e-3);
 }
 
-// V37. The law's own numbers are asserted beside those of the law alone; here the blocks must follow them at
-// every step. The upper block gives way by microns along the joint: the law goes where the joint went.
+// V37. Another test checks the numbers of the law alone; here the blocks must agree with the law at every
+// step. The upper block moves by microns along the joint, so the law is driven by the displacement of the
+// joint.
 TEST(CyclicShearBlocks, Granite) {
     expect_two_cycles("granite", sheared_granite(), joint_tests::granite_quarters);
 }

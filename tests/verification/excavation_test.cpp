@@ -1,4 +1,4 @@
-// Rock that is taken out between stages: what is left bears what is left.
+// Excavation between stages: stresses and motion of the remaining blocks.
 
 #include <gtest/gtest.h>
 
@@ -21,10 +21,10 @@ Scene column(int boxes) {
     return s;
 }
 
-// V53. A column of four loses its uppermost block when stage 2 begins and the next when stage 3 does. A block
-// of constant strain bears half its own weight and all that stands on it, as in V04; nothing of the old load
-// may stay in the springs.
-TEST(Excavation, TheColumnBearsWhatIsLeftOfIt) {
+// V53. A column of four blocks loses its top block at the start of stage 2 and the next one at the start of
+// stage 3. The stress of a constant-strain block carries half its own weight and all blocks above, as in V04.
+// No part of the removed load may remain in the springs.
+TEST(Excavation, TheColumnCarriesTheRemainingBlocks) {
     Scene s = column(4);
     s.model.excavations = {{"crest", 2, {4}}, {"next", 3, {3}}};
     Simulation sim(s);
@@ -39,8 +39,8 @@ TEST(Excavation, TheColumnBearsWhatIsLeftOfIt) {
     }
 }
 
-// V53. The lower of two blocks is taken out at the beginning of a dynamic stage: the upper one, settled until
-// then, falls freely at once.
+// V53. The lower of two settled blocks is removed at the start of a dynamic stage. The upper one falls freely
+// from that instant.
 TEST(Excavation, ABlockWithoutItsSupportFalls) {
     Scene s = column(2);
     s.model.excavations = {{"support", 2, {1}}};

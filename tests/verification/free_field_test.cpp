@@ -1,5 +1,4 @@
-// A plane wave that climbs through rock with free-field columns at its sides: it must pass as if the rock
-// went on for ever.
+// A plane wave rises through rock between free-field columns. It must propagate as in rock of infinite width.
 
 #include <gtest/gtest.h>
 
@@ -18,20 +17,20 @@ constexpr int columns = 8, rows = 30;
 constexpr double pulse = 0.02;  // s: 25 blocks of a shear wave, 44 of a pressure wave
 constexpr double step = 2e-4;   // s
 
-/// Speed of a wave in rock that cannot spread sideways, m/s.
+/// Speed of a plane wave, without lateral strain, m/s.
 double speed_of(const dda::Model& model, int axis) {
     const dda::Mat3 modulus = dda::elasticity(model.block_materials[0], dda::Plane::strain);
     return std::sqrt((axis == 0 ? modulus(2, 2) : modulus(0, 0)) / model.block_materials[0].density);
 }
 
-/// The motion of the surface and of the row half-way up, at the left side, in the middle and at the right.
+/// The motion of the surface at the left, in the middle and at the right, and of the row at half height.
 struct Passage {
     double surface[3] = {};  ///< m/s, largest with its sign
     double arrival[3] = {};  ///< s, of the surface's pulse
-    double half_way = 0;     ///< m/s, largest on the way up
-    double left_behind = 0;  ///< m/s, largest anywhere when the wave has left
-    double across = 0;       ///< m/s, largest across the wave's motion
-    double speed = 0;        ///< m/s, of the wave
+    double half_way = 0;     ///< m/s, largest at half height on the way up
+    double left_behind = 0;  ///< m/s, largest of any block after the wave has left
+    double across = 0;       ///< m/s, largest component normal to the motion of the wave
+    double speed = 0;        ///< m/s, wave speed
     double contact_frequency_step = 0;
 };
 
@@ -39,16 +38,14 @@ Passage pass(int axis, RockMesh::Sides sides, const std::string& set_up) {
     const RockMesh mesh(columns, rows, sides);
     Passage passage;
     passage.speed = speed_of(mesh.s.model, axis);
-    // Up, down and out again, with room for what is late.
+    // Time for the wave to rise, to be reflected and to leave, with a margin.
     const double gone = 2.0 * rows / passage.speed + 1.5 * pulse;
     Simulation sim(mesh.s);
     const int stations[] = {mesh.block(0, rows - 1), mesh.block(columns / 2, rows - 1),
                             mesh.block(columns - 1, rows - 1)};
     double moment[3] = {}, energy[3] = {};
     sim.on_step = [&](const dda::State& state, const dda::StepReport&) {
-        const auto velocity = [&](int block) {
-            return state.blocks.velocity[static_cast<std::size_t>(block)];
-        };
+        const auto velocity = [&](int block) { return state.blocks.velocity[block]; };
         for (std::size_t k = 0; k < 3; ++k) {
             const double v = velocity(stations[k])[axis];
             if (std::abs(v) > std::abs(passage.surface[k])) passage.surface[k] = v;
@@ -72,17 +69,17 @@ Passage pass(int axis, RockMesh::Sides sides, const std::string& set_up) {
     return passage;
 }
 
-// V32. The pulse of 1 m/s arrives at the surface, doubled by it, after rows / speed: everywhere, also beside
-// the columns, within 3 %, and nothing moves across it. When it has come down again it is gone within 3 %.
-TEST(FreeField, LetsPlaneWavesClimbUndistorted) {
+// V32. The pulse of 1 m/s arrives at the surface after rows / speed and is doubled there within 3 %, also
+// beside the columns, without motion normal to it. After its return to the base less than 3 % of it remains.
+TEST(FreeField, TransmitsPlaneWavesUndistorted) {
     for (const int axis : {0, 1}) {
         const std::string set_up = std::string("free field at the sides, ") +
                                    (axis == 0 ? "shear" : "pressure") + " wave from below";
         const Passage p = pass(axis, RockMesh::Sides::free_field, set_up);
         const Case row = Case("V32", set_up, "required").contact_frequency_step(p.contact_frequency_step);
         const char* const places[] = {"left", "middle", "right"};
-        // The uppermost blocks' centroids lie half a block below the surface: the pulse and its reflection
-        // pass them 1 m/c apart, symmetric about their arrival at the surface.
+        // The centroids of the top blocks are half a block below the surface. The pulse and its reflection
+        // pass them 1 m/c apart, symmetrically about the arrival at the surface.
         const double arrival = pulse / 2 + rows / p.speed;
         for (std::size_t k = 0; k < 3; ++k) {
             row.expect(std::string("velocity at the surface, ") + places[k], "m/s", p.surface[k], 2,

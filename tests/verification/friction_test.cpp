@@ -1,4 +1,4 @@
-// A block on a plane: sliding, sticking, braking, standing still.
+// A block on a plane: sliding, sticking, braking, at rest.
 
 #include <gtest/gtest.h>
 
@@ -15,8 +15,7 @@ namespace {
 using namespace scene;
 using namespace verification;
 
-/// A fixed incline and a block upon it; the block is settled as if glued, and the friction angle is set for
-/// the motion.
+/// A fixed incline with a block. The block is settled with high friction, and then the friction angle is set.
 struct Incline {
     explicit Incline(double psi_degrees, double width = 1, double height = 1) : psi(radians(psi_degrees)) {
         const Vec2 along(std::cos(psi), std::sin(psi));
@@ -27,14 +26,14 @@ struct Incline {
     double slide(const std::string& id, const std::string& set_up, double phi_degrees, double time,
                  double step) {
         s.friction(80);
-        const Simulation glued = [&] {
+        const Simulation settled = [&] {
             Simulation sim(s);
             EXPECT_EQ(sim.settle().status, dda::RunStatus::completed);
             return sim;
         }();
         s.friction(phi_degrees);
         Simulation sim(s);
-        sim.state = glued.state;
+        sim.state = settled.state;
         EXPECT_EQ(sim.shake(time, step).status, dda::RunStatus::completed);
         frequency_step = sim.contact_frequency_step();
         expect_energy_balance(id, set_up, sim);
@@ -52,7 +51,7 @@ struct SlideCase {
 class Sliding : public testing::TestWithParam<SlideCase> {};
 
 // V08. s = (sin psi - cos psi tan phi) g t^2 / 2. From settled contact the only error is the elastic
-// take-off, of the order of a penetration.
+// deformation at the start, of the order of a penetration.
 TEST_P(Sliding, FollowsTheClosedForm) {
     const auto [psi, phi, distance] = GetParam();
     Incline incline(psi, 2, 1);
@@ -92,8 +91,8 @@ TEST(StickThreshold, HoldsAboveAndSlidesBelow) {
         .expect("acceleration, 2 s/t²", "m/s²", slid / 12.5, a, relative(.03));
 }
 
-// V10, V11. v0 = 2 m/s on the flat at 25 degrees: stops after v0^2/(2 mu g) in v0/(mu g); friction takes all
-// of m v0^2/2.
+// V10, V11. v0 = 2 m/s on a horizontal plane, phi = 25 degrees: the block stops after v0^2/(2 mu g) in v0/(mu
+// g), and friction dissipates m v0^2/2.
 TEST(Braking, StopsWhereAndWhenItMustAndFrictionTakesTheEnergy) {
     Scene s;
     s.friction(25);
@@ -134,9 +133,8 @@ class StandStill : public testing::TestWithParam<RestCase> {
     }
 };
 
-// A block that must stand still stands still: 30 degrees, phi = 35. Settled, it creeps less than 1e-6 m in
-// ten seconds; set down unsettled, it comes to rest within 1e-4 m. Both bounds are requirements, not
-// measurements: seen are 1e-13 and 6e-5.
+// A stable block does not move: 30 degrees, phi = 35. A settled block creeps less than 1e-6 m in ten seconds;
+// an unsettled one comes to rest within 1e-4 m. Both bounds are requirements; measured are 1e-13 and 6e-5 m.
 TEST_P(StandStill, OnceSettled) {
     const Incline made = incline();
     Simulation sim(made.s);
@@ -145,7 +143,7 @@ TEST_P(StandStill, OnceSettled) {
     EXPECT_LT(sim.moved(made.block).norm(), 1e-6);
 }
 
-TEST_P(StandStill, SetDownUnsettled) {
+TEST_P(StandStill, ReleasedUnsettled) {
     const Incline made = incline();
     Simulation sim(made.s);
     ASSERT_EQ(sim.shake(10, GetParam().step).status, dda::RunStatus::completed);
@@ -163,8 +161,8 @@ INSTANTIATE_TEST_SUITE_P(Contract, StandStill,
                                          RestCase{100, 1e-4}, RestCase{100, 1e-3}, RestCase{100, 1e-2}),
                          rest_name);
 
-/// A block under 1 MPa on a joint of c = 0.1 MPa and phi = 30. The lower half moves steadily, the upper is
-/// held along the joint.
+/// A block under 1 MPa on a joint of c = 0.1 MPa and phi = 30. The lower half moves at constant velocity, the
+/// upper half is fixed along the joint.
 class ShearBox {
   public:
     explicit ShearBox(const ContactSetting& setting) {
@@ -183,7 +181,7 @@ class ShearBox {
         stiffness_ = 1 / (1 / held + 1 / (2 * s_.model.shear_penalty));
         stiffest_ = setting.tolerance > 0 ? held : stiffness_;
     }
-    /// Shears by increments of at most 1 kN, to one and a half times what the peak takes.
+    /// Shears by increments of at most 1 kN, up to one and a half times the peak displacement.
     void run(const std::string& set_up) {
         Simulation sim(s_);
         ASSERT_EQ(sim.settle().status, dda::RunStatus::completed);
@@ -204,7 +202,7 @@ class ShearBox {
         frequency_step = sim.contact_frequency_step();
         expect_energy_balance("V35", set_up, sim);
     }
-    /// Shear stress against displacement, beside springs, peak and residual strength.
+    /// Draws shear stress over displacement, with spring stiffness, peak and residual strength.
     void draw() const {
         Curve engine{"engine", {}, {}};
         Curve law{"springs, c + σ tan φ, σ tan φ", {}, {}};
@@ -227,11 +225,11 @@ class ShearBox {
     Scene s_;
     int lower_ = 0;
     double stiffness_ = 0;  ///< N/m, of the springs of joint and fixed points in series
-    double stiffest_ = 0;   ///< N/m, likewise if an augmented joint gives no way
+    double stiffest_ = 0;   ///< N/m, of the fixed points alone, for a rigid augmented joint
 };
 
 // V35. Direct shear under 1 MPa, c = 0.1 MPa, phi = 30: c + tan phi at the peak, tan phi after it. An
-// increment is 1 kN of 677, so the peak is met within 0.2 %.
+// increment is 1 kN of 677 kN, so the error of the peak is below 0.2 %.
 TEST(DirectShear, ReachesPeakAndResidualStrength) {
     for (const ContactSetting& setting : {ContactSetting{5}, ContactSetting{1}, ContactSetting{100},
                                           ContactSetting{1, 1e-10}, ContactSetting{100, 1e-10}}) {

@@ -1,4 +1,4 @@
-// Blocks that meet.
+// Impacts between blocks.
 
 #include <gtest/gtest.h>
 
@@ -13,9 +13,8 @@ namespace {
 using namespace scene;
 using namespace verification;
 
-// V29. Two equal frictionless blocks head on: contact forces come in equal and opposite pairs, so momentum is
-// conserved to rounding whatever the integration does to the energy. The bound is relative to the momentum of
-// one block.
+// V29. Head-on impact of two equal frictionless blocks. Contact forces are equal and opposite, so momentum is
+// conserved up to rounding for any energy loss. The bound is relative to the momentum of one block.
 TEST(Collision, ConservesMomentum) {
     Scene s;
     s.model.gravity.setZero();
@@ -29,7 +28,7 @@ TEST(Collision, ConservesMomentum) {
         return 2500 * (sim.velocity(left).head<2>() + sim.velocity(right).head<2>());
     };
     ASSERT_EQ(sim.shake(0.05, 1e-4).status, dda::RunStatus::completed);
-    EXPECT_LT(sim.velocity(left)[0], 0) << "they have met and parted";
+    EXPECT_LT(sim.velocity(left)[0], 0) << "the blocks must have rebounded";
     const std::string set_up = "two squares at ±1 m/s";
     Case("V29", set_up, "contact forces come in pairs: rounding is left")
         .contact_frequency_step(sim.contact_frequency_step())
@@ -37,8 +36,8 @@ TEST(Collision, ConservesMomentum) {
     expect_energy_balance("V29", set_up, sim);
 }
 
-/// Speed kept by a unit mass that meets a one-sided spring at unit speed, by Newmark's relations in unit
-/// steps.
+/// The rebound speed of a unit mass that hits a unilateral spring at unit speed, by Newmark's relations in
+/// unit steps.
 /// @param w omega dt; @param gap the distance to the spring at the start, which sets the phase of the impact.
 double restitution_of_recurrence(double w, double beta, double gamma, double gap) {
     double x = gap;
@@ -64,9 +63,9 @@ struct ImpactCase {
 };
 class Restitution : public testing::TestWithParam<ImpactCase> {};
 
-// V26. A stiff block without damping of its own meets a fixed wall face to face on two springs, omega =
-// sqrt(2 k_n/m). The recurrence at the same phase is exact for a rigid block; 1e-3 covers that this one is a
-// thousand times stiffer than the springs. The table's values are for any phase.
+// V26. A stiff undamped block hits a fixed wall face to face on two springs, omega = sqrt(2 k_n/m). The
+// recurrence at the same phase is exact for a rigid block. The tolerance of 1e-3 allows for the block's
+// stiffness, a thousand times that of the springs. The values of the table hold for any phase.
 TEST_P(Restitution, IsThatOfTheRecurrence) {
     const ImpactCase& c = GetParam();
     const double dt = 1e-3;
@@ -90,7 +89,7 @@ TEST_P(Restitution, IsThatOfTheRecurrence) {
     stage.newmark_beta = c.beta;
     stage.newmark_gamma = c.gamma;
     ASSERT_EQ(sim.run(stage).status, dda::RunStatus::completed);
-    ASSERT_GT(sim.moved(block).x(), -gap) << "it has left the wall";
+    ASSERT_GT(sim.moved(block).x(), -gap) << "the block must have left the wall";
     const double kept = sim.velocity(block)[0] / speed;
     const std::string set_up =
         "Newmark (" + to_text(c.beta) + ", " + to_text(c.gamma) + "), ω Δt = " + to_text(c.w_dt);

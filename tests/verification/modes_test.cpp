@@ -1,4 +1,4 @@
-// A block on an incline that slides, topples, or does both.
+// A block on an incline slides, topples, or does both.
 
 #include <gtest/gtest.h>
 
@@ -14,8 +14,8 @@ namespace {
 using namespace scene;
 using namespace verification;
 
-/// A block `width` long and `height` high on an incline that falls to the right. It is settled with only the
-/// part of gravity that presses it on, which every block bears, and then feels all of it.
+/// A block `width` long and `height` high on an incline that falls to the right. It is settled under the
+/// normal component of gravity alone, and then released under full gravity.
 struct Release {
     double psi, phi;  ///< degrees
     double width, height;
@@ -29,7 +29,7 @@ struct Release {
     double frequency_step = 0;
     std::optional<EnergyMonitor> energy{};
 
-    /// Runs until the block has turned by `angle` or `duration` is over.
+    /// Runs until the block has rotated by `angle`, at most for `duration`.
     void run(double duration, double angle) {
         const Vec2 along(std::cos(radians(psi)), -std::sin(radians(psi)));
         const Vec2 out = dda::perpendicular(along);
@@ -84,8 +84,8 @@ struct ModeCase {
 };
 class Modes : public testing::TestWithParam<ModeCase> {};
 
-// V19. Blocks 10 m wide on 40 degrees. A block slides for phi < psi, and topples for b/h < tan(psi) unless it
-// slides away under itself: that takes tan(phi) < b/h. Between tan(phi) = b/h and phi_c of V20 it does both.
+// V19. Blocks 10 m wide on 40 degrees. A block slides for phi < psi. It topples for b/h < tan(psi), unless
+// tan(phi) < b/h: then it slides without rotation. Between tan(phi) = b/h and phi_c of V20 it does both.
 TEST_P(Modes, AreThoseOfStatics) {
     const ModeCase& c = GetParam();
     for (const ContactSetting& setting : {ContactSetting{5}, ContactSetting{1}, ContactSetting{100},
@@ -116,9 +116,10 @@ struct BoundaryCase {
 };
 class ToeFriction : public testing::TestWithParam<BoundaryCase> {};
 
-// V20. About the toe the block starts to turn at theta'' = 3 g (sin psi - k cos psi)/(2 h (1 + k^2)); the
-// toe's share of the force then is inclined at phi_c. Just below it the toe slides by a good tenth of the arc
-// b theta, just above by what the springs give way when gravity comes on, less than a hundredth.
+// V20. The block starts to rotate about the toe with theta'' = 3 g (sin psi - k cos psi)/(2 h (1 + k^2)). The
+// force at the toe is then inclined at phi_c. With friction just below phi_c the toe slides by more than a
+// tenth of the arc b theta. Just above it moves by the deformation of the springs under sudden gravity, less
+// than a hundredth.
 TEST_P(ToeFriction, DecidesWhetherATopplingBlockSlides) {
     const auto [psi, k, critical] = GetParam();
     const double t = std::tan(radians(psi));

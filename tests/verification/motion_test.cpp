@@ -1,4 +1,4 @@
-// Free motion and the time integration itself: what must hold before any contact does.
+// Free motion and time integration, without contacts.
 
 #include <gtest/gtest.h>
 
@@ -16,8 +16,8 @@ namespace {
 using namespace scene;
 using namespace verification;
 
-// V01. A falling block follows v = -g t, y = -g t^2/2 exactly: Newmark (1/2, 1) is exact for constant
-// acceleration, so only rounding in about a thousand steps is left.
+// V01. A falling block follows v = -g t, y = -g t^2/2: Newmark (1/2, 1) is exact for constant acceleration,
+// so the error is the rounding of about a thousand steps.
 TEST(FreeFall, IsExact) {
     Scene s;
     const int block = s.box({0, 0}, 1, 1);
@@ -32,8 +32,8 @@ TEST(FreeFall, IsExact) {
     expect_energy_balance("V01", "1 m square, 1 s", sim);
 }
 
-// V28. Ten turns at 2 pi rad/s, dt = 1 ms: with the exact rotation area, kinetic energy and stress stay;
-// linearised, the area would grow by (1 + dtheta^2)^N = 1.484.
+// V28. Ten revolutions at 2 pi rad/s, dt = 1 ms. With the exact rotation, area, kinetic energy and stress are
+// constant. With a linearised rotation the area would grow by (1 + dtheta^2)^N = 1.484.
 TEST(SpinningBlock, NeitherGrowsNorSlows) {
     Scene s;
     s.model.gravity.setZero();
@@ -59,8 +59,8 @@ TEST(SpinningBlock, NeitherGrowsNorSlows) {
                       (sim.state.blocks.vertices[0] - Vec2(-0.5, -0.5)).norm(), 1e-6);
 }
 
-/// Amplification of the oscillator with frequency w by Newmark (1/2, 1): x1 = tr x0 - det x(-1), from the
-/// exact 2x2 matrix.
+/// Amplification matrix of Newmark (1/2, 1) for an oscillator of angular frequency w, Eq. (17):
+/// x1 = tr x0 - det x(-1), from the exact 2x2 matrix.
 struct Amplification {
     double trace, determinant;
     explicit Amplification(double w_dt)
@@ -69,7 +69,7 @@ struct Amplification {
     double amplitude_per_cycle() const { return std::pow(determinant, std::numbers::pi / angle()); }
 };
 
-/// Positions of an oscillator beside the envelope and the frequency that the matrix gives it.
+/// Draws the positions of an oscillator with the envelope and the frequency of the amplification matrix.
 void draw_decay(const std::vector<double>& x, const Amplification& exact, double frequency, double dt) {
     Curve engine{"engine", {}, {}};
     for (std::size_t k = 0; k < x.size(); ++k) {
@@ -94,10 +94,10 @@ struct OscillatorCase {
 
 class Oscillator : public testing::TestWithParam<OscillatorCase> {};
 
-// V27. A block on a fixed-point spring is one oscillator; its decay is the integration's own. The recurrence
-// of the positions gives the decay and the period without any fitting, so the tolerance only covers the
-// table's rounding.
-TEST_P(Oscillator, DecaysAsTheAmplificationMatrixSays) {
+// V27. A block on a fixed-point spring is a single oscillator, damped only by the integration. The recurrence
+// of its positions gives decay and period without fitting, so the tolerance covers only the rounding of the
+// table.
+TEST_P(Oscillator, DecaysByTheAmplificationMatrix) {
     const auto [w_dt, amplitude, period_ratio] = GetParam();
     Scene s;
     s.model.gravity.setZero();
@@ -147,12 +147,12 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& tested) { return case_name("w_dt " + case_number(tested.param.w_dt)); });
 
 /// Position at t = 1 s under a unit acceleration sin(w t) or cos(w t), less the exact one.
-/// @param track takes the position at every step, if given.
+/// @param track receives the position at every step, if not null.
 double driven_error(const std::string& id, bool cosine, double w, double dt, Curve* track = nullptr) {
     Scene s;
     s.model.gravity.setZero();
     const int block = s.box({-0.5, -0.5}, 1, 1);
-    // A fine table, so that the load is the function at the ends of all steps used here.
+    // The table is so fine that the load is exact at the ends of all steps.
     std::vector<double> times;
     std::vector<double> values;
     for (int k = 0; k <= 2000; ++k) {
@@ -178,7 +178,7 @@ double driven_error(const std::string& id, bool cosine, double w, double dt, Cur
     return sim.moved(block).x() - (cosine ? (1 - std::cos(w)) / (w * w) : 1 / w);
 }
 
-/// Errors against the step, both as powers of ten, beside the first terms of their series.
+/// Draws the errors over the step on logarithmic axes, with the leading terms of their series.
 void draw_orders(const double (&steps)[3], const double (&sine)[3], const double (&cosine)[3], double w) {
     Curve curves[] = {{"Δt² ω/12", {}, {}}, {"engine", {}, {}}, {"Δt/2", {}, {}}, {"engine", {}, {}}};
     for (int k = 0; k < 3; ++k) {
@@ -196,9 +196,9 @@ void draw_orders(const double (&steps)[3], const double (&sine)[3], const double
                    "log₁₀ of the error in m", {curves[2], curves[3]});
 }
 
-// V50. The integration is of first order: the cosine load starts at its peak, and evaluating it at the ends
-// of the steps misses dt/2 of its initial value (error -dt/2 a0). A load that starts at zero hides that and
-// shows second order: by Euler and Maclaurin -dt^2 w/12.
+// V50. The integration is first-order. The cosine load starts at its peak, and evaluation at the ends of
+// steps misses dt/2 of its initial value (error -dt/2 a0). For a load that starts at zero this term vanishes,
+// and the error is second-order, -dt^2 w/12 by the Euler-Maclaurin formula.
 TEST(IntegratorOrder, IsFirstOrderAndSecondForLoadsThatStartAtZero) {
     const double w = 2 * std::numbers::pi;
     const double sine[] = {driven_error("V50", false, w, 0.01), driven_error("V50", false, w, 0.005),

@@ -1,4 +1,4 @@
-// Blocks on their own: what no contact force may change.
+// Momentum of blocks without external forces: contact forces must conserve it.
 
 #include <gtest/gtest.h>
 
@@ -13,10 +13,10 @@ namespace {
 using namespace scene;
 using namespace verification;
 
-// V51. Nine blocks with friction fly at each other in free space. Contact forces are pairs at one point,
-// half-way through the step, where Newmark (1/2, 1) keeps linear and angular momentum of rigid blocks to
-// rounding. A block that is strained has another moment of inertia; the engine keeps its rate of turning over
-// that, not its angular momentum.
+// V51. Nine blocks with friction fly at each other in free space. Contact forces are pairs of opposite forces
+// at one point of the mid-step position, where Newmark (1/2, 1) conserves linear and angular momentum of
+// rigid blocks up to rounding. The moment of inertia of a strained block differs; the angular momentum is
+// corrected for that.
 class IsolatedPile : public testing::TestWithParam<double> {};
 
 TEST_P(IsolatedPile, KeepsItsMomentum) {

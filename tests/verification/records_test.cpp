@@ -1,5 +1,5 @@
-// Readers of records: a small file in each format, laid out as its provider does, whose ten values are known.
-// The providers' own records may not be carried here; a unit test reads them where they are at hand.
+// Readers of records: a small file in each provider's format with ten known values. The licences of the
+// original records do not allow copies in this repository; a unit test reads them where they are available.
 
 #include <gtest/gtest.h>
 
@@ -21,8 +21,8 @@ double peak_of(const record::Record& record) {
                              [](double a, double b) { return std::abs(a) < std::abs(b); });
 }
 
-/// The files' values of largest magnitude in SI: -5.659 of g, cm/s2 or mm/s2; of K-NET ten counts of 3.92
-/// gal.
+/// The value of largest magnitude in each file, m/s2: -5.659 times g, cm/s2 or mm/s2; for K-NET ten counts of
+/// 3.92 gal.
 double expected_peak(const std::string& format) {
     if (format == "knet") return 100 * 3.92e-2;
     if (format == "peer") return -5.659 * 9.80665;

@@ -16,9 +16,9 @@ using namespace verification;
 
 constexpr double pi = std::numbers::pi;
 
-// V24. The heel bears W/2 - m a h/(2 b): nothing at a = g b/h. The base's acceleration is raised in a second,
-// and kept for one more. At 0.99 the heel's springs still carry a hundredth of what they carry at
-// rest, 2.45e-9 m.
+// V24. The force at the heel is W/2 - m a h/(2 b), zero at a = g b/h. The base acceleration rises in one
+// second and is constant for another. At 0.99 of that acceleration the heel still carries a hundredth of its
+// force at rest, a penetration of 2.45e-9 m.
 TEST(Uplift, BeginsAtTheSlendernessTimesGravity) {
     for (const double share : {.99, 1.01}) {
         Scene s;
@@ -35,8 +35,7 @@ TEST(Uplift, BeginsAtTheSlendernessTimesGravity) {
         const double a = share * .25 * g;
         stage.base_motions.push_back({"base", dda::TimeTable({0, 1, 3}, {0, a, a}), {}});
         ASSERT_EQ(sim.run(stage).status, dda::RunStatus::completed);
-        const auto corner =
-            static_cast<std::size_t>(s.model.topology.block_corners[static_cast<std::size_t>(block)]);
+        const dda::CornerIndex corner = s.model.topology.block_corners[block];
         const double heel = sim.state.blocks.vertices[corner + 1].y();
         const std::string set_up = "0.5 m x 2 m, a = " + to_text(share) + " g B/H";
         expect_energy_balance("V24", set_up, sim);
@@ -62,8 +61,9 @@ struct RockingCase {
 };
 class FreeRocking : public testing::TestWithParam<RockingCase> {};
 
-// V22, V23. The first fall is Housner's equation alone; what an impact takes is the engine's, and comes near
-// Housner's because both corners touch when the base is flat and angular momentum decides.
+// V22, V23. The fall up to the first impact follows Housner's equation. The loss of an impact is the engine's
+// own. It is close to Housner's, because both corners touch when the base is flat and angular momentum is
+// conserved.
 TEST_P(FreeRocking, FallsAsHousnersBlock) {
     const RockingCase& c = GetParam();
     const HousnerBlock housner(c.width, c.height);
@@ -121,7 +121,7 @@ bool engine_overturns(const PulseCase& c, double amplitude, RockingBlock& block)
     return block.largest_angle() > 1;
 }
 
-/// The angle under a pulse that does not overturn, beside Housner's.
+/// Draws the rotation under a pulse that does not overturn the block, with that of Housner's block.
 void draw_pulse(const PulseCase& c, double amplitude, const RockingBlock& block) {
     if (c.frequency != 1) return;
     const HousnerBlock::Motion reference =
@@ -140,9 +140,9 @@ void draw_pulse(const PulseCase& c, double amplitude, const RockingBlock& block)
                     {"engine", block.time, block.angle}});
 }
 
-// V25. The amplitudes from 0.94 of the expected one are tried upward in steps of 2 % until the block falls
-// over: overturning is not monotonic, and by first is meant the lowest. A block on the edge of falling takes
-// about 10/p, and the runs end 3 s after the pulse.
+// V25. Amplitudes are increased in steps of 2 % from 0.94 of the expected one until the block overturns.
+// Overturning is not monotonic in the amplitude; the lowest one counts. A block near overturning needs about
+// 10/p, and the runs end 3 s after the pulse.
 TEST_P(LongOverturning, TakesTheAmplitudeOfHousnersBlock) {
     const PulseCase& c = GetParam();
     RockingBlock block;

@@ -1,4 +1,4 @@
-// Joints whose strength comes from their roughness.
+// The strength of rough joints.
 
 #include <gtest/gtest.h>
 
@@ -22,8 +22,8 @@ dda::BartonBandis granite() {
     return law;
 }
 
-/// Shear stress (Pa) of a joint of 1 m under a normal stress: the lower half moves steadily, the upper is
-/// held along the joint, whose ends bear alike.
+/// The shear stress of a joint of 1 m under a normal stress, Pa. The lower half moves at constant velocity,
+/// the upper half is fixed along the joint, and both ends carry the same load.
 double sheared(const dda::JointLaw& law, double normal_stress, double& frequency_step) {
     Scene s;
     s.model.gravity.setZero();
@@ -57,10 +57,9 @@ struct BartonCase {
 
 class BartonShear : public testing::TestWithParam<BartonCase> {};
 
-// V36. Eq. (57) at four normal stresses. Under 0.5 MPa the total angle is 66.3 deg, below the cap of 70. The
-// law alone gives the numbers to their last digit; in blocks, the normal force follows the joint's iteration
-// to 1e-6 and the overlap is shortened by the displacement of 0.5 mm, which lowers neither by more than 0.05
-// %.
+// V36. Eq. (57) at four normal stresses. At 0.5 MPa the total angle is 66.3 degrees, below the cap of 70. The
+// law alone gives the numbers to the last digit. With blocks the normal force has the iteration tolerance of
+// 1e-6, and the displacement of 0.5 mm shortens the overlap. The error is below 0.05 %.
 TEST_P(BartonShear, HasBartonsStrength) {
     const auto [normal_stress, expected] = GetParam();
     const dda::BartonBandis law = granite();
@@ -83,7 +82,7 @@ INSTANTIATE_TEST_SUITE_P(Granite, BartonShear,
                                          BartonCase{2, 3.2814}, BartonCase{5, 6.7680}),
                          barton_name);
 
-// V37 and V38, the law by itself: it is driven along the path without blocks.
+// V37 and V38: the law alone, driven along the path without blocks.
 
 dda::ShearTest shear_test(const dda::JointLaw& law, double normal_stress, std::vector<double> path) {
     dda::ShearTest test;
@@ -119,8 +118,8 @@ TEST(CyclicShear, MarbleAlone) {
     expect_two_cycles("marble", joint_tests::marble(), 0.5e6, 1.1306, joint_tests::marble_quarters);
 }
 
-// V38. Granite out to 5 mm, back to 3, out to 5: between ratios of 0.3 and -0.3 all is straight. And out
-// to 2.5 mm, back to 0.9, out to 2: the strength is that of x = 2, not of x = 1.6.
+// V38. Granite is sheared to 5 mm, back to 3 mm and to 5 mm again: the stress is linear between ratios of 0.3
+// and -0.3. Then to 2.5 mm, back to 0.9 mm and to 2 mm: the strength is that of x = 2, not of x = 1.6.
 TEST(CyclicShear, PartialReversals) {
     const double i = radians(12.8 * std::log10(151.));
     const auto stress = [&](double ratio) { return std::tan(radians(34.6) + ratio * i); };

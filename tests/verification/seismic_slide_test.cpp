@@ -1,4 +1,4 @@
-// Several blocks that an earthquake lets slide on a joint that wears.
+// A row of blocks slides in an earthquake on a joint that wears.
 
 #include "support/seismic_slide.hpp"
 
@@ -14,7 +14,7 @@ namespace {
 using namespace scene;
 using namespace verification;
 
-/// Motion A, with a plane that does not give way.
+/// Motion A, on a rigid plane.
 SeismicSlide stiff() {
     SeismicSlide slide;
     slide.shear_penalty = 5e11;
@@ -74,29 +74,29 @@ TEST(SeismicSlide, StiffPlaneThatWears) {
     expect_energy_balance("V39", "motion A, wearing, stiff plane", *slide.energy, slide.frequency_step);
 }
 
-// The changes of direction are those of one rigid block, so that none is one more or less: what is left is
-// the blocks' own.
+// The reversals of sliding are prescribed as those of one rigid block, so their number is the same. The
+// remaining difference is due to the row of blocks.
 TEST(SeismicSlide, ReversalsPrescribed) {
     SeismicSlide slide = stiff();
     slide.prescribed_reversals = {5.395, 5.575, 5.855, 6.060, 6.375, 6.555, 6.895, 7.055,
                                   7.410, 7.555, 7.930, 8.050, 8.450, 8.540, 8.975, 9.030};
-    const SeismicSlide told = run(slide);
+    const SeismicSlide prescribed = run(slide);
     Case a("V39", "motion A, wearing, stiff plane, changes of direction prescribed", "asked for");
-    a.contact_frequency_step(told.frequency_step);
-    a.expect_below("s(5 s)", "m", told.at(5), .01);
+    a.contact_frequency_step(prescribed.frequency_step);
+    a.expect_below("s(5 s)", "m", prescribed.at(5), .01);
     for (const auto& [t, s] : {std::pair{7.5, .1716}, {10, .679}, {15, 2.447}, {25, 13.945}})
-        a.expect("s(" + to_text(t) + " s)", "m", told.at(t), s, relative(.03));
-    EXPECT_EQ(told.reversals, 16);
+        a.expect("s(" + to_text(t) + " s)", "m", prescribed.at(t), s, relative(.03));
+    EXPECT_EQ(prescribed.reversals, 16);
 }
 
 TEST(SeismicSlide, SoftPlane) {
     SeismicSlide constant;
     constant.plane = Scene::mohr_coulomb(8);
-    const SeismicSlide even = run(constant);
+    const SeismicSlide constant_friction = run(constant);
     Case kept("V39", "motion C, constant 8°, k_s = 3e7 N/m", "asked for");
-    kept.contact_frequency_step(even.frequency_step);
+    kept.contact_frequency_step(constant_friction.frequency_step);
     for (const auto& [t, s] : {std::pair{7.5, .672}, {10, 1.67}, {15, 3.47}, {25, 3.79}})
-        kept.expect("s(" + to_text(t) + " s)", "m", even.at(t), s, relative(.03));
+        kept.expect("s(" + to_text(t) + " s)", "m", constant_friction.at(t), s, relative(.03));
 
     const SeismicSlide slide = run({});
     Case worn("V39", "motion C, wearing, k_s = 3e7 N/m",
@@ -113,7 +113,7 @@ TEST(SeismicSlide, SoftPlane) {
     SeismicSlide found;
     found.shear_penalty = 0;
     const SeismicSlide own = run(found);
-    // Eq. (58) for 50.2 m of 1.39 MPa gives 2.996e7 N/m at either end: 0.1 % from what the paper takes.
+    // Eq. (58) for 50.2 m under 1.39 MPa gives 2.996e7 N/m at each end, 0.1 % from the paper's value.
     worn.expect("s(25 s), k_s by Eq. (58)", "m", own.at(25), slide.at(25), relative(.02));
 }
 

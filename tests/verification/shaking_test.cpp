@@ -1,4 +1,4 @@
-// A block on a plane that is shaken: Newmark's sliding block in its variants.
+// A block on a shaken plane: variants of Newmark's sliding block.
 
 #include <gtest/gtest.h>
 
@@ -46,8 +46,7 @@ TEST(HalfSinePulse, SlipsAsNewmarksBlock) {
     pulse.expect("slip", "m", -block.track.slip.back(), .28094, relative(.01));
     pulse.expect("largest speed", "m/s", block.fastest, .70697, relative(.01));
     pulse.expect("instant of rest", "s", block.stopped, .82805, relative(.01));
-    // The speed of 1 mm/s at which sliding is seen is reached 6 ms after it starts: v = A cos(theta) w
-    // tau^2/2.
+    // Sliding is detected at 1 mm/s, 6 ms after its start: v = A cos(theta) w tau^2/2.
     const double tau = std::sqrt(2 * 1e-3 / (.5 * g * 2 * pi * std::cos(std::asin(.4))));
     pulse.expect("instant of starting", "s", block.started - tau, .06549, relative(.01));
     const Track reference = sliding_reference(0, block.phi, block.base, 1);
@@ -65,7 +64,8 @@ void expect_track(const std::string& id, const std::string& set_up, const Slidin
         slip.expect("s(" + to_text(times[k]) + " s)", "m", block.track.at(times[k]), expected[k], tolerance);
 }
 
-// V14, V15. Sinusoidal motion of an incline that yields downhill only: uphill it would take tan(phi + psi) g.
+// V14, V15. Sinusoidal motion of an incline. The block slides downhill only; uphill sliding would need
+// tan(phi + psi) g.
 TEST(ShakenIncline, CreepsDownAtOneHertz) {
     SlidingBlock block{20, 30, [](double t) { return .3 * g * std::sin(2 * pi * t); }};
     block.run("V14", "moving base", 5, fine_step);
@@ -90,10 +90,11 @@ TEST(ShakenIncline, CreepsDownAtTwoHertz) {
                    {reference.curve("sliding block"), block.track.curve("engine")});
 }
 
-// V16. Table displacement u = D (1 - cos wt): its acceleration D w^2 cos wt starts at its peak of 1.6 g.
-// Accelerations taken at the ends of steps miss dt/2 of that as a speed (V50); given to the table at the
-// start, its displacement is u. The block returns to 8 mm from where it began after swings of 0.1 m. What is
-// left of its error, 0.2 mm, is the spring's: it takes 0.1 ms until the table has sheared it to the friction.
+// V16. The table displacement is u = D (1 - cos wt). Its acceleration D w^2 cos wt starts at the peak of 1.6
+// g. Integration with the acceleration at the end of each step misses dt/2 of that as a velocity (V50). This
+// velocity is the table's initial velocity, so that its displacement is u. After swings of 0.1 m the block
+// returns to 8 mm from its initial position. The remaining error of 0.2 mm is due to the shear spring, which
+// needs 0.1 ms to reach the friction.
 TEST(ShakingTable, BlockSlidesBothWays) {
     const double w = 4 * pi;
     SlidingBlock block{0, 20, [&](double t) { return .1 * w * w * std::cos(w * t); }};
@@ -108,7 +109,7 @@ TEST(ShakingTable, BlockSlidesBothWays) {
                    {reference.curve("sliding block"), block.track.curve("engine")});
 }
 
-// V17. In the base's frame its acceleration is a body force of the opposite sign.
+// V17. In the frame of the base, the base acceleration is a body force of the opposite sign.
 TEST(BodyForce, MovesTheBlockAsTheBaseDoes) {
     const Acceleration motion = [](double t) { return .3 * g * std::sin(2 * pi * t); };
     SlidingBlock based{20, 30, motion};
@@ -122,8 +123,8 @@ TEST(BodyForce, MovesTheBlockAsTheBaseDoes) {
     for (const double t : {1., 2., 3., 4., 5.})
         same.expect("s(" + to_text(t) + " s), body force against base", "m", forced.track.at(t),
                     based.track.at(t), relative(.01));
-    // A frame's acceleration is held over a step as a base's is, so the two differ by rounding alone, which
-    // contacts amplify.
+    // The acceleration of the frame is constant over a step, as that of a base. The two runs differ by
+    // rounding only, which contacts amplify.
     SlidingBlock framed{20, 30, motion, Shaking::frame};
     framed.run("V17", "motion of V14, as that of the frame", 5, fine_step);
     for (const double t : {1., 2., 3., 4., 5.})
@@ -151,8 +152,9 @@ const std::string flutter =
     "does not "
     "excite it. See the notes.";
 
-// V18. k_y = tan(phi - psi): the base's uphill acceleration is raised to its value in half a second, so that
-// the springs follow, and kept for two. Above k_y the block gains (k - k_y) g cos(phi - psi)/cos(phi).
+// V18. k_y = tan(phi - psi). The uphill acceleration of the base rises in half a second, slowly enough for
+// the springs, and is constant for two seconds. Above k_y the relative acceleration is (k - k_y) g cos(phi -
+// psi)/cos(phi).
 TEST_P(YieldAcceleration, HoldsBelowAndSlipsAbove) {
     const auto [psi, phi, damping_ratio] = GetParam();
     const double yield = std::tan(radians(phi - psi));

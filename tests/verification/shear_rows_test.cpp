@@ -1,4 +1,5 @@
-// The direct shear test of blocks beside every row of curves that others have computed from the same rules.
+// The direct shear test with blocks, compared with every row of reference curves computed by others with the
+// same law.
 
 #include <gtest/gtest.h>
 
@@ -31,7 +32,7 @@ std::vector<Reading> read_curve(const std::filesystem::path& path) {
     return rows;
 }
 
-/// What the blocks did on one leg of the path, in the order of displacement.
+/// The results of the blocks on one leg of the path, in order of displacement.
 class Leg {
   public:
     void take(const Reading& reading) { readings_.push_back(reading); }
@@ -39,7 +40,7 @@ class Leg {
         std::sort(readings_.begin(), readings_.end(),
                   [](const Reading& a, const Reading& b) { return a.displacement < b.displacement; });
     }
-    /// Linear between two steps, the end's beyond the ends.
+    /// Linear interpolation between steps, constant beyond the ends.
     Reading at(double displacement) const {
         const auto after = std::lower_bound(
             readings_.begin(), readings_.end(), displacement,
@@ -47,9 +48,9 @@ class Leg {
         if (after == readings_.begin()) return *after;
         if (after == readings_.end()) return readings_.back();
         const Reading& a = *(after - 1);
-        const double share = (displacement - a.displacement) / (after->displacement - a.displacement);
-        return {displacement, a.stress + share * (after->stress - a.stress),
-                a.dilation + share * (after->dilation - a.dilation)};
+        const double fraction = (displacement - a.displacement) / (after->displacement - a.displacement);
+        return {displacement, a.stress + fraction * (after->stress - a.stress),
+                a.dilation + fraction * (after->dilation - a.dilation)};
     }
 
   private:
@@ -63,9 +64,9 @@ struct Curve {
 
 class ShearedBlocks : public testing::TestWithParam<Curve> {};
 
-// V37, row by row. Where the bound jumps, at the origin, the spring has begun to climb or has not: rows
-// nearer to it than a fiftieth of the peak displacement are left out of the stresses, as the curves' makers
-// advise.
+// V37, row by row. The bound jumps at the origin, and the state of the shear spring there depends on the
+// step. Rows nearer to the origin than a fiftieth of the peak displacement are not compared in stress, as the
+// authors of the curves advise.
 TEST_P(ShearedBlocks, FollowAllRowsOfTheCurve) {
     const auto& [name, rock] = GetParam();
     const auto folder = external_data("reference");
@@ -99,8 +100,8 @@ TEST_P(ShearedBlocks, FollowAllRowsOfTheCurve) {
             stress = std::max(stress, std::abs(blocks.stress - rows[k].stress));
     }
     EXPECT_EQ(leg, 4u);
-    EXPECT_LT(stress, 5e-3 * rock.strength) << "asked for: 0.5 % of the peak";
-    EXPECT_LT(dilation, 5e-6) << "asked for: 5 um";
+    EXPECT_LT(stress, 5e-3 * rock.strength) << "required: 0.5 % of the peak";
+    EXPECT_LT(dilation, 5e-6) << "required: 5 um";
 }
 
 INSTANTIATE_TEST_SUITE_P(Rocks, ShearedBlocks,

@@ -1,4 +1,4 @@
-// The strength that a slope needs: friction is reduced until it moves.
+// The strength at the limit of a slope: friction is reduced until the slope moves.
 
 #include <gtest/gtest.h>
 
@@ -14,17 +14,17 @@ namespace {
 using namespace scene;
 using namespace verification;
 
-/// A slab of five blocks, each 4 m long and 2 m thick, on 20 degrees. A joint that slips keeps its cohesion,
-/// for the slab must bear it all along at once: its ends slip first.
+/// A slab of five blocks, each 4 m long and 2 m thick, on 20 degrees. A slipping joint keeps its cohesion,
+/// because the ends of the slab slip first and cohesion must act along the whole slab at the limit.
 class Slab {
   public:
     explicit Slab(double cohesion) : cohesion_(cohesion) {}
 
     bool holds(double phi) {
-        Simulation glued(scene(60));
-        EXPECT_EQ(glued.settle().status, dda::RunStatus::completed);
+        Simulation settled(scene(60));
+        EXPECT_EQ(settled.settle().status, dda::RunStatus::completed);
         Simulation sim(scene(phi));
-        sim.state = glued.state;
+        sim.state = settled.state;
         EXPECT_EQ(sim.shake(1, 1e-3).status, dda::RunStatus::completed);
         frequency_step = sim.contact_frequency_step();
         energy = sim.energy;
@@ -51,7 +51,8 @@ class Slab {
 };
 
 // V40. A slice of thickness h, weight gamma h per metre of slope: gamma h sin psi = c + gamma h cos psi
-// tan(phi) at the limit, h = z cos psi. At 0.2 degrees below, the slab gains 17 mm in the second that is run.
+// tan(phi) at the limit, h = z cos psi. At 0.2 degrees below the limit the slab moves by 17 mm in the
+// simulated second.
 TEST(InfiniteSlope, FailsAtTheFrictionOfLimitEquilibrium) {
     const double psi = radians(20);
     for (const double cohesion : {0., 5e3}) {

@@ -24,7 +24,7 @@ void add_corner_tractions(Scene& s, int block, const Vec2& top, const Vec2& righ
 
 const std::string strain_reason = "the square's own size changes by 1e-4, and settling has a tolerance";
 
-/// Strains of a square from where its corners went: exact for an affine displacement.
+/// The strains of a square from its corner positions, exact for an affine displacement.
 dda::Vec3 strains(const Simulation& sim) {
     const auto& v = sim.state.blocks.vertices;
     const Vec2 along = v[1] - v[0];
@@ -32,8 +32,8 @@ dda::Vec3 strains(const Simulation& sim) {
     return {along.x() - 1, up.y() - 1, along.y() + up.x()};
 }
 
-// V05, V06. Hooke's law; 0.1 % covers the change of the square's own size (strains of 1e-4) and the settling
-// tolerance.
+// V05, V06. Hooke's law. The tolerance of 0.1 % covers the change of size of the square (strains of 1e-4) and
+// the tolerance of the static stage.
 TEST(Elasticity, UniaxialCompression) {
     for (const auto& [plane, axial, lateral] : {std::tuple{dda::Plane::stress, -1e-4, 2.5e-5},
                                                 std::tuple{dda::Plane::strain, -9.375e-5, 3.125e-5}}) {
@@ -62,8 +62,7 @@ TEST(Elasticity, SimpleShear) {
     sheared.expect("τ_xy", "Pa", sim.stress(0)[2], 1e5, relative(1e-3));
 }
 
-// V05 once more, under pressure on the faces in place of forces on the corners: the two must be the same
-// load.
+// V05 with pressure on the faces instead of forces on the corners: both must be the same load.
 TEST(Elasticity, PressureOnFacesCompressesAsForcesOnCornersDo) {
     Scene s;
     s.model.plane = dda::Plane::stress;
@@ -80,8 +79,8 @@ TEST(Elasticity, PressureOnFacesCompressesAsForcesOnCornersDo) {
     EXPECT_NEAR(strains(sim)[0], 2.5e-5, 1e-3 * 2.5e-5);
 }
 
-// V02, V03. W over two springs, and the virial stress of self-weight: sigma_y = -rho g h / 2, sigma_x = 0. In
-// ten seconds nothing drifts.
+// V02, V03. The penetration is W over two springs; the virial stress of self-weight is sigma_y = -rho g h /
+// 2, sigma_x = 0. The block does not drift in ten seconds.
 TEST(BlockAtRest, PenetratesByItsWeightAndStays) {
     Scene s;
     s.box({-1, -1}, 3, 1, dda::Motion::fixed);
@@ -100,8 +99,8 @@ TEST(BlockAtRest, PenetratesByItsWeightAndStays) {
     rest.expect_below("drift in 10 s", "m", sim.moved(block).norm(), 1e-6);
 }
 
-// V02, V03. The stress is that of the weight whatever keeps the block up; how deep it sinks is the penalty's.
-TEST(BlockAtRest, SinksByThePenaltyAndBearsTheSameStress) {
+// V02, V03. The stress does not depend on the penalty, the penetration is proportional to 1/penalty.
+TEST(BlockAtRest, HasTheSameStressForAnyPenalty) {
     const auto settled = [](const ContactSetting& setting) {
         Scene s;
         setting.apply(s);
@@ -146,8 +145,8 @@ TEST(Column, StressGrowsWithDepth) {
                    "compression, kPa", {statics, engine});
 }
 
-// V04. Ten joints give way below the top, each by what it bears over the penalty.
-TEST(Column, SinksByThePenaltyAndBearsTheSameStress) {
+// V04. Each of the ten joints below the top deforms by its force over the penalty.
+TEST(Column, HasTheSameStressForAnyPenalty) {
     const auto settled = [](const ContactSetting& setting) {
         Scene s;
         setting.apply(s);
@@ -172,9 +171,9 @@ TEST(Column, SinksByThePenaltyAndBearsTheSameStress) {
                        });
 }
 
-// V07. n blocks on n joints of stiffness k = 1e12 Pa/m: 1/E_eff = 1/E + 1/(k h), pushed as pulled. What is
-// left is the strain, 1e-4: the load keeps its place on blocks that give. The joints are soft in shear, or
-// the fixed base would keep all blocks from spreading.
+// V07. n blocks on n joints of stiffness k = 1e12 Pa/m: 1/E_eff = 1/E + 1/(k h), in compression and in
+// tension. The remaining error is the strain, 1e-4, because the load does not move with the deformed blocks.
+// The joints are soft in shear; otherwise the fixed base would prevent lateral strain of all blocks.
 TEST(Chain, IsAsSoftAsBlocksAndJointsInSeries) {
     for (const double stress : {-1e6, 1e6}) {
         Scene s;
@@ -197,10 +196,10 @@ TEST(Chain, IsAsSoftAsBlocksAndJointsInSeries) {
     }
 }
 
-// V07. What the joints add to the blocks' compliance, 1/E_eff - 1/E = 1/(k h), is of the first order in 1/k.
-// A load of 10 kPa strains the blocks by 1e-6, which is the error of their share, a thousandth of what the
-// stiffest joints add.
-TEST(Chain, IsSofterByTheFirstOrderInTheJointsGive) {
+// V07. The compliance of the joints, 1/E_eff - 1/E = 1/(k h), is first-order in 1/k. A load of 10 kPa strains
+// the blocks by 1e-6. That is the relative error of the blocks' compliance, a thousandth of the compliance of
+// the stiffest joints.
+TEST(Chain, ComplianceIsOfFirstOrderInThatOfTheJoints) {
     std::vector<double> added;
     for (const double k : {1e11, 1e12, 1e13}) {
         Scene s;

@@ -1,4 +1,4 @@
-// Sixteen blocks on a stepped base that topple and slide: the limit equilibrium of Goodman and Bray.
+// Sixteen blocks topple and slide on a stepped base: the limit equilibrium of Goodman and Bray.
 
 #include <gtest/gtest.h>
 
@@ -28,7 +28,7 @@ double height(int n) {
     return n <= 10 ? 4. * n : 34 - 6. * (n - 11);
 }
 
-/// Forces between block n and the one below it, N, and the mode, from the crest's side down.
+/// The forces between block n and the one below it, N, and the modes, computed from the uppermost block down.
 struct LimitEquilibrium {
     std::array<double, count + 1> force{};  ///< force[n] on the lower side of block n; [0] unused
     explicit LimitEquilibrium(double mu) {
@@ -37,8 +37,8 @@ struct LimitEquilibrium {
         for (int n = count; n >= 1; --n) {
             const double y = height(n);
             const double w = weight * width * y;
-            const double upper = n < 10 ? y : y - 5;   // where the block above presses
-            const double lower = n <= 10 ? y - 5 : y;  // where this one presses the block below
+            const double upper = n < 10 ? y : y - 5;   // height of the force of the block above
+            const double lower = n <= 10 ? y - 5 : y;  // height of the force on the block below
             const double topples =
                 lower > 0
                     ? (above * (upper - width * mu) + w / 2 * (y * std::sin(psi) - width * std::cos(psi))) /
@@ -46,12 +46,12 @@ struct LimitEquilibrium {
                     : -1;
             const double slides = above - w * (std::cos(psi) * mu - std::sin(psi)) / (1 - mu * mu);
             above = std::max({topples, slides, 0.0});
-            force[static_cast<std::size_t>(n)] = above;
+            force[n] = above;
         }
     }
 };
 
-/// The toe block needs no support at the limit.
+/// The friction angle at which the toe block needs no support.
 double critical_friction() {
     const double mu = threshold(.7, .9, 40, [](double m) { return LimitEquilibrium(m).force[1] == 0; });
     return std::atan(mu) * 180 / std::numbers::pi;
@@ -64,22 +64,21 @@ class Slope {
         : tension_(tension), setting_(setting) {
         Simulation sim(scene(70));
         EXPECT_EQ(sim.settle().status, dda::RunStatus::completed);
-        glued_ = sim.state;
+        settled_ = sim.state;
     }
-    /// Stays, if in three seconds no block has moved by 5 cm: near the limit a block that stays moves by 2
-    /// mm.
+    /// Whether no block moves by 5 cm in three seconds. A stable block near the limit moves by 2 mm.
     bool holds(double phi) {
         run(phi, 3);
         return moved < .05;
     }
-    /// Comes to rest within six seconds, wherever.
+    /// Whether all blocks come to rest within six seconds, with any displacement.
     bool stops(double phi) {
         run(phi, 6);
         return speed < 1e-3;
     }
     void run(double phi, double duration) {
         Simulation sim(scene(phi));
-        sim.state = glued_;
+        sim.state = settled_;
         EXPECT_EQ(sim.shake(duration, 2.5e-4).status, dda::RunStatus::completed);
         frequency_step = sim.contact_frequency_step();
         energy = sim.energy;
@@ -91,16 +90,16 @@ class Slope {
         force.fill(0);
         shear.fill(0);
         for (const dda::Contact& c : sim.state.contacts.contacts) {
-            const int low = std::min(c.corner_block, c.edge_block);
-            const int high = std::max(c.corner_block, c.edge_block);
+            const int low = std::min(c.corner_block, c.edge_block).value();
+            const int high = std::max(c.corner_block, c.edge_block).value();
             if (low < count || high != low + 1) continue;
             const auto upper = static_cast<std::size_t>(high) + 1 - count;
             force[upper] += c.normal_force;
             shear[upper] += c.shear_force;
         }
     }
-    double moved = 0;                       ///< m, of the last run, the largest of any block
-    double speed = 0;                       ///< m/s, at its end, likewise
+    double moved = 0;                       ///< m, largest displacement of a block in the last run
+    double speed = 0;                       ///< m/s, largest velocity of a block at its end
     std::array<double, count + 1> force{};  ///< of the last run, as in LimitEquilibrium
     std::array<double, count + 1> shear{};  ///< on the same faces
     double frequency_step = 0;
@@ -123,8 +122,8 @@ class Slope {
         for (int n = 1; n <= count; ++n)
             s.box(width * (n - 1) * up + riser * (n - 1) * out, width, height(n), dda::Motion::free, psi);
         if (tension_ > 0) {
-            // Long and all but slack in stiffness: neither tension nor direction changes with the block's
-            // motion.
+            // A long bolt of very small stiffness: the motion of the block changes neither its tension nor
+            // its direction.
             const Vec2 middle = width / 2 * up + height(1) / 2 * out;
             s.model.bolts.push_back({"bolt", s.material_point(count - 1, middle + Vec2(1000, 0)),
                                      s.material_point(block(1), middle), 1.0, tension_, 0});
@@ -133,12 +132,11 @@ class Slope {
     }
     double tension_;
     ContactSetting setting_;
-    dda::State glued_;
+    dda::State settled_;
 };
 
-// V21. From the top down each block needs the larger of the forces that keep it from toppling and from
-// sliding; at the limit the toe block needs none. The table's 38.152 degrees are recalled; the recursion
-// gives them back.
+// V21. From the top down, each block needs the larger of the forces that prevent toppling and sliding. At the
+// limit the toe block needs no force. The recursion reproduces the 38.152 degrees of the table.
 TEST(LongToppling, FailsAtTheFrictionOfGoodmanAndBray) {
     const double critical = critical_friction();
     EXPECT_NEAR(critical, 38.152, 1e-3);
@@ -181,8 +179,7 @@ TEST(LongToppling, FailsAtTheFrictionOfGoodmanAndBray) {
                       std::abs(slope.shear[k]) / (slope.force[k] * std::tan(radians(found + .1))), 1);
     }
     for (const int n : {14, 15, 16})
-        forces.expect_below("force below block " + std::to_string(n), "kN",
-                            slope.force[static_cast<std::size_t>(n)] / 1e3, 1);
+        forces.expect_below("force below block " + std::to_string(n), "kN", slope.force[n] / 1e3, 1);
     Curve limit_forces{"limit equilibrium", {}, {}};
     Curve engine_forces{"engine, 0.1° above its limit", {}, {}};
     for (int n = 1; n <= count; ++n) {
@@ -210,9 +207,9 @@ void expect_forces_of_the_table(Slope& slope, const std::string& set_up, double 
     }
 }
 
-// V21. The friction at the limit, and the forces between the toppling blocks there, whatever keeps the blocks
-// apart. Augmented contacts that are stuck may move by the tolerance in each of 12 000 steps: with 1e-7 m, a
-// millimetre, the slope from springs of 1 E would creep into forces 10 to 40 % off; 1e-9 m is small enough.
+// V21. The friction at the limit, and the forces between the toppling blocks there, for any penalty. Locked
+// augmented contacts may move by the tolerance in each of 12 000 steps. With 1e-7 m, a millimetre in total,
+// the slope with springs of 1 E would creep to forces 10 to 40 % wrong; 1e-9 m is small enough.
 TEST(LongToppling, FailsAtTheSameFrictionForAnyPenalty) {
     const double critical = critical_friction();
     double found = 0;
@@ -232,9 +229,9 @@ TEST(LongToppling, FailsAtTheSameFrictionForAnyPenalty) {
     }
 }
 
-// V21. At tan(phi) = 0.65 the slope needs support. A horizontal bolt of tension T in block 1, which slides,
-// bears T (cos psi + mu sin psi) = P (1 - mu^2) + W (sin psi - mu cos psi), P the force from block 2 at full
-// friction.
+// V21. At tan(phi) = 0.65 the slope needs support. Block 1 slides. A horizontal bolt in it has the tension T
+// given by T (cos psi + mu sin psi) = P (1 - mu^2) + W (sin psi - mu cos psi), with P the force from block 2
+// at full friction.
 TEST(LongToppling, IsHeldByTheBoltOfGoodmanAndBray) {
     const double mu = .65;
     const double psi = radians(dip);

@@ -1,4 +1,4 @@
-// Waves that leave a model through dashpots, enter through them, and cross a joint on the way.
+// Waves that leave a model through dashpots, enter through dashpots, and cross a joint.
 
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ void add_viscous_end(Bar& bar, bool left, double normal_impedance, const std::st
     bar.s.model.viscous_boundaries.push_back({name, {{edge, 0, 1}}, normal_impedance, 0, dda::Hold::both});
 }
 
-/// Velocity pulse that comes back from the end of a bar, over the one that went there, with its sign.
+/// The velocity pulse reflected at the end of a bar over the incident one, with its sign.
 struct Returned {
     double coefficient = 0;
     double contact_frequency_step = 0;
@@ -48,14 +48,14 @@ Returned reflected(const std::string& set_up, double end_impedance) {
     const dda::Energy& e = sim.state.energy;
     expect_energy_balance("V32", set_up, sim);
     const double coefficient = back / incident;
-    // What did not come back was taken by the dashpots.
+    // The dashpots dissipate the energy that is not reflected.
     EXPECT_NEAR(e.boundary_loss / e.external_work, 1 - coefficient * coefficient, 0.02);
     return {coefficient, sim.contact_frequency_step()};
 }
 
-// V32. Dashpots of the bar's impedance swallow the pulse; others throw back (Zb - Z)/(Zb + Z) of its stress,
-// and of its velocity the same with the other sign. Within 3 % of the incident pulse.
-TEST(ViscousBoundary, SwallowsWavesOfItsOwnImpedance) {
+// V32. Dashpots with the impedance of the bar absorb the pulse. Others reflect (Zb - Z)/(Zb + Z) of its
+// stress, and the same fraction of its velocity with the opposite sign. Within 3 % of the incident pulse.
+TEST(ViscousBoundary, AbsorbsWavesOfItsOwnImpedance) {
     const std::string set_up = "dashpots of the bar's impedance";
     const Returned r = reflected(set_up, impedance);
     Case("V32", set_up, "required")
@@ -67,14 +67,14 @@ TEST(ViscousBoundary, ReflectsByTheMismatchOfImpedance) {
         const double expected = (ratio - 1) / (ratio + 1);
         const std::string set_up = "dashpots of " + to_text(ratio) + " times the bar's";
         const Returned r = reflected(set_up, ratio * impedance);
-        // The velocity comes back with the sign opposite to the stress.
+        // The reflected velocity has the opposite sign of the reflected stress.
         Case("V32", set_up, "required")
             .contact_frequency_step(r.contact_frequency_step)
             .expect("R", "1", -r.coefficient, expected, absolute(0.03));
     }
 }
 
-/// A bar without ends whose left boundary lets a pulse in; the middle joint may be soft.
+/// A bar with viscous boundaries at both ends. A pulse enters at the left; the middle joint may be soft.
 struct EndlessBar {
     static constexpr int count = 60;
     std::vector<double> times;
@@ -88,9 +88,7 @@ struct EndlessBar {
         add_viscous_end(bar, false, impedance, "right");
         if (middle_stiffness > 0) {
             bar.s.model.joint_materials.push_back(elastic_joint(middle_stiffness, middle_stiffness));
-            const auto mark = [&](int edge) {
-                bar.s.model.topology.joint_material[static_cast<std::size_t>(edge)] = 1;
-            };
+            const auto mark = [&](int edge) { bar.s.model.topology.joint_material[edge] = 1; };
             mark(4 * (count / 2 - 1) + 1);
             mark(4 * (count / 2) + 3);
         }
@@ -107,7 +105,7 @@ struct EndlessBar {
     }
 };
 
-/// Size of the Fourier integral of a velocity at a frequency, Hz.
+/// Magnitude of the Fourier transform of a velocity. @param frequency Hz
 double spectrum(const std::vector<double>& times, const std::vector<double>& values, double frequency) {
     std::complex<double> sum = 0;
     for (std::size_t k = 0; k < times.size(); ++k)
@@ -115,8 +113,8 @@ double spectrum(const std::vector<double>& times, const std::vector<double>& val
     return std::abs(sum);
 }
 
-// What comes in through a boundary is the wave that was asked for: its velocity, not twice or half of it.
-TEST(ViscousBoundary, LetsTheIncidentWaveIn) {
+// The wave that enters through a boundary has the prescribed velocity, not twice or half of it.
+TEST(ViscousBoundary, TransmitsTheIncidentWave) {
     const std::string set_up = "incident wave of 1 m/s through dashpots";
     const EndlessBar bar("V32", set_up, 0);
     double largest = 0;
@@ -126,10 +124,10 @@ TEST(ViscousBoundary, LetsTheIncidentWaveIn) {
         .expect("velocity that arrives", "m/s", largest, 1, relative(0.01));
 }
 
-// V33. A linear joint of stiffness k lets T = 1/sqrt(1 + (z w/2k)^2) of a wave pass and throws back R =
-// sqrt(1 - T^2): 0.7071 both at 50 Hz for k = z w/2 = 7.854e8 Pa/m. The spectra of one pulse give all
-// frequencies; beside a bar without the joint, so that its dispersion cancels.
-TEST(LinearJoint, PassesAndReflectsByItsStiffness) {
+// V33, Eq. (46). A linear joint of stiffness k transmits T = 1/sqrt(1 + (z w/2k)^2) of a wave and reflects R
+// = sqrt(1 - T^2): both 0.7071 at 50 Hz for k = z w/2 = 7.854e8 Pa/m. The spectra of one pulse give all
+// frequencies. They are divided by those of a bar without the joint, so that dispersion cancels.
+TEST(LinearJoint, TransmitsAndReflectsByItsStiffness) {
     const double k = impedance * 2 * std::numbers::pi * 50 / 2;
     EXPECT_NEAR(k, 7.854e8, 1e5);
     const EndlessBar whole("V33", "one pulse, no joint", 0);
@@ -168,9 +166,10 @@ TEST(LinearJoint, PassesAndReflectsByItsStiffness) {
                    {reflection, curves[2]});
 }
 
-// V33. What a stiff joint throws back, R = x/sqrt(1 + x^2) with x = z w/2k, is of the first order in its give
-// 1/k: from x = 1/8 to 1/32 the formula's own order is 0.994. What it keeps from passing is of the second.
-TEST(LinearJoint, ReflectsByTheFirstOrderInItsGive) {
+// V33. The reflection of a stiff joint, R = x/sqrt(1 + x^2) with x = z w/2k, is first-order in its compliance
+// 1/k: from x = 1/8 to 1/32 the order of the formula is 0.994. The loss of transmission, 1 - T, is
+// second-order.
+TEST(LinearJoint, ReflectsToFirstOrderInItsCompliance) {
     const double unit = impedance * 2 * std::numbers::pi * 50 / 2;
     const EndlessBar whole("V33", "one pulse, no joint, for the order", 0);
     const double incident = spectrum(whole.times, whole.before, 50);

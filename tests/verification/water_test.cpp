@@ -17,16 +17,16 @@ using namespace verification;
 constexpr double water_weight = 9810;  // N/m3
 
 /// All edges of a block of four corners.
-std::vector<int> edges_of(int block) {
+std::vector<dda::EdgeIndex> edges_of(int block) {
     return {4 * block, 4 * block + 1, 4 * block + 2, 4 * block + 3};
 }
 
-// V43. W = 49050 N on 2 m of a plane of 30 degrees, phi = 40: sliding begins where W sin psi = (W cos psi - p
-// L) tan phi, at p = (W/L) (cos psi - sin psi / tan phi) = 6625.4 Pa. The pressure rises by 1 % of that in
-// 0.1 s; at that rate an acceleration of jerk 0.24 m/s3 needs 0.03 s for the micrometre that counts as
+// V43. W = 49050 N on 2 m of a plane of 30 degrees, phi = 40. Sliding starts at W sin psi = (W cos psi - p L)
+// tan phi, p = (W/L) (cos psi - sin psi / tan phi) = 6625.4 Pa. The pressure rises by 1 % of that in 0.1 s.
+// The acceleration then grows by 0.24 m/s3, and the block needs 0.03 s for the micrometre that counts as
 // sliding.
 struct Uplift {
-    double critical = 0;  ///< Pa, at which the block has slid a micrometre
+    double critical = 0;  ///< Pa, pressure at which the block has slid by a micrometre
     double frequency_step = 0;
 };
 Uplift slide_by_water(const std::string& set_up, const ContactSetting& setting) {
@@ -68,8 +68,8 @@ TEST(WaterUplift, LetsABlockSlideAtItsCriticalPressure) {
     }
 }
 
-// A block surrounded by water sinks with g (1 - rho_w/rho): Shi's integration is exact for it, but for the
-// mid-step position of a pressure that grows with depth, which makes no net force.
+// A submerged block sinks with g (1 - rho_w/rho). Shi's integration is exact here. Evaluating the pressure at
+// the mid-step position causes no error, because its gradient with depth is constant.
 TEST(Buoyancy, EqualsTheWeightOfTheDisplacedWater) {
     Scene s;
     const int block = s.box({0, 0}, 1, 1, dda::Motion::free, radians(20));
@@ -77,42 +77,40 @@ TEST(Buoyancy, EqualsTheWeightOfTheDisplacedWater) {
     Simulation sim(s);
     ASSERT_EQ(sim.shake(0.5, 1e-3).status, dda::RunStatus::completed);
     const double a = g - water_weight / 2500;
-    // Water squeezes the block, by a strain of 1e-5, and that much smaller is what it displaces.
+    // The pressure compresses the block by a strain of 1e-5, and the displaced volume is smaller by that.
     EXPECT_NEAR(sim.velocity(block)[1], -a * 0.5, 1e-4 * a * 0.5);
     EXPECT_NEAR(sim.velocity(block)[0], 0, 1e-8);
     EXPECT_NEAR(sim.velocity(block)[2], 0, 1e-6);
 }
 
-// Three blocks upon each other under still water: each joint bears the buoyant weight above it, although the
-// water stands in the joints as well; the stress in a block is that of rock and water together at its
-// centroid.
-TEST(Buoyancy, LeavesTheEffectiveWeightToTheJoints) {
+// A column of three blocks in still water, with water in the joints. Each joint carries the buoyant weight
+// above it. The stress of a block is the total stress of rock and water at its centroid.
+TEST(Buoyancy, JointsCarryTheEffectiveWeight) {
     Scene s;
     s.model.block_materials[0].poissons_ratio = 0;
     s.box({-1, -1}, 3, 1, dda::Motion::fixed);
-    std::vector<int> edges;
+    std::vector<dda::EdgeIndex> edges;
     for (int k = 0; k < 3; ++k) {
-        for (const int edge : edges_of(s.box({0, double(k)}, 1, 1))) edges.push_back(edge);
+        for (const dda::EdgeIndex edge : edges_of(s.box({0, double(k)}, 1, 1))) edges.push_back(edge);
     }
     s.model.loads.push_back(dda::HeadWater{edges, {{-1, 5}, {2, 5}}, water_weight, {}});
     Simulation sim(s);
     ASSERT_EQ(sim.settle().status, dda::RunStatus::completed);
     std::vector<double> borne(3, 0);
     for (const dda::Contact& contact : sim.state.contacts.contacts)
-        borne[static_cast<std::size_t>(std::max(contact.corner_block, contact.edge_block) - 1)] +=
-            contact.normal_force;
+        borne[std::max(contact.corner_block, contact.edge_block) - 1] += contact.normal_force;
     const double buoyant = 2500 * g - water_weight;
     for (int k = 0; k < 3; ++k) {
-        EXPECT_NEAR(borne[static_cast<std::size_t>(k)], (3 - k) * buoyant, 1e-3 * buoyant);
+        EXPECT_NEAR(borne[k], (3 - k) * buoyant, 1e-3 * buoyant);
         const double depth = 4.5 - k;
         const double total = 2500 * g * (2.5 - k) + 2 * water_weight;
-        EXPECT_NEAR(sim.stress(k + 1)[1], -total, 1e-3 * total) << "rock and 2 m of water upon it";
+        EXPECT_NEAR(sim.stress(k + 1)[1], -total, 1e-3 * total) << "rock and 2 m of water above it";
         EXPECT_NEAR(sim.stress(k + 1)[0], -water_weight * depth, 1e-3 * water_weight * depth);
     }
 }
 
-// A light block floats with rho/rho_w of its height in the water, and heaves about that with omega^2 = g
-// rho_w / (rho h).
+// A light block floats with rho/rho_w of its height in the water and oscillates vertically (heaves) about
+// that with omega^2 = g rho_w / (rho h).
 TEST(Buoyancy, MakesALightBlockHeave) {
     Scene s;
     s.model.block_materials[0].density = 400;
@@ -129,7 +127,7 @@ TEST(Buoyancy, MakesALightBlockHeave) {
     ASSERT_EQ(sim.shake(2.5, 1e-3).status, dda::RunStatus::completed);
     ASSERT_GE(crossings.size(), 3u);
     const double period = 2 * std::numbers::pi * std::sqrt(400 * 1 / (1000 * g));
-    // The pressure is that of mid-step, which neither damps nor drives; it is late by half a step of 1270.
+    // The pressure at mid-step neither adds nor removes energy. It lags by half a step, of 1270 steps.
     EXPECT_NEAR(crossings[2] - crossings[0], period, 1e-3 * period);
 }
 

@@ -1,4 +1,4 @@
-// Waves in chains of glued blocks.
+// Waves in chains of bonded blocks.
 
 #include <gtest/gtest.h>
 
@@ -23,10 +23,10 @@ struct SpeedCase {
 };
 class WaveSpeed : public testing::TestWithParam<SpeedCase> {};
 
-// V30. Blocks of 0.1 m, 20 of them in the length of the pulse; speeds are sqrt(modulus/density) with E, E/(1
-// - nu^2), the modulus without lateral strain, and G. A glued chain of constant-strain blocks is a chain of
-// linear finite elements with their consistent mass: too fast by (2 pi/20)^2/24 = 0.4 % at that length; the
-// joints slow it by 0.05 %.
+// V30. Blocks of 0.1 m, 20 to the length of the pulse. The speeds are sqrt(modulus/density), with the moduli
+// E, E/(1 - nu^2), the one without lateral strain, and G. A bonded chain of constant-strain blocks is a chain
+// of linear finite elements with consistent mass: too fast by (2 pi/20)^2/24 = 0.4 % at that length. The
+// joints slow the wave by 0.05 %.
 TEST_P(WaveSpeed, IsThatOfTheBar) {
     const SpeedCase& c = GetParam();
     Bar bar(200, 0.1, c.plane, c.sides == Sides::free ? Bar::free : Bar::glued);
@@ -55,7 +55,7 @@ INSTANTIATE_TEST_SUITE_P(Catalogue, WaveSpeed,
                                          SpeedCase{"shear", dda::Plane::strain, Sides::sheared, 1264.9}),
                          [](const auto& param_info) { return std::string(param_info.param.name); });
 
-/// A pulse of 20 blocks that has run along a bar and met its end.
+/// A pulse of 20 blocks at the end of a bar.
 struct Reflection {
     double velocity = 0;  ///< at the end face, over that of the pulse
     double stress = 0;    ///< in the last block, over that of the pulse
@@ -81,9 +81,9 @@ struct Reflection {
     }
 };
 
-// V31. At a free end the velocity doubles and at a fixed end the stress. The last block's stress is that half
-// a block from the end, cos(2 pi/40) = 0.988 of the end's; the pulse has lost 1 % of its height to
-// dispersion.
+// V31. At a free end the velocity doubles, at a fixed end the stress. The stress of the last block is that
+// half a block from the end, cos(2 pi/40) = 0.988 of the value at the end. Dispersion has reduced the pulse
+// by 1 %.
 TEST(WaveReflection, DoublesTheVelocityAtAFreeEnd) {
     const Reflection r(false);
     Case("V31", "free end", "required")
@@ -97,9 +97,10 @@ TEST(WaveReflection, DoublesTheStressAtAFixedEnd) {
         .expect("stress over the incident", "1", r.stress, 2, relative(0.05));
 }
 
-// V34. A bar of 20 m fixed at one end, set going in its first mode: f = c / 4 L = 25 Hz. The mode is 160
-// blocks long, so what is left is the joints' give, half a thousandth, and the integration's (omega dt)^2/12.
-TEST(FixedFreeBar, SwingsAtItsFirstFrequency) {
+// V34. A bar of 20 m fixed at one end vibrates in its first mode: f = c / 4 L = 25 Hz. The wavelength is 160
+// blocks, so the errors are the compliance of the joints, 0.05 %, and that of the integration, (omega
+// dt)^2/12.
+TEST(FixedFreeBar, VibratesAtItsFirstFrequency) {
     constexpr int count = 40;
     Bar bar(count, 0.5, dda::Plane::stress);
     bar.s.box({-1, -1}, 1, 2, dda::Motion::fixed);

@@ -14,8 +14,8 @@ namespace {
 using namespace scene;
 using namespace verification;
 
-/// Sum over the contacts between two blocks: normal and shear force, N, and how many slide of those that
-/// touch.
+/// Sums over the contacts between two blocks: normal force and shear force, N, and the numbers of closed and
+/// of sliding contacts.
 struct Joint {
     double normal = 0;
     double shear = 0;
@@ -48,17 +48,16 @@ struct WedgeScene : Scene {
     int wedge, left, right;
 };
 
-// V45. Vertical equilibrium of the wedge, 2 (N sin a + S cos a) = W; sinking elastically it shears the faces
-// by cot a times what it presses them, so that with phi < 90 - a all contacts slip at once and S = N
-// tan(phi).
-TEST(Notch, PressesAsTheFrictionLeaves) {
+// V45. Vertical equilibrium of the wedge is 2 (N sin a + S cos a) = W. Elastic sinking shears the faces by
+// cot a times their compression, so for phi < 90 - a all contacts slip at once and S = N tan(phi).
+TEST(Notch, HasTheForcesOfFullSlip) {
     for (const double phi : {0., 15.}) {
         const double a = radians(30);
         WedgeScene s(a, dda::Motion::fixed);
         s.friction(phi);
         Simulation sim(s);
         ASSERT_EQ(sim.settle().status, dda::RunStatus::completed);
-        const double weight = sim.state.blocks.mass[static_cast<std::size_t>(s.wedge)] * g;
+        const double weight = sim.state.blocks.mass[s.wedge] * g;
         const double expected = std::cos(radians(phi)) / (2 * std::sin(a + radians(phi)));
         EXPECT_NEAR(expected, phi == 0 ? 1 : .68301, 1e-5);
         Case notch("V45", "half-angle 30°, φ = " + to_text(phi) + "°",
@@ -71,10 +70,10 @@ TEST(Notch, PressesAsTheFrictionLeaves) {
     }
 }
 
-// V45. Between springs of any penalty the notch bears the same forces; without friction the wedge sinks by a
-// penetration over sin a. With friction the forces are those of full slip, which a wedge reaches by sinking:
-// with contacts that give no way, by sinking as it is squeezed.
-TEST(Notch, PressesAlikeForAnyPenalty) {
+// V45. The forces do not depend on the penalty. Without friction the wedge sinks by a penetration over sin a.
+// With friction the forces are those of full slip, which the wedge reaches by sinking. With rigid contacts it
+// sinks because it is squeezed.
+TEST(Notch, HasTheSameForcesForAnyPenalty) {
     const double a = radians(30);
     for (const double phi : {0., 15.}) {
         const auto settled = [&](const ContactSetting& setting) {
@@ -105,9 +104,8 @@ TEST(Notch, PressesAlikeForAnyPenalty) {
     }
 }
 
-// V46. A force P drives a weightless wedge between two blocks that stand on a smooth floor against smooth
-// walls: each half of P and the side force S are the parts of a contact force inclined at a + phi, S =
-// P/2/tan(a + phi).
+// V46. A force P drives a weightless wedge between two blocks on a smooth floor between smooth walls. P/2 and
+// the side force S are the components of a contact force inclined at a + phi: S = P/2/tan(a + phi).
 struct SplittingScene : WedgeScene {
     static constexpr double push = 1e5;  // N
     int left_wall, right_wall;
@@ -115,10 +113,8 @@ struct SplittingScene : WedgeScene {
     SplittingScene() : WedgeScene(radians(20), dda::Motion::free) {
         model.gravity.setZero();
         model.joint_materials.push_back({"wedge", Scene::mohr_coulomb(15), 0, 0});
-        const std::vector<int>& corners = model.topology.block_corners;
-        const auto w = static_cast<std::size_t>(wedge);
-        for (int e = corners[w]; e < corners[w + 1]; ++e)
-            model.topology.joint_material[static_cast<std::size_t>(e)] = 1;
+        for (const dda::CornerIndex corner : model.topology.corners_of(wedge))
+            model.topology.joint_material[edge_from(corner)] = 1;
         box({-5, -1.5}, 10, 1, dda::Motion::fixed);
         left_wall = box({-4, -.5}, 1, 3, dda::Motion::fixed);
         right_wall = box({3, -.5}, 1, 3, dda::Motion::fixed);
@@ -147,8 +143,8 @@ TEST(SplittingWedge, PushesTheBlocksApart) {
     expect_split("P = 100 kN, half-angle 20°, φ = 15°", SplittingScene(), relative(.02), true);
 }
 
-// At the forces of full slip, but with stiff springs one contact of a face stops just short of it.
-TEST(SplittingWedge, PushesAlikeForAnyPenalty) {
+// The forces are those of full slip. With stiff springs one contact of a face stays just below its bound.
+TEST(SplittingWedge, HasTheSameForcesForAnyPenalty) {
     for (const ContactSetting& setting : settings(1e-9)) {
         SplittingScene s;
         setting.apply(s);
@@ -163,11 +159,11 @@ struct RoofCase {
 };
 class RoofWedge : public testing::TestWithParam<RoofCase> {};
 
-// V47. A weightless wedge, wider below, is squeezed by its sides until each bears H0, the sides are stopped,
-// and the wedge is pulled down until all contacts slip. Going down by u it relieves the faces by k_n u sin a
-// and shears them by k_s u cos a, from H0 cos a and H0 sin a; slip at S = N tan(phi) gives the formula of the
-// notes.
-TEST_P(RoofWedge, BearsWhatTheSqueezeLeaves) {
+// V47. The sides squeeze a weightless wedge, wider below, up to the horizontal force H0 and are then fixed.
+// The wedge is pulled down until all contacts slip. A displacement u reduces the normal force by k_n u sin a,
+// from H0 cos a, and increases the shear force by k_s u cos a, from H0 sin a. Slip at S = N tan(phi) gives
+// the formula of the notes.
+TEST_P(RoofWedge, CarriesTheLoadOfTheFormula) {
     const RoofCase& c = GetParam();
     const double a = radians(20);
     const double t = std::tan(a);
@@ -183,7 +179,7 @@ TEST_P(RoofWedge, BearsWhatTheSqueezeLeaves) {
     const int right = s.block({{{.2 + 1.5 * t, -.5}, {3, -.5}, {3, 1.5}, {.2 - .5 * t, 1.5}}},
                               dda::Motion::prescribed, "right");
     const int point_of_load = s.material_point(wedge, {0, 0});
-    const double ramp = 100;      // s of steps of 0.1 s, in which inertia is nothing beside the springs
+    const double ramp = 100;      // s, in steps of 0.1 s, whose inertia is negligible beside the springs
     const double squeeze = 1e-5;  // m, of each side
 
     Simulation sim(s);

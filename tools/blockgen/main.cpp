@@ -6,7 +6,6 @@
 #include "blockgen/faces/enclosed_area.hpp"
 #include "blockgen/mesh/block_file.hpp"
 #include "blockgen/picture/block_picture.hpp"
-#include "blockgen/picture/size_picture.hpp"
 #include "blockgen/sampling/sample_joints.hpp"
 #include "common/base/atomic_file.hpp"
 #include "common/base/output_error.hpp"
@@ -26,7 +25,7 @@ ConfigTable read_config(const Options& options) {
     return ConfigTable::from_file(options.model, overrides);
 }
 
-/// Blocks that would move in warm colours, those that only friction holds in a pale one.
+/// Colours of the first movement: warm for blocks that move, pale for blocks held by friction.
 BlockLayer kinematic_layer(const KinematicReport& report) {
     BlockLayer layer;
     layer.title = "First movement";
@@ -41,9 +40,9 @@ BlockLayer kinematic_layer(const KinematicReport& report) {
         if (report.mode[b] == BlockMode::tapered) layer.entry_of_block[b] = 4;
     }
     for (const KeyBlock& key : report.blocks)
-        layer.entry_of_block[static_cast<std::size_t>(key.block)] = key.mode == BlockMode::falling ? 0
-                                                                    : key.factor_of_safety < 1     ? 1
-                                                                                                   : 2;
+        layer.entry_of_block[key.block] = key.mode == BlockMode::falling ? 0
+                                          : key.factor_of_safety < 1     ? 1
+                                                                         : 2;
     return layer;
 }
 

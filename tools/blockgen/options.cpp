@@ -5,7 +5,6 @@
 
 #include "blockgen/input/read_slope_model.hpp"
 #include "common/drawing/canvas.hpp"
-#include "support/model_file.hpp"
 #include "support/parse_arguments.hpp"
 
 namespace rockslope::blockgen_tool {
@@ -20,20 +19,20 @@ po::options_description visible_options() {
     add("output,o", po::value<std::string>()->value_name("FILE"),
         "block file to write (default: the model's name with .blocks)");
     add("seed", po::value<std::int64_t>()->value_name("N"),
-        "seed of the random draws, instead of the model's");
+        "seed of the random draws, overrides the model's");
     add("set", po::value<std::vector<std::string>>()->composing()->value_name("KEY=VALUE"),
         "override a value of the model, e.g. joint_set[0].spacing=2; may be repeated");
     add("picture", po::value<std::string>()->value_name("FILE"), "draw the blocks; .svg, .png or .pdf");
     add("size-picture", po::value<std::string>()->value_name("FILE"), "draw the distribution of block areas");
     add("kinematic-picture", po::value<std::string>()->value_name("FILE"),
-        "draw the blocks coloured by how they would begin to move; needs [kinematics]");
+        "draw the blocks coloured by the mode of their first movement; needs [kinematics]");
     add("report", po::value<std::string>()->value_name("FILE"),
-        "write what was cut, and the block sizes, as JSON, or as tables to a name that ends in .txt");
+        "write a report of the cut and the block sizes, as JSON; as tables if the name ends in .txt");
     add("depfile", po::value<std::string>()->value_name("FILE"),
         "write a Make rule that names every file read");
-    add("verify", "recut with exact construction and compare");
+    add("verify", "repeat the arrangement with exact construction and compare");
     add("max-blocks", po::value<std::int64_t>()->value_name("N")->default_value(1'000'000),
-        "refuse to cut more blocks");
+        "largest number of blocks; a model with more is refused");
     add("template", "print a commented model file and stop");
     add("print-config", "print the model with overrides and defaults and stop");
     add("version", "print the version and stop");
@@ -74,9 +73,9 @@ Options read_options(const po::variables_map& given) {
     if (given.count("seed")) options.seed = given["seed"].as<std::int64_t>();
     if (options.seed && *options.seed < 0) throw UsageError("--seed: expected an integer of zero or more");
     if (given.count("set")) options.overrides = given["set"].as<std::vector<std::string>>();
-    const auto most = given["max-blocks"].as<std::int64_t>();
-    if (most < 1) throw UsageError("--max-blocks: expected a positive integer");
-    options.max_blocks = static_cast<std::size_t>(most);
+    const auto max_blocks = given["max-blocks"].as<std::int64_t>();
+    if (max_blocks < 1) throw UsageError("--max-blocks: expected a positive integer");
+    options.max_blocks = max_blocks;
     options.verify = given.count("verify") > 0;
     options.print_config = given.count("print-config") > 0;
     options.size_picture = path_or_empty(given, "size-picture");

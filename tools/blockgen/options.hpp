@@ -9,7 +9,7 @@
 
 namespace rockslope::blockgen_tool {
 
-/// What the command line asks for.
+/// The command line of blockgen.
 struct Options {
     std::filesystem::path model;
     std::filesystem::path output;
@@ -19,15 +19,15 @@ struct Options {
     bool verify = false;
     bool print_config = false;
     std::size_t max_blocks = 1'000'000;
-    std::string text;  ///< to print instead of doing anything: help, version or the template
+    std::string text;  ///< help, version or template to print; empty: cut the model
 };
 
-/// A command line that cannot be understood.
+/// An invalid command line.
 struct UsageError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// @throws UsageError or InputError with one line.
+/// @throws UsageError or InputError with a message of one line.
 Options parse_options(int argc, const char* const* argv);
 
 }  // namespace rockslope::blockgen_tool

@@ -9,7 +9,7 @@ namespace rockslope::blockgen_tool {
 
 namespace {
 
-/// FNV-1a of 64 bits: tells inputs apart, protects against nothing.
+/// FNV-1a hash, 64 bits: distinguishes inputs, not cryptographically secure.
 std::uint64_t hashed(std::uint64_t hash, const std::string& text) {
     for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
     return hash;
@@ -44,7 +44,7 @@ std::string make_rule(const Options& options, const blockgen::SlopeModel& model)
         inputs += " \\\n  " + escaped_for_make(file);
         phony += "\n" + escaped_for_make(file) + ":\n";
     }
-    // An empty rule for each file keeps Make going when one is renamed.
+    // An empty rule for each file lets Make continue when a file has been renamed.
     return escaped_for_make(options.output) + ": " + inputs + "\n" + phony;
 }
 

@@ -15,8 +15,8 @@ std::vector<std::string> provenance(const blockgen::SlopeModel& model, const Con
 /// A Make rule: the block file depends on the model file and the files it names.
 std::string make_rule(const Options& options, const blockgen::SlopeModel& model);
 
-/// Before any work is done: @throws InputError when a result cannot be written, when two have one name, or
-/// when one would overwrite a file that the model is read from.
+/// Checks the output files before the cut. @throws InputError when a result cannot be written, when two
+/// results have the same name, or when one would overwrite a file from which the model is read.
 void check_outputs(const Options& options, const blockgen::SlopeModel& model);
 
 }  // namespace rockslope::blockgen_tool

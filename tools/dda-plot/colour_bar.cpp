@@ -15,14 +15,14 @@ namespace {
 constexpr double thickness = 13, tip = 11, tick = 3;
 const Stroke outline{black, 0.5};
 
-/// Where on the page a place of the bar is: `along` 0 at the pale end to 1 at the dark end, and beyond it pt
-/// past the end; `across` in pt from the edge away from the ticks.
+/// Maps a position in the bar to the page. `along` is 0 at the pale end and 1 at the dark end; `past` is the
+/// distance beyond the dark end, pt; `across` is the distance from the edge opposite the ticks, pt.
 using Place = std::function<Point(double along, double past, double across)>;
 
 void draw_shades(Canvas& canvas, const ColourBar& bar, const Place& place) {
     constexpr int shades = 64;
     for (int i = 0; i < shades; ++i) {
-        // Each shade reaches under the next, so that no white line shows between two.
+        // Each shade overlaps the next, so that no white line shows between two shades.
         const double from = i / double{shades}, to = std::min(1.0, (i + 1.5) / shades);
         const Ring strip = {place(from, 0, 0), place(from, 0, thickness), place(to, 0, thickness),
                             place(to, 0, 0)};
@@ -53,7 +53,7 @@ std::string title_of(const ColourBar& bar) {
     return bar.title + " (" + readable_unit(bar.largest).name + ")";
 }
 
-/// "max 3.21 m", when the bar does not reach that far.
+/// "max 3.21 m" when a displacement exceeds the end of the bar; otherwise empty.
 std::string farthest_text(const ColourBar& bar) {
     if (!(bar.farthest > bar.largest)) return {};
     const LengthUnit unit = readable_unit(bar.farthest);

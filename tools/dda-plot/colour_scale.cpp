@@ -5,15 +5,15 @@
 
 namespace rockslope {
 
-double area_weighted_quantile(std::vector<DisplacedArea> parts, double share) {
+double area_weighted_quantile(std::vector<DisplacedArea> parts, double fraction) {
     std::sort(parts.begin(), parts.end(),
               [](const DisplacedArea& a, const DisplacedArea& b) { return a.distance < b.distance; });
-    double whole = 0;
-    for (const DisplacedArea& part : parts) whole += part.area;
+    double total = 0;
+    for (const DisplacedArea& part : parts) total += part.area;
     double covered = 0;
     for (const DisplacedArea& part : parts) {
         covered += part.area;
-        if (covered >= share * whole * (1 - 1e-12)) return part.distance;
+        if (covered >= fraction * total * (1 - 1e-12)) return part.distance;
     }
     return 0;
 }

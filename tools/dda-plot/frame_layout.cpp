@@ -9,13 +9,13 @@ namespace rockslope {
 namespace {
 
 constexpr double max_plot_width = 520, max_plot_height = 640;
-/// What the time and the key to the contacts need side by side.
+/// Width of the time and the legend of the contacts side by side.
 constexpr double min_header_width = 290;
-/// The least height of a drawing for a bar with its title beside it.
+/// Smallest height of a drawing with a vertical colour bar.
 constexpr double min_vertical_bar_length = 170;
 
 Point point_at(const dda::GridFrame& frame, std::int64_t index) {
-    const auto i = static_cast<std::size_t>(index);
+    const std::size_t i = index;
     return {frame.points[3 * i], frame.points[3 * i + 1]};
 }
 
@@ -39,7 +39,7 @@ FrameLayout::FrameLayout(double width, double height) {
 std::vector<Point> cell_points(const dda::GridFrame& frame, std::size_t cell) {
     std::vector<Point> points;
     for (auto k = frame.cells.offsets[cell]; k < frame.cells.offsets[cell + 1]; ++k)
-        points.push_back(point_at(frame, frame.cells.connectivity[static_cast<std::size_t>(k)]));
+        points.push_back(point_at(frame, frame.cells.connectivity[k]));
     return points;
 }
 

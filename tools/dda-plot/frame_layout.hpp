@@ -7,9 +7,8 @@
 
 namespace rockslope {
 
-/// Where the parts of a picture of a frame are, pt. The drawing is as large as the page allows at one scale
-/// in both directions; low ones have the key to the colours below them, narrow ones are centred under the
-/// header.
+/// Layout of the picture of a frame, pt. The drawing is as large as the page allows, with the same scale in x
+/// and y. A low drawing has the colour bar below it; a narrow drawing is centred under the header.
 struct FrameLayout {
     static constexpr double left = 60, top = 34, below_axes = 44, bar_gap = 16, margin_right = 16;
 
@@ -18,7 +17,7 @@ struct FrameLayout {
     double page_width, page_height;
     bool bar_is_vertical;
 
-    /// @param width, height of what is shown, m.
+    /// @param width, height of the part of the section that is shown, m.
     FrameLayout(double width, double height);
 };
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double horizontal_bar_length = 260;
 
-// The columns that a picture needs, and their places in the frames.
+// Columns of the frames that the picture reads, and values in them.
 const std::vector<std::string> block_columns = {"displacement", "motion", "block"};
 const std::vector<std::string> contact_columns = {"state"};
 constexpr float unconstrained = 0, prescribed = 2, state_open = 0, state_sliding = 1;
@@ -25,7 +25,7 @@ const Colour sliding_colour{0.84, 0.37, 0.0};
 const Colour open_colour{0.0, 0.45, 0.70};
 const Colour worst_colour{0.80, 0.0, 0.25};
 constexpr double caption_height = 18;
-/// Of the picture of one contact: its half-width over the size of the smaller of the contact's blocks.
+/// Half-width of the view around a contact over the size of the smaller of its blocks.
 constexpr double half_width_ratio = 2;
 
 struct Vector {
@@ -36,12 +36,11 @@ Vector displacement_of(const dda::GridFrame& frame, std::size_t block) {
     return {frame.columns[0][3 * block], frame.columns[0][3 * block + 1]};
 }
 
-/// The displacement that the others are counted from: that of the first prescribed block, else none.
+/// Displacement of the base, the first prescribed block; zero when there is none.
 Vector base_displacement(const dda::GridFrame& frame) {
     const auto& motion = frame.columns[1];
     const auto base = std::find(motion.begin(), motion.end(), prescribed);
-    return base == motion.end() ? Vector{}
-                                : displacement_of(frame, static_cast<std::size_t>(base - motion.begin()));
+    return base == motion.end() ? Vector{} : displacement_of(frame, base - motion.begin());
 }
 
 std::vector<double> magnitudes(const dda::GridFrame& frame) {
@@ -106,12 +105,12 @@ void draw_contact_key(Canvas& canvas, double right) {
     canvas.text({right - 50, y}, "open joint", {8.5});
 }
 
-/// The cell of a block, by its number; none when the frame no longer has it.
+/// The cell of a block, by its number; none when the block has been removed.
 std::optional<std::size_t> cell_of(const dda::GridFrame& frame, int block) {
     const auto& numbers = frame.columns[2];
     const auto found = std::find(numbers.begin(), numbers.end(), static_cast<float>(block));
     if (found == numbers.end()) return std::nullopt;
-    return static_cast<std::size_t>(found - numbers.begin());
+    return found - numbers.begin();
 }
 
 void draw_worst_contact(Canvas& canvas, const Axes& axes, const dda::GridFrame& frame,
@@ -134,7 +133,7 @@ void draw_worst_caption(Canvas& canvas, const FrameLayout& layout, const dda::Wo
                 {8.5});
 }
 
-/// The longer side of a block's box, m.
+/// The longer side of a block's bounding box, m.
 double size_of(const dda::GridFrame& frame, std::size_t block) {
     const std::vector<Point> points = cell_points(frame, block);
     const auto [west, east] =
@@ -154,7 +153,7 @@ RunFrames::RunFrames(const std::filesystem::path& folder) {
         if (file.ends_with(extension)) name_ = file.substr(0, file.size() - extension.size());
     }
     if (name_.empty())
-        throw InputError({folder.string()}, "holds no NAME.vtkhdf and NAME.joints.vtkhdf",
+        throw InputError({folder.string()}, "contains no NAME.vtkhdf and NAME.joints.vtkhdf",
                          "the output folder of dda-run");
     blocks_.emplace(folder / (name_ + ".vtkhdf"));
     contacts_.emplace(folder / (name_ + ".joints.vtkhdf"));
@@ -215,7 +214,7 @@ PictureScale scale_around_contact(const dda::WorstContact& contact, const RunFra
     scale.bottom = std::max(scale.bottom, contact.at.y() - reach);
     scale.top = std::min(scale.top, contact.at.y() + reach);
     if (!(scale.left < scale.right) || !(scale.bottom < scale.top))
-        throw InputError({run.name() + ".vtkhdf"}, "is nowhere near the worst contact",
+        throw InputError({run.name() + ".vtkhdf"}, "does not contain the position of the worst contact",
                          "the frames of the run whose summary.json names it");
     return scale;
 }
@@ -245,7 +244,7 @@ Canvas draw_frame(const RunFrames& run, std::int64_t index, const PictureScale& 
                             horizontal_bar_length);
     draw_contact_key(canvas, layout.header_right);
     char title[64];
-    std::snprintf(title, sizeof title, "t = %.3f s", run.times()[static_cast<std::size_t>(index)]);
+    std::snprintf(title, sizeof title, "t = %.3f s", run.times()[index]);
     canvas.text({layout.header_left, FrameLayout::top - 12}, title,
                 {11, black, Anchor::start, Anchor::start, true});
     return canvas;

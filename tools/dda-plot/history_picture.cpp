@@ -1,4 +1,4 @@
-#include "history_picture.hpp"
+#include "history_table.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr double page_width = 640, panel_height = 150, panel_gap = 22;
 constexpr double left = 64, top = 30, legend_width = 130;
-constexpr double rest = 1e-9;  // m, below which a base stands still
+constexpr double rest = 1e-9;  // m, smaller displacements of a base count as no motion
 
 /// One line of a panel: a name and the values over time, m.
 struct Line {
@@ -36,7 +36,7 @@ const std::vector<double>& displacement(const HistoryTable& history, const std::
     return history.columns[history.column(point + " u" + direction + " (m)")];
 }
 
-/// The measured points in a direction, from the base where there is one.
+/// Displacements of the measured points in one direction, relative to the base if there is one.
 Panel points_panel(const HistoryTable& history, const std::string& base, const std::string& direction) {
     Panel panel{base.empty() ? "displacement " + direction : direction + " from the base", {}};
     for (const std::string& point : history.points()) {
@@ -50,7 +50,7 @@ Panel points_panel(const HistoryTable& history, const std::string& base, const s
     return panel;
 }
 
-/// The prescribed blocks in both directions; a direction without motion is left out.
+/// Displacements of the prescribed blocks in both directions, without directions that do not move.
 Panel base_panel(const HistoryTable& history) {
     Panel panel{"displacement of the base", {}};
     for (const std::string& point : history.points()) {
@@ -106,8 +106,8 @@ void draw_panel(Canvas& canvas, const HistoryTable& history, const Panel& panel,
 
 }  // namespace
 
-Canvas draw_history(const HistoryTable& whole) {
-    const HistoryTable history = without_reset_stages(whole);
+Canvas draw_history(const HistoryTable& all_stages) {
+    const HistoryTable history = without_reset_stages(all_stages);
     const std::vector<Panel> panels = panels_of(history);
     const auto count = static_cast<double>(panels.size());
     Canvas canvas(page_width, top + count * panel_height + (count - 1) * panel_gap + 44);

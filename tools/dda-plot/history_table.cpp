@@ -19,7 +19,7 @@ const std::string displacement_suffix = " ux (m)";
 std::size_t HistoryTable::column(const std::string& name) const {
     const auto found = std::find(names.begin(), names.end(), name);
     if (found == names.end()) throw std::out_of_range("history.csv has no column '" + name + "'");
-    return static_cast<std::size_t>(found - names.begin());
+    return found - names.begin();
 }
 
 std::vector<std::string> HistoryTable::points() const {
@@ -62,7 +62,7 @@ HistoryTable read_history(const std::filesystem::path& path) {
             record::csv_fields(std::string_view(text).substr(start, end - start));
         if (++line_number == 1) {
             if (fields.size() < 2)
-                throw InputError({path.string(), 1}, "is no history", "the history.csv of a run");
+                throw InputError({path.string(), 1}, "is not a history", "the history.csv of a run");
             table.names.assign(fields.begin() + 2, fields.end());
             table.columns.resize(table.names.size());
             continue;
@@ -81,7 +81,7 @@ HistoryTable read_history(const std::filesystem::path& path) {
             table.columns[i].push_back(*value);
         }
     }
-    if (table.time.empty()) throw InputError({path.string()}, "holds no row yet", "a run that has begun");
+    if (table.time.empty()) throw InputError({path.string()}, "contains no rows yet", "a run that has begun");
     for (const std::string& point : table.points())
         if (std::find(table.names.begin(), table.names.end(), point + " uy (m)") == table.names.end())
             throw InputError({path.string(), 1}, "there is no column '" + point + " uy (m)'",

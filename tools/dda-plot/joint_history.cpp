@@ -23,7 +23,8 @@ struct Column {
 std::vector<std::string> heading_of(const std::filesystem::path& table, const std::string& text) {
     std::vector<std::string> heading = csv_fields(std::string_view(text).substr(0, text.find('\n')));
     if (heading.front() != "time (s)")
-        throw InputError({table.string(), 1}, "does not begin with 'time (s)'", "the joints.csv of a run");
+        throw InputError({table.string(), 1}, "the first column is not 'time (s)'",
+                         "the joints.csv of a run");
     return heading;
 }
 
@@ -80,14 +81,16 @@ JointHistory read_joint_history(const std::filesystem::path& table, const std::s
                 throw InputError(place, "'" + fields[column.field] + "' is not a number", "a finite number");
             numbers.push_back(*value);
         }
-        const bool counts_anew = numbers.front() == last_time;
+        // A reset of the displacements writes a second row at the same time.
+        const bool is_reset = numbers.front() == last_time;
         last_time = numbers.front();
         for (std::size_t k = 0; k < columns.size(); ++k) {
-            if (counts_anew) columns[k].values->clear();
+            if (is_reset) columns[k].values->clear();
             columns[k].values->push_back(numbers[k]);
         }
     }
-    if (history.time.empty()) throw InputError({table.string()}, "holds no row yet", "a run that has begun");
+    if (history.time.empty())
+        throw InputError({table.string()}, "contains no rows yet", "a run that has begun");
     if (!joint.empty()) {
         const double first = history.time.front();
         for (double& time : history.time) time -= first;

@@ -1,4 +1,4 @@
-#include "joint_history_picture.hpp"
+#include "joint_history.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double page_width = 640, panel_height = 170, panel_gap = 22;
 constexpr double left = 64, top = 30, legend_width = 150;
-/// Of the displacement: less dilation than this is the give of springs.
+/// Fraction of the displacement below which dilation is not drawn: it is the compliance of the springs.
 constexpr double min_drawn_dilation = 1e-3;
 
 struct Line {
@@ -40,12 +40,13 @@ double largest_of(const std::vector<double>& values) {
     return largest;
 }
 
-/// deg; an open joint keeps the angle it had.
+/// Friction angles, deg; the previous angle while the joint is open.
 std::vector<double> friction_angles(const JointHistory& run) {
     std::vector<double> angles;
     for (std::size_t k = 0; k < run.strength.size(); ++k) {
-        const bool pressed = run.normal_stress[k] > 0;
-        angles.push_back(pressed ? std::atan2(run.strength[k], run.normal_stress[k]) * 180 / std::numbers::pi
+        const bool is_compressed = run.normal_stress[k] > 0;
+        angles.push_back(is_compressed
+                             ? std::atan2(run.strength[k], run.normal_stress[k]) * 180 / std::numbers::pi
                          : k > 0 ? angles.back()
                                  : 0);
     }
@@ -102,19 +103,19 @@ void draw_line(Canvas& canvas, const std::vector<Point>& points, const Stroke& s
         canvas.polyline(points, stroke);
         return;
     }
-    constexpr std::size_t dash = 6;  // of the page's points along the line
-    double run = 0;
+    constexpr std::size_t dash = 6;  // length, pt
+    double length = 0;
     std::vector<Point> piece;
     bool drawn = true;
     for (std::size_t k = 0; k < points.size(); ++k) {
-        if (k > 0) run += std::hypot(points[k].x - points[k - 1].x, points[k].y - points[k - 1].y);
+        if (k > 0) length += std::hypot(points[k].x - points[k - 1].x, points[k].y - points[k - 1].y);
         if (drawn) piece.push_back(points[k]);
-        if (run < dash) continue;
+        if (length < dash) continue;
         if (piece.size() > 1) canvas.polyline(piece, stroke);
         piece.clear();
         drawn = !drawn;
         if (drawn) piece.push_back(points[k]);
-        run = 0;
+        length = 0;
     }
     if (piece.size() > 1) canvas.polyline(piece, stroke);
 }
@@ -131,7 +132,7 @@ void draw_panel(Canvas& canvas, const Panel& panel, const Range& times, double u
     }
     const Axes axes({left, upper}, {page_width - legend_width, upper + panel_height}, times,
                     padded(low, high));
-    axes.draw(canvas, is_last ? "time since displacements count (s)" : "", panel.title, true);
+    axes.draw(canvas, is_last ? "time since the reset of displacements (s)" : "", panel.title, true);
     canvas.clip(axes.upper_left(), axes.lower_right());
     for (const Line& line : panel.lines) {
         std::vector<Point> points = line_points(*line.time, line.values, 1);

@@ -1,7 +1,6 @@
 #include "joint_pictures.hpp"
 
 #include "joint_history.hpp"
-#include "joint_history_picture.hpp"
 
 namespace rockslope {
 
@@ -9,22 +8,22 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What a run is called beside others: the last folder of its path.
+/// Label of a run in a legend: the last folder of its path.
 std::string label_of(const fs::path& folder) {
-    const fs::path whole = fs::absolute(folder).lexically_normal();
-    return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
+    const fs::path path = fs::absolute(folder).lexically_normal();
+    return (path.has_filename() ? path : path.parent_path()).filename().string();
 }
 
 }  // namespace
 
 JointPicture picture_of_joint(const std::string& joint, const std::vector<fs::path>& folders,
                               const std::vector<fs::path>& references) {
-    std::vector<JointHistory> runs, beside;
+    std::vector<JointHistory> runs, reference_histories;
     for (const fs::path& folder : folders)
         runs.push_back(read_joint_history(folder / "joints.csv", joint, label_of(folder)));
     for (const fs::path& file : references)
-        beside.push_back(read_joint_history(file, "", file.stem().string()));
-    return {joint, draw_joint_histories(joint, runs, beside)};
+        reference_histories.push_back(read_joint_history(file, "", file.stem().string()));
+    return {joint, draw_joint_histories(joint, runs, reference_histories)};
 }
 
 std::vector<JointPicture> pictures_of_joints(const fs::path& folder) {

@@ -14,12 +14,12 @@ struct JointPicture {
     Canvas canvas;
 };
 
-/// One measured joint in several runs. @param references tables of time and displacement.
+/// Draws one measured joint of several runs. @param references tables of time and displacement.
 /// @throws InputError.
 JointPicture picture_of_joint(const std::string& joint, const std::vector<std::filesystem::path>& folders,
                               const std::vector<std::filesystem::path>& references);
 
-/// Every measured joint of a run; none where the run has none.
+/// Draws all measured joints of a run.
 std::vector<JointPicture> pictures_of_joints(const std::filesystem::path& folder);
 
 }  // namespace rockslope

@@ -25,9 +25,8 @@ std::vector<Point> line_points(const std::vector<double>& time, const std::vecto
         const auto last = value.begin() + static_cast<std::ptrdiff_t>(std::min(i + stride, time.size()));
         auto [low, high] = std::minmax_element(first, last);
         if (high < low) std::swap(low, high);
-        points.push_back({time[static_cast<std::size_t>(low - value.begin())], *low * factor});
-        if (high != low)
-            points.push_back({time[static_cast<std::size_t>(high - value.begin())], *high * factor});
+        points.push_back({time[low - value.begin()], *low * factor});
+        if (high != low) points.push_back({time[high - value.begin()], *high * factor});
     }
     return points;
 }

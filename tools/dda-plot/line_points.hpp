@@ -6,11 +6,11 @@
 
 namespace rockslope {
 
-/// A little more than an interval, so that lines keep off the frame; some width for a single value.
+/// An interval widened by 5 % on each side; a single value gets a positive width.
 Range padded(double low, double high);
 
-/// A line's points, values times `factor`: more samples than a line can show are thinned so that each
-/// interval keeps its smallest and largest value in their order.
+/// Points of a line, with the values multiplied by `factor`. A long line is thinned to about 2000 intervals,
+/// each with its smallest and largest value in their order.
 std::vector<Point> line_points(const std::vector<double>& time, const std::vector<double>& value,
                                double factor);
 

@@ -11,9 +11,8 @@
 #include "common/base/output_error.hpp"
 #include "common/base/text.hpp"
 #include "frame_picture.hpp"
-#include "history_picture.hpp"
+#include "history_table.hpp"
 #include "joint_pictures.hpp"
-#include "roughness_picture.hpp"
 #include "support/parse_arguments.hpp"
 
 using namespace rockslope;
@@ -27,28 +26,25 @@ po::options_description visible_options() {
     po::options_description options("Options");
     auto add = options.add_options();
     add("frames", po::value<std::string>()->value_name("LIST"),
-        "frames to draw, apart by commas: numbers from 0, first, middle, last, or all (default: "
+        "frames to draw, separated by commas: numbers from 0, first, middle, last, or all (default: "
         "first,middle,last)");
     add("largest", po::value<double>()->value_name("METRES"),
-        "displacement at which the colours end (default: a round one that covers 99 % of the free blocks' "
-        "area "
-        "in every frame drawn)");
+        "displacement at which the colours end (default: a round length that covers 99 % of the free "
+        "blocks' area in every frame drawn)");
     add("history", "draw the history only, or with --frames too");
     add("roughness",
-        "draw the frames with joints coloured by the roughness at work on them only (without "
-        "options they are drawn where there is any)");
+        "draw only the frames with joints coloured by their mobilised roughness (without options they are "
+        "drawn if there is any)");
     add("joint", po::value<std::string>()->value_name("NAME"),
-        "draw the histories of this measured joint only, of all the folders given in one picture");
+        "draw only the histories of this measured joint, for all given folders in one picture");
     add("reference", po::value<std::vector<std::string>>()->composing()->value_name("FILE"),
-        "with --joint: a table of time (s) and displacement (m) to draw beside, dashed; may stand several "
-        "times");
+        "with --joint: a table of time (s) and displacement (m), drawn dashed; may be repeated");
     add("worst-contact",
-        "draw what the run did not get past, at its end: the contact that summary.json names, ringed, and "
-        "its "
-        "surroundings (without options it is drawn where there is one)");
+        "draw only the contact at which the run failed to converge, which summary.json names, and its "
+        "surroundings (without options it is drawn if there is one)");
     add("format", po::value<std::string>()->default_value("png")->value_name("EXT"), "png, svg or pdf");
     add("output,o", po::value<std::string>()->value_name("FOLDER"),
-        "where the pictures go (default: the result folder)");
+        "folder of the pictures (default: the result folder)");
     add("version", "print the version and stop");
     add("help,h", "print this text and stop");
     return options;
@@ -80,7 +76,8 @@ std::vector<std::int64_t> frame_numbers(const std::string& list, std::int64_t co
 
 std::vector<std::int64_t> chosen_frames(const RunFrames& run, const std::string& list) {
     const auto count = static_cast<std::int64_t>(run.times().size());
-    if (count == 0) throw InputError({run.name() + ".vtkhdf"}, "holds no frame yet", "a run that has begun");
+    if (count == 0)
+        throw InputError({run.name() + ".vtkhdf"}, "contains no frames yet", "a run that has begun");
     return frame_numbers(list, count);
 }
 
@@ -94,25 +91,25 @@ void draw_frames(const RunFrames& run, const std::vector<std::int64_t>& numbers,
     }
 }
 
-/// The contact to draw: none where none is asked for, or none is named and all there is was asked for.
-std::optional<dda::WorstContact> chosen_contact(const fs::path& folder, bool asked, bool all) {
+/// The worst contact to draw. @param requested by --worst-contact: a missing contact is an error. @param all
+/// no options are given: the contact is drawn if the summary names one.
+std::optional<dda::WorstContact> worst_contact_to_draw(const fs::path& folder, bool requested, bool all) {
     const fs::path summary = folder / "summary.json";
-    if (!asked && !(all && fs::exists(summary))) return std::nullopt;
+    if (!requested && !(all && fs::exists(summary))) return std::nullopt;
     std::optional<dda::WorstContact> worst = dda::read_worst_contact(summary);
-    if (asked && !worst)
-        throw InputError({summary.string()}, "names no worst contact",
-                         "a run that ended for want of convergence");
+    if (requested && !worst)
+        throw InputError({summary.string()}, "names no worst contact", "a run that did not converge");
     return worst;
 }
 
-/// Two views of the last frame: the whole with the contact ringed, and its surroundings.
+/// Two views of the last frame: the whole section and the surroundings of the worst contact.
 struct WorstContactViews {
     dda::WorstContact contact;
     std::int64_t frame;
     PictureScale whole, near;
 
-    WorstContactViews(const RunFrames& run, dda::WorstContact blamed, std::optional<double> largest)
-        : contact(std::move(blamed)),
+    WorstContactViews(const RunFrames& run, dda::WorstContact worst, std::optional<double> largest)
+        : contact(std::move(worst)),
           frame(chosen_frames(run, "last").front()),
           whole(common_scale(run, {frame}, largest)),
           near(scale_around_contact(contact, run, frame, whole)) {}
@@ -143,7 +140,7 @@ void draw_roughness_frames(const RunFrames& run, const std::vector<std::int64_t>
     }
 }
 
-/// A joint's name as a part of a file's.
+/// A joint's name with characters that are safe in a file name.
 std::string file_safe_name(std::string name) {
     for (char& c : name)
         if (c == '/' || c == ' ') c = '-';
@@ -188,7 +185,7 @@ int plot(const po::variables_map& values) {
         return 0;
     }
     const RunFrames run(folder);
-    // Everything is read and chosen before the first picture is written.
+    // All input is read before the first picture is written.
     std::optional<HistoryTable> history;
     if (all || values.count("history")) history = read_history(folder / "history.csv");
     std::vector<std::int64_t> frames;
@@ -197,7 +194,8 @@ int plot(const po::variables_map& values) {
             run, values.count("frames") ? values["frames"].as<std::string>() : "first,middle,last");
     const std::optional<double> largest = largest_of(values);
     std::optional<WorstContactViews> worst;
-    if (const auto contact = chosen_contact(folder, worst_only, all)) worst.emplace(run, *contact, largest);
+    if (const auto contact = worst_contact_to_draw(folder, worst_only, all))
+        worst.emplace(run, *contact, largest);
     const std::vector<JointPicture> joints = all ? pictures_of_joints(folder) : std::vector<JointPicture>{};
     const bool roughness = roughness_only || (all && has_roughness(run, frames.back()));
     make_output_folder(output);
@@ -229,7 +227,7 @@ int main(int argc, char** argv) {
     } catch (const InputError& error) {
         std::fprintf(stderr, "%s\n", error.what());
         return 2;
-    } catch (const OutputError& error) {  // of results that cannot be read, too
+    } catch (const OutputError& error) {  // also thrown for results that cannot be read
         std::fprintf(stderr, "%s\n", error.what());
         return 2;
     } catch (const std::exception& error) {

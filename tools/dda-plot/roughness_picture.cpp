@@ -1,4 +1,4 @@
-#include "roughness_picture.hpp"
+#include "frame_picture.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,21 +12,21 @@ namespace rockslope {
 
 namespace {
 
-// The columns that the picture needs, and their places in the frames.
+// Columns of the frames that the picture reads, and a value in them.
 const std::vector<std::string> columns = {"state", "mobilised_ratio"};
 constexpr float state_open = 0;
 
 const Colour rock_colour{0.95, 0.94, 0.92}, smooth_colour{0.62, 0.62, 0.62};
 constexpr double joint_width = 2.6, smooth_width = 0.8;
 
-/// Classes of the ratio's magnitude: what they are called and how they are drawn.
+/// Number of classes of the ratio's magnitude.
 constexpr int classes = 5;
 constexpr double header_entry_width = 64;
 
 int class_of(double ratio) {
     return std::clamp(static_cast<int>(std::ceil(std::abs(ratio) * classes)) - 1, 0, classes - 1);
 }
-/// The palest colours of the scale would not show as lines.
+/// Colour of a class. The palest quarter of the scale is skipped, because it would not be visible as a line.
 Colour class_colour(int number) {
     return scale_colour(0.25 + 0.75 * number / (classes - 1));
 }
@@ -59,8 +59,7 @@ void draw_joints(Canvas& canvas, const Axes& axes, const dda::GridFrame& contact
 
 void draw_key(Canvas& canvas, const FrameLayout& layout) {
     const double y = layout.page_height - 8;
-    canvas.text({layout.header_left, y - 16}, "roughness at work over peak roughness (grey: none, or open)",
-                {8.5});
+    canvas.text({layout.header_left, y - 16}, "mobilised over peak roughness (grey: none, or open)", {8.5});
     for (int k = 0; k < classes; ++k) {
         const double x = layout.header_left + k * header_entry_width;
         canvas.polyline(std::vector<Point>{{x, y - 3}, {x + 18, y - 3}}, {class_colour(k), joint_width});
@@ -91,7 +90,7 @@ Canvas draw_roughness(const RunFrames& run, std::int64_t index, const PictureSca
     axes.draw(canvas, "x (m)", "y (m)");
     draw_key(canvas, layout);
     char title[64];
-    std::snprintf(title, sizeof title, "t = %.3f s", run.times()[static_cast<std::size_t>(index)]);
+    std::snprintf(title, sizeof title, "t = %.3f s", run.times()[index]);
     canvas.text({layout.header_left, FrameLayout::top - 12}, title,
                 {11, black, Anchor::start, Anchor::start, true});
     return canvas;

@@ -6,7 +6,6 @@
 #include <thread>
 
 #include "common/base/input_error.hpp"
-#include "support/model_file.hpp"
 #include "support/parse_arguments.hpp"
 
 namespace rockslope {
@@ -24,18 +23,18 @@ int default_threads() {
 po::options_description visible_options() {
     po::options_description options("Options");
     auto add = options.add_options();
-    add("output,o", po::value<std::string>()->value_name("FOLDER"), "where the results go (default: out)");
-    add("blocks", po::value<std::string>()->value_name("FILE"), "block file in place of the model file's");
+    add("output,o", po::value<std::string>()->value_name("FOLDER"), "result folder (default: out)");
+    add("blocks", po::value<std::string>()->value_name("FILE"), "block file, overrides the model file's");
     add("set", po::value<std::vector<std::string>>()->value_name("KEY=VALUE")->composing(),
         "change a key of the model file, e.g. stage[1].step=0.002 (may be repeated)");
-    add("resume", "go on from the checkpoint in the output folder");
+    add("resume", "continue from the checkpoint in the output folder");
     add("threads", po::value<int>()->value_name("N"),
-        "threads to use (default: all cores); results do not depend on it");
+        "number of threads (default: all cores); results do not depend on it");
     add("depfile", po::value<std::string>()->value_name("FILE"),
-        "write the files the run depends on, for Make");
+        "write a Make rule that names every file the run reads");
     add("pvd", "also write .pvd and .vtu files, for viewers older than ParaView 5.12");
     add("print-config", "print the effective model, defaults included, and stop");
-    add("template", "print a commented model file to start from, and stop");
+    add("template", "print a commented model file and stop");
     add("version", "print the version and stop");
     add("help,h", "print this text and stop");
     return options;
@@ -90,7 +89,7 @@ std::string help_text() {
             "Simulates a block file made by blockgen by two-dimensional discontinuous deformation "
             "analysis.\n\n"
          << visible_options()
-         << "\nExit codes: 0 done; 1 the analysis failed, results so far are kept; 2 bad command line or "
+         << "\nExit codes: 0 done; 1 the analysis failed, its results are kept; 2 bad command line or "
             "input;\n"
             "75 stopped by a signal, or by a file named 'stop' in the output folder, after writing a "
             "checkpoint.\n";

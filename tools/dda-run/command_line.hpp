@@ -7,7 +7,7 @@
 
 namespace rockslope {
 
-/// What the user asked of dda-run.
+/// The command line of dda-run.
 struct CommandLine {
     enum class Action { simulate, print_config, print_template, print_help, print_version };
 
@@ -22,7 +22,7 @@ struct CommandLine {
     bool pvd = false;
 };
 
-/// @throws InputError for what cannot be understood.
+/// @throws InputError for an invalid command line.
 CommandLine parse_command_line(int argc, const char* const* argv);
 
 std::string help_text();

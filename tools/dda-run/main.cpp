@@ -6,7 +6,7 @@
 #include "common/base/input_error.hpp"
 #include "dda/input/read_run.hpp"
 #include "simulate.hpp"
-#ifdef __GLIBC__  // known once a header of the library has been read
+#ifdef __GLIBC__  // defined by any header of the C library
 #include <malloc.h>
 #endif
 
@@ -37,10 +37,10 @@ ExitCode act(const CommandLine& line) {
     }
 }
 
-/// A step's vectors come and go, megabytes of them. Memory that goes back to the system each time is cleared
-/// page by page when it comes again, a tenth of a run's time. What is larger than a run of some ten thousand
-/// blocks asks for goes back all the same: kept, it leaves gaps that nothing fits into, a fifth of the memory
-/// of a hundred thousand blocks.
+/// Keeps freed memory in the process. Each step allocates and frees megabytes of vectors; memory returned to
+/// the system is cleared page by page when it is allocated again, which takes a tenth of the run time.
+/// Allocations above 32 MiB, more than a run of ten thousand blocks makes, are still returned: kept, they
+/// would fragment the heap, by a fifth of the memory for a hundred thousand blocks.
 void disable_heap_trimming() {
 #ifdef __GLIBC__
     mallopt(M_MMAP_THRESHOLD, 32 << 20);

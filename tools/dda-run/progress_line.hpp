@@ -7,8 +7,7 @@
 
 namespace rockslope {
 
-/// Shows on stderr how far a run is: on a terminal one line that is redrawn, elsewhere a plain line now and
-/// then.
+/// Shows the progress of a run on stderr: one redrawn line on a terminal, otherwise a plain line every 10 s.
 class ProgressLine {
   public:
     ProgressLine();
@@ -17,16 +16,16 @@ class ProgressLine {
     ProgressLine& operator=(const ProgressLine&) = delete;
 
     void show(const dda::Progress& progress);
-    /// Takes the live line off the terminal.
+    /// Removes the progress line from the terminal.
     void clear();
 
   private:
     bool on_terminal_;
     bool drawn_ = false;
-    double last_shown_ = -1e9;          ///< s of wall time
-    std::int64_t first_step_ = -1;      ///< step count when first asked
-    std::optional<double> first_done_;  ///< s of the dynamic stages when first asked in one
-    double first_done_wall_ = 0;        ///< s of wall time then
+    double last_shown_ = -1e9;          ///< s, wall time
+    std::int64_t first_step_ = -1;      ///< step count before the first call of show()
+    std::optional<double> first_done_;  ///< s, time done at the first call in a dynamic stage
+    double first_done_wall_ = 0;        ///< s, wall time at that call
 };
 
 }  // namespace rockslope

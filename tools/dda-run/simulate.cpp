@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Refuses results that cannot be written or would overwrite what the run is made from.
+/// @throws InputError when a result cannot be written or would overwrite an input file.
 void check_outputs(const CommandLine& line, const dda::RunInput& input) {
     check_output_folder(line.output);
     std::vector<fs::path> results;
@@ -38,8 +38,8 @@ void check_outputs(const CommandLine& line, const dda::RunInput& input) {
     check_distinct(results);
 }
 
-/// What a checkpoint must have been made from to be continued: the effective model and the content of the
-/// files it names.
+/// Hash of the effective model and of the contents of the files it names. A checkpoint can be resumed only
+/// with the same hash.
 std::string input_hash(const dda::RunInput& input, const std::vector<dda::InputFile>& files) {
     std::string text = input.effective;
     for (std::size_t i = 1; i < files.size(); ++i) text += files[i].sha256;
@@ -51,7 +51,7 @@ dda::Checkpoint checkpoint_of(const CommandLine& line, const dda::RunInput& inpu
     dda::Checkpoint checkpoint = dda::read_checkpoint(path);
     if (checkpoint.input_hash != hash)
         throw InputError({path.string()}, "belongs to a run of other input",
-                         "the model, block file and records of the run that was stopped");
+                         "the same model, block file and records as the stopped run");
     dda::check_resumable(checkpoint, {input.model, line.output, input.output.name, std::nullopt, line.pvd,
                                       input.output.relative_to});
     return checkpoint;
@@ -74,8 +74,8 @@ std::string make_escaped(const fs::path& path) {
     return text;
 }
 
-/// A Makefile rule: the summary depends on every file read; each of those is a target, so that a file that is
-/// gone is no error.
+/// A Make rule: the summary depends on every file read. Each of these is also a target without a recipe, so
+/// that Make accepts a file that no longer exists.
 std::string depfile_text(const fs::path& summary, const std::vector<fs::path>& files) {
     std::string text = make_escaped(summary) + ":";
     for (const fs::path& file : files)
@@ -96,11 +96,12 @@ void print_plan(const dda::RunInput& input, const fs::path& folder) {
                  input.model.block_count(), input.stages.size(), megabytes, more, folder.string().c_str());
 }
 
-/// One geometry serves runs of fewer stages, too; what is never taken out is said.
+/// Reports the excavations of stages that this run does not have; their blocks stay.
 void print_unreached_excavations(const dda::RunInput& input) {
     for (const dda::Excavation& e : input.model.excavations)
         if (static_cast<std::size_t>(e.stage) > input.stages.size())
-            std::fprintf(stderr, "dda-run: excavation '%s' stays: stage %d is not in this run of %zu\n",
+            std::fprintf(stderr,
+                         "dda-run: excavation '%s' is not removed: its stage is %d, the run has %zu stages\n",
                          e.name.c_str(), e.stage, input.stages.size());
 }
 
@@ -115,7 +116,8 @@ ExitCode exit_code_of(const dda::RunOutcome& outcome) {
     }
 }
 
-/// The bracket of a strength reduction: between the largest factor that stands and the smallest that fails.
+/// Prints the factor of safety of a strength reduction: between the largest stable and the smallest failing
+/// reduction factor.
 void print_factor_of_safety(const std::vector<dda::ReductionTrial>& trials) {
     double stands = 0;
     double fails = std::numeric_limits<double>::infinity();
@@ -142,13 +144,14 @@ void print_outcome(const dda::RunOutcome& outcome, const dda::State& state, doub
         std::fprintf(stderr, "dda-run: done, %lld steps to t = %.6g s in %.3g s; results in %s\n",
                      static_cast<long long>(state.step_count), state.time, wall_time, where);
     else if (outcome.status == dda::RunStatus::stopped)
-        std::fprintf(stderr, "dda-run: stopped at t = %.6g s; --resume goes on from the checkpoint in %s\n",
+        std::fprintf(stderr, "dda-run: stopped at t = %.6g s; --resume continues from the checkpoint in %s\n",
                      state.time, where);
     else
         std::fprintf(stderr, "dda-run: %s; results so far are in %s\n", outcome.message.c_str(), where);
 }
 
-/// A run whose results cannot be written ends there; the summary, which is small, says so.
+/// Runs the simulation. A run whose results cannot be written ends with the status not_written, which the
+/// small summary file records.
 dda::RunOutcome run_until_write_error(const dda::RunInput& input, dda::State& state, dda::Results& results,
                                       const dda::RunOptions& options) {
     try {
@@ -158,7 +161,8 @@ dda::RunOutcome run_until_write_error(const dda::RunInput& input, dda::State& st
     }
 }
 
-/// Where nothing can be written any more, what the run has to say is why.
+/// Writes the block table and the summary. After an earlier write error, further write errors are ignored:
+/// the outcome already states the reason.
 void write_summary_files(const fs::path& folder, const dda::RunOutcome& outcome, const std::string& blocks,
                          const std::string& summary) {
     try {

@@ -4,11 +4,11 @@
 
 namespace rockslope {
 
-/// From here on SIGINT, SIGTERM and SIGHUP ask for a stop instead of ending the program, and a full file-size
-/// limit is an error of the write instead of a signal. A second one of them ends the program at once.
+/// After this call SIGINT, SIGTERM and SIGHUP request a stop; a second signal of the same kind ends the
+/// program at once. A write beyond the file-size limit becomes a write error instead of a signal.
 void install_signal_handlers();
 
-/// True once a signal has come or `stop_file` exists; the file is removed, having said its word.
+/// True after a signal, or when `stop_file` exists; removes the file.
 bool stop_requested(const std::filesystem::path& stop_file);
 
 }  // namespace rockslope

@@ -1,4 +1,4 @@
-#include "compare_commands.hpp"
+#include "record_commands.hpp"
 
 #include <algorithm>
 #include <array>
@@ -35,7 +35,7 @@ struct Request {
 };
 
 void parse(const std::vector<std::string>& arguments, po::options_description& options, Request& request) {
-    options.add_options()("help,h", "this text");
+    options.add_options()("help,h", "print this text and stop");
     po::options_description all;
     all.add(options).add_options()("file", po::value(&request.files));
     po::positional_options_description positional;
@@ -75,7 +75,7 @@ std::string formatted(const char* format, Values... values) {
     return buffer.data();
 }
 
-/// 61 periods from 0.02 to 6.3 s, but none beyond a third of the record.
+/// 61 periods from 0.02 to 6.3 s, except those longer than a third of the record, s.
 std::vector<double> compared_periods(double duration) {
     std::vector<double> periods;
     for (int k = 0; k <= 60; ++k) {
@@ -86,7 +86,7 @@ std::vector<double> compared_periods(double duration) {
     return periods;
 }
 
-/// A point's displacement in one run, m.
+/// Displacement of a point in one run, m.
 struct Track {
     std::string label;
     std::vector<double> time, x, y;
@@ -100,7 +100,7 @@ struct Track {
     }
 };
 
-/// From where the last stage of the run begins.
+/// Reads the displacement of a point in the last stage of a run.
 Track read_track(const std::string& file, const std::string& point, const std::string& label) {
     Track track{label, {}, {}, {}};
     for (const char direction : {'x', 'y'}) {
@@ -139,14 +139,15 @@ std::string table_text(const std::vector<record::Amplification>& table) {
     return text;
 }
 
-constexpr double drawn_base = 0.05;  // of the base's largest Fourier amplitude; below, the ratio says nothing
+// Below this fraction of the base's largest Fourier amplitude, the Fourier ratio is not significant.
+constexpr double min_drawn_base = 0.05;
 
 Canvas ratio_picture(const std::vector<record::Amplification>& table, const std::string& title) {
     PictureCurve response{"response spectra", {}, {}}, fourier{"Fourier spectra, smoothed", {}, {}};
     for (const record::Amplification& a : table) {
         response.x.push_back(a.period);
         response.y.push_back(a.response_ratio());
-        if (a.base_fourier < drawn_base) continue;
+        if (a.base_fourier < min_drawn_base) continue;
         fourier.x.push_back(a.period);
         fourier.y.push_back(a.fourier_ratio);
     }
@@ -160,14 +161,14 @@ int run_plot(const std::vector<std::string>& arguments) {
     po::options_description options(
         "ground-motion plot FILE [FILE ...] -o PICTURE [options]\n"
         "Draws accelerations, velocities, displacements and 5 % spectra into one picture");
-    options.add_options()("output,o", po::value(&request.picture), "the picture: SVG, PNG or PDF");
+    options.add_options()("output,o", po::value(&request.picture), "picture to write: SVG, PNG or PDF");
     add_source_options(options, request.source);
     parse(arguments, options, request);
     if (request.wants_help) return 0;
     if (request.files.empty()) throw std::invalid_argument("0 records are given; expected one or more");
     if (!picture_format(request.picture))
         throw std::invalid_argument(
-            "--output names no picture file; expected a name that ends in .svg, .png or .pdf");
+            "--output is not a picture file; expected a name that ends in .svg, .png or .pdf");
     check_source(request.source, request.files.size());
     check_outputs(request);
     const std::vector<NamedRecord> records = read_all(request);
@@ -180,13 +181,13 @@ int run_compare(const std::vector<std::string>& arguments) {
     Request request;
     po::options_description options(
         "ground-motion compare RELATIVE.csv [RELATIVE.csv ...] --point NAME [options]\n"
-        "How far a measured point went in the last stage of several runs: relative.csv or history.csv of "
-        "each");
+        "Compares the displacement of a measured point in the last stage of several runs, from the "
+        "relative.csv or history.csv of each");
     auto add = options.add_options();
-    add("point", po::value(&request.point)->required(), "a measured point of the runs");
-    add("label", po::value(&request.labels), "of the first run; again, of the next (default: their folders)");
-    add("output,o", po::value(&request.output), "the table that is printed, CSV");
-    add("picture", po::value(&request.picture), "displacements over time, SVG, PNG or PDF");
+    add("point", po::value(&request.point)->required(), "name of the measured point");
+    add("label", po::value(&request.labels), "label of a run, once for each (default: their folders)");
+    add("output,o", po::value(&request.output), "write the printed table, CSV");
+    add("picture", po::value(&request.picture), "draw the displacements against time, SVG, PNG or PDF");
     parse(arguments, options, request);
     if (request.wants_help) return 0;
     if (request.files.empty()) throw std::invalid_argument("0 runs are given; expected one or more");
@@ -219,12 +220,12 @@ int run_amplification(const std::vector<std::string>& arguments) {
     Request request;
     po::options_description options(
         "ground-motion amplification POINT BASE [-o TABLE.csv] [options]\n"
-        "How much more one record moves than another: peaks, response spectra, Fourier spectra");
+        "Computes the ratios of two records: peaks, response spectra, Fourier spectra");
     auto add = options.add_options();
-    add("output,o", po::value(&request.output), "the ratios at 61 periods, CSV");
-    add("picture", po::value(&request.picture), "the ratios over the period, SVG, PNG or PDF");
+    add("output,o", po::value(&request.output), "write the ratios at 61 periods, CSV");
+    add("picture", po::value(&request.picture), "draw the ratios against the period, SVG, PNG or PDF");
     add("damping", po::value(&request.damping)->default_value(0.05, "0.05"),
-        "of the oscillators, of critical");
+        "damping of the oscillators, fraction of critical");
     add_source_options(options, request.source);
     parse(arguments, options, request);
     if (request.wants_help) return 0;

@@ -5,7 +5,6 @@
 #include "common/base/input_error.hpp"
 #include "common/base/output_error.hpp"
 #include "record_commands.hpp"
-#include "synthesise_command.hpp"
 
 using namespace rockslope;
 
@@ -19,7 +18,7 @@ std::string usage() {
         const std::string name = command.name;
         text += "  " + name + std::string(15 - name.size(), ' ') + command.purpose + "\n";
     }
-    return text + "ground-motion SUBCOMMAND --help tells the options.\n";
+    return text + "ground-motion SUBCOMMAND --help lists the options.\n";
 }
 
 std::string known_commands() {
@@ -52,9 +51,9 @@ int run(const std::vector<std::string>& arguments) {
 
 }  // namespace
 
-int main(int count, char** words) {
+int main(int argc, char** argv) {
     try {
-        return run({words + 1, words + count});
+        return run({argv + 1, argv + argc});
     } catch (const boost::program_options::error& error) {
         return refuse(error.what());
     } catch (const std::invalid_argument& error) {

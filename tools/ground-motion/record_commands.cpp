@@ -11,7 +11,6 @@
 
 #include "common/base/atomic_file.hpp"
 #include "common/base/output_check.hpp"
-#include "compare_commands.hpp"
 #include "measures_text.hpp"
 #include "record/correct.hpp"
 #include "record/match_spectrum.hpp"
@@ -32,7 +31,7 @@ namespace {
 
 constexpr double standard_gravity = 9.80665;  // m/s2
 
-/// What every one of these subcommands is told.
+/// The options that all subcommands share.
 struct Request {
     std::vector<fs::path> inputs;
     RecordSource source;
@@ -43,11 +42,11 @@ struct Request {
     bool has(const char* option) const { return values.count(option) > 0; }
 };
 
-/// How a subcommand differs from the others.
+/// What is specific to a subcommand.
 struct RecordOperation {
     std::string usage;
     std::size_t inputs = 1;
-    bool writes = true;  ///< makes a record, which --output names
+    bool writes = true;  ///< whether it writes a record to --output
     std::function<void(po::options_description&)> add_options = [](auto&) {};
     std::function<record::Accelerogram(const Request&, std::vector<record::Accelerogram>)> apply =
         [](const Request&, std::vector<record::Accelerogram> records) { return records.front(); };
@@ -57,14 +56,15 @@ po::options_description described(const RecordOperation& change, Request& reques
     po::options_description options("ground-motion " + change.usage);
     auto add = options.add_options();
     if (change.writes)
-        add("output,o", po::value(&request.output), "the record: PEER AT2 in g, or two-column CSV in m/s2");
+        add("output,o", po::value(&request.output),
+            "record to write: PEER AT2 in g, or two-column CSV in m/s2");
     change.add_options(options);
     add_source_options(options, request.source);
     add("spectrum", po::value(&request.spectrum), "also write the response spectrum, CSV");
     add("picture", po::value(&request.picture), "also draw the record and its 5 % spectrum, SVG, PNG or PDF");
     add("damping", po::value(&request.damping)->default_value(0.05, "0.05"),
-        "of the oscillators, of critical");
-    add("help,h", "this text");
+        "damping of the oscillators, fraction of critical");
+    add("help,h", "print this text and stop");
     return options;
 }
 
@@ -127,20 +127,20 @@ int perform(const RecordOperation& change, const std::vector<std::string>& argum
 }
 
 int run_show(const std::vector<std::string>& arguments) {
-    RecordOperation show{"show FILE [options]\nPrints what engineers quote of a record"};
+    RecordOperation show{"show FILE [options]\nPrints peaks, Arias intensity and durations of a record"};
     show.writes = false;
     return perform(show, arguments);
 }
 
 int run_convert(const std::vector<std::string>& arguments) {
-    return perform({"convert FILE -o FILE.at2|FILE.csv [options]\nWrites the acceleration as it is"},
+    return perform({"convert FILE -o FILE.at2|FILE.csv [options]\nWrites the acceleration unchanged"},
                    arguments);
 }
 
 int run_scale(const std::vector<std::string>& arguments) {
     RecordOperation change{
         "scale FILE -o FILE.at2|FILE.csv --peak|--arias|--ordinate|--factor VALUE [options]\n"
-        "Multiplies the acceleration so that it has what is asked for"};
+        "Multiplies the acceleration by a factor, or so that it has the given measure"};
     double peak = 0, arias = 0, ordinate = 0, period = 0, factor = 0;
     change.add_options = [&](po::options_description& options) {
         auto add = options.add_options();
@@ -149,7 +149,7 @@ int run_scale(const std::vector<std::string>& arguments) {
         add("ordinate", po::value(&ordinate),
             "g, absolute acceleration of an oscillator of --period and --damping");
         add("period", po::value(&period), "s");
-        add("factor", po::value(&factor), "dimensionless; a negative one turns the motion round");
+        add("factor", po::value(&factor), "dimensionless; a negative factor reverses the motion");
     };
     change.apply = [&](const Request& request, std::vector<record::Accelerogram> records) {
         const bool has_ordinate = request.has("ordinate");
@@ -170,11 +170,13 @@ int run_scale(const std::vector<std::string>& arguments) {
 
 int run_trim(const std::vector<std::string>& arguments) {
     RecordOperation change{
-        "trim FILE -o FILE.at2|FILE.csv [--from S] [--to S] [options]\nKeeps a part, which begins at time 0"};
+        "trim FILE -o FILE.at2|FILE.csv [--from S] [--to S] [options]\n"
+        "Keeps a part of the record; its time starts at 0"};
     double from = 0, to = 0;
     change.add_options = [&](po::options_description& options) {
-        options.add_options()("from", po::value(&from)->default_value(0), "s")("to", po::value(&to),
-                                                                               "s (default: the end)");
+        auto add = options.add_options();
+        add("from", po::value(&from)->default_value(0), "start, s");
+        add("to", po::value(&to), "end, s (default: end of the record)");
     };
     change.apply = [&](const Request& request, std::vector<record::Accelerogram> records) {
         return record::trimmed(records[0], from, request.has("to") ? to : std::numeric_limits<double>::max());
@@ -185,7 +187,7 @@ int run_trim(const std::vector<std::string>& arguments) {
 int run_resample(const std::vector<std::string>& arguments) {
     RecordOperation change{
         "resample FILE -o FILE.at2|FILE.csv --step S [options]\n"
-        "Gives the record another step; a coarser one takes out what it cannot carry"};
+        "Resamples the record; a longer step removes the frequencies that it cannot represent"};
     double step = 0;
     change.add_options = [&](po::options_description& options) {
         options.add_options()("step", po::value(&step)->required(), "s between samples");
@@ -199,17 +201,16 @@ int run_resample(const std::vector<std::string>& arguments) {
 int run_rotate(const std::vector<std::string>& arguments) {
     RecordOperation change{
         "rotate FILE FILE -o FILE.at2|FILE.csv --azimuth A --azimuth B --section C [options]\n"
-        "The motion along a section from two horizontal components"};
+        "Computes the motion along a section from two horizontal components"};
     change.inputs = 2;
     std::vector<double> azimuths;
     double section = 0;
     change.add_options = [&](po::options_description& options) {
         auto add = options.add_options();
         add("azimuth", po::value(&azimuths)->required(),
-            "degrees clockwise from north: of the first file's "
-            "positive direction; again, of the second's");
+            "azimuth of a file's positive direction, degrees clockwise from north; once for each file");
         add("section", po::value(&section)->required(),
-            "degrees clockwise from north, of the section's x axis");
+            "azimuth of the section's x axis, degrees clockwise from north");
     };
     change.apply = [&](const Request&, std::vector<record::Accelerogram> records) {
         if (azimuths.size() != 2)
@@ -225,23 +226,23 @@ int run_rotate(const std::vector<std::string>& arguments) {
 int run_correct(const std::vector<std::string>& arguments) {
     RecordOperation change{
         "correct FILE -o FILE.at2|FILE.csv [corrections] [options]\n"
-        "Takes the drift out of a raw record by what is asked for, in this order"};
+        "Removes the drift of a raw record by the given corrections, in this order"};
     double mean = 0, taper = 0, corner = 0;
     int degree = 0, order = 0;
     std::vector<double> shift;
     change.add_options = [&](po::options_description& options) {
         auto add = options.add_options();
         add("mean", po::value(&mean),
-            "s: subtract the mean of the time before the event; 0: of the whole record");
+            "subtract the mean of the time before the event, s; 0: of the whole record");
         add("trend", po::value(&degree),
-            "1 to 3: fit that polynomial to the velocity, subtract its derivative");
+            "fit a polynomial of this degree, 1 to 3, to the velocity and subtract its derivative");
         add("shift", po::value(&shift),
-            "s, twice: the shaking begins and ends; brings the ground to rest where it "
-            "is, so that a permanent displacement stays");
-        add("taper", po::value(&taper), "s at both ends");
+            "start and end of the shaking, s, given twice: brings the ground to rest at the end, so that a "
+            "permanent displacement remains");
+        add("taper", po::value(&taper), "length of the taper at both ends, s");
         add("high-pass", po::value(&corner),
-            "Hz: zero-phase Butterworth filter with zeros before and behind");
-        add("order", po::value(&order)->default_value(4), "of the filter, 1 to 12");
+            "corner frequency, Hz, of a zero-phase Butterworth filter with zero padding at both ends");
+        add("order", po::value(&order)->default_value(4), "order of the filter, 1 to 12");
     };
     change.apply = [&](const Request& request, std::vector<record::Accelerogram> records) {
         record::Accelerogram record = records[0];
@@ -261,7 +262,7 @@ int run_correct(const std::vector<std::string>& arguments) {
 int run_match(const std::vector<std::string>& arguments) {
     RecordOperation change{
         "match FILE -o FILE.at2|FILE.csv --target SPECTRUM.csv [options]\n"
-        "Changes the record until its response spectrum is the target"};
+        "Changes the record until its response spectrum matches the target"};
     fs::path file;
     int rounds = 0;
     change.add_options = [&](po::options_description& options) {
@@ -269,7 +270,7 @@ int run_match(const std::vector<std::string>& arguments) {
         add("target", po::value(&file)->required(),
             "two columns with the heading \"period (s),acceleration (g)\"");
         add("rounds", po::value(&rounds)->default_value(30),
-            "0 to 100, in frequency and as many in time; the best is kept");
+            "rounds, 0 to 100, in the frequency domain and as many in the time domain; the best is kept");
     };
     change.apply = [&](const Request& request, std::vector<record::Accelerogram> records) {
         const record::SpectralMatch match =
@@ -295,13 +296,13 @@ std::string slide_text(const record::Accelerogram& record, const record::Sliding
 int run_slide(const std::vector<std::string>& arguments) {
     RecordOperation change{
         "slide FILE --dip DEGREES --friction DEGREES [options]\n"
-        "Newmark's estimate: how far a rigid block slides on a plane through the shaken ground"};
+        "Newmark's estimate of the slip of a rigid block on an inclined plane"};
     change.writes = false;
     double dip = 0, friction = 0;
     change.add_options = [&](po::options_description& options) {
         auto add = options.add_options();
-        add("dip", po::value(&dip)->required(), "degrees, of the plane");
-        add("friction", po::value(&friction)->required(), "degrees, angle of friction");
+        add("dip", po::value(&dip)->required(), "dip of the plane, degrees");
+        add("friction", po::value(&friction)->required(), "friction angle, degrees");
     };
     change.apply = [&](const Request&, std::vector<record::Accelerogram> records) {
         const double degree = std::numbers::pi / 180;
@@ -320,16 +321,16 @@ const std::vector<RecordCommand>& record_commands() {
     static const std::vector<RecordCommand> commands = {
         {"show", "print peaks, Arias intensity, durations; --spectrum and --picture for more", run_show},
         {"convert", "write a record as PEER AT2 or CSV", run_convert},
-        {"scale", "to a peak, an Arias intensity, a spectral ordinate", run_scale},
-        {"trim", "keep a part", run_trim},
-        {"resample", "give it another step", run_resample},
-        {"rotate", "two horizontal components to the section's azimuth", run_rotate},
-        {"correct", "take the drift out of a raw record", run_correct},
-        {"match", "change it until its response spectrum is a target", run_match},
+        {"scale", "scale to a peak, an Arias intensity or a spectral ordinate", run_scale},
+        {"trim", "keep a part of a record", run_trim},
+        {"resample", "change the time step", run_resample},
+        {"rotate", "rotate two horizontal components to the section's azimuth", run_rotate},
+        {"correct", "remove the drift of a raw record", run_correct},
+        {"match", "match the response spectrum to a target", run_match},
         {"slide", "Newmark's estimate of a block's slip on a plane", run_slide},
-        {"plot", "draw one record or several", run_plot},
-        {"compare", "how far a point went in several runs", run_compare},
-        {"amplification", "peak and spectral ratios of two records", run_amplification},
+        {"plot", "draw one or several records", run_plot},
+        {"compare", "compare the displacement of a point in several runs", run_compare},
+        {"amplification", "compute peak and spectral ratios of two records", run_amplification},
     };
     return commands;
 }

@@ -13,25 +13,25 @@ namespace {
 
 constexpr double standard_gravity = 9.80665;  // m/s2
 
-/// Room for a curve's largest magnitude with some air above it.
-double reach(const std::vector<PictureCurve>& curves) {
+/// Upper end of an axis for the largest magnitude of the curves, with a margin of 10 %.
+double axis_end(const std::vector<PictureCurve>& curves) {
     double largest = 1e-9;
     for (const PictureCurve& curve : curves) largest = std::max(largest, record::largest_magnitude(curve.y));
     return 1.1 * largest;
 }
 
-/// From the least to the greatest value, zero among them, with some air.
+/// Range of the values and zero, with a margin of 5 %.
 Range range_of(const std::vector<PictureCurve>& curves) {
     double low = 0, high = 1e-9;
     for (const PictureCurve& curve : curves) {
         low = std::min(low, *std::min_element(curve.y.begin(), curve.y.end()));
         high = std::max(high, *std::max_element(curve.y.begin(), curve.y.end()));
     }
-    const double air = 0.05 * (high - low);
-    return {low - air, high + air};
+    const double margin = 0.05 * (high - low);
+    return {low - margin, high + margin};
 }
 
-/// Of one curve, its panel's colour; of several, one for each.
+/// A single curve has the colour of its panel; several curves have one colour each.
 std::size_t colour_of(const std::vector<PictureCurve>& curves, std::size_t k, std::size_t panel) {
     return curves.size() == 1 ? panel : k;
 }
@@ -98,12 +98,12 @@ Canvas record_picture(const std::vector<NamedRecord>& records, const std::string
     canvas.text({72, 22}, title, {.size = 11, .bold = true});
     for (std::size_t k = 0; k < histories.size(); ++k) {
         const double top = 38 + 195 * static_cast<double>(k);
-        const double room = reach(histories[k]);
-        const Axes axes({72, top}, {445, top + 165}, Range{0, duration}, Range{-room, room});
+        const double end = axis_end(histories[k]);
+        const Axes axes({72, top}, {445, top + 165}, Range{0, duration}, Range{-end, end});
         axes.draw(canvas, k + 1 == histories.size() ? "time (s)" : "", titles[k], true);
         draw_curves(canvas, axes, histories[k], k);
     }
-    const Axes axes({518, 38}, {740, 593}, Range{0, 4}, Range{0, reach(spectra)});
+    const Axes axes({518, 38}, {740, 593}, Range{0, 4}, Range{0, axis_end(spectra)});
     axes.draw(canvas, "period (s)", "absolute acceleration, 5 % damping (g)", true);
     draw_curves(canvas, axes, spectra, 3);
     if (records.size() > 1) draw_names(canvas, {72, 632}, spectra);
@@ -133,7 +133,7 @@ Canvas period_picture(const std::vector<PictureCurve>& curves, const std::string
     for (const PictureCurve& curve : curves) longest = std::max(longest, curve.x.back());
     Canvas canvas(560, 330 + 16 * static_cast<double>(curves.size()) + 12);
     canvas.text({60, 22}, title, {.size = 11, .bold = true});
-    const Axes axes({60, 34}, {540, 284}, Range{0, longest}, Range{0, reach(curves)});
+    const Axes axes({60, 34}, {540, 284}, Range{0, longest}, Range{0, axis_end(curves)});
     axes.draw(canvas, "period (s)", y_title, true);
     draw_curves(canvas, axes, curves, 0);
     draw_names(canvas, {60, 322}, curves);

@@ -14,8 +14,8 @@ struct NamedRecord {
     record::Accelerogram record;
 };
 
-/// Acceleration (g), velocity (m/s) and displacement (m) of records against time, beside their 5 % response
-/// spectra up to 4 s; with a legend where there are several. @param records at least one.
+/// Draws acceleration (g), velocity (m/s) and displacement (m) of records against time, and their 5 %
+/// response spectra up to 4 s; several records get a legend. @param records at least one.
 Canvas record_picture(const std::vector<NamedRecord>& records, const std::string& title);
 
 /// A line of a picture.
@@ -25,12 +25,12 @@ struct PictureCurve {
     std::vector<double> y;
 };
 
-/// Displacements in x and y, m, over time, one panel each, with a legend. @param x, y curves of the same
-/// runs.
+/// Draws displacements in x and y, m, against time, one panel each, with a legend. @param x, y curves of the
+/// same runs.
 Canvas displacement_picture(const std::vector<PictureCurve>& x, const std::vector<PictureCurve>& y,
                             const std::string& title);
 
-/// Curves over periods, with a legend.
+/// Draws curves against the period, s, with a legend.
 Canvas period_picture(const std::vector<PictureCurve>& curves, const std::string& title,
                       const std::string& y_title);
 

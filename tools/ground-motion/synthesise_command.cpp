@@ -1,4 +1,4 @@
-#include "synthesise_command.hpp"
+#include "record_commands.hpp"
 
 #include <array>
 #include <boost/program_options.hpp>
@@ -49,26 +49,31 @@ po::options_description described(Request& request) {
         "ground-motion synthesise -o FILE.at2|FILE.csv [options]\n"
         "Makes an artificial accelerogram; the same options give the same bytes");
     auto add = options.add_options();
-    add("output,o", po::value(&request.output), "the record: PEER AT2 in g, or two-column CSV in m/s2");
+    add("output,o", po::value(&request.output), "record to write: PEER AT2 in g, or two-column CSV in m/s2");
     add("spectrum", po::value(&request.spectrum), "also write the 5 % response spectrum, CSV");
     add("picture", po::value(&request.picture), "also draw the record, SVG, PNG or PDF");
     add("kind", po::value(&request.kind)->default_value("random"),
-        "random; sine (a burst) or ricker (a wavelet), which take --peak, --step, --frequency and --cycles "
-        "only");
-    add("frequency", option(request.frequency), "Hz, of a sine or a Ricker wavelet");
-    add("cycles", po::value(&request.cycles)->default_value(10), "of a sine");
-    add("seed", option(request.seed), "chooses one record among those of the recipe");
-    add("step", option(recipe.step), "s between samples");
-    add("duration", option(recipe.duration), "s");
-    add("peak", option(request.peak_in_g), "g, largest absolute acceleration");
-    add("magnitude", option(request.magnitude), "moment magnitude; with the distance it sets the envelope");
-    add("distance", option(request.distance), "km");
-    add("ground-frequency", option(recipe.spectrum.ground_frequency), "Hz, Kanai-Tajimi filter");
-    add("ground-damping", option(recipe.spectrum.ground_damping), "of critical");
-    add("low-cut-frequency", option(recipe.spectrum.low_cut_frequency), "Hz, Clough-Penzien filter");
-    add("low-cut-damping", option(recipe.spectrum.low_cut_damping), "of critical");
+        "random, sine (a burst) or ricker (a wavelet); sine and ricker use only --peak, --step, --frequency "
+        "and --cycles");
+    add("frequency", option(request.frequency), "frequency of a sine or a Ricker wavelet, Hz");
+    add("cycles", po::value(&request.cycles)->default_value(10), "number of cycles of a sine");
+    add("seed", option(request.seed), "seed of the random phases");
+    add("step", option(recipe.step), "time step, s");
+    add("duration", option(recipe.duration), "duration, s");
+    add("peak", option(request.peak_in_g), "largest absolute acceleration, g");
+    add("magnitude", option(request.magnitude),
+        "moment magnitude; it determines the envelope together with the distance");
+    add("distance", option(request.distance), "distance from the source, km");
+    add("ground-frequency", option(recipe.spectrum.ground_frequency),
+        "frequency of the Kanai-Tajimi filter, Hz");
+    add("ground-damping", option(recipe.spectrum.ground_damping),
+        "damping of the Kanai-Tajimi filter, fraction of critical");
+    add("low-cut-frequency", option(recipe.spectrum.low_cut_frequency),
+        "frequency of the Clough-Penzien filter, Hz");
+    add("low-cut-damping", option(recipe.spectrum.low_cut_damping),
+        "damping of the Clough-Penzien filter, fraction of critical");
     add("kappa", option(recipe.spectrum.kappa), "s, attenuation of high frequencies near the surface");
-    add("help,h", "this text");
+    add("help,h", "print this text and stop");
     return options;
 }
 
@@ -84,7 +89,7 @@ std::string title(const Request& request) {
     return text.data();
 }
 
-record::Accelerogram made(Request& request) {
+record::Accelerogram synthesised_record(Request& request) {
     const double peak = request.peak_in_g * standard_gravity;
     if (request.kind == "sine")
         return record::sine_burst(peak, request.frequency, request.cycles, request.recipe.step);
@@ -114,7 +119,7 @@ int run_synthesise(const std::vector<std::string>& arguments) {
         if (!path.empty()) check_output(path, {});
     check_distinct({request.output, request.spectrum, request.picture});
     if (request.seed < 0) throw std::invalid_argument("seed must not be negative");
-    const record::Accelerogram record = made(request);
+    const record::Accelerogram record = synthesised_record(request);
     write_record(request.output, record, title(request), "SYNTHETIC STRONG MOTION RECORD");
     if (!request.spectrum.empty()) {
         write_file_atomically(request.spectrum, spectrum_text(record, 0.05));

@@ -13,7 +13,6 @@
 #include "dda/laboratory/read_shear_test.hpp"
 #include "dda/laboratory/shear_table.hpp"
 #include "shear_picture.hpp"
-#include "support/model_file.hpp"
 #include "support/parse_arguments.hpp"
 
 using namespace rockslope;
@@ -25,14 +24,14 @@ namespace {
 po::options_description visible_options() {
     po::options_description options("Options");
     auto add = options.add_options();
-    add("output,o", po::value<std::string>()->value_name("FILE"), "the rows, CSV");
-    add("picture", po::value<std::string>()->value_name("FILE"), "also draw them: SVG, PNG or PDF");
+    add("output,o", po::value<std::string>()->value_name("FILE"), "write the computed rows, CSV");
+    add("picture", po::value<std::string>()->value_name("FILE"), "also draw them; .svg, .png or .pdf");
     add("compare", po::value<std::string>()->value_name("LAB.csv"),
-        "measured points to draw beside, and to print the misfit of");
+        "measured points: draw them too and print the misfit");
     add("joint", po::value<std::string>()->value_name("NAME"),
-        "of --compare: the measured joint of that name in the joints.csv of a run");
+        "with --compare: the measured joint of that name in the joints.csv of a run");
     add("set", po::value<std::vector<std::string>>()->composing()->value_name("KEY=VALUE"),
-        "changes a key of the model file; may stand several times");
+        "override a key of the model file; may be repeated");
     add("template", "print a commented model file and stop");
     add("version", "print the version and stop");
     add("help,h", "print this text and stop");
@@ -107,8 +106,8 @@ int main(int argc, char** argv) {
             tool_support::parse_arguments("joint-shear", argc, argv, visible_options());
         if (values.count("help")) {
             std::cout
-                << "joint-shear TEST.toml -o ROWS.csv [options]\nShears one joint along a path, without "
-                   "blocks, to try a joint law or to fit it to a laboratory test.\n\n"
+                << "joint-shear TEST.toml -o ROWS.csv [options]\nShears one joint along a displacement path, "
+                   "without blocks, to test a joint law or to fit it to a laboratory test.\n\n"
                 << visible_options();
             return 0;
         }

@@ -16,7 +16,7 @@ struct Panel {
     std::string title;
     double dda::ShearTestRow::*computed;
     const std::vector<double>* measured;
-    double factor;  ///< from SI to the title's unit
+    double factor;  ///< from SI to the unit in the title
 };
 
 Range padded(double low, double high) {

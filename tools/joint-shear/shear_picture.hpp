@@ -9,8 +9,8 @@
 
 namespace rockslope {
 
-/// Shear stress, dilation and, where it changes, normal stress against displacement; measured points as
-/// circles.
+/// Draws shear stress, dilation and, if it is not constant, normal stress against displacement, with measured
+/// points as circles.
 Canvas draw_shear_test(const dda::ShearTestInput& input, const std::vector<dda::ShearTestRow>& rows,
                        const std::optional<dda::ShearTable>& measured);
 

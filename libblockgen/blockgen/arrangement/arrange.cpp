@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <string>
 
 namespace rockslope::blockgen {
 
@@ -25,15 +26,15 @@ std::int32_t vertex_index(const NodedEdges& noded, const Traits::Point_2& p) {
     const GridPoint place{static_cast<std::int64_t>(p.x()), static_cast<std::int64_t>(p.y())};
     const auto found = std::lower_bound(noded.vertices.begin(), noded.vertices.end(), place);
     if (found == noded.vertices.end() || *found != place)
-        throw std::logic_error("the arrangement made a new vertex");
-    return static_cast<std::int32_t>(found - noded.vertices.begin());
+        throw std::logic_error("the arrangement created a vertex that is not a noded vertex");
+    return found - noded.vertices.begin();
 }
 
 std::int32_t edge_index(const NodedEdges& noded, std::int32_t a, std::int32_t b) {
     const auto found = std::lower_bound(noded.edges.begin(), noded.edges.end(), std::pair(a, b));
     if (found == noded.edges.end() || *found != std::pair(a, b))
-        throw std::logic_error("the arrangement made a new edge");
-    return static_cast<std::int32_t>(found - noded.edges.begin());
+        throw std::logic_error("the arrangement created an edge that is not a noded edge");
+    return found - noded.edges.begin();
 }
 
 void number_features(const NodedEdges& noded, Arrangement& arrangement) {
@@ -54,20 +55,20 @@ Subdivision arrange(const NodedEdges& noded) {
     std::vector<Traits::X_monotone_curve_2> curves;
     curves.reserve(noded.edges.size());
     for (const auto& [a, b] : noded.edges)
-        curves.emplace_back(point_of(noded.vertices[static_cast<std::size_t>(a)]),
-                            point_of(noded.vertices[static_cast<std::size_t>(b)]));
+        curves.emplace_back(point_of(noded.vertices[a]), point_of(noded.vertices[b]));
     Arrangement arrangement;
     CGAL::insert_non_intersecting_curves(arrangement, curves.begin(), curves.end());
     if (arrangement.number_of_edges() != noded.edges.size())
-        throw std::logic_error("the arrangement lost an edge");
+        throw std::logic_error("the arrangement has " + std::to_string(arrangement.number_of_edges()) +
+                               " edges, expected " + std::to_string(noded.edges.size()));
     number_features(noded, arrangement);
 
     Subdivision result;
-    result.face_count = static_cast<std::int32_t>(arrangement.number_of_faces());
+    result.face_count = arrangement.number_of_faces();
     result.next.resize(2 * noded.edges.size());
     result.face.resize(2 * noded.edges.size());
     for (auto h = arrangement.halfedges_begin(); h != arrangement.halfedges_end(); ++h) {
-        const auto k = static_cast<std::size_t>(h->data());
+        const std::size_t k = h->data();
         result.next[k] = h->next()->data();
         result.face[k] = h->face()->data();
     }

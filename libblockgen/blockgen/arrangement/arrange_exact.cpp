@@ -18,7 +18,7 @@ using Traits = CGAL::Arr_segment_traits_2<Kernel>;
 using Dcel = CGAL::Arr_face_extended_dcel<Traits, std::int32_t>;
 using Arrangement = CGAL::Arrangement_2<Traits, Dcel>;
 
-/// A value that must be an integer; one that no face can have when it is not.
+/// An exact number as an integer; -1, which no bounded face has as its area, when it is a fraction.
 Int128 integer_of(const Kernel::FT& value) {
     std::ostringstream text;
     text << CGAL::exact(value);
@@ -43,26 +43,26 @@ Kernel::FT twice_ring_area(Circulator start) {
     return sum;
 }
 
-/// Replaces areas by ranks and puts the summary in order.
-void finish(ArrangementSummary& cut, const std::vector<Int128>& area_of_face,
-            const std::vector<std::pair<std::int32_t, std::int32_t>>& neighbours) {
-    cut.twice_areas.assign(area_of_face.begin() + 1, area_of_face.end());
-    std::sort(cut.twice_areas.begin(), cut.twice_areas.end());
-    const auto rank = [&](std::int32_t face) {
-        if (face == 0) return std::int32_t{-1};
-        const auto place = std::lower_bound(cut.twice_areas.begin(), cut.twice_areas.end(),
-                                            area_of_face[static_cast<std::size_t>(face)]);
-        return static_cast<std::int32_t>(place - cut.twice_areas.begin());
+/// Sorts the areas and fills the adjacency by ranks of area.
+void fill_areas_and_adjacency(ArrangementSummary& summary, const std::vector<Int128>& area_of_face,
+                              const std::vector<std::pair<std::int32_t, std::int32_t>>& neighbours) {
+    summary.twice_areas.assign(area_of_face.begin() + 1, area_of_face.end());
+    std::sort(summary.twice_areas.begin(), summary.twice_areas.end());
+    const auto rank = [&](std::int32_t face) -> std::int32_t {
+        if (face == 0) return -1;
+        const auto found =
+            std::lower_bound(summary.twice_areas.begin(), summary.twice_areas.end(), area_of_face[face]);
+        return found - summary.twice_areas.begin();
     };
-    for (const auto& [f, g] : neighbours) cut.adjacency.push_back(std::minmax({rank(f), rank(g)}));
-    std::sort(cut.adjacency.begin(), cut.adjacency.end());
+    for (const auto& [f, g] : neighbours) summary.adjacency.push_back(std::minmax({rank(f), rank(g)}));
+    std::sort(summary.adjacency.begin(), summary.adjacency.end());
 }
 
 }  // namespace
 
 ArrangementSummary arrange_exactly(const NodedEdges& noded) {
     const auto point_of = [&](std::int32_t v) {
-        const GridPoint& p = noded.vertices[static_cast<std::size_t>(v)];
+        const GridPoint& p = noded.vertices[v];
         return Kernel::Point_2(static_cast<double>(p.x), static_cast<double>(p.y));
     };
     std::vector<Traits::Curve_2> curves;
@@ -70,9 +70,9 @@ ArrangementSummary arrange_exactly(const NodedEdges& noded) {
     Arrangement arrangement;
     CGAL::insert(arrangement, curves.begin(), curves.end());
 
-    ArrangementSummary cut;
-    cut.vertices = arrangement.number_of_vertices();
-    cut.edges = arrangement.number_of_edges();
+    ArrangementSummary summary;
+    summary.vertices = arrangement.number_of_vertices();
+    summary.edges = arrangement.number_of_edges();
     std::vector<Int128> areas(1, 0);
     for (auto f = arrangement.faces_begin(); f != arrangement.faces_end(); ++f) {
         f->set_data(f->is_unbounded() ? 0 : static_cast<std::int32_t>(areas.size()));
@@ -85,26 +85,26 @@ ArrangementSummary arrange_exactly(const NodedEdges& noded) {
     std::vector<std::pair<std::int32_t, std::int32_t>> neighbours;
     for (auto e = arrangement.edges_begin(); e != arrangement.edges_end(); ++e)
         neighbours.emplace_back(e->face()->data(), e->twin()->face()->data());
-    finish(cut, areas, neighbours);
-    return cut;
+    fill_areas_and_adjacency(summary, areas, neighbours);
+    return summary;
 }
 
 ArrangementSummary summarize(const NodedEdges& noded, const Subdivision& subdivision) {
-    ArrangementSummary cut;
-    cut.vertices = noded.vertices.size();
-    cut.edges = noded.edges.size();
-    std::vector<Int128> areas(static_cast<std::size_t>(subdivision.face_count), 0);
+    ArrangementSummary summary;
+    summary.vertices = noded.vertices.size();
+    summary.edges = noded.edges.size();
+    std::vector<Int128> areas(subdivision.face_count, 0);
     std::vector<std::pair<std::int32_t, std::int32_t>> neighbours;
     for (std::size_t e = 0; e < noded.edges.size(); ++e) {
-        const GridPoint& a = noded.vertices[static_cast<std::size_t>(noded.edges[e].first)];
-        const GridPoint& b = noded.vertices[static_cast<std::size_t>(noded.edges[e].second)];
+        const GridPoint& a = noded.vertices[noded.edges[e].first];
+        const GridPoint& b = noded.vertices[noded.edges[e].second];
         const Int128 area = twice_area({0, 0}, a, b);
-        areas[static_cast<std::size_t>(subdivision.face[2 * e])] += area;
-        areas[static_cast<std::size_t>(subdivision.face[2 * e + 1])] -= area;
+        areas[subdivision.face[2 * e]] += area;
+        areas[subdivision.face[2 * e + 1]] -= area;
         neighbours.emplace_back(subdivision.face[2 * e], subdivision.face[2 * e + 1]);
     }
-    finish(cut, areas, neighbours);
-    return cut;
+    fill_areas_and_adjacency(summary, areas, neighbours);
+    return summary;
 }
 
 }  // namespace rockslope::blockgen

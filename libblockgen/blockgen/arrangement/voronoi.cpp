@@ -24,7 +24,8 @@ Point point_of(const Kernel::Point_2& p) {
     return {p.x(), p.y()};
 }
 
-/// Inserted one after the other along x, each from where the last one was: no draw of CGAL's own decides.
+/// Delaunay triangulation. The points are inserted in order of x, each located from the previous one, so that
+/// the result does not depend on CGAL's random insertion order.
 Triangulation triangulate(std::vector<Point>& points) {
     std::sort(points.begin(), points.end(), before);
     Triangulation result;

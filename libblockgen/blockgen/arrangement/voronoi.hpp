@@ -7,8 +7,8 @@
 
 namespace rockslope::blockgen {
 
-/// The edges of the Voronoi cells of points, those that meet a box, cut to it. Before, each point moves
-/// `relaxation` times to the centroid of its cell; points with unbounded cells stay.
+/// The edges of the Voronoi diagram of points, clipped to a box. Before that, each point is moved to the
+/// centroid of its cell `relaxation` times (Lloyd 1982); points with unbounded cells do not move.
 std::vector<std::pair<Point, Point>> voronoi_edges(std::vector<Point> points, int relaxation,
                                                    const Bounds& box);
 

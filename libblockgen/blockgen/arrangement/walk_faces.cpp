@@ -1,7 +1,6 @@
-#include "blockgen/arrangement/walk_faces.hpp"
-
 #include <algorithm>
 
+#include "blockgen/arrangement/arrange.hpp"
 #include "blockgen/noding/bucket_grid.hpp"
 #include "common/base/disjoint_sets.hpp"
 
@@ -17,15 +16,14 @@ int half_plane(const GridPoint& d) {
 class FaceTracer {
   public:
     explicit FaceTracer(const NodedEdges& noded) : noded_(noded), components_(noded.vertices.size()) {
-        for (const auto& [a, b] : noded.edges)
-            components_.unite(static_cast<std::size_t>(a), static_cast<std::size_t>(b));
+        for (const auto& [a, b] : noded.edges) components_.unite(a, b);
     }
 
     Subdivision run() {
-        link();
-        walk();
+        link_half_edges();
+        trace_cycles();
         nest_components();
-        for (std::int32_t& cycle : result_.face) cycle = face_of_cycle_[static_cast<std::size_t>(cycle)];
+        for (std::int32_t& cycle : result_.face) cycle = face_of_cycle_[cycle];
         return std::move(result_);
     }
 
@@ -34,10 +32,10 @@ class FaceTracer {
         const auto& [a, b] = noded_.edges[h / 2];
         return h % 2 == 0 ? a : b;
     }
-    const GridPoint& place(std::int32_t v) const { return noded_.vertices[static_cast<std::size_t>(v)]; }
+    const GridPoint& grid_point(std::int32_t v) const { return noded_.vertices[v]; }
     GridPoint direction(std::int32_t h) const {
-        const auto k = static_cast<std::size_t>(h);
-        const GridPoint &a = place(origin(k)), &b = place(origin(k ^ 1u));
+        const std::size_t k = h;
+        const GridPoint &a = grid_point(origin(k)), &b = grid_point(origin(k ^ 1u));
         return {b.x - a.x, b.y - a.y};
     }
     bool comes_before(std::int32_t g, std::int32_t h) const {
@@ -46,80 +44,72 @@ class FaceTracer {
         return static_cast<Int128>(d.x) * e.y - static_cast<Int128>(d.y) * e.x > 0;
     }
 
-    /// Along the face on its left a half-edge is followed by the one that comes next clockwise after its
-    /// twin.
-    void link() {
+    /// Along the face on its left, the next half-edge is the one clockwise after the twin, around the vertex
+    /// at which the half-edge ends.
+    void link_half_edges() {
         const std::size_t n = 2 * noded_.edges.size();
         std::vector<std::int32_t> first(noded_.vertices.size() + 1, 0), around(n);
-        for (std::size_t h = 0; h < n; ++h) ++first[static_cast<std::size_t>(origin(h)) + 1];
+        for (std::size_t h = 0; h < n; ++h) ++first[origin(h) + 1];
         for (std::size_t v = 0; v + 1 < first.size(); ++v) first[v + 1] += first[v];
         std::vector<std::int32_t> fill(first.begin(), first.end() - 1);
-        for (std::size_t h = 0; h < n; ++h)
-            around[static_cast<std::size_t>(fill[static_cast<std::size_t>(origin(h))]++)] =
-                static_cast<std::int32_t>(h);
+        for (std::size_t h = 0; h < n; ++h) around[fill[origin(h)]++] = h;
         result_.next.resize(n);
         for (std::size_t v = 0; v + 1 < first.size(); ++v) {
             const auto begin = around.begin() + first[v], end = around.begin() + first[v + 1];
             std::sort(begin, end, [this](std::int32_t g, std::int32_t h) { return comes_before(g, h); });
-            for (auto h = begin; h != end; ++h)
-                result_.next[static_cast<std::size_t>(*h) ^ 1u] = h == begin ? *(end - 1) : *(h - 1);
+            for (auto h = begin; h != end; ++h) result_.next[*h ^ 1] = h == begin ? *(end - 1) : *(h - 1);
         }
     }
 
-    /// Numbers the cycles of half-edges. One that turns clockwise, or encloses nothing, runs round a part
-    /// from outside.
-    void walk() {
+    /// Numbers the cycles of half-edges. A counter-clockwise cycle bounds a new face. A clockwise cycle, or
+    /// one of zero area, is the outer boundary of a connected component.
+    void trace_cycles() {
         result_.face.assign(result_.next.size(), -1);
         outer_cycle_.assign(noded_.vertices.size(), -1);
         face_of_cycle_.clear();
         result_.face_count = 1;
         for (std::size_t start = 0; start < result_.next.size(); ++start) {
             if (result_.face[start] >= 0) continue;
-            const auto cycle = static_cast<std::int32_t>(face_of_cycle_.size());
+            const std::int32_t cycle = face_of_cycle_.size();
             Int128 twice = 0;
-            const GridPoint& o = place(origin(start));
-            for (std::size_t h = start; result_.face[h] < 0; h = static_cast<std::size_t>(result_.next[h])) {
+            const GridPoint& o = grid_point(origin(start));
+            for (std::size_t h = start; result_.face[h] < 0; h = result_.next[h]) {
                 result_.face[h] = cycle;
-                twice += twice_area(o, place(origin(h)), place(origin(h ^ 1u)));
+                twice += twice_area(o, grid_point(origin(h)), grid_point(origin(h ^ 1u)));
             }
             face_of_cycle_.push_back(twice > 0 ? result_.face_count++ : -1);
-            if (twice <= 0) outer_cycle_[components_.root(static_cast<std::size_t>(origin(start)))] = cycle;
+            if (twice <= 0) outer_cycle_[components_.root(origin(start))] = cycle;
         }
     }
 
-    /// The face round each part, in the order of their leftmost vertices: what lies below such a vertex is a
-    /// part with a vertex farther left, or below it, so that its own place is known.
+    /// Finds the face that contains each connected component, in the order of the leftmost vertices. The
+    /// component below such a vertex has a vertex further left, or lower, so that its face is already found.
     void nest_components() {
         std::vector<FineSegment> lines;
         lines.reserve(noded_.edges.size());
-        for (const auto& [a, b] : noded_.edges) lines.push_back({place(a), place(b)});
+        for (const auto& [a, b] : noded_.edges) lines.push_back({grid_point(a), grid_point(b)});
         const BucketGrid grid(lines, 1);
         for (std::size_t v = 0; v < outer_cycle_.size(); ++v) {
-            if (outer_cycle_[v] < 0) continue;  // v is not the smallest, so leftmost, of its part
+            if (outer_cycle_[v] < 0) continue;  // v is not the smallest, so leftmost, of its component
             const std::int32_t below = edge_below(v, lines, grid);
-            face_of_cycle_[static_cast<std::size_t>(outer_cycle_[v])] =
-                below < 0 ? 0
-                          : face_of_cycle_[static_cast<std::size_t>(
-                                result_.face[2 * static_cast<std::size_t>(below)])];
+            face_of_cycle_[outer_cycle_[v]] = below < 0 ? 0 : face_of_cycle_[result_.face[2 * below]];
         }
     }
 
-    /// The first edge met by going down from a hair to the right of v, of another part than v's; -1 if none.
+    /// The first edge of another component on the vertical ray down from v, with the ray shifted to the right
+    /// by an infinitesimal; -1 if none.
     std::int32_t edge_below(std::size_t v, const std::vector<FineSegment>& lines, const BucketGrid& grid) {
         const GridPoint& p = noded_.vertices[v];
         std::int32_t best = -1;
         for (std::size_t bucket = grid.bucket_of(p);; --bucket) {
             for (const std::int32_t e : grid.segments_of(bucket)) {
-                const FineSegment& s = lines[static_cast<std::size_t>(e)];
+                const FineSegment& s = lines[e];
                 if (!(s.a.x <= p.x && p.x < s.b.x) || side_of(s.a, s.b, p) <= 0) continue;
-                if (components_.root(
-                        static_cast<std::size_t>(noded_.edges[static_cast<std::size_t>(e)].first)) == v)
-                    continue;
-                if (best < 0 || is_above(s, lines[static_cast<std::size_t>(best)], p.x)) best = e;
+                if (components_.root(noded_.edges[e].first) == v) continue;
+                if (best < 0 || is_above(s, lines[best], p.x)) best = e;
             }
-            // What comes in lower buckets cannot be above an edge that already crosses p.x within this one.
-            const bool is_found =
-                best >= 0 && grid.bottom_of(bucket) <= height(lines[static_cast<std::size_t>(best)], p.x);
+            // No edge in a lower bucket lies above an edge that crosses x = p.x within this bucket.
+            const bool is_found = best >= 0 && grid.bottom_of(bucket) <= height(lines[best], p.x);
             if (is_found || grid.row_of(bucket) == 0) break;
         }
         return best;
@@ -131,7 +121,7 @@ class FaceTracer {
                                                 static_cast<double>(s.b.x - s.a.x);
     }
 
-    /// Whether s lies above t a hair to the right of x.
+    /// Whether s lies above t just to the right of x.
     static bool is_above(const FineSegment& s, const FineSegment& t, std::int64_t x) {
         const Int128 s_dx = s.b.x - s.a.x, t_dx = t.b.x - t.a.x, s_dy = s.b.y - s.a.y, t_dy = t.b.y - t.a.y;
         const Int128 s_high = (s.a.y * s_dx + (x - s.a.x) * s_dy) * t_dx;
@@ -142,8 +132,8 @@ class FaceTracer {
     const NodedEdges& noded_;
     DisjointSets components_;
     Subdivision result_;
-    std::vector<std::int32_t> outer_cycle_;    ///< per vertex: of the part whose smallest vertex it is, or -1
-    std::vector<std::int32_t> face_of_cycle_;  ///< -1 while unknown
+    std::vector<std::int32_t> outer_cycle_;    ///< per smallest vertex of a component: its outer cycle; or -1
+    std::vector<std::int32_t> face_of_cycle_;  ///< -1 until found
 };
 
 }  // namespace

@@ -20,7 +20,7 @@ std::string text_of(const Point& p) {
 bool contains(const BlockMesh& mesh, std::size_t block, const Point& p) {
     bool in_box_x = false, in_box_y = false, below_x = false, below_y = false;
     for (const std::int32_t v : mesh.ring(block, 0)) {
-        const Point& q = mesh.vertices[static_cast<std::size_t>(v)];
+        const Point& q = mesh.vertices[v];
         below_x = below_x || q.x <= p.x;
         in_box_x = in_box_x || q.x >= p.x;
         below_y = below_y || q.y <= p.y;
@@ -60,13 +60,13 @@ std::int32_t block_near(const BlockMesh& mesh, const SlopeModel& model, const Bl
     const double reach = 0.05 * std::hypot(bounds.high.x - bounds.low.x, bounds.high.y - bounds.low.y);
     const auto [nearest, distance] = nearest_block(mesh, *selector.at);
     if (distance > reach)
-        throw InputError(selector.place, "no block holds the point " + text_of(*selector.at),
+        throw InputError(selector.place, "no block contains the point " + text_of(*selector.at),
                          "a point inside the rock");
     if (distance <= 2 * model.grid) return nearest;
     char metres[32];
     std::snprintf(metres, sizeof metres, "%.3g", distance);
     warnings.push_back(selector.place.text() + ": the point " + text_of(*selector.at) +
-                       " lies outside the rock; the nearest block, " + metres + " m away, is taken");
+                       " lies outside the rock; the nearest block, " + metres + " m away, is used");
     return nearest;
 }
 
@@ -85,7 +85,7 @@ bool lies_along(const BlockMesh& mesh, std::size_t block, const std::string& sid
     return false;
 }
 
-/// Whether a segment has a piece within a block, or along its rim.
+/// Whether a segment has a piece inside a block, or along its boundary.
 bool runs_through(const BlockMesh& mesh, std::size_t block, const Point& a, const Point& b) {
     for (const auto& [p, q] : clip_to_ring(a, b, ring_points(mesh, block, 0))) {
         const Point middle{(p.x + q.x) / 2, (p.y + q.y) / 2};
@@ -104,12 +104,12 @@ std::vector<std::int32_t> selected_blocks(const BlockMesh& mesh, const SlopeMode
             !selector.along.empty() ? runs_through(mesh, b, selector.along[0], selector.along[1])
             : selector.side.empty() ? side_of_ring(selector.inside, block_centroid(mesh, b)) >= 0
                                     : lies_along(mesh, b, selector.side, bounds, 4 * model.grid);
-        if (is_selected) blocks.push_back(static_cast<std::int32_t>(b));
+        if (is_selected) blocks.push_back(b);
     }
     if (blocks.empty())
-        throw InputError(selector.place, "no block is chosen",
+        throw InputError(selector.place, "no block is selected",
                          !selector.along.empty() ? "a line that runs through a block"
-                         : selector.side.empty() ? "a polygon that holds the centroid of a block"
+                         : selector.side.empty() ? "a polygon that contains the centroid of a block"
                                                  : "a side that a block lies along");
     return blocks;
 }
@@ -118,7 +118,7 @@ std::int32_t block_containing(const BlockMesh& mesh, const Point& p, const Sourc
                               const std::string& what) {
     const std::int32_t block = block_at(mesh, p);
     if (block < 0)
-        throw InputError(place, "no block holds " + what + " at " + text_of(p), "a point inside the rock");
+        throw InputError(place, "no block contains " + what + " at " + text_of(p), "a point inside the rock");
     return block;
 }
 
@@ -126,7 +126,7 @@ std::int32_t block_containing(const BlockMesh& mesh, const Point& p, const Sourc
 
 std::int32_t block_at(const BlockMesh& mesh, const Point& p) {
     for (std::size_t b = 0; b < mesh.block_count(); ++b)
-        if (contains(mesh, b, p)) return static_cast<std::int32_t>(b);
+        if (contains(mesh, b, p)) return b;
     return -1;
 }
 
@@ -135,19 +135,19 @@ static void apply_material_lines(BlockMesh& mesh, const SlopeModel& model) {
     std::vector<std::string> names = mesh.block_materials;
     for (const MaterialLine& line : model.material_lines) {
         const auto found = std::find(names.begin(), names.end(), line.block_material);
-        const auto material = static_cast<std::int32_t>(found - names.begin());
+        const std::int32_t material = found - names.begin();
         if (found == names.end()) names.push_back(line.block_material);
         for (std::size_t b = 0; b < mesh.block_count(); ++b)
             if (runs_through(mesh, b, line.from, line.to)) mesh.block_material[b] = material;
     }
-    // Only names that a block bears enter the file.
+    // Only materials that a block has are written to the file.
     std::vector<std::int32_t> number(names.size(), -1);
     mesh.block_materials.clear();
     for (std::int32_t& material : mesh.block_material) {
-        std::int32_t& n = number[static_cast<std::size_t>(material)];
+        std::int32_t& n = number[material];
         if (n < 0) {
-            n = static_cast<std::int32_t>(mesh.block_materials.size());
-            mesh.block_materials.push_back(names[static_cast<std::size_t>(material)]);
+            n = mesh.block_materials.size();
+            mesh.block_materials.push_back(names[material]);
         }
         material = n;
     }
@@ -158,7 +158,7 @@ void apply_block_selectors(BlockMesh& mesh, const SlopeModel& model, std::vector
     for (const BlockSelector& selector : model.selectors) {
         const BlockMotion motion = selector.prescribed ? BlockMotion::prescribed : BlockMotion::fixed;
         for (const std::int32_t block : selected_blocks(mesh, model, selector, warnings)) {
-            const auto b = static_cast<std::size_t>(block);
+            const std::size_t b = block;
             const bool contradicts =
                 mesh.motion[b] != BlockMotion::free &&
                 (mesh.motion[b] != motion || (selector.prescribed && mesh.motion_name[b] != selector.name));
@@ -166,7 +166,7 @@ void apply_block_selectors(BlockMesh& mesh, const SlopeModel& model, std::vector
                 throw InputError(selector.place,
                                  "block " + std::to_string(block) + " near " +
                                      text_of(block_centroid(mesh, b)) +
-                                     " is already fixed, or prescribed by another name",
+                                     " is already fixed, or prescribed under another name",
                                  "one motion for each block");
             mesh.motion[b] = motion;
             if (selector.prescribed) mesh.motion_name[b] = selector.name;

@@ -8,13 +8,13 @@
 
 namespace rockslope::blockgen {
 
-/// The block that holds a point, its edges included; the first of several; -1 when none does.
+/// The first block that contains a point, edges included; -1 when none does.
 std::int32_t block_at(const BlockMesh& mesh, const Point& p);
 
-/// Fixes and prescribes blocks and places measured points and bolts, as the model says. A fixed or prescribed
-/// block whose point lies outside the rock is the nearest one, with a warning, up to a twentieth of the
-/// domain's size away.
-/// @throws InputError for a point that no block holds, or a block chosen twice in contradiction.
+/// Applies the model's material lines, fixed and prescribed blocks, measured points and bolts to a mesh. A
+/// fixed or prescribed block may be selected by a point outside the rock: the nearest block is used, with a
+/// warning, up to a distance of 0.05 times the domain's diagonal.
+/// @throws InputError for a point that no block contains, or a block with two different motions.
 void apply_block_selectors(BlockMesh& mesh, const SlopeModel& model, std::vector<std::string>& warnings);
 
 }  // namespace rockslope::blockgen

@@ -6,9 +6,7 @@
 #include <stdexcept>
 
 #include "blockgen/arrangement/arrange.hpp"
-#include "blockgen/arrangement/walk_faces.hpp"
 #include "blockgen/cut/apply_block_selectors.hpp"
-#include "blockgen/cut/island_cuts.hpp"
 #include "blockgen/cut/merge_blocks.hpp"
 #include "blockgen/cut/simplify_boundaries.hpp"
 #include "blockgen/faces/mark_edges.hpp"
@@ -22,17 +20,16 @@ namespace rockslope::blockgen {
 
 namespace {
 
-/// The bounded faces of a planar graph by Euler's formula, E - V + components.
+/// Number of bounded faces of a planar graph by Euler's formula: E - V + connected components.
 std::size_t count_bounded_faces(const NodedEdges& noded) {
     DisjointSets sets(noded.vertices.size());
     std::size_t components = noded.vertices.size();
-    for (const auto& [a, b] : noded.edges)
-        components -= sets.unite(static_cast<std::size_t>(a), static_cast<std::size_t>(b));
+    for (const auto& [a, b] : noded.edges) components -= sets.unite(a, b);
     return noded.edges.size() + components - noded.vertices.size();
 }
 
-/// CGAL's arrangement sweeps the plane and so checks the edges once more. Where that would take most of the
-/// time, faces are walked instead; the areas are proved in both cases, and --verify sweeps anyway.
+/// The subdivision by CGAL's plane sweep, which also checks the noding. Larger networks, for which the sweep
+/// would take most of the time, use walk_faces(). verify_area() checks both; --verify always sweeps.
 Subdivision subdivide(const NodedEdges& noded) {
     constexpr std::size_t max_swept_edges = 100'000;
     return noded.edges.size() <= max_swept_edges ? arrange(noded) : walk_faces(noded);
@@ -73,7 +70,7 @@ class Cutter {
     }
 
   private:
-    /// A mesh that is unfit is a fault of this program, not of its input.
+    /// An invalid mesh is an error of this program, not of its input.
     static void check(const BlockMesh& mesh) {
         try {
             check_mesh(mesh, "the cut mesh");
@@ -93,7 +90,7 @@ class Cutter {
         return noded;
     }
 
-    /// The faces' blocks after small ones are joined and islands filled, as the model wants.
+    /// The block of each face, after small blocks are merged and islands filled as the model requires.
     FaceBlocks classify_and_merge_faces() {
         FaceBlocks faces = classify_faces(noded_, subdivision_, model_, table_);
         if (faces.material.empty())
@@ -109,22 +106,20 @@ class Cutter {
         return faces;
     }
 
-    std::int32_t block_of(std::size_t half_edge) const {
-        return faces_.block[static_cast<std::size_t>(subdivision_.face[half_edge])];
-    }
+    std::int32_t block_of(std::size_t half_edge) const { return faces_.block[subdivision_.face[half_edge]]; }
     const GridPoint& start(std::size_t half_edge) const {
-        return noded_.vertices[static_cast<std::size_t>(boundary_.origin[half_edge])];
+        return noded_.vertices[boundary_.origin[half_edge]];
     }
 
-    /// Only names that a block bears enter the file.
+    /// Index of a block's material in the mesh. Only materials that a block has are written to the file.
     std::int32_t material_index(BlockMesh& mesh, std::int32_t block) const {
-        const std::string& name = material_of(faces_, model_, static_cast<std::size_t>(block));
+        const std::string& name = material_of(faces_, model_, block);
         const auto found = std::find(mesh.block_materials.begin(), mesh.block_materials.end(), name);
         if (found == mesh.block_materials.end()) {
             mesh.block_materials.push_back(name);
-            return static_cast<std::int32_t>(mesh.block_materials.size() - 1);
+            return mesh.block_materials.size() - 1;
         }
-        return static_cast<std::int32_t>(found - mesh.block_materials.begin());
+        return found - mesh.block_materials.begin();
     }
 
     void fill_mesh(BlockMesh& mesh) {
@@ -139,15 +134,15 @@ class Cutter {
                 ring.clear();
                 marks.clear();
                 for (const std::int32_t h : half_edges) {
-                    const auto v = static_cast<std::size_t>(boundary_.origin[static_cast<std::size_t>(h)]);
+                    const std::size_t v = boundary_.origin[h];
                     if (removed_[v]) continue;
                     if (number[v] < 0) {
-                        number[v] = static_cast<std::int32_t>(mesh.vertices.size());
-                        mesh.vertices.push_back(noded_.frame.place(noded_.vertices[v]));
-                        places_.push_back(noded_.vertices[v]);
+                        number[v] = mesh.vertices.size();
+                        mesh.vertices.push_back(noded_.frame.position(noded_.vertices[v]));
+                        grid_points_.push_back(noded_.vertices[v]);
                     }
                     ring.push_back(number[v]);
-                    marks.push_back(edges_.marks[static_cast<std::size_t>(h / 2)]);
+                    marks.push_back(edges_.marks[h / 2]);
                 }
                 mesh.add_ring(ring, marks);
                 twice_block_area_ += twice_ring_area(ring);
@@ -155,16 +150,16 @@ class Cutter {
         }
     }
 
-    /// Every excavation that takes rock out, in the order of the model.
+    /// Adds the excavations that remove rock, in the order of the model.
     void add_excavations(CutResult& result) const {
         std::vector<ExcavatedBlocks> excavations;
         for (const Excavation& e : model_.excavations) excavations.push_back({e.name, e.stage, {}});
         for (std::size_t b = 0; b < blocks_.size(); ++b)
-            if (const std::int32_t k = faces_.excavation[static_cast<std::size_t>(blocks_[b].block)]; k >= 0)
-                excavations[static_cast<std::size_t>(k)].blocks.push_back(static_cast<std::int32_t>(b));
+            if (const std::int32_t k = faces_.excavation[blocks_[b].block]; k >= 0)
+                excavations[k].blocks.push_back(b);
         for (ExcavatedBlocks& e : excavations) {
             if (e.blocks.empty())
-                result.report.warnings.push_back("excavation '" + e.name + "' takes no rock out");
+                result.report.warnings.push_back("excavation '" + e.name + "' removes no rock");
             else
                 result.mesh.excavations.push_back(std::move(e));
         }
@@ -172,14 +167,15 @@ class Cutter {
 
     Int128 twice_ring_area(const std::vector<std::int32_t>& ring) const {
         Int128 sum = 0;
-        const auto place = [&](std::size_t k) { return places_[static_cast<std::size_t>(ring[k])]; };
-        for (std::size_t k = 1; k + 1 < ring.size(); ++k) sum += twice_area(place(0), place(k), place(k + 1));
+        const auto corner = [&](std::size_t k) { return grid_points_[ring[k]]; };
+        for (std::size_t k = 1; k + 1 < ring.size(); ++k)
+            sum += twice_area(corner(0), corner(k), corner(k + 1));
         return sum;
     }
 
-    /// The blocks of the mesh fill the rock: as integers, without rounding. Where no hole or tunnel reaches
-    /// over the outline or another, the rock's area also follows from the noded outlines alone, each walked
-    /// in its own direction.
+    /// Checks in exact integers that the areas of the blocks sum to the area of the rock. When no hole or
+    /// tunnel crosses the outline or overlaps another one, the area enclosed by the noded outlines must be
+    /// the same.
     void verify_area(CutReport& report) const {
         Int128 twice_rock = 0, twice_outlines = 0;
         for (std::size_t e = 0; e < noded_.edges.size(); ++e) {
@@ -193,9 +189,10 @@ class Cutter {
                 if (s.source == 0 || is_void) twice_outlines += (s.reversed != is_void ? -1 : 1) * area;
             }
         }
-        if (twice_rock != twice_block_area_) throw std::logic_error("the blocks do not fill the domain");
+        if (twice_rock != twice_block_area_)
+            throw std::logic_error("the areas of the blocks do not sum to the area of the rock");
         if (faces_.has_disjoint_voids && twice_rock != twice_outlines)
-            throw std::logic_error("the outline does not enclose the rock");
+            throw std::logic_error("the area of the rock differs from the area that the outlines enclose");
         report.domain_area = static_cast<double>(twice_rock) / 2 * noded_.frame.step * noded_.frame.step;
         report.area_proved = true;
     }
@@ -204,24 +201,25 @@ class Cutter {
         const ArrangementSummary exact = arrange_exactly(noded_), ours = summarize(noded_, subdivision_);
         if (exact.vertices != ours.vertices || exact.edges != ours.edges ||
             exact.twice_areas != ours.twice_areas || exact.adjacency != ours.adjacency)
-            throw std::logic_error("an arrangement with exact construction disagrees: " +
-                                   std::to_string(exact.twice_areas.size()) + " faces for " +
-                                   std::to_string(ours.twice_areas.size()));
+            throw std::logic_error("an arrangement with exact construction has " +
+                                   std::to_string(exact.twice_areas.size()) + " faces, the cut has " +
+                                   std::to_string(ours.twice_areas.size()) +
+                                   ", or areas or adjacency differ");
         report.verified = true;
     }
 
     void add_network(CutReport& report) const {
-        NetworkReport network =
-            measure_network(noded_, subdivision_, faces_, model_, traces_, table_, report.domain_area);
+        const CutContext cut{noded_, subdivision_, faces_, model_, traces_, table_};
+        NetworkReport network = measure_network(cut, report.domain_area);
         report.joints = std::move(network.joints);
         report.nodes = network.nodes;
-        report.changes = joint_changes(noded_, subdivision_, faces_, model_, traces_, table_);
+        report.changes = joint_changes(cut);
         report.changes.insert(report.changes.end(), merges_.changes.begin(), merges_.changes.end());
         report.warnings.insert(report.warnings.end(), network.warnings.begin(), network.warnings.end());
         for (const Tunnel& tunnel : model_.tunnels)
             if (is_outside_domain(tunnel.outline, model_))
                 report.warnings.push_back("tunnel '" + tunnel.name +
-                                          "' lies outside the outline and takes nothing away");
+                                          "' lies outside the outline and removes nothing");
     }
 
     void fill_report(CutResult& result) const {
@@ -231,7 +229,7 @@ class Cutter {
         report.merges = merges_;
         report.noding_rounds = noded_.rounds;
         report.largest_snap = noded_.largest_snap;
-        report.merged_vertices = static_cast<std::size_t>(std::count(removed_.begin(), removed_.end(), 1));
+        report.merged_vertices = std::count(removed_.begin(), removed_.end(), 1);
         for (const EdgeMark& mark : mesh.edge_marks)
             ++(mark == EdgeMark{} ? report.boundary_edges : report.interior_edges);
         report.interior_edges /= 2;
@@ -239,8 +237,7 @@ class Cutter {
         report.shapes = shape_summary(mesh);
         for (const ExcavatedBlocks& e : mesh.excavations) {
             report.excavations.push_back({e.name, e.stage, e.blocks.size(), 0});
-            for (const std::int32_t b : e.blocks)
-                report.excavations.back().area += block_area(mesh, static_cast<std::size_t>(b));
+            for (const std::int32_t b : e.blocks) report.excavations.back().area += block_area(mesh, b);
         }
         for (std::size_t b = 0; b < mesh.block_count(); ++b)
             report.slivers += block_roundness(mesh, b) < model_.small_blocks.below_roundness;
@@ -257,16 +254,17 @@ class Cutter {
                 ++report.islands;
                 if (model_.islands == IslandPolicy::keep) warn_of_island(block.rings[r], report);
                 if (model_.islands != IslandPolicy::error) continue;
-                const auto h = static_cast<std::size_t>(block.rings[r][0]);
-                const Point p = noded_.frame.place(start(h));
+                const std::size_t h = block.rings[r][0];
+                const Point p = noded_.frame.position(start(h));
                 throw InputError(
                     model_.domain_location,
                     "one block encloses others at (" + shortest_text(p.x) + ", " + shortest_text(p.y) + ")",
-                    "joints that reach the rim, or islands = \"keep\", \"cut\" or \"fill\"");
+                    "joints that connect them to the block around them, or islands = \"keep\", \"cut\" or "
+                    "\"fill\"");
             }
     }
 
-    /// Names the first islands that are kept; of the rest, the report's count tells.
+    /// Warns of each of the first islands that are kept; one more warning refers to the count in the report.
     void warn_of_island(const std::vector<std::int32_t>& hole, CutReport& report) const {
         constexpr std::size_t max_named = 5;
         if (report.islands > max_named + 1) return;
@@ -274,15 +272,14 @@ class Cutter {
             report.warnings.push_back("further islands are kept: 'islands' in the report counts them");
             return;
         }
-        const GridPoint first = start(static_cast<std::size_t>(hole[0]));
+        const GridPoint first = start(hole[0]);
         Int128 twice = 0;
         for (std::size_t k = 1; k + 1 < hole.size(); ++k)
-            twice -= twice_area(first, start(static_cast<std::size_t>(hole[k])),
-                                start(static_cast<std::size_t>(hole[k + 1])));
+            twice -= twice_area(first, start(hole[k]), start(hole[k + 1]));
         char area[32];
         std::snprintf(area, sizeof area, "%.4g",
                       static_cast<double>(twice) / 2 * noded_.frame.step * noded_.frame.step);
-        const Point p = noded_.frame.place(first);
+        const Point p = noded_.frame.position(first);
         report.warnings.push_back(std::string("an island of ") + area + " m2 at (" + shortest_text(p.x) +
                                   ", " + shortest_text(p.y) + ") is kept within one block");
     }
@@ -298,7 +295,7 @@ class Cutter {
     EdgeMarks edges_;
     std::vector<BlockRings> blocks_;
     std::vector<char> removed_;
-    std::vector<GridPoint> places_;  ///< per vertex of the mesh
+    std::vector<GridPoint> grid_points_;  ///< per vertex of the mesh
     Int128 twice_block_area_ = 0;
 };
 
@@ -315,7 +312,7 @@ Change island_cut_change(const Trace& cut) {
 }  // namespace
 
 CutResult cut_blocks(const SlopeModel& model, const std::vector<Trace>& traces, const CutOptions& options) {
-    // A cut may open one block that another island lies in, which the next round finds.
+    // A cut may divide a block that contains another island; the next round finds that island.
     constexpr int max_rounds = 20;
     std::vector<Trace> all = traces;
     for (int round = 0;; ++round) {
@@ -328,7 +325,8 @@ CutResult cut_blocks(const SlopeModel& model, const std::vector<Trace>& traces, 
         const std::vector<Trace> cuts = island_cuts(result.mesh);
         if (cuts.empty() || round == max_rounds) {
             result.report.warnings.push_back(std::to_string(result.report.islands) +
-                                             " islands could not be cut to their rim and are kept");
+                                             " islands could not be connected to the block around them "
+                                             "by a cut and are kept");
             return result;
         }
         all.insert(all.end(), cuts.begin(), cuts.end());

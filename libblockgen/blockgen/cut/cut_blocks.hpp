@@ -11,7 +11,7 @@ namespace rockslope::blockgen {
 
 struct CutOptions {
     std::size_t max_blocks = 1'000'000;
-    bool verify = false;  ///< recut with exact construction and compare
+    bool verify = false;  ///< repeat the arrangement with exact construction and compare
 };
 
 struct CutResult {
@@ -19,10 +19,10 @@ struct CutResult {
     CutReport report;
 };
 
-/// Cuts a slope by joints into blocks. Joints that end in rock are cut back to the last block corner; an edge
-/// between two materials separates blocks even without a joint. The blocks are numbered by their lowest-left
-/// vertex, so they do not depend on the order of the joints. @throws InputError for a model that cannot be
-/// cut, std::logic_error when a proof fails.
+/// Cuts a slope by joints into blocks. Dangling ends of joints are pruned back to the last block corner; an
+/// edge between two materials separates blocks even without a joint. Blocks are numbered in the order of
+/// their smallest vertex, by x and then y, so that their numbers do not depend on the order of the joints.
+/// @throws InputError for a model that cannot be cut, std::logic_error when a check of the result fails.
 CutResult cut_blocks(const SlopeModel& model, const std::vector<Trace>& traces,
                      const CutOptions& options = {});
 

@@ -1,4 +1,4 @@
-#include "blockgen/cut/island_cuts.hpp"
+#include "blockgen/cut/merge_blocks.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@ namespace rockslope::blockgen {
 
 namespace {
 
-/// The rings of one block, and rays within it.
+/// The rings of one block, for ray casting inside it.
 class BlockWithHoles {
   public:
     BlockWithHoles(const BlockMesh& mesh, std::size_t block) {
@@ -20,8 +20,9 @@ class BlockWithHoles {
             rings_.push_back(ring_points(mesh, block, r));
     }
 
-    /// Where the prolongation of u-v beyond v leaves the block; nothing when it starts outside.
-    std::optional<Point> prolonged(const Point& u, const Point& v) const {
+    /// The first point of the ray from u through v, beyond v, on the block's boundary; nothing when the ray
+    /// leaves the block at v.
+    std::optional<Point> end_of_extension(const Point& u, const Point& v) const {
         const double dx = v.x - u.x, dy = v.y - u.y;
         double nearest = std::numeric_limits<double>::infinity();
         for (const Ring& ring : rings_)
@@ -53,15 +54,15 @@ bool is_island(std::span<const EdgeMark> marks) {
     return std::any_of(marks.begin(), marks.end(), [](const EdgeMark& m) { return !(m == EdgeMark{}); });
 }
 
-/// The joint of one of the two edges at corner k, prolonged beyond it.
+/// The joint of one of the two edges at corner k, extended beyond the corner.
 std::optional<Trace> cut_from(const BlockMesh& mesh, const BlockWithHoles& block, const Ring& ring,
                               std::span<const EdgeMark> marks, std::size_t k) {
     const std::size_t n = ring.size(), before = (k + n - 1) % n;
     for (const auto& [edge, other] : {std::pair(before, before), std::pair(k, (k + 1) % n)}) {
         if (marks[edge] == EdgeMark{}) continue;
-        const auto end = block.prolonged(ring[other], ring[k]);
+        const auto end = block.end_of_extension(ring[other], ring[k]);
         if (!end) continue;
-        const auto material = static_cast<std::size_t>(marks[edge].joint_material);
+        const std::size_t material = marks[edge].joint_material;
         return Trace{"island cut", mesh.joint_materials[material], {ring[k], *end}};
     }
     return std::nullopt;
@@ -83,8 +84,7 @@ std::vector<Trace> island_cuts(const BlockMesh& mesh) {
             const Ring ring = ring_points(mesh, b, r);
             const auto [first, last] = std::minmax_element(ring.begin(), ring.end(), before);
             for (const auto& corner : {first, last})
-                if (auto cut =
-                        cut_from(mesh, block, ring, marks, static_cast<std::size_t>(corner - ring.begin())))
+                if (auto cut = cut_from(mesh, block, ring, marks, corner - ring.begin()))
                     cuts.push_back(std::move(*cut));
         }
     }

@@ -16,17 +16,17 @@ namespace {
 std::string rock_text(const FaceBlocks& faces, const SlopeModel& model, std::size_t block) {
     const std::int32_t k = faces.excavation[block];
     return "'" + material_of(faces, model, block) + "'" +
-           (k < 0 ? "" : " in excavation '" + model.excavations[static_cast<std::size_t>(k)].name + "'");
+           (k < 0 ? "" : " in excavation '" + model.excavations[k].name + "'");
 }
 
-/// Numbers what is left without gaps, in the order of the smallest old number.
+/// Renumbers the merged blocks consecutively, in the order of their smallest old numbers.
 void renumber(FaceBlocks& faces, DisjointSets& sets) {
     std::vector<std::int32_t> number(faces.material.size(), FaceBlocks::outside);
     std::vector<std::int32_t> materials, excavations;
     for (std::size_t b = 0; b < number.size(); ++b) {
-        const std::size_t root = sets.root(b);  // the smallest, so met first
+        const std::size_t root = sets.root(b);  // the smallest block of the set, so numbered before b
         if (root == b) {
-            number[b] = static_cast<std::int32_t>(materials.size());
+            number[b] = materials.size();
             materials.push_back(faces.material[b]);
             excavations.push_back(faces.excavation[b]);
         } else {
@@ -34,7 +34,7 @@ void renumber(FaceBlocks& faces, DisjointSets& sets) {
         }
     }
     for (std::int32_t& block : faces.block)
-        if (block != FaceBlocks::outside) block = number[static_cast<std::size_t>(block)];
+        if (block != FaceBlocks::outside) block = number[block];
     faces.material = std::move(materials);
     faces.excavation = std::move(excavations);
 }
@@ -46,13 +46,13 @@ struct Side {
     double length;       ///< grid steps
 };
 
-/// An edge's share in six times its face's area times the centroid. @param twice twice the area of the
-/// triangle that it makes with the origin.
+/// Contribution of edge a-b to 6 A c, with the area A and the centroid c of its face. @param twice twice the
+/// signed area of the triangle origin, a, b.
 Point moment_of(const GridPoint& a, const GridPoint& b, double twice) {
     return {twice * static_cast<double>(a.x + b.x), twice * static_cast<double>(a.y + b.y)};
 }
 
-/// Blocks with their sides; blocks that were joined share both.
+/// Adjacency graph of the blocks, with areas and centroids; a union-find merges blocks.
 class BlockGraph {
   public:
     BlockGraph(const FaceBlocks& faces, const NodedEdges& noded, const Subdivision& subdivision,
@@ -62,11 +62,11 @@ class BlockGraph {
           moment_(faces.material.size()),
           sides_(faces.material.size()) {
         for (std::size_t e = 0; e < noded.edges.size(); ++e) {
-            const std::int32_t left = faces.block[static_cast<std::size_t>(subdivision.face[2 * e])];
-            const std::int32_t right = faces.block[static_cast<std::size_t>(subdivision.face[2 * e + 1])];
+            const std::int32_t left = faces.block[subdivision.face[2 * e]];
+            const std::int32_t right = faces.block[subdivision.face[2 * e + 1]];
             if (left == right) continue;
-            const GridPoint& a = noded.vertices[static_cast<std::size_t>(noded.edges[e].first)];
-            const GridPoint& b = noded.vertices[static_cast<std::size_t>(noded.edges[e].second)];
+            const GridPoint& a = noded.vertices[noded.edges[e].first];
+            const GridPoint& b = noded.vertices[noded.edges[e].second];
             const double length = std::hypot(static_cast<double>(b.x - a.x), static_cast<double>(b.y - a.y));
             const Int128 area = twice_area({0, 0}, a, b);
             const std::int32_t joint = first_joint(noded, e, table);
@@ -80,19 +80,18 @@ class BlockGraph {
 
     std::size_t root(std::size_t block) { return sets_.root(block); }
     Int128 twice_area_of(std::size_t root) const { return twice_area_[root]; }
-    /// Grid steps.
+    /// In grid steps.
     Point centroid_of(std::size_t root) const {
         const double six_areas = 3 * static_cast<double>(twice_area_[root]);
         return {moment_[root].x / six_areas, moment_[root].y / six_areas};
     }
     double length_of_joint(std::int32_t joint) const { return length_of_joint_.at(joint); }
 
-    /// The sides of a root, those within it gone.
+    /// The sides of a merged block; drops those that have become interior.
     const std::vector<Side>& sides(std::size_t root) {
         std::vector<Side>& sides = sides_[root];
         std::erase_if(sides, [&](const Side& s) {
-            return s.neighbour != FaceBlocks::outside &&
-                   sets_.root(static_cast<std::size_t>(s.neighbour)) == root;
+            return s.neighbour != FaceBlocks::outside && sets_.root(s.neighbour) == root;
         });
         return sides;
     }
@@ -127,24 +126,24 @@ class BlockGraph {
     }
 
     void add(std::int32_t block, Int128 area, const Point& moment, const Side& side) {
-        twice_area_[static_cast<std::size_t>(block)] += area;
-        moment_[static_cast<std::size_t>(block)].x += moment.x;
-        moment_[static_cast<std::size_t>(block)].y += moment.y;
-        sides_[static_cast<std::size_t>(block)].push_back(side);
+        twice_area_[block] += area;
+        moment_[block].x += moment.x;
+        moment_[block].y += moment.y;
+        sides_[block].push_back(side);
     }
 
     DisjointSets sets_;
     std::vector<Int128> twice_area_;
-    std::vector<Point> moment_;  ///< six times the area times the centroid
+    std::vector<Point> moment_;  ///< 6 area * centroid
     std::vector<std::vector<Side>> sides_;
     std::map<std::int32_t, double> length_of_joint_;
 };
 
-/// The blocks to join a small one to, and what lies between them.
+/// The blocks with which a small block is merged, and the boundary between them.
 struct MergeTargets {
     std::vector<std::size_t> blocks;
-    double length = 0;        ///< grid steps, of the boundary that goes
-    std::int32_t joint = -1;  ///< the one whose piece is dropped
+    double length = 0;        ///< of the boundary that disappears, grid steps
+    std::int32_t joint = -1;  ///< the joint whose piece is dropped, or -1
 };
 
 class SmallBlockMerger {
@@ -166,7 +165,7 @@ class SmallBlockMerger {
         while (!small.empty()) {
             const auto [twice_area, b] = *small.begin();
             small.erase(small.begin());
-            // An entry of a block that has grown since is out of date; the grown one has its own.
+            // Skip an entry of a block that has been merged since; the merged block has its own entry.
             if (graph_.root(b) != b || graph_.twice_area_of(b) != twice_area) continue;
             const MergeTargets targets = merge_targets_of(b);
             if (targets.blocks.empty()) {
@@ -174,25 +173,24 @@ class SmallBlockMerger {
                 continue;
             }
             report.changes.push_back(change_of(b, targets));
-            for (const std::size_t partner : targets.blocks) graph_.unite(b, partner);
+            for (const std::size_t target : targets.blocks) graph_.unite(b, target);
             report.merged_blocks += targets.blocks.size();
             report.merged_area += static_cast<double>(twice_area) / 2 * cell_;
-            const std::size_t grown = graph_.root(b);
-            if (is_small(grown)) small.emplace(graph_.twice_area_of(grown), grown);
+            const std::size_t merged = graph_.root(b);
+            if (is_small(merged)) small.emplace(graph_.twice_area_of(merged), merged);
         }
         if (report.merged_blocks > 0) renumber(faces_, graph_.sets());
     }
 
   private:
     bool is_small(std::size_t b) {
-        const SmallBlocks& wanted = model_.small_blocks;
-        return static_cast<double>(graph_.twice_area_of(b)) / 2 * cell_ < wanted.below_area ||
-               (wanted.below_roundness > 0 && graph_.roundness(b) < wanted.below_roundness);
+        const SmallBlocks& limits = model_.small_blocks;
+        return static_cast<double>(graph_.twice_area_of(b)) / 2 * cell_ < limits.below_area ||
+               (limits.below_roundness > 0 && graph_.roundness(b) < limits.below_roundness);
     }
 
     bool may_merge(const Side& side, std::size_t b) {
-        return side.neighbour != FaceBlocks::outside &&
-               have_same_rock(faces_, model_, static_cast<std::size_t>(side.neighbour), b);
+        return side.neighbour != FaceBlocks::outside && have_same_rock(faces_, model_, side.neighbour, b);
     }
 
     Change change_of(std::size_t b, const MergeTargets& targets) const {
@@ -202,7 +200,7 @@ class SmallBlockMerger {
         change.at = {frame_.origin.x + frame_.step * c.x, frame_.origin.y + frame_.step * c.y};
         change.area = static_cast<double>(graph_.twice_area_of(b)) / 2 * cell_;
         change.length = targets.length * frame_.step;
-        if (targets.joint >= 0) change.joint = traces_[static_cast<std::size_t>(targets.joint)].name;
+        if (targets.joint >= 0) change.joint = traces_[targets.joint].name;
         return change;
     }
 
@@ -214,7 +212,7 @@ class SmallBlockMerger {
     MergeTargets across_longest(std::size_t b) {
         std::map<std::size_t, double> common;
         for (const Side& s : graph_.sides(b))
-            if (may_merge(s, b)) common[graph_.root(static_cast<std::size_t>(s.neighbour))] += s.length;
+            if (may_merge(s, b)) common[graph_.root(s.neighbour)] += s.length;
         const auto longest = std::max_element(
             common.begin(), common.end(), [](const auto& x, const auto& y) { return x.second < y.second; });
         if (longest == common.end()) return {};
@@ -223,14 +221,15 @@ class SmallBlockMerger {
 
     MergeTargets across_shortest_joint(std::size_t b) {
         MergeTargets targets;
-        std::int32_t& least = targets.joint;
+        std::int32_t& shortest = targets.joint;
         for (const Side& s : graph_.sides(b))
-            if (s.joint >= 0 && may_merge(s, b) && (least < 0 || is_shorter(s.joint, least))) least = s.joint;
-        if (least < 0) return {};
+            if (s.joint >= 0 && may_merge(s, b) && (shortest < 0 || is_shorter(s.joint, shortest)))
+                shortest = s.joint;
+        if (shortest < 0) return {};
         std::set<std::size_t> blocks;
         for (const Side& s : graph_.sides(b)) {
-            if (s.joint != least || !may_merge(s, b)) continue;
-            blocks.insert(graph_.root(static_cast<std::size_t>(s.neighbour)));
+            if (s.joint != shortest || !may_merge(s, b)) continue;
+            blocks.insert(graph_.root(s.neighbour));
             targets.length += s.length;
         }
         targets.blocks.assign(blocks.begin(), blocks.end());
@@ -247,23 +246,22 @@ class SmallBlockMerger {
     const std::vector<Trace>& traces_;
     BlockGraph graph_;
     GridFrame frame_;
-    double cell_;
+    double cell_;  ///< area of a grid cell, m2
 };
 
-/// The row of a hole, clockwise as rings of blocks are, that was filled. Islands in it count with their own
-/// holes.
+/// The change for a filled hole. Its ring is clockwise. The area includes holes of the islands.
 Change filled_hole(const std::vector<std::int32_t>& hole, const NodedEdges& noded) {
     Int128 twice = 0;
     Point moment{0, 0};
     for (const std::int32_t h : hole) {
-        const auto& edge = noded.edges[static_cast<std::size_t>(h / 2)];
+        const auto& edge = noded.edges[h / 2];
         const bool forward = h % 2 == 0;
-        const GridPoint& a = noded.vertices[static_cast<std::size_t>(forward ? edge.first : edge.second)];
-        const GridPoint& b = noded.vertices[static_cast<std::size_t>(forward ? edge.second : edge.first)];
+        const GridPoint& a = noded.vertices[forward ? edge.first : edge.second];
+        const GridPoint& b = noded.vertices[forward ? edge.second : edge.first];
         const Int128 area = twice_area({0, 0}, a, b);
-        const Point share = moment_of(a, b, static_cast<double>(area));
+        const Point edge_moment = moment_of(a, b, static_cast<double>(area));
         twice += area;
-        moment = {moment.x + share.x, moment.y + share.y};
+        moment = {moment.x + edge_moment.x, moment.y + edge_moment.y};
     }
     const double six_areas = 3 * static_cast<double>(twice), step = noded.frame.step;
     Change change;
@@ -285,41 +283,36 @@ void merge_small_blocks(FaceBlocks& faces, const NodedEdges& noded, const Subdiv
 bool encloses_rock(const std::vector<std::int32_t>& ring, const Subdivision& subdivision,
                    const FaceBlocks& faces) {
     return std::any_of(ring.begin(), ring.end(), [&](std::int32_t h) {
-        const std::int32_t face = subdivision.face[static_cast<std::size_t>(h) ^ 1u];
-        return faces.block[static_cast<std::size_t>(face)] != FaceBlocks::outside;
+        const std::int32_t face = subdivision.face[h ^ 1];
+        return faces.block[face] != FaceBlocks::outside;
     });
 }
 
 void fill_islands(FaceBlocks& faces, const std::vector<BlockRings>& blocks, const NodedEdges& noded,
                   const Subdivision& subdivision, const SlopeModel& model, MergeReport& report) {
-    const auto block_of = [&](std::size_t h) {
-        return faces.block[static_cast<std::size_t>(subdivision.face[h])];
-    };
+    const auto block_of = [&](std::size_t h) { return faces.block[subdivision.face[h]]; };
     std::vector<std::vector<std::int32_t>> neighbours(faces.material.size());
     for (std::size_t h = 0; h < subdivision.face.size(); ++h)
         if (const std::int32_t b = block_of(h), n = block_of(h ^ 1u);
             b != n && b != FaceBlocks::outside && n != FaceBlocks::outside)
-            neighbours[static_cast<std::size_t>(b)].push_back(n);
+            neighbours[b].push_back(n);
 
     DisjointSets sets(faces.material.size());
     for (const BlockRings& block : blocks)
         for (std::size_t r = 1; r < block.rings.size(); ++r) {
             const std::size_t before = report.filled_islands;
-            // What lies in the hole has no neighbours beyond it but the block itself.
+            // Blocks in the hole have no neighbour outside it except the enclosing block.
             std::vector<std::int32_t> front;
             for (const std::int32_t h : block.rings[r])
-                if (const std::int32_t n = block_of(static_cast<std::size_t>(h) ^ 1u);
-                    n != FaceBlocks::outside)
-                    front.push_back(n);
+                if (const std::int32_t n = block_of(h ^ 1); n != FaceBlocks::outside) front.push_back(n);
             while (!front.empty()) {
-                const auto b = static_cast<std::size_t>(front.back());
+                const std::size_t b = front.back();
                 front.pop_back();
-                const auto host = static_cast<std::size_t>(block.block);
+                const std::size_t host = block.block;
                 if (sets.root(b) == sets.root(host)) continue;
                 if (!have_same_rock(faces, model, b, host)) {
-                    const GridPoint& at = noded.vertices[static_cast<std::size_t>(
-                        noded.edges[static_cast<std::size_t>(block.rings[r][0]) / 2].first)];
-                    const Point p = noded.frame.place(at);
+                    const GridPoint& at = noded.vertices[noded.edges[block.rings[r][0] / 2].first];
+                    const Point p = noded.frame.position(at);
                     throw InputError(model.domain_location,
                                      "a block of " + rock_text(faces, model, host) + " encloses others of " +
                                          rock_text(faces, model, b) + " near (" + shortest_text(p.x) + ", " +

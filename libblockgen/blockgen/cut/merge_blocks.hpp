@@ -3,24 +3,31 @@
 #include <vector>
 
 #include "blockgen/faces/block_rings.hpp"
+#include "blockgen/mesh/block_mesh.hpp"
 #include "blockgen/report/changes.hpp"
 
 namespace rockslope::blockgen {
 
-/// Joins blocks that are too small or too slender to a neighbour of the same material, the smallest first,
-/// until none is left that can be: across the longest common boundary (SmallBlockPolicy::merge), or to all
-/// that lie beyond the least of the block's joints, whose piece along the block is dropped
-/// (SmallBlockPolicy::drop). Unions only: the area stays as it was, exactly.
+/// Merges blocks that are too small or too slender with neighbours of the same rock, the smallest first,
+/// until no such block can be merged. SmallBlockPolicy::merge: with the neighbour across the longest common
+/// boundary. SmallBlockPolicy::drop: with all neighbours across the block's shortest joint, whose piece along
+/// the block is dropped. The total area does not change.
 void merge_small_blocks(FaceBlocks& faces, const NodedEdges& noded, const Subdivision& subdivision,
                         const SlopeModel& model, const std::vector<Trace>& traces, const SourceTable& table,
                         MergeReport& report);
 
-/// Joins everything that a block encloses, but for cavities, to that block. @throws InputError at the domain
-/// when the materials differ.
+/// Merges all blocks that a block encloses with that block; cavities remain. @throws InputError located at
+/// [domain] when their materials or excavations differ.
 void fill_islands(FaceBlocks& faces, const std::vector<BlockRings>& blocks, const NodedEdges& noded,
                   const Subdivision& subdivision, const SlopeModel& model, MergeReport& report);
 
-/// Whether a ring parts its block from other rock somewhere, rather than from a cavity all round.
+/// Joints that connect each island to the boundary of the block that encloses it. At the island's leftmost
+/// and rightmost corners one of its joints is extended in its own direction to the next edge of that block. A
+/// cut is named "island cut" and has the material of the joint that it extends. Empty when there is no
+/// island.
+std::vector<Trace> island_cuts(const BlockMesh& mesh);
+
+/// Whether another block lies beyond at least one half-edge of a ring, so that the hole is not only a cavity.
 bool encloses_rock(const std::vector<std::int32_t>& ring, const Subdivision& subdivision,
                    const FaceBlocks& faces);
 

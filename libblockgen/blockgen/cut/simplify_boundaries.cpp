@@ -8,13 +8,13 @@ namespace rockslope::blockgen {
 
 namespace {
 
-constexpr double bend = 2;  // grid cells
+constexpr double max_deviation = 2;  // grid cells
 
-/// Kept edges in a row between two vertices that are needed.
+/// A chain of boundary edges between two vertices that are not removable.
 struct Chain {
     std::vector<std::int32_t> vertices;
     bool is_exact = false;     ///< along the outline of the rock
-    bool is_restored = false;  ///< its vertices all stay
+    bool is_restored = false;  ///< all its vertices are kept
 };
 
 class BoundarySimplifier {
@@ -35,8 +35,8 @@ class BoundarySimplifier {
             for (std::size_t c = 0; c < chains_.size(); ++c) {
                 const std::vector<std::int32_t>& all = chains_[c].vertices;
                 const std::vector<std::int32_t> kept = kept_vertices(chains_[c]);
-                for (std::size_t k = 1; k + 1 < all.size(); ++k) out[static_cast<std::size_t>(all[k])] = 1;
-                for (const std::int32_t v : kept) out[static_cast<std::size_t>(v)] = 0;
+                for (std::size_t k = 1; k + 1 < all.size(); ++k) out[all[k]] = 1;
+                for (const std::int32_t v : kept) out[v] = 0;
                 for (std::size_t k = 0; k + 1 < kept.size(); ++k) {
                     edges.push_back(std::minmax({kept[k], kept[k + 1]}));
                     chain_of_edge.push_back(c);
@@ -56,25 +56,25 @@ class BoundarySimplifier {
         for (std::size_t e = 0; e < noded_.edges.size(); ++e) {
             if (!boundary_.is_boundary[e]) continue;
             for (const std::int32_t v : {noded_.edges[e].first, noded_.edges[e].second}) {
-                const auto i = static_cast<std::size_t>(v);
+                const std::size_t i = v;
                 ++degree[i];
-                if (one_edge[i] >= 0 && !(marks_[static_cast<std::size_t>(one_edge[i])] == marks_[e]))
-                    is_removable_[i] = 0;
-                one_edge[i] = static_cast<std::int32_t>(e);
+                if (one_edge[i] >= 0 && !(marks_[one_edge[i]] == marks_[e])) is_removable_[i] = 0;
+                one_edge[i] = e;
             }
         }
         for (std::size_t i = 0; i < is_removable_.size(); ++i)
             is_removable_[i] = is_removable_[i] && degree[i] == 2;
     }
 
-    std::size_t origin(std::size_t h) const { return static_cast<std::size_t>(boundary_.origin[h]); }
+    std::size_t origin(std::size_t h) const { return boundary_.origin[h]; }
 
     void find_chains() {
         std::vector<char> used(noded_.edges.size(), 0);
         chain_of_.assign(noded_.edges.size(), -1);
         for (std::size_t h = 0; h < boundary_.next.size(); ++h)
             if (boundary_.is_boundary[h / 2] && !used[h / 2] && !is_removable_[origin(h)]) walk(h, used);
-        // What is left are closed rings of plain vertices: they are opened at their smallest vertex.
+        // The remaining edges form closed rings of removable vertices, which are opened at their smallest
+        // vertex.
         for (std::size_t h = 0; h < boundary_.next.size(); ++h) {
             if (!boundary_.is_boundary[h / 2] || used[h / 2]) continue;
             std::size_t smallest = h;
@@ -85,15 +85,13 @@ class BoundarySimplifier {
         }
     }
 
-    std::size_t next(std::size_t h) const { return static_cast<std::size_t>(boundary_.next[h]); }
+    std::size_t next(std::size_t h) const { return boundary_.next[h]; }
 
     void walk(std::size_t h, std::vector<char>& used) {
         Chain chain;
-        const auto block = [&](std::size_t k) {
-            return faces_.block[static_cast<std::size_t>(subdivision_.face[k])];
-        };
+        const auto block = [&](std::size_t k) { return faces_.block[subdivision_.face[k]]; };
         chain.is_exact = block(h) == FaceBlocks::outside || block(h ^ 1u) == FaceBlocks::outside;
-        chain.vertices.push_back(static_cast<std::int32_t>(origin(h)));
+        chain.vertices.push_back(origin(h));
         for (std::size_t k = h;; k = next(k)) {
             used[k / 2] = 1;
             chain_of_[k / 2] = static_cast<std::int32_t>(chains_.size());
@@ -103,20 +101,21 @@ class BoundarySimplifier {
         chains_.push_back(std::move(chain));
     }
 
-    const GridPoint& place(std::int32_t v) const { return noded_.vertices[static_cast<std::size_t>(v)]; }
+    const GridPoint& grid_point(std::int32_t v) const { return noded_.vertices[v]; }
 
-    /// Distance of v from the line a-b, or from a where both are one; in cells.
+    /// Distance of v from the line a-b, or from a when a equals b, in cells. With `exact`, a vertex off the
+    /// line is at least twice max_deviation away.
     double distance(std::int32_t a, std::int32_t b, std::int32_t v, bool exact) const {
-        const GridPoint &p = place(a), &q = place(b), &r = place(v);
+        const GridPoint &p = grid_point(a), &q = grid_point(b), &r = grid_point(v);
         const Int128 area = twice_area(p, q, r);
         if (a != b && area == 0) return 0;
         if (a == b) return std::hypot(static_cast<double>(r.x - p.x), static_cast<double>(r.y - p.y));
         const double height = std::abs(static_cast<double>(area)) /
                               std::hypot(static_cast<double>(q.x - p.x), static_cast<double>(q.y - p.y));
-        return exact ? std::max(height, 2 * bend) : height;
+        return exact ? std::max(height, 2 * max_deviation) : height;
     }
 
-    /// Douglas and Peucker (1973) between the chain's ends.
+    /// Line simplification by Douglas and Peucker (1973) between the chain's ends.
     std::vector<std::int32_t> kept_vertices(const Chain& chain) const {
         if (chain.is_restored || chain.vertices.size() == 2) return chain.vertices;
         std::vector<char> keep(chain.vertices.size(), 0);
@@ -133,7 +132,7 @@ class BoundarySimplifier {
                 if (d > farthest) farthest = d, where = k;
             }
             const bool closed = chain.vertices[first] == chain.vertices[last];
-            if (where == first || (farthest <= bend && !closed)) continue;
+            if (where == first || (farthest <= max_deviation && !closed)) continue;
             keep[where] = 1;
             open.emplace_back(first, where);
             open.emplace_back(where, last);
@@ -144,8 +143,8 @@ class BoundarySimplifier {
         return kept;
     }
 
-    /// Gives back the vertices of chains that now share an edge, cross another or pass a foreign vertex.
-    /// False when there are none.
+    /// Restores the vertices of chains that now share an edge, cross another chain or pass too near a vertex.
+    /// @return whether a chain was restored.
     bool restore_improperly_noded(const std::vector<std::pair<std::int32_t, std::int32_t>>& edges,
                                   const std::vector<std::size_t>& chain_of_edge,
                                   const std::vector<char>& changed) {
@@ -161,8 +160,8 @@ class BoundarySimplifier {
         return any;
     }
 
-    /// Gives back the vertices of rings that have been turned over: a side drawn straight past the ring's
-    /// other corners, all of which lie within the bend, crosses nothing. False when there are none.
+    /// Restores the vertices of rings whose orientation has been inverted. A ring thinner than max_deviation
+    /// can invert without a crossing. @return whether a chain was restored.
     bool restore_inverted_rings(const std::vector<char>& out) {
         bool any = false;
         std::vector<char> seen(boundary_.next.size(), 0);
@@ -175,7 +174,7 @@ class BoundarySimplifier {
             } while (k != h);
             if (!is_inverted(h, out)) continue;
             do {
-                Chain& chain = chains_[static_cast<std::size_t>(chain_of_[k / 2])];
+                Chain& chain = chains_[chain_of_[k / 2]];
                 any = any || !chain.is_restored;
                 chain.is_restored = true;
                 k = next(k);
@@ -184,7 +183,8 @@ class BoundarySimplifier {
         return any;
     }
 
-    /// Whether the ring of half-edge h has another sense, or no area, without the vertices that are out.
+    /// Whether the ring of half-edge h changes its orientation, or loses its area, without the vertices that
+    /// are `out`.
     bool is_inverted(std::size_t h, const std::vector<char>& out) const {
         const GridPoint& start = noded_.vertices[origin(h)];
         Int128 before = 0, after = 0;
@@ -192,35 +192,31 @@ class BoundarySimplifier {
         bool has_removed = false;
         std::size_t k = h;
         do {
-            const auto v = static_cast<std::int32_t>(origin(k));
-            before += twice_area(start, place(v), place(boundary_.origin[k ^ 1u]));
+            const std::int32_t v = origin(k);
+            before += twice_area(start, grid_point(v), grid_point(boundary_.origin[k ^ 1u]));
             k = next(k);
-            if (out[static_cast<std::size_t>(v)]) {
+            if (out[v]) {
                 has_removed = true;
                 continue;
             }
-            if (last >= 0) after += twice_area(start, place(last), place(v));
+            if (last >= 0) after += twice_area(start, grid_point(last), grid_point(v));
             if (first < 0) first = v;
             last = v;
         } while (k != h);
         if (!has_removed) return false;
-        if (last >= 0) after += twice_area(start, place(last), place(first));
+        if (last >= 0) after += twice_area(start, grid_point(last), grid_point(first));
         return before > 0 ? after <= 0 : after >= 0;
     }
 
-    /// Edges that are there twice. One of the two must have changed.
+    /// Edges that occur twice. At least one of the two must have changed.
     std::vector<std::size_t> duplicate_edges(const std::vector<std::pair<std::int32_t, std::int32_t>>& edges,
                                              const std::vector<char>& changed) const {
         std::vector<char> at_changed(noded_.vertices.size(), 0);
         for (std::size_t e = 0; e < edges.size(); ++e)
-            if (changed[e])
-                at_changed[static_cast<std::size_t>(edges[e].first)] =
-                    at_changed[static_cast<std::size_t>(edges[e].second)] = 1;
+            if (changed[e]) at_changed[edges[e].first] = at_changed[edges[e].second] = 1;
         std::vector<std::size_t> order;
         for (std::size_t e = 0; e < edges.size(); ++e)
-            if (at_changed[static_cast<std::size_t>(edges[e].first)] &&
-                at_changed[static_cast<std::size_t>(edges[e].second)])
-                order.push_back(e);
+            if (at_changed[edges[e].first] && at_changed[edges[e].second]) order.push_back(e);
         std::sort(order.begin(), order.end(),
                   [&](std::size_t e, std::size_t f) { return edges[e] < edges[f]; });
         std::vector<std::size_t> result;
@@ -236,7 +232,7 @@ class BoundarySimplifier {
     const std::vector<EdgeMark>& marks_;
     std::vector<char> is_removable_;
     std::vector<Chain> chains_;
-    std::vector<std::int32_t> chain_of_;  ///< per edge; -1 where it is not kept
+    std::vector<std::int32_t> chain_of_;  ///< per edge; -1 when it is not on a block boundary
 };
 
 }  // namespace

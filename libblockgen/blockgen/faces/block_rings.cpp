@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <string>
 
 namespace rockslope::blockgen {
 
@@ -9,25 +10,23 @@ namespace {
 
 using HalfEdges = std::vector<std::int32_t>;
 
-/// Cuts a closed walk into rings that visit each vertex once. `seen` maps a vertex to its place in the open
-/// walk, -1 elsewhere.
+/// Splits a closed walk of half-edges into rings that visit each vertex once. @param seen per vertex: its
+/// position in the open part of the walk; -1 for the other vertices, before and after the call.
 void split_walk(const HalfEdges& walk, const std::vector<std::int32_t>& origin,
                 std::vector<std::int32_t>& seen, std::vector<HalfEdges>& rings) {
     HalfEdges open;
     for (const std::int32_t h : walk) {
-        const auto vertex = static_cast<std::size_t>(origin[static_cast<std::size_t>(h)]);
+        const std::size_t vertex = origin[h];
         if (seen[vertex] >= 0) {
             const auto start = open.begin() + seen[vertex];
             rings.emplace_back(start, open.end());
-            for (auto it = start; it != open.end(); ++it)
-                seen[static_cast<std::size_t>(origin[static_cast<std::size_t>(*it)])] = -1;
+            for (auto it = start; it != open.end(); ++it) seen[origin[*it]] = -1;
             open.erase(start, open.end());
         }
-        seen[vertex] = static_cast<std::int32_t>(open.size());
+        seen[vertex] = open.size();
         open.push_back(h);
     }
-    for (const std::int32_t h : open)
-        seen[static_cast<std::size_t>(origin[static_cast<std::size_t>(h)])] = -1;
+    for (const std::int32_t h : open) seen[origin[h]] = -1;
     rings.push_back(std::move(open));
 }
 
@@ -38,9 +37,9 @@ class RingCollector {
 
     bool is_outer(const HalfEdges& ring) const {
         Int128 area = 0;
-        const GridPoint& o = place(ring[0]);
+        const GridPoint& o = grid_point(ring[0]);
         for (std::size_t k = 1; k + 1 < ring.size(); ++k)
-            area += twice_area(o, place(ring[k]), place(ring[k + 1]));
+            area += twice_area(o, grid_point(ring[k]), grid_point(ring[k + 1]));
         return area > 0;
     }
 
@@ -56,10 +55,8 @@ class RingCollector {
     }
 
   private:
-    std::int32_t vertex(std::int32_t h) const { return boundary_.origin[static_cast<std::size_t>(h)]; }
-    const GridPoint& place(std::int32_t h) const {
-        return noded_.vertices[static_cast<std::size_t>(vertex(h))];
-    }
+    std::int32_t vertex(std::int32_t h) const { return boundary_.origin[h]; }
+    const GridPoint& grid_point(std::int32_t h) const { return noded_.vertices[vertex(h)]; }
 
     const NodedEdges& noded_;
     const BlockBoundary& boundary_;
@@ -69,9 +66,7 @@ class RingCollector {
 
 BlockBoundary::BlockBoundary(const NodedEdges& noded, const Subdivision& subdivision, const FaceBlocks& faces)
     : is_boundary(noded.edges.size()), origin(2 * noded.edges.size()), next(subdivision.next) {
-    const auto block = [&](std::size_t h) {
-        return faces.block[static_cast<std::size_t>(subdivision.face[h])];
-    };
+    const auto block = [&](std::size_t h) { return faces.block[subdivision.face[h]]; };
     for (std::size_t e = 0; e < noded.edges.size(); ++e) {
         is_boundary[e] = block(2 * e) != block(2 * e + 1);
         origin[2 * e] = noded.edges[e].first;
@@ -79,8 +74,7 @@ BlockBoundary::BlockBoundary(const NodedEdges& noded, const Subdivision& subdivi
     }
     for (std::size_t h = 0; h < next.size(); ++h) {
         if (!is_boundary[h / 2]) continue;
-        while (!is_boundary[static_cast<std::size_t>(next[h] / 2)])
-            next[h] = subdivision.next[static_cast<std::size_t>(next[h] ^ 1)];
+        while (!is_boundary[next[h] / 2]) next[h] = subdivision.next[next[h] ^ 1];
     }
 }
 
@@ -90,23 +84,25 @@ std::vector<BlockRings> block_rings(const NodedEdges& noded, const Subdivision& 
     std::vector<char> walked(boundary.next.size(), 0);
     std::vector<std::int32_t> seen(noded.vertices.size(), -1);
     for (std::size_t h = 0; h < boundary.next.size(); ++h) {
-        const std::int32_t block = faces.block[static_cast<std::size_t>(subdivision.face[h])];
+        const std::int32_t block = faces.block[subdivision.face[h]];
         if (!boundary.is_boundary[h / 2] || block == FaceBlocks::outside || walked[h]) continue;
         HalfEdges walk;
-        for (std::size_t k = h; !walked[k]; k = static_cast<std::size_t>(boundary.next[k])) {
+        for (std::size_t k = h; !walked[k]; k = boundary.next[k]) {
             walked[k] = 1;
-            walk.push_back(static_cast<std::int32_t>(k));
+            walk.push_back(k);
         }
-        split_walk(walk, boundary.origin, seen, blocks[static_cast<std::size_t>(block)].rings);
+        split_walk(walk, boundary.origin, seen, blocks[block].rings);
     }
     const RingCollector collector(noded, boundary);
     for (std::size_t b = 0; b < blocks.size(); ++b) {
         auto& rings = blocks[b].rings;
-        blocks[b].block = static_cast<std::int32_t>(b);
+        blocks[b].block = b;
         for (HalfEdges& ring : rings) collector.rotate_to_smallest_vertex(ring);
         const auto holes = std::partition(rings.begin(), rings.end(),
                                           [&](const HalfEdges& r) { return collector.is_outer(r); });
-        if (holes - rings.begin() != 1) throw std::logic_error("a block has no outer ring, or several");
+        if (holes - rings.begin() != 1)
+            throw std::logic_error("block " + std::to_string(b) + " has " +
+                                   std::to_string(holes - rings.begin()) + " outer rings, expected 1");
         std::sort(holes, rings.end(),
                   [&](const HalfEdges& r, const HalfEdges& s) { return collector.comes_before(r, s); });
     }

@@ -7,25 +7,25 @@
 
 namespace rockslope::blockgen {
 
-/// A block as rings of half-edges, its rock on their left: the outer ring first, then the holes.
+/// A block as rings of half-edges: the outer ring first, then the holes. The block lies on the left.
 struct BlockRings {
-    std::int32_t block = 0;  ///< as FaceBlocks numbers it
+    std::int32_t block = 0;  ///< number in FaceBlocks
     std::vector<std::vector<std::int32_t>> rings;
 };
 
-/// The half-edges that part a block from another or from the outside, and how they follow one another. Edges
-/// with the same block on both sides (joints that end in rock, bridges) are skipped over.
+/// The half-edges between two blocks, or between a block and the outside, and their order along the blocks.
+/// Edges with the same block on both sides (dangling edges of joints that end in rock, bridges) are skipped.
 struct BlockBoundary {
     std::vector<char> is_boundary;     ///< per edge
-    std::vector<std::int32_t> origin;  ///< per half-edge, vertex
-    std::vector<std::int32_t> next;    ///< per half-edge; meaningful for kept ones
+    std::vector<std::int32_t> origin;  ///< per half-edge: its first vertex
+    std::vector<std::int32_t> next;    ///< per half-edge; valid for boundary edges only
 
     BlockBoundary(const NodedEdges& noded, const Subdivision& subdivision, const FaceBlocks& faces);
 };
 
-/// All blocks; a ring that comes back to a vertex is split there. Order: by the smallest vertex of the outer
-/// ring, where each ring starts; ties by the ring's further vertices. @throws std::logic_error unless each
-/// block has exactly one outer ring.
+/// The rings of all blocks. A ring that returns to a vertex is split there. Each ring starts at its smallest
+/// vertex; blocks are sorted by the vertices of their outer rings. @throws std::logic_error unless each block
+/// has exactly one outer ring.
 std::vector<BlockRings> block_rings(const NodedEdges& noded, const Subdivision& subdivision,
                                     const FaceBlocks& faces, const BlockBoundary& boundary);
 

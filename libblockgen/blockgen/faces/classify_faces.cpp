@@ -9,21 +9,21 @@ namespace rockslope::blockgen {
 
 namespace {
 
-/// For each face, which outlines it lies in, as one bit for each source that is no joint.
+/// The outlines that contain each face: one bit for each source that is not a joint.
 class OutlineMembership {
   public:
     OutlineMembership(std::size_t faces, std::size_t outlines)
         : words_((outlines + 63) / 64), bits_(faces * words_, 0) {}
 
     bool test(std::size_t face, std::int32_t outline) const {
-        const auto k = static_cast<std::size_t>(outline);
+        const std::size_t k = outline;
         return (bits_[face * words_ + k / 64] >> (k % 64) & 1u) != 0;
     }
     void copy(std::size_t from, std::size_t to) {
         for (std::size_t w = 0; w < words_; ++w) bits_[to * words_ + w] = bits_[from * words_ + w];
     }
     void toggle(std::size_t face, std::int32_t outline) {
-        const auto k = static_cast<std::size_t>(outline);
+        const std::size_t k = outline;
         bits_[face * words_ + k / 64] ^= std::uint64_t{1} << (k % 64);
     }
 
@@ -33,16 +33,15 @@ class OutlineMembership {
 };
 
 std::vector<std::vector<std::int32_t>> half_edges_by_face(const Subdivision& subdivision) {
-    std::vector<std::vector<std::int32_t>> result(static_cast<std::size_t>(subdivision.face_count));
-    for (std::size_t h = 0; h < subdivision.face.size(); ++h)
-        result[static_cast<std::size_t>(subdivision.face[h])].push_back(static_cast<std::int32_t>(h));
+    std::vector<std::vector<std::int32_t>> result(subdivision.face_count);
+    for (std::size_t h = 0; h < subdivision.face.size(); ++h) result[subdivision.face[h]].push_back(h);
     return result;
 }
 
 OutlineMembership flood(const NodedEdges& noded, const Subdivision& subdivision, const SourceTable& table) {
-    const auto faces = static_cast<std::size_t>(subdivision.face_count);
+    const std::size_t faces = subdivision.face_count;
     const auto by_face = half_edges_by_face(subdivision);
-    OutlineMembership in(faces, static_cast<std::size_t>(table.first_joint));
+    OutlineMembership in(faces, table.first_joint);
     std::vector<char> reached(faces, 0);
     std::vector<std::size_t> front = {0};
     reached[0] = 1;
@@ -50,11 +49,11 @@ OutlineMembership flood(const NodedEdges& noded, const Subdivision& subdivision,
         const std::size_t face = front.back();
         front.pop_back();
         for (const std::int32_t h : by_face[face]) {
-            const auto other = static_cast<std::size_t>(subdivision.face[static_cast<std::size_t>(h ^ 1)]);
+            const std::size_t other = subdivision.face[h ^ 1];
             if (reached[other]) continue;
             reached[other] = 1;
             in.copy(face, other);
-            for (const EdgeSource& s : noded.sources_of(static_cast<std::size_t>(h / 2)))
+            for (const EdgeSource& s : noded.sources_of(h / 2))
                 if (!table.is_joint(s.source)) in.toggle(other, s.source);
             front.push_back(other);
         }
@@ -77,9 +76,7 @@ RockOfFace rock_of(const OutlineMembership& in, std::size_t face, const SlopeMod
     rock.is_rock = in.test(face, 0) && rock.voids == 0;
     for (std::int32_t s = table.first_region; s < table.first_excavation; ++s)
         if (in.test(face, s)) rock.material = s - table.first_region + 1;
-    const auto stage_of = [&](std::int32_t k) {
-        return model.excavations[static_cast<std::size_t>(k)].stage;
-    };
+    const auto stage_of = [&](std::int32_t k) { return model.excavations[k].stage; };
     for (std::int32_t s = table.first_excavation; s < table.first_tunnel; ++s) {
         const std::int32_t k = s - table.first_excavation;
         if (in.test(face, s) && (rock.excavation < 0 || stage_of(k) < stage_of(rock.excavation)))
@@ -95,8 +92,7 @@ bool has_joint(const NodedEdges& noded, std::size_t edge, const SourceTable& tab
 }
 
 const std::string& name_of(const SlopeModel& model, std::int32_t material) {
-    return material == 0 ? model.block_material
-                         : model.regions[static_cast<std::size_t>(material - 1)].block_material;
+    return material == 0 ? model.block_material : model.regions[material - 1].block_material;
 }
 
 }  // namespace
@@ -112,15 +108,14 @@ bool have_same_rock(const FaceBlocks& faces, const SlopeModel& model, std::size_
 
 FaceBlocks classify_faces(const NodedEdges& noded, const Subdivision& subdivision, const SlopeModel& model,
                           const SourceTable& table) {
-    const auto faces = static_cast<std::size_t>(subdivision.face_count);
+    const std::size_t faces = subdivision.face_count;
     const OutlineMembership in = flood(noded, subdivision, table);
     std::vector<RockOfFace> rock;
     for (std::size_t f = 0; f < faces; ++f) rock.push_back(rock_of(in, f, model, table));
 
     DisjointSets sets(faces);
     for (std::size_t e = 0; e < noded.edges.size(); ++e) {
-        const auto f = static_cast<std::size_t>(subdivision.face[2 * e]),
-                   g = static_cast<std::size_t>(subdivision.face[2 * e + 1]);
+        const std::size_t f = subdivision.face[2 * e], g = subdivision.face[2 * e + 1];
         if (!rock[f].is_rock || !rock[g].is_rock) continue;
         if (!has_joint(noded, e, table) && rock[f].excavation == rock[g].excavation &&
             name_of(model, rock[f].material) == name_of(model, rock[g].material))
@@ -135,7 +130,7 @@ FaceBlocks classify_faces(const NodedEdges& noded, const Subdivision& subdivisio
         if (!rock[f].is_rock) continue;
         std::int32_t& block = number[sets.root(f)];
         if (block == FaceBlocks::outside) {
-            block = static_cast<std::int32_t>(result.material.size());
+            block = result.material.size();
             result.material.push_back(rock[f].material);
             result.excavation.push_back(rock[f].excavation);
         }

@@ -8,24 +8,25 @@
 
 namespace rockslope::blockgen {
 
-/// Which block each face belongs to. Faces of one block are those that no joint, no outline, no change of
-/// material and no excavation parts. Where excavations overlap, the rock goes with the earliest.
+/// The block of each face. Adjacent faces belong to one block unless a joint, the outline of the rock, a
+/// change of material or an excavation separates them. Where excavations overlap, the rock belongs to the
+/// excavation of the earliest stage.
 struct FaceBlocks {
     static constexpr std::int32_t outside = -1;
     std::vector<std::int32_t> block;       ///< per face; `outside` where there is no rock
-    std::vector<std::int32_t> material;    ///< per block: 0 the domain's, k the k-th region's, counted from 1
-    std::vector<std::int32_t> excavation;  ///< per block: index of the excavation that it goes with, or -1
-    bool has_disjoint_voids = true;        ///< no hole or tunnel reaches beyond the rock or into another one
+    std::vector<std::int32_t> material;    ///< per block: 0 the domain's, k that of region k, counted from 1
+    std::vector<std::int32_t> excavation;  ///< per block: index of the excavation that removes it, or -1
+    bool has_disjoint_voids = true;        ///< no hole or tunnel crosses the outline or overlaps another one
 };
 
 /// The name of a block's material.
 const std::string& material_of(const FaceBlocks& faces, const SlopeModel& model, std::size_t block);
 
-/// Whether two blocks are of one rock: one material, and both stay or go with the same excavation.
+/// Whether two blocks have the same material, and the same excavation or none.
 bool have_same_rock(const FaceBlocks& faces, const SlopeModel& model, std::size_t block, std::size_t other);
 
-/// Flood fill from the unbounded face: crossing an outline goes in or out of it, an even number of times
-/// changes nothing.
+/// Classifies faces by a flood fill from the unbounded face. Crossing an edge of an outline toggles whether
+/// the face lies inside that outline (even-odd rule).
 FaceBlocks classify_faces(const NodedEdges& noded, const Subdivision& subdivision, const SlopeModel& model,
                           const SourceTable& table);
 

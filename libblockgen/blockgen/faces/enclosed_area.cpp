@@ -9,29 +9,30 @@ namespace rockslope::blockgen {
 
 namespace {
 
-/// The outer rings of the faces of one number, where each face has the number of `block`.
+/// The outer rings of groups of faces; the group of face f is faces.block[f].
 std::vector<Ring> rings_of(const NodedEdges& noded, const Subdivision& subdivision, const FaceBlocks& faces) {
     const BlockBoundary boundary(noded, subdivision, faces);
     std::vector<Ring> rings;
     std::vector<char> walked(boundary.next.size(), 0);
     for (std::size_t start = 0; start < boundary.next.size(); ++start) {
-        const std::int32_t block = faces.block[static_cast<std::size_t>(subdivision.face[start])];
+        const std::int32_t block = faces.block[subdivision.face[start]];
         if (!boundary.is_boundary[start / 2] || block == FaceBlocks::outside || walked[start]) continue;
         Ring ring;
-        for (std::size_t h = start; !walked[h]; h = static_cast<std::size_t>(boundary.next[h])) {
+        for (std::size_t h = start; !walked[h]; h = boundary.next[h]) {
             walked[h] = 1;
-            ring.push_back(noded.frame.place(noded.vertices[static_cast<std::size_t>(boundary.origin[h])]));
+            const std::size_t vertex = boundary.origin[h];
+            ring.push_back(noded.frame.position(noded.vertices[vertex]));
         }
         if (twice_signed_area(ring) > 0) rings.push_back(std::move(ring));
     }
     return rings;
 }
 
-FaceBlocks numbered(const Subdivision& subdivision, bool apart) {
+/// All bounded faces in one group, or each in a group of its own.
+FaceBlocks grouped_faces(const Subdivision& subdivision, bool one_group) {
     FaceBlocks faces;
-    faces.block.assign(static_cast<std::size_t>(subdivision.face_count), FaceBlocks::outside);
-    for (std::int32_t f = 1; f < subdivision.face_count; ++f)
-        faces.block[static_cast<std::size_t>(f)] = apart ? f - 1 : 0;
+    faces.block.assign(subdivision.face_count, FaceBlocks::outside);
+    for (std::int32_t f = 1; f < subdivision.face_count; ++f) faces.block[f] = one_group ? 0 : f - 1;
     return faces;
 }
 
@@ -44,10 +45,10 @@ EnclosedArea enclosed_area(std::span<const std::pair<Point, Point>> lines, std::
     const NodedEdges noded = node_joints(segments, step);
     const Subdivision subdivision = arrange(noded);
     EnclosedArea area;
-    area.outlines = rings_of(noded, subdivision, numbered(subdivision, false));
-    const std::vector<Ring> faces = rings_of(noded, subdivision, numbered(subdivision, true));
+    area.outlines = rings_of(noded, subdivision, grouped_faces(subdivision, true));
+    const std::vector<Ring> faces = rings_of(noded, subdivision, grouped_faces(subdivision, false));
     for (const Point& p : points) {
-        // A face with another one in it holds its points too: the smallest is the innermost.
+        // The outer ring of a face also contains the faces in its holes; the smallest ring is the innermost.
         const Ring* smallest = nullptr;
         for (const Ring& face : faces)
             if (side_of_ring(face, p) > 0 &&

@@ -4,7 +4,7 @@
 
 namespace rockslope::blockgen {
 
-/// The area that lines enclose, by noding and arranging them: an EnclosedAreaFunction.
+/// The area enclosed by lines, from their noding and arrangement: an EnclosedAreaFunction.
 EnclosedArea enclosed_area(std::span<const std::pair<Point, Point>> lines, std::span<const Point> points,
                            double step);
 

@@ -63,7 +63,8 @@ std::vector<SourceSegment> source_segments(const SlopeModel& model, const std::v
 
 double estimated_blocks(const SlopeModel& model, const std::vector<SourceSegment>& segments,
                         const SourceTable& table) {
-    // Lines of length L1 and L2 that lie anywhere in an area A meet L1 L2 |sin| / A times in the mean.
+    // Randomly placed lines of lengths L1 and L2 at the angle a cross L1 L2 |sin a| / A times on average in
+    // an area A.
     constexpr std::size_t bins = 36;
     std::array<double, bins> length{};
     for (const SourceSegment& s : segments) {

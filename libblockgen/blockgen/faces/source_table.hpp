@@ -8,8 +8,8 @@
 
 namespace rockslope::blockgen {
 
-/// The numbers of everything that makes edges: the outline, the holes, the regions, the excavations, the
-/// tunnels, then the joints.
+/// The source numbers of everything that makes edges: the outline (0), then the holes, regions, excavations,
+/// tunnels and joints.
 struct SourceTable {
     explicit SourceTable(const SlopeModel& model);
 
@@ -26,12 +26,12 @@ struct SourceTable {
     }
 };
 
-/// Every outline as segments, and every joint as far as the domain's bounding box.
+/// The segments of all outlines, and of all joints clipped to the widened bounding box of the domain.
 std::vector<SourceSegment> source_segments(const SlopeModel& model, const std::vector<Trace>& traces,
                                            const SourceTable& table);
 
-/// How many blocks joints of this length and these directions are likely to make: crossings of evenly spread
-/// lines.
+/// Estimated number of blocks: the expected number of crossings of evenly spread lines with the lengths and
+/// directions of the joints.
 double estimated_blocks(const SlopeModel& model, const std::vector<SourceSegment>& segments,
                         const SourceTable& table);
 

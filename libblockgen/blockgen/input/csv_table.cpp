@@ -54,7 +54,7 @@ std::string list_of(const std::vector<std::string>& names) {
 CsvTable read_csv(const std::filesystem::path& path, const std::vector<std::string>& number_columns,
                   const std::vector<std::string>& text_columns) {
     const std::string text = read_text_file(path);
-    std::vector<std::size_t> where;
+    std::vector<std::size_t> position;  // per requested column, in a line
     CsvTable table;
     int line_number = 0;
     for (std::size_t start = 0; start < text.size();) {
@@ -67,14 +67,14 @@ CsvTable read_csv(const std::filesystem::path& path, const std::vector<std::stri
         const std::vector<Field> fields = split(line);
         if (fields.size() == 1 && fields[0].text.empty()) continue;
 
-        if (where.empty()) {
+        if (position.empty()) {
             const bool is_header = !parse_number(fields[0].text);
             for (std::size_t i = 0; i < number_columns.size() + text_columns.size(); ++i) {
                 const bool number = i < number_columns.size();
                 const std::string& name =
                     number ? number_columns[i] : text_columns[i - number_columns.size()];
-                where.push_back(is_header ? position_of(fields, name) : i);
-                if (is_header && number && where.back() == no_column)
+                position.push_back(is_header ? position_of(fields, name) : i);
+                if (is_header && number && position.back() == no_column)
                     throw InputError({path.string(), line_number, 1},
                                      "the header has no column '" + name + "'",
                                      "the columns " + list_of(number_columns));
@@ -83,25 +83,25 @@ CsvTable read_csv(const std::filesystem::path& path, const std::vector<std::stri
         }
         CsvRow row;
         row.line = line_number;
-        for (std::size_t i = 0; i < where.size(); ++i) {
-            const bool present = where[i] < fields.size();
+        for (std::size_t i = 0; i < position.size(); ++i) {
+            const bool present = position[i] < fields.size();
             if (i >= number_columns.size()) {
-                row.texts.emplace_back(present ? fields[where[i]].text : std::string_view());
+                row.texts.emplace_back(present ? fields[position[i]].text : std::string_view());
                 if (!is_utf8(row.texts.back()))
-                    throw InputError({path.string(), line_number, fields[where[i]].column},
+                    throw InputError({path.string(), line_number, fields[position[i]].column},
                                      "a name is not UTF-8", "UTF-8 text");
                 continue;
             }
-            const auto value = present ? parse_number(fields[where[i]].text) : std::nullopt;
+            const auto value = present ? parse_number(fields[position[i]].text) : std::nullopt;
             if (!value)
-                throw InputError({path.string(), line_number, present ? fields[where[i]].column : 1},
-                                 present
-                                     ? "'" + std::string(fields[where[i]].text) + "' is not a finite number"
-                                     : "the line ends before column '" + number_columns[i] + "'",
-                                 "a number for " + number_columns[i]);
+                throw InputError(
+                    {path.string(), line_number, present ? fields[position[i]].column : 1},
+                    present ? "'" + std::string(fields[position[i]].text) + "' is not a finite number"
+                            : "the line ends before column '" + number_columns[i] + "'",
+                    "a number for " + number_columns[i]);
             if (!is_in_allowed_range(*value))
-                throw InputError({path.string(), line_number, fields[where[i]].column},
-                                 "'" + std::string(fields[where[i]].text) + "' is too large",
+                throw InputError({path.string(), line_number, fields[position[i]].column},
+                                 "'" + std::string(fields[position[i]].text) + "' is too large",
                                  "a number for " + number_columns[i]);
             row.numbers.push_back(*value);
         }

@@ -7,8 +7,8 @@
 namespace rockslope::blockgen {
 
 struct CsvRow {
-    std::vector<double> numbers;     ///< one for each asked-for number column, finite
-    std::vector<std::string> texts;  ///< one for each optional text column; empty when absent
+    std::vector<double> numbers;     ///< one for each requested number column, finite
+    std::vector<std::string> texts;  ///< one for each requested text column; empty when absent
     int line = 0;
 };
 
@@ -16,9 +16,10 @@ struct CsvTable {
     std::vector<CsvRow> rows;
 };
 
-/// Reads comma-separated columns by the names of the header line; further columns are ignored. Without a
-/// header the columns stand in the order asked for. `#` starts a comment. @throws InputError with file, line
-/// and column for a missing column or a field that is not a finite number.
+/// Reads comma-separated columns by the names in the header line; other columns are ignored. Without a header
+/// the columns must be in the requested order. `#` starts a comment. Text columns are optional.
+/// @throws InputError with file, line and column for a missing number column or a field that is not a finite
+/// number.
 CsvTable read_csv(const std::filesystem::path& path, const std::vector<std::string>& number_columns,
                   const std::vector<std::string>& text_columns);
 

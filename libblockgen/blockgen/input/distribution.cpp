@@ -18,7 +18,7 @@ double normal_cdf(double z) {
     return std::erfc(-z / std::numbers::sqrt2) / 2;
 }
 
-/// Standard deviation and mean of ln x for a log-normal x of given mean and standard deviation.
+/// Standard deviation and mean of ln x for a log-normal x with the given mean and standard deviation.
 double log_sd(const Distribution& d) {
     return std::sqrt(std::log1p((d.sd / d.mean) * (d.sd / d.mean)));
 }
@@ -26,7 +26,7 @@ double log_mean(const Distribution& d) {
     return std::log(d.mean) - log_sd(d) * log_sd(d) / 2;
 }
 
-/// Weibull's and the gamma law's scale for a given mean.
+/// Scale of the Weibull law, and shape of the gamma law, for the given mean and standard deviation.
 double weibull_scale(const Distribution& d) {
     return d.mean / std::tgamma(1 + 1 / d.shape);
 }
@@ -34,12 +34,12 @@ double gamma_shape(const Distribution& d) {
     return (d.mean / d.sd) * (d.mean / d.sd);
 }
 
-/// The integral of x^(power - 1) from a to b, up to the factor a^power; b may be infinite for power < 0.
+/// The integral of x^(power - 1) from a to b, divided by a^power. For power < 0, b may be infinite.
 double power_integral(double power, double a, double b) {
     return power == 0 ? std::log(b / a) : (std::pow(b / a, power) - 1) / power;
 }
 
-/// The share of the untruncated law below x.
+/// Cumulative distribution function of the untruncated law.
 double cdf(const Distribution& d, double x) {
     if (x == std::numeric_limits<double>::infinity()) return 1;
     switch (d.law) {
@@ -58,7 +58,7 @@ double cdf(const Distribution& d, double x) {
     }
 }
 
-/// A law of no spread.
+/// Whether all draws equal the mean.
 bool is_degenerate(const Distribution& d) {
     return d.sd == 0 && (d.law == Law::normal || d.law == Law::lognormal || d.law == Law::gamma);
 }
@@ -71,13 +71,13 @@ double Distribution::untruncated_mean() const {
     return min * power_integral(2 - shape, min, max) / power_integral(1 - shape, min, max);
 }
 
-double Distribution::truncated_mean(double most) const {
-    if (law == Law::constant) return std::min(mean, most);
-    if (max <= most && (law == Law::uniform || law == Law::power)) return untruncated_mean();
-    // The ends may be infinite, but not so that the integral is; the rule never asks for them.
+double Distribution::truncated_mean(double cap) const {
+    if (law == Law::constant) return std::min(mean, cap);
+    if (max <= cap && (law == Law::uniform || law == Law::power)) return untruncated_mean();
+    // The quantile may be infinite at u = 0 and u = 1, but the integral is finite; the clamp avoids the ends.
     boost::math::quadrature::tanh_sinh<double> rule;
     return rule.integrate(
-        [this, most](double u) { return std::min(quantile(std::clamp(u, 0x1p-53, 1 - 0x1p-53)), most); }, 0.0,
+        [this, cap](double u) { return std::min(quantile(std::clamp(u, 0x1p-53, 1 - 0x1p-53)), cap); }, 0.0,
         1.0);
 }
 
@@ -93,13 +93,13 @@ double Distribution::quantile(double u) const {
     }
     if (is_degenerate(*this)) return std::clamp(mean, min, max);
     const double low = cdf(*this, min), high = cdf(*this, max);
-    const double share = std::min(low + u * (high - low), 1 - 0x1p-53);
+    const double p = std::min(low + u * (high - low), 1 - 0x1p-53);
     double value = 0;
-    if (law == Law::normal) value = mean + sd * normal_quantile(share);
-    if (law == Law::lognormal) value = std::exp(log_mean(*this) + log_sd(*this) * normal_quantile(share));
-    if (law == Law::exponential) value = -mean * std::log1p(-share);
-    if (law == Law::weibull) value = weibull_scale(*this) * std::pow(-std::log1p(-share), 1 / shape);
-    if (law == Law::gamma) value = boost::math::gamma_p_inv(gamma_shape(*this), share) * sd * sd / mean;
+    if (law == Law::normal) value = mean + sd * normal_quantile(p);
+    if (law == Law::lognormal) value = std::exp(log_mean(*this) + log_sd(*this) * normal_quantile(p));
+    if (law == Law::exponential) value = -mean * std::log1p(-p);
+    if (law == Law::weibull) value = weibull_scale(*this) * std::pow(-std::log1p(-p), 1 / shape);
+    if (law == Law::gamma) value = boost::math::gamma_p_inv(gamma_shape(*this), p) * sd * sd / mean;
     return std::clamp(value, min, max);
 }
 

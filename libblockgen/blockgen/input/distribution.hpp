@@ -7,26 +7,26 @@ namespace rockslope::blockgen {
 
 enum class Law { constant, uniform, normal, lognormal, exponential, weibull, gamma, power };
 
-/// A distribution of a length or an angle, truncated to [min, max]. Mean and standard deviation are those of
-/// the law before truncation; a uniform law lies between min and max and needs neither, a power law has the
-/// density x^-shape between min > 0 and max.
+/// A distribution of a length (m) or an angle (rad), truncated to [min, max]. `mean` and `sd` are the mean
+/// and the standard deviation before truncation. The uniform law needs only min and max. The power law has
+/// the density x^-shape between min > 0 and max.
 struct Distribution {
     Law law = Law::constant;
     double mean = 0;
     double sd = 0;
     double min = -std::numeric_limits<double>::infinity();
     double max = std::numeric_limits<double>::infinity();
-    double shape = 1;  ///< Weibull's shape, or the power law's exponent
+    double shape = 1;  ///< Weibull shape, or exponent of the power law
 
-    /// The value below which lies the share u, in (0, 1), of the truncated distribution.
+    /// Quantile function of the truncated distribution, u in (0, 1).
     double quantile(double u) const;
-    /// Mean of the law before truncation; of a power law, which has none, within its bounds.
+    /// Mean before truncation. A power law always has bounds: its mean within them.
     double untruncated_mean() const;
-    /// Mean of the draws, each counted as no more than `most`, by integration of the quantile.
-    double truncated_mean(double most = std::numeric_limits<double>::infinity()) const;
-    /// Whether more than 1e-12 of the law lies between min and max, so that quantile() means something.
+    /// Mean of min(x, cap) over the truncated distribution, by integration of the quantile function.
+    double truncated_mean(double cap = std::numeric_limits<double>::infinity()) const;
+    /// Whether the probability between min and max exceeds 1e-12, so that quantile() is defined.
     bool has_probability_mass() const;
-    /// The smallest value that a draw can return.
+    /// Greatest lower bound of the draws.
     double infimum() const;
 
     friend bool operator==(const Distribution&, const Distribution&) = default;

@@ -11,15 +11,15 @@ Bounds domain_bounds(const SlopeModel& model) {
 }
 
 bool is_in_outlines(const SlopeModel& model, const Point& p) {
-    const auto holds = [&p](const Ring& part) { return side_of_ring(part, p) >= 0; };
-    return holds(model.outline) ||
-           std::any_of(model.further_outlines.begin(), model.further_outlines.end(), holds);
+    const auto contains_p = [&p](const Ring& part) { return side_of_ring(part, p) >= 0; };
+    return contains_p(model.outline) ||
+           std::any_of(model.further_outlines.begin(), model.further_outlines.end(), contains_p);
 }
 
 bool is_outside_domain(const Ring& ring, const SlopeModel& model) {
-    const auto is_apart = [&ring](const Ring& part) { return have_disjoint_interiors(ring, part); };
-    return is_apart(model.outline) &&
-           std::all_of(model.further_outlines.begin(), model.further_outlines.end(), is_apart);
+    const auto is_disjoint = [&ring](const Ring& part) { return have_disjoint_interiors(ring, part); };
+    return is_disjoint(model.outline) &&
+           std::all_of(model.further_outlines.begin(), model.further_outlines.end(), is_disjoint);
 }
 
 }  // namespace rockslope::blockgen

@@ -5,13 +5,13 @@
 
 namespace rockslope::blockgen {
 
-/// The upright box round all parts of the domain.
+/// The axis-aligned bounding box of all parts of the domain.
 Bounds domain_bounds(const SlopeModel& model);
 
-/// Whether a point lies within the outline of a part of the domain, or on it. Holes are not looked at.
+/// Whether a point lies inside or on the outline of a part of the domain. Holes are ignored.
 bool is_in_outlines(const SlopeModel& model, const Point& p);
 
-/// Whether a ring has no area in common with any part of the domain.
+/// Whether a ring overlaps no part of the domain.
 bool is_outside_domain(const Ring& ring, const SlopeModel& model);
 
 }  // namespace rockslope::blockgen

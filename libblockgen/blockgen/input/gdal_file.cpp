@@ -19,7 +19,7 @@ namespace rockslope::blockgen {
 
 namespace {
 
-/// GDAL writes to the standard error unless told not to.
+/// Keeps GDAL from writing to the standard error stream.
 class GdalErrorSilencer {
   public:
     GdalErrorSilencer() { CPLPushErrorHandler(CPLQuietErrorHandler); }
@@ -42,18 +42,18 @@ class GdalReader {
             GDALOpenEx(place_.file.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, nullptr, nullptr, nullptr),
             &GDALClose);
         if (!dataset_)
-            throw InputError(place_, "GDAL cannot read this", "a vector file such as DXF or GeoPackage");
+            throw InputError(place_, "GDAL cannot read this file", "a vector file such as DXF or GeoPackage");
     }
 
-    /// Calls visit(geometry, feature, layer name) for each feature that has one, curves made straight.
+    /// Calls visit(geometry, feature, layer name) for each feature with a geometry. Curves are linearised.
     template <class Visit>
     void visit_features(const Visit& visit) {
         for (int k = 0; k < GDALDatasetGetLayerCount(dataset_.get()); ++k) {
             OGRLayerH layer = GDALDatasetGetLayer(dataset_.get(), k);
             OGRSpatialReferenceH system = OGR_L_GetSpatialRef(layer);
             if (system != nullptr && OSRIsGeographic(system))
-                throw InputError(place_, "the coordinates are degrees",
-                                 "metres: a projected reference system");
+                throw InputError(place_, "the coordinates are in degrees",
+                                 "coordinates in metres: a projected reference system");
             OGR_L_ResetReading(layer);
             while (const Feature feature{OGR_L_GetNextFeature(layer), &OGR_F_Destroy}) {
                 OGRGeometryH shape = OGR_F_GetGeometryRef(feature.get());
@@ -106,7 +106,7 @@ std::vector<GdalLine> read_gdal_lines(const std::filesystem::path& path) {
     std::vector<GdalLine> lines;
     reader.visit_features([&](OGRGeometryH shape, OGRFeatureH feature, const std::string& layer) {
         const std::string drawn_on = field_of(feature, "Layer");
-        // A Shapefile keeps ten letters of a field's name.
+        // A Shapefile truncates field names to ten letters.
         std::string material = field_of(feature, "joint_material");
         if (material.empty()) material = field_of(feature, "joint_mate");
         reader.visit_lines(shape, [&](std::vector<Point> points) {
@@ -143,7 +143,7 @@ std::vector<std::vector<Ring>> read_gdal_polygons(const std::filesystem::path& p
 namespace {
 
 [[noreturn]] void fail(const std::filesystem::path& path) {
-    throw InputError({path.string()}, "this blockgen was built without GDAL, which reads such files",
+    throw InputError({path.string()}, "this blockgen was built without GDAL, which reads files of this type",
                      ".csv or .geojson");
 }
 

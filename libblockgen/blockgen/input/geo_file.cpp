@@ -37,7 +37,7 @@ class GeoReader {
     std::size_t count(const char* what) {
         const double value = number(what);
         if (value != std::floor(value) || value < 0 || value > 1e7)
-            throw InputError(word_place_, shortest_text(value) + " is no count", what);
+            throw InputError(word_place_, shortest_text(value) + " is not a count", what);
         return static_cast<std::size_t>(value);
     }
 
@@ -55,9 +55,9 @@ class GeoReader {
             if (with_number) {
                 const double value = number(what);
                 if (value != std::floor(value) || value < 0 || value > 1e6)
-                    throw InputError(word_place_, shortest_text(value) + " is no material number",
+                    throw InputError(word_place_, shortest_text(value) + " is not a material number",
                                      "a whole number");
-                line.number = static_cast<int>(value);
+                line.number = value;
             }
             result.push_back(line);
         }

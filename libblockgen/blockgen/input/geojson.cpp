@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-/// GeoJSON needs about ten; each level of a geometry collection costs stack.
+/// Limit of the recursion; GeoJSON needs about ten levels.
 constexpr int max_nesting_depth = 100;
 
 json parse(const std::filesystem::path& path) {

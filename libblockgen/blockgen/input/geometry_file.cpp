@@ -20,7 +20,7 @@ FileKind kind_of(const std::filesystem::path& path) {
     if (extension == ".csv" || extension == ".txt") return FileKind::csv;
     if (extension == ".geojson" || extension == ".json") return FileKind::geojson;
     if (extension == ".dxf" || extension == ".shp" || extension == ".gpkg") return FileKind::gdal;
-    throw InputError({path.string()}, "'" + extension + "' is no known geometry format",
+    throw InputError({path.string()}, "'" + extension + "' is not a known geometry format",
                      ".csv, .geojson, .dxf, .shp or .gpkg");
 }
 
@@ -65,7 +65,7 @@ std::vector<Trace> read_trace_file(const std::filesystem::path& path, const std:
                               row.texts[0].empty() ? joint_material : row.texts[0],
                               {{row.numbers[0], row.numbers[1]}, {row.numbers[2], row.numbers[3]}}});
     }
-    if (traces.empty()) throw InputError({path.string()}, "the file holds no trace", "one trace or more");
+    if (traces.empty()) throw InputError({path.string()}, "the file contains no trace", "one trace or more");
     for (const Trace& trace : traces)
         if (trace.joint_material.empty())
             throw InputError({path.string()}, "a trace has no joint material",

@@ -7,15 +7,15 @@
 
 namespace rockslope::blockgen {
 
-/// The parts of an outline file, of each the outer ring and then its holes: CSV with the columns x,y, one
-/// corner a line, or GeoJSON with Polygons, or what GDAL reads by the extensions .dxf, .shp and .gpkg. A last
-/// corner that repeats the first is dropped. In file order. @throws InputError
+/// The polygons of an outline file, in file order: for each, the outer ring and then its holes. The file is
+/// CSV with the columns x,y and one corner a line, GeoJSON with Polygons, or a .dxf, .shp or .gpkg file read
+/// by GDAL. A last corner that repeats the first is dropped. @throws InputError
 std::vector<std::vector<Ring>> read_outline_file(const std::filesystem::path& path);
 
-/// The traces of a file: CSV with the columns x1,y1,x2,y2 and perhaps joint_material, or GeoJSON with
-/// LineStrings and MultiLineStrings (a feature's property joint_material names its material), or what GDAL
-/// reads. Traces without a material of their own get `joint_material`, and from GDAL's files, when that is
-/// empty, the name of their layer. @throws InputError, also when the file holds no trace.
+/// The traces of a file. The file is CSV with the columns x1,y1,x2,y2 and optionally joint_material, GeoJSON
+/// with LineStrings and MultiLineStrings (a feature's property joint_material names its material), or a file
+/// read by GDAL. A trace without a material in the file gets `joint_material`; if that is empty and GDAL read
+/// the file, it gets the name of its layer. @throws InputError, also when the file contains no trace.
 std::vector<Trace> read_trace_file(const std::filesystem::path& path, const std::string& name,
                                    const std::string& joint_material);
 

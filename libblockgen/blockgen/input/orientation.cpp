@@ -29,8 +29,8 @@ Pole unit(const Pole& p) {
     return scaled(p, 1 / std::sqrt(dot(p, p)));
 }
 
-/// The mean of axes, none of which has a direction of its own: the direction of the largest sum of squared
-/// projections, by power iteration from the first.
+/// Mean of axes (poles without sign): the direction with the largest sum of squared projections, by power
+/// iteration from the first pole.
 Pole mean_pole(const std::vector<Pole>& poles) {
     Pole mean = poles.front();
     for (int round = 0; round < 200; ++round) {
@@ -44,7 +44,7 @@ Pole mean_pole(const std::vector<Pole>& poles) {
 Pole fisher_pole(const Pole& mean, double k, double u, double v) {
     const double cosine = std::clamp(1 + std::log1p(u * std::expm1(-2 * k)) / k, -1.0, 1.0);
     const double sine = std::sqrt(1 - cosine * cosine), turn = 2 * std::numbers::pi * v;
-    // Two directions across the mean one, from the axis that it is farthest from.
+    // Two unit vectors perpendicular to the mean pole, built from a coordinate axis far from it.
     const Pole axis = std::abs(mean.x) < 0.6 ? Pole{1, 0, 0} : Pole{0, 1, 0};
     const Pole first = unit(sum(axis, scaled(mean, -dot(axis, mean))));
     const Pole second{mean.up * first.out - mean.out * first.up, mean.out * first.x - mean.x * first.out,
@@ -78,11 +78,11 @@ double Orientation::max_deviation_tangent() const {
         for (const Pole& p : poles)
             turn = std::max(turn, std::abs(std::remainder(trace_angle(p) - mean, std::numbers::pi)));
     else if (fisher_k > 0) {
-        // The cone of half-angle theta about a pole that lies at beta off the section is seen within
-        // asin(sin theta / cos beta), and from all sides once it holds the section's normal.
+        // A cone of half-angle theta about a pole at the angle beta to the section projects into the section
+        // within asin(sin theta / cos beta), and in all directions when it contains the section's normal.
         const double cosine = std::max(1 + std::log(rare) / fisher_k, 0.0);
-        const double seen = std::sqrt(1 - cosine * cosine) / std::hypot(poles[0].x, poles[0].up);
-        turn = seen < 1 ? std::asin(seen) : limit;
+        const double projected = std::sqrt(1 - cosine * cosine) / std::hypot(poles[0].x, poles[0].up);
+        turn = projected < 1 ? std::asin(projected) : limit;
     }
     return std::tan(std::min(turn, limit));
 }

@@ -14,12 +14,13 @@ BlockSelector read_selector(const ConfigTable& table, bool prescribed) {
     const int given =
         int{table.has("at")} + int{table.has("inside")} + int{table.has("along")} + int{table.has("side")};
     if (given != 1)
-        table.fail("at", "a block is chosen by one of at, inside, along and side", "exactly one of them");
+        table.fail("at", std::to_string(given) + " selections of the block are given",
+                   "exactly one of at, inside, along and side");
     if (table.has("along")) {
         for (const auto& pair : table.pairs("along", Dimension::length))
             selector.along.push_back(point_of(pair));
         if (selector.along.size() != 2 || selector.along[0] == selector.along[1])
-            table.fail("along", "a line is not two different points", "[[x1, y1], [x2, y2]]");
+            table.fail("along", "a line needs two different points", "[[x1, y1], [x2, y2]]");
     }
     if (table.has("at")) selector.at = point_of(table.pair("at", Dimension::length));
     if (table.has("inside")) selector.inside = read_ring(table, "inside");
@@ -33,7 +34,7 @@ double read_friction_angle(const ConfigTable& table, const std::string& key) {
         "a friction angle from 0 to 88 deg");
 }
 
-/// All that the model may put between two blocks.
+/// The joint materials that may occur between two blocks.
 std::set<std::string> joint_materials_of(const SlopeModel& model) {
     std::set<std::string> names;
     for (const JointSet& set : model.joint_sets) names.insert(set.joint_material);
@@ -80,7 +81,7 @@ void read_block_assignments(const ConfigTable& root, SlopeModel& model) {
                                read_name(table, "material"), point_of(table.pair("from", Dimension::length)),
                                point_of(table.pair("to", Dimension::length)), table.place()});
         if (model.bolts.back().from == model.bolts.back().to)
-            table.fail("to", "a bolt whose two ends are the same point", "another point than 'from'");
+            table.fail("to", "both ends of the bolt are the same point", "a point other than 'from'");
     }
 }
 

@@ -39,7 +39,7 @@ void read_moments(const ConfigTable& table, Dimension dimension, Distribution& d
         d.sd = table.checked(
             "sd", table.number("sd", dimension), [](double x) { return x >= 0; },
             "a standard deviation of zero or more");
-    // Beyond, the incomplete gamma function has no quantile in double precision.
+    // Outside this range the quantile of the incomplete gamma function fails in double precision.
     if (d.law == Law::gamma)
         table.checked(
             "sd", d.sd, [&d](double sd) { return sd >= 1e-3 * d.mean && sd <= 30 * d.mean; },
@@ -81,7 +81,7 @@ Distribution read_distribution(const ConfigTable& parent, std::string_view key, 
     }
     if (!(d.min < d.max)) table.fail("max", "max is not above min", "max > min");
     if (!d.has_probability_mass())
-        table.fail("mean", "the law has no weight between min and max", "bounds near the mean");
+        table.fail("mean", "the law has no probability between min and max", "bounds near the mean");
     table.finish();
     return d;
 }

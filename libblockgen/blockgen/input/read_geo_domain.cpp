@@ -14,7 +14,7 @@ std::string numbered(const std::string& word, std::size_t k) {
     return word + " " + std::to_string(k + 1);
 }
 
-/// Outline and cavities: what the lines enclose, less the faces with a hole point.
+/// Adds the outline, which encloses the area of the lines, and a cavity for each face with a hole point.
 void add_rock(const ConfigTable& domain, const GeoFile& geo, const EnclosedAreaFunction& enclosed_area,
               SlopeModel& model) {
     std::vector<std::pair<Point, Point>> lines;
@@ -24,7 +24,7 @@ void add_rock(const ConfigTable& domain, const GeoFile& geo, const EnclosedAreaF
         ends.push_back(line.a);
         ends.push_back(line.b);
     }
-    if (lines.empty()) domain.fail("geo_file", "the file holds no lines", "lines that enclose blocks");
+    if (lines.empty()) domain.fail("geo_file", "the file contains no lines", "lines that enclose blocks");
     check_coordinate_range(domain, "geo_file", ends, model);
     const EnclosedArea area = enclosed_area(lines, geo.hole_points, model.grid);
     if (area.outlines.size() != 1)
@@ -37,7 +37,7 @@ void add_rock(const ConfigTable& domain, const GeoFile& geo, const EnclosedAreaF
     model.outline = area.outlines[0];
     if (const auto fault = find_ring_fault(std::vector<Ring>{model.outline}))
         domain.fail("geo_file",
-                    "the area within the lines hangs together by the point " + text_of(fault->place),
+                    "two parts of the enclosed area meet only in the point " + text_of(fault->place),
                     "parts that share an edge");
     for (std::size_t k = 0; k < geo.hole_points.size(); ++k)
         if (area.faces[k])
@@ -78,10 +78,10 @@ void read_geo_domain(const ConfigTable& domain, const EnclosedAreaFunction& encl
         model.measured_points.push_back({numbered("load", k), geo.loaded_points[k], place});
     if (!geo.loaded_points.empty())
         model.notes.push_back("the loaded points of " + model.files.back().string() +
-                              " became measured points 'load N': loads belong to the run");
+                              " are read as measured points 'load N'; loads are given in the run file");
     if (!geo.bolts.empty())
         model.notes.push_back("the stiffness of the bolts of " + model.files.back().string() +
-                              " is not taken over: the run gives the bolt material 'bolt'");
+                              " is ignored; the run file gives the bolt material 'bolt'");
 }
 
 }  // namespace rockslope::blockgen

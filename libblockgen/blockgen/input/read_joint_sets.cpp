@@ -26,7 +26,7 @@ double check_dip(const ConfigTable& table, std::string_view key, double dip) {
         "a dip from 0 to 90 deg");
 }
 
-/// Poles of planes in space: one by dip and dip direction, or a table of measured ones.
+/// Poles of planes in space: one given by dip and dip direction, or a list of measured ones.
 std::vector<Pole> read_poles(const ConfigTable& table, double azimuth, SlopeModel& model) {
     std::vector<Pole> poles;
     if (table.has("dip") || table.has("dip_direction")) {
@@ -57,8 +57,8 @@ Orientation read_orientation(const ConfigTable& root, const ConfigTable& table, 
     const int given = int{table.has("angle")} + int{by_dip} + int{table.has("orientations")} +
                       int{table.has("orientation_file")};
     if (given > 1)
-        table.fail("angle", "joints lie by one of angle, dip, orientations and orientation_file",
-                   "exactly one of them");
+        table.fail("angle", "several orientations are given",
+                   "exactly one of angle, dip, orientations and orientation_file");
     if (table.has("angle") || given == 0) {
         orientation.angle = read_distribution(table, "angle", Dimension::angle);
         return orientation;
@@ -71,14 +71,14 @@ Orientation read_orientation(const ConfigTable& root, const ConfigTable& table, 
     if (by_dip && table.has("fisher_k"))
         orientation.fisher_k = table.checked(
             "fisher_k", table.number("fisher_k"), [](double k) { return k > 0; },
-            "a positive concentration; 20 scatters widely, 200 hardly");
+            "a positive concentration: 20 gives a wide scatter, 200 a narrow one");
     if (!(orientation.spacing_factor() < 1e6))
         table.fail(by_dip ? "dip" : "orientations", "the set lies parallel to the section",
                    "planes that the section cuts");
     return orientation;
 }
 
-/// Spacings measured across planes in space become spacings in the section.
+/// Converts true spacings, across planes in space, to spacings in the section.
 Distribution in_section(Distribution spacing, double factor) {
     spacing.mean *= factor;
     spacing.sd *= factor;
@@ -108,16 +108,17 @@ void read_bridges(const ConfigTable& table, JointSet& set) {
     if (table.has("gap") == table.has("persistence"))
         table.fail(
             "trace_length", "traces of limited length need exactly one of gap and persistence",
-            "gap, the rock bridge between two traces, or persistence, the share of the line that is open");
+            "gap, the rock bridge between two traces, or persistence, the fraction of the line that is "
+            "jointed");
     if (table.has("gap")) {
         set.gap = read_length(table, "gap", true);
         return;
     }
     const double persistence = table.checked(
         "persistence", table.number("persistence"), [](double p) { return p > 0 && p <= 1; },
-        "a share above 0, up to 1");
+        "a fraction above 0, up to 1");
     const double gap = set.trace_length->truncated_mean() * (1 - persistence) / persistence;
-    // Veneziano's lines are cut at random, so that bridges are exponential like the traces usually are.
+    // Veneziano's lines are divided at random points, so the lengths of the bridges are exponential.
     set.gap =
         set.kind == SetKind::veneziano && gap > 0 ? Distribution{Law::exponential, gap} : constant_value(gap);
 }
@@ -130,27 +131,27 @@ StopRule read_stop(const ConfigTable& table,
         names += (names.empty() ? "" : ", ") + word;
         if (!table.has(word)) continue;
         if (stop.measure != StopRule::Measure::none)
-            table.fail(word, "a second rule for when the set is complete", "one of " + names);
+            table.fail(word, "the set has a second stop rule", "one of " + names);
         stop = {measure, table.checked(
                              word, table.number(word), [](double x) { return x > 0; }, "a positive number")};
     }
     if (stop.measure == StopRule::Measure::none)
-        table.fail("kind", "no rule for when the set is complete", "one of " + names);
+        table.fail("kind", "the set has no stop rule", "one of " + names);
     return stop;
 }
 
 void read_cross_jointed(const ConfigTable& table, JointSet& set, const SlopeModel& model) {
-    const auto share = [](double x) { return x >= 0 && x <= 1; };
+    const auto is_fraction = [](double x) { return x >= 0 && x <= 1; };
     set.ends_on = read_name(table, "ends_on");
     const auto has_name = [&](const auto& joints) { return joints.name == set.ends_on; };
     if (std::none_of(model.joint_sets.begin(), model.joint_sets.end(), has_name) &&
         std::none_of(model.traces.begin(), model.traces.end(), has_name))
         table.fail("ends_on", "there are no joints '" + set.ends_on + "' before this set",
                    "the name of traces or of an earlier [[joint_set]]");
-    set.termination = table.checked("termination", table.number("termination", Dimension::none, 1), share,
-                                    "a probability from 0 to 1");
-    set.stagger = table.checked("stagger", table.number("stagger", Dimension::none, 0.5), share,
-                                "a share of the spacing, from 0 to 1");
+    set.termination = table.checked("termination", table.number("termination", Dimension::none, 1),
+                                    is_fraction, "a probability from 0 to 1");
+    set.stagger = table.checked("stagger", table.number("stagger", Dimension::none, 0.5), is_fraction,
+                                "a fraction of the spacing, from 0 to 1");
 }
 
 void read_voronoi(const ConfigTable& table, JointSet& set) {
@@ -158,8 +159,8 @@ void read_voronoi(const ConfigTable& table, JointSet& set) {
     const auto relaxation = table.integer("relaxation", 0);
     if (relaxation < 0 || relaxation > 1000)
         table.fail("relaxation", "too few or too many rounds",
-                   "0, cells at random, to 1000, nearly hexagons");
-    set.relaxation = static_cast<int>(relaxation);
+                   "0 (random cells) to 1000 (nearly hexagonal cells)");
+    set.relaxation = relaxation;
 }
 
 void read_members(const ConfigTable& root, const ConfigTable& table, JointSet& set, SlopeModel& model) {
@@ -192,8 +193,8 @@ JointSet read_joint_set(const ConfigTable& root, const ConfigTable& table, Slope
     set.joint_material = table.string("joint_material", set.name);
     read_members(root, table, set, model);
     set.region = table.string("region", "");
-    const auto is_it = [&](const Region& region) { return region.name == set.region; };
-    if (!set.region.empty() && std::none_of(model.regions.begin(), model.regions.end(), is_it))
+    const auto has_name = [&](const Region& region) { return region.name == set.region; };
+    if (!set.region.empty() && std::none_of(model.regions.begin(), model.regions.end(), has_name))
         table.fail("region", "there is no region '" + set.region + "'", "the name of a [[region]]");
     for (const JointSet& other : model.joint_sets)
         if (other.name == set.name)

@@ -32,7 +32,7 @@ void read_traces(const ConfigTable& table, SlopeModel& model) {
 }  // namespace
 
 void read_joints(const ConfigTable& root, SlopeModel& model) {
-    // Traces first: joints of a set may end on them.
+    // Traces are read first, because joints of a set may end on them.
     for (const ConfigTable& table : root.array_of_tables("traces")) read_traces(table, model);
     read_joint_sets(root, model);
 }

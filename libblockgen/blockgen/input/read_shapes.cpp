@@ -21,7 +21,7 @@ std::string text_of_edge(const Ring& ring, std::size_t edge) {
            text_of(ring[(edge + 1) % ring.size()]);
 }
 
-/// What keeps a ring from bounding an area; empty when nothing does.
+/// Why a ring is not a simple polygon; empty when it is.
 std::string describe_fault(const Ring& ring) {
     if (ring.size() < 3) return std::to_string(ring.size()) + " corners enclose no area";
     const auto fault = find_ring_fault(std::vector<Ring>{ring});
@@ -60,7 +60,7 @@ Ring circle(const Point& centre, double radius, std::int64_t segments) {
     return ring;
 }
 
-/// A rectangle under a half circle; `floor` is the middle of the floor.
+/// A rectangle below a half circle. @param floor midpoint of the floor.
 Ring horseshoe(const Point& floor, double width, double height, std::int64_t segments) {
     const double radius = width / 2;
     const Point crown{floor.x, floor.y + height - radius};
@@ -101,14 +101,14 @@ Excavation read_excavation(const ConfigTable& table, const std::string& default_
     excavation.name = table.string("name", default_name);
     const std::int64_t stage = table.integer("stage");
     if (stage < 1 || stage > 1'000'000)
-        table.fail("stage", "stage " + std::to_string(stage) + " of a run", "a whole number from 1");
-    excavation.stage = static_cast<int>(stage);
+        table.fail("stage", "there is no stage " + std::to_string(stage), "an integer from 1 to 1000000");
+    excavation.stage = stage;
     if (table.has("joint_material")) excavation.joint_material = read_name(table, "joint_material");
     excavation.outline = read_opening(table, model);
     return excavation;
 }
 
-/// Checks a ring and turns it counter-clockwise. @param what to call it.
+/// Checks a ring and turns it counter-clockwise. @param what its name in an error message.
 void check_ring(const ConfigTable& domain, const std::string& key, const std::string& what, Ring& ring) {
     if (const std::string fault = describe_fault(ring); !fault.empty())
         domain.fail(key, what + ": " + fault, ring_expected);
@@ -119,8 +119,8 @@ void add_part(const ConfigTable& domain, const std::string& key, const std::stri
               SlopeModel& model) {
     check_ring(domain, key, what, outer);
     if (!model.outline.empty() && !is_outside_domain(outer, model))
-        domain.fail(key, what + " lies over an earlier part",
-                    "parts of the domain apart from each other; a hole as an inner ring or in holes");
+        domain.fail(key, what + " overlaps an earlier part",
+                    "parts of the domain that do not overlap; a hole as an inner ring or in holes");
     (model.outline.empty() ? model.outline : model.further_outlines.emplace_back()) = std::move(outer);
 }
 
@@ -129,11 +129,11 @@ void add_hole(const ConfigTable& domain, const std::string& key, const std::stri
     const std::string what = "hole " + std::to_string(model.holes.size() + 1) + where;
     check_ring(domain, key, what, hole);
     if (is_outside_domain(hole, model))
-        domain.fail(key, what + " lies outside the outline", "a hole that takes rock away");
+        domain.fail(key, what + " lies outside the outline", "a hole that removes rock");
     model.holes.push_back(std::move(hole));
 }
 
-/// The one of outline, outlines and outline_file that is given.
+/// Which of the keys outline, outlines and outline_file is given; `outline` when none is.
 std::string outline_key(const ConfigTable& domain) {
     std::string given;
     for (const char* key : {"outline", "outlines", "outline_file"}) {
@@ -171,7 +171,7 @@ double read_grid(const ConfigTable& domain) {
     const double grid = domain.number("grid", Dimension::length, 0x1p-20);
     int exponent = 0;
     if (!(grid > 0) || std::frexp(grid, &exponent) != 0.5)
-        domain.fail("grid", shortest_text(grid) + " m is no power of two",
+        domain.fail("grid", shortest_text(grid) + " m is not a power of two",
                     "a power of two, such as 2^-20 = 9.5367431640625e-7");
     return grid;
 }
@@ -224,7 +224,7 @@ std::string read_name(const ConfigTable& table, std::string_view key) {
 
 void check_coordinate_range(const ConfigTable& table, std::string_view key, const Ring& points,
                             const SlopeModel& model) {
-    Ring all = points;  // a line file's come before there is an outline
+    Ring all = points;  // the model has no outline yet when a line file is read
     all.insert(all.end(), model.outline.begin(), model.outline.end());
     for (const Ring& part : model.further_outlines) all.insert(all.end(), part.begin(), part.end());
     const auto [low, high] = Bounds::of(all);
@@ -250,7 +250,8 @@ void read_domain(const ConfigTable& root, const EnclosedAreaFunction& enclosed_a
     model.grid = read_grid(domain);
     if (domain.has("geo_file")) {
         for (const char* key : {"outline", "outlines", "outline_file", "holes"})
-            if (domain.has(key)) domain.fail(key, "an outline beside the lines of geo_file", "one of them");
+            if (domain.has(key))
+                domain.fail(key, std::string(key) + " and geo_file are both given", "one of them");
         read_geo_domain(domain, enclosed_area, model);
     } else {
         read_outline(domain, model);

@@ -8,20 +8,20 @@ namespace rockslope::blockgen {
 
 Point point_of(const std::array<double, 2>& pair);
 
-/// A string that is not empty.
+/// Reads a string. @throws InputError when it is empty.
 std::string read_name(const ConfigTable& table, std::string_view key);
 
-/// A simple ring of at least three corners under `key`; made counter-clockwise.
+/// Reads a simple ring of at least three corners; turns it counter-clockwise. @throws InputError
 Ring read_ring(const ConfigTable& table, std::string_view key);
 
-/// @throws InputError at `key` when the outline and these points together reach too far for the model's grid:
-/// beyond 2^51 steps from the origin or 2^37 steps across, where the cutter's integers would end.
+/// @throws InputError at `key` when the outline and these points exceed the range of the cutter's integers:
+/// coordinates of 2^51 grid steps, or an extent of 2^37 grid steps.
 void check_coordinate_range(const ConfigTable& table, std::string_view key, const Ring& points,
                             const SlopeModel& model);
 
 /// [domain]: outline, holes, block material, grid, policies; and the files it names.
 void read_domain(const ConfigTable& root, const EnclosedAreaFunction& enclosed_area, SlopeModel& model);
-/// domain.geo_file: everything that a geometry file of Shi's holds. The grid must be known.
+/// domain.geo_file: all records of a geometry file of Shi's. The grid must have been read.
 void read_geo_domain(const ConfigTable& domain, const EnclosedAreaFunction& enclosed_area, SlopeModel& model);
 /// [[region]]
 void read_regions(const ConfigTable& root, SlopeModel& model);
@@ -29,7 +29,7 @@ void read_regions(const ConfigTable& root, SlopeModel& model);
 void read_tunnels(const ConfigTable& root, SlopeModel& model);
 /// [[joint_set]] and [[traces]]
 void read_joints(const ConfigTable& root, SlopeModel& model);
-/// [[joint_set]], and [section] for sets that lie in space.
+/// [[joint_set]], and [section] for sets given as planes in space.
 void read_joint_sets(const ConfigTable& root, SlopeModel& model);
 /// [[fixed_block]], [[prescribed_block]], [kinematics], [[measured_point]] and [[bolt]]
 void read_block_assignments(const ConfigTable& root, SlopeModel& model);

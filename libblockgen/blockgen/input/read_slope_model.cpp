@@ -20,9 +20,9 @@ SlopeModel read_slope_model(const ConfigTable& root, const EnclosedAreaFunction&
 
 std::string slope_model_template() {
     return R"(# A slope for blockgen. Lengths in metres, or with a unit: "5 mm", "2 km". Angles need a unit: "35 deg".
-# They count from the x axis, counter-clockwise positive. Lines that start with '#' show what may be added.
+# They are measured from the x axis, counter-clockwise positive. Lines that start with '#' show optional keys.
 
-seed = 42                                  # of all random draws; the same seed gives the same blocks
+seed = 42                                  # seed of all random draws; the same seed gives the same blocks
 
 [domain]
 outline = [[0, 0], [120, 0], [120, 30], [60, 70], [0, 70]]
@@ -31,11 +31,11 @@ outline = [[0, 0], [120, 0], [120, 30], [60, 70], [0, 70]]
 # geo_file = "old.geo"                     # instead: a line file of Shi's programs
 # holes = [[[10, 10], [14, 10], [12, 14]]]
 block_material = "sandstone"
-# grid = 9.5367431640625e-7                # m, a power of two: joints that come nearer to each other are joined
-# islands = "keep"                         # blocks enclosed by one block; or "cut" to its rim, "fill", "error"
+# grid = 9.5367431640625e-7                # m, a power of two: joints nearer to each other than this are joined
+# islands = "keep"                         # blocks enclosed by one block; or "cut" to its boundary, "fill", "error"
 
 # [small_blocks]
-# policy = "merge"                         # across the longest boundary; or "drop" the least joint's piece; "keep"
+# policy = "merge"                         # across the longest boundary; or "drop" a piece of the shortest joint; "keep"
 # below_area = 0.01                        # m2
 # below_roundness = 0.02                   # 4 pi area / perimeter^2
 
@@ -50,9 +50,9 @@ block_material = "sandstone"
 # centre = [40, 20]
 # radius = 3
 # segments = 32
-# stage = 2                                # absent: never was rock; else the run's stage that begins by taking it out
+# stage = 2                                # stage of the run at whose start the rock is removed; absent: no rock from the start
 
-# [[excavation]]                           # rock until then; shapes as of tunnels
+# [[excavation]]                           # rock until its stage starts; shapes as for tunnels
 # stage = 2
 # joint_material = "bedding"               # along its outline where no joint runs
 # shape = "polygon"
@@ -63,9 +63,9 @@ name = "bedding"
 joint_material = "bedding"
 angle = "-25 deg"
 spacing = { law = "lognormal", mean = 3.0, sd = 0.6, min = 1.0, max = 8.0 }
-# Each of angle, spacing, trace_length and gap is a number, or one of the laws constant (value), uniform (min, max),
-# normal, lognormal, gamma (mean, sd), exponential (mean), weibull (mean, shape), power (exponent, min, max), truncated
-# to [min, max].
+# angle, spacing, trace_length and gap are numbers or distributions truncated to [min, max]. Laws: constant (value),
+# uniform (min, max), normal, lognormal, gamma (mean, sd), exponential (mean), weibull (mean, shape), power (exponent,
+# min, max).
 
 [[joint_set]]
 name = "cross joints"
@@ -75,12 +75,12 @@ spacing = 4
 trace_length = { law = "exponential", mean = 20, min = 2 }   # absent: each joint crosses the whole domain
 gap = 1.0                                  # rock bridge; or persistence = 0.9
 # origin = [0, 0]                          # a point of one joint; absent: the seed places the set
-# region = "weathered"                     # only there
+# region = "weathered"                     # only in this region
 
 # [section]
 # azimuth = "90 deg"                       # of the x axis, clockwise from north: for sets given as planes in space
 
-# [[joint_set]]                            # traces anywhere; or kind = "veneziano": lines anywhere, in traces and bridges
+# [[joint_set]]                            # random traces; or kind = "veneziano": random lines of traces and rock bridges
 # name = "random"
 # kind = "baecher"
 # dip = "60 deg"                           # instead of angle; or orientations = [["60 deg", "120 deg"]],
@@ -95,8 +95,8 @@ gap = 1.0                                  # rock bridge; or persistence = 0.9
 # ends_on = "bedding"
 # angle = "65 deg"
 # spacing = 3
-# termination = 1                          # probability of ending at a joint met
-# stagger = 0.5                            # of the spacing: how far aside the next piece may lie
+# termination = 1                          # probability of ending at a joint of that set
+# stagger = 0.5                            # largest lateral offset of the next piece, as a fraction of the spacing
 
 # [[joint_set]]
 # name = "columns"
@@ -111,14 +111,14 @@ gap = 1.0                                  # rock bridge; or persistence = 0.9
 [[fixed_block]]
 side = "bottom"                            # or at = [x, y], or inside = polygon
 
-# [[prescribed_block]]                     # moves as a record says
+# [[prescribed_block]]                     # moves as a motion record prescribes
 # name = "base"
 # at = [60, 2]
 
 # [kinematics]                             # screen for removable blocks, in the report and --kinematic-picture
 # friction_angle = "30 deg"
 # fixed_sides = ["bottom", "left", "right"]
-# [kinematics.friction_angles]             # joint materials with angles of their own
+# [kinematics.friction_angles]             # joint materials with other angles
 # bedding = "25 deg"
 
 [[measured_point]]

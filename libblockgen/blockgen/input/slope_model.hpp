@@ -13,7 +13,7 @@
 
 namespace rockslope::blockgen {
 
-/// A part of the section with a block material of its own; a later region lies over an earlier one.
+/// A part of the section with its own block material. A later region overrides an earlier one.
 struct Region {
     std::string name;
     std::string block_material;
@@ -22,74 +22,73 @@ struct Region {
     SourceLocation place;
 };
 
-/// A cavity: the rock inside its outline is taken away.
+/// A cavity: there is no rock inside its outline.
 struct Tunnel {
     std::string name;
     Ring outline;
     SourceLocation place;
 };
 
-/// Rock that the run takes out when one of its stages begins. Until then it is rock like any other, cut along
-/// the outline.
+/// Rock that the simulation removes at the start of a stage. Blocks are cut along its outline.
 struct Excavation {
     std::string name;
-    int stage = 1;  ///< of the run, counted from 1
+    int stage = 1;  ///< stage of the simulation, counted from 1
     Ring outline;
     std::string joint_material;  ///< along its outline where no joint runs; may be empty
     SourceLocation place;
 };
 
-/// How the joints of a set lie to each other.
+/// The model by which the joints of a set are sampled.
 enum class SetKind {
-    parallel,       ///< lines at given spacings, each of traces and rock bridges in turn
-    baecher,        ///< traces anywhere, independent of each other (Baecher, Lanney and Einstein 1977)
-    veneziano,      ///< lines anywhere, each of traces and rock bridges in turn (Veneziano 1978)
-    cross_jointed,  ///< lines at given spacings that may end where they meet joints of another set
-    voronoi         ///< edges of the cells that are nearest to points anywhere
+    parallel,       ///< lines at given spacings, of alternating traces and rock bridges
+    baecher,        ///< independent traces at random positions (Baecher, Lanney and Einstein 1977)
+    veneziano,      ///< random lines of alternating traces and rock bridges (Veneziano 1978)
+    cross_jointed,  ///< lines at given spacings that may end at joints of another set
+    voronoi         ///< edges of the Voronoi cells of random points
 };
 
-/// When a set of joints that lie anywhere is complete.
+/// The stop rule of a set of randomly placed joints: sampling ends when the measure reaches its target.
 struct StopRule {
     enum class Measure {
         none,
-        p10,   ///< 1/m: joints met by a line across their mean direction
-        p20,   ///< 1/m2: traces with their middle in the rock, per area
-        p21,   ///< m/m2: length in the rock per area
-        count  ///< traces with their middle in the rock; lines that meet it; cells
+        p10,   ///< 1/m: joints per length of a scanline perpendicular to their mean direction
+        p20,   ///< 1/m2: traces with their midpoint in the rock, per area
+        p21,   ///< m/m2: trace length in the rock, per area
+        count  ///< number of traces with their midpoint in the rock, of lines that meet it, or of cells
     };
     Measure measure = Measure::none;
     double target = 0;
 };
 
-/// A joint set, all lengths in m, angles in rad from the x axis, counter-clockwise positive. Which members
-/// count depends on the kind.
+/// A joint set. Lengths in m, angles in rad from the x axis, counter-clockwise positive. The kind determines
+/// which members are used.
 struct JointSet {
     std::string name;
     SetKind kind = SetKind::parallel;
     std::string joint_material;
     Orientation orientation;
-    Distribution spacing;                      ///< in the section, across the mean direction
+    Distribution spacing;                      ///< in the section, perpendicular to the mean direction
     std::optional<Distribution> trace_length;  ///< absent: each joint crosses the whole domain
     std::optional<Distribution> gap;           ///< rock bridge between two traces of one line
-    std::optional<Point> origin;               ///< a point of one joint; absent: the seed places the set
+    std::optional<Point> origin;               ///< a point of one joint; absent: drawn at random
     StopRule stop;
-    std::string ends_on;     ///< the set, or traces of a name, at which cross joints may end
+    std::string ends_on;     ///< name of the set or traces at which cross joints may end
     double termination = 1;  ///< probability of ending there, in [0, 1]
-    double stagger = 0.5;    ///< a piece may lie aside of its line by up to this share of the spacing
-    int relaxation = 0;      ///< times that Voronoi cells are centred on their points again (Lloyd 1982)
-    std::string region;      ///< name of the region it is limited to; empty: everywhere
+    double stagger = 0.5;    ///< largest lateral offset of a piece from its line, fraction of the spacing
+    int relaxation = 0;      ///< number of relaxations of the Voronoi cells (Lloyd 1982)
+    std::string region;      ///< name of the region that limits the set; empty: the whole domain
     SourceLocation place;
 };
 
-/// Joints given one by one.
+/// A joint given as a polyline.
 struct Trace {
     std::string name;
     std::string joint_material;
     std::vector<Point> points;
 };
 
-/// Which blocks are meant: the one that holds a point, those whose centroid lies in a polygon, those that a
-/// line runs through, or those along a side of the domain's bounding box. Exactly one is given.
+/// Selects fixed or prescribed blocks by exactly one of: a point inside the block, a polygon that contains
+/// their centroids, a line through the blocks, or a side of the domain's bounding box along which they lie.
 struct BlockSelector {
     std::optional<Point> at;
     Ring inside;
@@ -113,15 +112,15 @@ struct BoltLine {
     SourceLocation place;
 };
 
-/// Gives the blocks that a line runs through a material of their own.
+/// Assigns a material to the blocks that a line runs through.
 struct MaterialLine {
     std::string block_material;
     Point from, to;
     SourceLocation place;
 };
 
-/// What to do with blocks that another block encloses: let them fill a hole of it, prolong their joints to
-/// its rim, make them part of it, or refuse.
+/// What to do with islands, blocks that another block encloses: keep them in a hole of that block, extend
+/// their joints to its boundary, merge them with it, or report an error.
 enum class IslandPolicy { keep, cut, fill, error };
 
 /// What to do with blocks that are too small or too slender.
@@ -130,12 +129,12 @@ enum class SmallBlockPolicy { keep, merge, drop };
 struct SmallBlocks {
     SmallBlockPolicy policy = SmallBlockPolicy::keep;
     double below_area = 0;          ///< m2
-    double below_roundness = 0.02;  ///< 4 pi area / perimeter^2, in [0, 1); the measure of a sliver
+    double below_roundness = 0.02;  ///< 4 pi area / perimeter^2, in [0, 1); a block below it is a sliver
 };
 
-/// What the kinematic screen needs to know.
+/// Settings of the kinematic screen.
 struct KinematicScreen {
-    double friction_angle = 0;  ///< rad, of joints whose material is not in friction_of_material
+    double friction_angle = 0;  ///< rad, for joint materials that are not in friction_of_material
     std::vector<std::string> fixed_sides = {"bottom", "left", "right"};
     std::map<std::string, double> friction_of_material = {};  ///< rad, per joint material
 };
@@ -143,9 +142,9 @@ struct KinematicScreen {
 /// A slope as its model file describes it: geometry only, checked, in SI units.
 struct SlopeModel {
     std::uint64_t seed = 0;
-    double grid = 0x1p-20;  ///< m, a power of two: all vertices lie on multiples of it
+    double grid = 0x1p-20;  ///< m, grid step, a power of two: vertex coordinates are multiples of it
     Ring outline;
-    std::vector<Ring> further_outlines;  ///< of the domain's other parts; they may touch, but share no area
+    std::vector<Ring> further_outlines;  ///< of further parts of the domain; they may touch but not overlap
     std::vector<Ring> holes;
     std::string block_material;
     IslandPolicy islands = IslandPolicy::keep;
@@ -160,10 +159,10 @@ struct SlopeModel {
     std::vector<NamedPoint> measured_points;
     std::vector<BoltLine> bolts;
     std::vector<MaterialLine> material_lines;
-    bool outline_of_traces = false;  ///< the outline follows from traces, so that some run along it
-    std::vector<std::string> notes;  ///< warnings from the reading
+    bool outline_of_traces = false;  ///< the outline was computed from traces, so some traces run along it
+    std::vector<std::string> notes;  ///< warnings of the reader
     std::optional<KinematicScreen> kinematics;
-    std::vector<std::filesystem::path> files;  ///< read besides the model file itself
+    std::vector<std::filesystem::path> files;  ///< files read in addition to the model file
 };
 
 }  // namespace rockslope::blockgen

@@ -8,17 +8,16 @@
 
 namespace rockslope::blockgen {
 
-/// The newest version of the block file that this code reads. A file is written in the lowest version that
-/// holds it: 1 without excavations, 2 with them.
+/// The newest version of the block file that this code reads. The writer uses the lowest version that can
+/// store the mesh: 1 without excavations, 2 with excavations.
 inline constexpr int block_file_version = 2;
 
-/// The text of a block file; numbers are written shortest-round-trip, so write, read, write gives the same
-/// bytes.
+/// The text of a block file. Numbers are written in the shortest form that reads back to the same double, so
+/// that writing, reading and writing again gives the same bytes.
 std::string block_file_text(const BlockMesh& mesh);
 
-/// Parses the text of a block file. @throws InputError with file:line for anything that is not a whole,
-/// consistent file of a version this code knows: truncation, a newer version, an index out of range, a number
-/// that is not finite.
+/// Parses the text of a block file. @throws InputError with file and line when the file is truncated or of a
+/// newer version, an index is out of range, a number is not finite, or a record is otherwise malformed.
 BlockMesh parse_block_file(std::string_view text, const std::string& file_name);
 
 BlockMesh read_block_file(const std::filesystem::path& path);

@@ -9,9 +9,9 @@ namespace {
 template <class T>
 std::span<const T> ring_part(const BlockMesh& mesh, const std::vector<T>& values, std::size_t block,
                              std::size_t ring) {
-    const std::size_t r = static_cast<std::size_t>(mesh.block_rings[block]) + ring;
-    const auto first = static_cast<std::size_t>(mesh.ring_corners[r]);
-    const auto last = static_cast<std::size_t>(mesh.ring_corners[r + 1]);
+    const std::size_t r = mesh.block_rings[block] + ring;
+    const std::size_t first = mesh.ring_corners[r];
+    const std::size_t last = mesh.ring_corners[r + 1];
     return std::span<const T>(values).subspan(first, last - first);
 }
 
@@ -35,7 +35,7 @@ void BlockMesh::begin_block(std::int32_t material, BlockMotion block_motion, std
 void BlockMesh::add_ring(std::span<const std::int32_t> ring_vertices, std::span<const EdgeMark> marks) {
     corners.insert(corners.end(), ring_vertices.begin(), ring_vertices.end());
     edge_marks.insert(edge_marks.end(), marks.begin(), marks.end());
-    ring_corners.push_back(static_cast<std::int32_t>(corners.size()));
+    ring_corners.push_back(corners.size());
     ++block_rings.back();
 }
 

@@ -10,8 +10,8 @@
 
 namespace rockslope::blockgen {
 
-/// What lies along one edge of a block. A joint is a rock discontinuity; `no_joint` marks the free surface
-/// and the outline of the domain.
+/// Joint and joint material along one edge of a block. `no_joint` marks an edge on the free surface or on the
+/// outline of the domain.
 struct EdgeMark {
     static constexpr std::int32_t no_joint = -1;
     std::int32_t joint_material = no_joint;  ///< index into BlockMesh::joint_materials
@@ -35,8 +35,8 @@ struct MeasuredPoint {
     friend bool operator==(const MeasuredPoint&, const MeasuredPoint&) = default;
 };
 
-/// A bar between a point of one block and a point of another (or of the same); its properties are a bolt
-/// material's.
+/// A bar between a point of one block and a point of another block, or of the same block. A bolt material
+/// gives its properties.
 struct Bolt {
     std::string name;
     std::string material;
@@ -47,21 +47,21 @@ struct Bolt {
     friend bool operator==(const Bolt&, const Bolt&) = default;
 };
 
-/// Blocks that the run takes out when one of its stages begins.
+/// Blocks that the simulation removes at the start of a stage.
 struct ExcavatedBlocks {
     std::string name;
-    std::int32_t stage = 1;            ///< of the run, counted from 1
+    std::int32_t stage = 1;            ///< stage of the simulation, counted from 1
     std::vector<std::int32_t> blocks;  ///< ascending; in no other excavation
     friend bool operator==(const ExcavatedBlocks&, const ExcavatedBlocks&) = default;
 };
 
-/// A rock section cut into blocks: plain data, as the block file holds it.
+/// A rock section cut into blocks: plain data, as stored in the block file. Lengths in m.
 ///
-/// Vertices are shared by index, so neighbours agree to the last bit. Block b owns the rings
-/// [block_rings[b], block_rings[b + 1]): first the outer ring, counter-clockwise, then its holes, clockwise,
-/// so that the block's material is always on the left of an edge. Ring r owns the corners [ring_corners[r],
-/// ring_corners[r + 1]) of `corners` (vertex indices) and of `edge_marks` (edge k runs from corner k to the
-/// next corner of the same ring). Lengths in m.
+/// Blocks share vertices by index, so the coordinates of neighbours are identical to the last bit.
+/// Block b owns the rings [block_rings[b], block_rings[b + 1]): the outer ring, counter-clockwise, then the
+/// holes, clockwise. The block lies on the left of each of its edges.
+/// Ring r owns the range [ring_corners[r], ring_corners[r + 1]) of `corners` (vertex indices) and of
+/// `edge_marks`. Edge k runs from corner k to the next corner of the same ring.
 struct BlockMesh {
     std::vector<Point> vertices;
     std::vector<std::int32_t> corners;
@@ -71,7 +71,7 @@ struct BlockMesh {
 
     std::vector<std::int32_t> block_material;  ///< per block, index into block_materials
     std::vector<BlockMotion> motion;           ///< per block
-    std::vector<std::string> motion_name;      ///< per block; the name of a prescribed block, else empty
+    std::vector<std::string> motion_name;      ///< per block; name of a prescribed block, otherwise empty
 
     std::vector<std::string> block_materials;
     std::vector<std::string> joint_materials;
@@ -83,9 +83,7 @@ struct BlockMesh {
     std::vector<std::string> provenance;  ///< free text lines: program version, seed, hash of the input
 
     std::size_t block_count() const { return block_rings.size() - 1; }
-    std::size_t ring_count(std::size_t block) const {
-        return static_cast<std::size_t>(block_rings[block + 1] - block_rings[block]);
-    }
+    std::size_t ring_count(std::size_t block) const { return block_rings[block + 1] - block_rings[block]; }
     /// The vertex indices of a block's ring; ring 0 is the outer one.
     std::span<const std::int32_t> ring(std::size_t block, std::size_t ring) const;
     /// The marks of the edges of a block's ring.

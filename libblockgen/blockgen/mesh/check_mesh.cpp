@@ -58,17 +58,18 @@ class MeshChecker {
         const std::size_t blocks = mesh_.block_rings.empty() ? 0 : mesh_.block_count();
         if (!is_offsets(mesh_.ring_corners, mesh_.corners.size(), 3) ||
             mesh_.edge_marks.size() != mesh_.corners.size())
-            fail("the rings do not divide the corners",
-                 "three corners or more in each ring, one mark an edge");
+            fail("the ring offsets do not divide the corners",
+                 "three corners or more in each ring, one mark per edge");
         if (!is_offsets(mesh_.block_rings, mesh_.ring_corners.size() - 1, 1))
-            fail("the blocks do not divide the rings", "one ring or more in each block");
+            fail("the block offsets do not divide the rings", "one ring or more in each block");
         if (mesh_.block_material.size() != blocks || mesh_.motion.size() != blocks ||
             mesh_.motion_name.size() != blocks)
-            fail("the data per block do not match the blocks", "one material and one motion a block");
+            fail("the number of block materials or motions differs from the number of blocks",
+                 "one material and one motion per block");
     }
 
     std::string block_text(std::size_t b) const {
-        const Point& p = mesh_.vertices[static_cast<std::size_t>(mesh_.ring(b, 0)[0])];
+        const Point& p = mesh_.vertices[mesh_.ring(b, 0)[0]];
         return "block " + std::to_string(b) + " at " + text_of(p);
     }
 
@@ -93,8 +94,7 @@ class MeshChecker {
     std::vector<Ring> rings_of(std::size_t b) const {
         std::vector<Ring> rings(mesh_.ring_count(b));
         for (std::size_t r = 0; r < rings.size(); ++r)
-            for (const std::int32_t vertex : mesh_.ring(b, r))
-                rings[r].push_back(mesh_.vertices[static_cast<std::size_t>(vertex)]);
+            for (const std::int32_t vertex : mesh_.ring(b, r)) rings[r].push_back(mesh_.vertices[vertex]);
         return rings;
     }
 
@@ -125,7 +125,7 @@ class MeshChecker {
                 if (side == 0) continue;
                 if (side != wanted)
                     fail(name + (other == 0 ? " lies outside the outer ring" : " lies inside another hole"),
-                         "holes inside the block and apart from each other");
+                         "holes inside the block that do not overlap");
                 break;
             }
         }
@@ -135,12 +135,13 @@ class MeshChecker {
         std::set<std::string_view> names;
         for (const MeasuredPoint& point : mesh_.measured_points)
             if (!names.insert(point.name).second)
-                fail("there are two measured points '" + point.name + "'", "a name for each measured point");
+                fail("there are two measured points '" + point.name + "'", "unique names");
     }
 
     void check_point(const std::string& name, std::int32_t block, const Point& p) const {
-        if (!is_index(block, mesh_.block_count())) fail(name + " names no block", "an index into the blocks");
-        const std::vector<Ring> rings = rings_of(static_cast<std::size_t>(block));
+        if (!is_index(block, mesh_.block_count()))
+            fail(name + " has a block out of range", "an index into the blocks");
+        const std::vector<Ring> rings = rings_of(block);
         bool inside = side_of_ring(rings[0], p) >= 0;
         for (std::size_t r = 1; r < rings.size(); ++r) inside = inside && side_of_ring(rings[r], p) <= 0;
         if (!inside)

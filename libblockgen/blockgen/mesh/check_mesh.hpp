@@ -4,9 +4,9 @@
 
 namespace rockslope::blockgen {
 
-/// Proves a mesh fit for simulation: every ring simple, outer rings counter-clockwise with positive area,
-/// holes clockwise and inside, indices in range, measured points and bolts inside their blocks,
-/// bolts of some length, each measured point under a name of its own.
+/// Checks that a mesh is valid for simulation: each ring is simple, outer rings are counter-clockwise with
+/// positive area, holes are clockwise and inside the outer ring, indices are in range, measured points and
+/// bolt ends lie inside their blocks, bolts have a positive length, names of measured points are unique.
 /// @throws InputError naming `file_name`, the block and the fault.
 void check_mesh(const BlockMesh& mesh, const std::string& file_name);
 

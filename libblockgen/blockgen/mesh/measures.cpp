@@ -9,25 +9,25 @@ namespace rockslope::blockgen {
 
 namespace {
 
-/// The area up to which the blocks hold `share` of the total area.
-double weighted_quantile(const std::vector<double>& sorted_areas, double total, double share) {
+/// The area up to which the blocks make up the given fraction of the total area.
+double weighted_quantile(const std::vector<double>& sorted_areas, double total, double fraction) {
     double sum = 0;
     for (const double area : sorted_areas) {
         sum += area;
-        if (sum >= share * total) return area;
+        if (sum >= fraction * total) return area;
     }
     return sorted_areas.empty() ? 0 : sorted_areas.back();
 }
 
-/// The angle inside the rock at q between the edges p-q and q-r, rad in (0, 2 pi).
+/// The interior angle of the block at q between the edges p-q and q-r, rad in (0, 2 pi).
 double corner_angle(const Point& p, const Point& q, const Point& r) {
     const double ax = p.x - q.x, ay = p.y - q.y, bx = r.x - q.x, by = r.y - q.y;
     const double angle = std::atan2(bx * ay - by * ax, bx * ax + by * ay);
     return angle < 0 ? angle + 2 * std::numbers::pi : angle;
 }
 
-/// Whether the angle at q may be smaller than one of the given tangent; infinite where that is 90 degrees or
-/// more, and then every angle may. Spares the arc tangent.
+/// Whether the angle at q may be smaller than the angle with the given tangent. An infinite tangent means 90
+/// degrees or more. This test saves most evaluations of the arc tangent.
 bool may_be_below(const Point& p, const Point& q, const Point& r, double tangent) {
     if (std::isinf(tangent)) return true;
     const double ax = p.x - q.x, ay = p.y - q.y, bx = r.x - q.x, by = r.y - q.y;
@@ -40,8 +40,7 @@ bool may_be_below(const Point& p, const Point& q, const Point& r, double tangent
 Ring ring_points(const BlockMesh& mesh, std::size_t block, std::size_t ring) {
     Ring points;
     points.reserve(mesh.ring(block, ring).size());
-    for (const std::int32_t vertex : mesh.ring(block, ring))
-        points.push_back(mesh.vertices[static_cast<std::size_t>(vertex)]);
+    for (const std::int32_t vertex : mesh.ring(block, ring)) points.push_back(mesh.vertices[vertex]);
     return points;
 }
 
@@ -53,7 +52,7 @@ double block_area(const BlockMesh& mesh, std::size_t block) {
 }
 
 Point block_centroid(const BlockMesh& mesh, std::size_t block) {
-    const Point o = mesh.vertices[static_cast<std::size_t>(mesh.ring(block, 0)[0])];
+    const Point o = mesh.vertices[mesh.ring(block, 0)[0]];
     double twice_area = 0, sx = 0, sy = 0;
     for (std::size_t r = 0; r < mesh.ring_count(block); ++r) {
         const Ring ring = ring_points(mesh, block, r);
@@ -116,8 +115,8 @@ ShapeSummary shape_summary(const BlockMesh& mesh) {
         aspect.push_back(block_aspect(mesh, b));
     }
     const auto deciles = [n](std::vector<double>& values) {
-        const auto at = [&](double share) {
-            const auto k = std::min(n - 1, static_cast<std::size_t>(share * static_cast<double>(n)));
+        const auto at = [&](double fraction) {
+            const auto k = std::min(n - 1, static_cast<std::size_t>(fraction * static_cast<double>(n)));
             const auto place = values.begin() + static_cast<std::ptrdiff_t>(k);
             std::nth_element(values.begin(), place, values.end());
             return *place;

@@ -16,17 +16,17 @@ double block_area(const BlockMesh& mesh, std::size_t block);
 /// Centroid of a block without its holes.
 Point block_centroid(const BlockMesh& mesh, std::size_t block);
 
-/// Length of a block's rings, outer and holes, m.
+/// Length of all rings of a block, holes included, m.
 double block_perimeter(const BlockMesh& mesh, std::size_t block);
 
 /// 4 pi area / perimeter^2: 1 for a circle, 0.785 for a square, near 0 for a sliver.
 double block_roundness(const BlockMesh& mesh, std::size_t block);
 
-/// Width over length: the root of the smaller over the larger principal second moment of area about the
-/// centroid, 1 for a square or a circle.
+/// Aspect ratio, in (0, 1]: the square root of the smaller over the larger principal second moment of area
+/// about the centroid. It is 1 for a square or a circle.
 double block_aspect(const BlockMesh& mesh, std::size_t block);
 
-/// Values that a tenth, half and nine tenths of the blocks, by number, do not exceed.
+/// The 10th, 50th and 90th percentiles over the blocks, by number.
 struct Deciles {
     double p10 = 0, p50 = 0, p90 = 0;
 };
@@ -45,9 +45,9 @@ struct SizeSummary {
     double area = 0;            ///< of all blocks, m2
     double smallest_area = 0;   ///< m2
     double largest_area = 0;    ///< m2
-    double d10 = 0;             ///< m2: blocks up to this area hold a tenth of the total area
-    double d50 = 0;             ///< m2: half of it
-    double d90 = 0;             ///< m2: nine tenths
+    double d10 = 0;             ///< m2: blocks up to this area make up 10 % of the total area
+    double d50 = 0;             ///< m2: blocks up to this area make up 50 %
+    double d90 = 0;             ///< m2: blocks up to this area make up 90 %
     double smallest_edge = 0;   ///< m
     double smallest_angle = 0;  ///< rad, the sharpest corner of a block, in (0, pi)
 };

@@ -10,7 +10,7 @@ namespace rockslope::blockgen {
 
 namespace {
 
-/// What the counts line announces.
+/// The numbers of records in the counts line.
 struct Counts {
     std::int64_t provenance = 0, block_materials = 0, joint_materials = 0, joints = 0, vertices = 0;
     std::int64_t blocks = 0, rings = 0, corners = 0, measured_points = 0, bolts = 0, excavations = 0;
@@ -69,24 +69,23 @@ class BlockFileParser {
         };
         constexpr std::size_t fields_of_version[] = {0, 10, 11};
         begin_record("counts", 0, 1);
-        for (const auto& [noun, count] :
-             std::span(fields).first(fields_of_version[static_cast<std::size_t>(version_)])) {
+        for (const auto& [noun, count] : std::span(fields).first(fields_of_version[version_])) {
             if (scan_.word(noun) != noun) scan_.fail("unexpected word in the counts line", std::string(noun));
             *count = scan_.index("a count", std::numeric_limits<std::int32_t>::max());
-            // Each counted thing takes two bytes at least, so a damaged count cannot ask for all memory.
+            // Each record takes at least two bytes; the check keeps a damaged count from exhausting memory.
             if (*count > static_cast<std::int64_t>(scan_.size()) / 2)
                 scan_.fail("the file is too short for " + std::to_string(*count) + " " + std::string(noun),
-                           "a whole block file");
+                           "a complete block file");
         }
         scan_.expect_line_end();
     }
 
     void reserve() {
-        const auto blocks = static_cast<std::size_t>(counts_.blocks);
-        const auto rings = static_cast<std::size_t>(counts_.rings);
-        const auto corners = static_cast<std::size_t>(counts_.corners);
-        mesh_.vertices.reserve(static_cast<std::size_t>(counts_.vertices));
-        mesh_.joints.reserve(static_cast<std::size_t>(counts_.joints));
+        const std::size_t blocks = counts_.blocks;
+        const std::size_t rings = counts_.rings;
+        const std::size_t corners = counts_.corners;
+        mesh_.vertices.reserve(counts_.vertices);
+        mesh_.joints.reserve(counts_.joints);
         mesh_.corners.reserve(corners);
         mesh_.edge_marks.reserve(corners);
         mesh_.ring_corners.reserve(rings + 1);
@@ -96,8 +95,7 @@ class BlockFileParser {
         mesh_.motion_name.reserve(blocks);
     }
 
-    /// Moves to the next line, which must start with `keyword`; `done` of `total` such records have been
-    /// read.
+    /// Moves to the next line, which must start with `keyword`. It is record `done` + 1 of `total`.
     void begin_record(std::string_view keyword, std::int64_t done, std::int64_t total) {
         const auto expected = [&] {
             return std::string(keyword) + " line " + std::to_string(done + 1) + " of " +
@@ -138,7 +136,7 @@ class BlockFileParser {
         if (word == "free") return BlockMotion::free;
         if (word == "fixed") return BlockMotion::fixed;
         if (word == "prescribed") return BlockMotion::prescribed;
-        scan_.fail("'" + std::string(word) + "' is no motion", "free, fixed or prescribed");
+        scan_.fail("'" + std::string(word) + "' is not a motion", "free, fixed or prescribed");
     }
 
     void read_block(std::int64_t i) {
@@ -175,7 +173,7 @@ class BlockFileParser {
         if (word == "-") return {};
         const std::size_t colon = word.find(':');
         if (colon == std::string_view::npos)
-            scan_.fail("'" + std::string(word) + "' marks no edge", expected);
+            scan_.fail("'" + std::string(word) + "' is not an edge mark", expected);
         const std::string_view joint = word.substr(colon + 1);
         return {read_mark_part(word.substr(0, colon), counts_.joint_materials, "a joint material"),
                 joint == "-" ? EdgeMark::no_joint : read_mark_part(joint, counts_.joints, "a joint")};
@@ -224,9 +222,10 @@ class BlockFileParser {
             const std::int32_t block = scan_.index("a block", counts_.blocks);
             if (!excavation.blocks.empty() && block <= excavation.blocks.back())
                 scan_.fail("block " + std::to_string(block) + " is out of order", "ascending blocks");
-            if (is_excavated_[static_cast<std::size_t>(block)])
-                scan_.fail("block " + std::to_string(block) + " is taken out twice", "one excavation");
-            is_excavated_[static_cast<std::size_t>(block)] = true;
+            if (is_excavated_[block])
+                scan_.fail("block " + std::to_string(block) + " is in two excavations",
+                           "at most one excavation per block");
+            is_excavated_[block] = true;
             excavation.blocks.push_back(block);
         }
         mesh_.excavations.push_back(std::move(excavation));
@@ -234,8 +233,8 @@ class BlockFileParser {
 
     void check_total(std::string_view noun, std::size_t found, std::int64_t announced) const {
         if (static_cast<std::int64_t>(found) == announced) return;
-        scan_.fail(std::to_string(found) + " " + std::string(noun) + "s in the file",
-                   std::to_string(announced) + ", as the counts line says");
+        scan_.fail("the file contains " + std::to_string(found) + " " + std::string(noun) + "s",
+                   std::to_string(announced) + ", the number in the counts line");
     }
 
     void read_end() {

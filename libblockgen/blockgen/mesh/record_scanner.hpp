@@ -8,9 +8,9 @@
 
 namespace rockslope::blockgen {
 
-/// Walks once over a line-based text of blank-separated words. Blank lines and everything from a `#` outside
-/// quotes to the end of its line are skipped. Every complaint is an InputError with the file, line and column
-/// of the word at fault.
+/// Scans a line-based text of blank-separated words once. It skips blank lines and comments, from a `#`
+/// outside quotes to the end of the line. Each error is an InputError with the file, line and column of the
+/// word at fault.
 class RecordScanner {
   public:
     RecordScanner(std::string_view text, std::string file_name);
@@ -20,9 +20,9 @@ class RecordScanner {
     /// True when the current line has no further word.
     bool at_line_end();
 
-    /// The next bare word; `expected` is named when the line ends instead.
+    /// The next unquoted word. @throws InputError naming `expected` when the line has ended.
     std::string_view word(std::string_view expected);
-    /// A bare or quoted name with its escapes resolved; must be UTF-8.
+    /// An unquoted or quoted name in UTF-8, with its escapes resolved.
     std::string name(std::string_view expected);
     /// A finite number.
     double number(std::string_view expected);
@@ -30,7 +30,7 @@ class RecordScanner {
     std::int32_t index(std::string_view expected, std::int64_t limit);
     void expect_line_end();
 
-    /// The place of the word read last.
+    /// The location of the last word read.
     SourceLocation place() const;
     [[noreturn]] void fail(const std::string& what, const std::string& expected) const;
     std::size_t size() const { return text_.size(); }

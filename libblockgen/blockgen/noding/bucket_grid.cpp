@@ -32,8 +32,7 @@ BucketGrid::BucketGrid(std::span<const FineSegment> segments, std::int64_t margi
     if (segments.empty()) low_x_ = low_y_ = high_x = high_y = 0;
     const double span_x = high_x - low_x_ + 2 * margin_, span_y = high_y - low_y_ + 2 * margin_;
     width_ = length > 0 ? segments_per_bucket * span_x * span_y / length : std::max(span_x, span_y);
-    // Segments that are short beside their distance from each other fill no bucket by their length, but by
-    // their number.
+    // When segments are short compared with their spacing, their number limits the width, not their length.
     width_ = std::min(width_, std::sqrt(short_segments_per_bucket * span_x * span_y /
                                         static_cast<double>(std::max<std::size_t>(segments.size(), 1))));
     width_ = std::max({width_, std::sqrt(span_x * span_y / max_buckets), 4 * margin_,
@@ -41,18 +40,15 @@ BucketGrid::BucketGrid(std::span<const FineSegment> segments, std::int64_t margi
     columns_ = static_cast<std::int64_t>(span_x / width_) + 1;
     rows_ = static_cast<std::int64_t>(span_y / width_) + 1;
 
-    first_.assign(static_cast<std::size_t>(columns_ * rows_) + 1, 0);
+    first_.assign(columns_ * rows_ + 1, 0);
     const auto is_listed = [&](std::size_t k) { return listed.empty() || listed[k]; };
     for (std::size_t k = 0; k < segments.size(); ++k)
         if (is_listed(k)) for_each_bucket(segments[k], [this](std::size_t b) { ++first_[b + 1]; });
     for (std::size_t b = 0; b + 1 < first_.size(); ++b) first_[b + 1] += first_[b];
-    items_.resize(static_cast<std::size_t>(first_.back()));
+    items_.resize(first_.back());
     std::vector<std::int64_t> next(first_.begin(), first_.end() - 1);
     for (std::size_t k = 0; k < segments.size(); ++k)
-        if (is_listed(k))
-            for_each_bucket(segments[k], [&](std::size_t b) {
-                items_[static_cast<std::size_t>(next[b]++)] = static_cast<std::int32_t>(k);
-            });
+        if (is_listed(k)) for_each_bucket(segments[k], [&](std::size_t b) { items_[next[b]++] = k; });
 }
 
 bool BucketGrid::overlaps_occupied_bucket(const FineSegment& segment) const {
@@ -72,7 +68,7 @@ std::int64_t BucketGrid::row(double y) const {
 }
 
 std::size_t BucketGrid::bucket_of(const GridPoint& p) const {
-    return static_cast<std::size_t>(column(static_cast<double>(p.x)) * rows_ + row(static_cast<double>(p.y)));
+    return column(static_cast<double>(p.x)) * rows_ + row(static_cast<double>(p.y));
 }
 
 template <class Visit>
@@ -83,15 +79,13 @@ void BucketGrid::for_each_bucket(const FineSegment& segment, const Visit& visit)
     const double slope = bx > ax ? (by - ay) / (bx - ax) : 0;
     const std::int64_t last = column(bx + margin_);
     for (std::int64_t c = column(ax - margin_); c <= last; ++c) {
-        // The part of the segment over this column, widened by the margin; clamping keeps it within the
-        // segment.
+        // y range of the segment over this column widened by the margin, clamped to the segment's ends.
         const double left = low_x_ + static_cast<double>(c) * width_ - margin_,
                      right = left + width_ + 2 * margin_;
         const double from = bx > ax ? ay + slope * (std::clamp(left, ax, bx) - ax) : ay;
         const double to = bx > ax ? ay + slope * (std::clamp(right, ax, bx) - ax) : by;
         const std::int64_t top = row(std::max(from, to) + margin_);
-        for (std::int64_t r = row(std::min(from, to) - margin_); r <= top; ++r)
-            visit(static_cast<std::size_t>(c * rows_ + r));
+        for (std::int64_t r = row(std::min(from, to) - margin_); r <= top; ++r) visit(c * rows_ + r);
     }
 }
 

@@ -8,28 +8,27 @@
 
 namespace rockslope::blockgen {
 
-/// A uniform grid of buckets over segments: bucket i lists every segment that comes within `margin` of it.
-/// The buckets are as wide as makes the lists about two long, or four where segments are short beside their
-/// distance from each other, so that work per bucket is bounded for evenly spread segments.
+/// A uniform grid of square buckets over segments. Bucket i lists every segment within `margin` of it.
+/// The bucket width gives lists of about two segments, or about four when the segments are short compared
+/// with their spacing. The work per bucket is then bounded for evenly spread segments.
 class BucketGrid {
   public:
-    /// @param listed when given, a flag per segment: the lists hold only the flagged ones, the width is that
-    /// for all.
+    /// @param listed flag per segment: only flagged segments are listed. Empty: all are. All segments count
+    /// for the bucket width.
     BucketGrid(std::span<const FineSegment> segments, std::int64_t margin, std::span<const char> listed = {});
 
     std::size_t bucket_count() const { return first_.size() - 1; }
     std::span<const std::int32_t> segments_of(std::size_t bucket) const {
-        return std::span(items_).subspan(static_cast<std::size_t>(first_[bucket]),
-                                         static_cast<std::size_t>(first_[bucket + 1] - first_[bucket]));
+        return std::span(items_).subspan(first_[bucket], first_[bucket + 1] - first_[bucket]);
     }
-    /// The bucket that holds a point; points outside count to the nearest.
+    /// The bucket that contains a point; for a point outside the grid, the nearest bucket.
     std::size_t bucket_of(const GridPoint& p) const;
-    /// Whether a segment comes within the margin of a bucket that lists any.
+    /// Whether a segment comes within the margin of a bucket that lists a segment.
     bool overlaps_occupied_bucket(const FineSegment& segment) const;
-    /// Buckets are numbered upwards, column after column, as sorted segments come: the one below another,
-    /// where its row is not 0, is the one before it.
+    /// Row of a bucket, counted from the bottom. Buckets are numbered column by column, upwards in each, so
+    /// the bucket below bucket k in the same column is k - 1.
     std::int64_t row_of(std::size_t bucket) const { return static_cast<std::int64_t>(bucket) % rows_; }
-    /// The height of a bucket's lower side.
+    /// y coordinate of a bucket's lower side.
     double bottom_of(std::size_t bucket) const {
         return low_y_ + width_ * static_cast<double>(row_of(bucket));
     }

@@ -3,11 +3,11 @@
 #include <compare>
 #include <cstdint>
 
-#include "blockgen/mesh/block_mesh.hpp"
+#include "common/geometry/point.hpp"
 
 namespace rockslope::blockgen {
 
-/// Products of three grid differences need more than 64 bits.
+/// Products of grid differences need more than 64 bits.
 __extension__ using Int128 = __int128;
 
 /// A point of an integer grid.
@@ -28,14 +28,14 @@ inline int side_of(const GridPoint& a, const GridPoint& b, const GridPoint& c) {
     return area > 0 ? 1 : area < 0 ? -1 : 0;
 }
 
-/// A grid in a shifted frame, so that coordinates far from the origin keep their digits: point = origin +
-/// step * grid point. Both step and origin are such that every grid point of the model is a double.
+/// A grid with its own origin, so that coordinates far from zero keep their digits:
+/// point = origin + step * grid point. Every grid point of the model is an exact double.
 struct GridFrame {
     Point origin;
     double step = 0x1p-20;  ///< m, a power of two
 
-    /// The exact place of a grid point, m.
-    Point place(const GridPoint& p) const {
+    /// The exact coordinates of a grid point, m.
+    Point position(const GridPoint& p) const {
         return {origin.x + step * static_cast<double>(p.x), origin.y + step * static_cast<double>(p.y)};
     }
 };

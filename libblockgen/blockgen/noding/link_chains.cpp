@@ -9,9 +9,9 @@ namespace rockslope::blockgen {
 
 namespace {
 
-constexpr std::int64_t cell_width = 2;  // units of the fine grid; an edge's ends lie in middles of cells
+constexpr std::int64_t cell_width = 2;  // in fine-grid units; edges end at the centres of cells
 
-/// A source along an edge-to-be.
+/// Two successive cells of a chain, and one source along them.
 struct Link {
     std::int32_t a, b;
     std::int32_t source;
@@ -24,17 +24,17 @@ struct Link {
     }
 };
 
-/// Numbers the cells that some chain visits, -1 for the others, and gathers them.
-std::vector<std::int32_t> number_used_cells(const SnappedChains& chains, std::vector<GridPoint>& visited) {
+/// Collects the cells that occur in a chain. @return per cell its number in `used`, or -1.
+std::vector<std::int32_t> number_used_cells(const SnappedChains& chains, std::vector<GridPoint>& used) {
     std::vector<std::int32_t> number(chains.cells.size(), -1);
     for (std::size_t k = 0; k < chains.size(); ++k)
         if (const auto chain = chains.chain(k); chain.size() > 1)
-            for (const std::int32_t cell : chain) number[static_cast<std::size_t>(cell)] = 0;
-    visited.clear();
+            for (const std::int32_t cell : chain) number[cell] = 0;
+    used.clear();
     for (std::size_t c = 0; c < number.size(); ++c) {
         if (number[c] < 0) continue;
-        number[c] = static_cast<std::int32_t>(visited.size());
-        visited.push_back(chains.cells[c]);
+        number[c] = used.size();
+        used.push_back(chains.cells[c]);
     }
     return number;
 }
@@ -45,10 +45,10 @@ void for_each_link(const SnappedChains& chains, const LineSources& along,
     for (std::size_t k = 0; k < chains.size(); ++k) {
         const auto chain = chains.chain(k);
         for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
-            const std::int32_t a = number[static_cast<std::size_t>(chain[i])];
-            const std::int32_t b = number[static_cast<std::size_t>(chain[i + 1])];
+            const std::int32_t a = number[chain[i]];
+            const std::int32_t b = number[chain[i + 1]];
             for (std::int32_t s = along.first[k]; s < along.first[k + 1]; ++s) {
-                const EdgeSource& source = along.sources[static_cast<std::size_t>(s)];
+                const EdgeSource& source = along.sources[s];
                 visit(Link{std::min(a, b), std::max(a, b), source.source, source.reversed != (b < a),
                            chain.size() != 2});
             }
@@ -56,26 +56,23 @@ void for_each_link(const SnappedChains& chains, const LineSources& along,
     }
 }
 
-/// All links, those from one vertex together by counting, and sorted there.
+/// All links, grouped by their first vertex (counting sort) and sorted within each group.
 std::vector<Link> sorted_links(const SnappedChains& chains, const LineSources& along,
                                const std::vector<std::int32_t>& number, std::size_t vertices) {
     std::vector<std::int32_t> first(vertices + 1, 0);
-    for_each_link(chains, along, number,
-                  [&](const Link& link) { ++first[static_cast<std::size_t>(link.a) + 1]; });
+    for_each_link(chains, along, number, [&](const Link& link) { ++first[link.a + 1]; });
     std::partial_sum(first.begin(), first.end(), first.begin());
-    std::vector<Link> links(static_cast<std::size_t>(first.back()));
+    std::vector<Link> links(first.back());
     std::vector<std::int32_t> fill(first.begin(), first.end() - 1);
-    for_each_link(chains, along, number, [&](const Link& link) {
-        links[static_cast<std::size_t>(fill[static_cast<std::size_t>(link.a)]++)] = link;
-    });
+    for_each_link(chains, along, number, [&](const Link& link) { links[fill[link.a]++] = link; });
     for (std::size_t v = 0; v < vertices; ++v)
         std::sort(links.begin() + first[v], links.begin() + first[v + 1],
                   [](const Link& l, const Link& m) { return l.is_before(m); });
     return links;
 }
 
-/// All edges, or those that changed and those that share a bucket with one that did: whatever two edges can
-/// do to each other lies in a bucket that both come within the margin of.
+/// The changed edges and the edges that share a bucket with one; all edges when more than a quarter changed.
+/// Two edges that cross or nearly touch share a bucket.
 std::vector<std::int32_t> edges_near_changed(std::span<const FineSegment> lines,
                                              std::span<const char> changed) {
     std::vector<std::int32_t> edges(lines.size());
@@ -84,7 +81,7 @@ std::vector<std::int32_t> edges_near_changed(std::span<const FineSegment> lines,
     if (changed.empty() || 4 * std::count(changed.begin(), changed.end(), 1) > all) return edges;
     const BucketGrid grid(lines, cell_width, changed);
     std::erase_if(edges, [&](std::int32_t e) {
-        const auto k = static_cast<std::size_t>(e);
+        const std::size_t k = e;
         return !changed[k] && !grid.overlaps_occupied_bucket(lines[k]);
     });
     return edges;
@@ -110,7 +107,7 @@ std::vector<char> link_chains(const SnappedChains& chains, const LineSources& al
             changed.push_back(0);
         }
         network.sources.push_back({link.source, link.reversed});
-        network.first_source.back() = static_cast<std::int32_t>(network.sources.size());
+        network.first_source.back() = network.sources.size();
         changed.back() = changed.back() || link.is_changed;
     }
     return changed;
@@ -122,7 +119,7 @@ SnapRoundingPass snap_round_edges(std::span<const GridPoint> vertices,
     std::vector<FineSegment> lines;
     lines.reserve(edges.size());
     const auto middle = [&](std::int32_t v) {
-        const GridPoint& p = vertices[static_cast<std::size_t>(v)];
+        const GridPoint& p = vertices[v];
         return GridPoint{cell_width * p.x, cell_width * p.y};
     };
     for (const auto& [a, b] : edges) lines.push_back({middle(a), middle(b)});
@@ -131,10 +128,9 @@ SnapRoundingPass snap_round_edges(std::span<const GridPoint> vertices,
     round.edges = edges_near_changed(lines, changed);
     std::vector<char> is_end(vertices.size(), 0);
     for (std::size_t k = 0; k < round.edges.size(); ++k) {
-        const auto e = static_cast<std::size_t>(round.edges[k]);
+        const std::size_t e = round.edges[k];
         lines[k] = lines[e];
-        is_end[static_cast<std::size_t>(edges[e].first)] = is_end[static_cast<std::size_t>(edges[e].second)] =
-            1;
+        is_end[edges[e].first] = is_end[edges[e].second] = 1;
     }
     lines.resize(round.edges.size());
     std::vector<GridPoint> ends;
@@ -155,7 +151,7 @@ SnappedChains chains_of_all_edges(const SnapRoundingPass& round, const NodedEdge
         std::size_t k = 0;
         for (const GridPoint& p : part) {
             while (all.cells[k] != p) ++k;
-            number.push_back(static_cast<std::int32_t>(k));
+            number.push_back(k);
         }
         return number;
     };
@@ -166,11 +162,11 @@ SnappedChains chains_of_all_edges(const SnapRoundingPass& round, const NodedEdge
     for (std::size_t e = 0; e < network.edges.size(); ++e) {
         if (next < round.edges.size() && round.edges[next] == static_cast<std::int32_t>(e)) {
             for (const std::int32_t cell : round.chains.chain(next++))
-                all.items.push_back(number_of_hot[static_cast<std::size_t>(cell)]);
+                all.items.push_back(number_of_hot[cell]);
         } else {
             const auto& [a, b] = network.edges[e];
-            all.items.push_back(number_of_old[static_cast<std::size_t>(a)]);
-            all.items.push_back(number_of_old[static_cast<std::size_t>(b)]);
+            all.items.push_back(number_of_old[a]);
+            all.items.push_back(number_of_old[b]);
         }
         all.first.push_back(static_cast<std::int64_t>(all.items.size()));
     }

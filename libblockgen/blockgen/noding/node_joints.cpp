@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::int64_t extent_limit = std::int64_t{1} << 38;
 
-/// A source along a piece between two grid points, the first before the second.
+/// A piece between two points of the fine grid, the smaller first, and the source along it.
 struct Piece {
     FineSegment line;
     EdgeSource source;
@@ -42,8 +42,8 @@ Box box_of(std::span<const SourceSegment> segments) {
     return box;
 }
 
-/// A frame whose origin is the box's middle rounded to whole metres, or to whole steps where those are
-/// longer.
+/// A frame whose origin is the centre of the box, rounded to whole metres, or to whole steps when a step is
+/// longer than a metre.
 GridFrame frame_of(const Box& box, double step) {
     const double unit = std::max(1.0, step);
     GridFrame frame;
@@ -60,8 +60,8 @@ GridFrame frame_of(const Box& box, double step) {
     return frame;
 }
 
-/// How many units of the first round's grid make one cell: as fine as the exact arithmetic allows, at most
-/// 4096.
+/// Number of fine-grid units per cell in the first round: the largest power of two, up to 4096, that the
+/// exact arithmetic allows.
 std::int64_t first_pass_units_per_cell(const Box& box, double step) {
     const double cells = std::max({box.high_x - box.low_x, box.high_y - box.low_y, step}) / step + 4;
     std::int64_t units_per_cell = 2;
@@ -70,7 +70,8 @@ std::int64_t first_pass_units_per_cell(const Box& box, double step) {
     return units_per_cell;
 }
 
-/// Segments in units of the first round's grid. @param largest_move m, grows to how far an end moves.
+/// The segments on the fine grid of the first round. @param largest_move m, raised to the largest
+/// displacement of an end.
 std::vector<Piece> fine_pieces(std::span<const SourceSegment> segments, const GridFrame& frame,
                                std::int64_t units_per_cell, double& largest_move) {
     const double scale = static_cast<double>(units_per_cell) / frame.step;
@@ -90,7 +91,7 @@ std::vector<Piece> fine_pieces(std::span<const SourceSegment> segments, const Gr
     return pieces;
 }
 
-/// Distinct lines, sorted, and what runs along them.
+/// Distinct lines, sorted, and the sources along them.
 struct Lines {
     std::vector<FineSegment> lines;
     LineSources along;
@@ -105,7 +106,7 @@ Lines distinct_lines(std::vector<Piece> pieces) {
             result.along.first.push_back(0);
         }
         result.along.sources.push_back(piece.source);
-        result.along.first.back() = static_cast<std::int32_t>(result.along.sources.size());
+        result.along.first.back() = result.along.sources.size();
     }
     return result;
 }
@@ -121,13 +122,12 @@ double distance(const FineSegment& s, const GridPoint& cell, std::int64_t units_
     return std::hypot(wx - t * ux, wy - t * uy);
 }
 
-/// How far the cells of a chain lie off its line, in cells.
+/// Largest distance of a chain's cell centres from its line, in cells.
 double largest_move(const FineSegment& line, const SnappedChains& chains, std::size_t k,
                     std::int64_t units_per_cell) {
     double largest = 0;
     for (const std::int32_t cell : chains.chain(k))
-        largest =
-            std::max(largest, distance(line, chains.cells[static_cast<std::size_t>(cell)], units_per_cell));
+        largest = std::max(largest, distance(line, chains.cells[cell], units_per_cell));
     return largest;
 }
 
@@ -135,16 +135,15 @@ double largest_move(const SnapRoundingPass& round, const NodedEdges& network) {
     double largest = 0;
     for (std::size_t k = 0; k < round.edges.size(); ++k) {
         if (round.chains.chain(k).size() == 2) continue;
-        const auto& [a, b] = network.edges[static_cast<std::size_t>(round.edges[k])];
-        const FineSegment line{network.vertices[static_cast<std::size_t>(a)],
-                               network.vertices[static_cast<std::size_t>(b)]};
+        const auto& [a, b] = network.edges[round.edges[k]];
+        const FineSegment line{network.vertices[a], network.vertices[b]};
         largest = std::max(largest, largest_move(line, round.chains, k, 1));
     }
     return largest;
 }
 
-/// Ends of closed outlines come first, so that their corners stay where they are; a source of lower number
-/// first.
+/// The cells of the outline's corners (source 0), sorted. They win when cells are merged, so that the corners
+/// of the domain keep their cells.
 std::vector<GridPoint> anchors_of(const std::vector<Piece>& pieces, std::int64_t units_per_cell) {
     std::vector<std::pair<std::int32_t, GridPoint>> ends;
     const auto cell = [units_per_cell](const GridPoint& p) {
@@ -169,8 +168,7 @@ std::vector<GridPoint> anchors_of(const std::vector<Piece>& pieces, std::int64_t
 }  // namespace
 
 std::span<const EdgeSource> NodedEdges::sources_of(std::size_t edge) const {
-    return std::span(sources).subspan(static_cast<std::size_t>(first_source[edge]),
-                                      static_cast<std::size_t>(first_source[edge + 1] - first_source[edge]));
+    return std::span(sources).subspan(first_source[edge], first_source[edge + 1] - first_source[edge]);
 }
 
 NodedEdges node_joints(std::span<const SourceSegment> segments, double step) {
@@ -191,7 +189,7 @@ NodedEdges node_joints(std::span<const SourceSegment> segments, double step) {
         result.largest_snap += rounded;
         link_chains(chains, lines.along, result);
     }
-    std::vector<char> changed;  // in the first round, all
+    std::vector<char> changed;  // empty: all edges, in the first round
     for (result.rounds = 1;; ++result.rounds) {
         const SnapRoundingPass round = snap_round_edges(result.vertices, result.edges, changed);
         if (round.is_fully_noded()) return result;
@@ -207,7 +205,7 @@ std::vector<std::size_t> improperly_noded_edges(std::span<const GridPoint> verti
     const SnapRoundingPass round = snap_round_edges(vertices, edges, changed);
     std::vector<std::size_t> improper;
     for (std::size_t k = 0; k < round.edges.size(); ++k)
-        if (round.chains.chain(k).size() != 2) improper.push_back(static_cast<std::size_t>(round.edges[k]));
+        if (round.chains.chain(k).size() != 2) improper.push_back(round.edges[k]);
     return improper;
 }
 

@@ -25,9 +25,9 @@ GridPoint cell_of(const GridPoint& p, std::int64_t units_per_cell) {
     return {cell(p.x), cell(p.y)};
 }
 
-/// The cell that holds the common point of two segments that are not parallel; nothing when they do not meet,
-/// or in a common end, which is hot anyway.
-/// The point is a + t (b - a) with t = ((c - a) x (d - c)) / ((b - a) x (d - c)).
+/// The cell that contains the crossing of two segments that are not parallel; nothing when they do not meet,
+/// or meet in a common end, whose cell is hot anyway. For segments a-b and c-d the crossing is a + t (b - a)
+/// with t = ((c - a) x (d - c)) / ((b - a) x (d - c)).
 std::optional<GridPoint> crossing_cell(const FineSegment& s, const FineSegment& t,
                                        std::int64_t units_per_cell) {
     if (std::max(s.a.x, s.b.x) < std::min(t.a.x, t.b.x) || std::max(t.a.x, t.b.x) < std::min(s.a.x, s.b.x) ||
@@ -48,8 +48,8 @@ std::optional<GridPoint> crossing_cell(const FineSegment& s, const FineSegment& 
     return GridPoint{cell(s.a.x, ux), cell(s.a.y, uy)};
 }
 
-/// Whether the line a-b is farther from a square's middle than any corner of the square is, by doubles that
-/// leave room for their rounding.
+/// Floating-point filter: whether the line a-b certainly misses a square. True only when its distance from
+/// the centre exceeds that of every corner by more than the rounding error.
 bool certainly_misses(const GridPoint& a, const GridPoint& b, const GridPoint& middle, std::int64_t width) {
     const auto dx = static_cast<double>(b.x - a.x), dy = static_cast<double>(b.y - a.y);
     const double first = static_cast<double>(middle.x - a.x) * dy;
@@ -58,7 +58,7 @@ bool certainly_misses(const GridPoint& a, const GridPoint& b, const GridPoint& m
     return std::abs(first - second) > reach * (1 + 1e-12) + 1e-14 * (std::abs(first) + std::abs(second));
 }
 
-/// Whether a closed segment meets the half-open square of an even width round a point.
+/// Whether a closed segment meets the half-open square of even width around a point.
 bool intersects_square(const FineSegment& segment, const GridPoint& middle, std::int64_t width) {
     const std::int64_t half = width / 2;
     const std::int64_t left = middle.x - half, right = left + width;
@@ -102,7 +102,7 @@ std::vector<GridPoint> end_cells(std::span<const FineSegment> segments, std::int
     std::vector<GridPoint> cells;
     cells.reserve(2 * segments.size());
     for (const FineSegment& s : segments) {
-        // Sorted segments come with their first ends in order, many of them several times.
+        // The segments are sorted, so equal first ends are adjacent.
         const GridPoint first = cell_of(s.a, units_per_cell);
         if (cells.empty() || cells.back() != first) cells.push_back(first);
     }
@@ -122,15 +122,13 @@ std::vector<GridPoint> crossing_cells(std::span<const FineSegment> segments, con
         const auto near = grid.segments_of(bucket);
         for (std::size_t i = 0; i < near.size(); ++i)
             for (std::size_t j = i + 1; j < near.size(); ++j)
-                if (const auto cell =
-                        crossing_cell(segments[static_cast<std::size_t>(near[i])],
-                                      segments[static_cast<std::size_t>(near[j])], units_per_cell))
+                if (const auto cell = crossing_cell(segments[near[i]], segments[near[j]], units_per_cell))
                     cells.push_back(*cell);
     }
     return cells;
 }
 
-/// @param ends sorted and distinct. @return they and the cells of crossings, sorted.
+/// @param ends sorted and distinct. @return the union of ends and crossings, sorted and distinct.
 std::vector<GridPoint> with_crossings(std::vector<GridPoint> ends, std::vector<GridPoint> crossings) {
     std::erase_if(crossings,
                   [&](const GridPoint& c) { return std::binary_search(ends.begin(), ends.end(), c); });
@@ -142,7 +140,7 @@ std::vector<GridPoint> with_crossings(std::vector<GridPoint> ends, std::vector<G
     return ends;
 }
 
-/// Which cells of a sorted list touch another one, by its side or its corner.
+/// Flags the cells of a sorted list that touch another cell of the list at a side or a corner.
 std::vector<char> touching(std::span<const GridPoint> cells) {
     std::vector<char> touches(cells.size(), 0);
     std::size_t other = 0;
@@ -159,8 +157,8 @@ std::vector<char> touching(std::span<const GridPoint> cells) {
     return touches;
 }
 
-/// For each hot cell the number of the one that stands for it: itself, or a neighbour that came first. The
-/// anchors are hot.
+/// For each hot cell the index of its representative: itself, or a touching cell chosen before it. Anchors
+/// are chosen first; they are hot.
 std::vector<std::int32_t> representatives(std::span<const GridPoint> cells,
                                           std::span<const GridPoint> anchors) {
     const std::vector<char> touches = touching(cells);
@@ -175,10 +173,10 @@ std::vector<std::int32_t> representatives(std::span<const GridPoint> cells,
     for (const GridPoint& anchor : anchors) choose(anchor);
     std::vector<std::int32_t> result(cells.size());
     for (std::size_t k = 0; k < cells.size(); ++k) {
-        result[k] = static_cast<std::int32_t>(k);
+        result[k] = k;
         if (!touches[k] || chosen.contains(cells[k])) continue;
         const auto found = std::lower_bound(cells.begin(), cells.end(), choose(cells[k]));
-        result[k] = static_cast<std::int32_t>(found - cells.begin());
+        result[k] = found - cells.begin();
     }
     return result;
 }
@@ -194,35 +192,35 @@ std::vector<Hit> find_hits(std::span<const FineSegment> segments, std::span<cons
     for (std::size_t c = 0; c < cells.size(); ++c) {
         const GridPoint centre{cells[c].x * units_per_cell, cells[c].y * units_per_cell};
         for (const std::int32_t s : grid.segments_of(grid.bucket_of(centre)))
-            if (intersects_cell(segments[static_cast<std::size_t>(s)], cells[c], units_per_cell))
+            if (intersects_cell(segments[s], cells[c], units_per_cell))
                 hits.push_back({s, static_cast<std::int32_t>(c)});
     }
     return hits;
 }
 
-/// How far along a segment the middle of a cell lies, in no particular unit.
+/// Position of a cell's centre along a segment, scaled by the segment's length.
 Int128 distance_along(const FineSegment& s, const GridPoint& cell, std::int64_t units_per_cell) {
     return static_cast<Int128>(cell.x * units_per_cell - s.a.x) * (s.b.x - s.a.x) +
            static_cast<Int128>(cell.y * units_per_cell - s.a.y) * (s.b.y - s.a.y);
 }
 
-/// Whether a cell lies between those of a segment's ends, so that the segment may turn aside to it and still
-/// end where it did.
+/// Whether a cell lies between the end cells of a segment, so that the segment can bend to it and keep its
+/// ends.
 bool lies_between_ends(const FineSegment& s, const GridPoint& cell, std::int64_t units_per_cell) {
     const Int128 distance = distance_along(s, cell, units_per_cell);
     return distance > distance_along(s, cell_of(s.a, units_per_cell), units_per_cell) &&
            distance < distance_along(s, cell_of(s.b, units_per_cell), units_per_cell);
 }
 
-/// Segments that pass an end within an eighth of a cell, though not through the end's cell: with the hits
-/// that they make of it, what ends so near another joint ends on it, wherever the two lie in their cells.
+/// Adds hits of segments that pass an end within an eighth of a cell but miss the end's cell. An end that
+/// near another joint is then joined to it, wherever the end lies in its cell.
 void add_hits_near_ends(std::span<const FineSegment> segments, std::span<const GridPoint> cells,
                         const BucketGrid& grid, std::int64_t units_per_cell, std::vector<Hit>& hits) {
-    // Wider squares bend segments so far that on coarse grids an outline may come to lie over itself.
+    // Wider squares bend segments so far that an outline may overlap itself on coarse grids.
     const std::int64_t width = units_per_cell / 8 * 2;
     const auto add = [&](std::size_t ending, const GridPoint& end) {
         for (const std::int32_t s : grid.segments_of(grid.bucket_of(end))) {
-            const auto k = static_cast<std::size_t>(s);
+            const std::size_t k = s;
             if (k == ending || !intersects_square(segments[k], end, width)) continue;
             const GridPoint cell = cell_of(end, units_per_cell);
             if (intersects_cell(segments[k], cell, units_per_cell) ||
@@ -235,30 +233,29 @@ void add_hits_near_ends(std::span<const FineSegment> segments, std::span<const G
     for (std::size_t k = 0; k < segments.size(); ++k) add(k, segments[k].a), add(k, segments[k].b);
 }
 
-/// The cells that each segment passes through, in no order: those of segment k are [first[k], first[k + 1]).
+/// The cells that each segment passes through, unordered: those of segment k are [first[k], first[k + 1]).
 struct CellsOfSegments {
     std::vector<std::int64_t> first;
     std::vector<std::int32_t> cells;
 };
 
-/// The hits of each segment together, by counting.
-CellsOfSegments gather(const std::vector<Hit>& hits, std::size_t segments) {
+/// The hits grouped by segment (counting sort).
+CellsOfSegments group_by_segment(const std::vector<Hit>& hits, std::size_t segments) {
     CellsOfSegments result{std::vector<std::int64_t>(segments + 1, 0),
                            std::vector<std::int32_t>(hits.size())};
-    for (const Hit& hit : hits) ++result.first[static_cast<std::size_t>(hit.segment) + 1];
+    for (const Hit& hit : hits) ++result.first[hit.segment + 1];
     for (std::size_t k = 0; k < segments; ++k) result.first[k + 1] += result.first[k];
     std::vector<std::int64_t> fill(result.first.begin(), result.first.end() - 1);
-    for (const Hit& hit : hits)
-        result.cells[static_cast<std::size_t>(fill[static_cast<std::size_t>(hit.segment)]++)] = hit.cell;
+    for (const Hit& hit : hits) result.cells[fill[hit.segment]++] = hit.cell;
     return result;
 }
 
-/// @param representative_of per cell the number of the one that stands for it; empty when each does for
-/// itself.
+/// Orders the hits along each segment. @param representative_of per cell the index of its representative;
+/// empty when no cells are merged.
 SnappedChains chains_of(std::span<const FineSegment> segments, std::vector<GridPoint> cells,
                         const std::vector<Hit>& hits, std::int64_t units_per_cell,
                         std::span<const std::int32_t> representative_of) {
-    const CellsOfSegments near = gather(hits, segments.size());
+    const CellsOfSegments near = group_by_segment(hits, segments.size());
     SnappedChains chains;
     chains.first.reserve(segments.size() + 1);
     chains.items.reserve(near.cells.size());
@@ -266,15 +263,13 @@ SnappedChains chains_of(std::span<const FineSegment> segments, std::vector<GridP
     for (std::size_t k = 0; k < segments.size(); ++k) {
         ordered.clear();
         for (std::int64_t i = near.first[k]; i < near.first[k + 1]; ++i) {
-            const std::int32_t cell = near.cells[static_cast<std::size_t>(i)];
-            ordered.emplace_back(
-                distance_along(segments[k], cells[static_cast<std::size_t>(cell)], units_per_cell), cell);
+            const std::int32_t cell = near.cells[i];
+            ordered.emplace_back(distance_along(segments[k], cells[cell], units_per_cell), cell);
         }
         std::sort(ordered.begin(), ordered.end());
         const std::size_t start = chains.items.size();
         for (const auto& [distance, c] : ordered) {
-            const std::int32_t cell =
-                representative_of.empty() ? c : representative_of[static_cast<std::size_t>(c)];
+            const std::int32_t cell = representative_of.empty() ? c : representative_of[c];
             if (chains.items.size() == start || chains.items.back() != cell) chains.items.push_back(cell);
         }
         chains.first.push_back(static_cast<std::int64_t>(chains.items.size()));

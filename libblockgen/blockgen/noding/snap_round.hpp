@@ -8,37 +8,37 @@
 
 namespace rockslope::blockgen {
 
-/// A segment on a grid finer than the cells to which it is snapped.
+/// A segment on the fine grid, before it is snapped to cells.
 struct FineSegment {
     GridPoint a, b;
     friend auto operator<=>(const FineSegment&, const FineSegment&) = default;
 };
 
-/// What one round of snap rounding makes of each segment: segment k becomes the chain of the cells with the
-/// numbers [first[k], first[k + 1]) of `items`.
+/// The result of one round of snap rounding: segment k becomes the chain of hot cells
+/// items[first[k]] ... items[first[k + 1] - 1].
 struct SnappedChains {
-    std::vector<GridPoint> cells;  ///< the hot ones, sorted; some may be in no chain
+    std::vector<GridPoint> cells;  ///< hot cells (hot pixels), sorted; a cell may be in no chain
     std::vector<std::int64_t> first = {0};
     std::vector<std::int32_t> items;  ///< indices into `cells`
 
     std::size_t size() const { return first.size() - 1; }
     std::span<const std::int32_t> chain(std::size_t k) const {
-        return std::span(items).subspan(static_cast<std::size_t>(first[k]),
-                                        static_cast<std::size_t>(first[k + 1] - first[k]));
+        return std::span(items).subspan(first[k], first[k + 1] - first[k]);
     }
 };
 
-/// One round: the cells that hold an end or a crossing are hot; each segment becomes the chain of the hot
-/// cells it passes through. Cell c covers [c - 1/2, c + 1/2) in both directions, and is `units_per_cell`
-/// units of the segments wide.
-/// @param units_per_cell even. @param ends the cells of all ends, sorted and distinct.
-/// Coordinates of the segments below 2^40. Time is linear in segments, crossings and chain lengths for evenly
-/// spread joints.
+/// One round of snap rounding. A cell that contains an end or a crossing is hot; each segment becomes the
+/// chain of the hot cells that it passes through. Cell c covers [c - 1/2, c + 1/2) in both directions.
+/// Coordinates of the segments are below 2^40. Time is linear in the number of segments, crossings and chain
+/// items for evenly spread joints.
+/// @param units_per_cell width of a cell in fine-grid units, even.
+/// @param ends the cells of all ends, sorted and distinct.
 SnappedChains snap_round(std::span<const FineSegment> segments, std::int64_t units_per_cell,
                          std::vector<GridPoint> ends);
 
-/// The same, but a segment that passes an end within an eighth of a cell, in both directions, passes its
-/// cell, too; and hot cells that touch become one: the first of `anchors` wins, then the smallest.
+/// As snap_round(), with two additions. A segment also passes through the hot cell of an end that it passes
+/// within an eighth of a cell in x and y. Hot cells that touch are merged: the first in `anchors` is kept,
+/// otherwise the smallest.
 SnappedChains snap_round_merging_cells(std::span<const FineSegment> segments, std::int64_t units_per_cell,
                                        std::span<const GridPoint> anchors);
 

@@ -29,7 +29,7 @@ Extent extent_of(const BlockMesh& mesh) {
     return {{e.x.low - margin, e.x.high + margin}, {e.y.low - margin, e.y.high + margin + label}};
 }
 
-/// A shade for each block that no block beyond an edge has already, as far as there are shades.
+/// A shade for each block, by greedy colouring: different from the shades of its neighbours if possible.
 std::vector<std::size_t> shades_of(const BlockMesh& mesh) {
     std::vector<std::pair<std::pair<std::int32_t, std::int32_t>, std::size_t>> edges;
     for (std::size_t b = 0; b < mesh.block_count(); ++b)
@@ -68,7 +68,7 @@ class BlockPicture {
         for (const Joint& joint : mesh.joints)
             if (std::find(sets_.begin(), sets_.end(), joint.set) == sets_.end()) sets_.push_back(joint.set);
         for (const ExcavatedBlocks& excavation : mesh.excavations)
-            for (const std::int32_t b : excavation.blocks) is_excavated_[static_cast<std::size_t>(b)] = true;
+            for (const std::int32_t b : excavation.blocks) is_excavated_[b] = true;
     }
 
     Canvas draw() {
@@ -94,9 +94,8 @@ class BlockPicture {
         const std::vector<std::size_t> shades = shades_of(mesh_);
         for (std::size_t b = 0; b < mesh_.block_count(); ++b) {
             const std::int32_t entry = layer_.entries.empty() ? -1 : layer_.entry_of_block[b];
-            const Colour rock = rock_colour(static_cast<std::size_t>(mesh_.block_material[b]));
-            const Colour fill =
-                entry < 0 ? shaded(rock, shades[b]) : layer_.entries[static_cast<std::size_t>(entry)].colour;
+            const Colour rock = rock_colour(mesh_.block_material[b]);
+            const Colour fill = entry < 0 ? shaded(rock, shades[b]) : layer_.entries[entry].colour;
             const std::vector<Ring> rings = page_rings(b);
             canvas_.polygon(rings, fill, Stroke{fill, 0.3});
             if (is_excavated_[b]) canvas_.hatch(rings, excavated_hatch, 5, 0);
@@ -107,7 +106,7 @@ class BlockPicture {
         }
     }
 
-    /// Narrower lines where the blocks are small on the page.
+    /// Line width, narrower when the blocks are small on the page.
     double line_width() const {
         const double block_size = std::sqrt(size_summary(mesh_).d10) * axes_.scale();
         return std::clamp(block_size / 16, 0.25, 1.2);
@@ -132,9 +131,8 @@ class BlockPicture {
 
     Colour colour_of(const EdgeMark& mark) const {
         if (mark.joint == EdgeMark::no_joint) return contact_colour;
-        const std::string& set = mesh_.joints[static_cast<std::size_t>(mark.joint)].set;
-        return line_colour(
-            static_cast<std::size_t>(std::find(sets_.begin(), sets_.end(), set) - sets_.begin()));
+        const std::string& set = mesh_.joints[mark.joint].set;
+        return line_colour(std::find(sets_.begin(), sets_.end(), set) - sets_.begin());
     }
 
     void draw_bolt(const Bolt& bolt) {

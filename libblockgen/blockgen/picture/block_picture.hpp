@@ -9,7 +9,7 @@
 
 namespace rockslope::blockgen {
 
-/// Colours laid over blocks, with a legend of their own.
+/// Colours that replace the material colour of blocks, with their legend.
 struct BlockLayer {
     struct Entry {
         std::string text;
@@ -17,11 +17,15 @@ struct BlockLayer {
     };
     std::string title;
     std::vector<Entry> entries;
-    std::vector<std::int32_t> entry_of_block;  ///< -1 where the rock's own colour stays
+    std::vector<std::int32_t> entry_of_block;  ///< per block: index into `entries`; -1: the material's colour
 };
 
-/// The section on a page: blocks filled by material, joints coloured by set, fixed and prescribed blocks
-/// hatched, measured points named, bolts drawn; axes in metres, scale bar and legends.
+/// Draws the section: blocks filled by material, joints coloured by set, fixed, prescribed and excavated
+/// blocks hatched, measured points and bolts; axes in metres, scale bar and legends.
 Canvas draw_blocks(const BlockMesh& mesh, const BlockLayer& layer = {});
+
+/// Draws the cumulative distribution of block areas, by area and by number, on a logarithmic scale, with D10,
+/// D50 and D90 by area marked.
+Canvas draw_sizes(const BlockMesh& mesh);
 
 }  // namespace rockslope::blockgen

@@ -1,4 +1,4 @@
-#include "blockgen/picture/size_picture.hpp"
+#include "blockgen/picture/block_picture.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,13 +21,13 @@ std::vector<double> sorted_areas(const BlockMesh& mesh) {
     return areas;
 }
 
-/// Whole powers of ten round the sizes, at least two.
+/// Range of powers of ten that contains the areas, at least one decade.
 Range decades(const std::vector<double>& areas) {
     const double low = std::floor(std::log10(areas.front())), high = std::ceil(std::log10(areas.back()));
     return high > low ? Range{low, high} : Range{low - 1, high + 1};
 }
 
-/// A step_curve through the sorted sizes; no two points nearer to each other than a fifth of a point.
+/// Cumulative distribution of the sorted areas as a step curve; steps below 0.2 points are left out.
 std::vector<Point> step_curve(const std::vector<double>& areas, const Axes& axes, bool by_area) {
     double total = 0, sum = 0;
     for (const double area : areas) total += by_area ? area : 1;
@@ -62,10 +62,10 @@ void draw_decades(Canvas& canvas, const Range& range, const Axes& axes) {
 }
 
 void draw_fraction_axis(Canvas& canvas, const Axes& axes, const Range& range) {
-    for (int share = 0; share <= 100; share += 20) {
-        const double y = axes.to_page({range.low, static_cast<double>(share)}).y;
+    for (int percent = 0; percent <= 100; percent += 20) {
+        const double y = axes.to_page({range.low, static_cast<double>(percent)}).y;
         canvas.polyline(std::vector<Point>{{upper_left.x, y}, {lower_right.x, y}}, {pale_grey, 0.5});
-        canvas.text({upper_left.x - 6, y}, std::to_string(share) + " %",
+        canvas.text({upper_left.x - 6, y}, std::to_string(percent) + " %",
                     {9, black, Anchor::end, Anchor::middle});
     }
 }
@@ -83,10 +83,10 @@ Canvas draw_sizes(const BlockMesh& mesh) {
     canvas.polyline(step_curve(areas, axes, false), {line_colour(1), 1.4});
     canvas.polyline(step_curve(areas, axes, true), {line_colour(0), 1.8});
     const SizeSummary sizes = size_summary(mesh);
-    for (const auto& [name, size, share] :
+    for (const auto& [name, size, percent] :
          {std::tuple("D10", sizes.d10, 10.0), std::tuple("D50", sizes.d50, 50.0),
           std::tuple("D90", sizes.d90, 90.0)}) {
-        const Point p = axes.to_page({std::log10(size), share});
+        const Point p = axes.to_page({std::log10(size), percent});
         canvas.polyline(std::vector<Point>{{p.x, lower_right.y}, p}, {grey, 0.7, {3, 2}});
         TextStyle style{9, black, Anchor::end, Anchor::middle};
         style.halo = white;
@@ -98,9 +98,9 @@ Canvas draw_sizes(const BlockMesh& mesh) {
         std::nullopt, Stroke{grey, 0.8});
     canvas.text({(upper_left.x + lower_right.x) / 2, lower_right.y + 34}, "block area (m\u00b2)",
                 {10, black, Anchor::middle, Anchor::middle});
-    draw_legend(canvas, {upper_left.x + 12, upper_left.y + 10}, "Blocks up to this size hold",
-                {{"this share of the area", {}, Stroke{line_colour(0), 1.8}, true},
-                 {"this share of their number", {}, Stroke{line_colour(1), 1.4}, true}});
+    draw_legend(canvas, {upper_left.x + 12, upper_left.y + 10}, "Blocks up to this size",
+                {{"fraction of the area", {}, Stroke{line_colour(0), 1.8}, true},
+                 {"fraction of the number", {}, Stroke{line_colour(1), 1.4}, true}});
     return canvas;
 }
 

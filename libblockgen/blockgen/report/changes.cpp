@@ -22,13 +22,13 @@ double distance(const Point& p, const Point& a, const Point& b) {
 }
 
 double distance(const Point& p, const std::vector<Point>& line, bool closed) {
-    double least = std::numeric_limits<double>::infinity();
+    double smallest = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k + (closed ? 0 : 1) < line.size(); ++k)
-        least = std::min(least, distance(p, line[k], line[(k + 1) % line.size()]));
-    return least;
+        smallest = std::min(smallest, distance(p, line[k], line[(k + 1) % line.size()]));
+    return smallest;
 }
 
-/// The traces' edges, those of trace t at [first[t], first[t + 1]).
+/// The edges of all traces: those of trace t are edges[first[t]] ... edges[first[t + 1] - 1].
 struct EdgesOfTraces {
     std::vector<std::int32_t> first, edges;
 
@@ -36,16 +36,13 @@ struct EdgesOfTraces {
         : first(traces + 1, 0) {
         for_each(noded, table, [&](std::size_t t, std::size_t) { ++first[t + 1]; });
         std::partial_sum(first.begin(), first.end(), first.begin());
-        edges.resize(static_cast<std::size_t>(first.back()));
+        edges.resize(first.back());
         std::vector<std::int32_t> fill(first.begin(), first.end() - 1);
-        for_each(noded, table, [&](std::size_t t, std::size_t e) {
-            edges[static_cast<std::size_t>(fill[t]++)] = static_cast<std::int32_t>(e);
-        });
+        for_each(noded, table, [&](std::size_t t, std::size_t e) { edges[fill[t]++] = e; });
     }
 
     std::span<const std::int32_t> of(std::size_t t) const {
-        return std::span(edges).subspan(static_cast<std::size_t>(first[t]),
-                                        static_cast<std::size_t>(first[t + 1] - first[t]));
+        return std::span(edges).subspan(first[t], first[t + 1] - first[t]);
     }
 
   private:
@@ -56,24 +53,24 @@ struct EdgesOfTraces {
             for (const EdgeSource& s : noded.sources_of(e)) {  // sorted by source
                 if (!table.is_joint(s.source) || s.source == last) continue;
                 last = s.source;
-                visit(static_cast<std::size_t>(s.source - table.first_joint), e);
+                visit(s.source - table.first_joint, e);
             }
         }
     }
 };
 
-/// A trace's end and the vertex that it became.
+/// An end of a trace and the vertex to which it was snapped.
 struct TraceEnd {
     std::int32_t vertex, trace;
     Point point;
-    double gap = std::numeric_limits<double>::infinity();  ///< m, to the nearest other source at the vertex
-    std::int32_t other = -1;                               ///< that source
+    double gap = std::numeric_limits<double>::infinity();  ///< m, distance to the nearest other source there
+    std::int32_t other = -1;                               ///< the nearest other source at the vertex
 };
 
 class JointChanges {
   public:
-    explicit JointChanges(const CutContext& parts)
-        : context_(parts), edges_(parts.noded, parts.traces.size(), parts.table) {}
+    explicit JointChanges(const CutContext& context)
+        : context_(context), edges_(context.noded, context.traces.size(), context.table) {}
 
     std::vector<Change> run() {
         join_ends();
@@ -86,25 +83,25 @@ class JointChanges {
     }
 
   private:
-    Point place(std::int32_t vertex) const {
-        return context_.noded.frame.place(context_.noded.vertices[static_cast<std::size_t>(vertex)]);
+    Point position(std::int32_t vertex) const {
+        return context_.noded.frame.position(context_.noded.vertices[vertex]);
     }
     double length_of(std::size_t edge) const {
-        const Point a = place(context_.noded.edges[edge].first), b = place(context_.noded.edges[edge].second);
+        const Point a = position(context_.noded.edges[edge].first),
+                    b = position(context_.noded.edges[edge].second);
         return std::hypot(b.x - a.x, b.y - a.y);
     }
 
-    /// The vertex of the trace nearest to one of its ends, when it lies within reach of a snap.
+    /// The vertex of a trace nearest to its end p, if it is less than two grid steps away in x and y.
     std::optional<TraceEnd> end_at(std::size_t t, const Point& p) const {
-        double least = 2 * context_.noded.frame.step;
+        double smallest = 2 * context_.noded.frame.step;
         std::optional<TraceEnd> end;
         for (const std::int32_t e : edges_.of(t))
-            for (const std::int32_t v : {context_.noded.edges[static_cast<std::size_t>(e)].first,
-                                         context_.noded.edges[static_cast<std::size_t>(e)].second}) {
-                const Point q = place(v);
+            for (const std::int32_t v : {context_.noded.edges[e].first, context_.noded.edges[e].second}) {
+                const Point q = position(v);
                 const double d = std::max(std::abs(q.x - p.x), std::abs(q.y - p.y));
-                if (d >= least) continue;
-                least = d;
+                if (d >= smallest) continue;
+                smallest = d;
                 end = TraceEnd{v, static_cast<std::int32_t>(t), p};
             }
         return end;
@@ -118,14 +115,12 @@ class JointChanges {
         std::stable_sort(ends.begin(), ends.end(),
                          [](const TraceEnd& a, const TraceEnd& b) { return a.vertex < b.vertex; });
         std::vector<std::int32_t> first(context_.noded.vertices.size() + 1, 0);
-        for (const TraceEnd& end : ends) ++first[static_cast<std::size_t>(end.vertex) + 1];
+        for (const TraceEnd& end : ends) ++first[end.vertex + 1];
         std::partial_sum(first.begin(), first.end(), first.begin());
         for (std::size_t e = 0; e < context_.noded.edges.size(); ++e)
             for (const std::int32_t v : {context_.noded.edges[e].first, context_.noded.edges[e].second})
-                for (std::int32_t k = first[static_cast<std::size_t>(v)];
-                     k < first[static_cast<std::size_t>(v) + 1]; ++k)
-                    for (const EdgeSource& s : context_.noded.sources_of(e))
-                        note_source(ends[static_cast<std::size_t>(k)], s.source);
+                for (std::int32_t k = first[v]; k < first[v + 1]; ++k)
+                    for (const EdgeSource& s : context_.noded.sources_of(e)) note_source(ends[k], s.source);
         for (const TraceEnd& end : ends) add_joined(end);
     }
 
@@ -139,7 +134,7 @@ class JointChanges {
 
     double distance_from(const Point& p, std::int32_t source) const {
         const auto part = [source](const auto& list, std::int32_t first) -> const auto& {
-            return list[static_cast<std::size_t>(source - first)];
+            return list[source - first];
         };
         if (context_.table.is_joint(source))
             return distance(p, part(context_.traces, context_.table.first_joint).points, false);
@@ -152,33 +147,32 @@ class JointChanges {
             return distance(p, part(context_.model.regions, context_.table.first_region).polygon, true);
         if (source >= context_.table.first_hole)
             return distance(p, part(context_.model.holes, context_.table.first_hole), true);
-        double least = distance(p, context_.model.outline, true);
+        double smallest = distance(p, context_.model.outline, true);
         for (const Ring& ring : context_.model.further_outlines)
-            least = std::min(least, distance(p, ring, true));
-        return least;
+            smallest = std::min(smallest, distance(p, ring, true));
+        return smallest;
     }
 
     void add_joined(const TraceEnd& end) {
-        // What the last digits of a double leave between lines that were meant to meet is no gap.
+        // A gap within the rounding of the coordinates is ignored.
         const double rounding = 64 * std::numeric_limits<double>::epsilon() *
                                 std::max(std::abs(end.point.x), std::abs(end.point.y));
         if (end.other < 0 || !(end.gap > rounding)) return;
-        Change change{ChangeKind::end_joined, place(end.vertex), 0, end.gap, name_of(end.trace), "outline"};
+        Change change{
+            ChangeKind::end_joined, position(end.vertex), 0, end.gap, name_of(end.trace), "outline"};
         if (context_.table.is_joint(end.other))
             change.other = name_of(end.other - context_.table.first_joint);
         changes_.push_back(std::move(change));
     }
 
-    const std::string& name_of(std::int32_t trace) const {
-        return context_.traces[static_cast<std::size_t>(trace)].name;
-    }
+    const std::string& name_of(std::int32_t trace) const { return context_.traces[trace].name; }
 
-    /// One row for each run of a trace's edges that part nothing.
+    /// Adds a change for each connected run of a trace's edges that have the same block on both sides.
     void prune(std::size_t t) {
         std::vector<std::pair<std::int32_t, std::size_t>> ends;  // vertex, number of the pruned edge
         std::vector<std::size_t> pruned;
         for (const std::int32_t edge : edges_.of(t)) {
-            const auto e = static_cast<std::size_t>(edge);
+            const std::size_t e = edge;
             const std::int32_t left = context_.block_of(2 * e), right = context_.block_of(2 * e + 1);
             if (left != right || left == FaceBlocks::outside) continue;
             ends.emplace_back(context_.noded.edges[e].first, pruned.size());
@@ -204,7 +198,7 @@ class JointChanges {
         }
         for (const Run& run : of_root) {
             if (run.last < 0) continue;
-            const Point a = place(run.first), b = place(run.last);
+            const Point a = position(run.first), b = position(run.last);
             changes_.push_back({ChangeKind::piece_pruned,
                                 {(a.x + b.x) / 2, (a.y + b.y) / 2},
                                 0,
@@ -214,11 +208,11 @@ class JointChanges {
         }
     }
 
-    /// A given trace of which no piece lies in the rock.
+    /// Adds a change for a given trace if no piece of it lies inside the rock.
     void drop(std::size_t t) {
         bool in_rock = false, on_face = false;
         for (const std::int32_t edge : edges_.of(t)) {
-            const auto e = static_cast<std::size_t>(edge);
+            const std::size_t e = edge;
             const bool left = context_.block_of(2 * e) != FaceBlocks::outside,
                        right = context_.block_of(2 * e + 1) != FaceBlocks::outside;
             in_rock = in_rock || (left && right);
@@ -274,10 +268,8 @@ void sort_changes(std::vector<Change>& changes) {
     });
 }
 
-std::vector<Change> joint_changes(const NodedEdges& noded, const Subdivision& subdivision,
-                                  const FaceBlocks& faces, const SlopeModel& model,
-                                  const std::vector<Trace>& traces, const SourceTable& table) {
-    return JointChanges({noded, subdivision, faces, model, traces, table}).run();
+std::vector<Change> joint_changes(const CutContext& cut) {
+    return JointChanges(cut).run();
 }
 
 }  // namespace rockslope::blockgen

@@ -7,7 +7,7 @@
 
 namespace rockslope::blockgen {
 
-/// What a report on a cut is drawn up from. It refers to what the cutter owns.
+/// References to the data of a cut that a report needs. The cutter owns the data.
 struct CutContext {
     const NodedEdges& noded;
     const Subdivision& subdivision;
@@ -16,9 +16,7 @@ struct CutContext {
     const std::vector<Trace>& traces;
     const SourceTable& table;
 
-    std::int32_t block_of(std::size_t half_edge) const {
-        return faces.block[static_cast<std::size_t>(subdivision.face[half_edge])];
-    }
+    std::int32_t block_of(std::size_t half_edge) const { return faces.block[subdivision.face[half_edge]]; }
 };
 
 }  // namespace rockslope::blockgen

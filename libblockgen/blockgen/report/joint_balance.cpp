@@ -21,15 +21,15 @@ double length_of(const Trace& trace) {
     return length;
 }
 
-/// The point half way along.
+/// The point at half the length of a trace.
 Point middle_of(const Trace& trace) {
-    double left = length_of(trace) / 2;
+    double remaining = length_of(trace) / 2;
     for (std::size_t k = 0; k + 1 < trace.points.size(); ++k) {
         const Point &a = trace.points[k], &b = trace.points[k + 1];
         const double length = std::hypot(b.x - a.x, b.y - a.y);
-        if (left <= length && length > 0)
-            return {a.x + left / length * (b.x - a.x), a.y + left / length * (b.y - a.y)};
-        left -= length;
+        if (remaining <= length && length > 0)
+            return {a.x + remaining / length * (b.x - a.x), a.y + remaining / length * (b.y - a.y)};
+        remaining -= length;
     }
     return trace.points.back();
 }
@@ -43,8 +43,8 @@ bool is_in_rock(const SlopeModel& model, const Point& p) {
     return true;
 }
 
-/// Sums of length over directions, of which the mean direction and the spread across it follow. Directions of
-/// joints are axes: angles count twice.
+/// Length-weighted sums for the mean direction of axial data; angles are doubled, because a joint's direction
+/// has no sign.
 struct AxialSums {
     double length = 0, cosine = 0, sine = 0;
 
@@ -57,7 +57,7 @@ struct AxialSums {
     double mean_direction() const { return std::atan2(sine, cosine) / 2; }
 };
 
-/// What became of the length of one trace.
+/// Balance of the length of one trace, m.
 struct TraceLengths {
     double retained = 0, pruned = 0, on_boundary = 0, outside = 0;
     std::size_t edges = 0;
@@ -67,7 +67,8 @@ struct TraceLengths {
 
 class NetworkMeasure {
   public:
-    explicit NetworkMeasure(const CutContext& parts) : context_(parts), trace_lengths_(parts.traces.size()) {
+    explicit NetworkMeasure(const CutContext& context)
+        : context_(context), trace_lengths_(context.traces.size()) {
         assign_rows();
     }
 
@@ -79,7 +80,7 @@ class NetworkMeasure {
             const JointSet* set = set_of(b.name);
             const bool is_local = set != nullptr && !set->region.empty();
             const double area = is_local ? RockDomain(context_.model, set->region).area() : rock_area;
-            b.p10 = across_[r] / area;
+            b.p10 = projected_length_[r] / area;
             b.p20 /= area;
             b.p21 = (b.retained + b.pruned) / area;
             if (set != nullptr) set_targets(*set, b);
@@ -98,7 +99,7 @@ class NetworkMeasure {
             row_.push_back(found->second);
         }
         sums_.resize(report_.joints.size());
-        across_.resize(report_.joints.size());
+        projected_length_.resize(report_.joints.size());
     }
 
     const JointSet* set_of(const std::string& name) const {
@@ -116,14 +117,14 @@ class NetworkMeasure {
         if (set.kind != SetKind::parallel && set.kind != SetKind::cross_jointed) return;
         b.p10_target = 1 / set.spacing.truncated_mean();
         if (set.trace_length) {
-            const double open = set.trace_length->truncated_mean();
-            b.p10_target *= open / (open + set.gap->truncated_mean());
+            const double length = set.trace_length->truncated_mean();
+            b.p10_target *= length / (length + set.gap->truncated_mean());
         }
         if (!set.orientation.has_scatter()) b.p21_target = b.p10_target;
     }
 
-    /// Along which a trace's length counts for P10: a set's own mean direction, whatever its joints came out
-    /// as, or the mean of given traces.
+    /// The direction onto which lengths are projected for P10, rad: the nominal mean direction of a set, or
+    /// the mean direction of given traces and of Voronoi edges.
     double mean_direction(std::size_t row) const {
         const JointSet* set = set_of(report_.joints[row].name);
         return set != nullptr && set->kind != SetKind::voronoi ? set->orientation.mean_angle()
@@ -132,9 +133,8 @@ class NetworkMeasure {
 
     bool is_rock(std::size_t half_edge) const { return context_.block_of(half_edge) != FaceBlocks::outside; }
     Point vector_of(std::size_t e) const {
-        const GridPoint& a = context_.noded.vertices[static_cast<std::size_t>(context_.noded.edges[e].first)];
-        const GridPoint& b =
-            context_.noded.vertices[static_cast<std::size_t>(context_.noded.edges[e].second)];
+        const GridPoint& a = context_.noded.vertices[context_.noded.edges[e].first];
+        const GridPoint& b = context_.noded.vertices[context_.noded.edges[e].second];
         return {context_.noded.frame.step * static_cast<double>(b.x - a.x),
                 context_.noded.frame.step * static_cast<double>(b.y - a.y)};
     }
@@ -145,7 +145,7 @@ class NetworkMeasure {
         for (const EdgeSource& s : context_.noded.sources_of(edge)) {  // sorted by source
             if (!context_.table.is_joint(s.source) || s.source == last) continue;
             last = s.source;
-            visit(static_cast<std::size_t>(s.source - context_.table.first_joint));
+            visit(s.source - context_.table.first_joint);
         }
     }
 
@@ -161,7 +161,7 @@ class NetworkMeasure {
             for_each_joint_of(e, [&](std::size_t t) {
                 if (!is_rock(2 * e) || !is_rock(2 * e + 1)) return;
                 const Point v = vector_of(e), u = mean[row_[t]];
-                across_[row_[t]] += std::abs(v.x * u.x + v.y * u.y);
+                projected_length_[row_[t]] += std::abs(v.x * u.x + v.y * u.y);
             });
     }
 
@@ -185,19 +185,21 @@ class NetworkMeasure {
         TraceLengths& lengths = trace_lengths_[t];
         JointBalance& b = report_.joints[row_[t]];
         const double input = length_of(context_.traces[t]);
-        // Every piece may be longer or shorter by what its two ends moved; a trace that runs back over itself
-        // counts once.
+        // Snapping may lengthen each piece by the displacement of its two ends. A trace that overlaps itself
+        // counts once, so its noded length may be smaller.
         const double tolerance = 2 * context_.noded.largest_snap *
                                      static_cast<double>(lengths.edges + context_.traces[t].points.size()) +
                                  1e-9 * input;
         if (lengths.inside_box() > input + tolerance)
-            throw std::logic_error("joint '" + context_.traces[t].name + "' grew when it was noded");
+            throw std::logic_error("joint '" + context_.traces[t].name + "' is " +
+                                   std::to_string(lengths.inside_box()) + " m long after noding, expected " +
+                                   std::to_string(input) + " m");
         ++b.traces;
         b.input += input;
         b.retained += lengths.retained;
         b.pruned += lengths.pruned;
         b.on_boundary += lengths.on_boundary;
-        // What was clipped away beyond the domain's box belongs here too.
+        // This includes the length clipped at the domain's box.
         b.outside += std::max(lengths.outside, input - lengths.in_rock() - lengths.on_boundary);
         b.p20 += is_in_rock(context_.model, middle_of(context_.traces[t]));
     }
@@ -211,7 +213,7 @@ class NetworkMeasure {
                 return context_.table.is_joint(s.source);
             });
             for (const std::int32_t v : {context_.noded.edges[e].first, context_.noded.edges[e].second}) {
-                const auto i = static_cast<std::size_t>(v);
+                const std::size_t i = v;
                 if (is_rock(2 * e) != is_rock(2 * e + 1)) at_face[i] = 1;
                 if (is_joint && is_rock(2 * e) && is_rock(2 * e + 1) && branches[i] < 255) ++branches[i];
             }
@@ -226,32 +228,33 @@ class NetworkMeasure {
         }
     }
 
-    /// Only traces that somebody drew: sampled sets fill the domain's box, so that some lie beside the rock.
+    /// Warns of given traces without effect. Sampled sets fill the domain's box, so some of their traces
+    /// always lie outside the rock.
     void warn() {
-        struct Idle {
+        struct Dropped {
             std::size_t points = 0, outside = 0, on_boundary = 0;
         };
-        std::vector<Idle> idle(report_.joints.size());
+        std::vector<Dropped> dropped(report_.joints.size());
         for (std::size_t t = 0; t < std::min(context_.traces.size(), context_.model.traces.size()); ++t) {
             const TraceLengths& lengths = trace_lengths_[t];
-            Idle& row = idle[row_[t]];
+            Dropped& row = dropped[row_[t]];
             if (lengths.in_rock() > 0) continue;
             if (lengths.on_boundary > 0)
                 row.on_boundary += !context_.model.outline_of_traces;
             else
                 ++(length_of(context_.traces[t]) < context_.noded.frame.step ? row.points : row.outside);
         }
-        for (std::size_t r = 0; r < idle.size(); ++r) {
-            say(r, idle[r].points, "has no length on this grid and is dropped",
-                "have no length on this grid and are dropped");
-            say(r, idle[r].outside, "lies outside the rock and is dropped",
-                "lie outside the rock and are dropped");
-            say(r, idle[r].on_boundary, "runs along a free face only, which stays free",
-                "run along a free face only, which stays free");
+        for (std::size_t r = 0; r < dropped.size(); ++r) {
+            add_warning(r, dropped[r].points, "has no length on this grid and is dropped",
+                        "have no length on this grid and are dropped");
+            add_warning(r, dropped[r].outside, "lies outside the rock and is dropped",
+                        "lie outside the rock and are dropped");
+            add_warning(r, dropped[r].on_boundary, "runs along a free face only, which stays free",
+                        "run along a free face only, which stays free");
         }
     }
 
-    void say(std::size_t row, std::size_t count, const std::string& one, const std::string& many) {
+    void add_warning(std::size_t row, std::size_t count, const std::string& one, const std::string& many) {
         if (count > 0)
             report_.warnings.push_back(std::to_string(count) + (count == 1 ? " trace" : " traces") + " of '" +
                                        report_.joints[row].name + "' " + (count == 1 ? one : many));
@@ -261,16 +264,14 @@ class NetworkMeasure {
     std::vector<TraceLengths> trace_lengths_;
     std::vector<std::size_t> row_;
     std::vector<AxialSums> sums_;
-    std::vector<double> across_;  ///< per row: length projected on the mean direction
+    std::vector<double> projected_length_;  ///< per row: length projected onto the mean direction, m
     NetworkReport report_;
 };
 
 }  // namespace
 
-NetworkReport measure_network(const NodedEdges& noded, const Subdivision& subdivision,
-                              const FaceBlocks& faces, const SlopeModel& model,
-                              const std::vector<Trace>& traces, const SourceTable& table, double rock_area) {
-    return NetworkMeasure({noded, subdivision, faces, model, traces, table}).run(rock_area);
+NetworkReport measure_network(const CutContext& cut, double rock_area) {
+    return NetworkMeasure(cut).run(rock_area);
 }
 
 }  // namespace rockslope::blockgen

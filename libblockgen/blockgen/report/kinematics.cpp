@@ -12,13 +12,13 @@ namespace rockslope::blockgen {
 
 namespace {
 
-/// An edge that other rock, or the model's end, lies behind.
+/// An edge of a block that is not free: a joint, a contact of materials, or a fixed side of the domain.
 struct Face {
-    Point along;           ///< unit, the block's rock on its left
-    double tolerance = 0;  ///< by how much d.n may be negative: snapping turns an edge by so much
-    double offset = 0;     ///< of its line across its direction, m
+    Point along;           ///< unit vector, with the block on its left
+    double tolerance = 0;  ///< d.n may be negative by this much, because snapping rotates the edge
+    double offset = 0;     ///< distance of its line from the first vertex of its ring, m
     double length = 0;     ///< m
-    std::int32_t joint;    ///< -1 at the model's end or a change of material
+    std::int32_t joint;    ///< -1 for a fixed side or a change of material
     double friction = 0;   ///< tangent of the friction angle
 };
 
@@ -45,7 +45,7 @@ class BlockScreen {
         KinematicReport report;
         for (std::size_t b = 0; b < mesh_.block_count(); ++b) {
             KeyBlock key;
-            key.block = static_cast<std::int32_t>(b);
+            key.block = b;
             key.mode = mode_of(b, key);
             report.mode.push_back(key.mode);
             if (key.mode < BlockMode::falling) continue;
@@ -76,11 +76,10 @@ class BlockScreen {
     }
 
     double friction_of(std::int32_t joint_material) const {
-        return joint_material < 0 ? std::tan(screen_.friction_angle)
-                                  : friction_[static_cast<std::size_t>(joint_material)];
+        return joint_material < 0 ? std::tan(screen_.friction_angle) : friction_[joint_material];
     }
 
-    /// Fills faces_; true when a face is free.
+    /// Collects the faces of a block. @return whether the block has a free edge.
     bool collect_faces(std::size_t b) {
         faces_.clear();
         bool free = false;
@@ -138,11 +137,10 @@ class BlockScreen {
         return slide(key);
     }
 
-    /// The joints that the block slides along, and their friction: the weight across the direction presses
-    /// the block onto those that carry it, which hold its share tan(friction). Where joints of several
-    /// materials carry it side by side, each takes a share as its length.
+    /// The joint along which the block slides, and the factor of safety. The joints below the block carry the
+    /// normal component of the weight, divided between them in proportion to their lengths.
     BlockMode slide(KeyBlock& key) const {
-        // The joint below carries the weight; in an upright slot none does, and the longest stands for both.
+        // A joint below the block is preferred, then the longest joint. In a vertical slot no joint is below.
         std::pair<bool, double> best{false, 0};
         double bearing_length = 0, friction_sum = 0;
         std::vector<double> offsets;
@@ -170,7 +168,7 @@ class BlockScreen {
     const KinematicScreen& screen_;
     Bounds bounds_;
     double grid_;
-    std::vector<double> friction_;  ///< per joint material, tangent of its angle
+    std::vector<double> friction_;  ///< per joint material: tangent of its friction angle
     std::vector<Face> faces_;
 };
 

@@ -10,39 +10,39 @@
 
 namespace rockslope::blockgen {
 
-/// How a block would begin to move under its weight, if its neighbours stand still.
+/// Mode of the first movement of a block under its weight while its neighbours are fixed.
 enum class BlockMode : std::uint8_t {
     enclosed,          ///< has no free face
-    tapered,           ///< has one, but its joints hold it: it cannot move away in any direction
-    stable,            ///< could be taken out, but no way leads down
-    falling,           ///< away from all its joints
-    sliding,           ///< along one of its joints
-    sliding_two_faces  ///< along two lines of joints that are parallel
+    tapered,           ///< has a free face but is not removable: no direction of movement is admissible
+    stable,            ///< removable, but no admissible direction leads down
+    falling,           ///< moves vertically down, away from all its joints
+    sliding,           ///< slides along one of its joints
+    sliding_two_faces  ///< slides between two parallel joints
 };
 
-/// A removable block that its weight would move.
+/// A removable block that moves under its weight.
 struct KeyBlock {
     std::int32_t block = 0;
     BlockMode mode = BlockMode::falling;
     Point direction;              ///< of the first movement, a unit vector
-    double factor_of_safety = 0;  ///< friction over driving force; 0 for a falling block
-    std::int32_t joint = -1;      ///< along which it slides, index into BlockMesh::joints; -1 when it falls
+    double factor_of_safety = 0;  ///< frictional resistance over driving force; 0 for a falling block
+    std::int32_t joint = -1;      ///< the joint of sliding, index into BlockMesh::joints; -1 when it falls
     double area = 0;              ///< m2
 };
 
 struct KinematicReport {
     std::vector<BlockMode> mode;   ///< per block
-    std::vector<KeyBlock> blocks;  ///< ascending factor of safety, then by number
+    std::vector<KeyBlock> blocks;  ///< sorted by factor of safety, then by number
 };
 
-/// Screens blocks for removability by the theory of Goodman and Shi (1985, Block Theory) in two dimensions. A
-/// block may move in the direction d when d.n >= 0 for the inward normal n of each of its joints: their joint
-/// pyramid. It is removable when such a direction exists; being finite it then has a free face. Weight moves
-/// it in the direction of the pyramid nearest to the vertical: down when the pyramid holds it, otherwise
-/// along a joint, with the factor of safety tan(friction of its material) / tan(dip). One block at a time,
-/// translation only, without cohesion or water: neither toppling nor a row of blocks that push each other is
-/// seen. The sides of the domain's bounding box named in `fixed_sides` are no free faces; fixed and
-/// prescribed blocks count as enclosed.
+/// Screens blocks for removability by block theory (Goodman and Shi 1985) in two dimensions. A direction d is
+/// admissible when d.n >= 0 for the inward normal n of each joint of the block; these directions form its
+/// joint pyramid. A block with a free face is removable when its joint pyramid is not empty. Its weight moves
+/// it in the admissible direction nearest to the vertical: straight down if that is admissible, otherwise
+/// along a joint, with the factor of safety tan(friction angle) / tan(dip).
+/// Limitations: one block at a time, translation only, no cohesion, no water; toppling, and rows of blocks
+/// that push each other, are not detected. The sides of the domain's bounding box in `fixed_sides` are not
+/// free faces. Fixed and prescribed blocks count as enclosed.
 KinematicReport screen_blocks(const BlockMesh& mesh, const KinematicScreen& screen, const Bounds& bounds,
                               double grid);
 

@@ -29,7 +29,7 @@ class Page {
     std::string text_;
 };
 
-/// A name padded to a column; longer ones keep their letters.
+/// A name padded to 20 characters; longer names are not truncated.
 std::string padded(const std::string& name) {
     return name + std::string(name.size() < 20 ? 20 - name.size() : 1, ' ');
 }
@@ -45,7 +45,7 @@ void blocks_table(Page& page, const CutReport& r) {
     page.line("Blocks");
     page.line("  number                    %zu", r.blocks);
     page.line("  rock                      %.9g m2, %s", r.domain_area,
-              r.area_proved ? "which the blocks fill exactly" : "not proved");
+              r.area_proved ? "filled exactly by the blocks" : "not verified");
     if (r.verified) page.line("  exact construction        agrees");
     page.line("  D10, D50, D90 by area     %.4g, %.4g, %.4g m2", r.sizes.d10, r.sizes.d50, r.sizes.d90);
     page.line("  smallest, largest         %.4g, %.4g m2", r.sizes.smallest_area, r.sizes.largest_area);
@@ -62,7 +62,7 @@ void blocks_table(Page& page, const CutReport& r) {
 
 void changes_table(Page& page, const CutReport& r) {
     page.line("\nChanges");
-    page.line("  straight vertices taken out   %zu", r.merged_vertices);
+    page.line("  straight vertices removed     %zu", r.merged_vertices);
     page.line("  small blocks found, merged    %zu, %zu (%.4g m2)", r.merges.small_blocks,
               r.merges.merged_blocks, r.merges.merged_area);
     page.line("  small blocks kept             %zu", r.merges.kept_small);
@@ -81,7 +81,7 @@ void changes_table(Page& page, const CutReport& r) {
                       c.other.empty() ? "" : " to ", c.other.c_str());
         const bool is_last = k + 1 == r.changes.size() || r.changes[k + 1].kind != c.kind;
         if (is_last && listed >= max_rows_per_kind)
-            page.line("  %-33s and %zu more; the JSON report has them all", label_of(c.kind),
+            page.line("  %-33s and %zu more; the JSON report lists all", label_of(c.kind),
                       listed + 1 - max_rows_per_kind);
     }
 }
@@ -91,7 +91,7 @@ void joints_table(Page& page, const CutReport& r) {
     for (const JointBalance& b : r.joints)
         page.line("  %s%6zu %10.2f %10.2f %10.2f  %10.2f %10.2f", padded(b.name).c_str(), b.traces, b.input,
                   b.retained, b.pruned, b.on_boundary, b.outside);
-    page.line("\nDensities             P10 1/m    asked     P20 1/m2    asked     P21 1/m    asked");
+    page.line("\nDensities             P10 1/m   target     P20 1/m2   target     P21 1/m   target");
     for (const JointBalance& b : r.joints)
         page.line("  %s%7.4g %8s   %10.4g %8s   %9.4g %8s", padded(b.name).c_str(), b.p10,
                   target_text(b.p10_target).c_str(), b.p20, target_text(b.p20_target).c_str(), b.p21,

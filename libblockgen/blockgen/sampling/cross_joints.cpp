@@ -8,14 +8,14 @@ namespace rockslope::blockgen {
 
 namespace {
 
-/// Takes traces that end on the rim of a box, as lines do that fill it, straight on beyond it.
+/// Extends the traces that end on the boundary of a box, as lines that cross it do, straight on beyond it.
 std::vector<Trace> extended_beyond_box(std::vector<Trace> traces, const Bounds& box, double length) {
     const double near = 1e-9 * std::hypot(box.high.x - box.low.x, box.high.y - box.low.y);
     const auto extend = [&](Point& end, const Point& before) {
-        const double from_rim =
+        const double distance_to_boundary =
             std::min({end.x - box.low.x, box.high.x - end.x, end.y - box.low.y, box.high.y - end.y});
         const double piece = std::hypot(end.x - before.x, end.y - before.y);
-        if (std::abs(from_rim) > near || !(piece > 0)) return;
+        if (std::abs(distance_to_boundary) > near || !(piece > 0)) return;
         end.x += length / piece * (end.x - before.x);
         end.y += length / piece * (end.y - before.y);
     };
@@ -28,8 +28,8 @@ std::vector<Trace> extended_beyond_box(std::vector<Trace> traces, const Bounds& 
     return traces;
 }
 
-/// Cuts lines into pieces where they meet other joints and lays each piece a little aside. Lines beside the
-/// box take part as far as their pieces may come to lie in it, for as many leave it.
+/// Divides lines into pieces at the joints where they end, and offsets each piece laterally at random. Lines
+/// outside the box are included when the offset may move a piece into it, because as many are moved out.
 class CrossJointSampler {
   public:
     CrossJointSampler(SetSampler& sampler, const std::vector<Trace>& others)
@@ -45,8 +45,8 @@ class CrossJointSampler {
     }
 
   private:
-    /// A line goes on through each joint that it meets with the probability 1 - termination. Between two ends
-    /// lies a piece.
+    /// Divides a line into pieces. The line passes each joint that it meets with the probability
+    /// 1 - termination, and otherwise a piece ends there.
     void add_line(const SetLine& line) {
         const std::vector<double> intersections =
             trace_index_.intersections(line.middle, line.u, line.low, line.high);
@@ -65,18 +65,19 @@ class CrossJointSampler {
         add_piece(line, piece, from, line.high, passed);
     }
 
-    /// The piece from `from` to `to`, moved aside: it runs from its middle both ways until it meets as many
-    /// joints as before, wherever they are there.
+    /// Adds the piece from `from` to `to` with a lateral offset. After the offset it extends from its centre
+    /// to the nearest joint behind, and forward past `passed` joints to the next one.
     void add_piece(const SetLine& line, std::int64_t piece, double from, double to, int passed) {
         sampler_.count_draw();
         if (!(from < to)) return;
-        const double aside =
+        const double offset =
             max_offset_ *
             (2 * sampler_.draws().draw(draw_stagger, line.number, static_cast<std::uint64_t>(piece)) - 1);
-        // The middle of the first bed rather than of the piece, so that what lies aside is the same bed.
+        // The offset is applied at the middle of the first bed, not of the piece, so that the piece stays in
+        // the same bed.
         const double start = middle_of_first_bed(line, from, to);
-        const Point centre{line.middle.x + start * line.u.x - aside * line.u.y,
-                           line.middle.y + start * line.u.y + aside * line.u.x};
+        const Point centre{line.middle.x + start * line.u.x - offset * line.u.y,
+                           line.middle.y + start * line.u.y + offset * line.u.x};
         const auto inside = box_.clip(centre, line.u);
         if (!inside || inside->first > 0 || inside->second < 0) return;
         const std::vector<double> back = trace_index_.intersections(centre, line.u, inside->first, 0);
@@ -99,7 +100,7 @@ class CrossJointSampler {
 
     SetSampler& sampler_;
     double max_offset_;  ///< m
-    Bounds box_;         ///< what holds all pieces, laid aside
+    Bounds box_;         ///< contains all pieces after their offsets
     TraceIndex trace_index_;
     std::vector<Trace> traces_;
 };

@@ -7,12 +7,14 @@
 
 namespace rockslope::blockgen {
 
-/// How many lines and traces a set will be made of, from its statistics alone: nothing is drawn but a few
-/// directions. Within a factor of two of what SetSampler::count_draw() comes to, for sets of hundreds.
-/// @param rock needed by the sets that lie anywhere. @param others the traces at which cross joints may end.
+/// Expected number of lines and traces that sampling a set will draw, from its statistics alone; only a few
+/// directions are drawn. For sets of hundreds, it is within a factor of two of the SetSampler::draw_count()
+/// after sampling.
+/// @param rock required for Baecher, Veneziano and Voronoi sets. @param others the traces at which cross
+/// joints may end.
 double expected_draws(const SetSampler& sampler, const RockDomain* rock, const std::vector<Trace>& others);
 
-/// @throws InputError when a set is expected to be made of more lines and traces than its sampler may draw.
+/// @throws InputError when the expected number of draws exceeds the limit of the sampler.
 void check_expected_draws(const SetSampler& sampler, const RockDomain* rock,
                           const std::vector<Trace>& others);
 

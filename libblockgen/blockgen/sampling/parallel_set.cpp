@@ -29,13 +29,13 @@ OffsetRange offset_range(const SetSampler& sampler, double max_deviation_tangent
     const JointSet& set = sampler.set();
     const Point across = mean_normal(set), base = scanline_point(sampler);
     OffsetRange reach{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-    // A line through a corner that lies h off the scanline and is at an angle delta to the mean direction
-    // meets the scanline h tan(delta) above or below the corner.
+    // A line at the angle delta to the mean direction through a corner at the distance h from the scanline
+    // crosses the scanline h tan(delta) above or below the corner.
     for (const Point& p : sampler.bounds().expanded(margin).corners()) {
-        const double off =
+        const double shift =
             max_deviation_tangent * std::abs(across.y * (p.x - base.x) - across.x * (p.y - base.y));
-        reach.low = std::min(reach.low, along(across, p) - off);
-        reach.high = std::max(reach.high, along(across, p) + off);
+        reach.low = std::min(reach.low, along(across, p) - shift);
+        reach.high = std::max(reach.high, along(across, p) + shift);
     }
     reach.origin = set.origin ? along(across, *set.origin) : reach.low;
     return reach;
@@ -61,9 +61,9 @@ std::vector<SetLine> spaced_lines(SetSampler& sampler, double margin) {
         std::tie(line.low, line.high) = *inside;
         lines.push_back(line);
     };
-    // Without an origin the lines begin nine mean spacings before the box, at a place that is anywhere within
-    // one of them, and have forgotten it where the box begins: a joint drawn there, with others to both its
-    // sides, would be one too many for widely scattered spacings.
+    // Without an origin, the first line is eight to nine mean spacings before the box, at a random phase. The
+    // spacings are then stationary where the box begins. A line placed in the box at random, with spacings to
+    // both sides, would give one line too many for widely scattered spacings (length-biased sampling).
     constexpr std::int64_t run_up = 9;
     const std::int64_t before = set.origin ? 0 : run_up;
     const double first = set.origin

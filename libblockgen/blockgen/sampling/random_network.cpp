@@ -10,7 +10,7 @@ namespace {
 
 using Measure = StopRule::Measure;
 
-/// Adds up what the stop rule counts, trace by trace.
+/// Sum of the stop rule's measure over the traces sampled so far.
 class StopRuleProgress {
   public:
     StopRuleProgress(const JointSet& set, const RockDomain& rock) : set_(set), rock_(rock) {
@@ -20,25 +20,28 @@ class StopRuleProgress {
         target_ = set.stop.target * (per_area ? rock.area() : 1);
     }
 
-    /// What a group of traces adds: one trace of Baecher's, the traces of one line of Veneziano's.
+    /// Contribution of a group of traces: one trace of a Baecher set, or the traces of one line of a
+    /// Veneziano set.
     double contribution_of(const std::vector<Trace>& group, bool is_line) const {
-        double share = 0;
+        double sum = 0;
         for (const Trace& trace : group) {
             const Point &a = trace.points[0], &b = trace.points[1];
             const double length = std::hypot(b.x - a.x, b.y - a.y);
             const double along = std::abs((b.x - a.x) * u_.x + (b.y - a.y) * u_.y);
             if (is_counted() && !is_line)
-                share += rock_.contains({(a.x + b.x) / 2, (a.y + b.y) / 2});
+                sum += rock_.contains({(a.x + b.x) / 2, (a.y + b.y) / 2});
             else if (length > 0)
-                share += rock_.length_in(a, b) * (set_.stop.measure == Measure::p10 ? along / length : 1);
+                sum += rock_.length_in(a, b) * (set_.stop.measure == Measure::p10 ? along / length : 1);
         }
-        return is_line && is_counted() ? share > 0 : share;
+        return is_line && is_counted() ? sum > 0 : sum;
     }
 
-    /// Whether a group belongs to the set: while the sum is nearer to the target with it than without.
-    bool accepts(double share) const { return std::abs(sum_ + share - target_) <= std::abs(sum_ - target_); }
-    void add(double share) { sum_ += share; }
-    bool is_met(double share) const { return sum_ + share >= target_; }
+    /// Whether the sum is nearer to the target with a contribution than without it.
+    bool accepts(double contribution) const {
+        return std::abs(sum_ + contribution - target_) <= std::abs(sum_ - target_);
+    }
+    void add(double contribution) { sum_ += contribution; }
+    bool is_met_with(double contribution) const { return sum_ + contribution >= target_; }
 
   private:
     bool is_counted() const {
@@ -51,19 +54,19 @@ class StopRuleProgress {
     double target_ = 0, sum_ = 0;
 };
 
-/// Takes groups in the order of their numbers until the stop rule is met.
+/// Adds groups of traces in the order of their numbers until the stop rule is met.
 template <class Group>
 std::vector<Trace> sample_until_complete(SetSampler& sampler, const RockDomain& rock, bool lines,
                                          const Group& group) {
-    StopRuleProgress counter(sampler.set(), rock);
+    StopRuleProgress progress(sampler.set(), rock);
     std::vector<Trace> all;
     for (std::int64_t k = 0;; ++k) {
         sampler.count_draw();
         std::vector<Trace> traces = group(k);
-        const double share = counter.contribution_of(traces, lines);
-        const bool last = counter.is_met(share);
-        if (!last || counter.accepts(share)) {
-            counter.add(share);
+        const double contribution = progress.contribution_of(traces, lines);
+        const bool last = progress.is_met_with(contribution);
+        if (!last || progress.accepts(contribution)) {
+            progress.add(contribution);
             std::move(traces.begin(), traces.end(), std::back_inserter(all));
         }
         if (last) return all;
@@ -73,7 +76,8 @@ std::vector<Trace> sample_until_complete(SetSampler& sampler, const RockDomain& 
 }  // namespace
 
 Bounds baecher_window(const SetSampler& sampler) {
-    // It holds the middle of every trace that may reach the box, but for one in a million by length.
+    // The window contains the midpoint of each trace that may reach the box, except for lengths above the
+    // quantile 1 - 1e-6.
     const Distribution& length = *sampler.set().trace_length;
     const double longest = length.law == Law::constant ? length.mean : length.quantile(1 - 1e-6);
     return sampler.bounds().expanded(longest / 2);
@@ -94,7 +98,7 @@ std::vector<Trace> sample_baecher(SetSampler& sampler, const RockDomain& rock) {
 }
 
 std::vector<Trace> sample_veneziano(SetSampler& sampler, const RockDomain& rock) {
-    // Lines across the circle round the box, at a distance from its middle that is anywhere on the diameter.
+    // Lines through the circle around the box, at a uniformly distributed signed distance from its centre.
     return sample_until_complete(sampler, rock, true, [&](std::int64_t k) {
         const Point u = sampler.direction(k);
         const double shift = (2 * sampler.draws().draw(draw_place, k, 0) - 1) * sampler.radius();

@@ -6,7 +6,7 @@ namespace rockslope::blockgen {
 
 namespace {
 
-/// FNV-1a.
+/// FNV-1a hash, 64 bits.
 std::uint64_t hash_of(const std::string& name) {
     std::uint64_t hash = 0xcbf29ce484222325u;
     for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;

@@ -5,7 +5,7 @@
 
 namespace rockslope::blockgen {
 
-/// What a draw is for; a number here is part of every result ever made with a seed.
+/// Purpose of a draw. The values must not change: they determine the result for a given seed.
 enum DrawPurpose : std::uint64_t {
     draw_phase = 0,
     draw_spacing_forward = 1,
@@ -19,8 +19,9 @@ enum DrawPurpose : std::uint64_t {
     draw_stagger = 9
 };
 
-/// A stream of numbers in (0, 1) that any draw can be asked of, in any order: draw k depends on the seed, the
-/// name and the counters alone. Philox 4x64 (Salmon et al. 2011); the same numbers on every platform.
+/// A counter-based generator of uniform numbers in (0, 1): Philox 4x64 (Salmon et al. 2011). A draw depends
+/// on the seed, the name and the counters only, so draws can be made in any order. The numbers are the same
+/// on every platform.
 class RandomStream {
   public:
     RandomStream(std::uint64_t seed, const std::string& name);

@@ -10,7 +10,7 @@ namespace rockslope::blockgen {
 
 namespace {
 
-/// The area of the rock without joints, or within one region, from an arrangement of the outlines alone.
+/// Area of the rock, or of the rock in one region, m2, from an arrangement of the outlines without joints.
 double area_of(const SlopeModel& model, const Ring* region) {
     SlopeModel bare;
     bare.grid = model.grid;
@@ -24,15 +24,14 @@ double area_of(const SlopeModel& model, const Ring* region) {
     const Subdivision subdivision = arrange(noded);
     const FaceBlocks faces = classify_faces(noded, subdivision, bare, table);
     const auto counts = [&](std::size_t half_edge) {
-        const std::int32_t block = faces.block[static_cast<std::size_t>(subdivision.face[half_edge])];
-        return block != FaceBlocks::outside &&
-               (region == nullptr || faces.material[static_cast<std::size_t>(block)] == 1);
+        const std::int32_t block = faces.block[subdivision.face[half_edge]];
+        return block != FaceBlocks::outside && (region == nullptr || faces.material[block] == 1);
     };
     Int128 twice = 0;
     for (std::size_t e = 0; e < noded.edges.size(); ++e)
-        twice += twice_area({0, 0}, noded.vertices[static_cast<std::size_t>(noded.edges[e].first)],
-                            noded.vertices[static_cast<std::size_t>(noded.edges[e].second)]) *
-                 (int{counts(2 * e)} - int{counts(2 * e + 1)});
+        twice +=
+            twice_area({0, 0}, noded.vertices[noded.edges[e].first], noded.vertices[noded.edges[e].second]) *
+            (int{counts(2 * e)} - int{counts(2 * e + 1)});
     return static_cast<double>(twice) / 2 * noded.frame.step * noded.frame.step;
 }
 
@@ -40,11 +39,11 @@ double distance(const Point& a, const Point& b) {
     return std::hypot(b.x - a.x, b.y - a.y);
 }
 
-/// The length that stretches along a line cover together, each given by its two ends.
-double covered_length(std::vector<std::pair<double, double>> stretches) {
-    std::sort(stretches.begin(), stretches.end());
+/// Length of the union of intervals along a line.
+double covered_length(std::vector<std::pair<double, double>> intervals) {
+    std::sort(intervals.begin(), intervals.end());
     double length = 0, end = 0;
-    for (const auto& [from, to] : stretches) {
+    for (const auto& [from, to] : intervals) {
         length += std::max(to - std::max(from, end), 0.0);
         end = std::max(end, to);
     }

@@ -6,17 +6,17 @@
 
 namespace rockslope::blockgen {
 
-/// The rock that a joint set belongs to: all of it, or that within the set's region.
+/// The rock in which a joint set lies: all rock of the domain, or the rock in the set's region.
 class RockDomain {
   public:
     RockDomain(const SlopeModel& model, const std::string& region);
 
-    /// m2; as integers on the model's grid.
+    /// Area of the rock, m2, computed exactly on the model's grid.
     double area() const { return area_; }
-    /// The part of a segment in the rock, m.
+    /// Length of a segment in the rock, m.
     double length_in(const Point& a, const Point& b) const;
     bool contains(const Point& p) const;
-    /// The pieces of a segment in the region; all of it when the set has none.
+    /// The pieces of a segment in the region; the whole segment when the set has no region.
     std::vector<std::pair<Point, Point>> pieces_in_region(const Point& a, const Point& b) const;
 
   private:

@@ -37,7 +37,7 @@ std::vector<Trace> sample_joint_set(const JointSet& set, const SlopeModel& model
     std::optional<RockDomain> rock;
     if (measures_rock || !set.region.empty()) rock.emplace(model, set.region);
     if (measures_rock && !(rock->area() > 0))
-        throw InputError(set.place, "joint set '" + set.name + "' has no rock to lie in",
+        throw InputError(set.place, "there is no rock in the region of joint set '" + set.name + "'",
                          "a region within the domain");
     check_expected_draws(sampler, rock ? &*rock : nullptr, others);
     std::vector<Trace> traces = sample(sampler, rock, others);
@@ -51,13 +51,14 @@ std::vector<Trace> sample_joint_set(const JointSet& set, const SlopeModel& model
 
 std::vector<Trace> all_traces(const SlopeModel& model, std::size_t max_blocks) {
     std::vector<Trace> traces = model.traces;
-    const std::size_t most = max_draws_for(max_blocks) + traces.size();
+    const std::size_t max_traces = max_draws_for(max_blocks) + traces.size();
     for (const JointSet& set : model.joint_sets) {
         std::vector<Trace> others;
         if (set.kind == SetKind::cross_jointed)
             std::copy_if(traces.begin(), traces.end(), std::back_inserter(others),
                          [&](const Trace& trace) { return trace.name == set.ends_on; });
-        for (Trace& trace : sample_joint_set(set, model, others, most - std::min(most, traces.size())))
+        const std::size_t max_draws = max_traces - std::min(max_traces, traces.size());
+        for (Trace& trace : sample_joint_set(set, model, others, max_draws))
             traces.push_back(std::move(trace));
     }
     return traces;

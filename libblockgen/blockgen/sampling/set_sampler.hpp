@@ -10,26 +10,27 @@
 
 namespace rockslope::blockgen {
 
-/// What every kind of set is sampled with: its draws, the box that it must fill, and a limit on the work.
+/// Context for sampling a joint set of any kind: its random stream, the box to fill, and the limit on draws.
 class SetSampler {
   public:
-    /// The box is the domain's, or that of the set's region.
+    /// The box is the bounding box of the domain, or of the set's region.
     SetSampler(const JointSet& set, const SlopeModel& model, std::size_t max_draws);
 
     const JointSet& set() const { return set_; }
     const RandomStream& draws() const { return draws_; }
     const Bounds& bounds() const { return bounds_; }
     const Point& centre() const { return centre_; }
-    /// Half the diagonal of the box.
+    /// Half the diagonal of the box, m.
     double radius() const { return radius_; }
 
     /// The direction of joint `line`, a unit vector.
     Point direction(std::int64_t line) const;
     Trace trace(const Point& a, const Point& b) const;
 
-    /// Alternates trace and rock bridge along `middle` + t u and adds the traces that reach into [low, high],
-    /// whole, so that their middles tell how many there are; or one from `low` to `high` when the set's
-    /// joints are unlimited. The pattern starts some cycles before, where it has forgotten how.
+    /// Samples alternating traces and rock bridges along `middle` + t u. Adds the traces that overlap
+    /// [low, high], unclipped, so that their midpoints give the right number per area. Adds one trace from
+    /// `low` to `high` when the joints of the set are persistent. The pattern starts eight to nine mean
+    /// cycles before `low`, so that its start has no effect on [low, high].
     void add_traces(std::int64_t line, const Point& middle, const Point& u, double low, double high,
                     std::vector<Trace>& traces);
 
@@ -37,7 +38,7 @@ class SetSampler {
     std::size_t draw_count() const { return draw_count_; }
     /// Counts a line or trace. @throws InputError beyond the limit.
     void count_draw();
-    /// @param count of lines and traces, in words. @throws InputError always.
+    /// @param count number of lines and traces, as text. @throws InputError always.
     [[noreturn]] void fail_too_many(const std::string& count) const;
 
   private:
@@ -57,38 +58,37 @@ struct SetLine {
     double low = 0, high = 0;
 };
 
-/// A unit vector across the mean direction of a set.
+/// A unit vector perpendicular to the mean direction of a set.
 Point mean_normal(const JointSet& set);
 
-/// A point of the scanline across the mean direction on which the spacings are measured: the set's origin, or
-/// what of the box is nearest to it; without one the middle of the box.
+/// A point of the scanline, which is perpendicular to the mean direction and along which the spacings are
+/// measured: the point of the box nearest to the set's origin, or the centre of the box without an origin.
 Point scanline_point(const SetSampler& sampler);
 
-/// The distances along mean_normal() within which lines cross the scanline that may meet the box, and that of
-/// the set's origin, where it has one; otherwise `origin` is the lower of them.
+/// Range of distances along mean_normal() at which a line that may meet the box crosses the scanline, m.
+/// `origin` is the distance of the set's origin; it equals `low` without an origin.
 struct OffsetRange {
     double low = 0, high = 0, origin = 0;
 };
-/// @param max_deviation_tangent tangent between a line and the mean direction. @param margin by which the box
-/// is widened, m.
+/// @param max_deviation_tangent tangent of the largest angle between a line and the mean direction.
+/// @param margin by which the box is widened, m.
 OffsetRange offset_range(const SetSampler& sampler, double max_deviation_tangent, double margin = 0);
 
-/// The lines of a set that meet the box. They cross the scanline at the set's spacings, counted from the
-/// origin to both sides, each in a direction of its own. Where they cross and how they lie are independent,
-/// so that every other line across the mean direction is met as often, by 1 / mean spacing: their P10,
-/// however their directions scatter. Their P21 is that times the mean of 1 / cos of the angle to the mean
-/// direction.
+/// The lines of a set that meet the box. They cross the scanline at the set's spacings, from the origin to
+/// both sides, each with its own direction. Position and direction are independent. Hence P10, the frequency
+/// on any line perpendicular to the mean direction, is 1 / mean spacing for any scatter of the directions.
+/// P21 is P10 times the mean of 1 / cos of the angle to the mean direction.
 /// @param margin by which the box is widened, m.
 std::vector<SetLine> spaced_lines(SetSampler& sampler, double margin = 0);
 
 std::vector<Trace> sample_parallel(SetSampler& sampler);
-/// Where the middles of Baecher's traces lie: the box, widened so that its rim is as densely jointed as its
-/// middle.
+/// Window for the midpoints of a Baecher set: the box, widened to avoid edge effects.
 Bounds baecher_window(const SetSampler& sampler);
-/// Where the points of Voronoi cells lie: the box and ten cells more, which bound those that reach into it.
+/// Window for the points of a Voronoi set: the box, widened by ten cells, so that all cells in the box are
+/// bounded.
 Bounds voronoi_window(const SetSampler& sampler, double rock_area);
-/// Traces and lines anywhere, until the stop rule is met as nearly as it can be. @param rock the area and the
-/// length of a trace that count for it.
+/// Random traces or lines until the measure of the stop rule is as near to its target as possible.
+/// @param rock the rock in which areas and lengths are measured.
 std::vector<Trace> sample_baecher(SetSampler& sampler, const class RockDomain& rock);
 std::vector<Trace> sample_veneziano(SetSampler& sampler, const class RockDomain& rock);
 /// @param others the traces at which the joints may end.

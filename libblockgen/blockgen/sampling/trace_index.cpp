@@ -13,14 +13,14 @@ TraceIndex::TraceIndex(const std::vector<Trace>& traces, const Bounds& box) : bo
             if (inside && inside->first <= 1 && inside->second >= 0) segments_.push_back({a, b});
         }
     const double span_x = box.high.x - box.low.x, span_y = box.high.y - box.low.y;
-    const double wanted = std::clamp(static_cast<double>(segments_.size()), 1.0, 1e6);
-    width_ = std::max(std::sqrt(span_x * span_y / wanted), std::max(span_x, span_y) / 1e4);
+    const double bucket_count = std::clamp(static_cast<double>(segments_.size()), 1.0, 1e6);
+    width_ = std::max(std::sqrt(span_x * span_y / bucket_count), std::max(span_x, span_y) / 1e4);
     columns_ = static_cast<std::int64_t>(span_x / width_) + 1;
     rows_ = static_cast<std::int64_t>(span_y / width_) + 1;
-    buckets_.resize(static_cast<std::size_t>(columns_ * rows_));
+    buckets_.resize(columns_ * rows_);
     for (std::size_t s = 0; s < segments_.size(); ++s)
         visit_buckets(segments_[s].a, segments_[s].b,
-                      [&](std::size_t bucket) { buckets_[bucket].push_back(static_cast<std::int32_t>(s)); });
+                      [&](std::size_t bucket) { buckets_[bucket].push_back(s); });
 }
 
 std::int64_t TraceIndex::cell(double offset, std::int64_t count) const {
@@ -28,8 +28,8 @@ std::int64_t TraceIndex::cell(double offset, std::int64_t count) const {
         std::clamp(std::floor(offset / width_), 0.0, static_cast<double>(count - 1)));
 }
 
-/// The buckets that a segment runs through, and some beside it: the segment's part over each column, widened
-/// by a thousandth of a bucket against rounding.
+/// Visits the buckets that a segment crosses, column by column. The segment is widened by 1e-3 of a bucket
+/// width to allow for rounding.
 template <class Visit>
 void TraceIndex::visit_buckets(const Point& a, const Point& b, const Visit& visit) const {
     const auto inside = box_.clip(a, {b.x - a.x, b.y - a.y});
@@ -38,16 +38,16 @@ void TraceIndex::visit_buckets(const Point& a, const Point& b, const Visit& visi
     Point p{a.x + from * (b.x - a.x), a.y + from * (b.y - a.y)};
     Point q{a.x + to * (b.x - a.x), a.y + to * (b.y - a.y)};
     if (p.x > q.x) std::swap(p, q);
-    const double slack = 1e-3 * width_, slope = q.x > p.x ? (q.y - p.y) / (q.x - p.x) : 0;
-    const std::int64_t last = cell(q.x - box_.low.x + slack, columns_);
-    for (std::int64_t c = cell(p.x - box_.low.x - slack, columns_); c <= last; ++c) {
-        const double left = box_.low.x + static_cast<double>(c) * width_ - slack;
+    const double margin = 1e-3 * width_, slope = q.x > p.x ? (q.y - p.y) / (q.x - p.x) : 0;
+    const std::int64_t last = cell(q.x - box_.low.x + margin, columns_);
+    for (std::int64_t c = cell(p.x - box_.low.x - margin, columns_); c <= last; ++c) {
+        const double left = box_.low.x + static_cast<double>(c) * width_ - margin;
         const auto height = [&](double x) { return p.y + slope * (std::clamp(x, p.x, q.x) - p.x); };
-        double y = height(left), z = height(left + width_ + 2 * slack);
+        double y = height(left), z = height(left + width_ + 2 * margin);
         if (p.x == q.x) y = p.y, z = q.y;
-        const std::int64_t top = cell(std::max(y, z) - box_.low.y + slack, rows_);
-        for (std::int64_t r = cell(std::min(y, z) - box_.low.y - slack, rows_); r <= top; ++r)
-            visit(static_cast<std::size_t>(r * columns_ + c));
+        const std::int64_t top = cell(std::max(y, z) - box_.low.y + margin, rows_);
+        for (std::int64_t r = cell(std::min(y, z) - box_.low.y - margin, rows_); r <= top; ++r)
+            visit(r * columns_ + c);
     }
 }
 
@@ -59,7 +59,7 @@ std::vector<double> TraceIndex::intersections(const Point& p, const Point& u, do
     near.erase(std::unique(near.begin(), near.end()), near.end());
     std::vector<double> distances;
     for (const std::int32_t k : near) {
-        const auto& [a, b] = segments_[static_cast<std::size_t>(k)];
+        const auto& [a, b] = segments_[k];
         const double vx = b.x - a.x, vy = b.y - a.y, denominator = u.x * vy - u.y * vx;
         if (denominator == 0) continue;
         const double t = ((a.x - p.x) * vy - (a.y - p.y) * vx) / denominator;

@@ -8,14 +8,13 @@
 
 namespace rockslope::blockgen {
 
-/// Finds where a ray meets given traces. A uniform grid of buckets over a box, about as many as there are
-/// segments, so that a query costs what lies near the ray.
+/// Finds the intersections of a line with given traces, by a uniform grid of buckets over a box. There are
+/// about as many buckets as segments; a query visits only the buckets along the line.
 class TraceIndex {
   public:
     TraceIndex(const std::vector<Trace>& traces, const Bounds& box);
 
-    /// The distances along p + t u with t in [low, high] at which traces are met, ascending, in units of u;
-    /// within the box only.
+    /// The parameters t in [low, high], ascending, at which p + t u intersects a trace, inside the box only.
     std::vector<double> intersections(const Point& p, const Point& u, double low, double high) const;
 
   private:

@@ -8,7 +8,7 @@ namespace rockslope::blockgen {
 
 namespace {
 
-/// m: the side of a square as large as the mean cell.
+/// Side of a square with the mean area of a cell, m.
 double cell_size(const SetSampler& sampler, double rock_area) {
     return std::sqrt(rock_area / sampler.set().stop.target);
 }

@@ -30,7 +30,7 @@ class Descriptor {
             const ssize_t count = ::write(number_, content.data(), content.size());
             if (count < 0 && errno == EINTR) continue;
             if (count < 0) return false;
-            content.remove_prefix(static_cast<std::size_t>(count));
+            content.remove_prefix(count);
         }
         return true;
     }

@@ -7,7 +7,7 @@
 
 namespace rockslope {
 
-/// Sets that only grow together (union-find with path halving); the smallest member stands for its set.
+/// Union-find with path halving. The root of a set is its smallest member.
 class DisjointSets {
   public:
     explicit DisjointSets(std::size_t size) : parent_(size) {
@@ -18,7 +18,7 @@ class DisjointSets {
         while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
         return i;
     }
-    /// True when the two were apart.
+    /// Unites the sets of i and j. @return true if they were different sets.
     bool unite(std::size_t i, std::size_t j) {
         i = root(i);
         j = root(j);

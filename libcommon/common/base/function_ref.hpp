@@ -9,8 +9,8 @@ namespace rockslope {
 template <class Signature>
 class FunctionRef;
 
-/// Something that can be called, and outlives this: for parameters that are called before the function they
-/// are given to returns. Unlike std::function it takes no memory of its own.
+/// A reference to a callable, for function parameters that are called before the function returns. The
+/// callable must outlive the reference. Unlike std::function it allocates no memory.
 template <class Result, class... Arguments>
 class FunctionRef<Result(Arguments...)> {
   public:

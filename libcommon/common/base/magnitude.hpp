@@ -4,17 +4,16 @@
 
 namespace rockslope {
 
-/// Numbers of larger magnitude are refused wherever a file or a command line gives them (SI; dimensionless
-/// too). The Earth's mass is 6e24 kg: nothing in a rock slope comes near. Products of ten such numbers still
-/// fit a double, so that areas, masses and energies of what was let in do not overflow; raising it to 1e100
-/// lets them.
+/// Largest magnitude of a number in a file or on a command line, SI or dimensionless; larger ones are
+/// rejected. The mass of the Earth is 6e24 kg, so no rock slope comes near it. The product of ten such
+/// numbers still fits a double, so areas, masses and energies do not overflow; with a limit of 1e100 they
+/// would.
 inline constexpr double largest_magnitude = 1e30;
 
-/// A quantity that must be positive is at least this, so that its reciprocal is no larger than the other
-/// limit.
+/// Smallest value of a quantity that must be positive. Its reciprocal is largest_magnitude.
 inline constexpr double smallest_positive = 1e-30;
 
-/// Finite and within the limit.
+/// Whether a number is finite and within largest_magnitude.
 inline bool is_in_allowed_range(double value) {
     return std::abs(value) <= largest_magnitude;
 }

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// One spelling per file, links followed as far as the path exists.
+/// The canonical spelling of a path. Links are followed as far as the path exists.
 fs::path resolved(const fs::path& path) {
     std::error_code error;
     const fs::path result = fs::weakly_canonical(fs::absolute(path), error);
@@ -57,7 +57,7 @@ void check_output(const fs::path& file, const std::vector<fs::path>& inputs, con
     if (!created_later.empty() && is_same(folder, created_later)) return;
     if (!is_folder(folder)) fail(file, "no such folder", expected);
     check_access(file, folder, W_OK | X_OK, expected);
-    // The writer puts ".tmp" and the process's number behind the name.
+    // write_file_atomically appends ".tmp" and the process id to the name.
     constexpr std::size_t longest_name = 255 - 16;
     if (file.filename().string().size() > longest_name) fail(file, std::strerror(ENAMETOOLONG), expected);
 }
@@ -65,15 +65,15 @@ void check_output(const fs::path& file, const std::vector<fs::path>& inputs, con
 void check_output_folder(const fs::path& folder) {
     const std::string expected = "a folder for the results";
     std::error_code error;
-    fs::path there = fs::absolute(folder, error).lexically_normal();
+    fs::path nearest_existing = fs::absolute(folder, error).lexically_normal();
     if (error) fail(folder, error.message(), expected);
-    while (!fs::exists(fs::status(there, error))) {
+    while (!fs::exists(fs::status(nearest_existing, error))) {
         if (error && error != std::errc::no_such_file_or_directory) fail(folder, error.message(), expected);
-        if (there == there.parent_path()) break;
-        there = there.parent_path();
+        if (nearest_existing == nearest_existing.parent_path()) break;
+        nearest_existing = nearest_existing.parent_path();
     }
-    if (!is_folder(there)) fail(folder, std::strerror(ENOTDIR), expected);
-    check_access(folder, there, W_OK | X_OK, expected);
+    if (!is_folder(nearest_existing)) fail(folder, std::strerror(ENOTDIR), expected);
+    check_access(folder, nearest_existing, W_OK | X_OK, expected);
 }
 
 void make_output_folder(const fs::path& folder) {
@@ -86,7 +86,7 @@ void check_distinct(const std::vector<fs::path>& results) {
     for (std::size_t i = 0; i < results.size(); ++i)
         for (std::size_t k = i + 1; k < results.size(); ++k)
             if (!results[i].empty() && !results[k].empty() && is_same(results[i], results[k]))
-                throw InputError({results[k].string()}, "two results of one name", "different names");
+                throw InputError({results[k].string()}, "two results are the same file", "different names");
 }
 
 }  // namespace rockslope

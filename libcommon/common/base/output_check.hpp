@@ -5,18 +5,19 @@
 
 namespace rockslope {
 
-/// Refuses a result file before any work is done: it must be no folder, its folder must be there (or be
-/// `created_later`, a folder that the program makes) and writable, and it must be none of `inputs` under any
-/// spelling. @throws InputError.
+/// Checks before any work that a result file can be written: it is not a folder, its folder exists and is
+/// writable (or is `created_later`, which the program makes), and it is none of `inputs` under any spelling.
+/// @throws InputError.
 void check_output(const std::filesystem::path& file, const std::vector<std::filesystem::path>& inputs,
                   const std::filesystem::path& created_later = {});
 
-/// Refuses a folder for results that can neither be written nor made. @throws InputError.
+/// Checks that a folder for results can be made, or exists and is writable. @throws InputError.
 void check_output_folder(const std::filesystem::path& folder);
-/// Makes it. @throws InputError.
+/// Makes the folder and its parents where absent. @throws InputError.
 void make_output_folder(const std::filesystem::path& folder);
 
-/// Refuses two results of one name, under any spelling; empty paths are skipped. @throws InputError.
+/// Checks that no two results are the same file under any spelling. Empty paths are skipped.
+/// @throws InputError.
 void check_distinct(const std::vector<std::filesystem::path>& results);
 
 }  // namespace rockslope

@@ -6,7 +6,7 @@
 
 namespace rockslope {
 
-/// A result cannot be written: what() is one line, "path: what failed: the system's reason".
+/// A result cannot be written. what() is one line, "path: what failed: the system's reason".
 class OutputError : public std::runtime_error {
   public:
     OutputError(const std::filesystem::path& path, const std::string& reason)

@@ -5,8 +5,8 @@
 
 namespace rockslope {
 
-/// The bytes of a whole file. @throws InputError naming the path and the system's reason (missing, a folder,
-/// no permission).
+/// The bytes of a whole file.
+/// @throws InputError with the path and the system's reason (missing, a folder, no permission).
 std::string read_text_file(const std::filesystem::path& path);
 
 }  // namespace rockslope

@@ -27,8 +27,9 @@ constexpr std::array<Word, 64> first_primes() {
     return primes;
 }
 
-/// The first 32 bits after the point of the root of degree 2 or 3 of n: the standard's constants. The largest
-/// r with r^degree <= n 2^(32 degree) is found bit by bit; its low 32 bits are the fraction.
+/// The first 32 bits of the fractional part of the square or cube root of n, as the standard defines its
+/// constants. Finds the largest r with r^degree <= n 2^(32 degree) bit by bit; the low 32 bits are the
+/// fraction.
 constexpr Word root_fraction(Word n, int degree) {
     using Wide = unsigned __int128;
     std::uint64_t root = 0;
@@ -89,7 +90,7 @@ void compress(State& state, const unsigned char* block) {
     for (std::size_t i = 0; i < 8; ++i) state[i] += added[i];
 }
 
-/// What follows the last whole block: the rest, a one bit, zeros, and the length in bits.
+/// The bytes after the last whole block, padded: a one bit, zeros, and the length in bits.
 std::string padded_tail(std::string_view bytes) {
     std::string tail(bytes.substr(bytes.size() / 64 * 64));
     tail += '\x80';

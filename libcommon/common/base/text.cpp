@@ -10,8 +10,8 @@ namespace rockslope {
 
 namespace {
 
-/// Edits (insertion, deletion, substitution, swap of neighbours) that turn `a` into `b`: the restricted
-/// Damerau distance.
+/// Restricted Damerau-Levenshtein distance: the least number of insertions, deletions, substitutions and
+/// swaps of neighbours that turn `a` into `b`.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> before(b.size() + 1), above(b.size() + 1), row(b.size() + 1);
     std::iota(above.begin(), above.end(), std::size_t{0});
@@ -52,11 +52,11 @@ std::optional<double> parse_number(std::string_view text) {
 std::optional<std::string> nearest_word(std::string_view word, std::span<const std::string> candidates) {
     const std::size_t limit = word.size() < 3 ? 0 : std::max<std::size_t>(1, word.size() / 3);
     std::optional<std::string> nearest;
-    std::size_t least = limit + 1;
+    std::size_t smallest_distance = limit + 1;
     for (const std::string& candidate : candidates) {
         const std::size_t distance = edit_distance(word, candidate);
-        if (distance < least) {
-            least = distance;
+        if (distance < smallest_distance) {
+            smallest_distance = distance;
             nearest = candidate;
         }
     }

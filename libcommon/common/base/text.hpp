@@ -10,12 +10,12 @@ namespace rockslope {
 /// The shortest decimal text that reads back as the same double (std::to_chars).
 std::string shortest_text(double value);
 
-/// The double that the whole of `text` spells (std::from_chars); nothing when it spells none, or is not
-/// finite.
+/// The double written in `text` (std::from_chars), with an optional leading '+'. Nothing if any character is
+/// left over or the number is not finite.
 std::optional<double> parse_number(std::string_view text);
 
-/// The candidate nearest to a misspelt `word` by edit distance, when it is near enough to be meant; otherwise
-/// nothing.
+/// The candidate nearest to a misspelt `word` by edit distance. Nothing if none is within a third of the
+/// word's length.
 std::optional<std::string> nearest_word(std::string_view word, std::span<const std::string> candidates);
 
 }  // namespace rockslope

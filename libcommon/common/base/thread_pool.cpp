@@ -7,12 +7,12 @@
 namespace rockslope {
 
 namespace {
-/// Indices below which handing work to another thread costs more than it saves.
+/// Shortest loop that is run in parallel. For a shorter one the hand-over costs more than it saves.
 constexpr std::size_t min_parallel_length = 512;
 }  // namespace
 
 ThreadPool::ThreadPool(int threads) : threads_(std::max(threads, 1)) {
-    if (threads_ > 1) workers_ = std::make_unique<WorkerThreads>(static_cast<std::size_t>(threads_) - 1);
+    if (threads_ > 1) workers_ = std::make_unique<WorkerThreads>(threads_ - 1);
 }
 
 ThreadPool::~ThreadPool() = default;
@@ -22,7 +22,7 @@ void ThreadPool::parallel_for(std::size_t count, FunctionRef<void(std::size_t, s
         if (count > 0) body(0, count);
         return;
     }
-    const auto parts = static_cast<std::size_t>(threads_);
+    const std::size_t parts = threads_;
     workers_->run_on_all([&](std::size_t part) { body(count * part / parts, count * (part + 1) / parts); });
 }
 

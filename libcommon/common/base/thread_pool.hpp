@@ -11,9 +11,10 @@ namespace rockslope {
 
 class WorkerThreads;
 
-/// A fixed pool of threads for loops whose iterations are independent. Each index is computed by exactly one
-/// thread and writes only its own results, so a loop gives the same bytes with any number of threads; sums
-/// are taken over chunks that do not depend on it. A pool does one loop at a time.
+/// A fixed pool of threads for loops with independent iterations. Each index is computed by exactly one
+/// thread and writes only its own results, and sums are taken over chunks that do not depend on the number
+/// of threads. A loop therefore gives the same bytes with any number of threads. A pool runs one loop at a
+/// time.
 class ThreadPool {
   public:
     /// @param threads at least 1; 1 runs every loop in the calling thread.
@@ -23,14 +24,14 @@ class ThreadPool {
     ThreadPool& operator=(const ThreadPool&) = delete;
 
     int size() const { return threads_; }
-    /// Calls body(begin, end) for ranges that together cover [0, count); short loops stay in the calling
-    /// thread.
+    /// Calls body(begin, end) for ranges that cover [0, count), one per thread. Short loops stay in the
+    /// calling thread.
     void parallel_for(std::size_t count, FunctionRef<void(std::size_t, std::size_t)> body) const;
-    /// Calls body(index, thread) for each index in [0, count), the next one by whichever thread is free: for
-    /// few long tasks, the longest first. Threads count from zero, for work space of their own.
+    /// Calls body(index, thread) for each index in [0, count); a free thread takes the next index. For few
+    /// long tasks, longest first. Threads are numbered from zero, so that each can have its own work space.
     void parallel_for_dynamic(std::size_t count, FunctionRef<void(std::size_t, std::size_t)> body) const;
-    /// chunk_value(begin, end) for chunks of [0, count), taken together in their order: `initial`, then
-    /// combine(so far, the next one's). Portions depend on `count` alone.
+    /// Computes chunk_value(begin, end) for chunks of [0, count) and combines them in order, starting from
+    /// `initial`: result = combine(result, chunk_value). The chunks depend on `count` only.
     template <class Value, class ChunkValue, class Combine>
     Value parallel_reduce(std::size_t count, Value initial, const ChunkValue& chunk_value,
                           const Combine& combine) const;
@@ -51,10 +52,10 @@ Value ThreadPool::parallel_reduce(std::size_t count, Value initial, const ChunkV
     const std::size_t chunks = (count + length - 1) / length;
     const auto chunk_end = [&](std::size_t chunk) { return std::min((chunk + 1) * length, count); };
     parallel_for(count, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t p = (begin + length - 1) / length; p * length < end; ++p)
-            chunk_values[p] = chunk_value(p * length, chunk_end(p));
+        for (std::size_t k = (begin + length - 1) / length; k * length < end; ++k)
+            chunk_values[k] = chunk_value(k * length, chunk_end(k));
     });
-    for (std::size_t p = 0; p < chunks; ++p) initial = combine(initial, chunk_values[p]);
+    for (std::size_t k = 0; k < chunks; ++k) initial = combine(initial, chunk_values[k]);
     return initial;
 }
 

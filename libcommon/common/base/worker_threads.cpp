@@ -6,7 +6,7 @@ namespace rockslope {
 
 namespace {
 
-/// How long a thread watches before it sleeps: about what waking it would cost.
+/// How long a thread spins before it sleeps: about the cost of waking it.
 constexpr std::chrono::microseconds spin_time{50};
 
 void pause() {
@@ -17,10 +17,10 @@ void pause() {
 #endif
 }
 
-/// Returns when a number is no longer what it was.
+/// Returns when the number differs from `old_value`.
 void wait_for_change(const std::atomic<int>& number, int old_value) {
     using Clock = std::chrono::steady_clock;
-    constexpr int polls = 32;  // between looks at the clock
+    constexpr int polls = 32;  // between readings of the clock
     const Clock::time_point end = Clock::now() + spin_time;
     do {
         for (int k = 0; k < polls; ++k) {
@@ -31,14 +31,15 @@ void wait_for_change(const std::atomic<int>& number, int old_value) {
     number.wait(old_value, std::memory_order_acquire);
 }
 
-constexpr int gate_open = 1;   // see WorkerThreads::gate_
-constexpr int one_worker = 2;  // likewise
+// Encoding of WorkerThreads::gate_.
+constexpr int gate_open = 1;
+constexpr int one_worker = 2;
 
-/// Whether there still was something to help with.
+/// Joins the call while its gate is open. @return false if it is closed.
 bool try_enter(std::atomic<int>& gate) {
-    int now = gate.load(std::memory_order_relaxed);
-    while ((now & gate_open) != 0) {
-        if (gate.compare_exchange_weak(now, now + one_worker, std::memory_order_acquire)) return true;
+    int state = gate.load(std::memory_order_relaxed);
+    while ((state & gate_open) != 0) {
+        if (gate.compare_exchange_weak(state, state + one_worker, std::memory_order_acquire)) return true;
     }
     return false;
 }

@@ -13,7 +13,7 @@ namespace rockslope {
 
 namespace {
 
-/// A value that may be converted: where it stands and what to call it in a message.
+/// A TOML value to be converted, with its location and its name in messages.
 struct Value {
     const toml::node& node;
     SourceLocation place;
@@ -93,13 +93,13 @@ std::string listed(const std::vector<std::string>& words) {
     return text;
 }
 
-/// A key that holds tables, or one whose kind is not known yet.
+/// The node of a key that holds tables, or of any key whose type is not yet checked.
 Value node_of(ConfigTable::Impl& view, std::string_view key, const std::string& expected) {
     const toml::node& node = view.require(key, expected);
     return {node, location_of(node, view.place), view.label(key)};
 }
 
-/// A key that holds a value, which is kept for the echo.
+/// The node of a key that holds a value, which is recorded for effective_text.
 Value value_of(ConfigTable::Impl& view, std::string_view key, const std::string& expected) {
     Value value = node_of(view, key, expected);
     view.record({std::string(key), inline_text(value.node), {}, false, false, {}});

@@ -15,9 +15,8 @@
 
 namespace rockslope {
 
-/// The physical dimension of a value in a model file. A bare number is in SI (angles: radians only with
-/// "rad"; a bare number for an angle is an error that asks for a unit); a string may carry one of the
-/// dimension's units.
+/// The physical dimension of a value in a model file. A bare number is in SI units. A string may carry one of
+/// the units of the dimension. An angle needs a unit, "deg" or "rad"; a bare non-zero number is an error.
 enum class Dimension {
     none,
     length,           // m, mm, cm, km
@@ -33,17 +32,17 @@ enum class Dimension {
     frequency         // Hz, rad/s
 };
 
-/// A strict view of one table of a TOML model file. Every key that is read is marked; finish() makes an error
-/// of each key that nobody read, with the nearest known key as a suggestion. All errors are InputError with
-/// the place. Values that are not finite, or beyond 1e30, are refused everywhere. Copies share one view.
-/// Ranges are the caller's, through `checked`.
+/// A strict view of one table of a TOML model file. It records which keys are read; finish() rejects unread
+/// keys and suggests the nearest known key. All errors are InputError with file, line and column. Values
+/// that are not finite or exceed 1e30 are rejected; the caller checks narrower ranges with `checked`. Copies
+/// share one view.
 ///
 /// An `expected` text completes "expected ...": "a positive number", not "must be positive".
 class ConfigTable {
   public:
-    /// Reads and parses a file, then applies the overrides `key.path=value` of the command line: value in
-    /// TOML syntax, and whatever is not (a bare word, "35 deg") taken as a string; stage[1].step for the
-    /// second [[stage]]; tables on the way are made when absent. @throws InputError for unreadable files and
+    /// Reads and parses a file, then applies the overrides `key.path=value` of the command line. A value
+    /// that is not TOML syntax (a bare word, 35 deg) is taken as a string. stage[1].step is a key of the
+    /// second [[stage]]. Missing tables of the path are made. @throws InputError for unreadable files and
     /// syntax errors.
     static ConfigTable from_file(const std::filesystem::path& path,
                                  const std::vector<std::string>& overrides = {});
@@ -51,9 +50,9 @@ class ConfigTable {
                                  const std::vector<std::string>& overrides = {});
 
     bool has(std::string_view key) const;
-    /// The place of a key's value, or of the table when the key is absent.
+    /// Location of the value of a key, or of the table when the key is absent.
     SourceLocation place(std::string_view key = {}) const;
-    /// The dotted path of this table in its file ("stage[1].base_motion"), for messages.
+    /// Dotted path of this table in its file ("stage[1].base_motion"), for messages.
     const std::string& path() const;
 
     double number(std::string_view key, Dimension dimension = Dimension::none) const;
@@ -63,7 +62,7 @@ class ConfigTable {
     bool boolean(std::string_view key, bool fallback) const;
     std::string string(std::string_view key) const;
     std::string string(std::string_view key, std::string_view fallback) const;
-    /// A string that must be one of `choices`; the error suggests the nearest.
+    /// A string that must be one of `choices`. The error suggests the nearest one.
     std::string choice(std::string_view key, const std::vector<std::string>& choices) const;
     std::string choice(std::string_view key, const std::vector<std::string>& choices,
                        std::string_view fallback) const;
@@ -79,32 +78,31 @@ class ConfigTable {
     /// A list of rings, [[[x, y], ...], ...]; empty when the key is absent.
     std::vector<std::vector<std::array<double, 2>>> rings(std::string_view key) const;
 
-    /// True when the key holds a table (not a number, string or array).
+    /// Whether the key holds a table, not a number, string or array.
     bool is_table(std::string_view key) const;
     bool is_string(std::string_view key) const;
     ConfigTable table(std::string_view key) const;  ///< error when absent
     std::optional<ConfigTable> optional_table(std::string_view key) const;
     ConfigTable table_or_empty(std::string_view key) const;  ///< a table without keys when absent
     std::vector<ConfigTable> array_of_tables(std::string_view key) const;  ///< empty when absent
-    /// The sub-tables of this table, by name, in the order of the file: [block_material.*]. Marks them read.
+    /// The unread sub-tables by name, in the order of the file, for [block_material.*]. Marks them read.
     std::vector<std::pair<std::string, ConfigTable>> named_tables() const;
 
-    /// A path as its writer meant it: relative to the model file's folder, or to the working directory when
-    /// it came from an override of the command line.
+    /// An absolute path. A relative one in the model file is relative to the folder of that file; one in an
+    /// override is relative to the working directory.
     std::filesystem::path file_path(std::string_view key) const;
 
-    /// Returns `value`, or throws at the key's place when `accepted` refuses it.
+    /// Returns `value` if `accepted` is true for it. @throws InputError at the location of the key otherwise.
     double checked(std::string_view key, double value, const std::function<bool(double)>& accepted,
                    const std::string& expected) const;
     [[noreturn]] void fail(std::string_view key, const std::string& what, const std::string& expected) const;
 
-    /// @throws InputError for the first key of this table, and of the tables read through it, that nobody
-    /// read.
+    /// @throws InputError for the first unread key of this table and of the tables read through it.
     void finish() const;
 
-    /// The tables and keys read so far, in the order of reading and with the defaults that stood in for
-    /// absent keys: TOML text that reads back to the same values. Paths of files are written relative to
-    /// `folder`, or absolute when it is empty.
+    /// TOML text that reads back to the same values: the tables and keys read so far, in the order of
+    /// reading, with the defaults of absent keys. Paths of files are written relative to `folder`, or
+    /// absolute when it is empty.
     std::string effective_text(const std::filesystem::path& folder = {}) const;
 
     struct Impl;

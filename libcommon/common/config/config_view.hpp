@@ -12,33 +12,34 @@
 
 namespace rockslope {
 
-/// Where a node stands; `fallback` when it was made, not parsed. Overrides have a file ("--set key=value")
-/// and no line.
+/// Location of a node, or `fallback` if it was not parsed. The location of an override is the file
+/// "--set key=value" without a line.
 SourceLocation location_of(const toml::node& node, const SourceLocation& fallback);
 
-/// The type of a node in a user's words: "a string", "a table", ...
+/// The type of a node for messages: "a string", "a table", ...
 std::string_view type_name(const toml::node& node);
 
-/// A node as one line of TOML; floats shortest-round-trip.
+/// A node as one line of TOML. Floats are the shortest text that reads back to the same double.
 std::string inline_text(const toml::node& node);
 
-/// A TOML string literal of `text`, and a key, quoted where TOML asks for it.
+/// A TOML string literal of `text`.
 std::string toml_string(std::string_view text);
+/// A TOML key, quoted where TOML requires it.
 std::string key_text(std::string_view key);
 
-/// Parses a document; the names in error places are `file_name`.
+/// Parses a document. @param file_name for the locations of errors.
 toml::table parse_toml(std::string_view text, const std::string& file_name);
 
 /// Sets one value, "key.path[index].key=value".
 void apply_override(toml::table& root, const std::string& assignment);
 
-/// What has been read of one table.
+/// One table and the record of what has been read from it.
 struct ConfigTable::Impl {
     /// A key that was read: its value as TOML text, or the tables below it.
     struct Entry {
         std::string key;
         std::string value;
-        std::filesystem::path file;  ///< of a key that names a file, in place of `value`
+        std::filesystem::path file;  ///< used instead of `value` if the key names a file
         bool is_default = false;
         bool is_array = false;
         std::vector<std::shared_ptr<Impl>> tables;
@@ -49,21 +50,21 @@ struct ConfigTable::Impl {
     SourceLocation place;
     std::filesystem::path folder;  ///< of the model file
     std::string path;
-    std::vector<std::string> known;  ///< keys that somebody asked for
+    std::vector<std::string> known;  ///< keys asked for, present or not
     std::vector<Entry> entries;      ///< in the order of first reading
 
-    /// Marks the key as known; its node, or null.
+    /// Marks the key as known. @return its node, or null.
     const toml::node* find(std::string_view key);
     void record(Entry entry);
     void record_default(std::string_view key, const std::string& value) {
         record({std::string(key), value, {}, true, false, {}});
     }
-    /// The key's node; an error when there is none, naming the misspelt key that stands in its place if there
-    /// is one.
+    /// The node of a key. @throws InputError when it is absent; names an unread key that looks like a
+    /// misspelling of it.
     const toml::node& require(std::string_view key, const std::string& expected);
     std::string label(std::string_view key) const;
     std::shared_ptr<Impl> child(const toml::table& node, const std::string& child_path) const;
-    /// The view of the table under a key: the same one each time.
+    /// The view of the table under a key, the same one at each call.
     std::shared_ptr<Impl> table_entry(std::string_view key, const toml::table& node);
     std::vector<std::string> unread_keys() const;
 };

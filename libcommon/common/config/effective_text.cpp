@@ -32,7 +32,7 @@ void append_values(const ConfigTable::Impl& view, const std::filesystem::path& f
     }
 }
 
-/// A table without values of its own needs no heading: its sub-tables imply it.
+/// Whether a table has no values of its own. It then needs no heading, because its sub-tables imply it.
 bool holds_only_tables(const ConfigTable::Impl& view) {
     return !view.entries.empty() && std::all_of(view.entries.begin(), view.entries.end(),
                                                 [](const auto& entry) { return !entry.tables.empty(); });

@@ -65,7 +65,7 @@ bool starts_like_toml(std::string_view value) {
     return !value.empty() && std::string_view("\"'[{").find(value.front()) != std::string_view::npos;
 }
 
-/// The value of an override as a table {v = value}, whose node carries the override as its source.
+/// The value of an override as a table {v = value}. The source location of its node is the override.
 toml::table override_value(std::string_view value, const std::string& source) {
     try {
         toml::table parsed = toml::parse("v = " + std::string(value), std::string_view(source));
@@ -77,9 +77,9 @@ toml::table override_value(std::string_view value, const std::string& source) {
     return toml::parse("v = " + toml_string(value), std::string_view(source));
 }
 
-[[noreturn]] void refuse_step(const SourceLocation& place, const std::string& walked,
+[[noreturn]] void reject_step(const SourceLocation& place, const std::string& parent,
                               const std::string& found, const std::string& expected) {
-    throw InputError(place, "'" + walked + "' is " + found, expected);
+    throw InputError(place, "'" + parent + "' is " + found, expected);
 }
 
 }  // namespace
@@ -128,33 +128,33 @@ void apply_override(toml::table& root, const std::string& assignment) {
         OverridePath(std::string_view(assignment).substr(0, equals), place).steps();
     toml::table value = override_value(std::string_view(assignment).substr(equals + 1), place.file);
 
-    toml::node* at = &root;
-    std::string walked;
+    toml::node* node = &root;
+    std::string parent;  // path of the steps before
     for (std::size_t i = 0; i < steps.size(); ++i) {
         const PathStep& step = steps[i];
         const bool last = i + 1 == steps.size();
         if (step.index) {
-            toml::array* array = at->as_array();
-            if (!array) refuse_step(place, walked, std::string(type_name(*at)), "an array before an index");
+            toml::array* array = node->as_array();
+            if (!array) reject_step(place, parent, std::string(type_name(*node)), "an array before an index");
             if (*step.index >= array->size())
-                refuse_step(place, walked, "an array of " + std::to_string(array->size()),
+                reject_step(place, parent, "an array of " + std::to_string(array->size()),
                             "an index below that, counted from 0");
             if (last)
                 array->replace(array->cbegin() + static_cast<std::ptrdiff_t>(*step.index),
                                std::move(*value.get("v")));
             else
-                at = array->get(*step.index);
-            walked += '[' + std::to_string(*step.index) + ']';
+                node = array->get(*step.index);
+            parent += '[' + std::to_string(*step.index) + ']';
             continue;
         }
-        toml::table* table = at->as_table();
-        if (!table) refuse_step(place, walked, std::string(type_name(*at)), "a table before a key");
+        toml::table* table = node->as_table();
+        if (!table) reject_step(place, parent, std::string(type_name(*node)), "a table before a key");
         if (last)
             table->insert_or_assign(step.key, std::move(*value.get("v")));
         else if (!table->contains(step.key))
             table->insert(step.key, toml::table{});
-        at = table->get(step.key);
-        walked += (walked.empty() ? "" : ".") + step.key;
+        node = table->get(step.key);
+        parent += (parent.empty() ? "" : ".") + step.key;
     }
 }
 

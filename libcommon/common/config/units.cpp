@@ -37,7 +37,7 @@ struct Row {
     std::span<const Unit> units;
 };
 
-/// The one table of dimensions; the first unit of each is its SI unit.
+/// The units of each dimension. The first one is the SI unit.
 Row row(Dimension dimension) {
     switch (dimension) {
         case Dimension::none:

@@ -53,7 +53,7 @@ TickLabels tick_labels(const Range& range, int most) {
     if (digits + decimals + (decimals > 0 ? 1 : 0) > static_cast<int>(longest_text)) {
         const double power = std::pow(10.0, std::ceil(std::log10(range.high - range.low) - 1e-9));
         labels.offset = std::floor(labels.values.front() / power) * power + 0.0;
-        // A range about zero has none to share, however long its texts.
+        // A range that contains zero has no common offset, however long its labels are.
         if (range.low <= 0 && range.high >= 0) labels.offset = 0;
     }
     for (const double value : labels.values) labels.texts.push_back(tick_text(value - labels.offset, step));

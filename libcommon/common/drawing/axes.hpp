@@ -13,24 +13,24 @@ struct Range {
     double high = 1;
 };
 
-/// The round values, 1, 2 or 5 times a power of ten apart, that lie in a range; at most `most` of them.
+/// Tick values in a range, at most `most`. Their spacing is 1, 2 or 5 times a power of ten.
 std::vector<double> round_ticks(const Range& range, int most);
 
-/// A tick's value with no more digits than its step needs.
+/// The text of a tick, with no more digits than the tick spacing needs.
 std::string tick_text(double value, double step);
 
-/// How the values along an axis are written: in full where that is short, otherwise less a round offset that
-/// they share, so that coordinates far from the origin stay readable and distinct.
+/// Tick labels of an axis. Long values are written relative to a common round offset, so that coordinates far
+/// from the origin stay readable and distinct.
 struct TickLabels {
     std::vector<double> values;
-    std::vector<std::string> texts;  ///< one for each value, less the offset
+    std::vector<std::string> texts;  ///< one for each value, offset subtracted
     double offset = 0;
 
     /// "x (m)", or with an offset "x − 6690000 (m)".
     std::string title(const std::string& quantity) const;
 };
 
-/// Labels for the round ticks of a range. Offsets are multiples of a power of ten that is at least the range.
+/// Labels of the ticks of a range. The offset is a multiple of a power of ten that is at least the range.
 TickLabels tick_labels(const Range& range, int most);
 
 /// A box on the page with a linear scale on each side.
@@ -38,7 +38,8 @@ class Axes {
   public:
     /// @param upper_left, lower_right corners of the box, pt.
     Axes(Point upper_left, Point lower_right, Range x, Range y);
-    /// Axes of one scale in both directions, the model as large as the given box allows and centred in it.
+    /// Axes with the same scale in both directions. The ranges fill the given box in one direction and are
+    /// centred in the other.
     static Axes of_equal_scale(Point upper_left, Point lower_right, Range x, Range y);
 
     Point to_page(const Point& p) const;
@@ -48,7 +49,7 @@ class Axes {
     const Point& upper_left() const { return upper_left_; }
     const Point& lower_right() const { return lower_right_; }
 
-    /// The frame with ticks, their values and the two titles; optional grid lines.
+    /// Draws the frame, ticks, tick labels, titles and optional grid lines.
     void draw(Canvas& canvas, const std::string& x_title, const std::string& y_title,
               bool grid = false) const;
 
@@ -57,7 +58,8 @@ class Axes {
     Range x_, y_;
 };
 
-/// A bar of a round length, about a fifth of the axes' width, at a place of the page (its left end).
+/// Draws a scale bar of a round length. @param place its upper left corner, pt.
+/// @param longest_points upper bound of its length on the page, pt.
 void draw_scale_bar(Canvas& canvas, const Point& place, double points_per_metre, double longest_points);
 
 /// One line of a legend: a filled box, or a line, and its text.
@@ -69,7 +71,7 @@ struct LegendEntry {
     bool is_hatched = false;
 };
 
-/// A column of entries under a title; returns the y below it, pt.
+/// Draws a column of entries under a title. @return the y below it, pt.
 double draw_legend(Canvas& canvas, const Point& upper_left, const std::string& title,
                    const std::vector<LegendEntry>& entries);
 

@@ -104,15 +104,15 @@ void draw_hatch(cairo_t* context, std::span<const Ring> rings, const Stroke& str
     cairo_restore(context);
 }
 
-double share_of(Anchor anchor) {
+double fraction_of(Anchor anchor) {
     return anchor == Anchor::start ? 0.0 : anchor == Anchor::middle ? 0.5 : 1.0;
 }
 
 void draw_text(cairo_t* context, const Point& place, const std::string& line, const TextStyle& style,
                double width) {
     constexpr double cap_height = 0.73;
-    const double dx = -share_of(style.anchor) * width;
-    const double dy = share_of(style.vertical) * cap_height * style.size;
+    const double dx = -fraction_of(style.anchor) * width;
+    const double dy = fraction_of(style.vertical) * cap_height * style.size;
     set_font(context, style);
     cairo_save(context);
     cairo_translate(context, place.x, place.y);
@@ -130,8 +130,8 @@ void draw_text(cairo_t* context, const Point& place, const std::string& line, co
     cairo_restore(context);
 }
 
-/// Cairo numbers the surfaces of a process in the SVG's identifiers; the same picture must have the same
-/// bytes.
+/// Removes the surface numbers from the identifiers of an SVG. Cairo counts the surfaces of a process, and
+/// the same picture must have the same bytes.
 std::string without_surface_numbers(std::string svg) {
     constexpr std::string_view word = "surface";
     for (std::size_t at = svg.find(word); at != std::string::npos; at = svg.find(word, at)) {
@@ -160,8 +160,7 @@ struct Canvas::Impl {
 
     Impl(double page_width, double page_height) : width(page_width), height(page_height) {}
 
-    // Cairo's own recording surface would do the same, but its SVG output keeps such a source for ever
-    // (Cairo 1.16).
+    // Cairo's recording surface is not used, because SVG output never frees such a source (Cairo 1.16).
     void replay(cairo_surface_t* target, double scale) const {
         const Context to(cairo_create(target));
         cairo_scale(to.get(), scale, scale);
@@ -272,7 +271,7 @@ std::string Canvas::bytes(PictureFormat format) const {
         surface.reset(cairo_svg_surface_create_for_stream(append, &out, page.width, page.height));
     } else {
         surface.reset(cairo_pdf_surface_create_for_stream(append, &out, page.width, page.height));
-        // Cairo would stamp the present time.
+        // The default is the current time.
         cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
     }
     page.replay(surface.get(), 1);

@@ -14,7 +14,7 @@ namespace rockslope {
 
 enum class PictureFormat { svg, png, pdf };
 
-/// The format that a file name's extension asks for, in any letter case; nothing for another extension.
+/// The format of a file name's extension, in any letter case. Nothing for an unknown extension.
 std::optional<PictureFormat> picture_format(const std::filesystem::path& path);
 
 /// How a line is drawn. Width and dashes in points.
@@ -26,8 +26,8 @@ struct Stroke {
 
 enum class Anchor { start, middle, end };
 
-/// How a line of text is set. Size in points; `anchor` and `vertical` tell which part of it lies at the given
-/// place: across start = left, along the page's height start = baseline, end = top.
+/// Style of a line of text. Size in points. `anchor` and `vertical` say which part of the text lies at the
+/// given point: horizontally start = left, vertically start = baseline and end = top.
 struct TextStyle {
     double size = 9;
     Colour colour = black;
@@ -38,9 +38,9 @@ struct TextStyle {
     std::optional<Colour> halo = std::nullopt;  ///< drawn round the letters so that they stand out
 };
 
-/// A page in points (1/72 inch), origin at the upper left, y downwards. It records what is drawn and becomes
-/// a file at the end: SVG, PDF, or PNG with two pixels a point. The bytes depend on what was drawn only, not
-/// on the time of day.
+/// A page in points (1/72 inch), origin at the upper left, y downwards. It records drawing commands and
+/// writes them as SVG, PDF, or PNG with two pixels per point. The bytes depend only on the commands, not on
+/// the time.
 class Canvas {
   public:
     /// A white page. @param width, height in pt, positive.
@@ -52,7 +52,7 @@ class Canvas {
     double width() const;
     double height() const;
 
-    /// Fills the even-odd inside of the rings, so that inner rings are holes, and draws them.
+    /// Fills the rings by the even-odd rule, so that inner rings are holes, and strokes them.
     void polygon(std::span<const Ring> rings, const std::optional<Colour>& fill,
                  const std::optional<Stroke>& stroke);
     /// Parallel lines inside the rings. @param spacing pt; @param angle rad, counter-clockwise.
@@ -60,18 +60,18 @@ class Canvas {
     void polyline(std::span<const Point> points, const Stroke& stroke);
     void circle(const Point& centre, double radius, const std::optional<Colour>& fill,
                 const std::optional<Stroke>& stroke);
-    /// A line with a filled head at its end.
+    /// A line with a filled head at its end. @param head length of the head, pt.
     void arrow(const Point& from, const Point& to, const Stroke& stroke, double head = 5);
     void text(const Point& place, const std::string& line, const TextStyle& style = {});
     double text_width(const std::string& line, const TextStyle& style = {}) const;
 
-    /// Everything drawn until the matching unclip() stays within the box.
+    /// Clips all drawing to the box until the matching unclip().
     void clip(const Point& upper_left, const Point& lower_right);
     void unclip();
 
     /// The bytes of the picture. @throws std::runtime_error when Cairo fails.
     std::string bytes(PictureFormat format) const;
-    /// Writes by temporary name and rename, the format by extension. @throws InputError for an unknown
+    /// Writes the file atomically, in the format of its extension. @throws InputError for an unknown
     /// extension, OutputError when the file cannot be written.
     void write(const std::filesystem::path& path) const;
 

@@ -28,8 +28,8 @@ Colour rock_colour(std::size_t number) {
     return rock_colours[number % rock_colours.size()];
 }
 
-Colour blend(const Colour& first, const Colour& second, double share) {
-    const auto mix = [share](double a, double b) { return a + share * (b - a); };
+Colour blend(const Colour& first, const Colour& second, double weight) {
+    const auto mix = [weight](double a, double b) { return a + weight * (b - a); };
     return {mix(first.red, second.red), mix(first.green, second.green), mix(first.blue, second.blue),
             mix(first.opacity, second.opacity)};
 }

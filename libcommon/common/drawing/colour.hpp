@@ -15,20 +15,20 @@ inline constexpr Colour grey{0.45, 0.45, 0.48};
 inline constexpr Colour pale_grey{0.87, 0.87, 0.88};
 inline constexpr Colour white{1, 1, 1};
 
-/// A clear line colour, distinct for the first eight numbers also to the colour-blind (Okabe and Ito 2008),
-/// then repeating.
+/// A line colour. The first eight are distinct also for the colour-blind (Okabe and Ito 2008), then they
+/// repeat.
 Colour line_colour(std::size_t number);
 
-/// A quiet rock colour for filling, repeating after eight.
+/// A pale fill colour for rock. Repeats after eight.
 Colour rock_colour(std::size_t number);
 
-/// A rock colour made lighter or darker by one of `shade_count` steps, so that neighbours differ while the
-/// hue tells the material.
+/// A rock colour made lighter or darker by one of `shade_count` steps. Neighbours then differ in shade, and
+/// the hue shows the material.
 inline constexpr std::size_t shade_count = 5;
 Colour shaded(const Colour& colour, std::size_t shade);
 
-/// A colour between two others; share 0 gives the first, 1 the second.
-Colour blend(const Colour& first, const Colour& second, double share);
+/// Linear interpolation between two colours: (1 - weight) first + weight second.
+Colour blend(const Colour& first, const Colour& second, double weight);
 
 /// A sequential scale from pale to dark for values in [0, 1], clamped.
 Colour scale_colour(double value);

@@ -9,16 +9,16 @@
 
 namespace rockslope {
 
-/// An upright box.
+/// An axis-aligned box.
 struct Bounds {
     Point low, high;
 
     static Bounds of(const Ring& ring);
     std::array<Point, 4> corners() const;
     Bounds expanded(double margin) const;
-    /// The box's point that lies nearest.
+    /// The point of the box nearest to p.
     Point nearest(const Point& p) const;
-    /// The parameters between which point + t direction lies in the box; nothing when the line misses it.
+    /// The interval of t in which point + t direction lies in the box. Nothing if the line misses the box.
     std::optional<std::pair<double, double>> clip(const Point& point, const Point& direction) const;
 };
 

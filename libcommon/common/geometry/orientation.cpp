@@ -15,13 +15,13 @@ struct ExactSum {
 
     void add(double value) {
         for (int i = 0; i < count; ++i) {
-            const double p = part[static_cast<std::size_t>(i)];
+            const double p = part[i];
             const double sum = value + p;
             const double virtual_p = sum - value;
-            part[static_cast<std::size_t>(i)] = (value - (sum - virtual_p)) + (p - virtual_p);
+            part[i] = (value - (sum - virtual_p)) + (p - virtual_p);
             value = sum;
         }
-        part[static_cast<std::size_t>(count++)] = value;
+        part[count++] = value;
     }
 
     void add_product(double x, double y) {
@@ -32,7 +32,7 @@ struct ExactSum {
 
     int sign() const {
         for (int i = count; i-- > 0;) {
-            const double p = part[static_cast<std::size_t>(i)];
+            const double p = part[i];
             if (p != 0) return p > 0 ? 1 : -1;
         }
         return 0;
@@ -44,7 +44,7 @@ bool in_box(const Point& a, const Point& b, const Point& p) {
            p.y <= std::max(a.y, b.y);
 }
 
-/// Where the collinear segments a-b and c-d meet, by their order along the dominant direction of a-b.
+/// Relation of the collinear segments a-b and c-d, from their order along the dominant direction of a-b.
 SegmentRelation collinear_relation(const Point& a, const Point& b, const Point& c, const Point& d) {
     const bool by_x = std::abs(b.x - a.x) >= std::abs(b.y - a.y);
     const auto along = [by_x](const Point& p) { return by_x ? p.x : p.y; };

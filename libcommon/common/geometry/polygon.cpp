@@ -56,7 +56,7 @@ bool boxes_apart_in_y(const RingEdge& e, const RingEdge& f) {
     return std::max(e.a.y, e.b.y) < std::min(f.a.y, f.b.y) || std::max(f.a.y, f.b.y) < std::min(e.a.y, e.b.y);
 }
 
-/// Whether a ring turns left at each corner, and once round in all: then it is convex, so simple. Exact.
+/// Whether a ring turns left at each vertex and winds once in all. It is then convex, and so simple. Exact.
 bool is_strictly_convex(const Ring& ring) {
     const std::size_t n = ring.size();
     const auto is_ascending = [&](std::size_t k) {

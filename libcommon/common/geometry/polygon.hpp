@@ -12,26 +12,27 @@ namespace rockslope {
 /// A closed polyline; the last vertex is joined to the first and not repeated.
 using Ring = std::vector<Point>;
 
-/// Twice the signed area, m2, positive when counter-clockwise; summed about the first vertex, so that large
-/// coordinates do not cost digits.
+/// Twice the signed area, m2, positive when counter-clockwise. Coordinates are taken relative to the first
+/// vertex, so that large ones do not cost digits.
 double twice_signed_area(std::span<const Point> ring);
 
 /// Whether a point lies inside (+1), on (0) or outside (-1) a ring, by the even-odd rule. Exact.
 int side_of_ring(std::span<const Point> ring, const Point& point);
 
-/// Whether two simple rings enclose no common area.
+/// Whether the interiors of two simple rings do not overlap.
 bool have_disjoint_interiors(std::span<const Point> ring, std::span<const Point> other);
 
-/// Two edges of a set of rings that meet where they must not: edge k of ring r joins its corners k and k + 1.
+/// Two edges of a set of rings that meet where they must not. Edge k of a ring joins its vertices k and k +
+/// 1.
 struct RingFault {
     std::size_t first_ring = 0, first_edge = 0;
     std::size_t second_ring = 0, second_edge = 0;
-    Point place;  ///< a point of the fault
+    Point place;  ///< a point where the two edges meet
 };
 
-/// The first pair of edges, of one ring or of two, that cross, overlap or touch, or an edge of length zero. A
-/// ring may not touch itself; two rings may share single vertices but neither cross nor overlap. Sweeps over
-/// x, about n log n for usual rings.
+/// The first two edges that meet where they must not, or an edge of length zero. A ring may not touch itself;
+/// two rings may share single vertices and touch, but neither cross nor overlap. Sweeps over x, about n log n
+/// for usual rings.
 std::optional<RingFault> find_ring_fault(std::span<const Ring> rings);
 
 }  // namespace rockslope

@@ -6,12 +6,17 @@
 
 namespace rockslope::dda {
 
-/// Takes the contacts of an accepted step to its end: geometry, state, forces, slip, and what their joints
-/// have been through.
-/// @param segments of the contacts; @param vertices at the step's end; @param evaluated per contact; @param
-/// springs of the step; @param duration s, 0 where a step is no time.
-void advance_contacts(const Model& model, const JointSegments& segments, std::span<const Vec2> vertices,
-                      std::span<const EvaluatedContact> evaluated, std::span<const ContactSprings> springs,
-                      double duration, const ThreadPool& pool, std::span<Contact> contacts);
+/// What an accepted step did to its contacts.
+struct ContactStep {
+    const JointSegments& segments;    ///< of the contacts
+    CornerSpan<const Vec2> vertices;  ///< m, at the step's end
+    ContactSpan<const EvaluatedContact> evaluated;
+    ContactSpan<const ContactSprings> springs;
+    double duration = 0;  ///< s, 0 in a static stage
+};
+
+/// Advances the contacts of an accepted step to its end: geometry, state, forces, slip and joint histories.
+void advance_contacts(const Model& model, const ContactStep& step, const ThreadPool& pool,
+                      ContactSpan<Contact> contacts);
 
 }  // namespace rockslope::dda

@@ -11,7 +11,7 @@ double acceleration_at(const TimeTable& table, double time) {
 
 }  // namespace
 
-Vec2 base_acceleration(const Model& model, const Stage& stage, std::size_t block, double stage_time) {
+Vec2 base_acceleration(const Model& model, const Stage& stage, BlockIndex block, double stage_time) {
     Vec2 sum = Vec2::Zero();
     if (stage.kind != StageKind::dynamic || model.motion[block] != Motion::prescribed) return sum;
     for (const BaseMotion& base : stage.base_motions) {
@@ -35,16 +35,16 @@ Vec2 frame_acceleration_over_step(const Stage& stage, double dt, double stage_ti
 
 PrescribedMotion prescribe_motion(const Model& model, const Stage& stage, const BlockSystem& blocks,
                                   double dt, double stage_time) {
-    const auto count = static_cast<std::size_t>(model.block_count());
-    const std::vector<Vec6> zero(count, Vec6::Zero());
+    const PerBlock<Vec6> zero(model.block_count(), Vec6::Zero());
     PrescribedMotion motion{zero, zero, zero};
     if (stage.kind != StageKind::dynamic) return motion;
     const double later = next_step_multiple(stage, stage_time - dt / 2);
-    for (std::size_t b = 0; b < count; ++b) {
+    for (const BlockIndex b : model.blocks()) {
         if (model.motion[b] != Motion::prescribed) continue;
         Vec6 step_acceleration = Vec6::Zero();
         step_acceleration.head<2>() = base_acceleration(model, stage, b, later);
         motion.acceleration[b].head<2>() = base_acceleration(model, stage, b, stage_time);
+        // The step of a prescribed block, Eq. (40).
         motion.displacement[b] = dt * blocks.velocity[b] + dt * dt / 2 * step_acceleration;
         motion.velocity_change[b] = dt * step_acceleration;
     }

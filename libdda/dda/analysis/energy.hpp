@@ -2,31 +2,34 @@
 
 namespace rockslope::dda {
 
-/// The energy ledger, J per metre of thickness. Stores are values at an instant, flows accumulate from the
-/// start of the run. Balance: stores - initial stores + losses = external work, up to `residual()`.
+/// The energy balance, J per metre of thickness. Stored energies are values at an instant. Losses and
+/// external work accumulate from the start of the run. Balance: stores() - initial_stores + losses() =
+/// external_work, up to residual().
 struct Energy {
-    double kinetic = 0;
-    double strain = 0;      ///< of the blocks
-    double contact = 0;     ///< of normal and shear contact springs
-    double constraint = 0;  ///< of fixed points and bolts
-    double gravity = 0;     ///< potential, zero at the start of the run
+    double kinetic = 0;     ///< kinetic energy of blocks with unknowns
+    double strain = 0;      ///< strain energy of blocks
+    double contact = 0;     ///< energy of normal and shear contact springs
+    double constraint = 0;  ///< energy of fixed points and bolts
+    double gravity = 0;     ///< potential energy, zero at the start of the run
 
-    double friction_loss = 0;  ///< dissipated by sliding, never decreases
-    double damping_loss =
-        0;  ///< mass damping, and velocity taken away by a dynamic coefficient below 1 or a static stage
-    double numerical_loss = 0;  ///< dissipated by the end-of-step evaluation of forces, theory Eq. (42)
-    double released = 0;        ///< spring energy lost when contacts open, tear or are replaced
-    double boundary_loss = 0;   ///< taken by the dashpots of viscous boundaries: waves that left the model
-    double excavated = 0;       ///< stores of rock taken out, with its contacts; gravity's may be negative
-    double external_work = 0;   ///< done by loads and by prescribed blocks
+    /// Dissipated by sliding, less the work of dilation against normal forces; and by yielding bolts.
+    double friction_loss = 0;
+    /// Dissipated by mass and strain damping, and by the dynamic coefficient of the stage, which is zero in
+    /// static stages.
+    double damping_loss = 0;
+    double numerical_loss = 0;  ///< dissipated by the end-of-step evaluation of forces, Eq. (42)
+    double released = 0;        ///< spring energy lost when contacts open, break or are replaced
+    double boundary_loss = 0;   ///< dissipated by the dashpots of viscous boundaries: outgoing waves
+    double excavated = 0;       ///< stored energy of removed blocks and their contacts; may be negative
+    double external_work = 0;   ///< work of loads and of prescribed blocks
 
-    double initial_stores = 0;
+    double initial_stores = 0;  ///< stores() at the start of the run
 
     double stores() const { return kinetic + strain + contact + constraint + gravity; }
     double losses() const {
         return friction_loss + damping_loss + numerical_loss + released + boundary_loss + excavated;
     }
-    /// What the ledger does not explain, J.
+    /// The error of the balance, J per metre.
     double residual() const { return stores() - initial_stores + losses() - external_work; }
 };
 

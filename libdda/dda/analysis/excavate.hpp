@@ -8,14 +8,15 @@
 
 namespace rockslope::dda {
 
-/// The model without the blocks that are marked: they keep their numbers, do not move, meet nothing and bear
-/// no load; bolts and fixed points that they hold are gone. @param removed per block, or empty.
-Model without_removed_blocks(const Model& model, const std::vector<std::uint8_t>& removed);
+/// The model without its removed blocks. A removed block keeps its index, but it does not move, has no
+/// contacts and carries no load. Its bolts and fixed points are deleted.
+/// @param removed per block, 1 if removed; empty if no block is.
+Model without_removed_blocks(const Model& model, const PerBlock<std::uint8_t>& removed);
 
-/// Takes out what the excavations up to a stage, counted from 1, remove and what is still there: blocks,
-/// their contacts, their bolts. The rest keeps its stress and its contact forces, so what a block gone had
-/// borne is out of balance. The stores that leave are booked as Energy::excavated. @return whether anything
-/// left.
+/// Removes the blocks of all excavations up to a stage, with their contacts and bolts. The other blocks keep
+/// their stresses and contact forces, so the load that a removed block carried becomes unbalanced. The stored
+/// energy of the removed parts is added to Energy::excavated.
+/// @param stage counted from 1. @return whether any block was removed.
 bool excavate(const Model& model, int stage, State& state);
 
 }  // namespace rockslope::dda

@@ -8,23 +8,26 @@ namespace rockslope::dda {
 
 namespace {
 
-/// Changes told in one iteration, at one back-substitution each.
+/// Largest number of directions, each with one back-substitution.
 constexpr int max_directions = 12;
-/// Of the first difference between held forces and bounds: nearer than that the springs will change anyway.
+/// Target of the largest residual over its first value. A smaller residual is useless, because the active set
+/// will change.
 constexpr double relative_tolerance = 0.02;
-/// Of the differences, left by a back-substitution that gained little. The second of these is the last.
+/// A direction stagnates if the residual norm stays above this fraction of its previous value. The second
+/// stagnating direction is the last.
 constexpr double stagnation_ratio = 0.8;
 constexpr int max_stagnations = 2;
-/// What is added to the products of directions of length one, lest one that hardly differs from others is
-/// taken many times over.
+/// Added to the diagonal of the scaled normal equations, so that nearly parallel directions do not get huge
+/// coefficients.
 constexpr double regularisation = 1e-14;
 
 using Products = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_directions, max_directions>;
 using Coefficients = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_directions, 1>;
 
-/// Of columns with each other, and minus the vector that they are to bring to zero.
+/// Normal equations of a least-squares problem: products of the columns with each other and with minus the
+/// residual.
 struct NormalEquations {
-    Products products;  ///< the lower half counts
+    Products products;  ///< only the lower half is set
     Coefficients right_hand_side;
 
     NormalEquations() : NormalEquations(0) {}
@@ -32,7 +35,7 @@ struct NormalEquations {
         : products(Products::Zero(count, count)), right_hand_side(Coefficients::Zero(count)) {}
 };
 
-/// Of chunks [begin, end) of two columns.
+/// Scalar product of the rows [begin, end) of two columns.
 double product(const std::vector<double>& a, const std::vector<double>& b, std::size_t begin,
                std::size_t end) {
     const auto size = static_cast<Eigen::Index>(end - begin);
@@ -40,7 +43,7 @@ double product(const std::vector<double>& a, const std::vector<double>& b, std::
         .dot(Eigen::Map<const Eigen::VectorXd>(b.data() + begin, size));
 }
 
-/// The coefficients of the columns that bring a vector nearest to zero.
+/// Coefficients of the columns that minimise the residual norm.
 Coefficients least_squares(const NormalEquations& equations) {
     auto [products, right_hand_side] = equations;
     products.triangularView<Eigen::StrictlyUpper>() = products.transpose();
@@ -59,26 +62,15 @@ FrictionCoupling::FrictionCoupling(const StepProblem& problem, TrialContacts& tr
                                    const ThreadPool& pool)
     : p_(problem), trials_(trials), solver_(solver), pool_(pool) {
     directions_.reserve(max_directions);
-    for (const JointMaterial& material : p_.model.joint_materials) {
-        const auto* law = std::get_if<MohrCoulomb>(&material.law);
-        friction_coefficients_.push_back(law == nullptr
-                                             ? FrictionCoefficients{}
-                                             : FrictionCoefficients{std::tan(law->friction_angle),
-                                                                    std::tan(law->residual_friction_angle)});
-    }
 }
 
 void FrictionCoupling::linearize_bound(Sliding& sliding, std::span<const Vec6> d) const {
     const Contact& contact = p_.contacts[sliding.contact];
-    if (const auto* law = std::get_if<MohrCoulomb>(&trials_.law_of(sliding.contact))) {
-        const JointHistory& history = contact.history;
-        const bool broken = std::get<MohrCoulomb::History>(history).broken;
+    if (const auto line = bound_line(trials_.law_of(sliding.contact), contact.history)) {
         const double reduced = 1 / p_.model.strength_reduction;
-        const FrictionCoefficients& friction =
-            friction_coefficients_[static_cast<std::size_t>(contact.joint_material)];
-        sliding.slope = reduced * (broken ? friction.residual : friction.intact);
-        sliding.cohesion = reduced * (broken ? law->residual_cohesion : law->cohesion) * contact.length;
-        sliding.lowest_normal_force = broken ? 0 : -std::numeric_limits<double>::infinity();
+        sliding.slope = reduced * line->friction;
+        sliding.cohesion = reduced * line->cohesion * contact.length;
+        sliding.lowest_normal_force = line->holds_in_tension ? -std::numeric_limits<double>::infinity() : 0;
         return;
     }
     if (trials_.is_on_segment(sliding.contact)) {
@@ -122,7 +114,7 @@ void FrictionCoupling::find_sliding(std::span<const Vec6> d) {
     complete_lines(d);
 }
 
-/// Most are there: a pair of faces keeps them for the step.
+/// Most lines exist already: a joint segment keeps its line for the step.
 void FrictionCoupling::complete_lines(std::span<const Vec6> d) {
     for (const Sliding& sliding : sliding_)
         if (sliding.line_missing) trials_.request_line(sliding.contact);
@@ -150,14 +142,12 @@ void FrictionCoupling::set_load(std::span<Vec6> load) {
     force_change_.assign(trials_.count(), 0);
     for (const Sliding& sliding : sliding_) force_change_[sliding.contact] = sliding.residual;
     pool_.parallel_for(load.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t row = begin; row < end; ++row) {
+        for (const RowIndex row : indices<RowIndex>(begin, end)) {
             load[row].setZero();
-            for (const int contact : p_.row_contacts.of(row)) {
-                const auto k = static_cast<std::size_t>(contact);
+            for (const ContactIndex k : p_.row_contacts.of(row)) {
                 if (force_change_[k] == 0) continue;
                 const ContactSprings& springs = p_.springs[k];
-                load[row] += springs.rows.project_on_row(static_cast<int>(row),
-                                                         -force_change_[k] * springs.shear.direction);
+                load[row] += springs.rows.project_on_row(row, -force_change_[k] * springs.shear.direction);
             }
         }
     });
@@ -167,7 +157,7 @@ void FrictionCoupling::apply_operator(Direction& direction, std::size_t rows) {
     direction.coefficient = 0;
     for (std::vector<double>* of_sliding :
          {&direction.friction_force, &direction.normal, &direction.residual}) {
-        of_sliding->reserve(trials_.count());  // once for the step, however many slide
+        of_sliding->reserve(trials_.count());  // once per step, whatever the number of sliding contacts
         of_sliding->resize(sliding_.size());
     }
     direction.displacement.resize(rows);
@@ -186,19 +176,18 @@ void FrictionCoupling::apply_operator(Direction& direction, std::size_t rows) {
 }
 
 void FrictionCoupling::minimize_residual(int count) {
-    const std::span<Direction> directions = std::span(directions_).first(static_cast<std::size_t>(count));
+    const std::span<Direction> directions = std::span(directions_).first(count);
     const auto chunk_value = [&](std::size_t begin, std::size_t end) {
         NormalEquations equations(count);
         for (int j = 0; j < count; ++j) {
-            Direction& direction = directions[static_cast<std::size_t>(j)];
+            Direction& direction = directions[j];
             for (std::size_t i = begin; i < end; ++i) {
                 direction.residual[i] =
                     sliding_[i].bound_slope() * direction.normal[i] - direction.friction_force[i];
                 equations.right_hand_side[j] -= direction.residual[i] * sliding_[i].residual;
             }
             for (int k = 0; k <= j; ++k)
-                equations.products(j, k) =
-                    product(direction.residual, directions[static_cast<std::size_t>(k)].residual, begin, end);
+                equations.products(j, k) = product(direction.residual, directions[k].residual, begin, end);
         }
         return equations;
     };
@@ -209,11 +198,11 @@ void FrictionCoupling::minimize_residual(int count) {
     };
     const Coefficients coefficients =
         least_squares(pool_.parallel_reduce(sliding_.size(), NormalEquations(count), chunk_value, add));
-    for (int j = 0; j < count; ++j) directions[static_cast<std::size_t>(j)].coefficient += coefficients[j];
+    for (int j = 0; j < count; ++j) directions[j].coefficient += coefficients[j];
     pool_.parallel_for(sliding_.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             for (int j = 0; j < count; ++j) {
-                const Direction& direction = directions[static_cast<std::size_t>(j)];
+                const Direction& direction = directions[j];
                 sliding_[i].friction_force += coefficients[j] * direction.friction_force[i];
                 sliding_[i].normal += coefficients[j] * direction.normal[i];
             }
@@ -221,6 +210,7 @@ void FrictionCoupling::minimize_residual(int count) {
     });
 }
 
+/// Solves the fixed point of Eq. (35) by minimal residuals.
 int FrictionCoupling::solve(std::span<Vec6> d) {
     find_sliding(d);
     double largest_residual = update_residuals();
@@ -229,14 +219,14 @@ int FrictionCoupling::solve(std::span<Vec6> d) {
     for (int stagnations = 0;
          largest_residual > target_residual && stagnations < max_stagnations && count < max_directions;) {
         const double before = residual_norm();
-        if (static_cast<int>(directions_.size()) == count) directions_.emplace_back();
-        apply_operator(directions_[static_cast<std::size_t>(count++)], d.size());
+        if (std::cmp_equal(directions_.size(), count)) directions_.emplace_back();
+        apply_operator(directions_[count++], d.size());
         minimize_residual(count);
         largest_residual = update_residuals();
         if (residual_norm() > stagnation_ratio * before) ++stagnations;
     }
     pool_.parallel_for(count == 0 ? 0 : d.size(), [&](std::size_t begin, std::size_t end) {
-        for (const Direction& direction : std::span(directions_).first(static_cast<std::size_t>(count))) {
+        for (const Direction& direction : std::span(directions_).first(count)) {
             for (std::size_t r = begin; r < end; ++r)
                 d[r] += direction.coefficient * direction.displacement[r];
         }

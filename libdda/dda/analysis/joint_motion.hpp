@@ -9,10 +9,11 @@
 
 namespace rockslope::dda {
 
-/// What a contact did in a step, as its law takes it. Where strengths are reduced the law is told the shear
-/// load that would be as near to the full strength. An augmented contact does not give way: its law is told
-/// of no spring. @param contact at the step's start; @param stiffness of its shear spring; @param
-/// normal_force at the end.
+/// Motion of a contact in a step: the argument of its law. Where strengths are reduced, shear force and
+/// stiffness are multiplied by the reduction factor, so that their ratio to the full strength is the same.
+/// The spring of an augmented contact counts as unknown, because augmentation removes its deformation.
+/// @param contact at the step's start; @param stiffness of its shear spring, N/m per metre; @param
+/// normal_force at the end, N per metre; @param displacement and slip in m.
 inline ContactMotion contact_motion(const Model& model, const Contact& contact, double stiffness,
                                     double normal_force, double displacement, double slip) {
     ContactMotion motion;
@@ -25,39 +26,49 @@ inline ContactMotion contact_motion(const Model& model, const Contact& contact, 
     return motion;
 }
 
-/// What a pair of faces does, and what it has been through so far.
+/// Motion of a joint segment in a step, and its history at the step's start.
 struct SegmentMotion {
     ContactMotion motion;
     const SharedHistory* history = nullptr;
 };
 
-/// Whether a contact of a pair of faces was closed at the step's start.
-inline bool any_closed(std::span<const int> members, std::span<const Contact> contacts) {
-    return std::any_of(members.begin(), members.end(), [&](int k) {
-        return contacts[static_cast<std::size_t>(k)].state != ContactState::open;
-    });
+/// Part of one contact in the motion of its joint segment.
+struct MemberWeight {
+    bool counts = true;          ///< whether the segment's motion contains that of the contact
+    double previous_weight = 0;  ///< weight of the counting contacts before it in `weighted_mean`
+};
+
+/// Whether any contact of a joint segment was closed at the step's start.
+inline bool any_closed(std::span<const ContactIndex> members, ContactSpan<const Contact> contacts) {
+    return std::any_of(members.begin(), members.end(),
+                       [&](ContactIndex k) { return contacts[k].state != ContactState::open; });
 }
 
-/// The motion of a pair of faces, whose contacts in `members` move together; nothing if none is pressed. They
-/// are those that were closed at the step's start, or all if none was: length and stiffness must not jump
-/// where a contact opens or closes on the way, or there may be no state that the joint could come to.
-/// @param contacts at the step's start; @param motion_of gives the motion of one.
-template <class MotionOf>
-std::optional<SegmentMotion> segment_motion(std::span<const int> members, std::span<const Contact> contacts,
-                                            const MotionOf& motion_of) {
-    const auto at = [&](int k) -> const Contact& { return contacts[static_cast<std::size_t>(k)]; };
+/// Motion of the joint segment with the contacts `members`; nothing if no contact is in compression. Only
+/// contacts that were closed at the step's start count, or all if none was. Length and stiffness would
+/// otherwise jump where a contact opens or closes during the step, and the step might have no solution.
+/// @param contacts at the step's start; @param motion_of gives the motion of one contact; @param on_member is
+/// called with each contact's index and MemberWeight.
+template <class MotionOf, class OnMember>
+std::optional<SegmentMotion> segment_motion(std::span<const ContactIndex> members,
+                                            ContactSpan<const Contact> contacts, const MotionOf& motion_of,
+                                            const OnMember& on_member) {
+    const auto at = [&](ContactIndex k) -> const Contact& { return contacts[k]; };
     const bool any_was_closed = any_closed(members, contacts);
     std::optional<SegmentMotion> combined;
     double largest_normal_force = 0, total_normal_force = 0;
-    for (const int k : members) {
+    for (const ContactIndex k : members) {
         const ContactMotion motion = motion_of(k);
         total_normal_force += std::max(motion.normal_force, 0.0);
-        if (any_was_closed && at(k).state == ContactState::open) continue;
+        MemberWeight weight{!any_was_closed || at(k).state != ContactState::open, 0};
+        if (weight.counts && combined) weight.previous_weight = weight_of_first(combined->motion, motion);
+        on_member(k, weight);
+        if (!weight.counts) continue;
         if (!combined)
             combined = {motion, &at(k).history};
         else
-            combined->motion = combine(combined->motion, motion);
-        // Faces that have just come to lie on each other take up where the one that bore more has been.
+            combined->motion = combine(combined->motion, motion, weight.previous_weight);
+        // Contacts that have just become one segment continue the history of the one with the largest force.
         if (at(k).normal_force > largest_normal_force) {
             largest_normal_force = at(k).normal_force;
             combined->history = &at(k).history;
@@ -66,6 +77,11 @@ std::optional<SegmentMotion> segment_motion(std::span<const int> members, std::s
     if (!(total_normal_force > 0)) return std::nullopt;
     combined->motion.normal_force = total_normal_force;
     return combined;
+}
+template <class MotionOf>
+std::optional<SegmentMotion> segment_motion(std::span<const ContactIndex> members,
+                                            ContactSpan<const Contact> contacts, const MotionOf& motion_of) {
+    return segment_motion(members, contacts, motion_of, [](auto, const MemberWeight&) {});
 }
 
 }  // namespace rockslope::dda

@@ -9,46 +9,50 @@
 
 namespace rockslope::dda {
 
-/// What one accepted step did, as the energy ledger needs it.
+/// The data of one accepted step that the energy balance needs.
 struct StepWork {
     const BlockSystem& blocks;  ///< at the start of the step
     const MidStep& mid;
-    std::span<const Contact> before;  ///< at the start of the step
-    std::span<const ContactSprings> springs;
+    ContactSpan<const Contact> before;  ///< at the start of the step
+    ContactSpan<const ContactSprings> springs;
     std::span<const BoltSpring> bolts;
     std::span<const double> bolt_force;  ///< at the start of the step
     std::span<const BoundaryTerm> boundaries;
     const OpenCloseResult& result;
     Newmark newmark;
     double mass_damping = 0;
-    double velocity_factor = 1;  ///< share of the velocity that the step control leaves
+    double velocity_factor = 1;  ///< fraction of the velocity that the next step starts with
     LoadInstant loads;           ///< at the end of the step
 };
 
-/// Keeps the energy ledger, theory sec. 8. The stores are computed from the state alone and the flows from
-/// the step's forces and displacements, so that the residual measures what the step's linear kinematics, the
-/// solver and contact transfer get wrong.
+/// Updates the energy balance, theory sec. 8. Stored energies follow from the state alone, losses and work
+/// from the forces and displacements of the step. Energy::residual() therefore measures the errors of the
+/// linearised kinematics, of the solver and of the contact transfer.
 class Ledger {
   public:
     Ledger(const Model& model, const RowMap& rows);
 
-    /// Sets the stores to those of a state.
+    /// Sets the stored energies to those of `state`.
     void update_stored_energy(const State& state, Energy& energy) const;
-    /// Energy in the springs of contacts, J per metre.
+    /// The energy stored in contact springs, J per metre.
     double contact_energy_of(const std::vector<Contact>& contacts) const;
 
+    /// Adds the losses of contact springs and the work of prescribed blocks on them.
     void record_contacts(const StepWork& step, Energy& energy) const;
-    /// A law that has changed its shear spring in this step, Eq. (58), keeps the force in it: what the other
-    /// spring stores more or less comes from nowhere. @param after the contacts at the step's end.
-    void record_spring_changes(const StepWork& step, const std::vector<Contact>& after, Energy& energy) const;
+    /// Adds the energy difference of shear springs whose stiffness changed in the step at constant force,
+    /// Eq. (58), to Energy::released. @param after the contacts at the end of the step.
+    void record_spring_changes(const StepWork& step, const PerContact<Contact>& after, Energy& energy) const;
+    /// Adds the losses and the work of bolts and fixed points.
     void record_constraints(const StepWork& step, Energy& energy) const;
+    /// Adds the losses of inertia and elasticity, and the work of loads.
     void record_blocks(const StepWork& step, Energy& energy) const;
+    /// Adds the losses and the work of viscous boundaries.
     void record_boundaries(const StepWork& step, Energy& energy) const;
 
   private:
     const Model& model_;
     const RowMap& rows_;
-    std::vector<Vec2> datum_;  ///< per block, initial centroid, m
+    PerBlock<Vec2> datum_;  ///< per block, initial centroid, m
 };
 
 }  // namespace rockslope::dda

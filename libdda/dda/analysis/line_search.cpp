@@ -8,14 +8,14 @@ namespace rockslope::dda {
 
 namespace {
 
-/// Of the way; bisection ends there.
+/// Width of the bracket of step lengths at which bisection ends.
 constexpr double step_length_tolerance = 1e-6;
 
 }  // namespace
 
 LineSearch::LineSearch(const StepProblem& problem, const TrialContacts& trials, const ThreadPool& pool)
     : p_(problem), trials_(trials), pool_(pool) {
-    contacts_.reserve(p_.springs.size());  // once for the step, however many have a kink
+    contacts_.reserve(p_.springs.size());  // one allocation a step, however many contacts have a kink
     kinked_.reserve(p_.springs.size());
 }
 
@@ -43,11 +43,11 @@ double LineSearch::ContactLine::rate(const Piece& piece) const {
            (piece.locked ? law.shear_stiffness * shearing.rate * shearing.rate : 0);
 }
 
-double LineSearch::step_length(std::span<const Vec6> from, std::span<const Vec6> target) {
+/// The step length of Eq. (34), by bisection.
+double LineSearch::step_length(RowSpan<const Vec6> from, RowSpan<const Vec6> target) {
     set_search_direction(from, target);
-    const Ends ends = evaluate_ends(target);
-    // Where the law agrees with the linear system its solution is the minimum, whatever rounding makes of the
-    // slope.
+    const Ends ends = evaluate_ends(target);  // of contacts; bolts are added below
+    // Where laws and linear system agree the target is the minimum; the slope would be mere rounding.
     if (ends.largest_difference <= trials_.tolerance()) return 1;
     if (ends.at_target + bolt_work(1) <= 0) return 1;
     if (ends.at_start + bolt_work(0) - curvature_ >= 0) return step_length_tolerance;
@@ -63,11 +63,11 @@ double LineSearch::step_length(std::span<const Vec6> from, std::span<const Vec6>
     return high;
 }
 
-void LineSearch::set_search_direction(std::span<const Vec6> from, std::span<const Vec6> target) {
+void LineSearch::set_search_direction(RowSpan<const Vec6> from, RowSpan<const Vec6> target) {
     search_direction_.resize(target.size());
     const auto curvature_of_rows = [&](std::size_t begin, std::size_t end) {
         double sum = 0;
-        for (std::size_t r = begin; r < end; ++r) {
+        for (const RowIndex r : indices<RowIndex>(begin, end)) {
             search_direction_[r] = target[r] - from[r];
             sum += search_direction_[r].dot(p_.base.stiffness[r] * search_direction_[r]);
         }
@@ -80,7 +80,7 @@ void LineSearch::set_search_direction(std::span<const Vec6> from, std::span<cons
                                b.elongation.direction.dot(b.rows.relative_displacement(search_direction_))});
 }
 
-LineSearch::ContactLine LineSearch::line_of(std::size_t contact, std::span<const Vec6> target) const {
+LineSearch::ContactLine LineSearch::line_of(ContactIndex contact, RowSpan<const Vec6> target) const {
     const ContactSprings& s = p_.springs[contact];
     const Vec2 there = s.rows.relative_displacement(target);
     const Vec2 rate = s.rows.relative_displacement(search_direction_);
@@ -92,45 +92,45 @@ LineSearch::ContactLine LineSearch::line_of(std::size_t contact, std::span<const
     return line;
 }
 
-LineSearch::Ends LineSearch::evaluate_ends(std::span<const Vec6> target) {
+LineSearch::Ends LineSearch::evaluate_ends(RowSpan<const Vec6> target) {
     has_kink_.resize(p_.springs.size());
-    const auto chunk_value = [&](std::size_t begin, std::size_t end) {
+    const auto chunk_value = [&](std::size_t first, std::size_t last) {
         Ends ends;
-        for (std::size_t k = begin; k < end; ++k) {
+        for (const ContactIndex k : indices<ContactIndex>(first, last)) {
             const ContactLine line = line_of(k, target);
             const Forces forces = line.law.forces(line.opening.end, line.shearing.end);
             ends.largest_difference =
                 std::max({ends.largest_difference, std::abs(forces.normal - line.linear.normal),
                           std::abs(forces.shear - line.linear.shear)});
             const Sample start = line.at(0);
-            const Sample there = line.at(1);
+            const Sample end = line.at(1);
             ends.at_start += start.work;
-            ends.at_target += there.work;
-            const bool straight = line.is_linear(start.piece, there.piece);
-            has_kink_[k] = straight ? 0 : 1;
-            if (straight) {
-                ends.straight.end += there.work;
-                ends.straight.rate += line.rate(there.piece);
+            ends.at_target += end.work;
+            const bool is_linear = line.is_linear(start.piece, end.piece);
+            has_kink_[k] = is_linear ? 0 : 1;
+            if (is_linear) {
+                ends.linear_work.end += end.work;
+                ends.linear_work.rate += line.rate(end.piece);
             }
         }
         return ends;
     };
-    const auto both = [](const Ends& a, const Ends& b) {
+    const auto combine = [](const Ends& a, const Ends& b) {
         return Ends{std::max(a.largest_difference, b.largest_difference),
                     a.at_start + b.at_start,
                     a.at_target + b.at_target,
-                    {a.straight.end + b.straight.end, a.straight.rate + b.straight.rate}};
+                    {a.linear_work.end + b.linear_work.end, a.linear_work.rate + b.linear_work.rate}};
     };
-    const Ends ends = pool_.parallel_reduce(has_kink_.size(), Ends(), chunk_value, both);
-    linear_work_ = ends.straight;
+    const Ends ends = pool_.parallel_reduce(has_kink_.size(), Ends(), chunk_value, combine);
+    linear_work_ = ends.linear_work;
     return ends;
 }
 
-/// Few contacts have a kink, and what is known of them takes more memory than anything else that a contact
-/// has: theirs is found once more rather than everyone's kept.
-void LineSearch::collect_kinked(std::span<const Vec6> target) {
+/// Few contacts have a kink, and a ContactLine needs more memory than any other data of a contact. Computing
+/// these few lines again is cheaper than storing the lines of all contacts.
+void LineSearch::collect_kinked(RowSpan<const Vec6> target) {
     kinked_.clear();
-    for (std::size_t k = 0; k < has_kink_.size(); ++k)
+    for (const ContactIndex k : has_kink_.indices())
         if (has_kink_[k] != 0) kinked_.push_back(k);
     contacts_.resize(kinked_.size());
     pool_.parallel_for(kinked_.size(), [&](std::size_t begin, std::size_t end) {
@@ -144,6 +144,7 @@ void LineSearch::collect_kinked(std::span<const Vec6> target) {
     });
 }
 
+/// The derivative of the potential, Eq. (33), along the step.
 double LineSearch::slope(double step_length) {
     const auto chunk_value = [&](std::size_t begin, std::size_t end) {
         double sum = 0;
@@ -154,13 +155,13 @@ double LineSearch::slope(double step_length) {
         }
         return sum;
     };
-    const double straight =
+    const double without_kinked =
         linear_work_.at(step_length) - (1 - step_length) * curvature_ + bolt_work(step_length);
-    return pool_.parallel_reduce(kinked_.size(), straight, chunk_value, std::plus<>());
+    return pool_.parallel_reduce(kinked_.size(), without_kinked, chunk_value, std::plus<>());
 }
 
 void LineSearch::shrink_bracket(bool is_upper, double step_length) {
-    std::size_t kept = 0;
+    std::size_t kinked_count = 0;
     for (const std::size_t k : kinked_) {
         ContactLine& line = contacts_[k];
         (is_upper ? line.high : line.low) = line.middle.piece;
@@ -169,10 +170,10 @@ void LineSearch::shrink_bracket(bool is_upper, double step_length) {
             linear_work_.end += line.middle.work + (1 - step_length) * rate;
             linear_work_.rate += rate;
         } else {
-            kinked_[kept++] = k;
+            kinked_[kinked_count++] = k;
         }
     }
-    kinked_.resize(kept);
+    kinked_.resize(kinked_count);
 }
 
 double LineSearch::bolt_work(double step_length) const {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "dda/analysis/friction_coupling.hpp"
 #include "dda/analysis/line_search.hpp"
@@ -13,32 +14,36 @@ namespace rockslope::dda {
 
 namespace {
 
-/// Iterations in which the shear bounds follow every iterate; past these they wait for the minimum of the
-/// potential, and from one minimum to the next they are a fixed point to be found.
+/// Number of iterations in which the shear bounds are updated at every iterate. After these the bounds are
+/// updated only at a minimum of the potential, as a fixed-point iteration from minimum to minimum.
 constexpr int bound_update_iterations = 16;
-/// Earlier minima remembered in the search for that fixed point.
+/// Number of earlier minima that the Anderson mixing of the bounds uses.
 constexpr int bound_memory = 6;
 
-/// Iterations in which the dilation follows every iterate, and minima of the potential at which it is brought
-/// to where they are. It depends on the displacement and on the normal force that it brings about itself: of
-/// many joints it may not settle within a step, and what is left then acts from the next one on.
+/// Number of iterations in which the dilation is updated at every iterate, and number of minima of the
+/// potential at which it is updated after these. The dilation depends on the displacement and on the normal
+/// force that it causes itself. With many joints it may not converge within a step; the remainder then acts
+/// in the next step.
 constexpr int dilation_iterations = 8;
 constexpr int dilation_minima = 2;
 
-/// Augmentations of the contact forces in a step; what is left of the penetration then is for the next step.
-constexpr int largest_augmentations = 60;
+/// Largest number of augmented Lagrangian updates in a step. The penetration that remains is left to the next
+/// step.
+constexpr int augmentation_limit = 60;
+/// Number of earlier updates that their Anderson mixing uses.
 constexpr int augmentation_memory = 10;
 
-/// Of the force tolerance and of the load, what solutions that are evaluated leave in the residual: what is
-/// left moves forces by little beside the tolerance. With ten times the tolerance walls let go, which take 11
-/// iterations a step, took 52; with a tenth of it, or less, as many as with exact solutions.
-constexpr double residual_share = 0.1;
+/// Relative residual of the linear solutions of the iteration, over the force tolerance. With a ratio of 10,
+/// walls released from rest took 52 iterations a step instead of 11; with 0.1 or less they take as many as
+/// with exact solutions.
+constexpr double residual_over_tolerance = 0.1;
+/// Largest relative residual of the linear solutions of the iteration.
 constexpr double largest_iteration_residual = 1e-7;
 
-class Iteration {
+class OpenCloseIteration {
   public:
-    Iteration(const StepProblem& problem, const BlockPattern& pattern, LinearSolver& solver,
-              BlockMatrix& work, const ThreadPool& pool, PhaseTimes* times)
+    OpenCloseIteration(const StepProblem& problem, const BlockPattern& pattern, LinearSolver& solver,
+                       BlockMatrix& work, const ThreadPool& pool, PhaseTimes* times)
         : p_(problem),
           solver_(solver),
           matrix_(problem, pattern, work, pool),
@@ -49,73 +54,83 @@ class Iteration {
           friction_coupling_(problem, trials_, solver, pool),
           fallbacks_before_(solver.fallbacks()),
           force_(problem.contacts.size()),
-          iteration_residual_(std::clamp(residual_share * problem.control.force_tolerance, full_tolerance,
-                                         largest_iteration_residual)) {
-        displacement_.assign(static_cast<std::size_t>(p_.rows.count()), Vec6::Zero());
+          iteration_residual_(std::clamp(residual_over_tolerance * problem.control.force_tolerance,
+                                         full_tolerance, largest_iteration_residual)),
+          bound_mixing_(bound_memory),
+          augmentation_mixing_(augmentation_memory) {
+        displacement_.assign(p_.rows.count(), Vec6::Zero());
     }
 
     OpenCloseResult run() {
-        OpenCloseResult result;
-        bool changed = true;
-        int iterations_before = 0;  // the iterations before springs were last given another rest
-        int augmentations = 0;
-        int minima = 0;  // since the last of them
-        AndersonMixing augmentation_mixing(augmentation_memory);
-        AndersonMixing bound_mixing(bound_memory);
-        while (result.iterations - iterations_before < p_.control.iteration_limit) {
-            if (changed) {
-                matrix_.assemble(trials_);
-                end_of(Phase::assembly, times_);
-                ++result.factorizations;
-                const bool definite = solver_.refactorize(matrix_.matrix(), matrix_.changed());
-                end_of(Phase::factorisation, times_);
-                if (!definite) {
-                    result.singular = true;
-                    result.fallbacks = solver_.fallbacks() - fallbacks_before_;
-                    return result;
-                }
-            }
-            ++result.iterations;
-            const bool follow = result.iterations - iterations_before <= bound_update_iterations;
-            follow ? solve_with_coupled_friction() : solve_with_fixed_friction();
+        bool matrix_changed = true;
+        while (iterations_since_restart() < p_.control.iteration_limit) {
+            if (matrix_changed && !factorize()) return std::move(result_);
+            ++result_.iterations;
+            const bool bounds_follow = iterations_since_restart() <= bound_update_iterations;
+            bounds_follow ? solve_with_coupled_friction() : solve_with_fixed_friction();
             end_of(Phase::solution, times_);
-            advance_to_target(result.iterations == 1);
-
+            advance_to_target();
             trials_.set_displacement(displacement_, target_);
-            if (follow || is_at_minimum(result)) {
-                const Eigen::VectorXd previous_bounds = follow ? Eigen::VectorXd() : trials_.shear_bounds();
-                trials_.select_first_entrances();
-                if (result.iterations <= dilation_iterations) trials_.update_dilation();
-                trials_.update_bounds();
-                if (is_settled_exactly(result) && !trials_.break_bonds()) {
-                    if (!update_dilation_at(++minima)) {
-                        result.converged =
-                            augmentations == largest_augmentations || !trials_.augment(augmentation_mixing);
-                        if (result.converged) break;
-                        ++augmentations;
-                        minima = 0;
-                    }
-                    iterations_before = result.iterations;
-                    bound_mixing = AndersonMixing(bound_memory);
-                } else if (!follow) {
-                    trials_.set_shear_bounds(bound_mixing.next(previous_bounds, trials_.shear_bounds()));
-                }
-            }
-            changed = trials_.update_active_set();
+            if (bounds_follow || is_at_minimum()) update_bounds_and_test(bounds_follow);
+            if (result_.converged) break;
+            matrix_changed = trials_.update_active_set();
             end_of(Phase::evaluation, times_);
-            if (changed) augmentation_mixing = AndersonMixing(augmentation_memory);
+            if (matrix_changed) augmentation_mixing_ = AndersonMixing(augmentation_memory);
         }
-        finish(result);
+        finish();
         end_of(Phase::evaluation, times_);
-        return result;
+        return std::move(result_);
     }
 
   private:
-    /// The load, and the springs' forces at zero unknowns: the known displacement of blocks without unknowns
-    /// is in RelativeMeasure::prescribed.
+    /// Iterations since the start, or since dilation or augmentation last changed the problem.
+    int iterations_since_restart() const { return result_.iterations - iterations_at_restart_; }
+
+    /// Assembles and factorises the matrix of the present active set. @return false if it is not positive
+    /// definite.
+    bool factorize() {
+        matrix_.assemble(trials_);
+        end_of(Phase::assembly, times_);
+        ++result_.factorizations;
+        const bool definite = solver_.refactorize(matrix_.matrix(), matrix_.changed());
+        end_of(Phase::factorisation, times_);
+        if (definite) return true;
+        result_.singular = true;
+        result_.fallbacks = solver_.fallbacks() - fallbacks_before_;
+        return false;
+    }
+
+    /// Updates entrance lines, dilation and shear bounds, and tests for convergence. Bounds that do not
+    /// follow every iterate are mixed from one minimum of the potential to the next.
+    void update_bounds_and_test(bool bounds_follow) {
+        const Eigen::VectorXd previous_bounds = bounds_follow ? Eigen::VectorXd() : trials_.shear_bounds();
+        trials_.select_first_entrances();
+        if (result_.iterations <= dilation_iterations) trials_.update_dilation();
+        trials_.update_bounds();
+        if (is_converged_exactly() && !trials_.break_bonds())
+            accept_or_restart();
+        else if (!bounds_follow)
+            trials_.set_shear_bounds(bound_mixing_.next(previous_bounds, trials_.shear_bounds()));
+    }
+
+    /// Accepts a converged iterate, unless dilation or augmentation changes the problem: then restarts.
+    void accept_or_restart() {
+        if (!update_dilation_at(++minima_)) {
+            result_.converged =
+                augmentations_ == augmentation_limit || !trials_.augment(augmentation_mixing_);
+            if (result_.converged) return;
+            ++augmentations_;
+            minima_ = 0;
+        }
+        iterations_at_restart_ = result_.iterations;
+        bound_mixing_ = AndersonMixing(bound_memory);
+    }
+
+    /// Sets the right-hand side: the load and the spring forces at zero unknowns. RelativeMeasure::prescribed
+    /// contains the displacement of blocks without unknowns.
     void set_right_hand_side() {
         pool_.parallel_for(force_.size(), [&](std::size_t begin, std::size_t end) {
-            for (std::size_t k = begin; k < end; ++k) {
+            for (const ContactIndex k : indices<ContactIndex>(begin, end)) {
                 const ContactSprings& s = p_.springs[k];
                 const Forces forces = trials_.linear_forces(k, s.normal.prescribed, s.shear.prescribed);
                 force_[k] = forces.normal * s.normal.direction - forces.shear * s.shear.direction;
@@ -123,11 +138,9 @@ class Iteration {
         });
         load_ = p_.base.load;
         pool_.parallel_for(load_.size(), [&](std::size_t begin, std::size_t end) {
-            for (std::size_t row = begin; row < end; ++row) {
-                for (const int contact : p_.row_contacts.of(row)) {
-                    const auto k = static_cast<std::size_t>(contact);
-                    load_[row] += p_.springs[k].rows.project_on_row(static_cast<int>(row), force_[k]);
-                }
+            for (const RowIndex row : indices<RowIndex>(begin, end)) {
+                for (const ContactIndex k : p_.row_contacts.of(row))
+                    load_[row] += p_.springs[k].rows.project_on_row(row, force_[k]);
             }
         });
         for (std::size_t k = 0; k < p_.bolts.size(); ++k) {
@@ -136,7 +149,7 @@ class Iteration {
         }
     }
 
-    /// Solves the linear system with the shear forces of sliding contacts as they are held.
+    /// Solves the linear system with the present friction forces of sliding contacts.
     void solve_with_fixed_friction() {
         target_ = displacement_;
         set_right_hand_side();
@@ -144,7 +157,8 @@ class Iteration {
         substitutions_ += solver_.refine(target_, load_, iteration_residual_);
     }
 
-    /// Likewise, with these at the bounds that belong to the solution's own normal forces.
+    /// Solves the linear system with friction forces at the bounds of the solution's own normal forces, Eq.
+    /// (35).
     void solve_with_coupled_friction() {
         target_ = displacement_;
         set_right_hand_side();
@@ -154,58 +168,60 @@ class Iteration {
         substitutions_ += substitutions + solver_.refine(target_, load_, iteration_residual_);
     }
 
-    /// Goes from the present displacement towards the linear system's solution, as far as the potential
-    /// falls.
-    void advance_to_target(bool first) {
-        const double left = first ? 0 : 1 - line_search_.step_length(displacement_, target_);
+    /// Moves the displacement towards the solution of the linear system by the step length of the line
+    /// search; the first iteration takes the full step.
+    void advance_to_target() {
+        const bool is_first = result_.iterations == 1;
+        const double remaining = is_first ? 0 : 1 - line_search_.step_length(displacement_, target_);
         remaining_displacement_.resize(target_.size());
-        for (std::size_t r = 0; r < target_.size(); ++r)
-            remaining_displacement_[r] = left * (target_[r] - displacement_[r]);
-        is_at_target_ = left == 0;
+        for (const RowIndex r : target_.indices())
+            remaining_displacement_[r] = remaining * (target_[r] - displacement_[r]);
+        is_at_target_ = remaining == 0;
         apply_step_length();
     }
     void apply_step_length() {
         displacement_ = target_;
         if (is_at_target_) return;
-        for (std::size_t r = 0; r < target_.size(); ++r) displacement_[r] -= remaining_displacement_[r];
+        for (const RowIndex r : target_.indices()) displacement_[r] -= remaining_displacement_[r];
     }
 
-    /// Whether the forces under which the blocks are in balance are what the laws with the present bounds
-    /// say, and what takes a block's inertia and strain on to that balance is as little.
-    bool is_at_minimum(OpenCloseResult& result) {
+    /// Whether the displacement is a minimum of the potential with the present bounds, Eq. (36): the forces
+    /// of the laws agree with those of the linear system, which balance, and so little displacement remains
+    /// that its inertia and strain forces are below the tolerance, too.
+    bool is_at_minimum() {
         const TrialContacts::ForceChange change = trials_.force_change();
-        if (change.contact >= 0) result.worst_contact = change.contact;
-        result.force_change = change.largest;
+        if (change.contact.exists()) result_.worst_contact = change.contact;
+        result_.force_change = change.largest;
         return change.largest <= trials_.tolerance() &&
                (is_at_target_ || remaining_force() <= trials_.tolerance());
     }
 
-    /// The largest force on a block, N per metre, that the way to the linear system's solution takes besides
-    /// the springs': moments and what strains it over the root of its area.
+    /// The largest force of inertia and elasticity on a block, N per metre, for the remaining displacement.
+    /// Moments and generalised strain forces are divided by the square root of the block's area.
     double remaining_force() const {
-        const auto of_rows = [&](std::size_t begin, std::size_t end) {
+        const auto largest_of_rows = [&](std::size_t begin, std::size_t end) {
             double largest = 0;
-            for (std::size_t r = begin; r < end; ++r) {
+            for (const RowIndex r : indices<RowIndex>(begin, end)) {
                 Vec6 force = p_.base.stiffness[r] * remaining_displacement_[r];
-                const auto block = static_cast<std::size_t>(p_.rows.block_of[r]);
+                const BlockIndex block = p_.rows.block_of[r];
                 force.tail<4>() /= std::sqrt(p_.blocks.moments[block].area);
                 largest = std::max(largest, force.cwiseAbs().maxCoeff());
             }
             return largest;
         };
-        return pool_.parallel_reduce(remaining_displacement_.size(), 0.0, of_rows,
+        return pool_.parallel_reduce(remaining_displacement_.size(), 0.0, largest_of_rows,
                                      [](double a, double b) { return std::max(a, b); });
     }
 
-    /// Whether an iterate at the minimum is so still when the linear system is solved exactly and all laws
-    /// are asked for their bounds.
-    bool is_settled_exactly(OpenCloseResult& result) {
-        if (!is_at_minimum(result)) return false;
+    /// Whether the iterate is at the minimum also after the linear system is solved to full accuracy and the
+    /// bounds of all joint laws are evaluated again.
+    bool is_converged_exactly() {
+        if (!is_at_minimum()) return false;
         end_of(Phase::evaluation, times_);
-        const int taken = solver_.refine(target_, load_, full_tolerance);
+        const int substitutions = solver_.refine(target_, load_, full_tolerance);
         end_of(Phase::solution, times_);
-        substitutions_ += taken;
-        if (taken > 0) {
+        substitutions_ += substitutions;
+        if (substitutions > 0) {
             apply_step_length();
             trials_.set_displacement(displacement_, target_);
             trials_.select_first_entrances();
@@ -213,10 +229,11 @@ class Iteration {
             return true;
         }
         trials_.update_all_bounds();
-        return is_at_minimum(result);
+        return is_at_minimum();
     }
 
-    /// Brings the dilation to where a minimum of the potential is. @return whether that moves anything.
+    /// Updates the dilation at a minimum of the potential, and postpones it after the last one allowed.
+    /// @param minimum its number since the last augmentation, from 1. @return whether any dilation changed.
     bool update_dilation_at(int minimum) {
         if (minimum > dilation_minima) return trials_.postpone_dilation();
         if (!trials_.dilation_exceeds_tolerance()) return false;
@@ -224,13 +241,13 @@ class Iteration {
         return true;
     }
 
-    void finish(OpenCloseResult& result) const {
-        result.substitutions = substitutions_;
-        result.fallbacks = solver_.fallbacks() - fallbacks_before_;
-        result.displacement = displacement_;
-        result.contacts.resize(trials_.count());
-        trials_.evaluate(result.contacts);
-        for (std::size_t k = 0; k < p_.bolts.size(); ++k) result.bolt_force.push_back(trials_.bolt_force(k));
+    void finish() {
+        result_.substitutions = substitutions_;
+        result_.fallbacks = solver_.fallbacks() - fallbacks_before_;
+        result_.displacement = displacement_;
+        result_.contacts.resize(trials_.count());
+        trials_.evaluate(result_.contacts);
+        for (std::size_t k = 0; k < p_.bolts.size(); ++k) result_.bolt_force.push_back(trials_.bolt_force(k));
     }
 
     const StepProblem& p_;
@@ -242,14 +259,20 @@ class Iteration {
     LineSearch line_search_;
     FrictionCoupling friction_coupling_;
     int fallbacks_before_;
-    std::vector<Vec2> force_;                   ///< per contact, on the first block's point, N per metre
-    std::vector<Vec6> load_;                    ///< per row: right-hand side
-    std::vector<Vec6> target_;                  ///< per row: the linear system's solution, m
-    std::vector<Vec6> displacement_;            ///< likewise: where the iteration is, m
-    std::vector<Vec6> remaining_displacement_;  ///< likewise: from there to that solution, m
-    bool is_at_target_ = true;                  ///< there is no way left
-    double iteration_residual_;                 ///< share of the load
+    PerContact<Vec2> force_;               ///< per contact, on the corner's block, N per metre
+    PerRow<Vec6> load_;                    ///< per row: right-hand side
+    PerRow<Vec6> target_;                  ///< per row: the linear system's solution, m
+    PerRow<Vec6> displacement_;            ///< per row: the present iterate, m
+    PerRow<Vec6> remaining_displacement_;  ///< per row: from the iterate to target_, m
+    bool is_at_target_ = true;             ///< the iterate is target_
+    double iteration_residual_;            ///< residual of linear solutions over the load
     int substitutions_ = 0;
+    int iterations_at_restart_ = 0;
+    int augmentations_ = 0;
+    int minima_ = 0;  ///< minima of the potential since the last augmentation
+    AndersonMixing bound_mixing_;
+    AndersonMixing augmentation_mixing_;
+    OpenCloseResult result_;
 };
 
 }  // namespace
@@ -257,7 +280,7 @@ class Iteration {
 OpenCloseResult iterate_open_close(const StepProblem& problem, const BlockPattern& pattern,
                                    LinearSolver& solver, BlockMatrix& work, const ThreadPool& pool,
                                    PhaseTimes* times) {
-    return Iteration(problem, pattern, solver, work, pool, times).run();
+    return OpenCloseIteration(problem, pattern, solver, work, pool, times).run();
 }
 
 }  // namespace rockslope::dda

@@ -11,22 +11,25 @@ namespace rockslope::dda {
 
 struct OpenCloseResult : StepCounts {
     bool converged = false;
-    bool singular = false;                   ///< the system was not positive definite
-    int worst_contact = -1;                  ///< the contact whose force moved most in the last iteration
-    double force_change = 0;                 ///< N per metre, that movement
-    std::vector<Vec6> displacement;          ///< per row
-    std::vector<EvaluatedContact> contacts;  ///< per contact
-    std::vector<double> bolt_force;          ///< per bolt
+    bool singular = false;                              ///< the matrix was not positive definite
+    ContactIndex worst_contact = ContactIndex::none();  ///< the contact with the largest force change
+    double force_change = 0;                ///< N per metre, the largest force change of the last iteration
+    PerRow<Vec6> displacement;              ///< per row
+    PerContact<EvaluatedContact> contacts;  ///< per contact
+    std::vector<double> bolt_force;         ///< per bolt
 };
 
-/// Finds the displacement at which every contact's force is what its law says: open, sliding or locked (Table
-/// of states, theory sec. 5).
+/// Shi's open-close iteration: an active-set (semi-smooth Newton) method with line search. Finds the
+/// displacement of the step in which every contact obeys its joint law (table of states, theory sec. 5).
 ///
-/// With the shear bounds held, the step minimises a convex potential, piecewise quadratic in the contacts'
-/// displacements; Newton's method on it is Shi's open-close iteration, and an exact line search makes it
-/// converge from anywhere. The bounds follow the normal forces: in every iteration at first, and only at the
-/// potential's minimum once that has failed to settle. Converged means that no contact force moves by more
-/// than the tolerance, whatever the states are called.
+/// With fixed shear bounds the step is the minimum of a convex, piecewise quadratic potential, Eq. (33). Each
+/// iteration solves the linear system of the present active set, and an exact line search, Eq. (34), makes
+/// this Newton method converge from any start. The shear bounds depend on the normal forces, Eq. (35). They
+/// are updated in every iteration at first. If that does not converge, they are updated only at minima of the
+/// potential, with Anderson mixing. Penetration beyond the tolerance of the model is removed by augmented
+/// Lagrangian updates, Eq. (37). Converged means that no contact force changes by more than the tolerance,
+/// Eq. (36); the states open, sliding and locked are not compared.
+/// @param work receives the matrix; the caller keeps its memory. @param times null: no timing.
 OpenCloseResult iterate_open_close(const StepProblem& problem, const BlockPattern& pattern,
                                    LinearSolver& solver, BlockMatrix& work, const ThreadPool& pool,
                                    PhaseTimes* times = nullptr);

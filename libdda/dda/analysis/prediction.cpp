@@ -2,13 +2,12 @@
 
 namespace rockslope::dda {
 
-std::vector<const EvaluatedContact*> InitialGuess::match(std::span<const Contact> new_contacts) const {
-    std::vector<const EvaluatedContact*> found(new_contacts.size(), nullptr);
-    std::size_t k = 0;
-    for (std::size_t other = 0; other < new_contacts.size(); ++other) {
-        while (k < contacts.size() && comes_before(contacts[k], new_contacts[other])) ++k;
-        if (k < contacts.size() && !comes_before(new_contacts[other], contacts[k]))
-            found[other] = &evaluated[k];
+PerContact<const EvaluatedContact*> InitialGuess::match(ContactSpan<const Contact> new_contacts) const {
+    PerContact<const EvaluatedContact*> found(new_contacts.size(), nullptr);
+    ContactIndex k;
+    for (const ContactIndex i : new_contacts.indices()) {
+        while (k < contacts.size() && comes_before(contacts[k], new_contacts[i])) ++k;
+        if (k < contacts.size() && !comes_before(new_contacts[i], contacts[k])) found[i] = &evaluated[k];
     }
     return found;
 }

@@ -1,32 +1,43 @@
 #pragma once
 
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "dda/analysis/step_problem.hpp"
 
 namespace rockslope::dda {
 
-/// What contacts did in another prediction at the step; where the iteration starts from.
+/// The contact states and forces found in an earlier attempt at the step: the initial guess of the open-close
+/// iteration in the next attempt.
 struct InitialGuess {
-    std::vector<Contact> contacts;  ///< sorted, as found by detect_contacts
-    std::vector<EvaluatedContact> evaluated;
+    PerContact<Contact> contacts;  ///< sorted, as found by detect_contacts
+    PerContact<EvaluatedContact> evaluated;
 
-    /// Per contact of another prediction, sorted likewise; null for those that were not there.
-    std::vector<const EvaluatedContact*> match(std::span<const Contact> new_contacts) const;
+    /// The guess for each contact of the new attempt; null for contacts that the earlier one did not have.
+    /// @param new_contacts sorted in the same order.
+    PerContact<const EvaluatedContact*> match(ContactSpan<const Contact> new_contacts) const;
 };
 
-/// What a prediction at the step takes for granted, and a further one corrects: how far apart corners and
-/// edges may meet, where blocks go, which corners come in unannounced.
+/// The assumptions of one attempt at a step. Where the solution contradicts them, they are corrected and the
+/// step is attempted again.
 struct Prediction {
     double search_radius = 0;            ///< m, within which corner and edge may meet in the step
-    std::vector<CornerEdge> undetected;  ///< sorted pairs that met without a contact
-    /// Of them, those that did so again: known to meet though they could not touch at the start.
+    std::vector<CornerEdge> undetected;  ///< sorted pairs that penetrated without a contact
+    /// Forced candidates: pairs that penetrated undetected a second time. They get a contact without an
+    /// entrance-angle test.
     std::vector<CornerEdge> forced;
-    std::vector<Vec6> predicted;   ///< per block, displacement of the whole step; fixes arms and normals
-    int rotation_corrections = 0;  ///< how often that was corrected
-    InitialGuess guess;            ///< what the prediction before found
-    bool needs_retry = true;       ///< whether what this prediction corrects is worth another one
+    PerBlock<Vec6> predicted;  ///< per block, displacement of the step; fixes the mid-step arms and normals
+    int rotation_corrections = 0;  ///< number of attempts repeated because of the rotations
+    InitialGuess guess;            ///< from the attempt before
+    bool needs_retry = true;       ///< whether the corrected prediction deserves another attempt
+
+    /// Asks for another attempt that starts from the displacements and contact states found.
+    void retry_from(const PerBlock<Vec6>& displacement, InitialGuess found) {
+        predicted = displacement;
+        guess = std::move(found);
+        needs_retry = true;
+    }
 };
 
 }  // namespace rockslope::dda

@@ -7,24 +7,24 @@ namespace rockslope::dda {
 
 namespace {
 
-/// A mistake in the rotation over the step, times the rotation, rad2, from which on the work_error of contact
-/// forces is looked at.
+/// Error of the predicted rotation times the rotation, rad2. Below this value the prediction counts as right,
+/// and the work error is not computed.
 constexpr double rotation_error_tolerance = 1e-6;
-/// The share of the kinetic energy by which that work_error may differ from what the springs store.
+/// Largest work error of the contact forces over the kinetic energy.
 constexpr double work_error_tolerance = 1e-6;
 
 }  // namespace
 
-bool rotation_prediction_failed(std::span<const Vec6> predicted, std::span<const Vec6> displacement,
-                                std::span<const ContactSprings> springs, std::span<const Contact> before,
+bool rotation_prediction_failed(BlockSpan<const Vec6> predicted, BlockSpan<const Vec6> displacement,
+                                ContactSpan<const ContactSprings> springs, ContactSpan<const Contact> before,
                                 const OpenCloseResult& result, double kinetic) {
     double rotation_error = 0;
-    for (std::size_t b = 0; b < displacement.size(); ++b)
+    for (const BlockIndex b : displacement.indices())
         rotation_error =
             std::max(rotation_error, std::abs(displacement[b][2] * (displacement[b][2] - predicted[b][2])));
     if (rotation_error < rotation_error_tolerance) return false;
     double work_error = 0;
-    for (std::size_t k = 0; k < result.contacts.size(); ++k) {
+    for (const ContactIndex k : result.contacts.indices()) {
         const EvaluatedContact& evaluated = result.contacts[k];
         const double linear = springs[k].rows.measure(springs[k].normal, result.displacement);
         work_error += std::abs(evaluated.normal_force *

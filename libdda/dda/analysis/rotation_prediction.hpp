@@ -6,15 +6,18 @@
 
 namespace rockslope::dda {
 
-/// Whether blocks turned so differently from what fixed the arms and normals half-way through the step
-/// (MidStep) that contact forces did noticeably more or less work than their springs stored: the linear
-/// measure of a contact's opening, Eq. (20), is good to third order only about the true half-way position. An
-/// impact may change a rotation by its whole size, and the step would gain or lose energy by it.
-/// @param predicted, displacement per block, over the step.
-/// @param before the step's contacts at its start.
-/// @param kinetic energy at the step's start, J per metre, that the work is compared with.
-bool rotation_prediction_failed(std::span<const Vec6> predicted, std::span<const Vec6> displacement,
-                                std::span<const ContactSprings> springs, std::span<const Contact> before,
+/// Whether the predicted rotations were so wrong that the step would gain or lose energy.
+///
+/// The predicted displacement fixes the contact arms and normals at mid-step (MidStep). The linearised
+/// opening of a contact, Eq. (20), is third-order accurate only about the true mid-step position, and an
+/// impact may change a rotation by its whole size. The contact forces then do more or less work than the
+/// springs store.
+/// @param predicted displacement of the step by the prediction, per block.
+/// @param displacement displacement of the step by the solution, per block.
+/// @param before the contacts at the start of the step.
+/// @param kinetic J per metre, kinetic energy at the start of the step, the scale for the work error.
+bool rotation_prediction_failed(BlockSpan<const Vec6> predicted, BlockSpan<const Vec6> displacement,
+                                ContactSpan<const ContactSprings> springs, ContactSpan<const Contact> before,
                                 const OpenCloseResult& result, double kinetic);
 
 }  // namespace rockslope::dda

@@ -8,13 +8,13 @@ namespace rockslope::dda {
 
 namespace {
 
-/// What a static stage leaves to count anew. It is done when another stage follows, so that a run's last
-/// state still tells what its last stage did.
-void reset_counters_after(const Model& model, const Stage& stage, State& state) {
+/// Applies the resets that a static stage asks for at its end. They are applied when the next stage begins,
+/// so that the last state of a run still has the displacements of its last stage.
+void apply_resets_of(const Model& model, const Stage& stage, State& state) {
     if (stage.kind != StageKind::static_equilibrium) return;
     if (stage.reset_displacements) {
         state.displacement_origin = state.blocks.points;
-        for (std::size_t b = 0; b < state.centroid_origin.size(); ++b) {
+        for (const BlockIndex b : state.centroid_origin.indices()) {
             state.centroid_origin[b] = state.blocks.moments[b].centroid;
         }
         for (Contact& contact : state.contacts.contacts) contact.slip = 0;
@@ -26,7 +26,7 @@ void reset_counters_after(const Model& model, const Stage& stage, State& state) 
     }
 }
 
-/// The rock that is there, and what steps it.
+/// The model without removed blocks, and its time stepper.
 struct ActiveModel {
     ActiveModel(const Model& full_model, const State& state, int threads)
         : reduced_model(state.removed.empty()
@@ -64,7 +64,7 @@ RunOutcome run(const Model& model, std::span<const Stage> stages, State& state, 
     bool resumed = options.resumed;
     for (std::size_t k = static_cast<std::size_t>(options.first_stage); k < stages.size(); ++k) {
         if (!resumed) {
-            if (k > 0) reset_counters_after(model, stages[k - 1], state);
+            if (k > 0) apply_resets_of(model, stages[k - 1], state);
             begin_stage(state);
             if (excavate(model, static_cast<int>(k) + 1, state)) active.reset();
         }

@@ -12,53 +12,54 @@
 
 namespace rockslope::dda {
 
-/// `not_written`: the results could not be kept, which is the observer's to find out.
+/// How a run ended. `not_written`: results could not be written; the observer sets it.
 enum class RunStatus { completed, not_converged, not_settled, stopped, not_written };
 
 struct RunOutcome {
     RunStatus status = RunStatus::completed;
     std::string message;                   ///< one line: reason, time, worst contact
-    std::optional<Contact> worst_contact;  ///< at the refused step's start, when one is to blame
+    std::optional<Contact> worst_contact;  ///< if a contact is the cause, see StepAttempt
 };
 
-/// What came of one trial of a strength reduction.
+/// The result of one trial of a strength reduction.
 struct ReductionTrial {
-    double factor = 1;  ///< that strengths were divided by
+    double factor = 1;  ///< strengths were divided by it
     bool stands = false;
     std::int64_t steps = 0;
-    double unbalanced_force = 0;  ///< at its end, over the weight
-    double displacement = 0;      ///< m, of the block that moved farthest
+    double unbalanced_force = 0;  ///< at the end of the trial, over the weight
+    double displacement = 0;      ///< m, the largest of a block's centroid
 };
 
-/// What a run tells the outside: results, progress. Return values steer it.
+/// Receives the results and the progress of a run. Its return values can stop the run.
 class RunObserver {
   public:
     virtual ~RunObserver() = default;
-    /// What the stage before set to count anew counts from this state.
+    /// Before the first step of a stage. Displacements and histories that the previous stage resets are
+    /// reset.
     virtual void stage_begins(const Model&, const State&, const Stage&, int /*stage_index*/) {}
     /// After every accepted step. Returning false stops the run (status `stopped`).
     virtual bool step_done(const Model&, const State&, const Stage&, const StepReport&) { return true; }
     virtual void stage_ends(const Model&, const State&, const Stage&, int /*stage_index*/) {}
-    /// After every step of a strength reduction's trials, in place of step_done().
+    /// Replaces step_done() in the trials of a strength reduction.
     virtual bool trial_step_done(const Model&, const State&, const Stage&, const StepReport&) { return true; }
     virtual void trial_done(const Model&, const State&, const Stage&, const ReductionTrial&) {}
-    /// The state in which the trial of the smallest failing factor ended.
+    /// Receives the final state of the failed trial with the smallest factor: the failure mechanism.
     virtual void mechanism_found(const Model&, const State&, const Stage&) {}
-    /// In place of stage_ends() when a stage does not converge or settle. @param state the last accepted
+    /// Replaces stage_ends() when a stage does not converge or settle. @param state after the last accepted
     /// step.
     virtual void stage_fails(const Model&, const State& /*state*/, const Stage&, int /*stage_index*/) {}
 };
 
 struct RunOptions {
     int threads = 1;
-    int first_stage = 0;   ///< the stages before it are done
-    bool resumed = false;  ///< the state is in the middle of first_stage
+    int first_stage = 0;   ///< index of the first stage to run
+    bool resumed = false;  ///< the state is from the middle of first_stage
 };
 
 /// The state before the first step of a run.
 State initial_state(const Model& model);
 
-/// Runs the stages one after the other on `state`, which always holds the last accepted step.
+/// Runs the stages in order. `state` always holds the result of the last accepted step.
 RunOutcome run(const Model& model, std::span<const Stage> stages, State& state, RunObserver& observer,
                const RunOptions& options = {});
 

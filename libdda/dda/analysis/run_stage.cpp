@@ -14,49 +14,50 @@ std::string describe(const Model& model, const StepAttempt& attempt) {
         case Rejection::singular:
             return "the equations are not positive definite";
         case Rejection::excessive_displacement:
-            std::snprintf(text, sizeof text, "a vertex moves %.3g m in a step",
+            std::snprintf(text, sizeof text, "a vertex moves %.3g m in one step",
                           attempt.report.largest_displacement);
             return text;
         case Rejection::too_stiff:
-            return "contact springs are so stiff that rounding alone moves a force by a tenth of a block's "
-                   "weight; penalties or joint stiffnesses are too large for the model's coordinates";
+            return "the contact springs are too stiff: rounding of the coordinates alone changes a force by "
+                   "a tenth of a block's weight; use smaller penalties or joint stiffnesses";
         default:
             break;
     }
-    if (!attempt.worst_contact) return "the open-close iteration does not settle";
+    if (!attempt.worst_contact) return "the open-close iteration does not converge";
     const Contact& contact = *attempt.worst_contact;
     if (attempt.rejection == Rejection::undetected_penetration) {
         std::snprintf(text, sizeof text,
-                      "a corner of block %d gets %.3g m into block %d at (%.6g, %.6g) unseen",
-                      contact.corner_block, -contact.gap, contact.edge_block,
+                      "a vertex of block %d penetrates block %d by %.3g m at (%.6g, %.6g), and no contact "
+                      "was detected; use a smaller step",
+                      contact.corner_block.value(), contact.edge_block.value(), -contact.gap,
                       contact.point.x() + model.origin.x(), contact.point.y() + model.origin.y());
         return text;
     }
     std::snprintf(text, sizeof text,
-                  "the open-close iteration does not settle; worst contact: block %d on block %d at (%.6g, "
+                  "the open-close iteration does not converge; worst contact: block %d on block %d at (%.6g, "
                   "%.6g), joint material %s",
-                  contact.corner_block, contact.edge_block, contact.point.x() + model.origin.x(),
-                  contact.point.y() + model.origin.y(),
+                  contact.corner_block.value(), contact.edge_block.value(),
+                  contact.point.x() + model.origin.x(), contact.point.y() + model.origin.y(),
                   model.joint_material_at(contact.joint_material).name.c_str());
     return text;
 }
 
-/// Adapts the step: cut after a rejection, grown after steps that needed none.
+/// Adapts the step, Eq. (41): cut after a rejection, grown after steps that needed none.
 class StepSize {
   public:
     StepSize(const StepControl& control, double resume)
         : control_(control), size_(resume > 0 ? resume : control.step) {
         size_ = std::min(size_, control.step);
     }
-    /// The next step, not past what remains until an instant that a step must end on; the last two share what
-    /// remains, so that no sliver of time is left.
+    /// The size of the next step, s. `remaining` is the time to an instant at which a step must end. If less
+    /// than two steps remain, the remaining time is halved, so that no very small step is left.
     double next(double remaining) const {
         if (size_ >= remaining * (1 - 1e-9)) return remaining;
         return size_ * 2 > remaining ? remaining / 2 : size_;
     }
     void cut(double tried) { size_ = tried * control_.cut; }
-    void accept(bool easy) {
-        if (easy) size_ = std::min(control_.step, size_ * control_.growth);
+    void accept(bool without_cuts) {
+        if (without_cuts) size_ = std::min(control_.step, size_ * control_.growth);
     }
     double size() const { return size_; }
     bool too_small() const { return size_ < control_.smallest_step; }
@@ -66,8 +67,8 @@ class StepSize {
     double size_;
 };
 
-/// A step of a dynamic stage must not pass the next instant, nor the stage's end; an instant within half a
-/// step of the end gives way to it.
+/// The time to the instant at which a step of a dynamic stage must end, s: the next multiple of the stage's
+/// step, or the end of the stage if that multiple is within half a step of it.
 double until_next_instant(const Stage& stage, double stage_time) {
     const double instant = next_step_multiple(stage, stage_time);
     return (instant + stage.control.step / 2 < stage.duration ? instant : stage.duration) - stage_time;

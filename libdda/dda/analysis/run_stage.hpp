@@ -5,11 +5,10 @@
 
 namespace rockslope::dda {
 
-/// Clocks and counters of a stage at its start.
+/// Sets the stage's time and step count to zero, and the next step to the stage's step.
 void begin_stage(State& state);
 
-/// Runs one stage on `state`, which always holds the last accepted step. @return how it ended; `completed`
-/// lets the run go on.
+/// Runs one stage. `state` always holds the result of the last accepted step. @return how the stage ended.
 RunOutcome run_stage(const Model& model, const Stage& stage, TimeStepper& stepper, State& state,
                      RunObserver& observer);
 

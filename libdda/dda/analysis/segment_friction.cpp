@@ -4,8 +4,8 @@ namespace rockslope::dda {
 
 namespace {
 
-/// Of the normal force, that a strength over it goes with. @param half, @param whole that strength under half
-/// of the force and under all of it.
+/// Exponent b in strength / normal force ~ (normal force)^b. @param half, @param whole the ratio under half
+/// of the normal force and under all of it.
 double strength_exponent(double half, double whole) {
     return half > 0 && whole > 0 ? std::log2(whole / half) : 0;
 }
@@ -21,8 +21,8 @@ void SegmentFriction::evaluate_law(std::size_t segment, const SegmentLoading& lo
     segments_[segment].over_normal_force = any ? strength_.over_normal_force(segment, loading) : Strength{};
 }
 
-void SegmentFriction::request_line(std::size_t contact) {
-    const auto index = static_cast<std::size_t>(strength_.segment_of(contact));
+void SegmentFriction::request_line(ContactIndex contact) {
+    const std::size_t index = strength_.segment_of(contact);
     Segment& segment = segments_[index];
     if (segment.has_exponents || segment.requested) return;
     segment.requested = true;
@@ -40,7 +40,7 @@ void SegmentFriction::find_exponents(std::size_t index) {
     segment.has_exponents = true;
 }
 
-BoundLine SegmentFriction::line(std::size_t contact, bool forward, double normal_force) const {
+BoundLine SegmentFriction::line(ContactIndex contact, bool forward, double normal_force) const {
     const Segment& segment = segment_of(contact);
     const double ratio = forward ? segment.over_normal_force.forward : segment.over_normal_force.backward;
     const double curvature_term = ratio * (forward ? segment.forward_exponent : segment.backward_exponent);

@@ -2,8 +2,6 @@
 
 #include <optional>
 
-#include "dda/analysis/joint_motion.hpp"
-
 namespace rockslope::dda {
 
 SegmentStrength::SegmentStrength(const StepProblem& problem)
@@ -11,53 +9,31 @@ SegmentStrength::SegmentStrength(const StepProblem& problem)
     segment_of_.assign(p_.contacts.size(), -1);
     segments_.reserve(p_.segments.count());
     members_.reserve(p_.segments.first_member(p_.segments.count()));
-    for (std::size_t f = 0; f < p_.segments.count(); ++f) {
-        const std::span<const int> members = p_.segments.contacts_of(f);
-        const auto& first = p_.contacts[static_cast<std::size_t>(members[0])];
+    for (std::size_t index = 0; index < p_.segments.count(); ++index) {
+        const std::span<const ContactIndex> members = p_.segments.contacts_of(index);
+        const auto& first = p_.contacts[members[0]];
         Segment& segment = segments_.emplace_back();
         segment.first = static_cast<std::uint32_t>(members_.size());
         segment.count = static_cast<std::uint32_t>(members.size());
         segment.law = &p_.model.joint_material_at(first.joint_material).law;
-        // Any force will do: which contacts tell the faces' motion and history is a matter of the step's
-        // start.
-        const std::optional<SegmentMotion> combined = segment_motion(members, p_.contacts, [&](int k) {
-            const auto c = static_cast<std::size_t>(k);
-            return contact_motion(p_.model, p_.contacts[c], p_.springs[c].shear_stiffness, 1, 0, 0);
-        });
+        // The normal force is arbitrary here: only the state at the step's start decides which contacts
+        // count.
+        const auto motion_of = [&](ContactIndex k) {
+            return contact_motion(p_.model, p_.contacts[k], p_.springs[k].shear_stiffness, 1, 0, 0);
+        };
+        const auto add_member = [&](ContactIndex k, const MemberWeight& weight) {
+            members_.push_back({k, weight});
+        };
+        const std::optional<SegmentMotion> combined =
+            segment_motion(members, p_.contacts, motion_of, add_member);
         segment.history = &**combined->history;
         segment.length = combined->motion.length;
         segment.shear_force = combined->motion.shear_force;
         segment.shear_stiffness = combined->motion.stiffness;
-        for (const int k : members) {
-            const auto c = static_cast<std::size_t>(k);
-            segment_of_[c] = static_cast<int>(f);
-            segment.stiffness += p_.springs[c].shear_stiffness;
+        for (const ContactIndex k : members) {
+            segment_of_[k] = static_cast<int>(index);
+            segment.stiffness += p_.springs[k].shear_stiffness;
         }
-        add_members(members);
-    }
-}
-
-/// As `combine` weights displacements, one contact after the other.
-void SegmentStrength::add_members(std::span<const int> contacts) {
-    const bool any_closed_before = any_closed(contacts, p_.contacts);
-    std::optional<ContactMotion> so_far;
-    for (const int k : contacts) {
-        const auto c = static_cast<std::size_t>(k);
-        const Contact& contact = p_.contacts[c];
-        Member member{k, !any_closed_before || contact.state != ContactState::open, 0, 1};
-        if (member.counts) {
-            const ContactMotion one =
-                contact_motion(p_.model, contact, p_.springs[c].shear_stiffness, 1, 0, 0);
-            if (so_far) {
-                so_far->displacement = 1;
-                so_far = combine(*so_far, one);
-                member.previous_weight = so_far->displacement;
-                member.weight = 1 - member.previous_weight;
-            } else {
-                so_far = one;
-            }
-        }
-        members_.push_back(member);
     }
 }
 

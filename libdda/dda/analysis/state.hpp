@@ -10,30 +10,27 @@
 
 namespace rockslope::dda {
 
-/// Everything that changes during a run but the contacts, at one instant.
+/// The state of the model at one instant, without its contacts.
 struct StateWithoutContacts {
     double time = 0;               ///< s since the start of the run
     double stage_time = 0;         ///< s since the start of the stage
-    double dynamic_time = 0;       ///< s of the run's dynamic stages so far: the clock of load histories
-    double next_step = 0;          ///< s, the step to try next; 0: the stage's own
+    double dynamic_time = 0;       ///< s, sum over the dynamic stages so far: the time of load histories
+    double next_step = 0;          ///< s, size of the next trial step; 0: the stage's step
     std::int64_t step_count = 0;   ///< since the start of the run
     std::int64_t stage_steps = 0;  ///< since the start of the stage
     BlockSystem blocks;
-    std::vector<Vec2> displacement_origin;  ///< per material point: where displacements count from, m
-    std::vector<Vec2> centroid_origin;      ///< per block: likewise
-    std::vector<double> bolt_force;         ///< per bolt, N per metre, tension positive
-    BoundaryReactions boundary_reactions;   ///< of viscous boundaries, N per metre
-    FreeFieldMotions free_fields;           ///< beside viscous boundaries
+    PerPoint<Vec2> displacement_origin;    ///< m, per material point: position of zero displacement
+    PerBlock<Vec2> centroid_origin;        ///< m, per block: centroid of zero displacement
+    std::vector<double> bolt_force;        ///< per bolt that is not removed, N per metre, tension positive
+    BoundaryReactions boundary_reactions;  ///< of viscous boundaries, N per metre
+    FreeFieldMotions free_fields;          ///< of the columns beside viscous boundaries
     Energy energy;
-    std::vector<std::uint8_t> removed;  ///< per block, 1 where it was taken out; empty while all are there
+    PerBlock<std::uint8_t> removed;  ///< per block, 1 if excavated; empty as long as no block is
 
-    bool is_present(int block) const {
-        return removed.empty() || removed[static_cast<std::size_t>(block)] == 0;
-    }
+    bool is_present(BlockIndex block) const { return removed.empty() || removed[block] == 0; }
 };
 
-/// Everything that changes during a run, at one instant. A trial step makes a new one; a rejected step
-/// forgets it.
+/// The state of the model at one instant. A trial step computes a new one; a rejected step discards it.
 struct State : StateWithoutContacts {
     ContactSet contacts;
 };

@@ -15,25 +15,25 @@ namespace rockslope::dda {
 
 namespace {
 
-/// A prediction at a step that rotation_corrections out too short-sighted for the displacements found is
-/// repeated with a longer reach, one that undetected a corner with that corner, one that mistook the
-/// rotations with those found.
+/// Largest number of attempts at a step. Another one follows when a vertex moves by more than half of the
+/// search radius, when one penetrates undetected, or when the predicted rotations were wrong.
 constexpr int attempt_limit = 8;
-/// Of them, those that may be spent on the rotations: each makes what is left of the mistake smaller by about
-/// the rotation, rad.
+/// Largest number of attempts repeated because of wrong rotations. Each one reduces the rotation error by a
+/// factor of about the rotation, rad.
 constexpr int rotation_correction_limit = 3;
-/// Depth to which a corner without a contact may be in another block, as a share of the median edge. Far
+/// Tolerated penetration of a vertex without a contact at the end of a step, over the median edge length. Far
 /// below any penetration that matters, far above rounding.
 constexpr double undetected_depth = 1e-9;
-/// Depth to which a corner may clip another block and be out again within a step, likewise: arcs are looked
-/// at as straight ways, and strain moves the corners of a joint by less than this.
+/// Tolerated penetration of a vertex that enters and leaves a block within a step, over the median edge
+/// length. The test replaces arcs by straight paths, and strain moves the vertices of a joint by less than
+/// this.
 constexpr double clipping_depth = 1e-5;
-/// Share of a block's weight by which rounding may move the force of the max_stiffness spring. All forces
-/// agree at convergence to no better than that, so a spring without bound would make anything pass for
+/// Largest force that coordinate rounding may cause in the stiffest spring, over the mean weight of a block.
+/// Forces converge no closer than this rounding, so with stiffer springs any state would pass for
 /// equilibrium.
 constexpr double rounding_force_limit = 0.1;
 
-double extent(std::span<const Vec2> vertices, int axis) {
+double extent(CornerSpan<const Vec2> vertices, int axis) {
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
     for (const Vec2& v : vertices) {
@@ -43,18 +43,18 @@ double extent(std::span<const Vec2> vertices, int axis) {
     return high - low;
 }
 
-double largest_coordinate(std::span<const Vec2> vertices) {
+double largest_coordinate(CornerSpan<const Vec2> vertices) {
     double largest = 0;
     for (const Vec2& v : vertices) largest = std::max(largest, v.cwiseAbs().maxCoeff());
     return largest;
 }
 
-/// N per metre, of the blocks with unknowns.
+/// The mean weight of the blocks with unknowns, N per metre.
 double mean_weight(const Model& model, const RowMap& rows) {
     if (rows.count() == 0) return 0;
     const BlockSystem blocks = initial_block_system(model);
     double mass = 0;
-    for (const int block : rows.block_of) mass += blocks.mass[static_cast<std::size_t>(block)];
+    for (const BlockIndex block : rows.block_of) mass += blocks.mass[block];
     return mass * model.gravity.norm() / rows.count();
 }
 
@@ -62,18 +62,18 @@ double velocity_factor(const Stage& stage) {
     return stage.kind == StageKind::static_equilibrium ? 0.0 : stage.dynamic_coefficient;
 }
 
-/// s, of a step: a static stage's steps are no time.
+/// The physical time of a step, s: dt in dynamic stages, 0 in static ones.
 double duration_of(const Stage& stage, double dt) {
     return stage.kind == StageKind::dynamic ? dt : 0;
 }
 
-/// The instant whose loads act at a step's end, s.
+/// The time at which load histories are evaluated, s: the end of the step.
 double load_time(const Stage& stage, const State& state, double dt) {
     return state.dynamic_time + duration_of(stage, dt);
 }
 
-/// Straining changes a block's moments of inertia, and what stays is its angular momentum, not its rate of
-/// turning. Sets the rate. @return the kinetic energy that this takes, J per metre.
+/// Strain changes the moments of inertia of a block. Corrects the angular velocity so that the angular
+/// momentum is conserved. @return the kinetic energy lost, J per metre.
 double conserve_angular_momentum(double mass, const AreaMoments& before, const Vec6& velocity_before,
                                  const AreaMoments& after, Vec6& velocity) {
     const Mat6 inertia_before = mass_matrix(mass, before);
@@ -92,7 +92,7 @@ struct TimeStepper::Step {
     MidStep mid;
     ContactSet contacts;
     JointSegments segments;
-    std::vector<ContactSprings> springs;
+    PerContact<ContactSprings> springs;
     std::vector<BoltSpring> bolts;
     FreeFieldMotions fields;
     std::vector<BoundaryTerm> boundaries;
@@ -117,7 +117,7 @@ StepAttempt TimeStepper::advance(const Stage& stage, const State& state, double 
     StepCounts counts;
     if (times_ != nullptr) times_->start();
     Prediction prediction = initial_prediction(stage, state, dt);
-    for (int k = 0; k < attempt_limit && prediction.needs_retry; ++k) {
+    for (int attempts = 0; attempts < attempt_limit && prediction.needs_retry; ++attempts) {
         attempt = attempt_with(stage, state, dt, prediction);
         counts += attempt.report;
     }
@@ -139,45 +139,30 @@ StepAttempt TimeStepper::attempt_with(const Stage& stage, const State& state, do
     static_cast<StepCounts&>(attempt.report) = result;
     if (!result.converged) {
         attempt.rejection = result.singular ? Rejection::singular : Rejection::not_converged;
-        if (result.worst_contact >= 0)
-            attempt.worst_contact = step.contacts.contacts[static_cast<std::size_t>(result.worst_contact)];
+        if (result.worst_contact.exists())
+            attempt.worst_contact = step.contacts.contacts[result.worst_contact];
         return attempt;
     }
-    const std::vector<Vec6> displacement = all_displacements(step, result);
+    const PerBlock<Vec6> displacement = all_displacements(step, result);
     const double moved = largest_displacement(state, displacement);
     attempt.report.largest_displacement = moved;
-    attempt.rejection = Rejection::excessive_displacement;
-    if (!(moved <= displacement_limit(stage.control))) return attempt;  // or is not a number
-    if (2 * moved > prediction.search_radius) {
-        prediction.search_radius = 2.5 * moved;
-        prediction.needs_retry = true;
-        return attempt;
-    }
-    const auto retry = [&] {
-        prediction.predicted = displacement;
-        prediction.guess = {step.contacts.contacts, std::move(result.contacts)};
-        prediction.needs_retry = true;
-    };
-    if (prediction.rotation_corrections < rotation_correction_limit &&
-        rotation_prediction_failed(prediction.predicted, displacement, step.springs, step.contacts.contacts,
-                                   result, state.energy.kinetic)) {
-        ++prediction.rotation_corrections;
-        retry();
-        return attempt;
-    }
+    attempt.rejection = Rejection::excessive_displacement;  // stays so if no prediction fits the motion
+    if (!(moved <= displacement_limit(stage.control))) return attempt;  // also if it is not a number
+    if (correct_motion(state, step, result, displacement, moved, prediction)) return attempt;
     attempt.state = updated_state(stage, state, step, result, displacement);
     const double max_stiffness = max_spring_stiffness(step.springs);
-    step.springs = std::vector<ContactSprings>();  // the search for undetected_penetrations takes as much
+    step.springs = {};  // frees memory; the next search needs as much
     const std::vector<UndetectedPenetration> undetected =
         undetected_penetrations(state, attempt.state, prediction.search_radius);
     if (!undetected.empty()) {
         attempt.rejection = Rejection::undetected_penetration;
         attempt.worst_contact =
             deepest_penetration_as_contact(model_, attempt.state.blocks.vertices, undetected);
-        // Once, another expectation of where blocks go may be enough to find the contact; then it is told.
+        // First retry with the displacements found, which may make detection find the contact. A pair that
+        // penetrates undetected again becomes a forced candidate.
         if (can_be_prevented(undetected) &&
             (merge_pairs(undetected, prediction.undetected) || merge_pairs(undetected, prediction.forced)))
-            retry();
+            prediction.retry_from(displacement, {step.contacts.contacts, std::move(result.contacts)});
         return attempt;
     }
     attempt.rejection = Rejection::none;
@@ -189,6 +174,22 @@ StepAttempt TimeStepper::attempt_with(const Stage& stage, const State& state, do
     return attempt;
 }
 
+bool TimeStepper::correct_motion(const State& state, const Step& step, OpenCloseResult& result,
+                                 const PerBlock<Vec6>& displacement, double moved, Prediction& prediction) {
+    if (2 * moved > prediction.search_radius) {
+        prediction.search_radius = 2.5 * moved;
+        prediction.needs_retry = true;
+        return true;
+    }
+    if (prediction.rotation_corrections >= rotation_correction_limit ||
+        !rotation_prediction_failed(prediction.predicted, displacement, step.springs, step.contacts.contacts,
+                                    result, state.energy.kinetic))
+        return false;
+    ++prediction.rotation_corrections;
+    prediction.retry_from(displacement, {step.contacts.contacts, std::move(result.contacts)});
+    return true;
+}
+
 bool TimeStepper::is_too_stiff_for_rounding(const Step& step) const {
     return mean_weight_ > 0 &&
            coordinate_rounding_ * max_spring_stiffness(step.springs) > rounding_force_limit * mean_weight_;
@@ -196,27 +197,32 @@ bool TimeStepper::is_too_stiff_for_rounding(const Step& step) const {
 
 std::vector<UndetectedPenetration> TimeStepper::undetected_penetrations(const State& before,
                                                                         const State& after,
-                                                                        double reach) const {
-    return find_undetected_penetrations(model_, before.blocks.vertices, after.blocks.vertices,
-                                        after.contacts.candidates, after.contacts.contacts, reach,
-                                        undetected_depth * edge_length_, clipping_depth * edge_length_,
-                                        pool_);
+                                                                        double search_radius) const {
+    const PenetrationTest test{.before = before.blocks.vertices,
+                               .after = after.blocks.vertices,
+                               .candidates = after.contacts.candidates,
+                               .contacts = after.contacts.contacts,
+                               .search_radius = search_radius,
+                               .tolerance = undetected_depth * edge_length_,
+                               .clip_depth = clipping_depth * edge_length_};
+    return find_undetected_penetrations(model_, test, pool_);
 }
 
 double TimeStepper::initial_search_radius(const Stage& stage, const State& state, double dt) const {
-    std::vector<Vec6> predicted_displacement(state.blocks.velocity);
+    PerBlock<Vec6> predicted_displacement(state.blocks.velocity);
     for (Vec6& v : predicted_displacement) v *= dt;
     double largest_penetration = 0;
-    double largest_dilation = 0;  // faces that shearing has moved
+    double largest_dilation = 0;
     for (const Contact& c : state.contacts.contacts) {
         if (c.state != ContactState::open) largest_penetration = std::max(largest_penetration, -c.gap);
         largest_dilation = std::max(largest_dilation, std::abs(c.dilation));
     }
-    // A step that moves farther than it may is refused, however far it has looked.
-    const double farthest = 2 * displacement_limit(stage.control);
-    const double moving =
+    // A larger approach is not needed: a step beyond the displacement limit is rejected anyway.
+    const double approach_limit = 2 * displacement_limit(stage.control);
+    const double approach =
         3 * largest_displacement(state, predicted_displacement) + 2 * model_.gravity.norm() * dt * dt;
-    return std::min(moving, farthest) + 4 * largest_penetration + 2 * largest_dilation + 1e-4 * edge_length_;
+    return std::min(approach, approach_limit) + 4 * largest_penetration + 2 * largest_dilation +
+           1e-4 * edge_length_;
 }
 
 Prediction TimeStepper::initial_prediction(const Stage& stage, const State& state, double dt) const {
@@ -224,10 +230,7 @@ Prediction TimeStepper::initial_prediction(const Stage& stage, const State& stat
     prediction.search_radius = initial_search_radius(stage, state, dt);
     prediction.predicted =
         prescribe_motion(model_, stage, state.blocks, dt, state.stage_time + dt).displacement;
-    for (const int b : rows_.block_of) {
-        prediction.predicted[static_cast<std::size_t>(b)] =
-            dt * state.blocks.velocity[static_cast<std::size_t>(b)];
-    }
+    for (const BlockIndex b : rows_.block_of) prediction.predicted[b] = dt * state.blocks.velocity[b];
     return prediction;
 }
 
@@ -261,7 +264,7 @@ TimeStepper::Step TimeStepper::prepare(const Stage& stage, const State& state, d
 }
 
 void TimeStepper::assemble_base(const Stage& stage, const State& state, Step& step) const {
-    const auto count = static_cast<std::size_t>(rows_.count());
+    const std::size_t count = rows_.count();
     step.base.stiffness.assign(count, Mat6::Zero());
     step.base.load.assign(count, Vec6::Zero());
     add_inertia(rows_, state.blocks, step.newmark, stage.mass_damping, step.base);
@@ -274,21 +277,17 @@ void TimeStepper::assemble_base(const Stage& stage, const State& state, Step& st
 void TimeStepper::analyze_pattern(const ContactSet& contacts) {
     if (pattern_.size == rows_.count() && contacts.candidates == pattern_candidates_) return;
     pattern_candidates_ = contacts.candidates;
-    std::vector<std::pair<int, int>> pairs;
-    const auto add = [&](int first_block, int second_block) {
-        const int i = rows_.row_of[static_cast<std::size_t>(first_block)];
-        const int j = rows_.row_of[static_cast<std::size_t>(second_block)];
-        if (i >= 0 && j >= 0 && i != j && (pairs.empty() || pairs.back() != std::pair{i, j}))
+    std::vector<std::pair<RowIndex, RowIndex>> pairs;
+    const auto add = [&](BlockIndex first_block, BlockIndex second_block) {
+        const RowIndex i = rows_.row_of[first_block];
+        const RowIndex j = rows_.row_of[second_block];
+        if (i.exists() && j.exists() && i != j && (pairs.empty() || pairs.back() != std::pair{i, j}))
             pairs.emplace_back(i, j);
     };
-    for (const auto& [corner, edge] : contacts.candidates) {
-        add(model_.topology.block_of[static_cast<std::size_t>(corner)],
-            model_.topology.block_of[static_cast<std::size_t>(edge)]);
-    }
-    for (const BoltSpec& bolt : model_.bolts) {
-        add(model_.material_points[static_cast<std::size_t>(bolt.first)].block,
-            model_.material_points[static_cast<std::size_t>(bolt.second)].block);
-    }
+    for (const auto& [corner, edge] : contacts.candidates)
+        add(model_.topology.block_of[corner], model_.topology.block_of_edge(edge));
+    for (const BoltSpec& bolt : model_.bolts)
+        add(model_.material_points[bolt.first].block, model_.material_points[bolt.second].block);
     BlockPattern pattern = BlockPattern::from_pairs(rows_.count(), std::move(pairs));
     if (pattern == pattern_) return;
     pattern_ = std::move(pattern);
@@ -298,15 +297,15 @@ void TimeStepper::analyze_pattern(const ContactSet& contacts) {
 OpenCloseResult TimeStepper::solve(const Stage& stage, const State& state, const Step& step,
                                    const InitialGuess& guess) {
     if (rows_.count() == 0) {
-        OpenCloseResult nothing;
-        nothing.converged = true;
-        nothing.contacts.resize(step.contacts.contacts.size());
-        return nothing;
+        OpenCloseResult no_unknowns;
+        no_unknowns.converged = true;
+        no_unknowns.contacts.resize(step.contacts.contacts.size());
+        return no_unknowns;
     }
     analyze_pattern(step.contacts);
     end_of(Phase::analysis, times_);
     row_contacts_.find(rows_.count(), step.springs);
-    const std::vector<const EvaluatedContact*> first = guess.match(step.contacts.contacts);
+    const PerContact<const EvaluatedContact*> initial_guess = guess.match(step.contacts.contacts);
     const StepProblem problem{
         model_,
         stage.control,
@@ -316,7 +315,7 @@ OpenCloseResult TimeStepper::solve(const Stage& stage, const State& state, const
         step.prescribed.displacement,
         step.contacts.contacts,
         step.segments,
-        first,
+        initial_guess,
         step.springs,
         row_contacts_,
         step.bolts,
@@ -325,22 +324,20 @@ OpenCloseResult TimeStepper::solve(const Stage& stage, const State& state, const
     return iterate_open_close(problem, pattern_, *solver_, matrix_, pool_, times_);
 }
 
-std::vector<Vec6> TimeStepper::all_displacements(const Step& step, const OpenCloseResult& result) const {
-    std::vector<Vec6> displacement = step.prescribed.displacement;
-    for (std::size_t row = 0; row < rows_.block_of.size(); ++row) {
-        displacement[static_cast<std::size_t>(rows_.block_of[row])] = result.displacement[row];
-    }
+PerBlock<Vec6> TimeStepper::all_displacements(const Step& step, const OpenCloseResult& result) const {
+    PerBlock<Vec6> displacement = step.prescribed.displacement;
+    for (const RowIndex row : rows_.rows()) displacement[rows_.block_of[row]] = result.displacement[row];
     return displacement;
 }
 
-double TimeStepper::largest_displacement(const State& state, std::span<const Vec6> displacement) const {
+double TimeStepper::largest_displacement(const State& state, BlockSpan<const Vec6> displacement) const {
     const auto largest_square = [&](std::size_t begin, std::size_t end) {
         double square = 0;
-        for (std::size_t b = begin; b < end; ++b) {
+        for (const BlockIndex b : indices<BlockIndex>(begin, end)) {
             if (!displacement[b].allFinite()) return std::numeric_limits<double>::infinity();
             const Vec2& centroid = state.blocks.moments[b].centroid;
-            for (int k = model_.topology.block_corners[b]; k < model_.topology.block_corners[b + 1]; ++k) {
-                const Vec2 arm = state.blocks.vertices[static_cast<std::size_t>(k)] - centroid;
+            for (const CornerIndex k : model_.topology.corners_of(b)) {
+                const Vec2 arm = state.blocks.vertices[k] - centroid;
                 square = std::max(square, displacement_at(arm, displacement[b]).squaredNorm());
             }
         }
@@ -351,7 +348,7 @@ double TimeStepper::largest_displacement(const State& state, std::span<const Vec
 }
 
 State TimeStepper::updated_state(const Stage& stage, const State& state, const Step& step,
-                                 const OpenCloseResult& result, std::span<const Vec6> displacement) const {
+                                 const OpenCloseResult& result, BlockSpan<const Vec6> displacement) const {
     State after{state, step.contacts};
     after.time += step.dt;
     after.dynamic_time = step.loads.time;
@@ -360,38 +357,41 @@ State TimeStepper::updated_state(const Stage& stage, const State& state, const S
     after.bolt_force = result.bolt_force;
     after.boundary_reactions =
         advance_reactions(model_, step.mid, stage, displacement, std::move(after.boundary_reactions));
-
     after.free_fields = step.fields;
 
-    const double kept = velocity_factor(stage);
-    for (std::size_t row = 0; row < rows_.block_of.size(); ++row) {
-        const auto b = static_cast<std::size_t>(rows_.block_of[row]);
+    const double factor = velocity_factor(stage);
+    for (const RowIndex row : rows_.rows()) {
+        const BlockIndex b = rows_.block_of[row];
         const Vec6& v0 = state.blocks.velocity[b];
         const Vec6& a0 = state.blocks.acceleration[b];
         const Vec6 a1 = step.newmark.acceleration(result.displacement[row], v0, a0);
-        after.blocks.velocity[b] = kept * step.newmark.velocity(v0, a0, a1);
+        after.blocks.velocity[b] = factor * step.newmark.velocity(v0, a0, a1);
         after.blocks.acceleration[b] = a1;
     }
-    for (std::size_t b = 0; b < model_.motion.size(); ++b) {
+    for (const BlockIndex b : model_.blocks()) {
         if (model_.motion[b] != Motion::prescribed || stage.kind != StageKind::dynamic) continue;
         after.blocks.velocity[b] += step.prescribed.velocity_change[b];
         after.blocks.acceleration[b] = step.prescribed.acceleration[b];
     }
-    const std::vector<Vec6> velocity = after.blocks.velocity;
+    const PerBlock<Vec6> velocity = after.blocks.velocity;
     move_blocks(model_, displacement, pool_, after.blocks);
     double straining_loss = 0;
-    for (const int block : rows_.block_of) {
-        const auto b = static_cast<std::size_t>(block);
+    for (const BlockIndex b : rows_.block_of) {
         straining_loss +=
             conserve_angular_momentum(state.blocks.mass[b], state.blocks.moments[b], velocity[b],
                                       after.blocks.moments[b], after.blocks.velocity[b]);
     }
 
-    advance_contacts(model_, step.segments, after.blocks.vertices, result.contacts, step.springs,
-                     duration_of(stage, step.dt), pool_, after.contacts.contacts);
+    advance_contacts(model_,
+                     {.segments = step.segments,
+                      .vertices = after.blocks.vertices,
+                      .evaluated = result.contacts,
+                      .springs = step.springs,
+                      .duration = duration_of(stage, step.dt)},
+                     pool_, after.contacts.contacts);
     const StepWork work{
         state.blocks,    step.mid, step.contacts.contacts, step.springs,       step.bolts, state.bolt_force,
-        step.boundaries, result,   step.newmark,           stage.mass_damping, kept,       step.loads};
+        step.boundaries, result,   step.newmark,           stage.mass_damping, factor,     step.loads};
     after.energy.released += ledger_.contact_energy_of(state.contacts.contacts) -
                              ledger_.contact_energy_of(step.contacts.contacts);
     after.energy.numerical_loss += straining_loss;

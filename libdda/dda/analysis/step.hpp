@@ -17,76 +17,89 @@
 
 namespace rockslope::dda {
 
+/// Why a step was rejected.
 enum class Rejection {
     none,
-    not_converged,
-    singular,
-    excessive_displacement,
-    undetected_penetration,
-    too_stiff
+    not_converged,           ///< the open-close iteration reached its limit
+    singular,                ///< the matrix is not positive definite
+    excessive_displacement,  ///< a vertex moves farther than the displacement ratio allows, or no
+                             ///< prediction fits the motion
+    undetected_penetration,  ///< a vertex penetrates a block without a contact
+    too_stiff                ///< rounding of coordinates changes a force by a tenth of the mean block weight
 };
 
-/// What came of one attempt at a step.
+/// The result of one trial step.
 struct StepAttempt {
     Rejection rejection = Rejection::none;
-    /// When it did not converge: whose force moved most, at the step's start. When undetected_penetration:
-    /// the corner that is largest_penetration in another block, at its end.
+    /// not_converged: the contact with the largest force change, at the start of the step.
+    /// undetected_penetration: the deepest penetration, at the end of the step.
     std::optional<Contact> worst_contact;
-    State state;  ///< the state at the step's end, when accepted
+    State state;  ///< the state at the end of the step, if accepted
     StepReport report;
 };
 
-/// Advances a state by one time step. Holds only work space: what it returns depends on its arguments alone.
+/// Advances a state by one time step. Its members are constants and work space: the result depends on the
+/// arguments alone.
 class TimeStepper {
   public:
     TimeStepper(const Model& model, int threads);
 
-    /// One attempt at a step of size dt. The given state is not touched.
+    /// Tries a step of size dt, s. `state` is not changed; the result holds the new state or the reason for
+    /// the rejection.
     StepAttempt advance(const Stage& stage, const State& state, double dt);
 
     const Ledger& ledger() const { return ledger_; }
-    /// What steps take from now on is added up there; null: nowhere.
+    /// Adds the run times of all further steps to `times`; null: no timing.
     void time_phases(PhaseTimes* times) { times_ = times; }
 
   private:
-    /// Everything a step is computed from, once for all its iterations.
+    /// The equations of a step: all that is constant during its open-close iteration.
     struct Step;
 
-    /// Computes the step once. Corrects the prediction where that turned out wrong.
+    /// Computes the step with one prediction. Where the solution contradicts the prediction, corrects the
+    /// prediction and sets its `needs_retry`.
     StepAttempt attempt_with(const Stage& stage, const State& state, double dt, Prediction& prediction);
     Prediction initial_prediction(const Stage& stage, const State& state, double dt) const;
-    /// How far apart a corner and an edge may be and still meet within the step, m.
+    /// Corrects the search radius or the predicted rotations if the displacements found contradict them.
+    /// @param moved m, the largest displacement of a vertex. @return whether the prediction was corrected.
+    static bool correct_motion(const State& state, const Step& step, OpenCloseResult& result,
+                               const PerBlock<Vec6>& displacement, double moved, Prediction& prediction);
+    /// First estimate of the largest distance, m, at which a corner and an edge can still meet in the step.
     double initial_search_radius(const Stage& stage, const State& state, double dt) const;
-    /// m, that a corner may move by in a step.
+    /// The largest displacement that a vertex may have in a step, m.
     double displacement_limit(const StepControl& control) const {
         return control.displacement_ratio * half_height_;
     }
+    /// Detects and transfers contacts, and assembles all terms that are constant during the iteration.
     Step prepare(const Stage& stage, const State& state, double dt, const Prediction& prediction);
-    /// Whether springs are so stiff that rounding alone moves blocks' forces by much of their weight.
+    /// Whether the rounding of coordinates alone changes spring forces by a tenth of the mean block weight.
     bool is_too_stiff_for_rounding(const Step& step) const;
-    /// Corners that got into another block in a step without a contact.
+    /// Vertices that penetrate a block without a contact at the end of the step, or passed through it.
     std::vector<UndetectedPenetration> undetected_penetrations(const State& before, const State& after,
-                                                               double reach) const;
+                                                               double search_radius) const;
+    /// Inertia, elasticity, loads, fixed points and viscous boundaries.
     void assemble_base(const Stage& stage, const State& state, Step& step) const;
-    /// Analyses the pattern of the contacts' candidates, if it is another one.
+    /// Symbolic analysis of the matrix pattern, if the pattern of the candidates has changed.
     void analyze_pattern(const ContactSet& contacts);
     OpenCloseResult solve(const Stage& stage, const State& state, const Step& step,
                           const InitialGuess& guess);
-    std::vector<Vec6> all_displacements(const Step& step, const OpenCloseResult& result) const;
-    double largest_displacement(const State& state, std::span<const Vec6> displacement) const;
+    /// The displacement of the step per block, prescribed and fixed blocks included.
+    PerBlock<Vec6> all_displacements(const Step& step, const OpenCloseResult& result) const;
+    /// The largest displacement of a vertex, m; infinite if a displacement is not finite.
+    double largest_displacement(const State& state, BlockSpan<const Vec6> displacement) const;
     State updated_state(const Stage& stage, const State& state, const Step& step,
-                        const OpenCloseResult& result, std::span<const Vec6> displacement) const;
+                        const OpenCloseResult& result, BlockSpan<const Vec6> displacement) const;
 
     const Model& model_;
     ThreadPool pool_;
     RowMap rows_;
     Ledger ledger_;
-    double half_height_ = 0;          ///< m, of the model
-    double mean_weight_ = 0;          ///< N per metre, of a block
-    double coordinate_rounding_ = 0;  ///< m, of a coordinate
-    double edge_length_ = 0;          ///< m, median
+    double half_height_ = 0;          ///< m, half the height of the model
+    double mean_weight_ = 0;          ///< N per metre, mean weight of a block with unknowns
+    double coordinate_rounding_ = 0;  ///< m, rounding error of a coordinate
+    double edge_length_ = 0;          ///< m, median of the block edges
     BlockPattern pattern_;
-    std::vector<CornerEdge> pattern_candidates_;  ///< the candidates that it was made of
+    std::vector<CornerEdge> pattern_candidates_;  ///< the candidates that pattern_ was computed from
     BlockMatrix matrix_;
     RowContacts row_contacts_;
     std::unique_ptr<LinearSolver> solver_;

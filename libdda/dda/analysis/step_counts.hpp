@@ -2,12 +2,12 @@
 
 namespace rockslope::dda {
 
-/// What it took to find a step's displacement, all attempts together.
+/// The work of solving a step, summed over all attempts.
 struct StepCounts {
-    int iterations = 0;  ///< open-close iterations: linear solutions
-    int factorizations = 0;
-    int substitutions = 0;  ///< forward and backward, of one right-hand side
-    int fallbacks = 0;      ///< factorizations made again in double precision, where single was too little
+    int iterations = 0;      ///< open-close iterations, one linear solution each
+    int factorizations = 0;  ///< numerical factorisations
+    int substitutions = 0;   ///< forward and back substitutions of one right-hand side
+    int fallbacks = 0;       ///< factorisations repeated in double precision because single did not suffice
 
     StepCounts& operator+=(const StepCounts& more) {
         iterations += more.iterations;

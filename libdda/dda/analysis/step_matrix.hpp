@@ -9,38 +9,38 @@
 
 namespace rockslope::dda {
 
-/// The matrix of a step's linear system: what does not depend on contacts, and the springs that the contacts
-/// and bolts have at present. Of an iteration in which few of them change only the rows of their blocks are
-/// put together anew; each entry is the same sum in the same order as in a matrix made at once.
+/// The matrix of a step's linear system, Eq. (3): inertia, elasticity and constraints (StepProblem::base),
+/// plus the springs of the active contacts and of the elastic bolts. Only the rows of blocks whose springs
+/// have changed are reassembled. Every entry is summed in the same order as in a full assembly, so both give
+/// the same bits.
 class StepMatrix {
   public:
-    /// @param work the matrix itself, whose memory outlives the step.
+    /// @param work receives the matrix; the caller keeps its memory from step to step.
     StepMatrix(const StepProblem& problem, const BlockPattern& pattern, BlockMatrix& work,
                const ThreadPool& pool);
 
-    /// Brings the matrix to the springs' present states.
+    /// Assembles the rows whose springs have changed, and all rows the first time.
     void assemble(const TrialContacts& trials);
     const BlockMatrix& matrix() const { return matrix_; }
-    /// Per row, whether the last assembly put it together; empty where that was the first, of all of them.
+    /// Per row, whether the last assembly changed it; empty after the first one, which assembles all rows.
     std::span<const char> changed() const { return changed_; }
 
   private:
-    /// Stiffnesses of a contact's springs in the matrix, N/m per metre; 0 for one that is not in it.
+    /// Stiffnesses of a contact's springs in the matrix, N/m per metre; 0 for a spring that is not active.
     struct Springs {
         double normal = 0;
         double shear = 0;
         friend bool operator==(const Springs&, const Springs&) = default;
     };
-    Springs springs_of(const TrialContacts& trials, std::size_t contact) const;
+    Springs springs_of(const TrialContacts& trials, ContactIndex contact) const;
     double stiffness_of_bolt(const TrialContacts& trials, std::size_t bolt) const;
-    bool is_changed(int row) const {
-        return row >= 0 && (changed_.empty() || changed_[static_cast<std::size_t>(row)] != 0);
-    }
-    /// Takes the springs' present stiffnesses, and marks the rows of those that have changed.
+    bool is_changed(RowIndex row) const { return row.exists() && (changed_.empty() || changed_[row] != 0); }
+    /// Stores the present stiffnesses of contact springs and marks the rows of those that have changed.
     void update_springs(const TrialContacts& trials);
+    /// Does the same for bolts.
     void update_bolts(const TrialContacts& trials);
-    /// Puts together what a row has on the diagonal and above it, without bolts.
-    void assemble_row(std::size_t row);
+    /// Assembles the diagonal and upper blocks of a row, without bolts.
+    void assemble_row(RowIndex row);
     void add_bolt(const BoltSpring& bolt, double stiffness);
 
     const StepProblem& p_;
@@ -48,10 +48,10 @@ class StepMatrix {
     BlockMatrix& matrix_;
     const ThreadPool& pool_;
     bool assembled_ = false;
-    std::vector<char> changed_;
-    std::vector<Springs> contacts_;      ///< in the matrix
-    std::vector<char> contact_changed_;  ///< per contact, whether its springs have changed
-    std::vector<double> bolts_;          ///< likewise
+    PerRow<char> changed_;              ///< per row
+    PerContact<Springs> contacts_;      ///< per contact, stiffnesses in the matrix
+    PerContact<char> contact_changed_;  ///< per contact, whether its stiffnesses have changed
+    std::vector<double> bolts_;         ///< per bolt, stiffness in the matrix, N/m per metre
 };
 
 }  // namespace rockslope::dda

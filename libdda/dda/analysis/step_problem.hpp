@@ -12,36 +12,36 @@
 
 namespace rockslope::dda {
 
-/// What a contact does at the end of a step.
+/// The state and forces of a contact at the end of a step, evaluated by its joint law.
 struct EvaluatedContact {
     ContactState state = ContactState::open;
     double gap = 0;                 ///< m
     double stress_free_gap = 0;     ///< m, see Contact
     double normal_force = 0;        ///< N per metre
     double shear_force = 0;         ///< N per metre
-    double displacement = 0;        ///< tangential, of the step, m
-    double slip = 0;                ///< plastic part of it, m
-    double dilation_increment = 0;  ///< by which the step's shearing moved the faces apart, m
-    bool bond_broken = false;       ///< bonded at the start, opened in this step
+    double displacement = 0;        ///< m, tangential displacement of the step
+    double slip = 0;                ///< m, plastic part of the tangential displacement
+    double dilation_increment = 0;  ///< m, opening of the joint by the shearing of the step
+    bool bond_broken = false;       ///< bonded at the start of the step, broken in it
 };
 
-/// One step's equations: everything that the open-close iteration may read and does not change.
+/// The equations of one step: the constant input of the open-close iteration.
 struct StepProblem {
     const Model& model;
     const StepControl& control;
     const RowMap& rows;
     const BaseSystem& base;
-    const BlockSystem& blocks;          ///< at the start of the step
-    std::span<const Vec6> prescribed;   ///< per block, known displacements
-    std::span<const Contact> contacts;  ///< at the start of the step
-    const JointSegments& segments;      ///< of the contacts
-    /// Per contact: what another look at the step found, null where there was none. A place to start from.
-    std::span<const EvaluatedContact* const> guess;
-    std::span<const ContactSprings> springs;
-    const RowContacts& row_contacts;  ///< by the rows of the springs
+    const BlockSystem& blocks;            ///< at the start of the step
+    BlockSpan<const Vec6> prescribed;     ///< per block, displacement of the step where it is prescribed
+    ContactSpan<const Contact> contacts;  ///< at the start of the step
+    const JointSegments& segments;        ///< groups the contacts by joint segment
+    /// Per contact: the initial guess from an earlier attempt at the step, or null.
+    ContactSpan<const EvaluatedContact* const> guess;
+    ContactSpan<const ContactSprings> springs;
+    const RowContacts& row_contacts;  ///< the contacts of each matrix row
     std::span<const BoltSpring> bolts;
     std::span<const double> bolt_force;  ///< at the start of the step, N per metre
-    double rounding_force = 0;           ///< N per metre, below which force differences are rounding
+    double rounding_force = 0;           ///< N per metre; smaller force differences are rounding errors
 };
 
 }  // namespace rockslope::dda

@@ -11,8 +11,8 @@ namespace rockslope::dda {
 
 namespace {
 
-/// Acceleration that stands for "the weight" when forces are compared with it, m/s2: gravity, or the
-/// strongest load where it is stronger, or 1 where there is neither.
+/// The acceleration that scales unbalanced forces, m/s2: gravity, or the largest acceleration by a load where
+/// that is larger, or 1 where both are zero.
 double reference_acceleration(const Model& model, const BlockSystem& blocks) {
     const double largest = std::max(model.gravity.norm(), max_load_acceleration(model, blocks));
     return largest > 0 ? largest : 1.0;
@@ -38,13 +38,12 @@ StepReport report_step(const Model& model, const RowMap& rows, const State& afte
     count_contacts(model.topology, after, report);
     const double g = reference_acceleration(model, after.blocks);
     double lightest = std::numeric_limits<double>::infinity();
-    for (const int block : rows.block_of) {
-        const auto b = static_cast<std::size_t>(block);
+    for (const BlockIndex b : rows.block_of) {
         const Vec6& a = after.blocks.acceleration[b];
         const AreaMoments& m = after.blocks.moments[b];
         const double gyration = std::sqrt((m.xx + m.yy) / m.area);
-        const double deforming =
-            a.tail<4>().cwiseAbs().maxCoeff() * gyration;  // of rotation and strains, at that radius
+        // Rotation and strains count as the accelerations that they cause at the radius of gyration.
+        const double deforming = a.tail<4>().cwiseAbs().maxCoeff() * gyration;
         report.unbalanced_force = std::max({report.unbalanced_force, a.head<2>().norm() / g, deforming / g});
         lightest = std::min(lightest, after.blocks.mass[b]);
     }
@@ -52,10 +51,10 @@ StepReport report_step(const Model& model, const RowMap& rows, const State& afte
     return report;
 }
 
-double remaining_dilation(std::span<const Contact> before, std::span<const EvaluatedContact> evaluated,
-                          std::span<const Contact> after) {
+double remaining_dilation(ContactSpan<const Contact> before, ContactSpan<const EvaluatedContact> evaluated,
+                          ContactSpan<const Contact> after) {
     double largest = 0;
-    for (std::size_t k = 0; k < after.size(); ++k) {
+    for (const ContactIndex k : after.indices()) {
         if (after[k].state == ContactState::open && !(after[k].gap < 0)) continue;
         const double dilated = after[k].dilation - before[k].dilation;
         largest = std::max(largest, std::abs(dilated - evaluated[k].dilation_increment));

@@ -14,24 +14,27 @@ namespace rockslope::dda {
 struct StepReport : StepCounts {
     double time = 0;                        ///< s, at the end of the step
     double step = 0;                        ///< s
-    int cuts = 0;                           ///< attempts rejected before this one
+    int cuts = 0;                           ///< trial steps rejected before this one
     int open = 0, sliding = 0, locked = 0;  ///< contacts by state
-    double largest_penetration = 0;         ///< m, of contacts that stand for their depth
+    double largest_penetration = 0;         ///< m, over contacts that account for their penetration
     double remaining_dilation = 0;          ///< m, see remaining_dilation()
-    double largest_displacement = 0;        ///< of a vertex in this step, m
-    double unbalanced_force = 0;  ///< largest over the blocks, of all six unknowns, over the block's weight
-    double contact_frequency_step = 0;  ///< omega_contact * dt, the largest of sqrt(k_n / m_block) * dt
+    double largest_displacement = 0;        ///< m, of a vertex in this step
+    double unbalanced_force = 0;            ///< largest acceleration of a block over gravity, see report_step
+    double contact_frequency_step = 0;      ///< sqrt(k / m) * dt, stiffest spring and lightest block
 };
 
-/// What the state at a step's end tells of the step; its counts are the caller's.
-/// @param max_stiffness N/m per metre, of the contacts' springs.
+/// Computes the report from the state after the step. The caller fills in the StepCounts. Where a load
+/// accelerates a block by more than gravity, the unbalanced force is over that acceleration.
+/// @param step s, size of the step; @param max_stiffness N/m per metre, largest stiffness of a contact
+/// spring.
 StepReport report_step(const Model& model, const RowMap& rows, const State& after, double step,
                        double max_stiffness);
 
-/// What of a step's dilation acts from the next one on, m: by how much the histories of contacts have moved
-/// their faces beyond what the step was solved with, the largest of those that are closed at its end or
-/// overlap by then. @param before at the step's start; @param after at its end.
-double remaining_dilation(std::span<const Contact> before, std::span<const EvaluatedContact> evaluated,
-                          std::span<const Contact> after);
+/// The dilation that the step postpones to the next one, m: the largest difference between the dilation that
+/// the joint histories advance by and the dilation that the step was solved with. Only contacts that are
+/// closed or overlap at the end of the step count.
+/// @param before, after contacts at the start and at the end of the step.
+double remaining_dilation(ContactSpan<const Contact> before, ContactSpan<const EvaluatedContact> evaluated,
+                          ContactSpan<const Contact> after);
 
 }  // namespace rockslope::dda

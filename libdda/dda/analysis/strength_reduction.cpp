@@ -17,7 +17,7 @@ double largest_centroid_displacement(const State& from, const State& to) {
     return largest;
 }
 
-/// Ends a trial in which a block has moved too far to stand, and asks observer whether to go on.
+/// Ends a trial when a block moves farther than the displacement limit, or when the run's observer stops it.
 class TrialObserver : public RunObserver {
   public:
     TrialObserver(const State& start, double limit, RunObserver& observer)
@@ -53,7 +53,7 @@ class FactorSearch {
           threads_(threads),
           clock_(start.time) {}
 
-    /// @return false when it was stopped.
+    /// @return false if the observer stopped it.
     bool run() {
         double factor = 1;
         while (!stands_ || !fails_) {
@@ -69,7 +69,7 @@ class FactorSearch {
     }
 
     double clock() const { return clock_; }
-    /// The failing trial of the smallest factor, if any failed.
+    /// The final state of the failed trial with the smallest factor, if any failed.
     const std::optional<State>& mechanism() const { return mechanism_; }
 
   private:

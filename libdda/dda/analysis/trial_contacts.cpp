@@ -11,26 +11,26 @@ namespace rockslope::dda {
 
 namespace {
 
-/// Whether the joint bears an elastic shear force without slipping. Without strength nothing is locked.
+/// Whether an elastic shear force is within the bounds, so that the contact is locked. A contact with zero
+/// bounds is never locked.
 bool is_within(double force, const Strength& bounds) {
     return force <= bounds.forward && force >= -bounds.backward && bounds.forward + bounds.backward > 0;
 }
 
-/// Of the force tolerance: what the normal force of a dilation may be off by at the end of a step. It acts
-/// from the next one on.
+/// Largest error of a normal force by dilation at the end of a step, over the force tolerance. The remaining
+/// dilation acts in the next step.
 constexpr double dilation_tolerance = 10;
 
-/// Of the force tolerance: where less has moved since, the laws of rough faces are not asked again but for
-/// what is taken for converged.
+/// Force change over the force tolerance below which the law of a rough joint segment is not evaluated again.
+/// The final convergence test evaluates all laws.
 constexpr double law_reuse_tolerance = 0.1;
 
 }  // namespace
 
 TrialContacts::TrialContacts(const StepProblem& problem, const ThreadPool& pool)
     : p_(problem), pool_(pool), segment_friction_(problem, pool), trials_(problem.contacts.size()) {
-    for_contacts([&](std::size_t k) { trials_[k] = initial_trial(k); });
-    for (const Contact& contact : p_.contacts)
-        groups_ = std::max(groups_, static_cast<std::size_t>(contact.group + 1));
+    for_contacts([&](ContactIndex k) { trials_[k] = initial_trial(k); });
+    for (const Contact& contact : p_.contacts) groups_ = std::max(groups_, contact.group + 1);
     dilates_ = std::any_of(p_.model.joint_materials.begin(), p_.model.joint_materials.end(),
                            [](const JointMaterial& material) { return dilates(material.law); });
     yielding_.assign(p_.bolts.size(), 0);
@@ -41,21 +41,21 @@ TrialContacts::TrialContacts(const StepProblem& problem, const ThreadPool& pool)
 template <class Body>
 void TrialContacts::for_contacts(const Body& body) const {
     pool_.parallel_for(count(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t k = begin; k < end; ++k) body(k);
+        for (const ContactIndex k : indices<ContactIndex>(begin, end)) body(k);
     });
 }
 
-template <class IsOne>
-bool TrialContacts::for_any_contact(const IsOne& is_one) const {
+template <class Predicate>
+bool TrialContacts::for_any_contact(const Predicate& predicate) const {
     const auto any_in_chunk = [&](std::size_t begin, std::size_t end) {
         bool any = false;
-        for (std::size_t k = begin; k < end; ++k) any = is_one(k) || any;
+        for (const ContactIndex k : indices<ContactIndex>(begin, end)) any = predicate(k) || any;
         return any;
     };
     return pool_.parallel_reduce(count(), false, any_in_chunk, std::logical_or<>());
 }
 
-TrialContacts::Trial TrialContacts::initial_trial(std::size_t k) const {
+TrialContacts::Trial TrialContacts::initial_trial(ContactIndex k) const {
     const Contact& contact = p_.contacts[k];
     Trial trial;
     trial.may_close = !contact.inhibited;
@@ -80,13 +80,13 @@ TrialContacts::Trial TrialContacts::initial_trial(std::size_t k) const {
     return trial;
 }
 
-ContactLoading TrialContacts::initial_loading(std::size_t k) const {
+ContactLoading TrialContacts::initial_loading(ContactIndex k) const {
     if (const EvaluatedContact* guess = p_.guess[k]; guess != nullptr)
         return {guess->normal_force, guess->displacement};
     return {p_.contacts[k].normal_force, 0};
 }
 
-Strength TrialContacts::bounds_of_single_contact(std::size_t k, const ContactLoading& loading) const {
+Strength TrialContacts::bounds_of_single_contact(ContactIndex k, const ContactLoading& loading) const {
     const ContactMotion motion = contact_motion(p_.model, p_.contacts[k], p_.springs[k].shear_stiffness,
                                                 loading.normal, loading.shearing, 0);
     const Strength strengths = strength(law_of(k), p_.contacts[k].history, motion.normal_force, motion.length,
@@ -104,60 +104,56 @@ double TrialContacts::linear_bolt_force(std::size_t k, double elongation) const 
 
 // --- the laws
 
-Forces TrialContacts::current_forces(std::size_t k) const {
+Forces TrialContacts::current_forces(ContactIndex k) const {
     return law_forces(k, trials_[k].opening, trials_[k].shearing);
 }
 
-TrialContacts::Tangent TrialContacts::tangent_at(std::size_t k, double force) const {
+TrialContacts::Tangent TrialContacts::tangent_at(ContactIndex k, double force) const {
     const NormalClosure& spring = p_.springs[k].normal_law;
     if (spring.is_linear()) return {0, 0, spring.stiffness};
     const double compression = std::max(force, 0.0);
     return {spring.closure(compression), compression, spring.tangent(compression)};
 }
 
+/// The bolt's force, Eq. (38).
 double TrialContacts::law_bolt_force(std::size_t k, double elongation) const {
     const double elastic = p_.bolt_force[k] + p_.bolts[k].stiffness * elongation;
     const double yield = p_.model.bolts[k].yield_force;
     return yield > 0 ? std::clamp(elastic, -yield, yield) : elastic;
 }
 
-// --- the shear forces of sliding contacts
+// --- friction of sliding contacts
 
 void TrialContacts::find_requested_lines() {
     segment_friction_.find_requested_lines(
-        [this](std::size_t k) { return evaluated_ ? current_loading(k) : initial_loading(k); });
+        [this](ContactIndex k) { return evaluated_ ? current_loading(k) : initial_loading(k); });
 }
 
-void TrialContacts::set_bound_to_friction_force(std::size_t k) {
+void TrialContacts::set_bound_to_friction_force(ContactIndex k) {
     Trial& trial = trials_[k];
     (trial.forward ? trial.bounds.forward : trial.bounds.backward) = std::abs(trial.friction_force);
 }
 
-double TrialContacts::bound_at(std::size_t k, double normal, std::span<const Vec6> d) const {
+double TrialContacts::bound_at(ContactIndex k, double normal, RowSpan<const Vec6> d) const {
     const ContactSprings& s = p_.springs[k];
     return in_direction(k, bounds_of_single_contact(k, {normal, s.rows.measure(s.shear, d)}));
 }
 
 // --- evaluation
 
-void TrialContacts::set_displacement(std::span<const Vec6> d, std::span<const Vec6> target) {
+void TrialContacts::set_displacement(RowSpan<const Vec6> d, RowSpan<const Vec6> target) {
     evaluated_ = true;
     const Topology& topology = p_.model.topology;
     moved_vertices_.resize(p_.blocks.vertices.size());
     pool_.parallel_for(p_.prescribed.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t b = begin; b < end; ++b) {
-            const int row = p_.rows.row_of[b];
-            const BlockMap map(p_.blocks.moments[b].centroid,
-                               row < 0 ? p_.prescribed[b] : d[static_cast<std::size_t>(row)]);
-            for (int c = topology.block_corners[b]; c < topology.block_corners[b + 1]; ++c)
-                moved_vertices_[static_cast<std::size_t>(c)] =
-                    map(p_.blocks.vertices[static_cast<std::size_t>(c)]);
+        for (const BlockIndex b : indices<BlockIndex>(begin, end)) {
+            const RowIndex row = p_.rows.row_of[b];
+            const BlockMap map(p_.blocks.moments[b].centroid, row.exists() ? d[row] : p_.prescribed[b]);
+            for (const CornerIndex c : topology.corners_of(b))
+                moved_vertices_[c] = map(p_.blocks.vertices[c]);
         }
     });
-    const auto moved = [&](int corner) -> const Vec2& {
-        return moved_vertices_[static_cast<std::size_t>(corner)];
-    };
-    for_contacts([&](std::size_t k) {
+    for_contacts([&](ContactIndex k) {
         const Contact& contact = p_.contacts[k];
         const ContactSprings& s = p_.springs[k];
         Trial& trial = trials_[k];
@@ -167,8 +163,9 @@ void TrialContacts::set_displacement(std::span<const Vec6> d, std::span<const Ve
         const Vec2 balanced = s.rows.relative_displacement(target);
         trial.linear = linear_forces(k, s.normal.at(balanced), s.shear.at(balanced));
         const CornerEdgeGeometry geometry =
-            corner_edge_geometry(moved(contact.corner), moved(contact.edge),
-                                 moved(topology.next[static_cast<std::size_t>(contact.edge)]));
+            corner_edge_geometry(moved_vertices_[contact.corner], moved_vertices_[start_of(contact.edge)],
+                                 moved_vertices_[topology.end_of(contact.edge)]);
+        // The gap less its linear measure, Eq. (21).
         trial.gap_offset = geometry.gap - contact.dilation - trial.opening;
     });
     for (std::size_t k = 0; k < elongation_.size(); ++k) {
@@ -178,47 +175,46 @@ void TrialContacts::set_displacement(std::span<const Vec6> d, std::span<const Ve
     }
 }
 
+/// First entrance, Eq. (28).
 void TrialContacts::select_first_entrances() {
-    first_entrance_.assign(groups_, trials_.size());
-    for (std::size_t k = 0; k < trials_.size(); ++k) {
+    first_entrance_.assign(groups_, ContactIndex::none());
+    for (const ContactIndex k : trials_.indices()) {
         const int group = p_.contacts[k].group;
         if (group < 0 || p_.contacts[k].inhibited) continue;
-        const auto g = static_cast<std::size_t>(group);
-        std::size_t& best = first_entrance_[g];
-        const auto entrance_depth = [&](std::size_t line) {
+        ContactIndex& best = first_entrance_[group];
+        const auto entrance_gap = [&](ContactIndex line) {
             return gap(line) + 2 * p_.contacts[line].inherited_penetration;
         };
-        if (best == trials_.size() || entrance_depth(k) > entrance_depth(best)) best = k;
+        if (!best.exists() || entrance_gap(k) > entrance_gap(best)) best = k;
     }
-    for_contacts([&](std::size_t k) {
+    for_contacts([&](ContactIndex k) {
         const int group = p_.contacts[k].group;
         if (group >= 0 && !p_.contacts[k].inhibited)
-            trials_[k].may_close =
-                p_.contacts[first_entrance_[static_cast<std::size_t>(group)]].line == p_.contacts[k].line;
+            trials_[k].may_close = p_.contacts[first_entrance_[group]].line == p_.contacts[k].line;
     });
 }
 
 TrialContacts::ForceChange TrialContacts::force_change() {
     struct Largest {
         ForceChange change;
-        double force = 0;  ///< of a law
+        double force = 0;  ///< largest force of a law
     };
-    const auto chunk_value = [&](std::size_t begin, std::size_t end) {
+    const auto largest_of_chunk = [&](std::size_t begin, std::size_t end) {
         Largest found;
-        for (std::size_t k = begin; k < end; ++k) {
+        for (const ContactIndex k : indices<ContactIndex>(begin, end)) {
             const Forces law = current_forces(k);
             const Forces& linear = trials_[k].linear;
-            const double moved =
+            const double difference =
                 std::max(std::abs(law.normal - linear.normal), std::abs(law.shear - linear.shear));
             found.force = std::max({found.force, std::abs(law.normal), std::abs(law.shear)});
-            if (moved > found.change.largest) found.change = {moved, static_cast<int>(k)};
+            if (difference > found.change.largest) found.change = {difference, k};
         }
         return found;
     };
     const auto larger = [](const Largest& a, const Largest& b) {
         return Largest{b.change.largest > a.change.largest ? b.change : a.change, std::max(a.force, b.force)};
     };
-    const Largest largest = pool_.parallel_reduce(count(), Largest(), chunk_value, larger);
+    const Largest largest = pool_.parallel_reduce(count(), Largest(), largest_of_chunk, larger);
     largest_force_ = largest.force;
     ForceChange change = largest.change;
     for (std::size_t k = 0; k < elongation_.size(); ++k) {
@@ -227,6 +223,7 @@ TrialContacts::ForceChange TrialContacts::force_change() {
     return change;
 }
 
+/// The convergence tolerance, Eq. (36).
 double TrialContacts::tolerance() const {
     return std::max(p_.control.force_tolerance * largest_force_, p_.rounding_force);
 }
@@ -239,66 +236,62 @@ void TrialContacts::update_all_bounds() {
     compute_bounds(0);
 }
 
-ContactLoading TrialContacts::current_loading(std::size_t k) const {
+ContactLoading TrialContacts::current_loading(ContactIndex k) const {
     return {current_forces(k).normal, trials_[k].shearing};
 }
 
 void TrialContacts::compute_bounds(double change_tolerance) {
-    for_contacts([&](std::size_t k) {
+    for_contacts([&](ContactIndex k) {
         if (is_on_segment(k)) return;
         const ContactLoading here = current_loading(k);
         const bool open = !trials_[k].may_close || (here.normal <= 0 && !is_bonded(k));
         trials_[k].bounds = open ? Strength{} : bounds_of_single_contact(k, here);
     });
     segment_friction_.update(
-        change_tolerance, [this](std::size_t k) { return current_loading(k); },
-        [this](std::size_t k, const Strength& bounds) { trials_[k].bounds = bounds; });
+        change_tolerance, [this](ContactIndex k) { return current_loading(k); },
+        [this](ContactIndex k, const Strength& bounds) { trials_[k].bounds = bounds; });
 }
 
-ContactMotion TrialContacts::motion(std::size_t k) const {
+ContactMotion TrialContacts::motion(ContactIndex k) const {
     const Forces forces = current_forces(k);
     const double elastic = elastic_shear(k, trials_[k].shearing);
     return contact_motion(p_.model, p_.contacts[k], p_.springs[k].shear_stiffness, forces.normal,
                           trials_[k].shearing, slip(k, elastic, forces.shear));
 }
 
-/// Faces dilate as a whole, from the motion of both of their ends.
-template <class Take>
-void TrialContacts::dilation_by_law(const Take& take) const {
+/// A joint segment dilates as a whole, by the combined motion of its contacts.
+template <class Visit>
+void TrialContacts::visit_dilation_by_law(const Visit& visit) const {
     if (!dilates_) return;
-    for (std::size_t f = 0; f < p_.segments.count(); ++f) {
-        const std::span<const int> members = p_.segments.contacts_of(f);
-        const JointLaw& law = law_of(static_cast<std::size_t>(members[0]));
+    for (std::size_t segment = 0; segment < p_.segments.count(); ++segment) {
+        const auto members = p_.segments.contacts_of(segment);
+        const JointLaw& law = law_of(members[0]);
         if (!dilates(law)) continue;
-        const auto combined =
-            segment_motion(members, p_.contacts, [&](int k) { return motion(static_cast<std::size_t>(k)); });
-        const double moved = combined ? dilation(law, advance(law, *combined->history, combined->motion)) : 0;
-        for (const int k : members) {
-            const auto i = static_cast<std::size_t>(k);
-            take(i, combined ? moved - p_.contacts[i].dilation : 0);
-        }
+        const auto combined = segment_motion(members, p_.contacts, [&](ContactIndex k) { return motion(k); });
+        const double total = combined ? dilation(law, advance(law, *combined->history, combined->motion)) : 0;
+        for (const ContactIndex k : members) visit(k, combined ? total - p_.contacts[k].dilation : 0);
     }
 }
 
 void TrialContacts::update_dilation() {
-    dilation_by_law([&](std::size_t k, double by_law) {
+    visit_dilation_by_law([&](ContactIndex k, double by_law) {
         if (!trials_[k].postponed) trials_[k].dilation_increment = by_law;
     });
 }
 
 bool TrialContacts::dilation_exceeds_tolerance() const {
     double largest = 0;
-    dilation_by_law([&](std::size_t k, double by_law) {
+    visit_dilation_by_law([&](ContactIndex k, double by_law) {
         if (trials_[k].postponed) return;
-        const double off = std::abs(by_law - trials_[k].dilation_increment);
-        largest = std::max(largest, p_.springs[k].normal_stiffness * off);
+        const double error = std::abs(by_law - trials_[k].dilation_increment);
+        largest = std::max(largest, p_.springs[k].normal_stiffness * error);
     });
     return largest > dilation_tolerance * tolerance();
 }
 
 bool TrialContacts::postpone_dilation() {
     bool any = false;
-    dilation_by_law([&](std::size_t k, double by_law) {
+    visit_dilation_by_law([&](ContactIndex k, double by_law) {
         Trial& trial = trials_[k];
         if (trial.postponed || std::abs(by_law - trial.dilation_increment) <= std::abs(by_law)) return;
         trial.dilation_increment = 0;
@@ -327,14 +320,14 @@ void TrialContacts::set_shear_bounds(const Eigen::VectorXd& shear_bounds) {
 }
 
 bool TrialContacts::break_bonds() {
-    return for_any_contact([&](std::size_t k) {
+    return for_any_contact([&](ContactIndex k) {
         const bool breaks = is_bonded(k) && current_forces(k).normal < -trials_[k].bounds.tensile;
         trials_[k].bond_broken = trials_[k].bond_broken || breaks;
         return breaks;
     });
 }
 
-bool TrialContacts::violates_rigid_contact(std::size_t k, double tolerance) const {
+bool TrialContacts::violates_rigid_contact(ContactIndex k, double tolerance) const {
     const Trial& trial = trials_[k];
     const Forces forces = current_forces(k);
     if (forces.normal > 0 && std::abs(gap(k)) > tolerance) return true;
@@ -342,11 +335,12 @@ bool TrialContacts::violates_rigid_contact(std::size_t k, double tolerance) cons
     return forces.shear != 0 && std::copysign(1.0, forces.shear) * trial.shearing < -tolerance;
 }
 
+/// Shifts the springs as in Eq. (37).
 bool TrialContacts::augment(AndersonMixing& mixing) {
     const double tolerance = p_.model.penetration_tolerance;
-    std::vector<std::size_t> augmented;
+    std::vector<ContactIndex> augmented;
     bool any = false;
-    for (std::size_t k = 0; k < trials_.size(); ++k) {
+    for (const ContactIndex k : trials_.indices()) {
         if (!p_.model.is_augmented(p_.contacts[k].joint_material)) continue;
         augmented.push_back(k);
         any = any || violates_rigid_contact(k, tolerance);
@@ -355,7 +349,7 @@ bool TrialContacts::augment(AndersonMixing& mixing) {
     Eigen::VectorXd shift(2 * static_cast<Eigen::Index>(augmented.size()));
     Eigen::VectorXd force(shift.size());
     Eigen::Index row = 0;
-    for (const std::size_t k : augmented) {
+    for (const ContactIndex k : augmented) {
         const Forces forces = current_forces(k);
         shift[row] = trials_[k].stress_free_gap * p_.springs[k].normal_stiffness;
         force[row++] = forces.normal;
@@ -364,7 +358,7 @@ bool TrialContacts::augment(AndersonMixing& mixing) {
     }
     const Eigen::VectorXd next = mixing.next(shift, force);
     row = 0;
-    for (const std::size_t k : augmented) {
+    for (const ContactIndex k : augmented) {
         trials_[k].stress_free_gap = std::max(next[row++], 0.0) / p_.springs[k].normal_stiffness;
         trials_[k].shear_origin = next[row++];
     }
@@ -372,7 +366,7 @@ bool TrialContacts::augment(AndersonMixing& mixing) {
 }
 
 bool TrialContacts::update_active_set() {
-    bool changed = for_any_contact([&](std::size_t k) { return update_active_set_of(k); });
+    bool changed = for_any_contact([&](ContactIndex k) { return update_active_set_of(k); });
     for (std::size_t k = 0; k < elongation_.size(); ++k) {
         const double elastic = p_.bolt_force[k] + p_.bolts[k].stiffness * elongation_[k];
         const double law = bolt_force(k);
@@ -383,7 +377,7 @@ bool TrialContacts::update_active_set() {
     return changed;
 }
 
-bool TrialContacts::update_active_set_of(std::size_t k) {
+bool TrialContacts::update_active_set_of(ContactIndex k) {
     Trial& trial = trials_[k];
     const Forces law = current_forces(k);
     const double elastic = elastic_shear(k, trial.shearing);
@@ -402,18 +396,18 @@ bool TrialContacts::update_active_set_of(std::size_t k) {
     return changed;
 }
 
-double TrialContacts::slip(std::size_t k, double elastic, double force) const {
+double TrialContacts::slip(ContactIndex k, double elastic, double force) const {
     if (!p_.model.is_augmented(p_.contacts[k].joint_material))
         return (elastic - force) / p_.springs[k].shear_stiffness;
     if (elastic == force) return 0;
     return force >= 0 ? std::max(trials_[k].shearing, 0.0) : std::min(trials_[k].shearing, 0.0);
 }
 
-void TrialContacts::evaluate(std::span<EvaluatedContact> evaluated_contacts) const {
-    for_contacts([&](std::size_t k) { evaluated_contacts[k] = evaluated(k); });
+void TrialContacts::evaluate(ContactSpan<EvaluatedContact> evaluated_contacts) const {
+    for_contacts([&](ContactIndex k) { evaluated_contacts[k] = evaluated(k); });
 }
 
-EvaluatedContact TrialContacts::evaluated(std::size_t k) const {
+EvaluatedContact TrialContacts::evaluated(ContactIndex k) const {
     const Trial& trial = trials_[k];
     const Forces forces = current_forces(k);
     EvaluatedContact evaluated;

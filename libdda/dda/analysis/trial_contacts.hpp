@@ -17,24 +17,26 @@ struct Forces {
     double shear = 0;
 };
 
-/// What a contact's laws say, with the shear bounds held: all of it in one place, for those who ask for many
-/// displacements.
+/// The force laws of a contact with fixed shear bounds, Eq. (32), with all their parameters. The line search
+/// evaluates them at many displacements.
 struct ContactLaw {
     NormalClosure normal_law;
-    double gap_offset = 0;          ///< m, gap less the linear measure of the displacement
+    double gap_offset = 0;          ///< m, gap less the linearised opening, Eq. (21)
     double dilation_increment = 0;  ///< m
     double stress_free_gap = 0;     ///< m
-    double shear_origin = 0;        ///< N per metre
+    double shear_origin = 0;        ///< N per metre, shear force at zero displacement
     double shear_stiffness = 0;     ///< N/m per metre
-    double backward = 0;            ///< the least shear force, N per metre
-    double forward = 0;             ///< the largest
-    bool bonded = false;
-    bool may_close = true;
+    double backward = 0;            ///< N per metre, the smallest shear force, negative or zero
+    double forward = 0;             ///< N per metre, the largest shear force
+    bool bonded = false;            ///< bears tension
+    bool may_close = true;          ///< false: no force at all
 
+    /// The elastic normal force, Eq. (22), N per metre.
     double normal(double opening) const {
-        const double closed = -(gap_offset + opening - dilation_increment - stress_free_gap);
-        return normal_law.is_linear() ? normal_law.stiffness * closed : normal_law.force(closed);
+        const double closure = -(gap_offset + opening - dilation_increment - stress_free_gap);
+        return normal_law.is_linear() ? normal_law.stiffness * closure : normal_law.force(closure);
     }
+    /// The forces at the fixed bounds, Eq. (32).
     Forces forces(double opening, double shearing) const {
         if (!may_close) return {};
         const double compression = normal(opening);
@@ -43,12 +45,13 @@ struct ContactLaw {
     }
 };
 
-/// The contacts and bolts of a step while its equations are being solved: what the linear system takes them
-/// for, what their laws say, and the judgement that makes the one follow the other.
+/// The contacts and bolts of a step during the open-close iteration. For each contact it holds the active set
+/// (which springs are in the linear system), the forces by the joint law, and the shear bounds; and it
+/// updates the active set and the bounds from the forces.
 ///
-/// With the shear bounds held, a contact's normal force depends on the gap alone and its shear force on the
-/// elastic trial force alone, both without a jump: that makes the step's potential convex. What couples them
-/// is the bounds, zero where the contact is open.
+/// With fixed shear bounds the normal force is a continuous, monotonic function of the gap alone, and the
+/// shear force one of the elastic trial force alone. The potential of the step is therefore convex. The
+/// bounds couple the two forces; they are zero where the contact is open.
 class TrialContacts {
   public:
     TrialContacts(const StepProblem& problem, const ThreadPool& pool);
@@ -56,213 +59,218 @@ class TrialContacts {
     std::size_t count() const { return trials_.size(); }
 
     // --- the linear system
-    bool has_normal_spring(std::size_t k) const { return trials_[k].active; }
-    /// N/m per metre.
-    double normal_stiffness(std::size_t k) const { return trials_[k].tangent.stiffness; }
-    bool has_shear_spring(std::size_t k) const { return trials_[k].locked; }
+    bool has_normal_spring(ContactIndex k) const { return trials_[k].active; }
+    /// Tangent stiffness of the normal spring, N/m per metre.
+    double normal_stiffness(ContactIndex k) const { return trials_[k].tangent.stiffness; }
+    bool has_shear_spring(ContactIndex k) const { return trials_[k].locked; }
     bool is_elastic(std::size_t bolt) const { return yielding_[bolt] == 0; }
-    /// What the linear system takes the contact's forces to be.
-    Forces linear_forces(std::size_t k, double opening, double shearing) const;
+    /// The forces of the linear system at a displacement.
+    Forces linear_forces(ContactIndex k, double opening, double shearing) const;
     double linear_bolt_force(std::size_t k, double elongation) const;
 
     // --- the laws
-    /// What the law says they are, with the shear bounds held.
-    ContactLaw law(std::size_t k) const;
-    Forces law_forces(std::size_t k, double opening, double shearing) const {
+    /// The force laws with the present shear bounds.
+    ContactLaw law(ContactIndex k) const;
+    Forces law_forces(ContactIndex k, double opening, double shearing) const {
         return law(k).forces(opening, shearing);
     }
     double law_bolt_force(std::size_t k, double elongation) const;
 
-    // --- the shear forces of sliding contacts, which the linear system holds
-    bool slides_forward(std::size_t k) const { return trials_[k].forward; }
-    double friction_force(std::size_t k) const { return trials_[k].friction_force; }
-    void set_friction_force(std::size_t k, double force) { trials_[k].friction_force = force; }
-    /// The bounds become those that the held force is at.
-    void set_bound_to_friction_force(std::size_t k);
-    /// Whether any contact is between rough faces.
+    // --- friction of sliding contacts, whose shear force is a load in the linear system
+    bool slides_forward(ContactIndex k) const { return trials_[k].forward; }
+    double friction_force(ContactIndex k) const { return trials_[k].friction_force; }
+    void set_friction_force(ContactIndex k, double force) { trials_[k].friction_force = force; }
+    /// Sets the bound in the sliding direction to the friction force.
+    void set_bound_to_friction_force(ContactIndex k);
+    /// Whether any contact is on a rough joint segment.
     bool has_segments() const { return !segment_friction_.empty(); }
-    /// Whether a contact is between rough faces, which share one friction.
-    bool is_on_segment(std::size_t k) const { return segment_friction_.is_on_segment(k); }
-    /// Whether the bound_tangent of such a contact is known; makes it one to be found; and finds all of
-    /// these.
-    bool has_line(std::size_t k) const { return segment_friction_.has_line(k); }
-    void request_line(std::size_t k) { segment_friction_.request_line(k); }
+    /// Whether a contact is on a rough joint segment, whose contacts have one friction law in common.
+    bool is_on_segment(ContactIndex k) const { return segment_friction_.is_on_segment(k); }
+    /// Whether the bound line of a contact on a segment has been computed.
+    bool has_line(ContactIndex k) const { return segment_friction_.has_line(k); }
+    /// Marks the bound line to be computed by find_requested_lines().
+    void request_line(ContactIndex k) { segment_friction_.request_line(k); }
     void find_requested_lines();
-    /// The line that touches the bound of such a contact where the contacts were evaluated last, as if it
-    /// bore its share of their force for good, in the direction that it slides in.
-    BoundLine bound_tangent(std::size_t k) const {
+    /// The tangent of the shear bound over the normal force for a contact on a segment, in its sliding
+    /// direction, at the last evaluation. The contact's fraction of the segment's normal force is held
+    /// constant.
+    BoundLine bound_tangent(ContactIndex k) const {
         return segment_friction_.line(k, trials_[k].forward, current_forces(k).normal);
     }
-    /// The largest shear force of another sliding contact in the direction that it slides in, N per metre.
-    /// @param normal its normal force; @param d gives its displacement, by the linear system.
-    double bound_at(std::size_t k, double normal, std::span<const Vec6> d) const;
-    /// Bound over normal force where the contact was evaluated last, in the direction that it slides in.
-    double bound_secant(std::size_t k) const {
+    /// The shear bound of a sliding contact that is not on a segment, in its sliding direction, N per metre.
+    /// @param normal N per metre, its normal force; @param d displacement of the linear system, per row.
+    double bound_at(ContactIndex k, double normal, RowSpan<const Vec6> d) const;
+    /// Shear bound over normal force at the last evaluation, in the sliding direction; 0 without normal
+    /// force.
+    double bound_secant(ContactIndex k) const {
         const double normal = current_forces(k).normal;
         return normal > 0 ? in_direction(k, trials_[k].bounds) / normal : 0;
     }
-    const JointLaw& law_of(std::size_t k) const {
+    const JointLaw& law_of(ContactIndex k) const {
         return p_.model.joint_material_at(p_.contacts[k].joint_material).law;
     }
-    bool is_bonded(std::size_t k) const { return p_.contacts[k].bonded && !trials_[k].bond_broken; }
-    /// The normal spring's force in the linear system, tension negative.
-    double linear_normal(std::size_t k, double opening) const;
+    bool is_bonded(ContactIndex k) const { return p_.contacts[k].bonded && !trials_[k].bond_broken; }
+    /// The force of the normal spring in the linear system, N per metre, tension negative.
+    double linear_normal(ContactIndex k, double opening) const;
 
     // --- evaluation
-    /// Takes measures and true gaps at a displacement; the linear measure of the gap is kept exact there.
-    /// @param target the linear system's solution, under whose forces blocks are in balance.
-    void set_displacement(std::span<const Vec6> d, std::span<const Vec6> target);
-    /// Of a group of vertex-vertex lines only the one with the largest gap, the last that is crossed, may
-    /// close; the gap of a line along a face that the corner is in already counts from there.
+    /// Computes gaps and displacements of all contacts at an iterate. Gaps are exact there; Eq. (21) shifts
+    /// their linearisation.
+    /// @param d the iterate, per row; @param target the solution of the linear system, whose forces balance.
+    void set_displacement(RowSpan<const Vec6> d, RowSpan<const Vec6> target);
+    /// First entrance, Eq. (28): of each group of entrance lines at a vertex-vertex contact, only the line
+    /// with the largest gap, which is crossed last, may close. Inherited penetration adds twice its depth to
+    /// the gap.
     void select_first_entrances();
-    /// The largest difference between the forces of the linear system, at its solution, and those of the law,
-    /// at the present displacement, N per metre.
+    /// The largest difference between a force of the linear system at its solution and the force of the law
+    /// at the iterate, of contacts and bolts, N per metre.
     struct ForceChange {
         double largest = 0;
-        int contact = -1;  ///< whose it is
+        ContactIndex contact = ContactIndex::none();  ///< the contact with the largest difference
     };
     ForceChange force_change();
-    /// What a force may still move by at convergence, N per metre.
+    /// The largest force change at convergence, Eq. (36), N per metre.
     double tolerance() const;
-    /// Moves the shear bounds to those of the present normal forces and displacements; those of rough faces
-    /// where more has moved than does not matter as long as nothing has converged.
+    /// Sets the shear bounds to those of the present normal forces and displacements. A rough joint segment
+    /// whose forces have changed by less than a tenth of the tolerance keeps the result of its law.
     void update_bounds();
-    /// Likewise, all of them.
+    /// Sets the shear bounds, evaluating all joint laws.
     void update_all_bounds();
-    /// Moves the dilation likewise, except where it has been postponed.
+    /// Sets the dilation to that of the present forces and displacements, except where it is postponed.
     void update_dilation();
-    /// Whether that would change a normal force by much.
+    /// Whether update_dilation() would change a normal force by more than ten times the tolerance.
     bool dilation_exceeds_tolerance() const;
-    /// Joints whose present dilation is farther from what their law says than none would be do not dilate any
-    /// more in this step: the dilation of their history acts from the next one on. @return whether there are
-    /// any.
+    /// Sets the dilation of the step to zero where it is farther from the law's value than zero is. The
+    /// dilation of the joint history then acts from the next step on. @return whether any was changed.
     bool postpone_dilation();
-    /// What couples normal and shear forces, N per metre: the shear bounds, forward and backward of each
-    /// contact in turn.
+    /// The shear bounds, N per metre: forward and backward of each contact in turn.
     Eigen::VectorXd shear_bounds() const;
-    /// Sets it; negative bounds to zero.
-    void set_shear_bounds(const Eigen::VectorXd& coupling);
-    /// Opens, for the rest of the step, the bonded contacts whose tension exceeds the strength. @return
-    /// whether there were any.
+    /// Sets the shear bounds; negative values become zero.
+    void set_shear_bounds(const Eigen::VectorXd& shear_bounds);
+    /// Breaks, for the rest of the step, the bonds whose tension exceeds the strength. @return whether any
+    /// broke.
     bool break_bonds();
-    /// Where forces are augmented (theory, sec. 5): if a contact is not as a rigid one would be, is_within
-    /// the model's tolerance, shifts the springs so that they bear the present forces at no displacement. The
-    /// fixed point of these shifts is found by `mixing`. @return whether it did; never without augmentation.
+    /// Augmented Lagrangian update, Eq. (37): if an augmented contact violates the rigid contact conditions
+    /// by more than the model's tolerance, shifts the springs so that they bear the present forces at zero
+    /// gap and zero shear displacement. `mixing` accelerates these updates. @return whether the springs were
+    /// shifted.
     bool augment(AndersonMixing& mixing);
-    /// Sets the linear system's springs to the evaluated states. @return whether its matrix changes.
+    /// Sets the springs of the linear system by the forces of the laws. @return whether the matrix changes.
     bool update_active_set();
 
-    /// What each contact does. @param evaluated_contacts as many as contacts.
-    void evaluate(std::span<EvaluatedContact> evaluated_contacts) const;
+    /// Writes the state and forces of every contact at the iterate.
+    /// @param evaluated_contacts one per contact.
+    void evaluate(ContactSpan<EvaluatedContact> evaluated_contacts) const;
     double bolt_force(std::size_t k) const { return law_bolt_force(k, elongation_[k]); }
 
   private:
-    /// A straight line of normal force (N per metre) over closure (m).
+    /// A linear relation of normal force (N per metre) and closure (m).
     struct Tangent {
-        double closure = 0;
-        double force = 0;
+        double point = 0;      ///< m, closure at the point of tangency
+        double force = 0;      ///< N per metre, force at that point
         double stiffness = 0;  ///< N/m per metre
-        double at(double closed) const { return force + stiffness * (closed - closure); }
+        double at(double closure) const { return force + stiffness * (closure - point); }
     };
+    /// The trial state of a contact.
     struct Trial {
-        bool active = false;  ///< has its normal spring in the linear system
-        bool locked = false;  ///< has its shear spring in the linear system
-        bool forward = true;  ///< the direction it slides in
+        bool active = false;  ///< its normal spring is in the linear system
+        bool locked = false;  ///< its shear spring is in the linear system
+        bool forward = true;  ///< sliding direction
         bool bond_broken = false;
         bool may_close = true;
-        bool postponed = false;      ///< dilates after the step
-        double friction_force = 0;   ///< shear force in the linear system when not locked, N per metre
-        Strength bounds;             ///< that the shear force is clipped to
-        double stress_free_gap = 0;  ///< m, where the normal spring bears nothing
-        double shear_origin = 0;     ///< shear force at the step's start, or as augmented since, N per metre
-        double gap_offset = 0;       ///< m, gap less the linear measure of the present displacement
-        double dilation_increment =
-            0;                ///< m, by which shearing has moved the faces apart since the step's start
-        double opening = 0;   ///< linear measure of the normal displacement, m
-        double shearing = 0;  ///< of the tangential displacement, m
-        Forces linear;        ///< in the linear system, at its solution
-        Tangent tangent;      ///< the normal spring in the linear system
+        bool postponed = false;         ///< its dilation acts from the next step on
+        double friction_force = 0;      ///< N per metre, shear force in the linear system when not locked
+        Strength bounds;                ///< N per metre, shear bounds and tensile strength
+        double stress_free_gap = 0;     ///< m, gap at zero normal force
+        double shear_origin = 0;        ///< N per metre, at zero displacement; shifted by augmentation
+        double gap_offset = 0;          ///< m, gap less the linearised opening, Eq. (21)
+        double dilation_increment = 0;  ///< m, opening by dilation since the start of the step
+        double opening = 0;             ///< m, linearised normal displacement
+        double shearing = 0;            ///< m, linearised tangential displacement
+        Forces linear;                  ///< forces of the linear system at its solution
+        Tangent tangent;                ///< the normal spring in the linear system
     };
 
-    /// Calls body(k) for each contact; on several threads, so it may write what is the contact's own only.
+    /// Calls body(k) for each contact, in parallel: body may write data of contact k only.
     template <class Body>
     void for_contacts(const Body& body) const;
-    /// Likewise is_one(k). @return whether any is.
-    template <class IsOne>
-    bool for_any_contact(const IsOne& is_one) const;
-    Trial initial_trial(std::size_t k) const;
-    /// Moves the shear bounds to where contacts were evaluated last. @param change_tolerance see
-    /// SegmentFriction.
+    /// Calls predicate(k) for each contact, in parallel. @return whether it is true for any.
+    template <class Predicate>
+    bool for_any_contact(const Predicate& predicate) const;
+    Trial initial_trial(ContactIndex k) const;
+    /// Sets the shear bounds by the laws, at the forces and displacements of the last evaluation.
+    /// @param change_tolerance see `tolerance` of SegmentFriction::update.
     void compute_bounds(double change_tolerance);
-    double in_direction(std::size_t k, const Strength& strength) const {
+    double in_direction(ContactIndex k, const Strength& strength) const {
         return trials_[k].forward ? strength.forward : strength.backward;
     }
-    /// Of a contact whose law knows of no faces.
-    Strength bounds_of_single_contact(std::size_t k, const ContactLoading& loading) const;
-    ContactLoading initial_loading(std::size_t k) const;
-    /// Where the contact was evaluated last.
-    ContactLoading current_loading(std::size_t k) const;
+    /// The shear bounds of a contact that is not on a segment.
+    Strength bounds_of_single_contact(ContactIndex k, const ContactLoading& loading) const;
+    /// Normal force and shear displacement of the initial guess; without one, those of the step's start.
+    ContactLoading initial_loading(ContactIndex k) const;
+    /// Normal force and shear displacement at the last evaluation.
+    ContactLoading current_loading(ContactIndex k) const;
     /// @return whether the matrix changes.
-    bool update_active_set_of(std::size_t k);
-    EvaluatedContact evaluated(std::size_t k) const;
-    /// The contact's motion so far, with its plastic part.
-    ContactMotion motion(std::size_t k) const;
-    /// What shearing has moved a pair of faces apart in the step by their law, m; for each of its contacts
-    /// calls `take` with it.
-    template <class Take>
-    void dilation_by_law(const Take& take) const;
-    double gap(std::size_t k) const {
+    bool update_active_set_of(ContactIndex k);
+    EvaluatedContact evaluated(ContactIndex k) const;
+    /// The motion of the contact in the step, with its slip.
+    ContactMotion motion(ContactIndex k) const;
+    /// Evaluates the dilation of the step by the joint laws. Calls visit(k, dilation increment, m) for each
+    /// contact of a segment whose law dilates.
+    template <class Visit>
+    void visit_dilation_by_law(const Visit& visit) const;
+    double gap(ContactIndex k) const {
         return trials_[k].gap_offset + trials_[k].opening - trials_[k].dilation_increment;
     }
-    /// m, by which the normal spring is compressed.
-    double closed(std::size_t k, double opening) const;
-    /// The line that touches the normal spring's curve where it bears a force; the curve itself if it is
-    /// straight.
-    Tangent tangent_at(std::size_t k, double force) const;
-    /// The shear spring's force before the laws have their say.
-    double elastic_shear(std::size_t k, double shearing) const;
-    Forces current_forces(std::size_t k) const;
-    /// Whether an augmented contact bears a force without touching, is too deep, moves though it is stuck, or
-    /// slides against its shear force, by more than `tolerance`, m.
-    bool violates_rigid_contact(std::size_t k, double tolerance) const;
-    /// The plastic part of the step's shear displacement, m; all of it where the contact gives no way.
-    double slip(std::size_t k, double elastic, double force) const;
+    /// The compression of the normal spring, m.
+    double closure(ContactIndex k, double opening) const;
+    /// The tangent of the normal law at a force; the law itself if it is linear.
+    Tangent tangent_at(ContactIndex k, double force) const;
+    /// The elastic shear force, Eq. (23), before the law bounds it.
+    double elastic_shear(ContactIndex k, double shearing) const;
+    Forces current_forces(ContactIndex k) const;
+    /// Whether an augmented contact violates the conditions of rigid contact by more than `tolerance`, m: it
+    /// bears a force but does not touch, penetrates, moves though locked, or slides against its shear force.
+    bool violates_rigid_contact(ContactIndex k, double tolerance) const;
+    /// The plastic part of the shear displacement of the step, m; all of it where an augmented contact
+    /// slides.
+    double slip(ContactIndex k, double elastic, double force) const;
 
     const StepProblem& p_;
     const ThreadPool& pool_;
     SegmentFriction segment_friction_;
-    std::vector<Trial> trials_;
-    std::vector<Vec2> moved_vertices_;  ///< per corner: its place at the present displacement
-    std::vector<int> yielding_;         ///< per bolt: the sign of its yielding force, 0 when elastic
-    std::vector<double> elongation_;    ///< per bolt, of the step, m
+    PerContact<Trial> trials_;
+    PerCorner<Vec2> moved_vertices_;   ///< per corner: its position at the iterate
+    std::vector<int> yielding_;        ///< per bolt: the sign of its yielding force, 0 when elastic
+    std::vector<double> elongation_;   ///< per bolt, m, in the step
     std::vector<double> linear_bolt_;  ///< per bolt: force in the linear system, at its solution, N per metre
-    bool evaluated_ = false;           ///< whether contacts have been anywhere but where they start
-    bool dilates_ = false;             ///< whether any contact may
-    std::size_t groups_ = 0;           ///< of vertex-vertex contacts
-    std::vector<std::size_t> first_entrance_;  ///< per group, the line that may close
-    double largest_force_ = 0;                 ///< the largest force of a law, N per metre
+    bool evaluated_ = false;           ///< whether set_displacement() has been called
+    bool dilates_ = false;             ///< whether any joint law dilates
+    int groups_ = 0;                   ///< number of groups of entrance lines
+    std::vector<ContactIndex> first_entrance_;  ///< per group, the line that may close
+    double largest_force_ = 0;                  ///< N per metre, largest contact force by the laws
 };
 
-inline double TrialContacts::closed(std::size_t k, double opening) const {
+inline double TrialContacts::closure(ContactIndex k, double opening) const {
     const Trial& trial = trials_[k];
     return -(trial.gap_offset + opening - trial.dilation_increment - trial.stress_free_gap);
 }
 
-inline double TrialContacts::linear_normal(std::size_t k, double opening) const {
-    return trials_[k].tangent.at(closed(k, opening));
+inline double TrialContacts::linear_normal(ContactIndex k, double opening) const {
+    return trials_[k].tangent.at(closure(k, opening));
 }
 
-inline double TrialContacts::elastic_shear(std::size_t k, double shearing) const {
+inline double TrialContacts::elastic_shear(ContactIndex k, double shearing) const {
     return trials_[k].shear_origin + p_.springs[k].shear_stiffness * shearing;
 }
 
-inline Forces TrialContacts::linear_forces(std::size_t k, double opening, double shearing) const {
+inline Forces TrialContacts::linear_forces(ContactIndex k, double opening, double shearing) const {
     const Trial& trial = trials_[k];
     return {trial.active ? linear_normal(k, opening) : 0,
             trial.locked ? elastic_shear(k, shearing) : trial.friction_force};
 }
 
-inline ContactLaw TrialContacts::law(std::size_t k) const {
+inline ContactLaw TrialContacts::law(ContactIndex k) const {
     const Trial& trial = trials_[k];
     const ContactSprings& springs = p_.springs[k];
     return {springs.normal_law, trial.gap_offset,        trial.dilation_increment, trial.stress_free_gap,

@@ -5,30 +5,30 @@
 
 namespace rockslope::dda {
 
-/// What a step spends its time on.
+/// The phases of a time step whose run time is measured.
 enum class Phase {
-    detection,      ///< candidates and contacts
-    transfer,       ///< of states and histories from the contacts of the step before
-    preparation,    ///< springs, loads, everything that is the same for all iterations
-    analysis,       ///< ordering and planning of a new pattern
-    assembly,       ///< of the matrix
-    factorisation,  //
-    solution,       ///< right-hand sides and back-substitutions
-    evaluation,     ///< of contacts, with the line search
-    update,         ///< of the state, energies, and the search for undetected_penetrations
+    detection,      ///< candidate pairs and contacts
+    transfer,       ///< contact states, forces and histories of the previous step
+    preparation,    ///< springs, loads and all other terms that are constant during the iteration
+    analysis,       ///< symbolic analysis of a new matrix pattern
+    assembly,       ///< assembly of the matrix
+    factorisation,  ///< numerical factorisation
+    solution,       ///< right-hand sides, back-substitutions and friction coupling
+    evaluation,     ///< evaluation of contacts, with the line search
+    update,         ///< new state, energies, and the search for undetected penetrations
     count
 };
 
-/// Adds up what the phases of steps take, by a clock of the caller's. Nothing but a benchmark has one.
+/// Sums the run time of each phase over many steps. The caller supplies the clock. Only benchmarks use it.
 class PhaseTimes {
   public:
     using Clock = double (*)();  ///< s
 
     explicit PhaseTimes(Clock clock) : clock_(clock), last_(clock()) {}
 
-    /// What follows does not belong to what came before.
+    /// Restarts the clock; the time before this call counts for no phase.
     void start() { last_ = clock_(); }
-    /// The time since the last call belongs to that phase.
+    /// Adds the time since the last call to that phase.
     void end_of(Phase phase) {
         const double now = clock_();
         seconds_[static_cast<std::size_t>(phase)] += now - last_;
@@ -43,7 +43,7 @@ class PhaseTimes {
     std::array<double, static_cast<std::size_t>(Phase::count)> seconds_{};
 };
 
-/// Where there may be no one who wants to know.
+/// Ends a phase; does nothing if `times` is null.
 inline void end_of(Phase phase, PhaseTimes* times) {
     if (times != nullptr) times->end_of(phase);
 }

@@ -16,7 +16,7 @@ using Mat6 = Eigen::Matrix<double, 6, 6>;
 inline double cross(const Vec2& a, const Vec2& b) {
     return a.x() * b.y() - a.y() * b.x();
 }
-/// The vector turned by a right angle counter-clockwise.
+/// The vector rotated by 90 degrees counter-clockwise.
 inline Vec2 perpendicular(const Vec2& a) {
     return {-a.y(), a.x()};
 }

@@ -6,17 +6,16 @@ namespace rockslope::dda {
 
 namespace {
 
-/// The corners of one block and the sizes of its rings.
-AreaMoments moments_of(const Topology& topology, const std::vector<Vec2>& vertices, std::size_t block) {
-    const auto chunk = [block](const auto& of, const std::vector<int>& ends, std::size_t more) {
-        const auto first = static_cast<std::size_t>(ends[block]);
-        return std::span(of).subspan(first, static_cast<std::size_t>(ends[block + 1]) - first + more);
+/// Area moments of one block.
+AreaMoments moments_of(const Topology& topology, const PerCorner<Vec2>& vertices, BlockIndex block) {
+    const auto chunk = [block](const auto& of, const auto& ends, std::size_t more) {
+        return std::span(of).subspan(ends[block], ends[block + 1] - ends[block] + more);
     };
     return integrate(chunk(vertices, topology.block_corners, 0),
                      chunk(topology.ring_corners, topology.block_rings, 1));
 }
 
-/// exp of a symmetric plane tensor (xx, yy, engineering xy).
+/// exp of a symmetric plane tensor (xx, yy, engineering xy), E of Eq. (8).
 Eigen::Matrix2d exponential(const Vec3& strain) {
     const double mean = (strain[0] + strain[1]) / 2;
     const double half_difference = (strain[0] - strain[1]) / 2;
@@ -31,13 +30,14 @@ Eigen::Matrix2d exponential(const Vec3& strain) {
 }  // namespace
 
 BlockSystem initial_block_system(const Model& model) {
-    const auto count = static_cast<std::size_t>(model.block_count());
+    const std::size_t count = model.block_count();
     BlockSystem blocks;
     blocks.vertices = model.vertices;
     for (const MaterialPoint& point : model.material_points) blocks.points.push_back(point.position);
-    for (std::size_t b = 0; b < count; ++b) {
-        const BlockMaterial& material = model.material_of(static_cast<int>(b));
+    for (const BlockIndex b : model.blocks()) {
+        const BlockMaterial& material = model.material_of(b);
         blocks.moments.push_back(moments_of(model.topology, model.vertices, b));
+        // The mass stays constant, Eq. (6).
         blocks.mass.push_back(material.density * blocks.moments.back().area);
         blocks.stress.push_back(material.initial_stress);
     }
@@ -53,6 +53,7 @@ BlockMap::BlockMap(const Vec2& block_centroid, const Vec6& displacement)
     const double c = std::cos(displacement[2]);
     const double s = std::sin(displacement[2]);
     Eigen::Matrix2d turn;
+    // R of Eq. (7).
     turn << c, -s, s, c;
     gradient = turn * exponential(displacement.tail<3>());
 }
@@ -66,31 +67,28 @@ Vec3 rotate_tensor(const Vec3& tensor, double angle, bool engineering) {
             s * s * tensor[0] + c * c * tensor[1] + 2 * c * s * xy, engineering ? 2 * turned_xy : turned_xy};
 }
 
-void move_blocks(const Model& model, std::span<const Vec6> displacement, const ThreadPool& pool,
+void move_blocks(const Model& model, BlockSpan<const Vec6> displacement, const ThreadPool& pool,
                  BlockSystem& blocks) {
     const Topology& topology = model.topology;
-    for (std::size_t p = 0; p < blocks.points.size(); ++p) {
-        const auto b = static_cast<std::size_t>(model.material_points[p].block);
+    for (const PointIndex p : blocks.points.indices()) {
+        const BlockIndex b = model.material_points[p].block;
         blocks.points[p] = BlockMap(blocks.moments[b].centroid, displacement[b])(blocks.points[p]);
     }
-    const auto move = [&](std::size_t b) {
+    const auto move = [&](BlockIndex b) {
         const Vec6& d = displacement[b];
         if (d.isZero(0)) return;
         const BlockMap map(blocks.moments[b].centroid, d);
-        for (int k = topology.block_corners[b]; k < topology.block_corners[b + 1]; ++k) {
-            Vec2& vertex = blocks.vertices[static_cast<std::size_t>(k)];
-            vertex = map(vertex);
-        }
+        for (const CornerIndex k : topology.corners_of(b)) blocks.vertices[k] = map(blocks.vertices[k]);
         blocks.moments[b] = moments_of(topology, blocks.vertices, b);
         blocks.rotation[b] += d[2];
-        const Vec3 stress =
-            blocks.stress[b] + elasticity(model.material_of(static_cast<int>(b)), model.plane) * d.tail<3>();
+        // Eq. (10): the stress gains its increment in the old axes, then turns with the block.
+        const Vec3 stress = blocks.stress[b] + elasticity(model.material_of(b), model.plane) * d.tail<3>();
         blocks.stress[b] = rotate_tensor(stress, d[2], false);
         blocks.velocity[b].tail<3>() = rotate_tensor(blocks.velocity[b].tail<3>(), d[2], true);
         blocks.acceleration[b].tail<3>() = rotate_tensor(blocks.acceleration[b].tail<3>(), d[2], true);
     };
     pool.parallel_for(displacement.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t b = begin; b < end; ++b) move(b);
+        for (const BlockIndex b : indices<BlockIndex>(begin, end)) move(b);
     });
 }
 

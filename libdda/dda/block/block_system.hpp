@@ -12,24 +12,24 @@ namespace rockslope::dda {
 
 /// The state of all blocks at one instant; small and copied freely.
 struct BlockSystem {
-    std::vector<Vec2> vertices;        ///< per corner, m
-    std::vector<Vec2> points;          ///< per material point of the model, m
-    std::vector<AreaMoments> moments;  ///< per block, of the present shape; holds the centroid
-    std::vector<double> mass;          ///< per block, kg per metre; constant
-    std::vector<double> rotation;      ///< per block, accumulated, rad
-    std::vector<Vec3> stress;          ///< per block (sigma_x, sigma_y, tau_xy), Pa, tension positive
-    std::vector<Vec6> velocity;        ///< per block, rates of the six unknowns
-    std::vector<Vec6> acceleration;    ///< per block
+    PerCorner<Vec2> vertices;       ///< m
+    PerPoint<Vec2> points;          ///< material points of the model, m
+    PerBlock<AreaMoments> moments;  ///< of the present shape, about its centroid
+    PerBlock<double> mass;          ///< kg per metre; constant
+    PerBlock<double> rotation;      ///< accumulated, rad
+    PerBlock<Vec3> stress;          ///< (sigma_x, sigma_y, tau_xy), Pa, tension positive
+    PerBlock<Vec6> velocity;        ///< rates of the six unknowns
+    PerBlock<Vec6> acceleration;
 
-    const Vec2& centroid(int block) const { return moments[static_cast<std::size_t>(block)].centroid; }
+    const Vec2& centroid(BlockIndex block) const { return moments[block].centroid; }
 };
 
 /// The state before the first step: the model's geometry, initial stress and initial velocity.
 BlockSystem initial_block_system(const Model& model);
 
-/// A block's map over one step: x -> centroid + (u0, v0) + R(r0) exp(strain) (x - centroid). The rotation is
-/// exact, so that a spinning block neither grows nor shears, and strains that cancel leave no change of area
-/// (theory, Eq. (9)).
+/// The map of a block over one step, x -> centroid + (u0, v0) + R(r0) exp(strain) (x - centroid), Eq. (9).
+/// The finite rotation keeps a spinning block from growing or shearing. The exponential makes strains that
+/// cancel restore the area.
 struct BlockMap {
     Vec2 centroid = Vec2::Zero();
     Vec2 translation = Vec2::Zero();
@@ -53,7 +53,7 @@ inline Vec2 displacement_at(const Vec2& arm, const Vec6& d) {
             d[1] + arm.x() * d[2] + arm.y() * d[4] + arm.x() / 2 * d[5]};
 }
 
-/// direction^T T(arm): what a displacement along `direction` at a point is in the block's unknowns.
+/// direction^T T(arm): row of coefficients that gives a point's displacement along `direction` from d.
 inline Vec6 project(const Vec2& direction, const Vec2& arm) {
     return {direction.x(),           direction.y(),
             cross(arm, direction),   direction.x() * arm.x(),
@@ -64,11 +64,10 @@ inline Vec6 project(const Vec2& direction, const Vec2& arm) {
 /// twice the tensor's.
 Vec3 rotate_tensor(const Vec3& tensor, double angle, bool engineering);
 
-/// Moves every block by its displacement: vertices, material points, moments, accumulated rotation; stresses
-/// gain elasticity * strain and turn with the block; rates of strain turn as well. Velocities must already be
-/// those of the step's end.
-/// @param displacement per block.
-void move_blocks(const Model& model, std::span<const Vec6> displacement, const ThreadPool& pool,
+/// Moves every block by its displacement: vertices, material points, moments and accumulated rotation.
+/// Stresses gain elasticity * strain and rotate with the block, Eq. (10); strain rates rotate too. Velocities
+/// must already be those of the step's end.
+void move_blocks(const Model& model, BlockSpan<const Vec6> displacement, const ThreadPool& pool,
                  BlockSystem& blocks);
 
 }  // namespace rockslope::dda

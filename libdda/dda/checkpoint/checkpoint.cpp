@@ -42,13 +42,14 @@ std::vector<Peaks> peaks_of(const std::vector<double>& values) {
 std::vector<double> slip_values(const std::vector<FirstSlip>& slips) {
     std::vector<double> values;
     for (const FirstSlip& s : slips)
-        values.insert(values.end(), {s.sliding_since, s.time, s.dynamic_time, static_cast<double>(s.other),
-                                     static_cast<double>(s.joint_material)});
+        values.insert(values.end(),
+                      {s.sliding_since, s.time, s.dynamic_time, static_cast<double>(s.other.value()),
+                       static_cast<double>(s.joint_material.value())});
     return values;
 }
 
-std::vector<FirstSlip> slips_of(const std::vector<double>& values) {
-    std::vector<FirstSlip> slips;
+PerBlock<FirstSlip> slips_of(const std::vector<double>& values) {
+    PerBlock<FirstSlip> slips;
     for (std::size_t i = 0; i + 5 <= values.size(); i += 5)
         slips.push_back({values[i], values[i + 1], values[i + 2], static_cast<int>(values[i + 3]),
                          static_cast<int>(values[i + 4])});
@@ -58,9 +59,10 @@ std::vector<FirstSlip> slips_of(const std::vector<double>& values) {
 std::vector<double> plane_values(const std::vector<BlockOnPlane>& planes) {
     std::vector<double> values;
     for (const BlockOnPlane& p : planes)
-        values.insert(values.end(), {static_cast<double>(p.block), static_cast<double>(p.base),
-                                     p.downhill.x(), p.downhill.y(), p.dip, p.peak.friction, p.peak.adhesion,
-                                     p.residual.friction, p.residual.adhesion});
+        values.insert(values.end(),
+                      {static_cast<double>(p.block.value()), static_cast<double>(p.base.value()),
+                       p.downhill.x(), p.downhill.y(), p.dip, p.peak.friction, p.peak.adhesion,
+                       p.residual.friction, p.residual.adhesion});
     return values;
 }
 
@@ -97,7 +99,7 @@ std::vector<std::int64_t> counts_of(const ResultsState& results) {
             results.last_frame_step, results.last_history_step, results.fallbacks};
 }
 
-/// Reals that there is one of each.
+/// The scalar reals of the results.
 std::vector<double> reals_of(const ResultsState& results) {
     return {results.wall_time, results.remaining_dilation};
 }
@@ -107,8 +109,8 @@ void append_bytes(std::string& text, const std::vector<T>& values) {
     text.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
 }
 
-/// SHA-256 of all that a run is continued from: HDF5 does not notice a damaged number, and a state is full of
-/// indices.
+/// SHA-256 of all data of a checkpoint. HDF5 does not detect a damaged number, and a wrong index in a state
+/// would corrupt memory.
 std::string digest_of(const Checkpoint& checkpoint, const StateArchive& state) {
     std::string text = checkpoint.input_hash;
     append_bytes(text, state.reals);

@@ -54,8 +54,8 @@ void check_resumable(const Checkpoint& checkpoint, const WriterContext& context)
         const auto position = checkpoint.positions.find(entry.name);
         const bool was_written = position != checkpoint.positions.end();
         if (was_written != entry.is_enabled(context))
-            fail(file, was_written ? "the run wrote it, and now it is not asked for"
-                                   : "the run did not write it, and now it is asked for");
+            fail(file, was_written ? "the stopped run wrote it, but it is not requested now"
+                                   : "the stopped run did not write it, but it is requested now");
         if (!was_written) continue;
         if (entry.unit == PositionUnit::frames) check_frames(file, position->second);
         if (entry.unit == PositionUnit::bytes) check_size(file, position->second);

@@ -8,12 +8,11 @@
 
 namespace rockslope::dda {
 
-/// The names of all files that a run may write into its folder, but for the frames of --pvd.
+/// Names of all files that a run may write into its folder, except the frames of --pvd.
 std::vector<std::string> result_files(const std::string& stem);
 
-/// Proves, before any of them is touched, that the results in context.folder reach as far as the checkpoint
-/// says and can be read up to there, and that the same kinds of results are asked for. @throws InputError
-/// naming the file.
+/// Checks, before any file is changed, that the results in context.folder are readable up to the positions in
+/// the checkpoint, and that the same kinds of results are requested. @throws InputError that names the file.
 void check_resumable(const Checkpoint& checkpoint, const WriterContext& context);
 
 }  // namespace rockslope::dda

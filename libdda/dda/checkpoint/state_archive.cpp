@@ -8,8 +8,8 @@ namespace rockslope::dda {
 
 namespace {
 
-/// Writing and reading walk the same list of fields, so that neither can forget one. The structured bindings
-/// below name every member: a member added to one of these structs does not compile until it is listed.
+/// Writer and Reader visit the same list of fields. The structured bindings below name every member: a member
+/// added to one of these structs does not compile until it is listed.
 class Writer {
   public:
     explicit Writer(StateArchive& archive) : archive_(archive) {}
@@ -18,6 +18,10 @@ class Writer {
     template <class Integer>
     void integer(const Integer& value) {
         archive_.integers.push_back(static_cast<std::int64_t>(value));
+    }
+    template <class Kind>
+    void integer(const Index<Kind>& index) {
+        archive_.integers.push_back(index.value());
     }
     void size(std::size_t value) { integer(value); }
     template <class Vector>
@@ -53,14 +57,13 @@ class Reader {
     template <class Vector>
     std::size_t resize(Vector& vector) {
         const std::int64_t size = next(archive_.integers, integer_);
-        if (size < 0 || static_cast<std::size_t>(size) > archive_.reals.size() + archive_.integers.size())
-            fail();
-        vector.resize(static_cast<std::size_t>(size));
+        if (size < 0 || std::cmp_greater(size, archive_.reals.size() + archive_.integers.size())) fail();
+        vector.resize(size);
         return vector.size();
     }
     void history(SharedHistory& shared) {
         JointHistory history;
-        make_history(static_cast<std::size_t>(next(archive_.integers, integer_)), history,
+        make_history(next(archive_.integers, integer_), history,
                      std::make_index_sequence<std::variant_size_v<JointHistory>>{});
         shared = history;
     }
@@ -71,7 +74,9 @@ class Reader {
     }
 
   private:
-    [[noreturn]] static void fail() { throw std::runtime_error("the checkpoint does not fit this program"); }
+    [[noreturn]] static void fail() {
+        throw std::runtime_error("its state has another layout than that of this program");
+    }
     template <class T>
     static T next(const std::vector<T>& values, std::size_t& at) {
         if (at >= values.size()) fail();

@@ -8,7 +8,7 @@
 
 namespace rockslope::dda {
 
-/// The numbers of a State, one after the other: what a checkpoint stores.
+/// A State serialised for a checkpoint.
 struct StateArchive {
     std::vector<double> reals;
     std::vector<std::int64_t> integers;
@@ -16,8 +16,7 @@ struct StateArchive {
 };
 
 StateArchive archive(const State& state);
-/// The state that archive() was given, to the last bit. @throws std::runtime_error for an archive of another
-/// shape.
+/// The state passed to archive(), bit for bit. @throws std::runtime_error for an archive with another layout.
 State restore(const StateArchive& archive);
 
 }  // namespace rockslope::dda

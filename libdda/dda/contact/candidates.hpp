@@ -8,14 +8,15 @@
 
 namespace rockslope::dda {
 
-/// All pairs of a corner and an edge of different blocks whose distance is at most `distance`, sorted.
-/// A uniform grid makes the cost linear in the number of corners; its cell is the larger of `distance` and
-/// the median edge length. Pairs of two blocks that cannot move are left out, and so are reflex corners,
-/// which can touch no edge.
-std::vector<CornerEdge> find_candidates(const Model& model, std::span<const Vec2> vertices, double distance);
+/// All pairs of a corner and an edge of different blocks that are at most `distance` apart, sorted. Pairs of
+/// two blocks without unknowns (fixed or prescribed) and removed blocks are left out. Reflex corners are left
+/// out, too: their neighbours touch first. The cost is linear in the number of corners: edges are entered
+/// into a uniform grid whose cell size is the larger of `distance` and the median edge length.
+/// @param vertices per corner, m. @param distance m.
+std::vector<CornerEdge> find_candidates(const Model& model, CornerSpan<const Vec2> vertices, double distance);
 
-/// The length that lengths of a model are compared with, m: the median of its edges'.
-double median_edge_length(const Topology& topology, std::span<const Vec2> vertices);
+/// Median length of all edges, m: the model's reference length.
+double median_edge_length(const Topology& topology, CornerSpan<const Vec2> vertices);
 
 /// Distance of a point from a segment, m.
 double distance_to_segment(const Vec2& point, const Vec2& first, const Vec2& second);

@@ -5,14 +5,15 @@
 
 namespace rockslope::dda {
 
-/// A contact's normal spring, Eq. (43) or Eq. (44), with its stiffness in N/m per metre.
+/// The normal spring of a contact, Eq. (43) or Eq. (44); stiffness in N/m per metre of thickness.
 inline NormalClosure normal_spring(const Model& model, const Contact& contact) {
     return model.joint_material_at(contact.joint_material)
         .normal_spring(model.normal_penalty, contact.length);
 }
 
-/// Stiffness of its shear spring, N/m per metre: what the joint material gives, then what its law has found,
-/// Eq. (58), then the analysis' penalty.
+/// Shear stiffness of a contact, N/m per metre of thickness. The first of these that is set: the stiffness of
+/// the joint material, Eq. (43); its shear penalty; the stiffness of its joint law, Eq. (58); the shear
+/// penalty of the analysis.
 inline double shear_stiffness(const Model& model, const Contact& contact) {
     const JointMaterial& material = model.joint_material_at(contact.joint_material);
     const bool given = material.shear_stiffness > 0 || material.shear_penalty > 0;

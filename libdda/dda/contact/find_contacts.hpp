@@ -9,26 +9,26 @@
 
 namespace rockslope::dda {
 
-/// What the contacts of a step are found from.
+/// Input of the contact search of a step.
 struct ContactSearch {
-    std::span<const Vec2> vertices;           ///< per corner, at the step's start, m
-    std::span<const Vec2> mid_step_vertices;  ///< where they are expected half-way through the step
-    std::span<const CornerEdge> forced;       ///< see DetectionInput
-    double search_radius = 0;                 ///< m, within which a corner and an edge may meet in the step
-    double edge_length = 0;                   ///< m, median
-    double depth_tolerance = 0;               ///< m, depth that means nothing
-    double duration = 0;                      ///< s of the step; 0 where steps are no time
-    bool first_step = false;
+    CornerSpan<const Vec2> vertices;           ///< per corner, at the start of the step, m
+    CornerSpan<const Vec2> mid_step_vertices;  ///< per corner, predicted at mid-step, m
+    std::span<const CornerEdge> forced;        ///< see DetectionInput
+    double search_radius = 0;                  ///< m, distance within which a pair may meet in the step
+    double edge_length = 0;                    ///< m, median of the model
+    double depth_tolerance = 0;                ///< m, see DetectionInput
+    double duration = 0;                       ///< s, of the step; 0 in static stages
+    bool first_step = false;                   ///< of the run: faces that touch are unbroken joints
 };
 
 struct FoundContacts {
     ContactSet set;
-    JointSegments segments;  ///< of its contacts
+    JointSegments segments;  ///< of the contacts in `set`
 };
 
-/// The contacts of a step: candidates from the last search while those are complete (theory, Eq. (26)),
-/// detection, transfer of what `last` carried, and the forces that follow from the geometry.
-/// @param last the contacts at the end of the step before, at `search.vertices`.
+/// The contacts of a step: candidates (the last list is kept while it is complete, Eq. (26)), detection,
+/// transfer of state from `last`, and the normal forces at the start of the step.
+/// @param last the contacts at the end of the last step, at `search.vertices`.
 FoundContacts find_contacts(const Model& model, const ContactSet& last, const ContactSearch& search,
                             const ThreadPool& pool, PhaseTimes* times = nullptr);
 

@@ -10,54 +10,53 @@
 
 namespace rockslope::dda {
 
-/// The depth that a contact stands for, m: it bears force at that depth, or its corner was let on to the edge
-/// about as deep (Contact::inherited_penetration) and it bears what comes on top. Where the corner has slid
-/// past the edge's end it is the depth of that end behind the face of the corner that now lies over it.
-/// Nothing if the contact stands for none.
-/// @param vertices at the contact's instant.
-std::optional<double> penetration_accounted_for(const Topology& topology, std::span<const Vec2> vertices,
+/// Depth of a corner in a face that a contact accounts for, m; nothing if it accounts for none. A closed
+/// contact accounts for its penetration. An inhibited one accounts for none. Any other open contact accounts
+/// for its corner's depth up to twice Contact::inherited_penetration. If the corner has slid past the end of
+/// the edge, the depth is that of the edge's end behind the corner's face.
+/// @param vertices per corner, at the time of the contact, m.
+std::optional<double> penetration_accounted_for(const Topology& topology, CornerSpan<const Vec2> vertices,
                                                 const Contact& contact);
 
-/// How deep corners are in what bears them, or would if they got deeper. A contact tells it of its corner,
-/// and of the end of its edge where that is within search_radius of the corner: of two corners on each other
-/// only one has a contact.
+/// The penetration of each corner that contacts account for. It is not evidence that a corner entered through
+/// another edge. A contact accounts for its corner, and for the ends of its edge within the search radius of
+/// the corner: where two corners meet, only one of them has a contact.
 class InheritedPenetrations {
   public:
-    /// @param vertices, contacts at the same instant; the contacts outlive this; @param search_radius m, see
-    /// detect_contacts.
-    InheritedPenetrations(const Topology& topology, std::span<const Vec2> vertices,
-                          std::span<const Contact> contacts, double search_radius);
+    /// @param vertices per corner, m. @param contacts at the same time; they must outlive this object.
+    /// @param search_radius m, see DetectionInput.
+    InheritedPenetrations(const Topology& topology, CornerSpan<const Vec2> vertices,
+                          ContactSpan<const Contact> contacts, double search_radius);
 
-    /// The depth, m, of a corner in faces that lie along a line with that normal, which points away from the
-    /// face's rock; 0 where nothing bears it. A corner that slides from one block's face onto its neighbour's
-    /// is as deep in the second, when it gets there, as it was in the first: that depth is no reason to think
-    /// that it came through another face.
-    double along(int corner, const Vec2& normal) const;
-    /// Likewise in a block, whatever the face. An augmented contact tells of what its spring gives, if that
-    /// is more.
-    double in_block(int corner, int block) const;
+    /// Largest depth of a corner in faces along a line, m; 0 if no contact accounts for one. A corner that
+    /// slides from a face onto a neighbour's face is as deep in the second as it was in the first.
+    /// @param normal unit, out of the faces' rock.
+    double along(CornerIndex corner, const Vec2& normal) const;
+    /// Largest depth of a corner in a block, through any face, m; 0 if no contact accounts for one. It is at
+    /// least the compression of the contacts' springs, which augmentation makes larger than the penetration.
+    double in_block(CornerIndex corner, BlockIndex block) const;
 
   private:
     struct Entry {
-        int contact = 0;          ///< that tells of it
-        int block = 0;            ///< whose face bears it
+        ContactIndex contact;     ///< index of the contact that accounts for the depth
+        BlockIndex block;         ///< the block in whose face the corner is
         double depth = 0;         ///< m
-        double spring_depth = 0;  ///< m, by which the contact's spring is compressed
+        double spring_depth = 0;  ///< m, compression of the contact's spring
     };
     struct Found;
-    InheritedPenetrations(std::span<const Contact> contacts, int corners, Found found);
-    static Found find(const Topology& topology, std::span<const Vec2> vertices,
-                      std::span<const Contact> contacts, double search_radius);
-    const Entry& entry(int k) const { return entries_[static_cast<std::size_t>(k)]; }
-    /// Of the face that bears it, away from its rock.
+    InheritedPenetrations(ContactSpan<const Contact> contacts, std::size_t corners, Found found);
+    static Found find(const Topology& topology, CornerSpan<const Vec2> vertices,
+                      ContactSpan<const Contact> contacts, double search_radius);
+    const Entry& entry(std::uint32_t k) const { return entries_[k]; }
+    /// Unit normal of the face in which the corner is, out of its rock.
     Vec2 normal_of(const Entry& entry) const {
-        const Contact& contact = contacts_[static_cast<std::size_t>(entry.contact)];
+        const Contact& contact = contacts_[entry.contact];
         return entry.block == contact.edge_block ? contact.normal : Vec2(-contact.normal);
     }
 
-    std::span<const Contact> contacts_;
+    ContactSpan<const Contact> contacts_;
     std::vector<Entry> entries_;
-    OwnerIndex by_corner_;
+    OwnerIndex<CornerIndex, std::uint32_t> by_corner_;
 };
 
 }  // namespace rockslope::dda

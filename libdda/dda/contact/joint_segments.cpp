@@ -13,8 +13,8 @@ namespace {
 bool are_collinear(const Contact& a, const Contact& b) {
     if (a.joint_material != b.joint_material || a.length == 0 || b.length == 0) return false;
     if (std::abs(cross(a.normal, b.normal)) > parallel_tolerance) return false;
-    // Corners that have come close, as at the two ends of a short overlap, are apart by what the joint has
-    // dilated.
+    // The contacts at the two ends of a short overlap are close to each other, and dilation separates them
+    // normal to the joint: the tolerance therefore uses the lengths too.
     const Vec2 between = b.point - a.point;
     return std::abs(between.dot(a.normal)) <=
            parallel_tolerance * std::max({between.norm(), a.length, b.length});
@@ -22,28 +22,26 @@ bool are_collinear(const Contact& a, const Contact& b) {
 
 }  // namespace
 
-JointSegments::JointSegments(const Model& model, std::span<const Contact> contacts) {
-    std::vector<char> uses_segment_history;  // per joint material
+JointSegments::JointSegments(const Model& model, ContactSpan<const Contact> contacts) {
+    IndexedVector<JointMaterialIndex, char> uses_segment_history;
     for (const JointMaterial& material : model.joint_materials)
         uses_segment_history.push_back(has_segment_history(material.law) ? 1 : 0);
     if (std::find(uses_segment_history.begin(), uses_segment_history.end(), 1) == uses_segment_history.end())
         return;
-    const auto at = [&](int k) -> const Contact& { return contacts[static_cast<std::size_t>(k)]; };
     members_.reserve(contacts.size());
     offsets_.clear();
-    std::vector<int> remaining, others;
-    for (std::size_t k = 0; k < contacts.size();) {
-        const std::pair<int, int> blocks = contacts[k].blocks();
+    std::vector<ContactIndex> remaining, others;
+    for (ContactIndex k; k < contacts.size();) {
+        const auto blocks = contacts[k].blocks();
         for (; k < contacts.size() && contacts[k].blocks() == blocks; ++k) {
-            if (uses_segment_history[static_cast<std::size_t>(contacts[k].joint_material)] != 0)
-                remaining.push_back(static_cast<int>(k));
+            if (uses_segment_history[contacts[k].joint_material] != 0) remaining.push_back(k);
         }
         while (!remaining.empty()) {
             offsets_.push_back(members_.size());
-            const Contact& one = at(remaining.front());
+            const Contact& one = contacts[remaining.front()];
             others.clear();
-            for (const int other : remaining)
-                (other == remaining.front() || are_collinear(one, at(other)) ? members_ : others)
+            for (const ContactIndex other : remaining)
+                (other == remaining.front() || are_collinear(one, contacts[other]) ? members_ : others)
                     .push_back(other);
             remaining.swap(others);
         }

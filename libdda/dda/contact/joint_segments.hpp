@@ -8,24 +8,24 @@
 
 namespace rockslope::dda {
 
-/// Pairs of faces that lie on each other, as their contacts: between the same two blocks, of one joint
-/// material and on one line. What rough faces have been through belongs to both of their ends. Only contacts
-/// whose law says so are here; one without a shared length stands alone.
+/// The joint segments of a list of contacts. A joint segment is two faces that lie on each other: its
+/// contacts are between the same two blocks, have one joint material and lie on one line. Only contacts whose
+/// law has the history scope `joint_segment` are members. A contact without a length is a segment by itself.
 class JointSegments {
   public:
     JointSegments() = default;
-    JointSegments(const Model& model, std::span<const Contact> contacts);
+    JointSegments(const Model& model, ContactSpan<const Contact> contacts);
 
     std::size_t count() const { return offsets_.size() - 1; }
-    /// How many contacts are between pairs of faces before this one; between all, for the number of pairs.
+    /// Number of members of all segments before this one; of all segments, for `count()`.
     std::size_t first_member(std::size_t segment) const { return offsets_[segment]; }
-    /// Indices of the contacts between one pair of faces, ascending.
-    std::span<const int> contacts_of(std::size_t segment) const {
+    /// Indices of the contacts of a segment, ascending.
+    std::span<const ContactIndex> contacts_of(std::size_t segment) const {
         return {members_.data() + offsets_[segment], members_.data() + offsets_[segment + 1]};
     }
 
   private:
-    std::vector<int> members_;
+    std::vector<ContactIndex> members_;
     std::vector<std::size_t> offsets_ = {0};
 };
 

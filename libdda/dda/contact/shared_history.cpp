@@ -1,20 +1,48 @@
 #include "dda/contact/shared_history.hpp"
 
+#include <array>
 #include <atomic>
+#include <type_traits>
+#include <variant>
 #include <vector>
 
 namespace rockslope::dda {
 
 struct SharedHistory::Node {
-    Pool* room = nullptr;  ///< null for those that are always there
+    Pool* pool = nullptr;  ///< null for a static node
     JointHistory history;
+
+    /// The static node with this history, or null: one of the common histories of its law.
+    template <class... Laws>
+    static const Node* find_common(std::type_identity<std::variant<Laws...>>, const JointHistory& history) {
+        const Node* found = nullptr;
+        const auto is_own = [&]<class Law>(std::type_identity<Law>) {
+            const auto* own = std::get_if<typename Law::History>(&history);
+            if (own != nullptr) found = find_common_of<Law>(*own);
+            return own != nullptr;
+        };
+        (is_own(std::type_identity<Laws>{}) || ...);
+        return found;
+    }
+    template <class Law>
+    static const Node* find_common_of(const typename Law::History& history) {
+        static constexpr auto common = Law::common_histories();
+        static const auto nodes = [] {
+            std::array<Node, common.size()> made;
+            for (std::size_t k = 0; k < common.size(); ++k) made[k].history = common[k];
+            return made;
+        }();
+        for (std::size_t k = 0; k < common.size(); ++k)
+            if (common[k] == history) return &nodes[k];
+        return nullptr;
+    }
 };
 
 struct SharedHistory::Pool {
     std::atomic<int> reference_count{1};
-    std::vector<Node> nodes;  ///< never more than it was reserved for: their places stay
+    std::vector<Node> nodes;  ///< no more than its capacity, so no node ever moves
 
-    explicit Pool(std::size_t room) { nodes.reserve(room); }
+    explicit Pool(std::size_t capacity) { nodes.reserve(capacity); }
     const Node* add(const JointHistory& history) {
         reference_count.fetch_add(1, std::memory_order_relaxed);
         return &nodes.emplace_back(Node{this, history});
@@ -24,25 +52,20 @@ struct SharedHistory::Pool {
     }
 };
 
-SharedHistory::Batch::Batch(std::size_t room) : pool_(new Pool(room)) {}
+SharedHistory::Batch::Batch(std::size_t capacity) : pool_(new Pool(capacity)) {}
 
 SharedHistory::Batch::~Batch() {
     pool_->release();
 }
 
 SharedHistory SharedHistory::Batch::add(const JointHistory& history) {
-    if (const Node* there = static_node(history)) return SharedHistory(there);
+    if (const Node* common = static_node(history)) return SharedHistory(common);
     return pool_->nodes.size() < pool_->nodes.capacity() ? SharedHistory(pool_->add(history))
                                                          : SharedHistory(history);
 }
 
-/// Nearly all smooth joints have one of these.
 const SharedHistory::Node* SharedHistory::static_node(const JointHistory& history) {
-    static const Node intact{nullptr, MohrCoulomb::History{false}};
-    static const Node broken{nullptr, MohrCoulomb::History{true}};
-    const auto* smooth = std::get_if<MohrCoulomb::History>(&history);
-    if (smooth == nullptr) return nullptr;
-    return smooth->broken ? &broken : &intact;
+    return Node::find_common(std::type_identity<JointLaw>{}, history);
 }
 
 SharedHistory::SharedHistory() : node_(static_node(JointHistory{})) {}
@@ -52,11 +75,11 @@ SharedHistory::SharedHistory(const JointHistory& history) : node_(static_node(hi
 }
 
 SharedHistory::SharedHistory(const SharedHistory& other) noexcept : node_(other.node_) {
-    if (node_->room != nullptr) node_->room->reference_count.fetch_add(1, std::memory_order_relaxed);
+    if (node_->pool != nullptr) node_->pool->reference_count.fetch_add(1, std::memory_order_relaxed);
 }
 
 SharedHistory::~SharedHistory() {
-    if (node_ != nullptr && node_->room != nullptr) node_->room->release();
+    if (node_ != nullptr && node_->pool != nullptr) node_->pool->release();
 }
 
 const JointHistory& SharedHistory::operator*() const {

@@ -7,24 +7,24 @@
 
 namespace rockslope::dda {
 
-/// What a joint has been through, as a contact keeps it: a value that never changes, shared by those that
-/// have been through the same, as both ends of a pair of faces and the states before and after a step in
-/// which nothing moved. A copy costs a count instead of the history's bytes.
+/// The history of a joint in a contact: an immutable, reference-counted value. Contacts of one joint segment
+/// share it, and so do the states before and after a step in which the joint did not move. A copy increments
+/// a counter instead of copying the history. The common histories of a law exist once and are not counted.
 class SharedHistory {
     struct Node;
     struct Pool;
 
   public:
-    /// Makes histories that lie in memory one after the other, in the order in which they are read again. The
-    /// bytes of all of them stay until nobody has any.
+    /// Allocates histories side by side in memory, in the order in which they are read. Their memory is
+    /// released when the last of them is.
     class Batch {
       public:
-        /// @param room for how many.
-        explicit Batch(std::size_t room);
+        /// @param capacity number of histories.
+        explicit Batch(std::size_t capacity);
         Batch(const Batch&) = delete;
         Batch& operator=(const Batch&) = delete;
         ~Batch();
-        /// One more than there is room for lies elsewhere.
+        /// Beyond the capacity a history gets memory of its own.
         SharedHistory add(const JointHistory& history);
 
       private:
@@ -42,14 +42,14 @@ class SharedHistory {
     ~SharedHistory();
 
     const JointHistory& operator*() const;
-    operator const JointHistory&() const { return **this; }  // NOLINT(google-explicit-constructor): likewise
+    operator const JointHistory&() const { return **this; }  // NOLINT(google-explicit-constructor): as above
     friend bool operator==(const SharedHistory& a, const SharedHistory& b) {
         return a.node_ == b.node_ || *a == *b;
     }
 
   private:
-    explicit SharedHistory(const Node* kept) : node_(kept) {}
-    /// The one of those that are always there, and are not counted, that is the history; null if none is.
+    explicit SharedHistory(const Node* node) : node_(node) {}
+    /// The static, uncounted node with this history, or null.
     static const Node* static_node(const JointHistory& history);
 
     const Node* node_;  ///< null once moved from

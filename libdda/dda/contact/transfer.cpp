@@ -12,10 +12,11 @@ namespace rockslope::dda {
 
 namespace {
 
-/// How much deeper than its predecessor a contact may be, beyond twice that depth, as a share of the way that
-/// contacts move: rounding, and the strain of a step.
-constexpr double depth_tolerance = 1e-8;
+/// A contact may be twice as deep as its predecessor, plus this fraction of the largest displacement for
+/// rounding and the strain of a step.
+constexpr double depth_tolerance_ratio = 1e-8;
 
+/// Copies state, forces, slip and history of a predecessor.
 void copy_state(const Contact& from, Contact& to) {
     to.state = from.state;
     to.normal_force = from.normal_force;
@@ -27,14 +28,15 @@ void copy_state(const Contact& from, Contact& to) {
     to.joint = from.joint >= 0 ? from.joint : to.joint;
 }
 
-/// Lets a contact that took over from one of another depth bear the same force, without energy from nowhere.
+/// Sets the stress-free gap at which a contact bears its predecessor's force at its own gap: transfer adds no
+/// energy.
 void preserve_force(const Model& model, Contact& contact) {
     if (contact.state == ContactState::open || model.is_augmented(contact.joint_material)) return;
     contact.stress_free_gap = contact.gap + normal_spring(model, contact).closure(contact.normal_force);
 }
 
-/// Whether an old contact lay on the line of a new one: the same segments, or the same with corner and edge
-/// in exchanged roles, or the same corner on a neighbour's face.
+/// Whether an old contact lay on the line of a new one: it has the same blocks, or the same blocks with
+/// corner and edge exchanged, or the same corner on a neighbouring block's face.
 bool same_line(const Contact& from, const Contact& to) {
     if (from.joint_material != to.joint_material) return false;
     const double cosine = from.normal.dot(to.normal);
@@ -46,14 +48,16 @@ bool same_line(const Contact& from, const Contact& to) {
     return swapped_roles && cosine < -least;
 }
 
-/// Touching faces of the first configuration: a gap of a millionth of the shared length is rounding, not an
-/// open joint.
+/// Whether faces touch in the first configuration, Eq. (30). A smaller gap is rounding, not an open joint.
 bool touches(const Contact& contact) {
-    return std::abs(contact.gap) <= 1e-6 * std::max(contact.length, 1e-3);
+    constexpr double closed_gap = 1e-6;    // of the shared length
+    constexpr double least_length = 1e-3;  // m
+    return std::abs(contact.gap) <= closed_gap * std::max(contact.length, least_length);
 }
 
+/// Sets the state of a contact without predecessor.
 void initialise_new(const Model& model, bool first_step, Contact& contact) {
-    const JointLaw& law = model.joint_materials[static_cast<std::size_t>(contact.joint_material)].law;
+    const JointLaw& law = model.joint_materials[contact.joint_material].law;
     const bool intact = first_step && touches(contact);
     contact.history = fresh_history(law, intact);
     contact.state = intact ? ContactState::locked : ContactState::open;
@@ -61,15 +65,14 @@ void initialise_new(const Model& model, bool first_step, Contact& contact) {
         intact && contact.length > 0 && strength(law, contact.history, 0, contact.length).tensile > 0;
 }
 
-/// How an old contact is related to a new one: the nearer match_level comes first.
+/// Kinds of match of an old contact with a new one, in the order in which they are tried.
 enum class MatchLevel { same_corner, same_blocks, none };
 MatchLevel match_level(const Contact& a, const Contact& b) {
     if (a.corner == b.corner) return MatchLevel::same_corner;
     return a.blocks() == b.blocks() ? MatchLevel::same_blocks : MatchLevel::none;
 }
 
-/// The old contacts that are no longer, by either of their blocks, so that a new one looks at the few that
-/// could be its own.
+/// The old contacts whose (corner, edge) pair is gone, sorted by each of their two blocks.
 class PredecessorIndex {
   public:
     PredecessorIndex(std::span<const Contact* const> predecessors, double max_displacement)
@@ -81,13 +84,14 @@ class PredecessorIndex {
         std::sort(by_block_.begin(), by_block_.end());
     }
 
-    /// The nearest on the contact's line, so related, that has not matched yet; null if there is none.
+    /// The nearest predecessor of a contact, of the given match level, not in `matched`; null if there is
+    /// none.
     const Contact* nearest(const Contact& contact, MatchLevel level,
                            std::span<const Contact* const> matched) const {
         const Contact* nearest = nullptr;
         double least = max_distance_;
         auto entry = std::lower_bound(by_block_.begin(), by_block_.end(),
-                                      std::pair<int, const Contact*>{contact.corner_block, nullptr});
+                                      std::pair<BlockIndex, const Contact*>{contact.corner_block, nullptr});
         for (; entry != by_block_.end() && entry->first == contact.corner_block; ++entry) {
             const Contact* predecessor = entry->second;
             const double distance = (predecessor->point - contact.point).norm();
@@ -104,31 +108,32 @@ class PredecessorIndex {
     }
 
   private:
-    /// The same line has the same gap, and a deeper contact would come with energy from nowhere.
+    /// Whether both are on one line with about the same gap. A deeper contact would add energy.
     bool may_match(const Contact& predecessor, const Contact& contact) const {
         const double gap = contact.gap + contact.dilation - predecessor.dilation;
         return same_line(predecessor, contact) &&
                std::abs(predecessor.gap - gap) <= parallel_tolerance * max_distance_ &&
-               gap >= 2 * std::min(predecessor.gap, 0.0) - depth_tolerance * max_distance_;
+               gap >= 2 * std::min(predecessor.gap, 0.0) - depth_tolerance_ratio * max_distance_;
     }
 
     double max_distance_;
-    std::vector<std::pair<int, const Contact*>> by_block_;
+    std::vector<std::pair<BlockIndex, const Contact*>> by_block_;
 };
 
-/// The old contacts that bore a force, by either of their blocks.
+/// The old contacts, indexed by each of their two blocks, to find the loaded (closed) ones near a contact.
 class LoadedContacts {
   public:
-    LoadedContacts(int blocks, std::span<const Contact> old) : old_(old), by_block_(blocks, blocks_of(old)) {}
+    LoadedContacts(std::size_t blocks, ContactSpan<const Contact> old)
+        : old_(old), by_block_(blocks, blocks_of(old)) {}
 
-    /// The nearest on the contact's line that has a block with it in common, no farther than that; null if
-    /// there is none.
+    /// The nearest closed contact on the line of `contact` that shares a block with it, at most
+    /// `max_distance` away; null if there is none.
     const Contact* nearest(const Contact& contact, double max_distance) const {
         const Contact* nearest = nullptr;
         double least = max_distance;
-        for (const int block : {contact.corner_block, contact.edge_block}) {
-            for (const int entry_index : by_block_.of(block)) {
-                const Contact& loaded = old_[static_cast<std::size_t>(entry_index / 2)];
+        for (const BlockIndex block : {contact.corner_block, contact.edge_block}) {
+            for (const std::uint32_t entry_index : by_block_.of(block)) {
+                const Contact& loaded = old_[entry_index / 2];
                 if (loaded.state == ContactState::open) continue;
                 const double distance = (loaded.point - contact.point).norm();
                 if (distance > least || !along(loaded, contact, max_distance)) continue;
@@ -140,9 +145,9 @@ class LoadedContacts {
     }
 
   private:
-    /// Of each contact the two, in turn.
-    static std::vector<int> blocks_of(std::span<const Contact> contacts) {
-        std::vector<int> blocks;
+    /// Both blocks of each contact: entries 2k and 2k + 1 are contact k's.
+    static std::vector<BlockIndex> blocks_of(ContactSpan<const Contact> contacts) {
+        std::vector<BlockIndex> blocks;
         blocks.reserve(2 * contacts.size());
         for (const Contact& contact : contacts)
             blocks.insert(blocks.end(), {contact.corner_block, contact.edge_block});
@@ -158,13 +163,13 @@ class LoadedContacts {
                    parallel_tolerance * max_displacement;
     }
 
-    std::span<const Contact> old_;
-    OwnerIndex by_block_;
+    ContactSpan<const Contact> old_;
+    OwnerIndex<BlockIndex, std::uint32_t> by_block_;
 };
 
-/// The nearest closed contact of the same blocks on the same line, no farther than that; null if there is
-/// none.
-Contact* nearest_closed(const Contact& lost, std::span<Contact> contacts, double max_distance) {
+/// The nearest closed contact of the same blocks on the same line, at most `max_distance` away; null if there
+/// is none.
+Contact* nearest_closed(const Contact& lost, ContactSpan<Contact> contacts, double max_distance) {
     Contact* nearest = nullptr;
     auto c = std::partition_point(contacts.begin(), contacts.end(),
                                   [&](const Contact& other) { return other.blocks() < lost.blocks(); });
@@ -177,33 +182,32 @@ Contact* nearest_closed(const Contact& lost, std::span<Contact> contacts, double
     return nearest;
 }
 
-/// A contact that came into being where two rough faces have another has been through what that has.
+/// Contacts without a history inherit that of the longest contact of their joint segment that has one.
 void share_segment_history(const JointSegments& segments, std::span<char> has_history,
-                           std::span<Contact> contacts) {
-    const auto has_history_at = [&](int k) -> char& { return has_history[static_cast<std::size_t>(k)]; };
-    const auto at = [&](int k) -> Contact& { return contacts[static_cast<std::size_t>(k)]; };
-    for (std::size_t f = 0; f < segments.count(); ++f) {
+                           ContactSpan<Contact> contacts) {
+    for (std::size_t segment = 0; segment < segments.count(); ++segment) {
         const Contact* longest = nullptr;
-        for (const int k : segments.contacts_of(f)) {
-            if (has_history_at(k) != 0 && (longest == nullptr || at(k).length > longest->length))
-                longest = &at(k);
+        for (const ContactIndex k : segments.contacts_of(segment)) {
+            if (has_history[k] != 0 && (longest == nullptr || contacts[k].length > longest->length))
+                longest = &contacts[k];
         }
         if (longest == nullptr) continue;
-        for (const int k : segments.contacts_of(f)) {
-            if (has_history_at(k) == 0) at(k).inherit_history(longest->history, longest->dilation);
-            has_history_at(k) = 1;
+        for (const ContactIndex k : segments.contacts_of(segment)) {
+            if (has_history[k] == 0) contacts[k].inherit_history(longest->history, longest->dilation);
+            has_history[k] = 1;
         }
     }
 }
 
 }  // namespace
 
-JointSegments transfer_contacts(const Model& model, std::span<const Contact> old, double max_displacement,
+JointSegments transfer_contacts(const Model& model, ContactSpan<const Contact> old, double max_displacement,
                                 bool first_step, std::vector<Contact>& contacts) {
-    std::vector<char> has_history(contacts.size(), 0);  // what its joint has been through
-    std::vector<std::size_t> successors;  // that may take over: those that are new or bear nothing
+    // Match by (corner, edge).
+    std::vector<char> has_history(contacts.size(), 0);  // per contact, whether its history is set
+    std::vector<std::size_t> successors;                // new and open ones: may continue another
     successors.reserve(contacts.size());
-    std::vector<const Contact*> predecessors;
+    std::vector<const Contact*> predecessors;  // old contacts whose pair is gone
     auto from = old.begin();
     for (std::size_t k = 0; k < contacts.size(); ++k) {
         while (from != old.end() && comes_before(*from, contacts[k])) predecessors.push_back(&*from++);
@@ -221,8 +225,8 @@ JointSegments transfer_contacts(const Model& model, std::span<const Contact> old
 
     const PredecessorIndex predecessor_index(predecessors, max_displacement);
     std::vector<const Contact*> matched;
-    // A corner takes what it bears with it on to the next face; what is left goes to the blocks' other
-    // contacts. One that bears nothing leaves those that were there what they have been through.
+    // Match by line: predecessors with the same corner first, then those of the same blocks. An open
+    // predecessor does not replace the history of a contact that existed.
     for (const MatchLevel level : {MatchLevel::same_corner, MatchLevel::same_blocks}) {
         for (const std::size_t k : successors) {
             if (contacts[k].state != ContactState::open) continue;
@@ -235,7 +239,8 @@ JointSegments transfer_contacts(const Model& model, std::span<const Contact> old
             matched.push_back(predecessor);
         }
     }
-    // One that ends beside another of the two blocks leaves its force to that, as far as the other has sunk.
+    // A predecessor without successor leaves its normal force to the nearest closed contact of the same
+    // blocks: the stress-free gap of that contact rises, at most to zero.
     for (const Contact* predecessor : predecessors) {
         if (predecessor->state == ContactState::open ||
             std::find(matched.begin(), matched.end(), predecessor) != matched.end())
@@ -248,10 +253,10 @@ JointSegments transfer_contacts(const Model& model, std::span<const Contact> old
         other->stress_free_gap =
             std::max(other->stress_free_gap, std::min(other->stress_free_gap + added_closure, 0.0));
     }
-    // Where a corner slides on to a neighbour's face and the end of the overlap that it leaves has a corner
-    // of its own, one contact becomes two: the second knows the joint, and bears nothing until it gets
-    // deeper. While it waits for that in a face that others bear, it goes on to know what they do. Rough
-    // faces know better what they have been through themselves.
+    // One contact becomes two where a corner slides onto a neighbour's face and the end of the overlap that
+    // it leaves has a corner. The second contact inherits the history of the joint, and bears no force until
+    // it gets deeper. Until then it follows the history of the loaded contacts beside it. A contact of a
+    // rough joint that has a history keeps the one of its segment.
     JointSegments segments(model, contacts);
     share_segment_history(segments, has_history, contacts);
     std::optional<LoadedContacts> loaded_contacts;

@@ -8,16 +8,19 @@
 
 namespace rockslope::dda {
 
-/// Gives the contacts of a new step the states, forces and histories of the old ones.
+/// Contact transfer: gives the contacts of a step the states, forces and histories of their predecessors in
+/// the last step.
 ///
-/// A contact keeps its identity as (corner, edge). Where that pair is gone because the corner slid on to the
-/// next edge, because the roles of the two corners at the end of an overlap changed, or because a
-/// neighbouring block's face took over, the nearest old contact along the same line hands over what it
-/// carried: shear force, slip and history change neither sign nor size, because the tangent turns with the
-/// role. `max_displacement` bounds how far a contact point can have gone, m. Contacts nobody hands anything
-/// to are fresh; in the first step of a run faces that touch are intact and locked.
-/// @return the faces of the new contacts.
-JointSegments transfer_contacts(const Model& model, std::span<const Contact> old, double max_displacement,
+/// A contact is identified by (corner, edge). If that pair is gone, the nearest old contact on the same line
+/// is the predecessor. The pair changes when the corner slides onto the next edge or onto a neighbouring
+/// block's face, or when the two corners at the end of an overlap exchange roles. The tangent turns with the
+/// roles, so shear force, slip and history keep sign and size. A contact without predecessor starts open and
+/// unbonded; in the first step of a run a contact of touching faces starts locked and intact, Eq. (30).
+/// @param old contacts at the end of the last step, in the order of comes_before.
+/// @param max_displacement m, largest distance between a contact and its predecessor.
+/// @param contacts detected contacts, in the order of comes_before; their states are set.
+/// @return the joint segments of the new contacts.
+JointSegments transfer_contacts(const Model& model, ContactSpan<const Contact> old, double max_displacement,
                                 bool first_step, std::vector<Contact>& contacts);
 
 }  // namespace rockslope::dda

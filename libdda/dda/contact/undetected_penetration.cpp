@@ -22,13 +22,15 @@ struct Crossing {
     bool inwards = false;
 };
 
+/// Tests the corners of a step, one against one block at a time, for penetration.
 class PenetrationSearch {
   public:
-    PenetrationSearch(const Topology& topology, std::span<const Vec2> before, std::span<const Vec2> after,
+    PenetrationSearch(const Topology& topology, CornerSpan<const Vec2> before, CornerSpan<const Vec2> after,
                       double search_radius)
         : topology_(topology), before_(before), after_(after), search_radius_(search_radius) {}
 
-    /// Whether the corner got deeper than `allowed` into the block, or than `clip_depth` through it.
+    /// Whether the corner is deeper than `allowed` in the block, or passed through it deeper than
+    /// `clip_depth`.
     bool penetrates(CornerCandidates corner_candidates, double allowed, double clip_depth,
                     UndetectedPenetration& found) const {
         const Location end = locate(corner_candidates, 1);
@@ -36,8 +38,8 @@ class PenetrationSearch {
         const bool inside = found.depth > allowed && found.depth < search_radius_;
         double first_in = 2;
         double last_out = -1;
-        bool passed = false;              // in by one edge and out by another
-        std::pair entrance(false, -1.0);  // one that it could touch, then the latest
+        bool passed = false;              // entered by one edge and left by another
+        std::pair entrance(false, -1.0);  // (passes the angle test, time); the largest is the entrance
         for (const CornerEdge& pair : corner_candidates) {
             int inwards = 0;
             for_crossings(pair, allowed, [&](const Crossing& crossing) {
@@ -55,9 +57,10 @@ class PenetrationSearch {
             passed = passed || inwards != 0;
         }
         if (inside && !entrance.first) {
-            // It was inside before, or slipped round a corner into a face that is not turned to it.
-            if (const CornerEdge* touched = nearest_edge_passing_angle_test(corner_candidates))
-                found.pair = *touched;
+            // The corner was inside before, or slid around another corner and entered through an edge that
+            // fails the angle test.
+            if (const CornerEdge* nearest = nearest_edge_passing_angle_test(corner_candidates))
+                found.pair = *nearest;
             else if (entrance.second < 0)
                 found.pair = end.nearest;
         }
@@ -69,58 +72,58 @@ class PenetrationSearch {
     }
 
   private:
-    static std::size_t index(int k) { return static_cast<std::size_t>(k); }
-    int next(int corner) const { return topology_.next[index(corner)]; }
-    const Vec2& before(int corner) const { return before_[index(corner)]; }
-    const Vec2& after(int corner) const { return after_[index(corner)]; }
-    /// A corner's place after a fraction of the step.
-    Vec2 at(int corner, double time) const {
+    CornerIndex end_of(EdgeIndex edge) const { return topology_.end_of(edge); }
+    const Vec2& before(CornerIndex corner) const { return before_[corner]; }
+    const Vec2& after(CornerIndex corner) const { return after_[corner]; }
+    /// Position of a corner after a fraction of the step, m.
+    Vec2 at(CornerIndex corner, double time) const {
         return before(corner) + time * (after(corner) - before(corner));
     }
 
     struct Location {
         double depth = 0;    ///< m, inside the block; zero outside
-        CornerEdge nearest;  ///< the edge that it is nearest to
+        CornerEdge nearest;  ///< the corner and the nearest edge
     };
 
-    /// Where the corner is after a fraction of the step. Inside and outside are told apart at the nearest
-    /// point of the surface: on an edge by its side, at a corner by whether that is a reflex one.
+    /// Depth of the corner after a fraction of the step. The nearest point of the surface decides whether the
+    /// corner is inside: on an edge the side of the edge, at a corner whether that is reflex.
     Location locate(CornerCandidates corner_candidates, double time) const {
-        Location place;
+        Location location;
         const Vec2 corner = at(corner_candidates.front().corner, time);
         double least = std::numeric_limits<double>::infinity();
         bool inside = false;
         for (const CornerEdge& pair : corner_candidates) {
-            const int edge = pair.edge;
-            const Vec2 first = at(edge, time);
-            const Vec2 along = at(next(edge), time) - first;
+            const CornerIndex start = start_of(pair.edge), end = end_of(pair.edge);
+            const Vec2 first = at(start, time);
+            const Vec2 along = at(end, time) - first;
             const double fraction = (corner - first).dot(along) / along.squaredNorm();
             const double clamped = std::clamp(fraction, 0.0, 1.0);
             const double square = (corner - first - clamped * along).squaredNorm();
             if (square >= least) continue;
             least = square;
-            place.nearest = pair;
+            location.nearest = pair;
             inside = fraction == clamped ? cross(along, corner - first) > 0
-                                         : is_reflex(fraction < 0 ? edge : next(edge), time);
+                                         : is_reflex(fraction < 0 ? start : end, time);
         }
-        if (inside) place.depth = std::sqrt(least);
-        return place;
+        if (inside) location.depth = std::sqrt(least);
+        return location;
     }
 
-    bool is_reflex(int corner, double time) const {
+    bool is_reflex(CornerIndex corner, double time) const {
         const Vec2 here = at(corner, time);
-        return cross(here - at(topology_.previous[index(corner)], time), at(next(corner), time) - here) < 0;
+        return cross(here - at(topology_.previous[corner], time), at(topology_.next[corner], time) - here) <
+               0;
     }
 
-    /// The corner's ways through the edge, all points moving straight: where
-    /// cross(edge, corner - first end), quadratic in time, changes its sign between the edge's ends. A corner
-    /// no deeper than `allowed` before the step is taken to be on the edge.
+    /// Calls visit(crossing) where the corner crosses the edge, all points moving on straight lines. There
+    /// cross(edge, corner - first end) = a t^2 + b t + c changes sign, between the ends of the edge. A corner
+    /// no deeper than `allowed` before the step is taken to be on the edge, c = 0.
     template <class Visit>
     void for_crossings(const CornerEdge& pair, double allowed, const Visit& visit) const {
-        const Vec2 arm = before(pair.corner) - before(pair.edge);
-        const Vec2 along = before(next(pair.edge)) - before(pair.edge);
-        const Vec2 arm_rate = after(pair.corner) - after(pair.edge) - arm;
-        const Vec2 along_rate = after(next(pair.edge)) - after(pair.edge) - along;
+        const Vec2 arm = before(pair.corner) - before(start_of(pair.edge));
+        const Vec2 along = before(end_of(pair.edge)) - before(start_of(pair.edge));
+        const Vec2 arm_rate = after(pair.corner) - after(start_of(pair.edge)) - arm;
+        const Vec2 along_rate = after(end_of(pair.edge)) - after(start_of(pair.edge)) - along;
         const double a = cross(along_rate, arm_rate);
         const double b = cross(along, arm_rate) + cross(along_rate, arm);
         double c = cross(along, arm);
@@ -138,12 +141,13 @@ class PenetrationSearch {
     }
 
     CornerEdgeGeometry geometry_after(const CornerEdge& pair) const {
-        return corner_edge_geometry(after(pair.corner), after(pair.edge), after(next(pair.edge)));
+        return corner_edge_geometry(after(pair.corner), after(start_of(pair.edge)), after(end_of(pair.edge)));
     }
     bool passes_angle_test(const CornerEdge& pair) const {
         return passes_entrance_angle_test(topology_, after_, pair.corner, geometry_after(pair).normal);
     }
-    /// Of the edges that the corner is behind and within, the nearest that is turned to it; null if none is.
+    /// The nearest edge that the corner is behind, between its ends, and that passes the entrance-angle test;
+    /// null if there is none.
     const CornerEdge* nearest_edge_passing_angle_test(CornerCandidates corner_candidates) const {
         const CornerEdge* nearest = nullptr;
         double least = search_radius_;
@@ -159,54 +163,54 @@ class PenetrationSearch {
     }
 
     const Topology& topology_;
-    std::span<const Vec2> before_;
-    std::span<const Vec2> after_;
+    CornerSpan<const Vec2> before_;
+    CornerSpan<const Vec2> after_;
     double search_radius_;
 };
 
 }  // namespace
 
-std::vector<UndetectedPenetration> find_undetected_penetrations(
-    const Model& model, std::span<const Vec2> before, std::span<const Vec2> after,
-    std::span<const CornerEdge> candidates, std::span<const Contact> contacts, double search_radius,
-    double tolerance, double clip_depth, const ThreadPool& pool) {
+std::vector<UndetectedPenetration> find_undetected_penetrations(const Model& model,
+                                                                const PenetrationTest& test,
+                                                                const ThreadPool& pool) {
     const Topology& topology = model.topology;
-    const auto block_of = [&](int corner) { return topology.block_of[static_cast<std::size_t>(corner)]; };
-    const InheritedPenetrations inherited(topology, after, contacts, search_radius);
+    const std::span<const CornerEdge> candidates = test.candidates;
+    const InheritedPenetrations inherited(topology, test.after, test.contacts, test.search_radius);
 
-    std::vector<std::uint32_t> first;  // candidate of an corner_candidates, and the end
+    // First candidate of each pair of a corner and a block, then the number of candidates.
+    std::vector<std::uint32_t> first;
     first.reserve(candidates.size() + 1);
     for (std::size_t k = 0; k < candidates.size(); ++k) {
         if (k == 0 || candidates[k].corner != candidates[k - 1].corner ||
-            block_of(candidates[k].edge) != block_of(candidates[k - 1].edge))
+            topology.block_of_edge(candidates[k].edge) != topology.block_of_edge(candidates[k - 1].edge))
             first.push_back(static_cast<std::uint32_t>(k));
     }
     const std::size_t count = first.size();
     first.push_back(static_cast<std::uint32_t>(candidates.size()));
 
-    const PenetrationSearch search(topology, before, after, search_radius);
+    const PenetrationSearch search(topology, test.before, test.after, test.search_radius);
     const auto penetrates = [&](std::size_t k, UndetectedPenetration& found) {
         const CornerCandidates corner_candidates = candidates.subspan(first[k], first[k + 1] - first[k]);
         const auto& [corner, edge] = corner_candidates.front();
-        const double allowed = tolerance + 2 * inherited.in_block(corner, block_of(edge));
-        return search.penetrates(corner_candidates, allowed, clip_depth, found);
+        const double allowed = test.tolerance + 2 * inherited.in_block(corner, topology.block_of_edge(edge));
+        return search.penetrates(corner_candidates, allowed, test.clip_depth, found);
     };
-    // Hardly any does: what is found is not kept for all of them.
-    std::vector<char> is_in(count, 0);
+    // Penetrations are rare: the first pass stores a flag, the second evaluates the flagged ones again.
+    std::vector<char> is_penetrating(count, 0);
     pool.parallel_for(count, [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) {
             UndetectedPenetration found;
-            is_in[k] = penetrates(k, found) ? 1 : 0;
+            is_penetrating[k] = penetrates(k, found) ? 1 : 0;
         }
     });
     std::vector<UndetectedPenetration> undetected_penetrations;
     for (std::size_t k = 0; k < count; ++k) {
-        if (is_in[k] != 0) penetrates(k, undetected_penetrations.emplace_back());
+        if (is_penetrating[k] != 0) penetrates(k, undetected_penetrations.emplace_back());
     }
     return undetected_penetrations;
 }
 
-Contact deepest_penetration_as_contact(const Model& model, std::span<const Vec2> vertices,
+Contact deepest_penetration_as_contact(const Model& model, CornerSpan<const Vec2> vertices,
                                        std::span<const UndetectedPenetration> undetected_penetrations) {
     const UndetectedPenetration& deepest = *std::max_element(
         undetected_penetrations.begin(), undetected_penetrations.end(),
@@ -214,26 +218,26 @@ Contact deepest_penetration_as_contact(const Model& model, std::span<const Vec2>
     Contact contact;
     contact.corner = deepest.pair.corner;
     contact.edge = deepest.pair.edge;
-    contact.corner_block = model.topology.block_of[static_cast<std::size_t>(contact.corner)];
-    contact.edge_block = model.topology.block_of[static_cast<std::size_t>(contact.edge)];
-    contact.point = vertices[static_cast<std::size_t>(contact.corner)];
+    contact.corner_block = model.topology.block_of[contact.corner];
+    contact.edge_block = model.topology.block_of_edge(contact.edge);
+    contact.point = vertices[contact.corner];
     contact.gap = -deepest.depth;
     return contact;
 }
 
 bool can_be_prevented(std::span<const UndetectedPenetration> undetected_penetrations) {
     return std::none_of(undetected_penetrations.begin(), undetected_penetrations.end(),
-                        [](const UndetectedPenetration& i) { return i.passed_through; });
+                        [](const UndetectedPenetration& p) { return p.passed_through; });
 }
 
 bool merge_pairs(std::span<const UndetectedPenetration> undetected_penetrations,
                  std::vector<CornerEdge>& pairs) {
-    const std::size_t inherited = pairs.size();
+    const std::size_t old_count = pairs.size();
     for (const UndetectedPenetration& penetration : undetected_penetrations)
         pairs.push_back(penetration.pair);
     std::sort(pairs.begin(), pairs.end());
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-    return pairs.size() > inherited;
+    return pairs.size() > old_count;
 }
 
 }  // namespace rockslope::dda

@@ -9,42 +9,51 @@
 
 namespace rockslope::dda {
 
-/// A corner that got into another block in a step without a contact that tells of it.
+/// A corner that penetrated another block in a step, at an edge with which it has no contact.
 struct UndetectedPenetration {
-    CornerEdge pair;              ///< the corner, and the edge that it came in through
+    CornerEdge pair;              ///< the corner, and the edge through which it entered
     double depth = 0;             ///< m, of the corner below the other block's surface
-    bool passed_through = false;  ///< it came out again on another side within the step
+    bool passed_through = false;  ///< it left through another edge within the step
 };
 
-/// Looks for corners that got into another block in a step and that the step's contacts do not account for:
-/// deeper than twice the penetration of closed contacts of that corner or of one on it, plus `tolerance`.
-/// Contacts are chosen from where blocks are at the step's start; a block that turns by more than the
-/// tolerance of theory Eq. (27) in a step may come down on another corner than those, or pass its corner
-/// through a thin block.
-///
-/// All points are taken to move straight. Where the corner crosses several edges inwards it came in through
-/// the last that it could touch at the step's end. A corner that was inside before the step came in through
-/// none; if it is deeper now, it is told with the nearest edge. One that is outside again counts if it came
-/// out by another edge, from `clip_depth` on: ways that are really arcs cut corners off. By the same edge it
-/// has passed nothing.
-/// @param candidates sorted, and complete up to the distance `search_radius`; deeper corners are not looked
-/// at.
-/// @param contacts of the step, with gaps and states at its end.
-/// @return sorted by pair, one for each corner and block that it got into.
-std::vector<UndetectedPenetration> find_undetected_penetrations(
-    const Model& model, std::span<const Vec2> before, std::span<const Vec2> after,
-    std::span<const CornerEdge> candidates, std::span<const Contact> contacts, double search_radius,
-    double tolerance, double clip_depth, const ThreadPool& pool);
+/// The step that is tested for undetected penetrations.
+struct PenetrationTest {
+    CornerSpan<const Vec2> before;           ///< m, at the start of the step
+    CornerSpan<const Vec2> after;            ///< m, at its end
+    std::span<const CornerEdge> candidates;  ///< sorted; all pairs within `search_radius`
+    ContactSpan<const Contact> contacts;     ///< of the step, with gaps and states at its end
+    double search_radius = 0;                ///< m; deeper corners are not found
+    double tolerance = 0;                    ///< m, depth allowed where no contact accounts for any
+    double clip_depth = 0;                   ///< m, depth allowed to a corner that is outside again
+};
 
-/// The deepest intrusion, told as a contact: blocks, point and gap.
-Contact deepest_penetration_as_contact(const Model& model, std::span<const Vec2> vertices,
+/// Corners that penetrated another block in a step deeper than contacts account for. The allowed depth is
+/// twice the penetration for which contacts of the corner, or of a corner that meets it, account, plus
+/// `tolerance`. Contacts are detected from the positions at the start of the step; a block that turns by more
+/// than the slack of Eq. (27) may come down on another corner than predicted, or pass its corner through a
+/// thin block.
+///
+/// All points are taken to move on straight lines. A corner entered through the last edge that it crossed
+/// inwards, among those that pass the entrance-angle test at the step's end. A corner that was inside before
+/// the step counts, with the nearest edge, if it is deeper now by more than the allowed depth. A corner that
+/// is outside again counts if it left by another edge than it entered and its depth half-way exceeded both
+/// the allowed depth and `clip_depth`: straight lines in place of arcs clip corners. A corner that entered
+/// and left by one edge does not count.
+/// @return sorted by pair, one for each corner and block that it penetrated.
+std::vector<UndetectedPenetration> find_undetected_penetrations(const Model& model,
+                                                                const PenetrationTest& test,
+                                                                const ThreadPool& pool);
+
+/// The deepest undetected penetration as a contact with corner, edge, blocks, point and gap, for the report
+/// of the worst contact. The list must not be empty.
+Contact deepest_penetration_as_contact(const Model& model, CornerSpan<const Vec2> vertices,
                                        std::span<const UndetectedPenetration> undetected_penetrations);
 
-/// Whether another look at the step with these pairs as contacts may do; a corner that is out again has no
-/// contact that would stop it, but a smaller step.
+/// Whether the step can be repeated with these pairs as forced candidates. A corner that passed through is
+/// outside again, so that no contact would stop it: it needs a smaller step.
 bool can_be_prevented(std::span<const UndetectedPenetration> undetected_penetrations);
 
-/// Adds the undetected_penetrations' pairs to a sorted list. @return whether there was one not yet in it.
+/// Merges the pairs of the penetrations into a sorted list. @return whether one of them was new to it.
 bool merge_pairs(std::span<const UndetectedPenetration> undetected_penetrations,
                  std::vector<CornerEdge>& pairs);
 

@@ -2,11 +2,12 @@
 
 #include <span>
 
+#include "dda/base/indices.hpp"
 #include "dda/base/types.hpp"
 
 namespace rockslope::dda {
 
-/// Area moments of a region, the sums of Shi's simplex integrals over its rings.
+/// Area moments of a region, Eq. (4), the sums of Shi's simplex integrals over its rings.
 struct AreaMoments {
     double area = 0;               ///< m2
     Vec2 centroid = Vec2::Zero();  ///< m
@@ -15,11 +16,11 @@ struct AreaMoments {
     double xy = 0;                 ///< integral of x y about the centroid, m4
 };
 
-/// Exact integrals over a polygon with holes, Eq. (5): each edge and a common apex span an oriented simplex,
-/// and the integrals over the simplices add up with their signs. Outer ring counter-clockwise, holes
-/// clockwise. The apex is the first vertex, so that a model far from the origin loses no digits.
+/// Simplex integration over a polygon with holes, Eq. (5). Each edge spans an oriented simplex with a common
+/// apex; the signed integrals over the simplices add up. The apex is the first vertex, so that a model far
+/// from the origin loses no digits. Outer ring counter-clockwise, holes clockwise.
 /// @param vertices the rings' vertices, ring after ring, at least 3 each; @param ring_ends ascending, one
 /// more than there are rings: from each to the next is a ring, counted from the first of them.
-AreaMoments integrate(std::span<const Vec2> vertices, std::span<const int> ring_ends);
+AreaMoments integrate(std::span<const Vec2> vertices, std::span<const CornerIndex> ring_ends);
 
 }  // namespace rockslope::dda

@@ -73,7 +73,7 @@ hid_t file_type(HdfType type) {
     }
 }
 
-/// The library's own error printing is off (libraries do not print), and so is its file locking.
+/// Switches off HDF5's error printing and file locking.
 void prepare_library() {
     static std::once_flag once;
     std::call_once(once, [] {
@@ -96,7 +96,7 @@ struct HdfFile::Access {
     HdfHandle file;
 
     hid_t id() const { return file.id(); }
-    /// May be invalid.
+    /// Handle of a dataset; invalid if there is none.
     HdfHandle dataset(const std::string& name) const {
         return {H5Dopen2(id(), name.c_str(), H5P_DEFAULT), H5Dclose};
     }
@@ -157,8 +157,7 @@ void HdfFile::set_attribute(const std::string& object, const std::string& name,
 }
 
 void HdfFile::set_attribute(const std::string& object, const std::string& name, std::int64_t value) {
-    // The object stays open meanwhile: an attribute opened by name alone cannot be written again after a
-    // flush (HDF5 1.10).
+    // Keep the object open: HDF5 1.10 cannot rewrite an attribute opened by name alone after a flush.
     const HdfHandle owner(check(H5Oopen(file_->id(), object.c_str(), H5P_DEFAULT), "object " + object),
                           H5Oclose);
     const bool exists = H5Aexists(owner.id(), name.c_str()) > 0;
@@ -204,7 +203,7 @@ std::string HdfFile::string_attribute(const std::string& object, const std::stri
     constexpr std::size_t longest = 1 << 16;
     if (H5Tget_class(type.id()) != H5T_STRING || H5Tis_variable_str(type.id()) != 0 ||
         H5Tget_size(type.id()) > longest)
-        fail("attribute " + name + " is no text of fixed length");
+        fail("attribute " + name + " is not a fixed-length string of at most 65536 bytes");
     std::string text(H5Tget_size(type.id()), '\0');
     check(H5Aread(attribute.id(), type.id(), text.data()), "attribute " + name);
     return text;
@@ -240,7 +239,7 @@ std::pair<std::size_t, std::size_t> HdfFile::shape_of(const std::string& name) c
     const HdfHandle space(H5Dget_space(set.id()), H5Sclose);
     hsize_t size[2] = {0, 1};
     const int rank = H5Sget_simple_extent_ndims(space.id());
-    if (rank < 1 || rank > 2) fail("dataset " + name + " is no table");
+    if (rank < 1 || rank > 2) fail("dataset " + name + " does not have one or two dimensions");
     check(H5Sget_simple_extent_dims(space.id(), size, nullptr), "dataset " + name);
     if (size[1] < 1) fail("dataset " + name + " has no columns");
     return {size[0], size[1]};
@@ -307,7 +306,7 @@ void HdfFile::reserve(std::size_t bytes) const {
     const int result = ::fallocate(descriptor, FALLOC_FL_KEEP_SIZE, end, static_cast<off_t>(bytes));
     int reason = result == 0 || errno == EOPNOTSUPP || errno == ENOSYS ? 0 : errno;
     ::close(descriptor);
-    // The limit on a file's size is not looked at when room is set aside beyond its end.
+    // fallocate does not check the file size limit for room beyond the end of the file.
     rlimit limit{};
     if (::getrlimit(RLIMIT_FSIZE, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY &&
         static_cast<std::size_t>(end) + bytes > limit.rlim_cur)

@@ -9,7 +9,7 @@
 
 namespace rockslope::dda {
 
-/// The element types that our files hold.
+/// Element types of datasets: float, double, 64-bit integer, byte.
 enum class HdfType { f4, f8, i8, u1 };
 
 template <class T>
@@ -31,9 +31,9 @@ constexpr HdfType hdf_type_of<std::uint8_t>() {
     return HdfType::u1;
 }
 
-/// An HDF5 file of datasets that grow by rows. File locking is off, so that a viewer may look at a running
-/// analysis; no times are stored, so that equal writes make equal bytes. Every failure is an OutputError
-/// naming the file (reading: likewise).
+/// An HDF5 file of datasets that grow by rows. File locking is off: a viewer may read the file of a running
+/// analysis. No times are stored: equal writes give equal bytes. Every failure to write or read throws an
+/// OutputError that names the file.
 class HdfFile {
   public:
     static HdfFile create(const std::filesystem::path& path);
@@ -53,8 +53,8 @@ class HdfFile {
     std::int64_t integer_attribute(const std::string& object, const std::string& name) const;
     std::string string_attribute(const std::string& object, const std::string& name) const;
 
-    /// Adds an empty dataset of rows of `width` elements (1: one-dimensional); `chunk` rows are stored
-    /// together. Large ones are compressed.
+    /// Adds an empty dataset with rows of `width` elements (1: one-dimensional). HDF5 stores `chunk` rows
+    /// together, deflated if `compressed`.
     void add_dataset(const std::string& name, HdfType type, int width, std::size_t chunk, bool compressed);
     bool has(const std::string& name) const;
     std::size_t row_count(const std::string& name) const { return shape_of(name).first; }
@@ -77,23 +77,24 @@ class HdfFile {
     }
     std::vector<std::string> names_in(const std::string& group) const;
 
-    /// Makes sure that the disk has room for so many bytes more before anything of them is written.
+    /// Reserves disk space for this many bytes beyond the end of the file. @throws OutputError without room.
     void reserve(std::size_t bytes) const;
     void flush();
     /// Renames the file while it stays open. @throws OutputError.
     void rename_to(const std::filesystem::path& path);
 
   private:
-    struct Access;  // HDF5's identifiers stay out of this header
+    struct Access;  // keeps hdf5.h out of this header
     explicit HdfFile(std::filesystem::path path);
 
     [[noreturn]] void fail(const std::string& what) const;
-    /// Passes on what HDF5 returned, unless it says failure.
+    /// Returns an HDF5 result. @throws OutputError if it is negative, which means failure.
     std::int64_t check(std::int64_t result, const std::string& what) const;
     /// Rows and width of a dataset.
     std::pair<std::size_t, std::size_t> shape_of(const std::string& name) const;
     std::size_t width_of(const std::string& name) const { return shape_of(name).second; }
-    /// A damaged file may name rows that are not there, more of them than memory holds.
+    /// @throws OutputError unless the dataset has these rows: offsets of a damaged file may point past its
+    /// end.
     void check_rows(const std::string& name, std::size_t first, std::size_t count) const;
     void append_bytes(const std::string& name, HdfType type, const void* data, std::size_t element_count);
     void read_bytes(const std::string& name, HdfType type, std::size_t first, std::size_t count,

@@ -15,9 +15,9 @@ const std::string steps = root + "Steps/";
 const std::string cell_data = root + "CellData/";
 const std::string cell_data_offsets = steps + "CellDataOffsets/";
 
-/// Rows of the small per-frame datasets that are stored together: 4 kB of int64.
+/// Chunk of the small per-frame datasets, rows: 4 kB of int64.
 constexpr std::size_t step_chunk = 512;
-/// Room for HDF5's own bookkeeping of one frame, bytes: a few B-tree nodes and headers per dataset.
+/// Space for HDF5's metadata of one frame, bytes: a few B-tree nodes and headers per dataset.
 constexpr std::size_t bookkeeping = 1 << 18;
 
 const char* const step_integers[] = {"PartOffsets", "NumberOfParts", "PointOffsets", "CellOffsets",
@@ -35,7 +35,7 @@ std::size_t bytes_of(const GridFrame& frame) {
     return bytes;
 }
 
-/// Offsets that rise from 0 within the connectivity, which names points that are there.
+/// Whether offsets ascend within the connectivity and the connectivity refers to existing points.
 bool are_cells(const GridCells& cells, std::size_t point_count) {
     const auto is_below = [](std::int64_t value, std::size_t limit) {
         return value >= 0 && static_cast<std::size_t>(value) < limit;
@@ -89,9 +89,9 @@ VtkHdfFile::VtkHdfFile(const std::filesystem::path& path, std::vector<GridColumn
 VtkHdfFile::VtkHdfFile(const std::filesystem::path& path, std::vector<GridColumn> columns, HdfType points,
                        std::size_t typical_cells)
     : VtkHdfFile(path, std::move(columns), points, false) {
-    // A frame does not fill whole chunks here, so the last chunk is written again with the next frame.
-    // Uncompressed it keeps its place; compressed it would move, and a kill before the index follows would
-    // lose the frames that stood in it.
+    // A frame does not fill whole chunks, so the next frame rewrites the last chunk. An uncompressed chunk
+    // keeps its place in the file. A compressed one would move, and a kill before the index is updated would
+    // lose the frames in it.
     file_.add_dataset(root + "Points", points, 3, 2 * typical_cells, false);
     file_.add_dataset(root + "Connectivity", HdfType::i8, 1, 2 * typical_cells, false);
     file_.add_dataset(root + "Offsets", HdfType::i8, 1, typical_cells, false);

@@ -20,14 +20,14 @@ struct GridCells {
     void add(const std::vector<std::int64_t>& points, std::uint8_t type);
 };
 
-/// A quantity of the cells with `width` components each.
+/// A quantity with `width` components per cell.
 struct GridColumn {
     std::string name;
     int width = 1;
 };
 
-/// One instant: coordinates (x, y, z per point), the values of every column, and the cells where they change
-/// from frame to frame.
+/// One frame: coordinates (x, y, z per point), the values of every column and, if they change from frame to
+/// frame, the cells.
 struct GridFrame {
     double time = 0;
     std::vector<double> points;
@@ -35,19 +35,19 @@ struct GridFrame {
     GridCells cells;
 };
 
-/// A VTKHDF 2.0 temporal UnstructuredGrid that grows frame by frame: see docs/formats/results.md. After
-/// append() the file on disk is whole: killing the process loses no frame.
+/// A VTKHDF 2.0 temporal UnstructuredGrid that grows frame by frame, see docs/formats/results.md. After
+/// append() the file on disk is complete: a killed process loses no frame.
 class VtkHdfFile {
   public:
-    /// A file whose cells stay the same: written once. Coordinates are stored as `points`, f4 or f8.
+    /// A file whose cells are constant and written once. @param points type of coordinates, f4 or f8.
     VtkHdfFile(const std::filesystem::path& path, std::vector<GridColumn> columns, HdfType points,
                const GridCells& cells, std::size_t point_count);
-    /// A file whose frames bring their own cells; each frame is a part. `typical_cells` sizes the storage.
+    /// A file in which every frame has its own cells, as a part. @param typical_cells sizes the chunks.
     VtkHdfFile(const std::filesystem::path& path, std::vector<GridColumn> columns, HdfType points,
                std::size_t typical_cells);
 
-    /// @throws OutputError when a value is not finite (nothing is written then), or the disk is full (earlier
-    /// frames stay good).
+    /// @throws OutputError if a value is not finite (nothing is written), or if the disk is full (earlier
+    /// frames stay intact).
     void append(const GridFrame& frame);
     std::int64_t frame_count() const { return frame_count_; }
     const std::filesystem::path& path() const { return file_.path(); }
@@ -70,7 +70,7 @@ class VtkHdfFile {
     std::int64_t connectivity_before_ = 0;
 };
 
-/// Reads what VtkHdfFile wrote, also while it is being written.
+/// Reads a file of VtkHdfFile, also while it is being written.
 class VtkHdfReader {
   public:
     explicit VtkHdfReader(const std::filesystem::path& path);
@@ -78,7 +78,7 @@ class VtkHdfReader {
     std::int64_t frame_count() const { return static_cast<std::int64_t>(times_.size()); }
     const std::vector<double>& times() const { return times_; }
     const std::vector<std::string>& column_names() const { return names_; }
-    /// The frame's columns stand in the order of `columns`. @throws OutputError when a column is missing.
+    /// A frame with the given columns, in their order. @throws OutputError if a column is missing.
     GridFrame frame(std::int64_t index, const std::vector<std::string>& columns) const;
 
   private:

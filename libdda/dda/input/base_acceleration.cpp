@@ -8,7 +8,8 @@
 namespace rockslope::dda {
 
 TimeTable acceleration_of(const record::Record& record, double scale, const SourceLocation& place) {
-    if (record.quantity != record::Quantity::acceleration && record.values.size() < record::min_spline_samples)
+    if (record.quantity != record::Quantity::acceleration &&
+        record.values.size() < record::min_spline_samples)
         throw InputError(place, "the record has " + std::to_string(record.values.size()) + " samples",
                          "at least 5 to differentiate a " + record::quantity_name(record.quantity));
     std::vector<double> values = record::acceleration_samples(record);

@@ -6,33 +6,33 @@
 
 namespace rockslope::dda {
 
-/// What is done about the drift of an integrated record.
+/// Baseline correction of a record.
 enum class Baseline { none, drift };
 
-/// A record as the acceleration that a prescribed block follows, m/s2, times `scale`.
-///
-/// A velocity or a displacement is differentiated, see record::acceleration_samples().
-/// @throws InputError at `place` when the record is too short for a spline (5 samples).
+/// The acceleration of a record, m/s2, times `scale`. A velocity or a displacement is differentiated, see
+/// record::acceleration_samples().
+/// @throws InputError at `place` if the record is too short for a spline (5 samples).
 TimeTable acceleration_of(const record::Record& record, double scale, const SourceLocation& place);
 
-/// The table with a last instant appended, one interval after its end, at which the acceleration is zero; the
-/// table itself when it ends with zero or holds one instant. So the base's motion does not hang on how an
-/// instant near the end was rounded.
+/// The table with a zero appended, one interval after its last entry. A table that ends with zero or has one
+/// entry is returned unchanged. With the zero, the base's motion does not depend on the rounding of the time
+/// of its last step.
 TimeTable with_zero_end(const TimeTable& acceleration);
 
-/// Where the engine's own update brings a base that starts from rest, v += dt a(t + dt), u += dt v_old + dt^2
-/// a(t + dt) / 2, run in steps of `step` to the first instant at or past the table's end. Outside the table
-/// the acceleration is zero.
+/// Velocity and displacement of a base after a record that starts from rest.
 struct FinalBaseState {
     double velocity = 0;      ///< m/s
     double displacement = 0;  ///< m
 };
+/// The state of a base at the end of a record, from the update of the time integration, v += dt a(t + dt), u
+/// += dt v_old + dt^2 a(t + dt) / 2. Steps of `step`, s, end with the first at or past the table's end.
+/// Outside the table the acceleration is zero.
 FinalBaseState integrate_base_motion(const TimeTable& acceleration, double step);
 
-/// Subtracts the smallest correction, in the sense of least squares over the record, that brings the base
-/// back to rest at zero displacement. The two end values are linear in a(t) with the weights 1 and (T - t),
-/// so the smallest correction is a straight line c0 + c1 t; a last instant of zero acceleration stays so.
-/// Exact for equal steps of `step`.
+/// Baseline correction: subtracts the smallest correction, in the sense of least squares over the record,
+/// that ends the motion of the base at rest with zero displacement. Both end values are linear in a(t), with
+/// the weights 1 and (T - t), so the smallest correction is a straight line c0 + c1 t. A final zero of the
+/// table stays zero. The correction is exact for equal steps of `step`, s.
 TimeTable baseline_corrected(const TimeTable& acceleration, double step);
 
 }  // namespace rockslope::dda

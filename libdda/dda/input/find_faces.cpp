@@ -10,8 +10,8 @@ namespace rockslope::dda {
 
 namespace {
 
-/// How far a face may be from the line that names it, m: lines are read off drawings, and blocks' corners lie
-/// on a grid of about a micrometre.
+/// Largest distance of a face from the line that selects it, m. Lines are read off drawings, and the corners
+/// of blocks lie on a grid of about a micrometre.
 constexpr double default_tolerance = 1e-3;
 
 /// The part of an edge from p to q along a segment that starts at `origin` with the unit vector `along`.
@@ -32,14 +32,13 @@ std::optional<FaceAlongLine> overlap(const Vec2& p, const Vec2& q, const Vec2& o
     return found;
 }
 
-bool is_selectable(const Model& model, int edge, std::optional<int> block) {
-    const auto e = static_cast<std::size_t>(edge);
-    const int owner = model.topology.block_of[e];
-    if (model.motion[static_cast<std::size_t>(owner)] != Motion::free) return false;
-    return block ? owner == *block : model.topology.joint_material[e] < 0;
+bool is_selectable(const Model& model, EdgeIndex edge, std::optional<BlockIndex> block) {
+    const BlockIndex owner = model.topology.block_of_edge(edge);
+    if (model.motion[owner] != Motion::free) return false;
+    return block ? owner == *block : !model.topology.joint_material[edge].exists();
 }
 
-/// In the model's coordinates.
+/// The line `along`, in the model's coordinates.
 std::vector<Vec2> read_line(const ConfigTable& table, const Model& model) {
     std::vector<Vec2> line;
     for (const auto& [x, y] : table.pairs("along", Dimension::length)) {
@@ -55,17 +54,16 @@ std::vector<Vec2> read_line(const ConfigTable& table, const Model& model) {
 }  // namespace
 
 std::vector<FaceAlongLine> faces_along_line(const Model& model, std::span<const Vec2> line, double tolerance,
-                                            std::optional<int> block) {
+                                            std::optional<BlockIndex> block) {
     std::vector<FaceAlongLine> found;
     double before = 0;
     for (std::size_t k = 0; k + 1 < line.size(); ++k) {
         const double length = (line[k + 1] - line[k]).norm();
         const Vec2 along = (line[k + 1] - line[k]) / length;
-        for (int edge = 0; edge < model.topology.corner_count(); ++edge) {
+        for (const EdgeIndex edge : model.topology.edges()) {
             if (!is_selectable(model, edge, block)) continue;
-            const auto e = static_cast<std::size_t>(edge);
-            const Vec2& q = model.vertices[static_cast<std::size_t>(model.topology.next[e])];
-            auto part = overlap(model.vertices[e], q, line[k], along, length, tolerance);
+            const Vec2& q = model.vertices[model.topology.end_of(edge)];
+            auto part = overlap(model.vertices[start_of(edge)], q, line[k], along, length, tolerance);
             if (!part) continue;
             part->face.edge = edge;
             part->start += before;
@@ -80,7 +78,7 @@ std::vector<FaceAlongLine> faces_along_line(const Model& model, std::span<const 
 FacesAlongLine read_faces(const ConfigTable& table, const Model& model) {
     const std::vector<Vec2> line = read_line(table, model);
     const double tolerance = positive(table, "tolerance", Dimension::length, default_tolerance);
-    std::optional<int> block;
+    std::optional<BlockIndex> block;
     if (table.has("block") || table.has("at")) block = read_block(table, model);
     FacesAlongLine result{faces_along_line(model, line, tolerance, block), 0};
     for (std::size_t k = 0; k + 1 < line.size(); ++k) result.length += (line[k + 1] - line[k]).norm();

@@ -9,25 +9,24 @@
 
 namespace rockslope::dda {
 
-/// A part of a face that lies on a line, and where along the line.
+/// A part of a face that lies on a line, and its position along the line.
 struct FaceAlongLine {
     FacePart face;
-    double start = 0;  ///< m along the line, where face.from lies
-    double end = 0;    ///< m along the line, where face.to lies; below `start` where the edge runs backwards
+    double start = 0;  ///< m along the line, of face.from
+    double end = 0;    ///< m along the line, of face.to; below `start` if the edge runs backwards
 };
 
-/// The free faces, of blocks that can move, that lie on a line of the initial configuration: within
-/// `tolerance` of one of its segments over a length of more than that. Faces of joints do not count, unless
-/// `block` asks for one block's faces whatever they are.
+/// The faces of free blocks that lie on a line of the initial configuration: within `tolerance`, m, of one of
+/// its segments over more than that length. Joint faces are included only if `block` selects a block.
 std::vector<FaceAlongLine> faces_along_line(const Model& model, std::span<const Vec2> line, double tolerance,
-                                            std::optional<int> block = std::nullopt);
+                                            std::optional<BlockIndex> block = std::nullopt);
 
-/// The line `along` of a table, the faces on it, and what that takes: `tolerance`, and `block` or `at`.
+/// The faces on the line `along` of a table. Optional keys: `tolerance`, and `block` or `at`.
 struct FacesAlongLine {
     std::vector<FaceAlongLine> faces;
     double length = 0;  ///< m, of the line
 };
-/// @throws InputError for a line of less than two different points, or where no face lies.
+/// @throws InputError for a line of fewer than two different points, or without a face on it.
 FacesAlongLine read_faces(const ConfigTable& table, const Model& model);
 
 }  // namespace rockslope::dda

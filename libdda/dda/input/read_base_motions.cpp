@@ -1,11 +1,10 @@
-#include "dda/input/read_base_motions.hpp"
-
 #include <algorithm>
 
 #include "common/base/magnitude.hpp"
 #include "common/base/text.hpp"
 #include "dda/input/base_acceleration.hpp"
 #include "dda/input/read_materials.hpp"
+#include "dda/input/read_stages.hpp"
 
 namespace rockslope::dda {
 
@@ -19,10 +18,10 @@ int channel_of(const ConfigTable& axis) {
     axis.checked(
         "channel", static_cast<double>(channel), [](double v) { return v >= 1 && v <= max_channels; },
         "a whole number from 1");
-    return static_cast<int>(channel);
+    return channel;
 }
 
-/// The acceleration of one axis: from a record, or from { times, values } in m/s2; later by `delay`.
+/// The acceleration of one axis, m/s2, from a record or from { times, values }, delayed by `delay`, s.
 TimeTable read_axis(const ConfigTable& axis, double step, double delay, InputFiles& files) {
     const double scale = axis.number("scale", Dimension::none, 1.0);
     TimeTable table;
@@ -37,7 +36,8 @@ TimeTable read_axis(const ConfigTable& axis, double step, double delay, InputFil
     }
     table = delayed(table, delay);
     if (!std::all_of(table.values().begin(), table.values().end(), is_in_allowed_range))
-        axis.fail("scale", "the accelerations of [" + axis.path() + "] are too large", "a ground motion");
+        axis.fail("scale", "the accelerations of [" + axis.path() + "] are too large",
+                  "magnitudes up to 1e30 m/s2");
     if (axis.choice("baseline", {"none", "drift"}, "none") == "none") return table;
     if (table.times().back() > max_drift_steps * step)
         axis.fail("baseline", "the record is too long to correct its drift",
@@ -48,14 +48,14 @@ TimeTable read_axis(const ConfigTable& axis, double step, double delay, InputFil
     return baseline_corrected(table, step);
 }
 
-/// An axis without a table stays at rest.
+/// Zero acceleration, for an axis without a table.
 TimeTable at_rest() {
     return {{0.0}, {0.0}};
 }
 
 void check_block(const ConfigTable& table, const std::string& block, const Model& model) {
     std::vector<std::string> names;
-    for (std::size_t i = 0; i < model.motion.size(); ++i)
+    for (const BlockIndex i : model.blocks())
         if (model.motion[i] == Motion::prescribed &&
             std::find(names.begin(), names.end(), model.block_name[i]) == names.end())
             names.push_back(model.block_name[i]);

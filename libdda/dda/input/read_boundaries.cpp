@@ -1,13 +1,11 @@
-#include "dda/input/read_boundaries.hpp"
-
 #include <algorithm>
 #include <stdexcept>
 
 #include "common/base/magnitude.hpp"
 #include "common/base/text.hpp"
 #include "dda/input/find_faces.hpp"
-#include "dda/input/read_base_motions.hpp"
 #include "dda/input/read_materials.hpp"
+#include "dda/input/read_stages.hpp"
 #include "record/differentiate.hpp"
 
 namespace rockslope::dda {
@@ -37,7 +35,7 @@ ViscousBoundary read_boundary(const ConfigTable& table, const Model& model) {
     return boundary;
 }
 
-/// A record as the velocity it has, m/s, from rest where it is an acceleration.
+/// The velocity of a record, m/s; an acceleration is integrated from rest.
 TimeTable velocity_of(const record::Record& record) {
     const std::vector<double> velocity = record::velocity_samples(record);
     std::vector<double> times;
@@ -56,7 +54,8 @@ WaveAxis read_wave_axis(const ConfigTable& axis, double delay, InputFiles& files
     const bool is_record = axis.has("file") && axis.has("quantity") && axis.string("quantity") != "stress";
     if (is_record) {
         const record::Record record = read_axis_record(axis, files);
-        if (record.quantity == record::Quantity::displacement && record.values.size() < record::min_spline_samples)
+        if (record.quantity == record::Quantity::displacement &&
+            record.values.size() < record::min_spline_samples)
             axis.fail("file", "the record has " + std::to_string(record.values.size()) + " samples",
                       "at least 5 to differentiate a displacement");
         wave.table = velocity_of(record);
@@ -68,12 +67,13 @@ WaveAxis read_wave_axis(const ConfigTable& axis, double delay, InputFiles& files
     std::vector<double> values = wave.table.values();
     for (double& value : values) value *= scale;
     if (!std::all_of(values.begin(), values.end(), is_in_allowed_range))
-        axis.fail("scale", "the values of [" + axis.path() + "] are too large", "a wave");
+        axis.fail("scale", "the values of [" + axis.path() + "] are too large", "magnitudes up to 1e30");
     wave.table = delayed({wave.table.times(), std::move(values)}, delay);
     return wave;
 }
 
-/// Refuses a name that no boundary has, and one beside a free field, which lets no wave in.
+/// Checks that a name is that of a viscous boundary through which a wave can enter. A boundary with a free
+/// field admits none.
 void check_boundary(const ConfigTable& table, const char* key, const std::string& name, const Model& model) {
     const std::vector<std::string> names = names_of(model.viscous_boundaries);
     if (names.empty())
@@ -86,9 +86,9 @@ void check_boundary(const ConfigTable& table, const char* key, const std::string
         table.fail(key, "there is no viscous boundary '" + name + "'",
                    "perhaps '" + nearest.value_or(names.front()) + "'");
     }
-    if (model.viscous_boundaries[static_cast<std::size_t>(found - names.begin())].free_field)
-        table.fail(key, "the boundary '" + name + "' stands beside a free field, which no wave enters",
-                   "the boundary below");
+    if (model.viscous_boundaries[found - names.begin()].free_field)
+        table.fail(key, "the boundary '" + name + "' has a free field, so no wave can enter through it",
+                   "the viscous boundary at the base of the model");
 }
 
 void read_free_field(const ConfigTable& table, const Model& model, ViscousBoundary& boundary) {
@@ -104,7 +104,8 @@ void read_free_field(const ConfigTable& table, const Model& model, ViscousBounda
 void check_below(const ConfigTable& table, const Model& model, const ViscousBoundary& boundary) {
     if (!boundary.free_field) return;
     if (boundary.free_field->base_boundary.empty())
-        table.fail("free_field", "'free_field' names no boundary", "the viscous boundary below");
+        table.fail("free_field", "'free_field' is empty",
+                   "the name of the viscous boundary at the base of the model");
     check_boundary(table, "free_field", boundary.free_field->base_boundary, model);
 }
 

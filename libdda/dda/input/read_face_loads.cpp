@@ -18,7 +18,7 @@ void check_known(const ConfigTable& table, const char* key, const std::vector<st
                nearest ? "perhaps '" + *nearest + "'" : "one of " + std::to_string(names.size()) + " names");
 }
 
-/// What a table says about which faces water reaches.
+/// Selects the faces that water wets, from the keys of a table.
 class WettedFaceFilter {
   public:
     WettedFaceFilter(const ConfigTable& table, const Model& model, bool free_faces_too) : model_(model) {
@@ -36,23 +36,23 @@ class WettedFaceFilter {
             for (const auto& [x, y] : table.pairs("region", Dimension::length))
                 region_.push_back({x - model.origin.x(), y - model.origin.y()});
             if (region_.size() < 3)
-                table.fail("region", "'region' in [" + table.path() + "] is no polygon",
+                table.fail("region", "'region' in [" + table.path() + "] has fewer than three points",
                            "three points or more");
         }
         free_faces_ = free_faces_too && table.boolean("free_faces", true);
     }
 
-    bool is_wet(std::size_t edge) const {
+    bool is_wet(EdgeIndex edge) const {
         const Topology& topology = model_.topology;
-        if (model_.motion[static_cast<std::size_t>(topology.block_of[edge])] != Motion::free) return false;
-        const Vec2& next = model_.vertices[static_cast<std::size_t>(topology.next[edge])];
-        const Vec2 middle = (model_.vertices[edge] + next) / 2;
+        if (model_.motion[topology.block_of_edge(edge)] != Motion::free) return false;
+        const Vec2& start = model_.vertices[start_of(edge)];
+        const Vec2 middle = (start + model_.vertices[topology.end_of(edge)]) / 2;
         if (!region_.empty() && side_of_ring(region_, {middle.x(), middle.y()}) < 0) return false;
-        const int material = topology.joint_material[edge];
-        if (material < 0) return free_faces_;
+        const JointMaterialIndex material = topology.joint_material[edge];
+        if (!material.exists()) return free_faces_;
         if (!material_.empty() && model_.joint_material_at(material).name != material_) return false;
-        const int joint = topology.joint[edge];
-        return set_.empty() || (joint >= 0 && model_.joint_sets[static_cast<std::size_t>(joint)] == set_);
+        const JointIndex joint = topology.joint[edge];
+        return set_.empty() || (joint.exists() && model_.joint_sets[joint] == set_);
     }
 
   private:
@@ -79,9 +79,9 @@ LineLoad read_line_load(const ConfigTable& table, const Model& model, InputFiles
             return pressure + along / line.length * (pressure_end - pressure);
         };
         const auto traction_at = [&](double along) {
-            const double share = along / line.length;
-            return Vec2(traction[0] + share * (traction_end[0] - traction[0]),
-                        traction[1] + share * (traction_end[1] - traction[1]));
+            const double fraction = along / line.length;
+            return Vec2(traction[0] + fraction * (traction_end[0] - traction[0]),
+                        traction[1] + fraction * (traction_end[1] - traction[1]));
         };
         load.faces.push_back({found.face, pressure_at(found.start), pressure_at(found.end),
                               traction_at(found.start), traction_at(found.end)});
@@ -90,15 +90,15 @@ LineLoad read_line_load(const ConfigTable& table, const Model& model, InputFiles
     return load;
 }
 
-std::vector<int> read_wetted_faces(const ConfigTable& table, const Model& model, bool free_faces_too) {
+std::vector<EdgeIndex> read_wetted_faces(const ConfigTable& table, const Model& model, bool free_faces_too) {
     const WettedFaceFilter filter(table, model, free_faces_too);
-    std::vector<int> edges;
-    for (int edge = 0; edge < model.topology.corner_count(); ++edge) {
-        if (filter.is_wet(static_cast<std::size_t>(edge))) edges.push_back(edge);
+    std::vector<EdgeIndex> edges;
+    for (const EdgeIndex edge : model.topology.edges()) {
+        if (filter.is_wet(edge)) edges.push_back(edge);
     }
     if (edges.empty())
         table.fail("region", "[" + table.path() + "] wets no face of a block that can move",
-                   "joints or a region with such faces");
+                   "joints, free faces or a region with such faces");
     return edges;
 }
 
@@ -107,8 +107,8 @@ std::vector<Vec2> read_head(const ConfigTable& table, const Model& model) {
     for (const auto& [x, y] : table.pairs("head", Dimension::length)) {
         const Vec2 point = Vec2(x, y) - model.origin;
         if (!head.empty() && point.x() <= head.back().x())
-            table.fail("head", "'head' in [" + table.path() + "] does not go on to the right",
-                       "points with growing x");
+            table.fail("head", "'head' in [" + table.path() + "] does not have increasing x",
+                       "points with increasing x");
         head.push_back(point);
     }
     if (head.empty())

@@ -2,19 +2,19 @@
 #include <type_traits>
 #include <utility>
 
-#include "dda/input/read_joint_laws.hpp"
+#include "dda/input/config_parameters.hpp"
 #include "dda/input/read_materials.hpp"
 
 namespace rockslope::dda {
 
 namespace {
 
-/// The joint's own stiffness takes the place of the penalty; both together would be two answers.
+/// Reads the stiffness of the joint, which replaces the penalties. @throws InputError if both are given.
 void read_stiffness(const ConfigTable& table, JointMaterial& material) {
     for (const char* penalty : {"normal_penalty", "shear_penalty"}) {
         if (table.has(penalty))
             table.fail(penalty,
-                       "'" + std::string(penalty) + "' and 'normal_stiffness' stand together in [" +
+                       "'" + std::string(penalty) + "' and 'normal_stiffness' are both given in [" +
                            table.path() + "]",
                        "one of them");
     }
@@ -33,7 +33,7 @@ struct LawReader {
 
 template <class Law>
 JointLaw read_as(const ConfigTable& table) {
-    return read_law(std::type_identity<Law>{}, table);
+    return Law::read(ConfigParameters(table));
 }
 
 template <class... Laws>

@@ -5,7 +5,6 @@
 
 #include "common/base/read_file.hpp"
 #include "common/base/text.hpp"
-#include "dda/input/find_block.hpp"
 #include "dda/input/read_face_loads.hpp"
 #include "dda/input/read_materials.hpp"
 #include "dda/input/read_mesh.hpp"
@@ -19,7 +18,7 @@ Vec2 vector_of(const std::array<double, 2>& pair) {
     return {pair[0], pair[1]};
 }
 
-/// The place `at = [x, y]`, in the model's coordinates.
+/// The point `at = [x, y]`, in the model's coordinates.
 Vec2 read_place(const ConfigTable& table, const Model& model) {
     return vector_of(table.pair("at", Dimension::length)) - model.origin;
 }
@@ -28,8 +27,8 @@ std::string point_text(const Vec2& point) {
     return "[" + shortest_text(point.x()) + ", " + shortest_text(point.y()) + "]";
 }
 
-int block_at(const ConfigTable& table, const Vec2& point, const Model& model) {
-    const std::optional<int> block = find_block(model, point);
+BlockIndex block_at(const ConfigTable& table, const Vec2& point, const Model& model) {
+    const std::optional<BlockIndex> block = find_block(model, point);
     if (!block)
         table.fail("at",
                    "'at' in [" + table.path() + "] is " + point_text(point + model.origin) +
@@ -38,15 +37,15 @@ int block_at(const ConfigTable& table, const Vec2& point, const Model& model) {
     return *block;
 }
 
-int block_index(const ConfigTable& table, const Model& model) {
+BlockIndex block_index(const ConfigTable& table, const Model& model) {
     const std::int64_t block = table.integer("block");
     if (block < 0 || block >= model.block_count())
         table.fail("block", "'block' in [" + table.path() + "] is " + std::to_string(block),
                    "an index from 0 to " + std::to_string(model.block_count() - 1));
-    return static_cast<int>(block);
+    return block;
 }
 
-int measured_point(const ConfigTable& table, const Model& model) {
+PointIndex measured_point(const ConfigTable& table, const Model& model) {
     const std::string name = table.string("measured_point");
     std::vector<std::string> names;
     for (const MeasuredPointSpec& point : model.measured_points) {
@@ -60,63 +59,56 @@ int measured_point(const ConfigTable& table, const Model& model) {
 }
 
 /// The material point named by `measured_point = NAME` or `at = [x, y]`.
-int read_point(const ConfigTable& table, Model& model) {
+PointIndex read_point(const ConfigTable& table, Model& model) {
     if (table.has("measured_point")) return measured_point(table, model);
     const Vec2 point = read_place(table, model);
     return add_material_point(model, block_at(table, point, model), point);
 }
 
-// One key and one reader per load of the list in load.hpp; a load without them does not compile.
+/// The table of a load, passed to the load's `read`: values in SI, indices of the model.
+class LoadTable {
+  public:
+    LoadTable(const ConfigTable& table, Model& model, InputFiles& files)
+        : table_(table), model_(model), files_(files) {}
 
-constexpr const char* load_key(std::type_identity<PointLoad>) {
-    return "point_load";
-}
-PointLoad read_load(std::type_identity<PointLoad>, const ConfigTable& table, Model& model,
-                    InputFiles& files) {
-    return {read_point(table, model), vector_of(table.pair("force", Dimension::force)),
-            read_history(table, files)};
-}
+    /// `measured_point = NAME` or `at = [x, y]`.
+    PointIndex point() { return read_point(table_, model_); }
+    /// `block = INDEX` or `at = [x, y]`.
+    BlockIndex block() const { return read_block(table_, model_); }
+    /// The same; none, for all blocks, if the table has neither key.
+    BlockIndex block_or_all() const {
+        return table_.has("block") || table_.has("at") ? block() : BlockIndex::none();
+    }
+    double number(std::string_view key) const { return table_.number(key); }
+    Vec2 force(std::string_view key) const { return vector_of(table_.pair(key, Dimension::force)); }
+    Vec2 acceleration(std::string_view key) const {
+        return vector_of(table_.pair(key, Dimension::acceleration));
+    }
+    double pressure(std::string_view key) const { return positive(table_, key, Dimension::stress); }
+    double unit_weight_of_water() const {
+        return positive(table_, "unit_weight", Dimension::none, water_unit_weight);
+    }
+    LineLoad line_load() const { return read_line_load(table_, model_, files_); }
+    std::vector<EdgeIndex> wetted_joints() const { return read_wetted_faces(table_, model_, false); }
+    std::vector<EdgeIndex> wetted_faces() const { return read_wetted_faces(table_, model_, true); }
+    std::vector<Vec2> head() const { return read_head(table_, model_); }
+    /// The optional table `history`; the factor 1 if it is absent.
+    TimeTable history() const { return read_history(table_, files_); }
 
-constexpr const char* load_key(std::type_identity<BodyLoad>) {
-    return "body_load";
-}
-BodyLoad read_load(std::type_identity<BodyLoad>, const ConfigTable& table, Model& model, InputFiles& files) {
-    const bool one_block = table.has("block") || table.has("at");
-    return {one_block ? read_block(table, model) : -1,
-            vector_of(table.pair("acceleration", Dimension::acceleration)), read_history(table, files)};
-}
-
-constexpr const char* load_key(std::type_identity<LineLoad>) {
-    return "line_load";
-}
-LineLoad read_load(std::type_identity<LineLoad>, const ConfigTable& table, Model& model, InputFiles& files) {
-    return read_line_load(table, model, files);
-}
-
-constexpr const char* load_key(std::type_identity<JointWater>) {
-    return "joint_water";
-}
-JointWater read_load(std::type_identity<JointWater>, const ConfigTable& table, Model& model,
-                     InputFiles& files) {
-    return {read_wetted_faces(table, model, false), positive(table, "pressure", Dimension::stress),
-            read_history(table, files)};
-}
-
-constexpr const char* load_key(std::type_identity<HeadWater>) {
-    return "head_water";
-}
-HeadWater read_load(std::type_identity<HeadWater>, const ConfigTable& table, Model& model,
-                    InputFiles& files) {
-    return {read_wetted_faces(table, model, true), read_head(table, model),
-            positive(table, "unit_weight", Dimension::none, water_unit_weight), read_history(table, files)};
-}
+  private:
+    const ConfigTable& table_;
+    Model& model_;
+    InputFiles& files_;
+};
 
 template <class... Loads>
 void read_each_load(std::type_identity<std::variant<Loads...>>, const ConfigTable& run, Model& model,
                     InputFiles& files) {
-    const auto read_all = [&](auto kind) {
-        for (const ConfigTable& table : run.array_of_tables(load_key(kind)))
-            model.loads.emplace_back(read_load(kind, table, model, files));
+    const auto read_all = [&]<class AnyLoad>(std::type_identity<AnyLoad>) {
+        for (const ConfigTable& config : run.array_of_tables(AnyLoad::key)) {
+            LoadTable table(config, model, files);
+            model.loads.emplace_back(AnyLoad::read(table));
+        }
     };
     (read_all(std::type_identity<Loads>{}), ...);
 }
@@ -134,8 +126,8 @@ void read_fixed_points(const ConfigTable& run, Model& model) {
 
 void read_initial_velocities(const ConfigTable& run, Model& model) {
     for (const ConfigTable& table : run.array_of_tables("initial_velocity")) {
-        model.initial_velocity.resize(static_cast<std::size_t>(model.block_count()), Vec6::Zero());
-        Vec6& velocity = model.initial_velocity[static_cast<std::size_t>(read_block(table, model))];
+        model.initial_velocity.resize(model.block_count(), Vec6::Zero());
+        Vec6& velocity = model.initial_velocity[read_block(table, model)];
         velocity.head<2>() = vector_of(table.pair("velocity", Dimension::velocity));
         velocity[2] = table.number("angular_velocity", Dimension::none, 0);
     }
@@ -151,7 +143,7 @@ TimeTable checked_times(const std::vector<double>& times, const std::vector<doub
     for (std::size_t i = 1; i < times.size(); ++i)
         if (times[i] <= times[i - 1])
             table.fail("times",
-                       "'times' in [" + table.path() + "] does not grow at entry " + std::to_string(i + 1),
+                       "'times' in [" + table.path() + "] do not increase at entry " + std::to_string(i + 1),
                        "strictly increasing times");
     return {times, values};
 }
@@ -163,7 +155,7 @@ TimeTable read_history(const ConfigTable& table, InputFiles& files) {
     return history ? read_time_table(*history, Dimension::none, files) : TimeTable{};
 }
 
-int read_block(const ConfigTable& table, const Model& model) {
+BlockIndex read_block(const ConfigTable& table, const Model& model) {
     if (table.has("block")) return block_index(table, model);
     return block_at(table, read_place(table, model), model);
 }

@@ -8,17 +8,17 @@
 
 namespace rockslope::dda {
 
-/// The tables [block_material.NAME], in the order of the file. @throws InputError for a value out of range,
-/// or no table at all.
+/// Reads the tables [block_material.NAME], in the order of the file. @throws InputError for a value out of
+/// range, or if there is no table.
 std::vector<BlockMaterial> read_block_materials(const ConfigTable& run);
 
-/// The tables [joint_material.NAME]; each names its law.
+/// Reads the tables [joint_material.NAME], each with its joint law.
 std::vector<JointMaterial> read_joint_materials(const ConfigTable& run);
 
-/// The tables [bolt_material.NAME]; there may be none.
+/// Reads the tables [bolt_material.NAME], if any.
 std::vector<BoltMaterial> read_bolt_materials(const ConfigTable& run);
 
-/// Numbers with the ranges that most keys share. Absent keys take the fallback, which is not checked.
+/// Reads a number that must be positive, or not negative. An absent key gives the fallback, unchecked.
 double positive(const ConfigTable& table, std::string_view key, Dimension dimension);
 double positive(const ConfigTable& table, std::string_view key, Dimension dimension, double fallback);
 double not_negative(const ConfigTable& table, std::string_view key, Dimension dimension, double fallback);

@@ -11,33 +11,32 @@ namespace rockslope::dda {
 
 namespace {
 
-constexpr double default_tolerance = 1e-3;  // m, as for faces
+constexpr double default_tolerance = 1e-3;  // m, as in find_faces.cpp
 
-const Vec2& start_of(const Model& model, int edge) {
-    return model.vertices[static_cast<std::size_t>(edge)];
+const Vec2& start_point(const Model& model, EdgeIndex edge) {
+    return model.vertices[start_of(edge)];
 }
-const Vec2& end_of(const Model& model, int edge) {
-    return start_of(model, model.topology.next[static_cast<std::size_t>(edge)]);
+const Vec2& end_point(const Model& model, EdgeIndex edge) {
+    return model.vertices[model.topology.end_of(edge)];
 }
 
-/// m, of a point from an edge beside it; infinite past the edge's ends.
-double distance(const Model& model, int edge, const Vec2& point) {
-    const Vec2 along = end_of(model, edge) - start_of(model, edge);
-    const Vec2 from = point - start_of(model, edge);
-    const double share = from.dot(along) / along.squaredNorm();
-    if (share < 0 || share > 1) return std::numeric_limits<double>::infinity();
+/// Distance of a point from an edge, m; infinite beyond the ends of the edge.
+double distance(const Model& model, EdgeIndex edge, const Vec2& point) {
+    const Vec2 along = end_point(model, edge) - start_point(model, edge);
+    const Vec2 from = point - start_point(model, edge);
+    const double fraction = from.dot(along) / along.squaredNorm();
+    if (fraction < 0 || fraction > 1) return std::numeric_limits<double>::infinity();
     return std::abs(cross(along, from)) / along.norm();
 }
 
-/// The faces of joints at a place, the nearest of each block.
-std::vector<int> faces_at(const Model& model, const Vec2& point, double tolerance) {
+/// The joint faces within `tolerance` of a point, the nearest of each block.
+std::vector<EdgeIndex> faces_at(const Model& model, const Vec2& point, double tolerance) {
     const Topology& topology = model.topology;
-    std::vector<int> faces;
-    for (int edge = 0; edge < topology.corner_count(); ++edge) {
-        const auto e = static_cast<std::size_t>(edge);
-        if (topology.joint_material[e] < 0 || !(distance(model, edge, point) <= tolerance)) continue;
-        const bool same_block = !faces.empty() && topology.block_of[static_cast<std::size_t>(faces.back())] ==
-                                                      topology.block_of[e];
+    std::vector<EdgeIndex> faces;
+    for (const EdgeIndex edge : topology.edges()) {
+        if (!topology.joint_material[edge].exists() || !(distance(model, edge, point) <= tolerance)) continue;
+        const bool same_block =
+            !faces.empty() && topology.block_of_edge(faces.back()) == topology.block_of_edge(edge);
         if (!same_block)
             faces.push_back(edge);
         else if (distance(model, edge, point) < distance(model, faces.back(), point))
@@ -46,15 +45,16 @@ std::vector<int> faces_at(const Model& model, const Vec2& point, double toleranc
     return faces;
 }
 
-bool face_each_other(const Model& model, int a, int b) {
-    const Vec2 one = (end_of(model, a) - start_of(model, a)).normalized();
-    const Vec2 other = (end_of(model, b) - start_of(model, b)).normalized();
+bool face_each_other(const Model& model, EdgeIndex a, EdgeIndex b) {
+    const Vec2 one = (end_point(model, a) - start_point(model, a)).normalized();
+    const Vec2 other = (end_point(model, b) - start_point(model, b)).normalized();
     return one.dot(other) < 0 && std::abs(cross(one, other)) <= parallel_tolerance;
 }
 
-/// The rock below has its face run to the left; of an upright joint that is the rock on the left.
-bool is_below(const Model& model, int edge) {
-    const Vec2 along = end_of(model, edge) - start_of(model, edge);
+/// Whether a face is that of the rock below the joint: it runs to the left. The rock on the left of a
+/// vertical joint counts as below.
+bool is_below(const Model& model, EdgeIndex edge) {
+    const Vec2 along = end_point(model, edge) - start_point(model, edge);
     return along.x() < 0 || (along.x() == 0 && along.y() > 0);
 }
 
@@ -67,7 +67,7 @@ MeasuredJoint read_measured_joint(const ConfigTable& table, Model& model) {
     const std::array<double, 2> at = table.pair("at", Dimension::length);
     const Vec2 point = Vec2(at[0], at[1]) - model.origin;
     const double tolerance = positive(table, "tolerance", Dimension::length, default_tolerance);
-    std::vector<int> faces = faces_at(model, point, tolerance);
+    std::vector<EdgeIndex> faces = faces_at(model, point, tolerance);
     if (faces.size() != 2 || !face_each_other(model, faces[0], faces[1]))
         table.fail("at",
                    faces.size() < 2 ? "no joint runs within " + shortest_text(tolerance) + " m of 'at' in [" +
@@ -75,10 +75,9 @@ MeasuredJoint read_measured_joint(const ConfigTable& table, Model& model) {
                                     : "several joints meet at 'at' in [" + table.path() + "]",
                    "a point of a joint between two blocks");
     if (!is_below(model, faces[0])) std::swap(faces[0], faces[1]);
-    const auto block_of = [&](int edge) { return model.topology.block_of[static_cast<std::size_t>(edge)]; };
     joint.edge = faces[0];
-    joint.point = add_material_point(model, block_of(faces[0]), point);
-    joint.other_point = add_material_point(model, block_of(faces[1]), point);
+    joint.point = add_material_point(model, model.topology.block_of_edge(faces[0]), point);
+    joint.other_point = add_material_point(model, model.topology.block_of_edge(faces[1]), point);
     return joint;
 }
 

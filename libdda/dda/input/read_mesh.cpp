@@ -10,14 +10,15 @@ namespace rockslope::dda {
 
 namespace {
 
-/// The index of each wanted name among the materials of the model file.
+/// The index of each name in the list of materials of the model file.
 template <class Material>
-std::vector<int> resolve(const std::vector<std::string>& wanted, const std::vector<Material>& materials,
-                         const std::string& table, const std::string& mesh_file) {
+std::vector<std::size_t> resolve(const std::vector<std::string>& material_names,
+                                 const std::vector<Material>& materials, const std::string& table,
+                                 const std::string& mesh_file) {
     std::vector<std::string> names;
     for (const Material& material : materials) names.push_back(material.name);
-    std::vector<int> indices;
-    for (const std::string& name : wanted) {
+    std::vector<std::size_t> indices;
+    for (const std::string& name : material_names) {
         const auto found = std::find(names.begin(), names.end(), name);
         if (found == names.end()) {
             const auto nearest = nearest_word(name, names);
@@ -26,7 +27,7 @@ std::vector<int> resolve(const std::vector<std::string>& wanted, const std::vect
                                  (nearest ? " (it has '" + *nearest + "')" : ""),
                              "a table [" + table + "." + name + "]");
         }
-        indices.push_back(static_cast<int>(found - names.begin()));
+        indices.push_back(found - names.begin());
     }
     return indices;
 }
@@ -46,10 +47,10 @@ Vec2 vector_of(const Point& point) {
     return {point.x, point.y};
 }
 
-/// Zero for a model near zero; otherwise a point of whole metres near its middle, so that the difference of a
-/// coordinate and it is exact.
+/// Origin of the model's coordinates, m: zero for a model near zero, else a point of whole metres near its
+/// middle, so that coordinates relative to it are exact.
 Vec2 origin_of(const blockgen::BlockMesh& mesh) {
-    constexpr double far = 16;  // sizes of the model: four of a coordinate's bits are lost on the distance
+    constexpr double far = 16;  // distance from zero over the model's size: 4 bits of a coordinate are lost
     if (mesh.vertices.empty()) return Vec2::Zero();
     Vec2 low = vector_of(mesh.vertices.front()), high = low;
     for (const Point& point : mesh.vertices) {
@@ -61,19 +62,18 @@ Vec2 origin_of(const blockgen::BlockMesh& mesh) {
     return {std::round(middle.x()), std::round(middle.y())};
 }
 
-/// m, two cells of the cutter's default grid: how far a corner may be beside the line of its neighbours.
+/// m, largest distance of a straight corner from the line through its neighbours: two cells of the cutter's
+/// default grid.
 constexpr double straightness_tolerance = 2e-6;
 
-/// Which of a ring's vertices are kept: all, or those at which the face turns or changes its joint. Blocks on
-/// the other side have put the others there.
+/// Indices of the vertices of a ring that become corners: all, or with StraightCorners::drop those at which
+/// the face turns or its joint changes. The others mark corners of blocks on the other side.
 std::vector<std::size_t> kept_corners(const blockgen::BlockMesh& mesh, std::size_t block, std::size_t ring,
                                       StraightCorners straight) {
     const auto vertices = mesh.ring(block, ring);
     const auto marks = mesh.ring_marks(block, ring);
     const std::size_t count = vertices.size();
-    const auto at = [&](std::size_t k) {
-        return vector_of(mesh.vertices[static_cast<std::size_t>(vertices[k % count])]);
-    };
+    const auto at = [&](std::size_t k) { return vector_of(mesh.vertices[vertices[k % count]]); };
     std::vector<std::size_t> kept;
     for (std::size_t k = 0; k < count; ++k) {
         const std::size_t before = (k + count - 1) % count;
@@ -88,30 +88,29 @@ std::vector<std::size_t> kept_corners(const blockgen::BlockMesh& mesh, std::size
     return kept;
 }
 
-void add_blocks(const blockgen::BlockMesh& mesh, const std::vector<int>& block_materials,
-                const std::vector<int>& joint_materials, StraightCorners straight, Model& model) {
+void add_blocks(const blockgen::BlockMesh& mesh, const std::vector<std::size_t>& block_materials,
+                const std::vector<std::size_t>& joint_materials, StraightCorners straight, Model& model) {
     for (std::size_t block = 0; block < mesh.block_count(); ++block) {
         std::vector<std::vector<std::size_t>> kept;
         std::vector<int> ring_sizes;
         for (std::size_t ring = 0; ring < mesh.ring_count(block); ++ring) {
             kept.push_back(kept_corners(mesh, block, ring, straight));
-            ring_sizes.push_back(static_cast<int>(kept.back().size()));
+            ring_sizes.push_back(kept.back().size());
         }
-        auto edge = static_cast<std::size_t>(model.topology.corner_count());
+        EdgeIndex edge = model.topology.corner_count();
         model.topology.add_block(ring_sizes);
         for (std::size_t ring = 0; ring < mesh.ring_count(block); ++ring) {
             for (const std::size_t k : kept[ring]) {
-                const auto vertex = static_cast<std::size_t>(mesh.ring(block, ring)[k]);
+                const auto vertex = mesh.ring(block, ring)[k];
                 model.vertices.push_back(vector_of(mesh.vertices[vertex]) - model.origin);
                 const blockgen::EdgeMark& mark = mesh.ring_marks(block, ring)[k];
                 const bool is_joint = mark.joint_material != blockgen::EdgeMark::no_joint;
-                model.topology.joint_material[edge] =
-                    is_joint ? joint_materials[static_cast<std::size_t>(mark.joint_material)] : -1;
+                if (is_joint) model.topology.joint_material[edge] = joint_materials[mark.joint_material];
                 model.topology.joint[edge] = mark.joint;
                 ++edge;
             }
         }
-        model.block_material.push_back(block_materials[static_cast<std::size_t>(mesh.block_material[block])]);
+        model.block_material.push_back(block_materials[mesh.block_material[block]]);
         model.motion.push_back(motion_of(mesh.motion[block]));
         model.block_name.push_back(mesh.motion_name[block]);
     }
@@ -119,9 +118,9 @@ void add_blocks(const blockgen::BlockMesh& mesh, const std::vector<int>& block_m
 
 }  // namespace
 
-int add_material_point(Model& model, int block, const Vec2& position) {
+PointIndex add_material_point(Model& model, BlockIndex block, const Vec2& position) {
     model.material_points.push_back({block, position});
-    return static_cast<int>(model.material_points.size()) - 1;
+    return model.material_points.size() - 1;
 }
 
 void add_mesh(const blockgen::BlockMesh& mesh, const std::string& mesh_file,
@@ -138,12 +137,13 @@ void add_mesh(const blockgen::BlockMesh& mesh, const std::string& mesh_file,
     for (const blockgen::ExcavatedBlocks& e : mesh.excavations)
         model.excavations.push_back({e.name, e.stage, {e.blocks.begin(), e.blocks.end()}});
 
-    std::vector<std::string> wanted;
-    for (const blockgen::Bolt& bolt : mesh.bolts) wanted.push_back(bolt.material);
-    const std::vector<int> materials = resolve(wanted, bolt_materials, "bolt_material", mesh_file);
+    std::vector<std::string> material_names;
+    for (const blockgen::Bolt& bolt : mesh.bolts) material_names.push_back(bolt.material);
+    const std::vector<std::size_t> materials =
+        resolve(material_names, bolt_materials, "bolt_material", mesh_file);
     for (std::size_t i = 0; i < mesh.bolts.size(); ++i) {
         const blockgen::Bolt& bolt = mesh.bolts[i];
-        const BoltMaterial& material = bolt_materials[static_cast<std::size_t>(materials[i])];
+        const BoltMaterial& material = bolt_materials[materials[i]];
         model.bolts.push_back(
             {bolt.name, add_material_point(model, bolt.first_block, vector_of(bolt.first) - model.origin),
              add_material_point(model, bolt.second_block, vector_of(bolt.second) - model.origin),

@@ -6,7 +6,6 @@
 #include "blockgen/mesh/check_mesh.hpp"
 #include "common/base/text.hpp"
 #include "common/config/config_table.hpp"
-#include "dda/input/read_boundaries.hpp"
 #include "dda/input/read_loads.hpp"
 #include "dda/input/read_materials.hpp"
 #include "dda/input/read_mesh.hpp"
@@ -17,8 +16,8 @@ namespace rockslope::dda {
 
 namespace {
 
-/// Contacts should be stiffer than the rock by this factor, so that their penetration stays small beside the
-/// blocks' strain; far larger values cost step size. Dimensionless, usually 1 to 100 (in E, per metre).
+/// Default normal penalty over the largest Young's modulus. A large value keeps the penetration small against
+/// the strain of the blocks; a far larger one costs step size. Dimensionless (E per metre), usually 1 to 100.
 constexpr double penalty_over_modulus = 10;
 
 double largest_modulus(const Model& model) {
@@ -28,11 +27,11 @@ double largest_modulus(const Model& model) {
     return largest;
 }
 
-int read_default_joint_material(const ConfigTable& analysis, const Model& model) {
+JointMaterialIndex read_default_joint_material(const ConfigTable& analysis, const Model& model) {
     std::vector<std::string> names;
     for (const JointMaterial& material : model.joint_materials) names.push_back(material.name);
     const std::string name = analysis.choice("default_joint_material", names, names.front());
-    return static_cast<int>(std::find(names.begin(), names.end(), name) - names.begin());
+    return std::find(names.begin(), names.end(), name) - names.begin();
 }
 
 StraightCorners read_straight_corners(const ConfigTable& analysis) {
@@ -66,10 +65,10 @@ int count_up_to_a_million(const ConfigTable& output, std::string_view key, int f
     output.checked(
         key, static_cast<double>(value), [](double v) { return v >= 0 && v <= 1e6; },
         "a whole number from 0 to 1000000");
-    return static_cast<int>(value);
+    return value;
 }
 
-/// s; the number of intervals in a stage is counted in an integer.
+/// s; keeps the number of intervals in a stage within an integer.
 constexpr double shortest_history_interval = 1e-9;
 
 bool is_stem(const std::string& name) {
@@ -81,18 +80,18 @@ bool is_stem(const std::string& name) {
            std::none_of(name.begin(), name.end(), is_forbidden);
 }
 
-/// What relative motions count from: the first prescribed block, unless said otherwise.
+/// Name of the point whose motion is subtracted in relative motions; default: the first prescribed block.
 std::string read_reference(const ConfigTable& output, const Model& model) {
     const std::vector<TrackedPoint> points = tracked_points(model);
     const auto base = std::find_if(points.begin(), points.end(),
-                                   [](const TrackedPoint& point) { return point.block >= 0; });
+                                   [](const TrackedPoint& point) { return point.block.exists(); });
     std::string name = output.string("relative_to", base == points.end() ? "" : base->name);
     if (name.empty() || find_point(points, name)) return name;
     std::vector<std::string> names;
     for (const TrackedPoint& point : points) names.push_back(point.name);
     const auto nearest = nearest_word(name, names);
     output.fail("relative_to", "there is no measured point and no prescribed block '" + name + "'",
-                nearest ? "perhaps '" + *nearest + "'" : "one of the block file's, or \"\"");
+                nearest ? "perhaps '" + *nearest + "'" : "a name in the block file, or \"\"");
 }
 
 OutputSpec read_output(const ConfigTable& output, const std::filesystem::path& run_file, const Model& model) {
@@ -127,20 +126,19 @@ std::vector<std::string> with_block_file(const RunReadOptions& options) {
     return overrides;
 }
 
-/// Each stage must be left with something to move.
-void check_excavations(const Model& model, std::size_t stages, const std::filesystem::path& block_file) {
-    std::vector<Motion> motion = model.motion;
-    for (int stage = 1; stage <= static_cast<int>(stages); ++stage)
+/// Checks that the excavations leave a free block in every stage.
+void check_excavations(const Model& model, int stages, const std::filesystem::path& block_file) {
+    PerBlock<Motion> motion = model.motion;
+    for (int stage = 1; stage <= stages; ++stage)
         for (const Excavation& excavation : model.excavations) {
             if (excavation.stage != stage) continue;
-            for (const int block : excavation.blocks)
-                motion[static_cast<std::size_t>(block)] = Motion::removed;
+            for (const BlockIndex block : excavation.blocks) motion[block] = Motion::removed;
             if (std::find(motion.begin(), motion.end(), Motion::free) == motion.end())
                 throw InputError({block_file.string()},
                                  "excavation '" + excavation.name +
                                      "' leaves no block that is free to move in stage " +
                                      std::to_string(stage),
-                                 "some rock in every stage");
+                                 "at least one free block in every stage");
         }
 }
 
@@ -159,8 +157,7 @@ RunInput read_run(const std::filesystem::path& run_file, const RunReadOptions& o
     const ConfigTable analysis = run.table_or_empty("analysis");
     read_analysis(analysis, model);
     const blockgen::BlockMesh mesh = blockgen::read_block_file(block_file);
-    if (mesh.block_count() == 0)
-        throw InputError({block_file.string()}, "holds no block", "one block or more");
+    if (mesh.block_count() == 0) throw InputError({block_file.string()}, "has no block", "one block or more");
     blockgen::check_mesh(mesh, block_file.string());
     add_mesh(mesh, block_file.string(), bolt_materials, read_straight_corners(analysis), model);
     if (std::find(model.motion.begin(), model.motion.end(), Motion::free) == model.motion.end())

@@ -11,25 +11,24 @@
 
 namespace rockslope::dda {
 
-/// Everything a run needs, read and checked.
+/// The checked input of a run.
 struct RunInput {
     Model model;
     std::vector<Stage> stages;
     OutputSpec output;
     std::vector<std::filesystem::path> files;  ///< every file read: model file, block file, records
-    std::string effective;  ///< the model file with overrides and defaults: reads back to the same run
+    std::string effective;  ///< model file with overrides and defaults; it gives the same run when read again
 };
 
-/// What the command line adds to a model file.
+/// Command-line options that change the model file.
 struct RunReadOptions {
     std::vector<std::string> overrides;           ///< key=value, see ConfigTable
-    std::optional<std::filesystem::path> blocks;  ///< block file in place of the one named
-    std::filesystem::path
-        echo_folder;  ///< folder the effective text is for; paths in it are relative to that
+    std::optional<std::filesystem::path> blocks;  ///< block file in place of that in the model file
+    std::filesystem::path echo_folder;  ///< folder to which paths in the effective text are relative
 };
 
-/// Reads a model file for the simulator, the block file it names and the records.
-/// @throws InputError, one line with the place and the expectation.
+/// Reads a model file of dda-run, its block file and its records.
+/// @throws InputError, one line with the place and what was expected.
 RunInput read_run(const std::filesystem::path& run_file, const RunReadOptions& options = {});
 
 /// A commented model file to start from.

@@ -3,8 +3,6 @@
 #include <algorithm>
 
 #include "common/base/text.hpp"
-#include "dda/input/read_base_motions.hpp"
-#include "dda/input/read_boundaries.hpp"
 #include "dda/input/read_materials.hpp"
 
 namespace rockslope::dda {
@@ -25,7 +23,7 @@ int count(const ConfigTable& table, std::string_view key, int fallback) {
     table.checked(
         key, static_cast<double>(value), [](double v) { return v >= 1 && v <= largest_count; },
         "a whole number from 1");
-    return static_cast<int>(value);
+    return value;
 }
 
 StepControl read_step_control(const ConfigTable& table) {

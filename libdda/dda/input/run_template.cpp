@@ -12,7 +12,7 @@ blocks = "slope.blocks"            # made by blockgen; --blocks overrides
 density = 2600                     # kg/m3
 youngs_modulus = "5 GPa"
 poissons_ratio = 0.25
-# damping_ratio = 0.1              # of the block's own strain modes, share of critical
+# damping_ratio = 0.1              # of the strain modes of a block, fraction of critical
 # initial_stress = [0, 0, 0]       # Pa: sx, sy, txy, tension positive
 
 [joint_material.joint]             # one table for each joint material of the block file
@@ -27,18 +27,18 @@ friction_angle = "35 deg"
 
 # [joint_material.weld]            # a joint that neither opens nor slips
 # law = "elastic"
-# normal_stiffness = "100 GPa/m"   # of the joint itself, times the contact's length, in place of the penalties
+# normal_stiffness = "100 GPa/m"   # of the joint, times the contact's length; replaces the penalties
 # shear_stiffness = "40 GPa/m"     # default: normal_stiffness
-# corner_length = 0.01             # m, that a contact is given at least
-# largest_closure = "0.2 mm"       # the joint closes along a hyperbola; normal_stiffness is that at no stress
+# corner_length = 0.01             # m, smallest length of a contact in that product
+# largest_closure = "0.2 mm"       # the joint closes along a hyperbola; normal_stiffness is its initial slope
 
 # [joint_material.rough]           # a rough joint that is sheared one way
 # law = "barton-bandis"
 # residual_friction_angle = "34.6 deg"
 # jrc = 12.8                       # joint roughness coefficient at peak, 0 to 20
 # jcs = "151 MPa"                  # strength of the joint's walls
-# peak_displacement = "1.25 mm"    # without it: peak roughness at once and for ever
-# mobilisation = "barton-1985"     # or [[0, 1], [1, 1], [2, 0.5]]: displacement over peak displacement, share of jrc
+# peak_displacement = "1.25 mm"    # without it: constant peak roughness
+# mobilisation = "barton-1985"     # or [[0, 1], [1, 1], [2, 0.5]]: displacement over peak displacement, fraction of jrc
 # damage = 0                       # 1 to 2: the joint dilates; 0: it does not
 
 # [joint_material.worn]            # a rough joint that is sheared to and fro
@@ -47,28 +47,28 @@ friction_angle = "35 deg"
 # jrc = 3.98
 # jcs = "80 MPa"
 # peak_displacement = 0.164
-# wear = [[0, 1], [1, 1], [2, 0.9], [20, 0.2]]   # share of jrc by displacement over peak displacement, both ways; or
+# wear = [[0, 1], [1, 1], [2, 0.9], [20, 0.2]]   # fraction of jrc by displacement over peak displacement, both ways; or
 #                                  [[joint_material.worn.cycle]] with a table for each branch: see the formats
 # reversal_factor = 1              # on the ratios, for each change of the slip direction
-# min_slip = 1e-4                  # m, of slip the other way that counts as a change
-# heal = false                     # roughness worn off in an excursion is there again on the way out
-# asymmetric = false               # roughness works against forward motion only
-# floor_dilation = false           # the faces never come closer than at first
+# min_slip = 1e-4                  # m, slip in the other direction that counts as a change
+# heal = false                     # true: roughness worn off in an excursion returns in the next
+# asymmetric = false               # true: roughness resists forward motion only
+# floor_dilation = false           # true: the dilation never becomes negative
 # contact_length = 0               # m, for the stress; 0: the contact's present length
 
-# [joint_material.weakening]       # strength falls with slip, whichever way
+# [joint_material.weakening]       # strength falls with slip in either direction
 # law = "weakening"
 # friction_angle = "35 deg"
 # residual_friction_angle = "20 deg"   # default: friction_angle
 # cohesion = 0
 # residual_cohesion = 0
-# weakening_slip = "5 mm"          # over which it falls
+# weakening_slip = "5 mm"          # slip over which it falls
 # weakening = "linear"             # or "exponential"
 
-# [joint_material.racing]          # friction falls with the speed of slip and is back at rest
+# [joint_material.racing]          # friction falls with the slip velocity and recovers at rest
 # law = "velocity-weakening"
-# friction_angle = "35 deg"        # at rest
-# residual_friction_angle = "20 deg"   # the least; default: friction_angle
+# friction_angle = "35 deg"        # at zero velocity
+# residual_friction_angle = "20 deg"   # at high velocity; default: friction_angle
 # weakening_speed = "0.1 m/s"
 # weakening = "logarithmic"        # default: "exponential", without a weakening_rate
 # weakening_rate = 0.02            # tan(friction) lost each time 1 + v/weakening_speed grows e-fold
@@ -76,7 +76,7 @@ friction_angle = "35 deg"
 # [joint_material.toothed]         # other laws of rough joints: "two-order-asperities", "stressed-asperities", "bilinear"
 # law = "plesha"
 # friction_angle = "30 deg"        # of the flat surface
-# asperity_angle = "15 deg"        # of the fresh teeth
+# asperity_angle = "15 deg"        # of the unworn asperities
 # wear = 0                         # m2/J, of that angle by plastic work
 
 # [bolt_material.anchor]           # for bolts of the block file, per metre of section
@@ -88,7 +88,7 @@ friction_angle = "35 deg"
 # plane = "strain"                 # or "stress"
 # gravity = [0, -9.81]             # m/s2
 # normal_penalty = "50 GPa"        # N/m per metre per contact; default: 10 times the largest Young's modulus
-# penetration_tolerance = 0        # m; positive: contact forces are augmented until corners are no deeper than this
+# penetration_tolerance = 0        # m; positive: contact forces are augmented until no penetration exceeds this
 # shear_penalty = "50 GPa"         # default: normal_penalty
 # fixed_point_penalty = "50 GPa"   # default: normal_penalty
 # strength_reduction = 1           # joints' cohesion, tan(friction angle), tensile strength are divided by this
@@ -122,7 +122,7 @@ friction_angle = "35 deg"
 # unit_weight = 9810               # N/m3
 # free_faces = true
 
-# [[viscous_boundary]]             # free faces behind which the rock goes on: they swallow waves
+# [[viscous_boundary]]             # free faces beyond which the rock is unbounded: they absorb waves
 # name = "below"
 # along = [[0, 0], [120, 0]]       # the faces on this line
 # tolerance = 0.001                # m, of a face from the line
@@ -130,10 +130,10 @@ friction_angle = "35 deg"
 # shear_impedance = 0              # Pa s/m; 0: density times the speed of shear waves
 # hold = "both"                    # in static stages; or "normal", "none"
 
-# [[viscous_boundary]]             # an upright side, beside which stands a column that the waves of a boundary below climb
+# [[viscous_boundary]]             # an upright side with a free field: a column of rock whose waves rise from the base
 # name = "left"
 # along = [[0, 0], [0, 60]]
-# free_field = "below"             # that boundary
+# free_field = "below"             # the viscous boundary at the base
 # free_field_layer = 0             # m, largest height of the column's layers; 0: the faces'
 
 # [[fixed_point]]
@@ -145,7 +145,7 @@ friction_angle = "35 deg"
 # velocity = [1, 0]                # m/s
 # angular_velocity = 0             # rad/s
 
-# [[measured_joint]]               # a place on a joint: how its faces pass each other goes to joints.csv
+# [[measured_joint]]               # a point of a joint whose displacements and stresses go to joints.csv
 # name = "bedding"
 # at = [12, 5]                     # a point of the joint
 # tolerance = "1 mm"               # from the joint
@@ -155,7 +155,7 @@ name = "settle"
 kind = "static"                    # runs until gravity is carried
 # tolerance = 1e-6                 # unbalanced force over weight
 # step_limit = 20000
-# reset_displacements = true       # measured points count from the end of this stage
+# reset_displacements = true       # displacements are zeroed at the end of this stage
 # reset_joint_history = false
 # step = 0.005                     # s, the largest step
 # smallest_step = 1e-9
@@ -185,22 +185,22 @@ step = 0.005
 
 # [stage.base_motion]              # moves the prescribed block of that name; without block: all prescribed blocks
 # block = "base"
-# way = "prescribed"               # or "body-force": bases stay, and the rest feels the opposite acceleration
+# way = "prescribed"               # or "body-force": bases stay, blocks have the opposite body acceleration
 # delay = 0                        # s
 # x = { file = "record.at2", scale = 1.0, baseline = "drift" }
 # y = { file = "up.csv", format = "csv", channel = 1, quantity = "acceleration", unit = "cm/s2" }
 
-# [[stage.incident_wave]]          # comes in through a viscous boundary; without boundary: through all
+# [[stage.incident_wave]]          # enters through a viscous boundary; default: all without a free field
 # boundary = "below"
 # delay = 0                        # s
 # x = { times = [0, 0.1, 0.2], values = [0, 0.05, 0], scale = 1.0 }   # m/s; or { file = "velocity.csv" }
 
 [output]
-# frames = 200                     # kept frames over the dynamic stages
-# static_frame_interval = 0        # steps between kept frames inside static stages; 0: none
+# frames = 200                     # frames over the dynamic stages
+# static_frame_interval = 0        # steps between frames inside static stages; 0: none
 # history_interval = 0.01          # s between rows of history.csv
 # relative_to = "base"             # measured point or prescribed block; default: the first prescribed block
-# slip_threshold = "0.1 mm"        # slip from which on a block has slipped
+# slip_threshold = "0.1 mm"        # slip of a contact above which its blocks have slipped
 # checkpoint_interval = 60         # s of wall time
 )";
 }

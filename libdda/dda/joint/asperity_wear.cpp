@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+
+#include "dda/joint/parameter_table.hpp"
 
 namespace rockslope::dda {
 
@@ -13,13 +16,13 @@ double AsperitySurface::angle(double work) const {
 
 namespace {
 
-/// Sliding is integrated in steps over which wear times work grows by this while the asperities are whole:
-/// the error of fourth order is then below 1e-13 of their angle. As they go the steps may grow.
+/// Increase of wear times work in one integration step while the asperities are unworn: the error of fourth
+/// order is then below 1e-13 of their angle. The steps grow as the asperities wear.
 constexpr double initial_wear_per_step = 5e-3;
-/// Pa; a stress beyond any that a model can have, for contacts next to no length.
+/// Pa, upper limit of the stress, for contacts with a length near zero.
 constexpr double largest_stress = 1e30;
 
-/// What the joint can bear, and what a slip changes.
+/// What the joint can bear, and what a slip changes, Eq. (70).
 struct Bound {
     double value = 0;      ///< N per metre
     double slope = 0;      ///< of the value by the work, m
@@ -41,11 +44,12 @@ Bound bound_at(const AsperitySurface& surface, double work, bool away, double no
     const double tangent = std::tan(angle);
     bound.value = normal_force * tangent;
     bound.slope = normal_force * (1 + tangent * tangent) * (away ? -decay : decay);
-    bound.work_rate = length > 0 ? std::min(bound.value / length, largest_stress) : 0;  // a corner: no area
+    bound.work_rate =
+        length > 0 ? std::min(bound.value / length, largest_stress) : 0;  // a vertex has no area
     return bound;
 }
 
-/// A displacement of such a joint under one normal force. Dilation is left out unless it is asked for.
+/// Integrates a displacement of such a joint under one normal force; the dilation only if `dilates`.
 class AsperityShearPath {
   public:
     AsperityShearPath(const AsperitySurface& surface, const AsperityHistory& history, double normal_force,
@@ -87,7 +91,7 @@ class AsperityShearPath {
         return bound_at(surface_, work, away, normal_force_, length_);
     }
 
-    /// A strength that has come down on a force at rest.
+    /// Slips until the force equals a strength that has fallen below it.
     void relax_to_bound(int direction) {
         const Bound now = bound(direction);
         const double excess = direction * force_ - now.value;
@@ -100,7 +104,7 @@ class AsperityShearPath {
         const double slope = dilates_ ? std::tan(at.asperity) : 0;
         return {at.work_rate, away ? slope : -slope};
     }
-    /// Runge and Kutta's step of fourth order over a slip. @param at the bound at its start.
+    /// Runge-Kutta step of fourth order over a slip. @param at the bound at its start.
     WearState runge_kutta_step(const Bound& at, double slip, bool away) const {
         const WearState first = rate(at, away);
         const auto ahead = [&](const WearState& rates, double part) {
@@ -142,8 +146,8 @@ class AsperityShearPath {
         }
     }
 
-    /// Slides until the slip and what the spring gives with the strength, together, are the displacement. The
-    /// spring gives back where the joint weakens. @param bound at the start.
+    /// Slides until slip plus change of the spring's length is the displacement. The spring unloads where the
+    /// strength falls. @param bound at the start.
     void slide_against_spring(double displacement, Bound bound, bool away) {
         slipped_ = true;
         for (;;) {
@@ -156,10 +160,9 @@ class AsperityShearPath {
         force_ = direction_ * bound.value;
     }
 
-    /// Slides by so much that the displacement is made, or by all that is allowed. Newton's method in a
-    /// bracket.
-    /// @param slip the most allowed, and then the slip; @param bound at the start, and then at the end;
-    /// @return whether the displacement is made.
+    /// Finds the slip that completes the displacement, by Newton's method within a bracket.
+    /// @param slip the largest slip on entry, the slip on return; @param bound at the start on entry, at the
+    /// end on return. @return false if the largest slip does not complete the displacement.
     bool solve_slip(double displacement, double& slip, Bound& bound, bool away) {
         const Bound start = bound;
         const double most = slip, rounding = 4e-16 * (displacement + start.value / stiffness_);
@@ -219,7 +222,7 @@ Strength asperity_strength(const AsperitySurface& surface, const AsperityHistory
     AsperityShearPath path(surface, history, normal_force, length, trial.stiffness, trial.shear_force, false);
     path.displace(trial.displacement, 0);
     Strength strength = {path.bound(1).value, path.bound(-1).value, 0};
-    // What slipped back to the origin arrives with less than the strength beyond it.
+    // A joint that slipped back to the origin has a smaller force than the strength beyond it.
     if (path.slipped()) {
         double& ahead = trial.displacement > 0 ? strength.forward : strength.backward;
         ahead = std::min(ahead, std::abs(path.shear_force()));
@@ -237,6 +240,17 @@ Strength asperity_strength_slope(const AsperitySurface& surface, const AsperityH
         return bound.value > 0 ? bound.value + (1 + bound.value * bound.value) * turn : 0;
     };
     return {slope(1), slope(-1), 0};
+}
+
+double read_asperity_angle(const ParameterTable& table, const char* key, double below) {
+    return table.checked(
+        key, table.number(key, Quantity::angle),
+        [below](double v) { return v >= 0 && v + below < std::numbers::pi / 2; },
+        "an angle from 0 that leaves the sum with friction below 90 deg");
+}
+
+double read_asperity_wear(const ParameterTable& table, const char* key) {
+    return table.not_negative(key, Quantity::number, 0);
 }
 
 AsperityHistory asperity_advance(const AsperitySurface& surface, const AsperityHistory& history,

@@ -6,9 +6,8 @@
 
 namespace rockslope::dda {
 
-/// The rough surface of a joint whose asperities are worn down by the work of sliding, as it is under one
-/// normal stress: what the laws of Plesha (1987) and those after him share. Eq. (70): with the plastic work W
-/// per area
+/// The surface, under one normal stress, of a joint whose asperities wear with the work of sliding: the
+/// common part of the laws of Plesha (1987) and his successors. Eq. (70): with the plastic work W per area
 ///
 ///     alpha(W) = sum over the orders of a exp(-c W),
 ///     tau = sigma tan(phi + alpha) away from the origin, sigma tan(phi - alpha) back to it, not below 0,
@@ -20,13 +19,12 @@ struct AsperitySurface {
     };
     double friction_angle = 0;  ///< phi, rad; with all angles below pi/2
     std::array<Order, 2> orders;
-    double slope = 0;  ///< of the angles by the normal force, relative to them, m/N
+    double slope = 0;  ///< relative derivative of the angles with respect to the normal force, m/N
 
     /// rad. @param work J/m2.
     double angle(double work) const;
 };
 
-/// What such a joint remembers.
 struct AsperityHistory {
     double position = 0;  ///< m, from where it was fresh
     double work = 0;      ///< W, J/m2
@@ -34,24 +32,37 @@ struct AsperityHistory {
     friend bool operator==(const AsperityHistory&, const AsperityHistory&) = default;
 };
 
-/// What the joint can bear at the end of a displacement.
+/// Strength at the end of the trial displacement.
 Strength asperity_strength(const AsperitySurface& surface, const AsperityHistory& history,
                            double normal_force, double length, const ShearTrial& trial);
-/// Derivative with respect to the normal force, of a joint at rest.
+/// Derivative of the strength at rest with respect to the normal force.
 Strength asperity_strength_slope(const AsperitySurface& surface, const AsperityHistory& history,
                                  double normal_force);
 /// The history after a step; unchanged while the joint is open.
 AsperityHistory asperity_advance(const AsperitySurface& surface, const AsperityHistory& history,
                                  const ContactMotion& motion);
 
-/// A joint law of such a surface. @tparam Asperities its parameters: an aggregate with a `name`, and
-/// `surface(normal_force, length)` that says how the surface is under a normal force (N per metre).
+/// An asperity angle in [0, pi/2 - below), rad. @param below sum of the friction angle and the asperity
+/// angles of lower orders, rad.
+double read_asperity_angle(const ParameterTable& table, const char* key, double below);
+/// The wear coefficient c of one order of asperities, m2/J, by default 0.
+double read_asperity_wear(const ParameterTable& table, const char* key);
+
+/// A joint law with such a surface. @tparam Asperities its parameters: an aggregate with a `name`, a
+/// `read(table)`, and `surface(normal_force, length)`, the surface under a normal force (N per metre).
 template <class Asperities>
 struct AsperityLaw : Asperities {
+    static constexpr HistoryScope history_scope = HistoryScope::joint_segment;
+
     struct History : AsperityHistory {
         friend bool operator==(const History&, const History&) = default;
     };
 
+    static constexpr NoCommonHistories<History> common_histories() { return {}; }
+
+    static AsperityLaw read(const ParameterTable& table) { return {Asperities::read(table)}; }
+    bool dilates() const { return true; }
+    std::optional<CoulombEnvelope> coulomb_envelope() const { return std::nullopt; }
     History fresh(bool) const { return {}; }
     Strength strength(const History& history, double normal_force, double length,
                       const ShearTrial& trial) const {
@@ -60,10 +71,12 @@ struct AsperityLaw : Asperities {
     Strength strength_slope(const History& history, double normal_force, double length) const {
         return asperity_strength_slope(this->surface(normal_force, length), history, normal_force);
     }
+    std::optional<CoulombLine> bound_line(const History&) const { return std::nullopt; }
     History advance(const History& history, const ContactMotion& motion) const {
         return {asperity_advance(this->surface(motion.normal_force, motion.length), history, motion)};
     }
-    /// The mobilised ratio is what work has left of the angles, whatever the normal stress.
+    double shear_stiffness(const History&, double, double) const { return 0; }
+    /// The mobilised ratio is the remaining fraction of the asperity angle at zero normal stress.
     JointRecord record(const History& history) const {
         const AsperitySurface unstressed = this->surface(0, 1);
         const double initial_angle = unstressed.angle(0);

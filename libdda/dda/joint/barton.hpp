@@ -1,6 +1,10 @@
 #pragma once
 
+#include <algorithm>
+
 namespace rockslope::dda {
+
+class ParameterTable;
 
 /// Barton's strength of a rough joint, Eq. (57): tau = sigma_n tan(phi_r + ratio * i) with the roughness
 /// angle i = JRC log10(JCS / sigma_n), in degrees. Source: Barton (1973), Barton and Bandis (1982). Limits: i
@@ -14,17 +18,28 @@ struct BartonStrength {
 
     static constexpr double largest_angle = 1.2217304763960306;  ///< 70 deg, rad
 
-    /// i, rad, not negative. @param normal_force N per metre; @param length m, of joint that it acts on:
-    /// their ratio is the stress. 0 in tension and for a bare corner, whose stress has no bound.
+    /// `residual_friction_angle`, `jrc` and `jcs` of a joint material. @throws InputError.
+    static BartonStrength read(const ParameterTable& table);
+    /// i, rad, not negative; 0 in tension, and at a bare vertex, where the stress is infinite. @param
+    /// normal_force N per metre; @param length m, of the joint under that force: the ratio is the stress.
     double roughness_angle(double normal_force, double length) const;
-    /// N di/dN, rad, where i is above 0.
+    /// N di/dN, rad, where i > 0.
     double roughness_angle_log_slope() const;
-    /// phi_r + ratio * i within its limits, rad. @param ratio mobilised over peak roughness.
-    double total_angle(double roughness_angle, double ratio) const;
-    /// N per metre.
+    /// phi_r + ratio * i, rad, before its limits. @param ratio mobilised over peak roughness.
+    double free_angle(double roughness_angle, double ratio) const {
+        return residual_friction_angle + ratio * roughness_angle;
+    }
+    /// The same within its limits.
+    double total_angle(double roughness_angle, double ratio) const {
+        return std::clamp(free_angle(roughness_angle, ratio), 0.0, largest_angle);
+    }
+    /// Eq. (57), N per metre.
     double shear_strength(double normal_force, double length, double ratio) const;
-    /// Its derivative with respect to the normal force at constant length and ratio.
+    /// Derivative of the shear strength with respect to the normal force at constant length and ratio.
     double slope(double normal_force, double length, double ratio) const;
 };
+
+/// The damage coefficient M of Eq. (60), key `damage`: 0 for no dilation, or 1 to 2. @throws InputError.
+double read_damage(const ParameterTable& table);
 
 }  // namespace rockslope::dda

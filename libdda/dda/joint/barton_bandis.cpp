@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "dda/joint/linear_angle.hpp"
+#include "dda/joint/parameter_table.hpp"
 
 namespace rockslope::dda {
 
@@ -17,10 +18,10 @@ double BartonBandis::angle(double distance, double roughness) const {
         const auto& [zero, first] = std::pair(mobilisation.entries[0], mobilisation.entries[1]);
         return (friction + first.ratio * roughness) * ((x - zero.x) / (first.x - zero.x));
     }
-    return friction + mobilisation.ratio(x) * roughness;
+    return barton.free_angle(roughness, mobilisation.ratio(x));
 }
 
-/// The parts of a displacement outwards on which the total angle is linear.
+/// Calls `visit` for the parts of an outward displacement on which the total angle is linear.
 template <class Visit>
 void BartonBandis::visit_pieces(double from, double to, double roughness, Visit visit) const {
     while (from < to) {
@@ -48,7 +49,7 @@ Strength BartonBandis::strength(const History& history, double normal_force, dou
                                 const ShearTrial& trial) const {
     const double displacement = std::abs(trial.displacement);
     const double sign = trial.displacement < 0 ? -1 : 1;
-    const double end = sign * history.position + displacement;  // seen in the direction of the displacement
+    const double end = sign * history.position + displacement;  // positive in its direction
     const double furthest = std::max(history.furthest, std::abs(end));
     const double at_end = strength_at(furthest, normal_force, length);
     if (!(normal_force > 0) || furthest == history.furthest || trial.stiffness == 0)
@@ -91,10 +92,11 @@ BartonBandis::History BartonBandis::advance(const History& history, const Contac
     if (roughness > 0) after.ratio = (angle(after.furthest, roughness) - friction) / roughness;
     if (damage == 0) return after;
     visit_pieces(history.furthest, after.furthest, roughness, [&](const LinearAngle& piece) {
+        // The dilation angle, Eq. (60).
         const LinearAngle dilating = {piece.length, (piece.first - friction) / damage,
                                       (piece.last - friction) / damage};
         LinearAngle rest = dilating;
-        while (rest.length > 0) {  // there is none while friction is still being mobilised
+        while (rest.length > 0) {  // no dilation while friction itself is still being mobilised
             const LinearAngle part = clamp_leading_part(rest, 0, BartonStrength::largest_angle);
             after.dilation += part.length * mean_tangent(part.first, part.last);
             rest = {rest.length - part.length, rest.angle_at(part.length), rest.last};
@@ -107,6 +109,22 @@ double BartonBandis::shear_stiffness(const History& history, double normal_force
     if (history.spring.stiffness > 0 || peak_displacement == 0)
         return history.spring.stiffness_of_part(length);
     return barton.shear_strength(normal_force, length, 1) / peak_displacement;
+}
+
+BartonBandis BartonBandis::read(const ParameterTable& table) {
+    BartonBandis law;
+    law.barton = BartonStrength::read(table);
+    law.damage = read_damage(table);
+    if (!table.has("peak_displacement")) return law;
+    law.peak_displacement = table.positive("peak_displacement", Quantity::length);
+    law.from_zero_angle = !table.has("mobilisation") || table.is_string("mobilisation");
+    if (law.from_zero_angle) {
+        table.choice("mobilisation", {"barton-1985"});
+        law.mobilisation = barton_1985();
+    } else {
+        law.mobilisation = RoughnessTable::read(table, "mobilisation");
+    }
+    return law;
 }
 
 JointRecord BartonBandis::record(const History& history) const {

@@ -7,21 +7,22 @@
 
 namespace rockslope::dda {
 
-/// Barton-Bandis for shearing that does not turn back: Eq. (57) with the mobilised roughness of Eq. (59),
-/// read off at the largest distance from the origin so far. With a damage coefficient the joint dilates, Eq.
-/// (60). Source: Barton and Bandis (1982), Barton (1985). Limit: a joint that is sheared back keeps the
-/// strength and the dilation of the farthest point in both directions; a cyclic law knows better.
+/// Barton-Bandis for shearing in one direction: Eq. (57) with the mobilised roughness of Eq. (59) at the
+/// largest distance from the origin so far. With a damage coefficient the joint dilates, Eq. (60). Source:
+/// Barton and Bandis (1982), Barton (1985). Limit: a joint that is sheared back keeps the strength and the
+/// dilation of the farthest point in both directions; use the cyclic law there.
 struct BartonBandis {
     static constexpr const char* name = "barton-bandis";
+    static constexpr HistoryScope history_scope = HistoryScope::joint_segment;
 
     BartonStrength barton;
-    double peak_displacement = 0;  ///< m, at which peak roughness works; 0: it works at once and for ever
+    double peak_displacement = 0;  ///< m, at which peak roughness is mobilised; 0: always
     RoughnessTable mobilisation;   ///< unused without a peak displacement
     bool from_zero_angle = false;  ///< the table's first entry is a total angle of zero, as in Barton (1985)
     double damage = 0;             ///< M of Eq. (60), 1 to 2; 0: no dilation
 
     struct History {
-        double position = 0;  ///< m, from where the joint was fresh
+        double position = 0;  ///< m, displacement from the fresh joint's position
         double furthest = 0;  ///< m, largest distance from there
         double dilation = 0;  ///< m
         double ratio = 0;     ///< mobilised over peak roughness
@@ -29,14 +30,20 @@ struct BartonBandis {
         friend bool operator==(const History&, const History&) = default;
     };
 
+    static constexpr NoCommonHistories<History> common_histories() { return {}; }
+
+    static BartonBandis read(const ParameterTable& table);
+    bool dilates() const { return damage > 0; }
+    std::optional<CoulombEnvelope> coulomb_envelope() const { return std::nullopt; }
     History fresh(bool) const { return {}; }
     Strength strength(const History& history, double normal_force, double length,
                       const ShearTrial& trial) const;
     Strength strength_slope(const History& history, double normal_force, double length) const;
-    /// Nothing changes while the joint is open.
+    std::optional<CoulombLine> bound_line(const History&) const { return std::nullopt; }
+    /// An open joint's history does not change.
     History advance(const History& history, const ContactMotion& motion) const;
-    /// Eq. (58), of the part of the joint that has this length; 0 without a peak displacement. @param
-    /// normal_force counts for a joint that has borne nothing yet.
+    /// Eq. (58), for a part of the joint with this length; 0 without a peak displacement. @param normal_force
+    /// used only if the joint has not been loaded yet.
     double shear_stiffness(const History& history, double normal_force, double length) const;
     JointRecord record(const History& history) const;
 

@@ -3,25 +3,27 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dda/joint/parameter_table.hpp"
+
 namespace rockslope::dda {
 
 namespace {
 
-/// r is at most this: a joint that turned round at its bound would otherwise stay elastic for ever.
+/// Upper limit of r; without it a joint that reverses at its bound would remain elastic.
 constexpr double largest_unloading = 0.75;
-/// Plastic displacement over roughness length beyond which nothing is left to wear.
+/// Plastic displacement over roughness length above which the joint is fully worn.
 constexpr double full_wear = 40;
-/// Of the length in which the stress nears the bound, and of the roughness length: a step of the integration.
+/// Integration step over the approach length, and over the roughness length.
 constexpr double fine_step = 0.02;
-/// Roughness length over approach length above which the approach is a detail.
+/// Roughness length over approach length above which the approach is integrated in closed form.
 constexpr double stiff_ratio = 200;
 
 int sign_of(double value) {
     return value > 0 ? 1 : value < 0 ? -1 : 0;
 }
 
-/// The displacement of a joint in one direction under a constant normal force. Shear forces are positive
-/// against it.
+/// Integrates a displacement of the joint in one direction under a constant normal force. Shear forces are
+/// positive if they resist that direction.
 class YieldingShearPath {
   public:
     YieldingShearPath(const ContinuouslyYielding& law, double plastic, double unloading, double normal_force,
@@ -37,7 +39,7 @@ class YieldingShearPath {
     double plastic() const { return plastic_; }
     bool yielded() const { return yielded_; }
     double bound() const { return bound_at(plastic_); }
-    /// What it bears on the other side: a force that stayed behind the bound there unloads elastically.
+    /// Strength in the other direction: a force that lags behind the bound there unloads elastically.
     double reverse_bound() const { return std::max(bound(), std::min(-force_, bound() + largest_lag())); }
 
     void displace(double displacement) {
@@ -61,18 +63,18 @@ class YieldingShearPath {
             law_.residual_friction_angle + (law_.friction_angle - law_.residual_friction_angle) * left;
         return normal_force_ * std::tan(angle);
     }
-    /// By how much the force can stay behind a bound that falls, while the normal force is constant: at most
-    /// what the fall at first makes of the approach.
+    /// Largest lag of the force behind a falling bound under a constant normal force: the initial rate of the
+    /// fall times the approach length.
     double largest_lag() const {
         const double tangent = std::tan(law_.friction_angle);
         const double fall = normal_force_ * (1 + tangent * tangent) *
                             (law_.friction_angle - law_.residual_friction_angle) / law_.roughness_length;
         return fall * approach_length(normal_force_ * tangent);
     }
-    /// m, in which the force nears the bound by a factor of e.
+    /// Displacement over which the distance of the force from the bound falls by a factor e, m.
     double approach_length(double bound) const { return bound * (1 - unloading_) / stiffness_; }
 
-    /// One step of at most `displacement`. @return its length.
+    /// One integration step of at most `displacement`. @return its length.
     double step(double displacement) {
         const double length = approach_length(bound());
         const double wear = plastic_ / law_.roughness_length;
@@ -88,13 +90,13 @@ class YieldingShearPath {
             const double h = std::min(displacement, wearing);
             return ramp(h, bound(), bound_at(plastic_ + h));
         }
-        // Near the bound the solution is smooth, whatever the approach length.
+        // Near the bound the solution is smooth for any approach length, and longer steps are accurate.
         const double far = std::abs(1 - force_ / bound());
         const double growth = std::clamp(std::pow(1e-3 / std::max(far, 1e-12), 0.2), 1.0, 20.0);
         return runge_kutta(std::min({displacement, fine_step * length * growth, wearing}));
     }
 
-    /// The bound changes linearly from `first` to `last`: then the approach to it is known.
+    /// Closed-form step for a bound that changes linearly from `first` to `last`.
     double ramp(double h, double first, double last) {
         const double length = approach_length((first + last) / 2);
         const double lag = (last - first) / h * length;
@@ -104,6 +106,7 @@ class YieldingShearPath {
         return h;
     }
 
+    /// Integrates Eqs. (73) and (74) over a displacement h.
     double runge_kutta(double h) {
         const auto elastic_share = [&](double force, double plastic) {
             return std::min((1 - force / bound_at(plastic)) / (1 - unloading_), 1.0);
@@ -125,7 +128,7 @@ class YieldingShearPath {
     bool yielded_ = false;
 };
 
-/// r for a displacement in a direction, of a force that is positive against it.
+/// r for a displacement in a direction. @param force positive if it resists that direction.
 double unloading_for(const ContinuouslyYielding::History& history, int direction, double force,
                      double bound) {
     if (direction == history.direction) return history.unloading;
@@ -134,6 +137,7 @@ double unloading_for(const ContinuouslyYielding::History& history, int direction
 
 }  // namespace
 
+/// tan(phi_m) of Eq. (74).
 double ContinuouslyYielding::bounding_tangent(double plastic) const {
     const double left = std::exp(-plastic / roughness_length);
     return std::tan(residual_friction_angle + (friction_angle - residual_friction_angle) * left);
@@ -169,6 +173,14 @@ ContinuouslyYielding::History ContinuouslyYielding::advance(const History& histo
     YieldingShearPath joint(*this, history.plastic, unloading, motion.normal_force, motion.stiffness, force);
     joint.displace(std::abs(motion.displacement));
     return {joint.plastic(), unloading, direction};
+}
+
+ContinuouslyYielding ContinuouslyYielding::read(const ParameterTable& table) {
+    ContinuouslyYielding law;
+    law.friction_angle = table.friction_angle("friction_angle");
+    law.residual_friction_angle = table.residual_friction_angle(law.friction_angle);
+    law.roughness_length = table.positive("roughness_length", Quantity::length);
+    return law;
 }
 
 JointRecord ContinuouslyYielding::record(const History& history) const {

@@ -2,11 +2,71 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "dda/joint/cyclic_closed_form.hpp"
 #include "dda/joint/cyclic_shear_path.hpp"
+#include "dda/joint/parameter_table.hpp"
 
 namespace rockslope::dda {
+
+namespace {
+
+/// Adds an entry at the origin to a table that has none: there the backward advance starts with the ratio of
+/// the forward return. Without it the ratio of the first entry holds down to the origin.
+RoughnessTable with_continuous_start(RoughnessTable backward_advance, const RoughnessTable& forward_return) {
+    if (backward_advance.entries.front().x > 0)
+        backward_advance.entries.insert(backward_advance.entries.begin(), {0, forward_return.ratio(0)});
+    return backward_advance;
+}
+
+void read_cycles(const ParameterTable& table, CyclicBartonBandis& law) {
+    const bool continuous = table.choice("bridge", {"continuous", "clamp"}) == "continuous";
+    for (const std::unique_ptr<ParameterTable>& cycle : table.array_of_tables("cycle")) {
+        CyclicBartonBandis::Cycle tables;
+        tables.forward_advance = RoughnessTable::read(*cycle, "forward_advance");
+        tables.forward_return = RoughnessTable::read(*cycle, "forward_return");
+        tables.backward_advance = RoughnessTable::read(*cycle, "backward_advance");
+        if (continuous)
+            tables.backward_advance =
+                with_continuous_start(std::move(tables.backward_advance), tables.forward_return);
+        tables.backward_return = RoughnessTable::read(*cycle, "backward_return");
+        law.cycles.push_back(std::move(tables));
+    }
+    if (law.cycles.empty())
+        table.fail("cycle", "there is neither 'cycle' nor 'wear' in [" + table.path() + "]",
+                   "an array of tables [[" + table.path() + ".cycle]], or 'wear'");
+    law.further_cycle_factor = table.reduction_factor("further_cycle_factor");
+    law.heal = table.boolean("heal", false);
+}
+
+/// Reads one table for all branches. Its ratios are magnitudes and resist motion in both directions.
+void read_wear(const ParameterTable& table, CyclicBartonBandis& law) {
+    RoughnessTable wear = RoughnessTable::read(table, "wear");
+    for (RoughnessTable::Entry& entry : wear.entries) entry.ratio = std::abs(entry.ratio);
+    law.cycles = {{wear, wear, wear, wear}};
+    law.unsigned_ratios = true;
+    law.asymmetric = table.boolean("asymmetric", false);
+    law.heal = table.boolean("heal", false);
+}
+
+}  // namespace
+
+CyclicBartonBandis CyclicBartonBandis::read(const ParameterTable& table) {
+    CyclicBartonBandis law;
+    law.barton = BartonStrength::read(table);
+    law.peak_displacement = table.positive("peak_displacement", Quantity::length);
+    if (table.has("wear"))
+        read_wear(table, law);
+    else
+        read_cycles(table, law);
+    law.reversal_factor = table.reduction_factor("reversal_factor");
+    law.min_slip = table.not_negative("min_slip", Quantity::length, law.min_slip);
+    law.damage = read_damage(table);
+    law.floor_dilation = table.boolean("floor_dilation", false);
+    law.contact_length = table.not_negative("contact_length", Quantity::length, 0);
+    return law;
+}
 
 Strength CyclicBartonBandis::strength(const History& history, double normal_force, double length,
                                       const ShearTrial& trial) const {
@@ -23,7 +83,7 @@ Strength CyclicBartonBandis::strength(const History& history, double normal_forc
     else
         path.prescribe_slip(trial.displacement, 0);
     Strength s = path.bounds_at_end();
-    // What slipped on the way arrives with less than the strength there, if that has jumped up meanwhile.
+    // A joint that slipped on the way has less than the strength at its end if the strength has jumped up.
     if (path.slipped()) {
         double& ahead = trial.displacement > 0 ? s.forward : s.backward;
         const double end_force = trial.displacement > 0 ? path.shear_force() : -path.shear_force();

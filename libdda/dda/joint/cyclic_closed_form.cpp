@@ -3,25 +3,25 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dda/joint/cyclic_roughness.hpp"
+#include "dda/joint/cyclic_history.hpp"
 
 namespace rockslope::dda {
 
 namespace {
 
-/// Shares by which a force or a slip keeps away from where the joint changes.
+/// Relative distance that a force or a slip must keep from the value at which the joint's state changes.
 constexpr double margin = 1e-9;
 
-/// A displacement on one stretch of the tables, as it ends.
+/// The end of a displacement on one linear stretch of the tables.
 struct Stretch {
     int direction;               ///< of the displacement
-    CyclicRoughness::Place end;  ///< where it ends
-    double bound;                ///< against going on, N per metre
-    double bound_back;           ///< against going back
-    double excess;               ///< of the spring's force over the bound, in its direction
+    CyclicRoughness::Place end;  ///< of the displacement
+    double bound;                ///< strength against further motion in this direction, N per metre
+    double bound_back;           ///< strength against motion in the other direction, N per metre
+    double excess;               ///< spring force minus `bound`, in this direction, N per metre
 };
 
-/// Nothing where more changes on the displacement than can be told beforehand.
+/// Nothing where the state of the joint may change during the displacement.
 std::optional<Stretch> closed_form_of(const CyclicBartonBandis& law,
                                       const CyclicBartonBandis::History& history, double normal_force,
                                       double length, const ShearTrial& trial) {
@@ -35,19 +35,18 @@ std::optional<Stretch> closed_form_of(const CyclicBartonBandis& law,
     if (start.away ? !(distance < knot) : !(distance > knot)) return std::nullopt;
 
     const double roughness = law.barton.roughness_angle(normal_force, law.stressed_length(length));
-    const auto angle = [&](double ratio) { return law.barton.residual_friction_angle + ratio * roughness; };
-    const auto tangent = [](double angle_) {
-        return std::tan(std::clamp(angle_, 0.0, BartonStrength::largest_angle));
-    };
+    const auto angle = [&](double ratio) { return law.barton.free_angle(roughness, ratio); };
+    const auto tangent = [&](double ratio) { return std::tan(law.barton.total_angle(roughness, ratio)); };
     const CyclicRoughness::Place end = {distance, start.side, start.away};
     const CyclicRoughness::Place back = {distance, start.side, !start.away};
-    const double before = angle(at.bound_ratio(start));
-    const double ahead = angle(at.bound_ratio(end)), behind = angle(at.bound_ratio(back));
-    const double ahead_tangent = tangent(ahead);
+    const double ratio_ahead = at.bound_ratio(end), ratio_back = at.bound_ratio(back);
+    const double before = angle(at.bound_ratio(start)), ahead = angle(ratio_ahead);
+    const double ahead_tangent = tangent(ratio_ahead);
     const double bound = normal_force * ahead_tangent;
-    const double bound_back = normal_force * (behind == ahead ? ahead_tangent : tangent(behind));
+    const double bound_back =
+        normal_force * (angle(ratio_back) == ahead ? ahead_tangent : tangent(ratio_back));
 
-    // Where the bound grows less than the spring's force, all along, that force meets it once at most.
+    // If the bound grows more slowly than the spring's force, that force reaches the bound at most once.
     const double climb = trial.stiffness * displacement;
     const double growth = normal_force * (ahead - before) * (1 + ahead_tangent * ahead_tangent);
     if (ahead > before && (at.is_worn(start) || !(growth < (1 - margin) * climb))) return std::nullopt;
@@ -60,7 +59,7 @@ std::optional<Stretch> closed_form_of(const CyclicBartonBandis& law,
             return std::nullopt;
     }
     const double end_force = std::min(excess, 0.0) + bound;
-    if (-end_force > bound_back) return std::nullopt;  // a bound that has come down on the force
+    if (-end_force > bound_back) return std::nullopt;  // the bound has fallen below the force
     return Stretch{direction, end, bound, bound_back, excess};
 }
 
@@ -85,21 +84,10 @@ std::optional<CyclicBartonBandis::History> closed_form_history(const CyclicBarto
     const bool sliding = stretch->excess > 0;
     const CyclicRoughness::Place& end = stretch->end;
     CyclicBartonBandis::History after = history;
-    after.position += trial.displacement;
-    after.sliding = sliding ? 1 : 0;
-    after.stage = static_cast<std::int32_t>(CyclicRoughness::stage(end, sliding));
-    if (sliding) {
-        if (after.slip_direction == 0) after.slip_direction = stretch->direction;
-        const bool same = after.slip_direction == stretch->direction;
-        after.reverse_slip = same ? 0 : after.reverse_slip + stretch->excess / trial.stiffness;
-    }
-    const CyclicRoughness at(law, after);
-    if (end.away) {
-        double& reached = end.side > 0 ? after.furthest_forward : after.furthest_backward;
-        reached = std::max(reached, end.distance);
-        after.unloading_ratio = at.advance_ratio(end);
-    }
-    after.mobilised_ratio = at.mobilised_ratio(end, sliding, after.unloading_ratio);
+    set_stage(end, sliding, after);
+    if (sliding) count_slip(law, stretch->direction, stretch->excess / trial.stiffness, after);
+    move_to(law, end, stretch->direction, end.distance, after);
+    set_ratios(CyclicRoughness(law, after), end, after);
     return after;
 }
 

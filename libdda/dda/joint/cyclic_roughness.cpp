@@ -26,7 +26,7 @@ const RoughnessTable& CyclicRoughness::roughness_table(const Place& place) const
     return place.away ? tables.backward_advance : tables.backward_return;
 }
 
-/// A joint that has never slipped bears its advance strength on the way back too.
+/// A joint that has never slipped has its advance strength in both directions.
 const RoughnessTable& CyclicRoughness::bound_table(const Place& place) const {
     return is_fresh() ? cycle().forward_advance : roughness_table(place);
 }
@@ -52,13 +52,16 @@ double CyclicRoughness::mobilised_ratio(const Place& place, bool sliding, double
                                       : unloading_ratio);
 }
 
+double CyclicRoughness::unworn_bound_ratio(const Place& place, double distance) const {
+    return is_before_first_peak(place, distance)
+               ? 1
+               : bound_table(place).ratio(distance / law_.peak_displacement);
+}
+
 double CyclicRoughness::bound_ratio(const Place& place) const {
-    const RoughnessTable& table = bound_table(place);
-    const auto ratio = [&](double distance) {
-        return is_before_first_peak(place, distance) ? 1 : table.ratio(distance / law_.peak_displacement);
-    };
-    const double present = ratio(place.distance);
-    return history_.wear * (is_worn(place) ? std::min(present, ratio(furthest(place.side))) : present);
+    const double unworn = unworn_bound_ratio(place, place.distance);
+    if (!is_worn(place)) return history_.wear * unworn;
+    return history_.wear * std::min(unworn, unworn_bound_ratio(place, furthest(place.side)));
 }
 
 double CyclicRoughness::next_knot(const Place& place, bool dilating) const {
@@ -71,7 +74,7 @@ double CyclicRoughness::next_knot(const Place& place, bool dilating) const {
         for (const RoughnessTable::Entry& entry : table.entries) {
             const double distance = entry.x * law_.peak_displacement;
             offer(distance);
-            if (distance > place.distance) return;  // what follows is farther out
+            if (distance > place.distance) return;  // the other entries are farther out
         }
     };
     const RoughnessTable& bounding = bound_table(place);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "dda/joint/cyclic_history.hpp"
+
 namespace rockslope::dda {
 
 namespace {
@@ -21,8 +23,8 @@ LinearAngle part_of(const LinearAngle& piece, double from, double to) {
     return {to - from, piece.angle_at(from), to == piece.length ? piece.last : piece.angle_at(to)};
 }
 
-/// Where on a piece the bound N tan(angle) begins to grow faster than the spring: its length if no_distance.
-/// The slope N angle' / cos² grows along the piece where the angle does.
+/// Distance along a piece at which the bound N tan(angle) begins to grow faster than the spring's force; the
+/// length of the piece if it never does. The slope N angle' / cos^2 grows with the angle.
 double spring_overtaken_at(const LinearAngle& piece, double normal_force, double stiffness) {
     if (!(piece.last > piece.first)) return piece.length;
     const double turn = (piece.last - piece.first) / piece.length;
@@ -31,9 +33,9 @@ double spring_overtaken_at(const LinearAngle& piece, double normal_force, double
     return std::clamp((std::acos(std::sqrt(square)) - piece.first) / turn, 0.0, piece.length);
 }
 
-/// Where a shear force that starts below the bound and climbs with the spring meets it; infinity if
-/// no_distance. Force minus bound is concave up to where the bound outruns the spring, so Newton's steps from
-/// the left approach the root from the left.
+/// Where a shear force that starts below the bound and climbs with the spring meets it, Eq. (66);
+/// `no_distance` if nowhere. Force minus bound is concave up to where the bound overtakes the spring, so
+/// Newton's steps from the left approach the root from the left.
 double distance_to_slip(double force, const LinearAngle& piece, double normal_force, double stiffness,
                         const TangentCache& tan) {
     const double lowest = normal_force * tan(std::min(piece.first, piece.last));
@@ -92,9 +94,9 @@ void CyclicShearPath::displace(double displacement) {
         const double done = traverse(here, next);
         const double distance = here.distance + (here.away ? done : -done);
         const bool reaches_end = done == next.bound.length && next.reaches_end;
-        // A part too short to change the position would be walked for ever.
+        // A part too short to change the position would repeat for ever.
         const bool stuck = done > 0 && distance == here.distance;
-        if (done > 0) update_position(here, reaches_end || stuck ? next.end : distance);
+        if (done > 0) move_to(law_, here, direction_, reaches_end || stuck ? next.end : distance, history_);
     }
     finish();
 }
@@ -105,15 +107,6 @@ void CyclicShearPath::prescribe_slip(double displacement, double slip) {
     displace(displacement);
 }
 
-/// f of Eq. (63): wear by reversals and by cycles beyond those given.
-double CyclicShearPath::wear_factor() const {
-    const int further = history_.cycle - static_cast<int>(law_.cycles.size());
-    double wear = 1;
-    if (law_.reversal_factor != 1) wear *= std::pow(law_.reversal_factor, history_.reversals);
-    if (law_.further_cycle_factor != 1 && further > 0) wear *= std::pow(law_.further_cycle_factor, further);
-    return wear;
-}
-
 // --- bounds
 
 double CyclicShearPath::bound_ratio(int direction) const {
@@ -121,41 +114,40 @@ double CyclicShearPath::bound_ratio(int direction) const {
 }
 
 double CyclicShearPath::bound(int direction) const {
-    const double opposing = law_.barton.residual_friction_angle + bound_ratio(direction) * roughness_;
+    const double opposing = law_.barton.free_angle(roughness_, bound_ratio(direction));
     return normal_force_ *
            tan_(std::clamp(resisting_angle(direction, opposing), 0.0, BartonStrength::largest_angle));
 }
 
-/// The angle that resists motion in a direction, from phi_r + ratio i: where only forward motion climbs the
-/// roughness, backward motion goes down it.
+/// The angle that resists motion in a direction, Eq. (65), from phi_r + ratio i: where only forward motion
+/// climbs the roughness, backward motion goes down it.
 double CyclicShearPath::resisting_angle(int direction, double angle) const {
     const bool downwards = law_.asymmetric && !mobilised_.is_fresh() && direction != history_.forward;
     return downwards ? std::abs(2 * law_.barton.residual_friction_angle - angle) : angle;
 }
 
-// --- pieces of the way
+// --- pieces of the path
 
-/// Total angle on the way to `end`, no farther than it is linear.
+/// Total angle up to `end`, or up to where it stops being linear.
 LinearAngle CyclicShearPath::bound_angles(const Place& place, double end) const {
-    const double friction = law_.barton.residual_friction_angle, wear = history_.wear;
+    const double wear = history_.wear;
     const RoughnessTable& table = mobilised_.bound_table(place);
     const bool rising = mobilised_.is_before_first_peak(place, (place.distance + end) / 2);
     const auto angle = [&](double distance) {
-        return friction + wear * (rising ? 1 : table.ratio(distance / law_.peak_displacement)) * roughness_;
+        const double ratio = rising ? 1 : table.ratio(distance / law_.peak_displacement);
+        return law_.barton.free_angle(roughness_, wear * ratio);
     };
     double highest = BartonStrength::largest_angle;
-    if (mobilised_.is_worn(place)) {
-        const double worn = mobilised_.furthest(place.side);
-        const double ratio =
-            mobilised_.is_before_first_peak(place, worn) ? 1 : table.ratio(worn / law_.peak_displacement);
-        highest = std::clamp(friction + wear * ratio * roughness_, 0.0, highest);
-    }
+    if (mobilised_.is_worn(place))
+        highest = law_.barton.total_angle(
+            roughness_, wear * mobilised_.unworn_bound_ratio(place, mobilised_.furthest(place.side)));
     LinearAngle piece =
         clamp_leading_part({std::abs(end - place.distance), angle(place.distance), angle(end)}, 0, highest);
     const double first = resisting_angle(direction_, piece.first),
                  last = resisting_angle(direction_, piece.last);
     if (first == piece.first && last == piece.last) return piece;
-    const double kink = 2 * friction;  // where roughness carries the joint and friction turns round
+    // The absolute value of Eq. (65) has its kink where friction changes its direction.
+    const double kink = 2 * law_.barton.residual_friction_angle;
     if ((piece.first < kink) != (piece.last < kink) && piece.first != kink) {
         const LinearAngle part =
             clamp_leading_part(piece, std::min(piece.first, kink), std::max(piece.first, kink));
@@ -170,7 +162,7 @@ double CyclicShearPath::dilation_angle(double ratio) const {
     return (law_.barton.total_angle(roughness_, ratio) - friction) / damage_;
 }
 
-/// Dilation angle on the way to `end`, no farther than it is linear and keeps its sign.
+/// Dilation angle up to `end`, or up to where it stops being linear or changes its sign.
 LinearAngle CyclicShearPath::dilation_angles(const Place& place, double end) const {
     const double length = std::abs(end - place.distance);
     if (damage_ == 0) return {length, 0, 0};
@@ -178,7 +170,8 @@ LinearAngle CyclicShearPath::dilation_angles(const Place& place, double end) con
     const RoughnessTable& table = mobilised_.roughness_table(place);
     const double towards = law_.unsigned_ratios && !place.away ? -1 : 1;
     const auto angle = [&](double distance) {
-        return friction + towards * wear * table.ratio(distance / law_.peak_displacement) * roughness_;
+        return law_.barton.free_angle(roughness_,
+                                      towards * wear * table.ratio(distance / law_.peak_displacement));
     };
     double highest = BartonStrength::largest_angle;
     if (mobilised_.is_worn(place)) highest = std::clamp(angle(mobilised_.furthest(place.side)), 0.0, highest);
@@ -206,13 +199,13 @@ CyclicShearPath::Piece CyclicShearPath::piece(const Place& place, double target)
 
 // --- phases
 
-/// Walks a piece as far as nothing changes the laws on the way. @return m, how far.
+/// Displaces along a piece until its end or until the bounds change. @return the distance, m.
 double CyclicShearPath::traverse(const Place& place, const Piece& piece) {
     const double length = piece.bound.length;
     if (slip_prescribed_) {
         if (slip_ratio_ > 0 && begin_slip(place, direction_)) return 0;
         record_motion(place, piece, 0, length, slip_ratio_ > 0);
-        count_slip(direction_, length * slip_ratio_);
+        count_slip(law_, direction_, length * slip_ratio_, history_);
         return length;
     }
     double along = 0;
@@ -237,7 +230,7 @@ double CyclicShearPath::traverse(const Place& place, const Piece& piece) {
     return length;
 }
 
-/// Slides along a piece until the bound outruns the spring, or until the slip changes the laws.
+/// Slides along a piece until the bound overtakes the spring, or until the slip changes the bounds.
 double CyclicShearPath::slide(const Place& place, const Piece& piece, double along, bool& interrupted) {
     const LinearAngle rest = part_of(piece.bound, along, piece.bound.length);
     const double bound = normal_force_ * tan_(rest.first);
@@ -245,12 +238,12 @@ double CyclicShearPath::slide(const Place& place, const Piece& piece, double alo
     interrupted = begin_slip(place, direction_);
     if (interrupted) return along;
     force_ = direction_ * bound;
-    interrupted = count_slip(direction_, std::max(drop, 0.0));
+    interrupted = count_slip(law_, direction_, std::max(drop, 0.0), history_);
     if (interrupted) return along;
     double end = spring_overtaken_at(rest, normal_force_, stiffness_);
     const bool opposite = history_.slip_direction == -direction_;
     if (opposite) {
-        // The slip left until it counts as a reversal is a force left to a joint that had not slipped.
+        // The slip that is missing for a reversal equals a distance to slip with a force lower by k times it.
         const double left = law_.min_slip - history_.reverse_slip;
         const double turned =
             distance_to_slip(bound - stiffness_ * left, rest, normal_force_, stiffness_, tan_);
@@ -262,19 +255,18 @@ double CyclicShearPath::slide(const Place& place, const Piece& piece, double alo
     force_ = direction_ * after;
     const double slip = end - (after - bound) / stiffness_;
     if (interrupted)
-        count_reversal();
+        count_reversal(law_, history_);
     else
-        count_slip(direction_, std::max(slip, 0.0));
+        count_slip(law_, direction_, std::max(slip, 0.0), history_);
     return end == rest.length ? piece.bound.length : along + end;
 }
 
-/// The faces' movement apart on a part of a piece.
+/// The dilation of a part of a piece, Eq. (64).
 void CyclicShearPath::record_motion(const Place& place, const Piece& piece, double from, double to,
                                     bool sliding) {
-    history_.sliding = sliding;
+    set_stage(place, sliding, history_);
     last_side_ = place.side;
     last_away_ = place.away;
-    history_.stage = static_cast<std::int32_t>(CyclicRoughness::stage(place, sliding));
     if (damage_ == 0) return;
     const bool unloading = !place.away && !sliding;
     const LinearAngle dilation = part_of(piece.dilation, from, to);
@@ -283,57 +275,20 @@ void CyclicShearPath::record_motion(const Place& place, const Piece& piece, doub
     if (law_.floor_dilation) history_.dilation = std::max(history_.dilation, 0.0);
 }
 
-/// @return whether the joint's origin or its forward direction has changed by its first slip.
+/// Sets the forward direction at the first slip. @return whether the origin has changed with it.
 bool CyclicShearPath::begin_slip(const Place& place, int direction) {
     slipped_ = true;
     if (!mobilised_.is_fresh()) return false;
     history_.forward = direction;
     if (place.away) return false;
-    // It was pulled the other way when it was made, and slips before it has come back: it starts from here.
+    // The joint was displaced in the other direction before and slips before it is back: its origin is here.
     target_ -= history_.position;
     history_.position = 0;
     history_.furthest_forward = 0;
     return true;
 }
 
-/// @return whether the slip counts as a reversal.
-bool CyclicShearPath::count_slip(int direction, double amount) {
-    if (!(amount > 0)) return false;
-    if (history_.slip_direction == 0) history_.slip_direction = direction;
-    if (history_.slip_direction == direction) {
-        history_.reverse_slip = 0;
-        return false;
-    }
-    history_.reverse_slip += amount;
-    if (!(history_.reverse_slip > law_.min_slip)) return false;
-    count_reversal();
-    return true;
-}
-
-void CyclicShearPath::count_reversal() {
-    ++history_.reversals;
-    history_.slip_direction = -history_.slip_direction;
-    history_.reverse_slip = 0;
-    history_.wear = wear_factor();
-}
-
-void CyclicShearPath::update_position(const Place& place, double distance) {
-    history_.position = distance == 0 ? 0 : (place.away ? direction_ : -direction_) * distance;
-    if (place.away) {
-        double& reached = place.side > 0 ? history_.furthest_forward : history_.furthest_backward;
-        reached = std::max(reached, distance);
-        return;
-    }
-    if (distance != 0) return;
-    if (mobilised_.is_fresh()) history_.furthest_forward = 0;
-    if (place.side < 0 && history_.furthest_backward >= law_.peak_displacement) {
-        ++history_.cycle;
-        history_.furthest_forward = history_.furthest_backward = 0;
-        history_.wear = wear_factor();
-    }
-}
-
-/// A bound that has come down on a force at rest makes it slip; then what the history tells is put down.
+/// Slips until the force equals a bound that has fallen below it; then sets the ratios of the history.
 void CyclicShearPath::finish() {
     bounds_ = {bound(1), bound(-1), 0};
     for (const int direction : {1, -1}) {
@@ -342,14 +297,11 @@ void CyclicShearPath::finish() {
         if (!(excess > 1e-14 * std::abs(force_))) continue;
         begin_slip(place(direction), direction);
         force_ = direction * bound(direction);
-        count_slip(direction, excess / stiffness_);
+        count_slip(law_, direction, excess / stiffness_, history_);
         bounds_ = {bound(1), bound(-1), 0};
     }
     if (last_side_ == 0 || purpose_ == Purpose::strength) return;
-    const Place there = {std::abs(history_.position), last_side_, last_away_};
-    if (last_away_) history_.unloading_ratio = mobilised_.advance_ratio(there);
-    history_.mobilised_ratio =
-        mobilised_.mobilised_ratio(there, history_.sliding != 0, history_.unloading_ratio);
+    set_ratios(mobilised_, {std::abs(history_.position), last_side_, last_away_}, history_);
 }
 
 }  // namespace rockslope::dda

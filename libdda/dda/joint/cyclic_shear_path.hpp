@@ -8,8 +8,8 @@
 
 namespace rockslope::dda {
 
-/// tan(angle), with the angles asked for last kept: on an even piece of a way, which most are, the bound at
-/// its start, at its end and against the way back have one angle.
+/// tan(angle) with a cache of the last angles: on most pieces of a path the bounds at both ends and in both
+/// directions have the same angle.
 class TangentCache {
   public:
     double operator()(double angle) const;
@@ -23,13 +23,13 @@ class TangentCache {
     mutable std::size_t oldest_ = 0;
 };
 
-/// What a displacement does to a cyclic joint under a constant normal force. The way is walked in pieces on
-/// which strength and dilation angle are smooth, and each piece in phases, locked or sliding, that are solved
-/// in closed form or to rounding: the outcome does not depend on how a path is cut into displacements.
+/// Displaces a cyclic joint under a constant normal force. The path is divided into pieces on which strength
+/// and dilation angle are smooth, and each piece into locked and sliding phases that are solved in closed
+/// form or to rounding: the result does not depend on how a path is divided into displacements.
 class CyclicShearPath {
   public:
-    /// What is to be entry at the end. Strengths are asked for in every iteration and need neither the
-    /// dilation nor what the results tell; a history has both.
+    /// The wanted result. Strengths are computed in every iteration and need neither the dilation nor the
+    /// values for the results; a history contains both.
     enum class Purpose { strength, history };
 
     /// @param normal_force N per metre, positive; @param stiffness N/m per metre, of the shear spring.
@@ -39,33 +39,33 @@ class CyclicShearPath {
     CyclicShearPath(const CyclicShearPath&) = delete;
     CyclicShearPath& operator=(const CyclicShearPath&) = delete;
 
-    /// Displaces the joint by so many metres.
+    /// Displaces the joint, m.
     void displace(double displacement);
-    /// The same without a spring: all of the way is locked or sliding. @param slip m, its plastic part.
+    /// Displaces the joint without a spring, m; @param slip its plastic part, m.
     void prescribe_slip(double displacement, double slip);
 
     const CyclicBartonBandis::History& history() const { return history_; }
     double shear_force() const { return force_; }
     bool slipped() const { return slipped_; }
-    /// Mobilised ratio that bounds motion in the direction +1 or -1 from here, reversals and cycles included.
+    /// Mobilised ratio that bounds motion in the direction +1 or -1 at the present position, reversals and
+    /// cycles included.
     double bound_ratio(int direction) const;
-    /// Largest shear force against motion in that direction from here, N per metre.
+    /// Strength against motion in a direction at the present position, N per metre.
     double bound(int direction) const;
-    /// Both bounds where the way has ended, forward and backward in the contact's direction.
+    /// Strengths at the end of the path, forward and backward in the contact's direction.
     const Strength& bounds_at_end() const { return bounds_; }
 
   private:
     using Place = CyclicRoughness::Place;
     struct Piece {
         double end;            ///< m, distance from the origin where it ends
-        bool reaches_end;      ///< it ends there, and not before, where an angle meets a limit
-        LinearAngle bound;     ///< total angle that bounds the shear force
+        bool reaches_end;      ///< false if the piece ends before, where an angle meets a limit
+        LinearAngle bound;     ///< total angle of the strength
         LinearAngle dilation;  ///< dilation angle while advancing or sliding back
         double unloading;      ///< dilation angle while unloading
     };
 
     Place place(int direction) const { return mobilised_.place(history_.position, direction); }
-    double wear_factor() const;
     double resisting_angle(int direction, double angle) const;
     LinearAngle bound_angles(const Place& place, double end) const;
     LinearAngle dilation_angles(const Place& place, double end) const;
@@ -75,9 +75,6 @@ class CyclicShearPath {
     double slide(const Place& place, const Piece& piece, double along, bool& interrupted);
     void record_motion(const Place& place, const Piece& piece, double from, double to, bool sliding);
     bool begin_slip(const Place& place, int direction);
-    bool count_slip(int direction, double amount);
-    void count_reversal();
-    void update_position(const Place& place, double distance);
     void finish();
 
     const CyclicBartonBandis& law_;
@@ -85,15 +82,15 @@ class CyclicShearPath {
     CyclicRoughness mobilised_;  ///< where the history is
     double normal_force_;
     double stiffness_;
-    double damage_;      ///< M of Eq. (64), 0 where nobody asks for the dilation
+    double damage_;      ///< M of Eq. (64); 0 if the dilation is not needed
     double roughness_;   ///< rad, i of Eq. (57)
     double force_;       ///< N per metre
-    double target_ = 0;  ///< m, position to be reached
+    double target_ = 0;  ///< m, position at the end
     int direction_ = 1;  ///< of motion
     bool slipped_ = false;
-    bool slip_prescribed_ = false;  ///< whether the joint slides is told, not found
-    double slip_ratio_ = 0;         ///< plastic slip over displacement where it is
-    int last_side_ = 0;             ///< where it moved last, 0 if it did not
+    bool slip_prescribed_ = false;  ///< the slip is given, not computed
+    double slip_ratio_ = 0;         ///< plastic slip over displacement if it is given
+    int last_side_ = 0;             ///< side of the last motion, 0 before any
     bool last_away_ = false;
     Purpose purpose_;
     TangentCache tan_;

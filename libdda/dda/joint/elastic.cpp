@@ -4,7 +4,8 @@
 
 namespace rockslope::dda {
 
-Strength Elastic::strength(const History& history, double, double) const {
+Strength Elastic::strength(const History& history, double, double, const ShearTrial&) const {
+    // The strengths of Eq. (45).
     const double unbounded = std::numeric_limits<double>::infinity();
     return {unbounded, unbounded, history.bonded ? unbounded : 0};
 }

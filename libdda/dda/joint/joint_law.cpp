@@ -4,13 +4,13 @@ namespace rockslope::dda {
 
 namespace {
 
-/// Calls `with(law, its own history)`.
-template <class With>
-auto visit_both(const JointLaw& law, const JointHistory& history, With with) {
+/// Calls `function(law, history)` with the law's own type and the type of its history.
+template <class Function>
+auto visit_both(const JointLaw& law, const JointHistory& history, Function function) {
     return std::visit(
         [&](const auto& l) {
             using History = typename std::decay_t<decltype(l)>::History;
-            return with(l, std::get<History>(history));
+            return function(l, std::get<History>(history));
         },
         law);
 }
@@ -24,10 +24,7 @@ JointHistory fresh_history(const JointLaw& law, bool intact) {
 Strength strength(const JointLaw& law, const JointHistory& history, double normal_force, double length,
                   const ShearTrial& trial) {
     return visit_both(law, history, [&](const auto& l, const auto& h) {
-        if constexpr (requires { l.strength(h, normal_force, length, trial); })
-            return l.strength(h, normal_force, length, trial);
-        else
-            return l.strength(h, normal_force, length);
+        return l.strength(h, normal_force, length, trial);
     });
 }
 
@@ -39,11 +36,16 @@ JointHistory advance(const JointLaw& law, const JointHistory& history, const Con
 std::optional<Strength> strength_slope(const JointLaw& law, const JointHistory& history, double normal_force,
                                        double length) {
     return visit_both(law, history, [&](const auto& l, const auto& h) -> std::optional<Strength> {
-        if constexpr (requires { l.strength_slope(h, normal_force, length); })
-            return l.strength_slope(h, normal_force, length);
-        else
-            return std::nullopt;
+        return l.strength_slope(h, normal_force, length);
     });
+}
+
+std::optional<CoulombLine> bound_line(const JointLaw& law, const JointHistory& history) {
+    return visit_both(law, history, [](const auto& l, const auto& h) { return l.bound_line(h); });
+}
+
+std::optional<CoulombEnvelope> coulomb_envelope(const JointLaw& law) {
+    return std::visit([](const auto& l) { return l.coulomb_envelope(); }, law);
 }
 
 double dilation(const JointLaw& law, const JointHistory& history) {
@@ -52,42 +54,20 @@ double dilation(const JointLaw& law, const JointHistory& history) {
 
 double shear_stiffness(const JointLaw& law, const JointHistory& history, double normal_force, double length) {
     return visit_both(law, history, [&](const auto& l, const auto& h) {
-        if constexpr (requires { l.shear_stiffness(h, normal_force, length); })
-            return l.shear_stiffness(h, normal_force, length);
-        else
-            return 0.0;
+        return l.shear_stiffness(h, normal_force, length);
     });
 }
 
 JointRecord record(const JointLaw& law, const JointHistory& history) {
-    return visit_both(law, history, [](const auto& l, const auto& h) {
-        if constexpr (requires { l.record(h); })
-            return l.record(h);
-        else
-            return JointRecord{};
-    });
+    return visit_both(law, history, [](const auto& l, const auto& h) { return l.record(h); });
 }
 
 bool has_segment_history(const JointLaw& law) {
-    return std::visit(
-        [](const auto& l) {
-            using History = typename std::decay_t<decltype(l)>::History;
-            return requires(const History& h) {
-                l.record(h);
-            };
-        },
-        law);
+    return std::visit([](const auto& l) { return l.history_scope == HistoryScope::joint_segment; }, law);
 }
 
 bool dilates(const JointLaw& law) {
-    return has_segment_history(law) && std::visit(
-                                           [](const auto& l) {
-                                               if constexpr (requires { l.damage; })
-                                                   return l.damage > 0;
-                                               else
-                                                   return true;
-                                           },
-                                           law);
+    return std::visit([](const auto& l) { return l.dilates(); }, law);
 }
 
 }  // namespace rockslope::dda

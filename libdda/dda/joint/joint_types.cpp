@@ -2,13 +2,16 @@
 
 namespace rockslope::dda {
 
-ContactMotion combine(const ContactMotion& a, const ContactMotion& b) {
+double weight_of_first(const ContactMotion& a, const ContactMotion& b) {
     const auto weight = [](const ContactMotion& m) { return m.stiffness > 0 ? m.stiffness : m.length; };
     const double total_weight = weight(a) + weight(b);
-    const double share = total_weight > 0 ? weight(a) / total_weight : 0.5;
+    return total_weight > 0 ? weight(a) / total_weight : 0.5;
+}
+
+ContactMotion combine(const ContactMotion& a, const ContactMotion& b, double weight) {
     ContactMotion combined = a;
-    combined.slip = share * a.slip + (1 - share) * b.slip;
-    combined.displacement = share * a.displacement + (1 - share) * b.displacement;
+    combined.slip = weighted_mean(a.slip, b.slip, weight);
+    combined.displacement = weighted_mean(a.displacement, b.displacement, weight);
     combined.normal_force += b.normal_force;
     combined.length += b.length;
     combined.shear_force += b.shear_force;

@@ -1,43 +1,87 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 
 namespace rockslope::dda {
 
-/// What a joint can bear at a contact, N per metre of thickness, all non-negative.
+class ParameterTable;
+
+/// Which contacts one history of a joint law covers.
+enum class HistoryScope : std::uint8_t {
+    contact,       ///< each contact has its own history
+    joint_segment  ///< the contacts at both ends of two faces on each other share one history
+};
+
+/// Strength of a joint at a contact, N per metre of thickness; no component is negative.
 struct Strength {
     double forward = 0;   ///< largest shear force against slip in the positive tangential direction
     double backward = 0;  ///< largest shear force against slip in the negative tangential direction
     double tensile = 0;   ///< largest tensile normal force before the contact opens
 };
 
-/// A tangential displacement that is being tried. A law whose strength depends on where the joint is looks it
-/// up at the end of the displacement; the other laws have no use for it.
+/// A shear strength that is a straight line over the normal stress, Eq. (31): tau = c + sigma_n tan(phi).
+struct CoulombLine {
+    double friction = 0;            ///< tan(phi)
+    double cohesion = 0;            ///< c, Pa
+    bool holds_in_tension = false;  ///< the line continues below zero normal force, down to zero strength
+
+    /// Shear strength, N per metre. @param normal_force N per metre, compression positive; @param length m.
+    double strength(double normal_force, double length) const {
+        const double effective_force = holds_in_tension ? normal_force : std::max(normal_force, 0.0);
+        return std::max(effective_force * friction + cohesion * length, 0.0);
+    }
+    friend bool operator==(const CoulombLine&, const CoulombLine&) = default;
+};
+
+/// The first and the last strength line of a law whose strength falls once, at the first slip or opening.
+struct CoulombEnvelope {
+    CoulombLine peak;
+    CoulombLine residual;
+};
+
+/// Return type of `common_histories` for a law whose histories have many different values.
+template <class History>
+using NoCommonHistories = std::array<History, 0>;
+
+/// A trial tangential displacement. A law whose strength depends on the position evaluates it at the end of
+/// the displacement; other laws ignore it.
 struct ShearTrial {
     double displacement = 0;  ///< total tangential displacement of the step, m, positive forward
     double shear_force = 0;   ///< at the start of the step, N per metre
-    double stiffness = 0;     ///< of the shear spring, N/m per metre; 0: not told
+    double stiffness = 0;     ///< of the shear spring, N/m per metre; 0: unknown
 };
 
-/// What happened at a contact during an accepted step.
+/// Motion of a contact during an accepted step.
 struct ContactMotion {
     double slip = 0;          ///< plastic tangential slip of the step, m, positive forward
     double displacement = 0;  ///< total tangential displacement of the step, m
     double normal_force = 0;  ///< at the end of the step, N per metre, compression positive
     double length = 0;        ///< the contact's share of the joint, m
-    bool opened = false;      ///< the contact was bonded and tore
+    bool opened = false;      ///< the contact was bonded and the bond broke
     double shear_force = 0;   ///< at the start of the step, N per metre
-    double stiffness = 0;     ///< of the shear spring, N/m per metre; 0: not told
-    double duration = 0;      ///< of the step, s; 0: not told, or a static step
+    double stiffness = 0;     ///< of the shear spring, N/m per metre; 0: unknown
+    double duration = 0;      ///< of the step, s; 0: unknown, or a static step
 };
 
-/// Two ends of a joint as one: forces, lengths and stiffnesses add up, displacements are those of the whole.
-ContactMotion combine(const ContactMotion& a, const ContactMotion& b);
+/// Weight of the first of two contacts in their mean displacement, 0 to 1: the ratio of the shear
+/// stiffnesses, or of the lengths where a stiffness is unknown.
+double weight_of_first(const ContactMotion& a, const ContactMotion& b);
+/// Mean of two displacements, m. @param weight of the first, 0 to 1.
+inline double weighted_mean(double first, double second, double weight) {
+    return weight * first + (1 - weight) * second;
+}
+/// Motion of two contacts of one joint segment: forces, lengths and stiffnesses are sums, displacements are
+/// means. @param weight of the first contact in the means, `weight_of_first(a, b)`.
+ContactMotion combine(const ContactMotion& a, const ContactMotion& b, double weight);
 
-/// Side of the origin on which a joint is, and how it moves there: away from the origin it advances; towards
-/// it, it unloads while locked and returns while it slides.
+/// Side of the origin on which a joint is, and its motion there. A joint advances away from the origin.
+/// Towards the origin, it unloads while locked and returns while sliding.
 enum class JointStage : std::uint8_t {
-    none,  ///< the law knows no stages, or the joint has not moved
+    none,  ///< the law has no stages, or the joint has not moved
     forward_advance,
     forward_unloading,
     forward_return,
@@ -46,14 +90,14 @@ enum class JointStage : std::uint8_t {
     backward_return
 };
 
-/// A stage of shearing as it stands in tables: "forward advance" and so on.
+/// Name of a stage in the result tables: "forward advance" and so on.
 const char* stage_name(JointStage stage);
 
-/// What a joint's history tells the reader of the results. A law without one of these leaves it as it is.
+/// The part of a joint's history that the results contain. A law leaves the entries that it does not have.
 struct JointRecord {
     JointStage stage = JointStage::none;
-    double mobilised_ratio = 0;  ///< roughness at work over peak roughness, negative where it helps the slip
-    double dilation = 0;         ///< m, by which shearing has moved the faces apart; negative: together
+    double mobilised_ratio = 0;  ///< mobilised over peak roughness, negative where it helps the slip
+    double dilation = 0;         ///< m, opening of the joint by shearing; negative: contraction
     int reversals = 0;           ///< changes of slip direction so far
     int cycle = 0;               ///< of shearing, from 1
 };

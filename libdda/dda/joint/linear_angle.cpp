@@ -6,7 +6,8 @@
 namespace rockslope::dda {
 
 double mean_tangent(double first, double last) {
-    // The integral of tan is -ln cos, and cos(m + h) / cos(m - h) = (1 - tan m tan h) / (1 + tan m tan h).
+    // Eq. (61): the integral of tan is -ln cos, and
+    // cos(m + h) / cos(m - h) = (1 - tan m tan h) / (1 + tan m tan h).
     const double middle = (first + last) / 2, half = (last - first) / 2;
     const double tangent = std::tan(middle);
     return std::abs(half) < 1e-8 ? tangent : std::atanh(tangent * std::tan(half)) / half;
@@ -14,7 +15,8 @@ double mean_tangent(double first, double last) {
 
 namespace {
 
-/// Of a piece; what is shorter is rounding. A piece that begins at a limit must not be cut there again.
+/// Shortest part of a piece, relative to its length; shorter ones are rounding. A piece that begins at a
+/// limit must not be cut there again.
 constexpr double shortest_fraction = 1e-12;
 
 }  // namespace
@@ -35,6 +37,7 @@ LinearAngle clamp_leading_part(const LinearAngle& piece, double lowest, double h
     return part;
 }
 
+/// The inner minimum of Eq. (62).
 double end_force_bound(const LinearAngle& piece, double normal_force, double stiffness, double remaining) {
     const double at_start = normal_force * std::tan(piece.first) + stiffness * remaining;
     const double at_end = normal_force * std::tan(piece.last) + stiffness * (remaining - piece.length);

@@ -1,19 +1,21 @@
 #include "dda/joint/mohr_coulomb.hpp"
 
-#include <algorithm>
 #include <cmath>
+
+#include "dda/joint/parameter_table.hpp"
 
 namespace rockslope::dda {
 
-Strength MohrCoulomb::strength(const History& history, double normal_force, double length) const {
-    const double compression = std::max(normal_force, 0.0);
-    if (history.broken) {
-        const double shear = compression * std::tan(residual_friction_angle) + residual_cohesion * length;
-        return {shear, shear, 0};
-    }
-    // An intact joint in tension keeps its cohesion and loses the friction of the missing compression.
-    const double shear = std::max(normal_force * std::tan(friction_angle) + cohesion * length, 0.0);
-    return {shear, shear, tensile_strength * length};
+/// The peak or the residual line of Eq. (31). Tension on an intact joint reduces its cohesion.
+CoulombLine MohrCoulomb::line(bool broken) const {
+    if (broken) return {std::tan(residual_friction_angle), residual_cohesion, false};
+    return {std::tan(friction_angle), cohesion, true};
+}
+
+Strength MohrCoulomb::strength(const History& history, double normal_force, double length,
+                               const ShearTrial&) const {
+    const double shear = line(history.broken).strength(normal_force, length);
+    return {shear, shear, history.broken ? 0 : tensile_strength * length};
 }
 
 Strength MohrCoulomb::strength_slope(const History& history, double normal_force, double length) const {
@@ -28,6 +30,16 @@ Strength MohrCoulomb::strength_slope(const History& history, double normal_force
 
 MohrCoulomb::History MohrCoulomb::advance(const History& history, const ContactMotion& motion) const {
     return {history.broken || motion.opened || motion.slip != 0};
+}
+
+MohrCoulomb MohrCoulomb::read(const ParameterTable& table) {
+    MohrCoulomb law;
+    law.friction_angle = table.friction_angle("friction_angle");
+    law.cohesion = table.not_negative("cohesion", Quantity::stress, 0);
+    law.tensile_strength = table.not_negative("tensile_strength", Quantity::stress, 0);
+    law.residual_friction_angle = table.friction_angle("residual_friction_angle", law.friction_angle);
+    law.residual_cohesion = table.not_negative("residual_cohesion", Quantity::stress, 0);
+    return law;
 }
 
 }  // namespace rockslope::dda

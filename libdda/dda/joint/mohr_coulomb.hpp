@@ -4,11 +4,12 @@
 
 namespace rockslope::dda {
 
-/// Mohr-Coulomb friction with cohesion and tensile strength, Eq. (31): tau = c + sigma_n tan(phi), intact
-/// until the first slip or opening, thereafter with the residual values. Source: Shi (1988); the default
-/// residual is Shi's (c and tensile strength vanish, phi stays).
+/// Mohr-Coulomb friction with cohesion and tensile strength, Eq. (31): tau = c + sigma_n tan(phi). The peak
+/// values hold until the first slip or opening, the residual values thereafter. Source: Shi (1988); the
+/// default residual values are his: c and the tensile strength vanish, phi does not change.
 struct MohrCoulomb {
     static constexpr const char* name = "mohr-coulomb";
+    static constexpr HistoryScope history_scope = HistoryScope::contact;
 
     double friction_angle = 0;           ///< rad, in [0, pi/2)
     double cohesion = 0;                 ///< Pa
@@ -20,18 +21,29 @@ struct MohrCoulomb {
         bool broken = false;  ///< slipped or opened once: the residual values hold
         friend bool operator==(const History&, const History&) = default;
     };
+    static constexpr std::array<History, 2> common_histories() { return {{{false}, {true}}}; }
+
+    static MohrCoulomb read(const ParameterTable& table);
+    bool dilates() const { return false; }
+    std::optional<CoulombEnvelope> coulomb_envelope() const {
+        return CoulombEnvelope{line(false), line(true)};
+    }
 
     History fresh(bool intact) const {
         return {!intact ||
                 (cohesion == 0 && tensile_strength == 0 && friction_angle == residual_friction_angle)};
     }
-    /// @param normal_force N per metre, compression positive; @param length m, the contact's share of the
-    /// joint.
-    Strength strength(const History& history, double normal_force, double length) const;
-    /// tan(phi) where the joint is pressed or its cohesion holds, 0 where nothing does.
+    Strength strength(const History& history, double normal_force, double length,
+                      const ShearTrial& trial = {}) const;
+    /// tan(phi) where the strength is positive, otherwise 0.
     Strength strength_slope(const History& history, double normal_force, double length) const;
-    /// The history after an accepted step.
+    std::optional<CoulombLine> bound_line(const History& history) const { return line(history.broken); }
     History advance(const History& history, const ContactMotion& motion) const;
+    double shear_stiffness(const History&, double, double) const { return 0; }
+    JointRecord record(const History&) const { return {}; }
+
+  private:
+    CoulombLine line(bool broken) const;
 };
 
 }  // namespace rockslope::dda

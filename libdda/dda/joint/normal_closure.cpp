@@ -6,10 +6,10 @@ namespace rockslope::dda {
 
 namespace {
 
-/// The share of the largest closure from which the curve goes on straight.
+/// Fraction of the largest closure above which the curve is straight.
 constexpr double linear_from = 1 - 1. / 200;
 
-/// Force and tangent of the hyperbola over k V and k, at a share of the largest closure.
+/// Force and tangent of the hyperbola, Eq. (44), over k V and k, at a share of the largest closure.
 double hyperbola(double share) {
     return share / (1 - share);
 }
@@ -18,7 +18,7 @@ double slope(double share) {
 }
 /// Energy over k V^2.
 double hyperbola_energy(double share) {
-    // For small shares the logarithm takes away what it is subtracted from.
+    // For small fractions the two terms cancel: series.
     if (share < 1e-3) return share * share * (1. / 2 + share * (1. / 3 + share * (1. / 4 + share / 5)));
     return -share - std::log1p(-share);
 }

@@ -2,23 +2,23 @@
 
 namespace rockslope::dda {
 
-/// How a joint closes under a normal force. Linear, or the hyperbola of Bandis et al. (1983), Eq. (44):
-/// F = k c / (1 - c/V), stiffer the more the joint is closed, and at most by V. Forces are N per metre with a
-/// stiffness in N/m per metre, or Pa with one in Pa/m; forces and closures are positive in compression. In
-/// tension, for bonded joints, it is linear.
+/// Normal force over closure of a joint: linear, or the hyperbola of Bandis et al. (1983), Eq. (44), F = k c
+/// / (1 - c/V), whose stiffness grows with the closure, which is below V. Forces are N per metre with a
+/// stiffness in N/m per metre, or Pa with a stiffness in Pa/m; forces and closures are positive in
+/// compression. In tension, for bonded joints, the curve is linear.
 ///
-/// Limits: loading and unloading follow one curve, where specimens lose energy in a cycle and settle; from
-/// 199/200 of the largest closure on, beyond any stress that rock bears, the curve goes on straight.
+/// Limits: loading and unloading follow one curve, whereas specimens lose energy in a cycle and settle; above
+/// 199/200 of the largest closure, beyond the strength of any rock, the curve is straight.
 struct NormalClosure {
-    double stiffness = 0;        ///< k, at no force; positive
+    double stiffness = 0;        ///< k, at zero force; positive
     double largest_closure = 0;  ///< V, m; 0: linear
 
     double force(double closure) const;
     /// m
     double closure(double force) const;
-    /// The stiffness at a force.
+    /// Tangent stiffness at a force.
     double tangent(double force) const;
-    /// What closing the joint to a force stores: J per metre, or per square metre.
+    /// Energy stored at a force: J per metre, or J per square metre.
     double energy(double force) const;
     bool is_linear() const { return largest_closure == 0; }
     friend bool operator==(const NormalClosure&, const NormalClosure&) = default;

@@ -11,6 +11,7 @@ PeakSpring PeakSpring::loaded(const NormalLoad& load, const BartonStrength& bart
     after.length = load.length;
     if (found_at_rest != 0 && !load.at_rest) return after;
     const double found = barton.shear_strength(load.normal_force, load.stressed_length, 1);
+    // The spring to the peak, Eq. (58).
     after.stiffness = std::max(stiffness, found / peak_displacement);
     after.found_at_rest = load.at_rest ? 1 : 0;
     return after;

@@ -6,26 +6,26 @@
 
 namespace rockslope::dda {
 
-/// The shear spring that takes a rough joint to its peak strength at its peak displacement, Eq. (58). It is
-/// that of the largest force the joint has borne at rest, in static stages, and stays so when it is shaken;
-/// one that has never been at rest has that of the largest force so far. It belongs to the joint: where faces
-/// overlap less, all of the spring is in what is left.
+/// Shear spring with which a rough joint reaches its peak strength at its peak displacement, Eq. (58). The
+/// normal force is the largest one at rest, in static stages, and dynamic stages do not change it; a joint
+/// that has never been at rest uses the largest force so far. The spring is that of the whole joint: where
+/// the faces overlap less than before, the remaining part has the whole spring.
 struct PeakSpring {
-    double stiffness = 0;            ///< N/m per metre, of the whole joint; 0: it has borne nothing yet
-    double length = 0;               ///< m, of the joint when it was loaded last
-    std::int64_t found_at_rest = 0;  ///< whether it was found at rest; an integer, for its bytes are written
+    double stiffness = 0;            ///< N/m per metre, of the whole joint; 0: not loaded yet
+    double length = 0;               ///< m, of the joint at its last loading
+    std::int64_t found_at_rest = 0;  ///< 1 if found at rest; an integer without padding, for checkpoints
 
-    /// The force that a joint bears, and where.
+    /// Normal force on a joint.
     struct NormalLoad {
         double normal_force = 0;     ///< N per metre
         double length = 0;           ///< m, of the whole joint
-        double stressed_length = 0;  ///< m, that the stress is computed with
+        double stressed_length = 0;  ///< m, length that the stress is computed with
         bool at_rest = false;
     };
-    /// The spring after the joint has borne a force. A joint without a length, a bare corner, has none.
-    /// @param peak_displacement m; 0: none.
+    /// The spring after a loading. A joint without a length, a bare vertex, has none. @param
+    /// peak_displacement m; 0: no spring.
     PeakSpring loaded(const NormalLoad& load, const BartonStrength& barton, double peak_displacement) const;
-    /// N/m per metre, of the part of the joint that has this length, m.
+    /// Stiffness of a part of the joint with this length (m), N/m per metre.
     double stiffness_of_part(double part) const;
     friend bool operator==(const PeakSpring&, const PeakSpring&) = default;
 };

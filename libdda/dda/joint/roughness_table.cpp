@@ -1,10 +1,15 @@
 #include "dda/joint/roughness_table.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+
+#include "common/base/text.hpp"
+#include "dda/joint/parameter_table.hpp"
 
 namespace rockslope::dda {
 
+/// The mobilised ratio, Eq. (59).
 double RoughnessTable::ratio(double x) const {
     const auto above = std::upper_bound(entries.begin(), entries.end(), x,
                                         [](double value, const Entry& entry) { return value < entry.x; });
@@ -25,6 +30,22 @@ double RoughnessTable::next_below(double x) const {
     for (const Entry& entry : entries)
         if (entry.x < x) nearest = entry.x;
     return nearest;
+}
+
+RoughnessTable RoughnessTable::read(const ParameterTable& table, std::string_view key) {
+    RoughnessTable roughness;
+    const auto refuse = [&](const std::string& what, const std::string& expected) {
+        table.fail(key, "'" + std::string(key) + "' in [" + table.path() + "] " + what, expected);
+    };
+    for (const auto& [x, ratio] : table.pairs(key)) {
+        const std::string where = "has the entry [" + shortest_text(x) + ", " + shortest_text(ratio) + "]";
+        if (x < 0 || (!roughness.entries.empty() && x <= roughness.entries.back().x))
+            refuse(where, "displacements over peak displacement that start at 0 or above and grow");
+        if (std::abs(ratio) > 1) refuse(where, "a mobilised ratio from -1 to 1");
+        roughness.entries.push_back({x, ratio});
+    }
+    if (roughness.entries.empty()) refuse("is empty", "at least one pair [x, ratio]");
+    return roughness;
 }
 
 RoughnessTable barton_1985() {

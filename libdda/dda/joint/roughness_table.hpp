@@ -1,11 +1,14 @@
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 namespace rockslope::dda {
 
-/// Mobilised over peak roughness as a function of x = displacement over peak displacement: linear between the
-/// entries and constant beyond them. Both numbers are dimensionless; x is never negative and grows.
+class ParameterTable;
+
+/// Mobilised over peak roughness as a function of x = displacement over peak displacement, Eq. (59): linear
+/// between the entries and constant beyond them. Both are dimensionless; x starts at 0 or above and grows.
 struct RoughnessTable {
     struct Entry {
         double x = 0;
@@ -15,16 +18,20 @@ struct RoughnessTable {
     std::vector<Entry> entries;  ///< at least one
 
     double ratio(double x) const;
-    /// The nearest entry's x beyond `x`, or infinity.
+    /// The nearest entry's x above `x`, or infinity.
     double next_above(double x) const;
     /// The nearest entry's x below `x`, or minus infinity.
     double next_below(double x) const;
 
+    /// The pairs [x, ratio] of a key. @throws InputError unless x starts at 0 or above and grows, and every
+    /// ratio is from -1 to 1.
+    static RoughnessTable read(const ParameterTable& table, std::string_view key);
+
     friend bool operator==(const RoughnessTable&, const RoughnessTable&) = default;
 };
 
-/// The mobilisation curve of Barton (1985). Its first entry stands for a total angle of zero, whatever the
-/// stress: friction too is mobilised from nothing. The ratio there is not used.
+/// The mobilisation curve of Barton (1985). At its first entry the total angle is zero, because friction too
+/// is mobilised from zero; the ratio of that entry is not used.
 RoughnessTable barton_1985();
 
 }  // namespace rockslope::dda

@@ -4,15 +4,15 @@
 
 namespace rockslope::dda {
 
-/// A joint that is sheared by itself, without blocks: a share of `length` m with a shear spring.
+/// State of a joint with a shear spring that is sheared without blocks.
 struct ShearedJoint {
     JointHistory history;
     double shear_force = 0;  ///< N per metre, resists motion in the positive direction
     double slip = 0;         ///< accumulated plastic slip, m
-    bool sliding = false;    ///< in the last displacement
+    bool sliding = false;    ///< during the last displacement
 };
 
-/// What loads the joint during a displacement.
+/// Load of the joint during a displacement, and its shear spring.
 struct JointLoad {
     double normal_force = 0;  ///< N per metre, compression positive
     double length = 0;        ///< m
@@ -20,8 +20,9 @@ struct JointLoad {
     double duration = 0;      ///< of the displacement, s; 0: static
 };
 
-/// The joint after a displacement (m, positive forward): the elastic predictor S + k s, clipped to the law's
-/// strength at the displacement's end, Eq. (32), and the history advanced. What a contact does in a step.
+/// The joint after a displacement (m, positive forward): the elastic predictor S + k s, limited to the law's
+/// strength at the end of the displacement, Eq. (32), and the advanced history. A contact does the same in a
+/// step.
 ShearedJoint shear(const JointLaw& law, const ShearedJoint& joint, double displacement,
                    const JointLoad& load);
 

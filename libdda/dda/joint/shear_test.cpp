@@ -9,7 +9,8 @@ namespace rockslope::dda {
 
 namespace {
 
-/// m, by which the joint, and what holds it, have given way normal to it since the start of the test.
+/// Closure of the joint and displacement of the boundary, normal to the joint, since the start of the test,
+/// m.
 double total_closure(const ShearTest& test, double normal_stress) {
     const NormalClosure closing{test.material.normal_stiffness, test.material.largest_closure};
     const double own =
@@ -27,10 +28,10 @@ class Specimen {
 
     /// Shears it to a displacement from the start.
     void shear_to(double displacement) {
-        const double way = displacement - displacement_;
-        if (test_.boundary != NormalBoundary::constant_stress) normal_stress_ = equilibrium(way);
-        joint_ = after(way, normal_stress_);
-        displacement_ += way;
+        const double increment = displacement - displacement_;
+        if (test_.boundary != NormalBoundary::constant_stress) normal_stress_ = equilibrium(increment);
+        joint_ = after(increment, normal_stress_);
+        displacement_ += increment;
     }
 
     ShearTestRow row() const {
@@ -46,15 +47,15 @@ class Specimen {
     JointLoad load(double normal_stress) const {
         return {normal_stress * test_.length, test_.length, stiffness_};
     }
-    ShearedJoint after(double way, double normal_stress) const {
-        return shear(law(), joint_, way, load(normal_stress));
+    ShearedJoint after(double displacement, double normal_stress) const {
+        return shear(law(), joint_, displacement, load(normal_stress));
     }
 
-    /// The normal stress in which dilation and what resists it agree, Eq. (67), or 0 if they part: by secants
-    /// inside a bracket.
-    double equilibrium(double way) const {
+    /// Normal stress at which dilation and total closure are equal, Eq. (67), or 0 if the joint opens. Secant
+    /// method within a bracket.
+    double equilibrium(double displacement) const {
         const auto excess = [&](double stress) {
-            return total_closure(test_, stress) - dilation(law(), after(way, stress).history);
+            return total_closure(test_, stress) - dilation(law(), after(displacement, stress).history);
         };
         double low = 0, below = excess(low);
         if (below >= 0) return 0;
@@ -70,7 +71,7 @@ class Specimen {
             (value < 0 ? low : high) = guess;
             (value < 0 ? below : above) = value;
         }
-        return -below < above ? low : high;  // where a reversal begins to count the dilation has a small jump
+        return -below < above ? low : high;  // the dilation has a small jump at a reversal
     }
 
     const ShearTest& test_;
@@ -91,8 +92,8 @@ double shear_stiffness(const ShearTest& test) {
 
 namespace {
 
-/// Goes along the path and shows `each` the specimen after every increment, and whether it is at a point of
-/// the path.
+/// Shears the specimen along the path. Calls `each` with the specimen after every increment, and with whether
+/// it is at a point of the path.
 template <class Each>
 void shear_along_path(const ShearTest& test, Each each) {
     Specimen specimen(test);

@@ -6,18 +6,18 @@
 
 namespace rockslope::dda {
 
-/// What holds the joint's faces together in a shear test.
+/// Normal boundary condition of a shear test.
 enum class NormalBoundary { constant_stress, constant_stiffness, constant_volume };
 
-/// A direct shear test of one joint, without blocks: what a laboratory does with a specimen.
+/// A direct shear test of one joint, without blocks, as in a laboratory.
 struct ShearTest {
     JointMaterial material;
     double length = 0;         ///< m, of the joint, positive
     double normal_stress = 0;  ///< Pa, at the start, compression positive
     NormalBoundary boundary = NormalBoundary::constant_stress;
-    double boundary_stiffness = 0;  ///< Pa/m, by which a constant stiffness resists dilation
-    std::vector<double> path;       ///< m, displacements to be visited in turn; it starts at 0
-    double increment = 0;           ///< m, the longest between two rows, positive
+    double boundary_stiffness = 0;  ///< Pa/m, for constant stiffness
+    std::vector<double> path;       ///< m, displacements in the order of the test, which starts at 0
+    double increment = 0;           ///< m, longest displacement between two rows, positive
 };
 
 struct ShearTestRow {
@@ -30,14 +30,14 @@ struct ShearTestRow {
     JointRecord record;
 };
 
-/// Pa/m, of the shear spring in the test: the material's, or else the law's at the first normal stress; 0 if
-/// neither says.
+/// Stiffness of the shear spring in the test, Pa/m: the material's, or else the law's at the initial normal
+/// stress; 0 if neither has one.
 double shear_stiffness(const ShearTest& test);
 
 /// The rows of a test, from the start at zero displacement. Under constant stress they do not depend on the
 /// increment. Otherwise the normal stress of a row is in equilibrium with its dilation, Eq. (67), and acts
-/// over the increment that led there. @pre shear_stiffness(test) > 0, and a joint that can be compressed if
-/// the volume is constant.
+/// during the increment before the row. @pre shear_stiffness(test) > 0, and a compressible joint if the
+/// volume is constant.
 std::vector<ShearTestRow> run_shear_test(const ShearTest& test);
 
 /// The rows at the points of the path only, one for each.

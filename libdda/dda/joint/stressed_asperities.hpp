@@ -4,15 +4,15 @@
 #include <cmath>
 
 #include "dda/joint/asperity_wear.hpp"
+#include "dda/joint/parameter_table.hpp"
 
 namespace rockslope::dda {
 
-/// Asperities that decay with the plastic work and that are climbed the less the harder the joint is
-/// compressed, Eq. (71): the angle of Eq. (70), with one term, times (1 - sigma/sigma_c)^kappa, and nothing
-/// above sigma_c. Source: Jing et al. (1993) for the idea that the angle falls with normal stress and with
-/// work; the form and the exponent are not checked against the paper, nor is there its dependence on the
-/// direction in space. Limits: as for Plesha's; the strength falls with normal stress where the angle falls
-/// too fast.
+/// Asperities whose angle falls with the plastic work and with the normal stress, Eq. (71): the angle of
+/// Eq. (70), with one term, times (1 - sigma/sigma_c)^kappa, and 0 above sigma_c. Source: Jing et al. (1993)
+/// let the angle fall with normal stress and with work; the form and the exponent are not checked against the
+/// paper, and its dependence on the direction in space is missing here. Limits: those of Plesha's law; the
+/// strength falls with the normal stress where the angle falls too fast.
 struct StressedAsperitiesSurface {
     static constexpr const char* name = "stressed-asperities";
 
@@ -22,8 +22,17 @@ struct StressedAsperitiesSurface {
     double wall_strength = 0;   ///< sigma_c, Pa, positive
     double exponent = 1;        ///< kappa, positive
 
+    static StressedAsperitiesSurface read(const ParameterTable& table) {
+        StressedAsperitiesSurface law;
+        law.friction_angle = table.friction_angle("friction_angle");
+        law.asperity_angle = read_asperity_angle(table, "asperity_angle", law.friction_angle);
+        law.wear = read_asperity_wear(table, "wear");
+        law.wall_strength = table.positive("wall_strength", Quantity::stress);
+        law.exponent = table.positive("exponent", Quantity::number, 1);
+        return law;
+    }
     AsperitySurface surface(double normal_force, double length) const {
-        // A bare corner has no stress that could be told: its asperities count as crushed.
+        // A bare vertex has no length and an infinite stress: its asperities are crushed.
         const double crushing_force = wall_strength * length;
         if (!(normal_force < crushing_force)) return {friction_angle, {}};
         const double compressed = std::max(normal_force, 0.0);

@@ -1,12 +1,13 @@
 #pragma once
 
 #include "dda/joint/asperity_wear.hpp"
+#include "dda/joint/parameter_table.hpp"
 
 namespace rockslope::dda {
 
-/// Two orders of asperities, waviness and unevenness, that decay with the plastic work each at its own rate:
-/// Eq. (70) with two terms. Source: Lee et al. (2001) as Ma et al. (2017) tell it, the asperity angle as the
-/// sum of two; the rates are not checked against the paper. Limits: as for Plesha's.
+/// Two orders of asperities, waviness and unevenness, each of which decays with the plastic work at its own
+/// rate: Eq. (70) with two terms. Source: Lee et al. (2001) as cited by Ma et al. (2017), where the asperity
+/// angle is the sum of two; the rates are not checked against the paper. Limits: those of Plesha's law.
 struct TwoOrderAsperitiesSurface {
     static constexpr const char* name = "two-order-asperities";
 
@@ -16,6 +17,16 @@ struct TwoOrderAsperitiesSurface {
     double unevenness_angle = 0;  ///< rad, second order, not negative; all three angles below pi/2
     double unevenness_wear = 0;   ///< m2/J
 
+    static TwoOrderAsperitiesSurface read(const ParameterTable& table) {
+        TwoOrderAsperitiesSurface law;
+        law.friction_angle = table.friction_angle("friction_angle");
+        law.waviness_angle = read_asperity_angle(table, "waviness_angle", law.friction_angle);
+        law.waviness_wear = read_asperity_wear(table, "waviness_wear");
+        law.unevenness_angle =
+            read_asperity_angle(table, "unevenness_angle", law.friction_angle + law.waviness_angle);
+        law.unevenness_wear = read_asperity_wear(table, "unevenness_wear");
+        return law;
+    }
     AsperitySurface surface(double, double) const {
         return {friction_angle, {{{waviness_angle, waviness_wear}, {unevenness_angle, unevenness_wear}}}};
     }

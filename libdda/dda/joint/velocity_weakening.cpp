@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dda/joint/parameter_table.hpp"
+
 namespace rockslope::dda {
 
 namespace {
-constexpr double largest_speed = 1e30;  ///< m/s; beyond any, so that a history stays finite
+constexpr double largest_speed = 1e30;  ///< m/s, above any real speed; keeps a history finite
 }
 
+/// tan(phi) at a speed, Eq. (72).
 double VelocityWeakening::friction(double v) const {
     const double peak = std::tan(friction_angle);
     if (v == 0) return peak;
@@ -17,7 +20,8 @@ double VelocityWeakening::friction(double v) const {
     return least + (peak - least) * std::exp(-v / speed);
 }
 
-Strength VelocityWeakening::strength(const History& history, double normal_force, double) const {
+Strength VelocityWeakening::strength(const History& history, double normal_force, double,
+                                     const ShearTrial&) const {
     const double bound = std::max(normal_force, 0.0) * friction(history.speed);
     return {bound, bound, 0};
 }
@@ -29,9 +33,20 @@ Strength VelocityWeakening::strength_slope(const History& history, double normal
 }
 
 VelocityWeakening::History VelocityWeakening::advance(const History&, const ContactMotion& motion) const {
-    // The slip holds what the spring gives when the strength changes: far more than the faces move.
+    // The plastic slip contains the unloading of the spring when the strength falls, which is much larger
+    // than the motion of the faces: the speed is taken from the displacement.
     if (!(motion.duration > 0) || motion.slip == 0) return {};
     return {std::min(std::abs(motion.displacement) / motion.duration, largest_speed)};
+}
+
+VelocityWeakening VelocityWeakening::read(const ParameterTable& table) {
+    VelocityWeakening law;
+    law.friction_angle = table.friction_angle("friction_angle");
+    law.residual_friction_angle = table.residual_friction_angle(law.friction_angle);
+    law.speed = table.positive("weakening_speed", Quantity::velocity);
+    if (table.choice("weakening", {"exponential", "logarithmic"}) == "logarithmic")
+        law.rate = table.positive("weakening_rate", Quantity::number);
+    return law;
 }
 
 JointRecord VelocityWeakening::record(const History& history) const {

@@ -4,16 +4,16 @@
 
 namespace rockslope::dda {
 
-/// Friction that falls with the speed of slip, Eq. (72): tan(phi) goes from its static to its least value
-/// like exp(-v/v_c) or, with a `rate` b, as tan(phi) - b ln(1 + v/v_c) until the least value is reached.
-/// Sources: velocity-dependent friction in discontinuous deformation analysis is that of Sitar et al. (2005)
-/// and Bakun-Mazor et al. (2012), the logarithm that of steady rate-and-state friction; neither the curves
-/// nor any number is checked against the papers. Limits: the speed is that of the faces in the last accepted
-/// step if it slipped, so the strength follows it one step late; there is no ageing and no slip over which
-/// the friction adapts; what was lost is there again as soon as the joint rests. A step that does not tell
-/// its duration is static.
+/// Friction that falls with the speed of slip, Eq. (72): tan(phi) goes from its static to its residual value
+/// like exp(-v/v_c) or, with a `rate` b, as tan(phi) - b ln(1 + v/v_c) down to the residual value. Sources:
+/// Sitar et al. (2005) and Bakun-Mazor et al. (2012) use velocity-dependent friction in DDA; the logarithm is
+/// that of steady rate-and-state friction; neither the curves nor any number is checked against the papers.
+/// Limits: the speed is that of the faces in the last accepted step if it slipped, so the strength lags by
+/// one step; no ageing, no slip distance over which the friction adapts; full recovery as soon as the joint
+/// rests. A step without a duration is static.
 struct VelocityWeakening {
     static constexpr const char* name = "velocity-weakening";
+    static constexpr HistoryScope history_scope = HistoryScope::joint_segment;
 
     double friction_angle = 0;           ///< rad, at rest, in [0, pi/2)
     double residual_friction_angle = 0;  ///< rad, at most friction_angle
@@ -25,11 +25,20 @@ struct VelocityWeakening {
         friend bool operator==(const History&, const History&) = default;
     };
 
+    static constexpr NoCommonHistories<History> common_histories() { return {}; }
+
+    static VelocityWeakening read(const ParameterTable& table);
+    bool dilates() const { return false; }
+    std::optional<CoulombEnvelope> coulomb_envelope() const { return std::nullopt; }
     History fresh(bool) const { return {}; }
-    Strength strength(const History& history, double normal_force, double length) const;
+    Strength strength(const History& history, double normal_force, double length,
+                      const ShearTrial& trial = {}) const;
     Strength strength_slope(const History& history, double normal_force, double length) const;
+    /// None: a joint segment's strength is linearised with its other contacts.
+    std::optional<CoulombLine> bound_line(const History&) const { return std::nullopt; }
     History advance(const History& history, const ContactMotion& motion) const;
-    /// The mobilised ratio is the share of the friction between rest and least that is left.
+    double shear_stiffness(const History&, double, double) const { return 0; }
+    /// The mobilised ratio is (tan phi - residual) / (static - residual).
     JointRecord record(const History& history) const;
 
   private:

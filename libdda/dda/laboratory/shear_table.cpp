@@ -30,7 +30,7 @@ std::vector<std::string_view> fields_of(std::string_view line) {
     return fields;
 }
 
-/// A column that is kept: where it stands, where it goes and the factor to SI.
+/// A column to be read: its index in the row, its destination and its factor to SI.
 struct Column {
     std::size_t field = 0;
     std::vector<double>* values = nullptr;
@@ -49,7 +49,7 @@ constexpr std::array<Quantity, 4> quantities = {{
     {"normal stress", Dimension::stress, &ShearTable::normal_stress},
 }};
 
-/// @param prefix of the columns' names: those without it are skipped.
+/// Reads the heading of a table. @param prefix columns whose names do not begin with it are skipped.
 std::vector<Column> read_heading(std::string_view line, const SourceLocation& place, std::string_view prefix,
                                  ShearTable& table) {
     std::vector<Column> columns;
@@ -119,7 +119,7 @@ std::optional<Misfit> misfit(const std::vector<ShearTestRow>& rows, const std::v
     return result;
 }
 
-/// The lines of a table that are no comments, with their numbers.
+/// Calls visit(line, place) for every line that is neither empty nor a comment.
 template <class Visit>
 void for_each_line(const std::string& text, const std::filesystem::path& file, const Visit& visit) {
     int number = 0;
@@ -134,7 +134,7 @@ void for_each_line(const std::string& text, const std::filesystem::path& file, c
 
 ShearTable checked(ShearTable table, const std::filesystem::path& file) {
     if (table.displacement.empty())
-        throw InputError({file.string()}, "holds no points", "a heading and at least one row");
+        throw InputError({file.string()}, "has no data rows", "a heading and at least one row");
     return table;
 }
 

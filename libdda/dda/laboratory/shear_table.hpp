@@ -17,27 +17,28 @@ struct ShearTable {
     std::vector<double> normal_stress;  ///< Pa
 };
 
-/// Reads a CSV table: apart by commas or semicolons, lines that begin with # skipped, the first other line a
-/// heading of names with units, such as "displacement (mm),shear stress (MPa),dilation (mm),normal stress
-/// (kPa)". `displacement` must be there; other columns are skipped. @throws InputError with file:line.
+/// Reads a CSV table, separated by commas or semicolons. Lines that begin with # are skipped. The first other
+/// line is a heading of names with units, such as "displacement (mm),shear stress (MPa),dilation (mm),normal
+/// stress (kPa)". The column `displacement` is required; unknown columns are skipped.
+/// @throws InputError with file and line.
 ShearTable read_shear_table(const std::filesystem::path& file);
-/// The columns of one measured joint in a run's joints.csv, from where displacements last began to count
-/// anew: the second of two rows of one time.
+/// Reads the columns of a measured joint from a run's joints.csv, starting where displacements were last
+/// zeroed, which is the second of two rows with the same time.
 ShearTable read_measured_joint(const std::filesystem::path& file, const std::string& joint);
 
-/// The rows as CSV, with a heading that read_shear_table reads.
+/// The rows as CSV, with a heading that read_shear_table accepts.
 std::string shear_rows_csv(const std::vector<ShearTestRow>& rows);
 
-/// How far computed values are from measured ones.
+/// Difference between computed and measured values, in their unit.
 struct Misfit {
     double root_mean_square = 0;
     double largest = 0;  ///< magnitude
-    double at = 0;       ///< m, displacement where it is
+    double at = 0;       ///< m, displacement of the largest difference
 };
 
-/// A test driven along the displacements of a table, and its differences from the columns that the table has.
+/// A test run along the displacements of a table, and its misfit to each column of the table.
 struct Comparison {
-    std::vector<ShearTestRow> rows;  ///< one for each point of the table
+    std::vector<ShearTestRow> rows;  ///< one per point of the table
     std::optional<Misfit> shear_stress, dilation, normal_stress;
 };
 Comparison compare(ShearTest test, const ShearTable& measured);

@@ -6,8 +6,8 @@
 
 namespace rockslope::dda {
 
-/// Scalars without initial values, aligned to a cache line. Keeps its memory until more is asked for, or none
-/// is needed.
+/// Uninitialised scalars, aligned to a cache line of 64 bytes. Growing discards the contents; a smaller size
+/// keeps the memory until release().
 template <class Scalar>
 class AlignedBuffer {
   public:

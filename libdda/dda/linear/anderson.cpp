@@ -15,11 +15,9 @@ Eigen::VectorXd AndersonMixing::next(const Eigen::VectorXd& x, const Eigen::Vect
             image_changes_.pop_front();
         }
         Eigen::MatrixXd changes(residual.size(), static_cast<Eigen::Index>(residual_changes_.size()));
-        for (Eigen::Index k = 0; k < changes.cols(); ++k)
-            changes.col(k) = residual_changes_[static_cast<std::size_t>(k)];
+        for (Eigen::Index k = 0; k < changes.cols(); ++k) changes.col(k) = residual_changes_[k];
         const Eigen::VectorXd weights = changes.colPivHouseholderQr().solve(residual);
-        for (Eigen::Index k = 0; k < changes.cols(); ++k)
-            mixed -= weights[k] * image_changes_[static_cast<std::size_t>(k)];
+        for (Eigen::Index k = 0; k < changes.cols(); ++k) mixed -= weights[k] * image_changes_[k];
     }
     last_residual_ = residual;
     last_image_ = image;

@@ -5,15 +5,16 @@
 
 namespace rockslope::dda {
 
-/// Anderson's acceleration of a fixed-point iteration x = g(x): the next iterate combines the last few so
-/// that their combined residual g(x) - x is least. For an affine g it is the generalised minimal residual
-/// method, and converges where plain iteration oscillates or grows. [Anderson 1965; Walker & Ni 2011]
+/// Anderson acceleration of a fixed-point iteration x = g(x). The next iterate is the linear combination of
+/// the last few g(x) that minimises the norm of the combined residual g(x) - x. For an affine g it is
+/// equivalent to GMRES, and converges where plain iteration oscillates or grows. [Anderson 1965; Walker & Ni
+/// 2011]
 class AndersonMixing {
   public:
-    /// @param memory how many earlier steps it combines; with none (0 or less) it is plain iteration.
+    /// @param memory number of earlier iterates combined; 0 or less is plain iteration.
     explicit AndersonMixing(int memory) : memory_(memory) {}
 
-    /// The next iterate from x and g(x).
+    /// The next iterate. @param image g(x).
     Eigen::VectorXd next(const Eigen::VectorXd& x, const Eigen::VectorXd& image);
 
   private:

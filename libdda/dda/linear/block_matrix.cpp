@@ -10,7 +10,7 @@ constexpr std::size_t max_chunks = 8;
 constexpr std::size_t min_chunk_length = 128;
 }  // namespace
 
-BlockPattern BlockPattern::from_pairs(int size, std::vector<std::pair<int, int>> pairs) {
+BlockPattern BlockPattern::from_pairs(std::size_t size, std::vector<std::pair<RowIndex, RowIndex>> pairs) {
     for (auto& [i, j] : pairs) {
         if (i > j) std::swap(i, j);
     }
@@ -19,44 +19,44 @@ BlockPattern BlockPattern::from_pairs(int size, std::vector<std::pair<int, int>>
 
     BlockPattern pattern;
     pattern.size = size;
-    pattern.start.assign(static_cast<std::size_t>(size) + 1, 0);
+    pattern.start.assign(size + 1, 0);
     pattern.columns.reserve(pairs.size());
     for (const auto& [i, j] : pairs) {
-        ++pattern.start[static_cast<std::size_t>(i) + 1];
+        ++pattern.start[i + 1];
         pattern.columns.push_back(j);
     }
-    for (std::size_t i = 0; i < static_cast<std::size_t>(size); ++i) pattern.start[i + 1] += pattern.start[i];
+    for (std::size_t i = 0; i < size; ++i) pattern.start[i + 1] += pattern.start[i];
     return pattern;
 }
 
-int BlockPattern::position(int row, int column) const {
-    const auto first = columns.begin() + start[static_cast<std::size_t>(row)];
-    const auto last = columns.begin() + start[static_cast<std::size_t>(row) + 1];
+std::size_t BlockPattern::position(RowIndex row, RowIndex column) const {
+    const auto first = columns.begin() + start[row];
+    const auto last = columns.begin() + start[row + 1];
     const auto found = std::lower_bound(first, last, column);
     assert(found != last && *found == column);
-    return static_cast<int>(found - columns.begin());
+    return found - columns.begin();
 }
 
 void BlockMatrix::reset(const BlockPattern& pattern) {
-    diagonal.assign(static_cast<std::size_t>(pattern.size), Mat6::Zero());
+    diagonal.assign(pattern.size, Mat6::Zero());
     upper.assign(pattern.columns.size(), Mat6::Zero());
 }
 
-// Portions of rows, which depend on their number alone, by whoever is free: each entry is read once and
-// serves both of its rows. What an entry gives to a row of a later chunk waits until all have ended; where
-// blocks that touch have numbers near each other these are few.
+// Threads take chunks of rows. The chunks depend only on the number of rows, so the sums do not depend on
+// the number of threads. Each upper entry is read once and contributes to both of its rows. Contributions to
+// a row of a later chunk are added serially at the end; there are few where touching blocks have near
+// numbers.
 void BlockMatrix::multiply(const BlockPattern& pattern, std::span<const Vec6> x, std::span<Vec6> y,
                            const ThreadPool& pool) const {
     const std::size_t length = std::max(min_chunk_length, (x.size() + max_chunks - 1) / max_chunks);
     const std::size_t chunks = (x.size() + length - 1) / length;
     const auto end_of = [&](std::size_t chunk) { return std::min((chunk + 1) * length, x.size()); };
-    const auto begin_of_row = [&](std::size_t i) { return static_cast<std::size_t>(pattern.start[i]); };
-    const auto column = [&](std::size_t k) { return static_cast<std::size_t>(pattern.columns[k]); };
+    const auto column = [&](std::size_t k) { return std::size_t{pattern.columns[k]}; };
     pool.parallel_for_dynamic(chunks, [&](std::size_t chunk, std::size_t) {
         const std::size_t end = end_of(chunk);
         for (std::size_t i = chunk * length; i < end; ++i) y[i].noalias() = diagonal[i] * x[i];
         for (std::size_t i = chunk * length; i < end; ++i) {
-            for (std::size_t k = begin_of_row(i); k < begin_of_row(i + 1); ++k) {
+            for (std::size_t k = pattern.start[i]; k < pattern.start[i + 1]; ++k) {
                 const std::size_t j = column(k);
                 y[i].noalias() += upper[k] * x[j];
                 if (j < end) y[j].noalias() += upper[k].transpose() * x[i];
@@ -66,18 +66,18 @@ void BlockMatrix::multiply(const BlockPattern& pattern, std::span<const Vec6> x,
     for (std::size_t chunk = 0; chunk + 1 < chunks; ++chunk) {
         const std::size_t end = end_of(chunk);
         for (std::size_t i = chunk * length; i < end; ++i) {
-            for (std::size_t k = begin_of_row(i + 1); k-- > begin_of_row(i) && column(k) >= end;)
+            for (std::size_t k = pattern.start[i + 1]; k-- > pattern.start[i] && column(k) >= end;)
                 y[column(k)].noalias() += upper[k].transpose() * x[i];
         }
     }
 }
 
-void BlockMatrix::add_outer(const BlockPattern& pattern, int i, int j, const Vec6& first,
+void BlockMatrix::add_outer(const BlockPattern& pattern, RowIndex i, RowIndex j, const Vec6& first,
                             const Vec6& second) {
     if (i < j) {
-        upper[static_cast<std::size_t>(pattern.position(i, j))].noalias() += first * second.transpose();
+        upper[pattern.position(i, j)].noalias() += first * second.transpose();
     } else {
-        upper[static_cast<std::size_t>(pattern.position(j, i))].noalias() += second * first.transpose();
+        upper[pattern.position(j, i)].noalias() += second * first.transpose();
     }
 }
 

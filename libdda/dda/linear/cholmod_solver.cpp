@@ -14,11 +14,12 @@ namespace {
 
 constexpr int unknowns = 6;
 
-/// Keeps CHOLMOD's and the BLAS' own threads out: they wait for each other longer than a supernode of a few
-/// blocks takes (four threads on two cores cost five times the time), and sums would depend on their number.
+/// Makes CHOLMOD and the BLAS single-threaded. Their threads wait for each other longer than a supernode of a
+/// few blocks takes (four threads on two cores take five times as long), and the sums would depend on the
+/// number of threads.
 void stay_single_threaded() {
     omp_set_max_active_levels(0);
-    // Only OpenBLAS has this function; another BLAS is left alone.
+    // Only OpenBLAS has this function. Other BLAS libraries keep their setting.
     using SetThreads = void (*)(int);
     if (auto* set_threads = reinterpret_cast<SetThreads>(dlsym(RTLD_DEFAULT, "openblas_set_num_threads")))
         set_threads(1);
@@ -47,7 +48,7 @@ class CholmodSolver final : public LinearSolver {
     CholmodSolver(const CholmodSolver&) = delete;
     CholmodSolver& operator=(const CholmodSolver&) = delete;
 
-    /// The matrix is kept in the order of elimination: one that CHOLMOD has to permute for each factorisation
+    /// The scalar matrix is stored in elimination order. Letting CHOLMOD permute it at each factorisation
     /// costs a tenth more.
     void analyze(const BlockPattern& pattern) override {
         release();
@@ -66,8 +67,7 @@ class CholmodSolver final : public LinearSolver {
 
     void solve(std::vector<Vec6>& right_hand_side) override {
         permuted_.resize(order_.size());
-        for (std::size_t k = 0; k < order_.size(); ++k)
-            permuted_[k] = right_hand_side[static_cast<std::size_t>(order_[k])];
+        for (std::size_t k = 0; k < order_.size(); ++k) permuted_[k] = right_hand_side[order_[k]];
         cholmod_dense b{};
         b.nrow = order_.size() * unknowns;
         b.ncol = 1;
@@ -82,7 +82,7 @@ class CholmodSolver final : public LinearSolver {
         }
         const auto* solved = static_cast<const double*>(solution_->x);
         for (const int block : order_) {
-            right_hand_side[static_cast<std::size_t>(block)] = Eigen::Map<const Vec6>(solved);
+            right_hand_side[block] = Eigen::Map<const Vec6>(solved);
             solved += unknowns;
         }
     }
@@ -93,24 +93,23 @@ class CholmodSolver final : public LinearSolver {
         cholmod_free_sparse(&matrix_, &common_);
     }
 
-    /// A submatrix below the diagonal, in the order of elimination.
+    /// A submatrix below the diagonal, in elimination order.
     struct LowerBlock {
         int row = 0;
-        int source = 0;           ///< index into BlockMatrix::upper
-        bool transposed = false;  ///< it is the source's transpose
+        std::uint32_t source = 0;  ///< index into BlockMatrix::upper
+        bool transposed = false;   ///< the transpose of the source is stored
     };
 
-    /// Finds what lies below the diagonal in each column block.
+    /// Finds the submatrices below the diagonal in each block column.
     void find_lower_blocks(const BlockPattern& pattern) {
-        std::vector<int> place(order_.size());
-        for (std::size_t k = 0; k < order_.size(); ++k)
-            place[static_cast<std::size_t>(order_[k])] = static_cast<int>(k);
+        std::vector<int> position(order_.size());
+        for (std::size_t k = 0; k < order_.size(); ++k) position[order_[k]] = static_cast<int>(k);
         lower_blocks_.assign(order_.size(), {});
         for (std::size_t i = 0; i < order_.size(); ++i) {
-            for (int k = pattern.start[i]; k < pattern.start[i + 1]; ++k) {
-                const int a = place[i];
-                const int b = place[static_cast<std::size_t>(pattern.columns[static_cast<std::size_t>(k)])];
-                lower_blocks_[static_cast<std::size_t>(std::min(a, b))].push_back({std::max(a, b), k, a < b});
+            for (std::uint32_t k = pattern.start[i]; k < pattern.start[i + 1]; ++k) {
+                const int a = position[i];
+                const int b = position[pattern.columns[k]];
+                lower_blocks_[std::min(a, b)].push_back({std::max(a, b), k, a < b});
             }
         }
         for (auto& column : lower_blocks_)
@@ -119,7 +118,7 @@ class CholmodSolver final : public LinearSolver {
         entry_count_ = order_.size() * 21 + pattern.columns.size() * 36;
     }
 
-    /// The lower triangle by columns.
+    /// Allocates the lower triangle in compressed columns and sets its pattern.
     void allocate_scalar_matrix() {
         const std::size_t size = order_.size() * unknowns;
         matrix_ = cholmod_allocate_sparse(size, size, entry_count_, 1, 1, -1, CHOLMOD_REAL, &common_);
@@ -144,11 +143,11 @@ class CholmodSolver final : public LinearSolver {
     void fill_values(const BlockMatrix& matrix) {
         auto* value = static_cast<double*>(matrix_->x);
         for (std::size_t i = 0; i < order_.size(); ++i) {
-            const Mat6& diagonal = matrix.diagonal[static_cast<std::size_t>(order_[i])];
+            const Mat6& diagonal = matrix.diagonal[order_[i]];
             for (int k = 0; k < unknowns; ++k) {
                 for (int m = k; m < unknowns; ++m) *value++ = diagonal(m, k);
                 for (const LowerBlock& entry : lower_blocks_[i]) {
-                    const Mat6& upper = matrix.upper[static_cast<std::size_t>(entry.source)];
+                    const Mat6& upper = matrix.upper[entry.source];
                     for (int m = 0; m < unknowns; ++m)
                         *value++ = entry.transposed ? upper(k, m) : upper(m, k);
                 }
@@ -157,10 +156,10 @@ class CholmodSolver final : public LinearSolver {
     }
 
     cholmod_common common_{};
-    std::vector<int> order_;                             ///< of elimination
-    std::vector<std::vector<LowerBlock>> lower_blocks_;  ///< by column block, rows ascending
-    std::size_t entry_count_ = 0;                        ///< of the lower triangle
-    std::vector<Vec6> permuted_;                         ///< a right-hand side in the order of elimination
+    std::vector<int> order_;                             ///< elimination order
+    std::vector<std::vector<LowerBlock>> lower_blocks_;  ///< by block column, rows ascending
+    std::size_t entry_count_ = 0;                        ///< scalars in the lower triangle
+    std::vector<Vec6> permuted_;                         ///< right-hand side in elimination order
     cholmod_sparse* matrix_ = nullptr;
     cholmod_factor* factor_ = nullptr;
     cholmod_dense* solution_ = nullptr;

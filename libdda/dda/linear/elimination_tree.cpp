@@ -5,24 +5,23 @@
 
 namespace rockslope::dda {
 
-std::vector<int> elimination_tree(const BlockPattern& pattern, const std::vector<int>& place) {
-    const std::size_t size = place.size();
+std::vector<int> elimination_tree(const BlockPattern& pattern, const std::vector<int>& position) {
+    const std::size_t size = position.size();
     std::vector<std::vector<int>> earlier(size);  // neighbours eliminated before
     for (std::size_t i = 0; i < size; ++i) {
-        for (int k = pattern.start[i]; k < pattern.start[i + 1]; ++k) {
-            const auto [first, last] = std::minmax(
-                place[i], place[static_cast<std::size_t>(pattern.columns[static_cast<std::size_t>(k)])]);
-            earlier[static_cast<std::size_t>(last)].push_back(first);
+        for (std::uint32_t k = pattern.start[i]; k < pattern.start[i + 1]; ++k) {
+            const auto [first, last] = std::minmax(position[i], position[pattern.columns[k]]);
+            earlier[last].push_back(first);
         }
     }
     std::vector<int> parent(size, -1);
-    std::vector<int> ancestor(size, -1);  // as far up as is known, to shorten the walks
+    std::vector<int> ancestor(size, -1);  // path compression
     for (std::size_t k = 0; k < size; ++k) {
-        for (int at : earlier[k]) {
-            while (at != -1 && at != static_cast<int>(k)) {
-                const auto here = static_cast<std::size_t>(at);
-                at = std::exchange(ancestor[here], static_cast<int>(k));
-                if (at == -1) parent[here] = static_cast<int>(k);
+        for (int node : earlier[k]) {
+            while (node != -1 && node != static_cast<int>(k)) {
+                const int current = node;
+                node = std::exchange(ancestor[current], static_cast<int>(k));
+                if (node == -1) parent[current] = static_cast<int>(k);
             }
         }
     }
@@ -30,10 +29,9 @@ std::vector<int> elimination_tree(const BlockPattern& pattern, const std::vector
 }
 
 std::vector<int> inverse_permutation(const std::vector<int>& order) {
-    std::vector<int> place(order.size());
-    for (std::size_t k = 0; k < order.size(); ++k)
-        place[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
-    return place;
+    std::vector<int> position(order.size());
+    for (std::size_t k = 0; k < order.size(); ++k) position[order[k]] = static_cast<int>(k);
+    return position;
 }
 
 }  // namespace rockslope::dda

@@ -6,12 +6,12 @@
 
 namespace rockslope::dda {
 
-/// The parent of each block in the elimination tree of a given order, by places in it; -1 for a root. [Liu
-/// 1990]
-/// @param place per block, where it stands in the order.
-std::vector<int> elimination_tree(const BlockPattern& pattern, const std::vector<int>& place);
+/// The elimination tree of an order: parent[k] is the parent of the k-th eliminated block, as a position in
+/// the order; -1 for a root. [Liu 1990]
+/// @param position per block, its position in the order.
+std::vector<int> elimination_tree(const BlockPattern& pattern, const std::vector<int>& position);
 
-/// Where each block stands in an order.
+/// Position of each block in an order.
 std::vector<int> inverse_permutation(const std::vector<int>& order);
 
 }  // namespace rockslope::dda

@@ -8,14 +8,15 @@ namespace rockslope::dda {
 
 namespace {
 
-/// Vectors of Bytes bytes; Rows of them are worked on together: with six columns they fill the registers.
+/// Kernels with vectors of Bytes bytes. A tile of Rows vectors times six columns fills the registers.
 template <class Scalar, int Bytes, int Rows>
 struct Kernels : Strips<Scalar, Bytes> {
     using S = Strips<Scalar, Bytes>;
     using Vector = typename S::Vector;
     using S::lanes, S::per_strip, S::row_at, S::unknowns, S::vector_at, S::w;
 
-    /// sum -= A B^T: R vectors of rows from `first`, the six rows of B, both over `count` columns.
+    /// sum -= A B^T over `count` columns. A: R vectors of rows from `first_vector` on; B: six rows from
+    /// `b_row`.
     template <int R>
     DDA_KERNEL static void subtract_product(Vector (&sum)[R][unknowns], const Scalar* a, int first_vector,
                                             const Scalar* b, int b_row, int columns, int count) {
@@ -36,7 +37,7 @@ struct Kernels : Strips<Scalar, Bytes> {
         }
     }
 
-    /// sum = sum L^-T with the factor of the six columns' own square.
+    /// sum = sum L^-T. @param square factor L of the diagonal block of the six columns.
     template <int R>
     DDA_KERNEL static void solve_diagonal_block(Vector (&sum)[R][unknowns], const Scalar* square) {
 #pragma GCC unroll 6
@@ -71,7 +72,8 @@ struct Kernels : Strips<Scalar, Bytes> {
         }
     }
 
-    /// Six columns of R vectors of rows: takes what earlier columns contribute, and solves with a square.
+    /// Six columns of R vectors of rows. Update: subtracts the products of earlier columns. Solve: solves
+    /// with the diagonal block `square`.
     template <int R, bool Update, bool Solve>
     DDA_KERNEL static void columns_of_rows(Scalar* rows, const Scalar* pivots, const Scalar* square,
                                            int first_vector, int column, int columns) {
@@ -95,7 +97,7 @@ struct Kernels : Strips<Scalar, Bytes> {
         for (; v < end; ++v) columns_of_rows<1, Update, Solve>(rows, pivots, square, v, column, columns);
     }
 
-    /// The factor of a 6x6 submatrix on the diagonal, into `square`.
+    /// Factorises a 6x6 diagonal block into `square`.
     DDA_KERNEL static bool factor_diagonal_block(const Scalar* strips, int column, int columns,
                                                  Scalar* square) {
         for (int q = 0; q < unknowns; ++q) {
@@ -141,10 +143,10 @@ struct Kernels : Strips<Scalar, Bytes> {
         const int columns = pivots * unknowns;
         Scalar* strips = panel + diagonal_blocks_size<Scalar>(pivots);
         Scalar* rows = strips + static_cast<long>((columns + w - 1) / w) * w * columns;
-        // A few strips at a time stay in the cache for all columns.
-        constexpr int together = Rows > per_strip ? Rows : per_strip;
-        for (int v = begin * per_strip; v < end * per_strip; v += together) {
-            const int last = v + together < end * per_strip ? v + together : end * per_strip;
+        // Few strips in a pass, so that they stay in the cache for all columns.
+        constexpr int vectors_per_pass = Rows > per_strip ? Rows : per_strip;
+        for (int v = begin * per_strip; v < end * per_strip; v += vectors_per_pass) {
+            const int last = v + vectors_per_pass < end * per_strip ? v + vectors_per_pass : end * per_strip;
             for (int column = 0; column < columns; column += unknowns)
                 columns_of_all_rows<true, true>(rows, strips, panel + column * unknowns, v, last, column,
                                                 columns);
@@ -157,13 +159,14 @@ struct Kernels : Strips<Scalar, Bytes> {
         Vector sum[R][unknowns] = {};
         subtract_product<R>(sum, rows, first_vector, rows, column, columns, columns);
         const auto j = static_cast<std::size_t>(column / unknowns);
-        const auto first_row = static_cast<int>(first_update_row(j, w));
-        Scalar* kept = update + update_column_offset(j, static_cast<std::size_t>(stride), w);
+        const int first_row = first_update_row(j, w);
+        Scalar* block_column = update + update_column_offset(j, static_cast<std::size_t>(stride), w);
         for (int r = 0; r < R; ++r) {
             if ((first_vector + r) * lanes < first_row) continue;
 #pragma GCC unroll 6
             for (int q = 0; q < unknowns; ++q) {
-                Scalar* at = kept + q * (stride - first_row) + static_cast<long>(first_vector + r) * lanes;
+                Scalar* at =
+                    block_column + q * (stride - first_row) + static_cast<long>(first_vector + r) * lanes;
                 *reinterpret_cast<Vector*>(at) = sum[r][q];
             }
         }
@@ -175,17 +178,18 @@ struct Kernels : Strips<Scalar, Bytes> {
         const Scalar* rows = panel + diagonal_blocks_size<Scalar>(pivots) +
                              static_cast<long>((columns + w - 1) / w) * w * columns;
         const int vectors = row_strips * per_strip;
-        const auto below = [&](int v, int count) {  // columns that these rows are on or below the diagonal of
-            const int reached = ((v + count) * lanes + unknowns - 1) / unknowns;
-            return reached < end ? reached : end;
+        // End of the block columns in which these vectors of rows are on or below the diagonal.
+        const auto column_end = [&](int v, int count) {
+            const int diagonal_end = ((v + count) * lanes + unknowns - 1) / unknowns;
+            return diagonal_end < end ? diagonal_end : end;
         };
         int v = begin * unknowns / lanes;
         for (; v + Rows <= vectors; v += Rows) {
-            for (int j = begin; j < below(v, Rows); ++j)
+            for (int j = begin; j < column_end(v, Rows); ++j)
                 form_tile<Rows>(rows, v, j * unknowns, columns, update, stride);
         }
         for (; v < vectors; ++v) {
-            for (int j = begin; j < below(v, 1); ++j)
+            for (int j = begin; j < column_end(v, 1); ++j)
                 form_tile<1>(rows, v, j * unknowns, columns, update, stride);
         }
     }

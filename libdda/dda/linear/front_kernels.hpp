@@ -4,32 +4,32 @@
 
 namespace rockslope::dda {
 
-/// The dense work on a front. A panel's rows are stored in strips: scalar (r, c) of a panel of k block
-/// columns is at ((r / w) * 6 k + c) * w + r % w, w = strip_rows<Scalar>, so that work on a few rows reads
-/// memory straight ahead. Above the diagonal submatrices a panel is zero. Before the strips are the factors
-/// of the diagonal submatrices, 36 scalars each by rows, with the reciprocals of their diagonals.
+/// The dense kernels of a front. The rows of a panel are stored in strips: scalar (r, c) of a panel of k
+/// block columns is at ((r / w) * 6 k + c) * w + r % w, w = strip_rows<Scalar>, so that work on a few rows
+/// reads memory sequentially. The panel is zero above its diagonal blocks. The factors of the diagonal
+/// blocks precede the strips, 36 scalars each by rows, with the reciprocals of their diagonals.
 ///
-/// One set of them for each width of the processor's vectors; each gives the same bytes for the same panel,
-/// whoever calls it and in whatever chunks.
+/// There is one set of kernels for each vector width of the processor. A set gives the same bytes for the
+/// same panel on any thread and in any chunks.
 template <class Scalar>
 struct FrontKernels {
-    /// Factorises the pivots' square. @return false when it is not positive definite.
+    /// Factorises the pivot block A11 = L11 L11^T. @return false when it is not positive definite.
     bool (*factor_pivots)(Scalar* panel, int pivots);
-    /// L21 = A21 L11^-T in strips [begin, end) of the rows that the front reaches.
+    /// L21 = A21 L11^-T in strips [begin, end) of the rows below the pivots.
     void (*solve_rows)(Scalar* panel, int pivots, int begin, int end);
-    /// Block columns [begin, end) of -L21 L21^T, on and below the diagonal.
+    /// Sets block columns [begin, end) of the update to -L21 L21^T, on and below the diagonal.
     void (*form_update)(const Scalar* panel, int pivots, int row_strips, Scalar* update, long stride,
                         int begin, int end);
-    /// Inverts, in the pivots' square, groups of block columns on the diagonal: substitutions read those. The
-    /// rows have to be solved before.
+    /// Inverts the diagonal blocks of L11 in groups of block columns, for the substitutions. Comes after
+    /// solve_rows.
     void (*invert_groups)(Scalar* panel, int pivots);
-    /// x, by rows of the panel: solves L11 y = x1 and takes L21 y from x2.
+    /// Forward substitution with x = (x1, x2) by rows of the panel: x1 = L11^-1 x1, x2 -= L21 x1.
     void (*forward)(const Scalar* panel, int pivots, int strips, Scalar* x);
-    /// Solves L11^T x1 = y1 - L21^T x2.
+    /// Backward substitution: x1 = L11^-T (x1 - L21^T x2).
     void (*backward)(const Scalar* panel, int pivots, int strips, Scalar* x);
 };
 
-/// The sets that this processor can run, the widest first.
+/// The sets that this processor can run, the widest vectors first.
 template <class Scalar>
 std::span<const FrontKernels<Scalar>> front_kernels();
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int unknowns = 6;
 
-/// Adds a 6x6 submatrix, column c at source + c * stride, to a panel's strips.
+/// Adds a 6x6 submatrix to the strips of a panel. @param source source(r, c) is its entry.
 template <class Scalar, class Source>
 void add_to_strips(Scalar* strips, int row, int block_column, int columns, const Source& source) {
     constexpr int w = strip_rows<Scalar>;
@@ -28,22 +28,23 @@ void add_to_strips(Scalar* strips, int row, int block_column, int columns, const
     }
 }
 
-/// ns of predicted work below which handing some of it to another thread (about 10 us) does not pay.
+/// Smallest predicted work, ns, that is split among threads. A hand-over to another thread takes about 10 us.
 constexpr double min_parallel_cost = 1e5;
 
-/// Calls body(begin, end) for chunks of [0, count).
+/// Calls body(begin, end) for chunks of [0, count), in parallel if the work takes at least min_parallel_cost.
+/// @param cost ns, predicted.
 template <class Body>
-void parallel_for_portions(const ThreadPool& pool, double cost, int count, const Body& body) {
+void parallel_for_chunks(const ThreadPool& pool, double cost, int count, const Body& body) {
     constexpr int chunk = 8;
     if (pool.size() == 1 || cost < min_parallel_cost) {
         if (count > 0) body(0, count);
         return;
     }
-    const auto part = [&](std::size_t k, std::size_t) {
+    const auto run_chunk = [&](std::size_t k, std::size_t) {
         const int begin = static_cast<int>(k) * chunk;
         body(begin, std::min(begin + chunk, count));
     };
-    pool.parallel_for_dynamic(static_cast<std::size_t>((count + chunk - 1) / chunk), std::ref(part));
+    pool.parallel_for_dynamic((count + chunk - 1) / chunk, std::ref(run_chunk));
 }
 
 }  // namespace
@@ -58,7 +59,7 @@ void MultifrontalFactor<Scalar>::analyze(const BlockPattern& pattern, const Supe
     std::size_t end = 0;
     for (const Front& front : symbolic_.fronts) {
         vector_begin_.push_back(end);
-        end += static_cast<std::size_t>(front.pivot_strips + front.row_strips) * strip_rows<Scalar>;
+        end += std::size_t{strip_rows<Scalar>} * (front.pivot_strips + front.row_strips);
     }
     vectors_.resize(end);
 }
@@ -74,13 +75,13 @@ void MultifrontalFactor<Scalar>::assemble_panel(const BlockMatrix& matrix, std::
         Scalar(0));
     for (int k = 0; k < front.pivots; ++k) {
         const int column = front.first + k;
-        const auto block = static_cast<std::size_t>(symbolic_.order[static_cast<std::size_t>(column)]);
+        const int block = symbolic_.order[column];
         const Mat6& diagonal = matrix.diagonal[block];
         add_to_strips(strips, k * unknowns, k, columns,
                       [&](int r, int c) { return static_cast<Scalar>(diagonal(r, c)); });
     }
     for (const FrontEntry& entry : symbolic_.entries_of(f)) {
-        const Mat6& upper = matrix.upper[static_cast<std::size_t>(entry.source)];
+        const Mat6& upper = matrix.upper[entry.source];
         if (entry.transposed)
             add_to_strips(strips, entry.row, entry.column, columns,
                           [&](int r, int c) { return static_cast<Scalar>(upper(c, r)); });
@@ -97,9 +98,8 @@ void MultifrontalFactor<Scalar>::add_updates_to_panel(std::size_t f, Scalar* spa
     const int columns = front.pivots * unknowns;
     Scalar* strips = panel(front) + diagonal_blocks_size<Scalar>(front.pivots);
     for (const int c : symbolic_.children_of(f)) {
-        const Front& child = symbolic_.fronts[static_cast<std::size_t>(c)];
-        const std::span<const int> relative_indices =
-            symbolic_.relative_indices_of(static_cast<std::size_t>(c));
+        const Front& child = symbolic_.fronts[c];
+        const std::span<const int> relative_indices = symbolic_.relative_indices_of(c);
         for (std::size_t j = 0; j < relative_indices.size() && relative_indices[j] < front.pivots; ++j) {
             const Scalar* column = update(child, space) + update_column_offset(j, child.stride, w);
             const std::size_t stride = update_column_stride(j, child.stride, w);
@@ -109,9 +109,8 @@ void MultifrontalFactor<Scalar>::add_updates_to_panel(std::size_t f, Scalar* spa
                                     : front.pivot_strips * strip_rows<Scalar> +
                                           (relative_indices[i] - front.pivots) * unknowns;
                 const Scalar* source = column + i * unknowns;
-                add_to_strips(strips, row, relative_indices[j], columns, [&](int r, int q) {
-                    return source[static_cast<std::size_t>(q) * stride + static_cast<std::size_t>(r)];
-                });
+                add_to_strips(strips, row, relative_indices[j], columns,
+                              [&](int r, int q) { return source[q * stride + r]; });
             }
         }
     }
@@ -122,25 +121,24 @@ void MultifrontalFactor<Scalar>::add_updates_to_update(std::size_t f, Scalar* sp
     constexpr std::size_t w = strip_rows<Scalar>;
     const Front& front = symbolic_.fronts[f];
     for (const int c : symbolic_.children_of(f)) {
-        const Front& child = symbolic_.fronts[static_cast<std::size_t>(c)];
-        const std::span<const int> relative_indices =
-            symbolic_.relative_indices_of(static_cast<std::size_t>(c));
+        const Front& child = symbolic_.fronts[c];
+        const std::span<const int> relative_indices = symbolic_.relative_indices_of(c);
         const auto first = static_cast<std::size_t>(
             std::lower_bound(relative_indices.begin(), relative_indices.end(), front.pivots) -
             relative_indices.begin());
         for (std::size_t j = first; j < relative_indices.size(); ++j) {
-            const auto column = static_cast<std::size_t>(relative_indices[j] - front.pivots);
+            const std::size_t column = relative_indices[j] - front.pivots;
             const Scalar* from = update(child, space) + update_column_offset(j, child.stride, w);
             Scalar* to = update(front, space) + update_column_offset(column, front.stride, w);
             const std::size_t from_stride = update_column_stride(j, child.stride, w);
             const std::size_t to_stride = update_column_stride(column, front.stride, w);
-            for (std::size_t i = j; i < relative_indices.size();) {  // rows that are neighbours in both
+            for (std::size_t i = j; i < relative_indices.size();) {  // runs of rows contiguous in both
                 std::size_t end = i + 1;
                 while (end < relative_indices.size() &&
                        relative_indices[end] == relative_indices[end - 1] + 1)
                     ++end;
                 const Scalar* source = from + i * unknowns;
-                Scalar* target = to + static_cast<std::size_t>(relative_indices[i] - front.pivots) * unknowns;
+                Scalar* target = to + (relative_indices[i] - front.pivots) * unknowns;
                 const std::size_t count = (end - i) * unknowns;
                 for (int q = 0; q < unknowns; ++q, source += from_stride, target += to_stride) {
                     for (std::size_t k = 0; k < count; ++k) target[k] += source[k];
@@ -155,16 +153,16 @@ template <class Scalar>
 bool MultifrontalFactor<Scalar>::eliminate(std::size_t f, Scalar* space, const ThreadPool& pool) {
     const Front& front = symbolic_.fronts[f];
     if (!kernels_.factor_pivots(panel(front), front.pivots)) return false;
-    const auto strips = [&](int begin, int end) {
+    const auto solve_strips = [&](int begin, int end) {
         kernels_.solve_rows(panel(front), front.pivots, begin, end);
     };
-    const auto columns = [&](int begin, int end) {
+    const auto form_update_columns = [&](int begin, int end) {
         kernels_.form_update(panel(front), front.pivots, front.row_strips, update(front, space),
                              static_cast<long>(front.stride), begin, end);
     };
-    parallel_for_portions(pool, front.cost, front.row_strips, strips);
+    parallel_for_chunks(pool, front.cost, front.row_strips, solve_strips);
     kernels_.invert_groups(panel(front), front.pivots);
-    parallel_for_portions(pool, front.cost, front.rows, columns);
+    parallel_for_chunks(pool, front.cost, front.rows, form_update_columns);
     return true;
 }
 
@@ -186,13 +184,13 @@ void MultifrontalFactor<Scalar>::find_outdated(std::span<const char> changed) {
     for (std::size_t f = 0; f < symbolic_.count(); ++f) {
         const Front& front = symbolic_.fronts[f];
         for (int k = front.first; k < front.first + front.pivots; ++k) {
-            const int row = symbolic_.order[static_cast<std::size_t>(k)];
-            if (changed[static_cast<std::size_t>(row)] != 0) outdated_[f] = 1;
+            const int row = symbolic_.order[k];
+            if (changed[row] != 0) outdated_[f] = 1;
         }
-        if (outdated_[f] != 0 && front.parent >= 0) outdated_[static_cast<std::size_t>(front.parent)] = 1;
+        if (outdated_[f] != 0 && front.parent >= 0) outdated_[front.parent] = 1;
     }
     for (const Subtree& unit : symbolic_.refactor_units) {
-        if (outdated_[static_cast<std::size_t>(unit.end - 1)] != 0)
+        if (outdated_[unit.end - 1] != 0)
             std::fill(outdated_.begin() + unit.begin, outdated_.begin() + unit.end, 1);
     }
 }
@@ -203,26 +201,25 @@ bool MultifrontalFactor<Scalar>::factorize(const BlockMatrix& matrix, const Thre
     const ThreadPool serial(1);
     find_outdated(changed);
     shared_updates_.resize(symbolic_.shared_space);
-    subtree_updates_.resize(symbolic_.subtree_space * static_cast<std::size_t>(pool.size()));
+    subtree_updates_.resize(symbolic_.subtree_space * pool.size());
     std::atomic<bool> definite{true};
     const auto factorize_fronts = [&](const Subtree& fronts, Scalar* space, const ThreadPool& helpers) {
         for (int f = fronts.begin; f < fronts.end && definite; ++f) {
-            const auto front = static_cast<std::size_t>(f);
-            if (outdated_[front] != 0 && !factorize_front(front, matrix, space, helpers)) definite = false;
+            if (outdated_[f] != 0 && !factorize_front(f, matrix, space, helpers)) definite = false;
         }
     };
-    const auto is_divided = [&](const Subtree& fronts) {
-        return symbolic_.fronts[static_cast<std::size_t>(fronts.begin)].divided;
+    const auto is_split = [&](const Subtree& fronts) {
+        return symbolic_.fronts[fronts.begin].split_among_threads;
     };
     symbolic_.tasks.run_leaves_first(
         symbolic_.cost < min_parallel_cost ? serial : pool, [&](std::size_t task, std::size_t thread) {
             const Subtree fronts = symbolic_.fronts_of(task);
             Scalar* space = subtree_updates_.data() + thread * symbolic_.subtree_space;
-            if (!is_divided(fronts)) factorize_fronts(fronts, space, serial);
+            if (!is_split(fronts)) factorize_fronts(fronts, space, serial);
         });
     for (std::size_t task = symbolic_.subtrees.size(); task < symbolic_.tasks.count(); ++task) {
         const Subtree fronts = symbolic_.fronts_of(task);
-        if (is_divided(fronts)) factorize_fronts(fronts, nullptr, pool);
+        if (is_split(fronts)) factorize_fronts(fronts, nullptr, pool);
     }
     if (!symbolic_.keeps_updates) {
         shared_updates_.release();
@@ -241,9 +238,8 @@ void MultifrontalFactor<Scalar>::solve_forward(std::size_t f, std::span<const Ve
     Scalar* rows = x + padded;
     std::fill(x + front.pivots * unknowns, rows + front.row_strips * strip_rows<Scalar>, Scalar(0));
     for (const int c : symbolic_.children_of(f)) {
-        const auto child = static_cast<std::size_t>(c);
-        const Scalar* from = vector(child) + symbolic_.fronts[child].pivot_strips * strip_rows<Scalar>;
-        for (const int target : symbolic_.relative_indices_of(child)) {
+        const Scalar* from = vector(c) + symbolic_.fronts[c].pivot_strips * strip_rows<Scalar>;
+        for (const int target : symbolic_.relative_indices_of(c)) {
             Scalar* to =
                 target < front.pivots ? x + target * unknowns : rows + (target - front.pivots) * unknowns;
             for (int q = 0; q < unknowns; ++q) to[q] += from[q];
@@ -258,9 +254,8 @@ void MultifrontalFactor<Scalar>::solve_backward(std::size_t f, std::span<Vec6> s
     const Front& front = symbolic_.fronts[f];
     Scalar* x = vector(f);
     if (front.parent >= 0) {
-        const auto p = static_cast<std::size_t>(front.parent);
-        const Front& parent = symbolic_.fronts[p];
-        const Scalar* pivots = vector(p);
+        const Front& parent = symbolic_.fronts[front.parent];
+        const Scalar* pivots = vector(front.parent);
         const Scalar* rows = pivots + parent.pivot_strips * strip_rows<Scalar>;
         Scalar* to = x + front.pivot_strips * strip_rows<Scalar>;
         for (const int target : symbolic_.relative_indices_of(f)) {
@@ -281,11 +276,11 @@ void MultifrontalFactor<Scalar>::solve(std::span<Vec6> x, const ThreadPool& pool
     const ThreadPool& helpers = symbolic_.factor_size < min_parallel_factor_size ? serial : pool;
     symbolic_.tasks.run_leaves_first(helpers, [&](std::size_t task, std::size_t) {
         const Subtree fronts = symbolic_.fronts_of(task);
-        for (int f = fronts.begin; f < fronts.end; ++f) solve_forward(static_cast<std::size_t>(f), x);
+        for (int f = fronts.begin; f < fronts.end; ++f) solve_forward(f, x);
     });
     symbolic_.tasks.run_roots_first(helpers, [&](std::size_t task, std::size_t) {
         const Subtree fronts = symbolic_.fronts_of(task);
-        for (int f = fronts.end; f-- > fronts.begin;) solve_backward(static_cast<std::size_t>(f), x);
+        for (int f = fronts.end; f-- > fronts.begin;) solve_backward(f, x);
     });
 }
 

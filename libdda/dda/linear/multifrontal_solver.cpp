@@ -9,13 +9,14 @@ namespace rockslope::dda {
 
 namespace {
 
-/// The tolerance of the right-hand side that is left in the residual of a solution that is near. At 1e-3 the
-/// walls that `bench_steps` lets go took three iterations for two, at 1e-4 as many as exactly.
+/// Relative residual of solve_coarsely. The unsettled walls of `bench_steps` took three open-close iterations
+/// instead of two at 1e-3, and as many as with exact solutions at 1e-4.
 constexpr double coarse_tolerance = 1e-5;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
-/// In double precision up to so many submatrices of the factor.
+/// Chooses double precision for a factor of at most `max_submatrices`, single precision with refinement
+/// otherwise, and falls back to double precision where single precision fails.
 class MultifrontalSolver final : public LinearSolver {
   public:
     MultifrontalSolver(const ThreadPool& pool, double max_submatrices)
@@ -60,26 +61,28 @@ class MultifrontalSolver final : public LinearSolver {
     static SupernodeTree tree_of(const BlockPattern& pattern) {
         return find_supernodes(pattern, fill_reducing_order(pattern));
     }
-    /// Whether the present factor is in single precision.
+    /// Whether the current factor is in single precision.
     bool is_single_precision() const { return prefers_single_ && !fell_back_; }
-    /// Brings x to A^-1 b: a rough factor to a residual of that tolerance. @return substitutions taken.
+    /// Solves A x = b: exactly with a factor in double precision, to |b - A x| <= tolerance |b| in single.
+    /// @return number of substitutions.
     int solve_from(std::vector<Vec6>& x, const std::vector<Vec6>& b, double tolerance) {
-        int taken = 0;
+        int substitutions = 0;
         if (is_single_precision()) {
             const RefinedFactor::Outcome outcome = refined_.refine(x, b, tolerance, pool_);
-            taken = outcome.substitutions;
-            if (outcome.converged) return taken;
+            substitutions = outcome.substitutions;
+            if (outcome.converged) return substitutions;
             if (!factorize_in_double()) {
-                // Indefinite by less than single precision tells: the step is refused for what is no number.
+                // The matrix is indefinite by less than single precision resolves. NaN makes the caller
+                // reject the step.
                 x.assign(x.size(), Vec6::Constant(not_a_number));
-                return taken;
+                return substitutions;
             }
         }
         x = b;
         factor_.solve(x, pool_);
-        return taken + 1;
+        return substitutions + 1;
     }
-    /// The present matrix in double precision, where single precision is too little for it.
+    /// Fallback: factorises the current matrix in double precision.
     bool factorize_in_double() {
         ++fallbacks_;
         factor_.analyze(pattern_, tree_of(pattern_));
@@ -91,8 +94,8 @@ class MultifrontalSolver final : public LinearSolver {
     double max_submatrices_;
     BlockPattern pattern_;
     const BlockMatrix* matrix_ = nullptr;
-    bool prefers_single_ = false;  ///< the pattern's factors are in single precision
-    bool fell_back_ = false;       ///< but not the present one
+    bool prefers_single_ = false;  ///< single precision is chosen for this pattern
+    bool fell_back_ = false;       ///< the current factor is in double precision nevertheless
     int fallbacks_ = 0;
     MultifrontalFactor<double> factor_;
     RefinedFactor refined_;

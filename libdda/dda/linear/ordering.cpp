@@ -12,7 +12,7 @@ namespace rockslope::dda {
 namespace {
 
 std::vector<int> nested_dissection(const BlockPattern& pattern) {
-    const auto size = static_cast<std::size_t>(pattern.size);
+    const std::size_t size = pattern.size;
     std::vector<int> order(size);
     std::iota(order.begin(), order.end(), 0);
     if (pattern.columns.empty()) return order;
@@ -20,18 +20,18 @@ std::vector<int> nested_dissection(const BlockPattern& pattern) {
     std::vector<idx_t> start(size + 1, 0);
     for (std::size_t i = 0; i < size; ++i) {
         start[i + 1] += pattern.start[i + 1] - pattern.start[i];
-        for (int k = pattern.start[i]; k < pattern.start[i + 1]; ++k) {
-            ++start[static_cast<std::size_t>(pattern.columns[static_cast<std::size_t>(k)]) + 1];
+        for (std::uint32_t k = pattern.start[i]; k < pattern.start[i + 1]; ++k) {
+            ++start[pattern.columns[k] + 1];
         }
     }
     for (std::size_t i = 0; i < size; ++i) start[i + 1] += start[i];
-    std::vector<idx_t> neighbours(static_cast<std::size_t>(start[size]));
+    std::vector<idx_t> neighbours(start[size]);
     std::vector<idx_t> filled(start.begin(), start.end() - 1);
     for (std::size_t i = 0; i < size; ++i) {
-        for (int k = pattern.start[i]; k < pattern.start[i + 1]; ++k) {
-            const auto j = static_cast<std::size_t>(pattern.columns[static_cast<std::size_t>(k)]);
-            neighbours[static_cast<std::size_t>(filled[i]++)] = static_cast<idx_t>(j);
-            neighbours[static_cast<std::size_t>(filled[j]++)] = static_cast<idx_t>(i);
+        for (std::uint32_t k = pattern.start[i]; k < pattern.start[i + 1]; ++k) {
+            const RowIndex j = pattern.columns[k];
+            neighbours[filled[i]++] = j.value();
+            neighbours[filled[j]++] = static_cast<idx_t>(i);
         }
     }
 
@@ -49,25 +49,24 @@ std::vector<int> nested_dissection(const BlockPattern& pattern) {
     return order;
 }
 
-/// The places in the order in which a walk through the tree leaves them: each subtree is postordered.
+/// Postorder of a forest: children before their parent, each subtree contiguous.
 std::vector<int> postorder(const std::vector<int>& parent) {
     const std::size_t size = parent.size();
-    std::vector<std::vector<int>> children(size + 1);  // the last: the roots
-    for (std::size_t k = 0; k < size; ++k)
-        children[parent[k] < 0 ? size : static_cast<std::size_t>(parent[k])].push_back(static_cast<int>(k));
-    std::vector<int> left;
-    left.reserve(size + 1);
+    std::vector<std::vector<int>> children(size + 1);  // those of node `size` are the roots
+    for (std::size_t k = 0; k < size; ++k) children[parent[k] < 0 ? size : parent[k]].push_back(k);
+    std::vector<int> visited;
+    visited.reserve(size + 1);
     std::vector<int> stack{static_cast<int>(size)};
-    while (!stack.empty()) {  // parents first, last children first; then turned round
+    while (!stack.empty()) {  // preorder with the last child first, which is the postorder reversed
         const int node = stack.back();
         stack.pop_back();
-        left.push_back(node);
-        const auto& below = children[static_cast<std::size_t>(node)];
+        visited.push_back(node);
+        const auto& below = children[node];
         stack.insert(stack.end(), below.begin(), below.end());
     }
-    std::reverse(left.begin(), left.end());
-    left.pop_back();
-    return left;
+    std::reverse(visited.begin(), visited.end());
+    visited.pop_back();
+    return visited;
 }
 
 }  // namespace
@@ -77,7 +76,7 @@ std::vector<int> fill_reducing_order(const BlockPattern& pattern) {
     std::vector<int> postordered;
     postordered.reserve(order.size());
     for (const int k : postorder(elimination_tree(pattern, inverse_permutation(order))))
-        postordered.push_back(order[static_cast<std::size_t>(k)]);
+        postordered.push_back(order[k]);
     return postordered;
 }
 

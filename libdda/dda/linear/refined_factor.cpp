@@ -8,11 +8,11 @@ namespace rockslope::dda {
 
 namespace {
 
-/// Three to nine are normal. Where they do not suffice single precision is too little.
+/// Normally three to nine iterations converge. When these do not, single precision is not sufficient.
 constexpr int max_iterations = 30;
 
-/// Of the diagonal, by which it is raised where rounding in single precision takes a pivot below zero, as of
-/// a splinter between stiff springs: the preconditioner need not be exact.
+/// Relative diagonal shift applied when rounding in single precision turns a pivot negative, as it does for a
+/// splinter between stiff springs. The preconditioner need not be exact.
 constexpr double diagonal_shift = 4e-6;
 
 double dot(std::span<const Vec6> a, std::span<const Vec6> b, const ThreadPool& pool) {
@@ -24,7 +24,7 @@ double dot(std::span<const Vec6> a, std::span<const Vec6> b, const ThreadPool& p
     return pool.parallel_reduce(a.size(), 0.0, chunk_value, std::plus<>());
 }
 
-double scaled_squared_norm(const Vec6& v, const Vec6& weight) {
+double weighted_square(const Vec6& v, const Vec6& weight) {
     return v.cwiseAbs2().dot(weight);
 }
 
@@ -53,7 +53,7 @@ RefinedFactor::Outcome RefinedFactor::refine(std::span<Vec6> x, std::span<const 
     const SquaredNorms squared_norms = reset_residual(x, b, pool);
     const double target = tolerance * tolerance * squared_norms.load;
     double residual_square = squared_norms.residual;
-    double last = 0;
+    double last_energy = 0;
     for (int k = 0; k <= max_iterations; ++k) {
         if (residual_square <= target) return {true, k};
         preconditioned_ = residual_;
@@ -64,20 +64,20 @@ RefinedFactor::Outcome RefinedFactor::refine(std::span<Vec6> x, std::span<const 
         } else {
             pool.parallel_for(x.size(), [&](std::size_t begin, std::size_t end) {
                 for (std::size_t i = begin; i < end; ++i)
-                    direction_[i] = preconditioned_[i] + (energy / last) * direction_[i];
+                    direction_[i] = preconditioned_[i] + (energy / last_energy) * direction_[i];
             });
         }
-        last = energy;
+        last_energy = energy;
         matrix_->multiply(pattern_, direction_, image_, pool);
         const double curvature = dot(direction_, image_, pool);
-        if (!(curvature > 0)) return {false, k + 1};  // rounding, or the matrix is indefinite
+        if (!(curvature > 0)) return {false, k + 1};  // rounding, or an indefinite matrix
         const double step = energy / curvature;
         const auto update = [&](std::size_t begin, std::size_t end) {
             double sum = 0;
             for (std::size_t i = begin; i < end; ++i) {
                 x[i] += step * direction_[i];
                 residual_[i] -= step * image_[i];
-                sum += scaled_squared_norm(residual_[i], weight_[i]);
+                sum += weighted_square(residual_[i], weight_[i]);
             }
             return sum;
         };
@@ -95,8 +95,8 @@ RefinedFactor::SquaredNorms RefinedFactor::reset_residual(std::span<Vec6> x, std
         SquaredNorms squared_norms;
         for (std::size_t i = begin; i < end; ++i) {
             residual_[i] = b[i] - image_[i];
-            squared_norms.residual += scaled_squared_norm(residual_[i], weight_[i]);
-            squared_norms.load += scaled_squared_norm(b[i], weight_[i]);
+            squared_norms.residual += weighted_square(residual_[i], weight_[i]);
+            squared_norms.load += weighted_square(b[i], weight_[i]);
         }
         return squared_norms;
     };

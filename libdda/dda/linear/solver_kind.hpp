@@ -2,8 +2,8 @@
 
 namespace rockslope::dda {
 
-/// Which factorisation solves a step's equations. All are as exact; `refined` keeps its factor in single
-/// precision whatever its size, and CHOLMOD's is the reference to compare with.
+/// Which factorisation solves the equations of a step. All meet the same tolerance. `refined` uses a factor
+/// in single precision at any size; `cholmod` is the reference to compare with.
 enum class SolverKind { multifrontal, refined, cholmod };
 
 }  // namespace rockslope::dda

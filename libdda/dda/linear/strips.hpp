@@ -4,25 +4,26 @@
 
 namespace rockslope::dda {
 
-/// Kernels are inlined into functions that are compiled for one kind of processor each.
+/// Inlines a kernel into its callers, each of which is compiled for one processor type.
 #define DDA_KERNEL [[gnu::always_inline]] inline
 
-/// A panel's rows in strips, see front_kernels.hpp, as vectors of Bytes bytes.
+/// Access to a panel's rows, stored in strips (see front_kernels.hpp), by vectors of Bytes bytes.
 template <class Scalar, int Bytes>
 struct Strips {
     typedef Scalar Vector __attribute__((vector_size(Bytes), may_alias));
-    /// Of any place: the sanitizer's stack frames do not keep to the alignment that wide vectors ask for, and
-    /// where the place is aligned it costs the same.
+    /// Vector at any address: the sanitizer's stack frames do not keep the alignment of wide vectors. At an
+    /// aligned address it costs the same.
     typedef Scalar UnalignedVector __attribute__((vector_size(Bytes), may_alias, aligned(alignof(Scalar))));
     static constexpr int unknowns = 6;
     static constexpr int lanes = Bytes / static_cast<int>(sizeof(Scalar));
     static constexpr int w = strip_rows<Scalar>;
     static constexpr int per_strip = w / lanes;
 
+    /// Offset of the first scalar of a row.
     DDA_KERNEL static long row_at(int row, int columns) {
         return static_cast<long>(row / w) * w * columns + row % w;
     }
-    /// Where the rows of a vector begin.
+    /// Offset of the first scalar of a vector of rows.
     DDA_KERNEL static long vector_at(int vector, int columns) {
         return static_cast<long>(vector / per_strip) * w * columns +
                static_cast<long>(vector % per_strip) * lanes;

@@ -7,29 +7,30 @@
 namespace rockslope::dda {
 
 /// Forward and backward substitution with a front's panel, by groups of block columns. A substitution reads
-/// the factor once and computes little: what it takes is memory's time, as long as no number waits for the
-/// one before. So a group's square on the diagonal is inverted beforehand, and everything is a product.
+/// the factor once and is limited by memory bandwidth, unless each number waits for the one before. The
+/// diagonal block of each group is therefore inverted beforehand, and all work is matrix-vector products.
 template <class Scalar, int Bytes>
 struct Substitution : Strips<Scalar, Bytes> {
     using S = Strips<Scalar, Bytes>;
     using Vector = typename S::Vector;
     using S::lanes, S::load, S::per_strip, S::row_at, S::store, S::unknowns, S::vector_at, S::w;
 
-    /// Block columns of a group: sums over its columns fill the registers.
+    /// Block columns in a group. Its partial sums fill the registers.
     static constexpr int group = Bytes == 64 ? 3 : 2;
     static constexpr int group_columns = group * unknowns;
-    /// Vectors that a group's rows reach into; they begin at an even row.
+    /// Largest number of vectors that contain rows of a group. A group begins at an even row.
     static constexpr int group_vectors = (lanes - 2 + group_columns + lanes - 1) / lanes;
 
     DDA_KERNEL static int vectors_up_to(int row) { return (row + lanes - 1) / lanes; }
 
-    /// The inverse of a group's square on the diagonal, in its place. Column c of M = L^-1 follows from those
-    /// behind it, since M L = I.
+    /// Inverts the diagonal block L of a group in place. Column c of M = L^-1 follows from the later columns,
+    /// since M L = I.
+    /// @param squares factors of the 6x6 diagonal blocks, which hold the reciprocals of the diagonal.
     DDA_KERNEL static void invert_group(const Scalar* squares, Scalar* strips, int columns, int first,
                                         int last) {
         constexpr int height = group_vectors * lanes;
         const int begin = first / lanes;
-        const int before = first - begin * lanes;  // rows in the first vector that are not the group's
+        const int before = first - begin * lanes;  // rows of the first vector that precede the group
         const Scalar* rows[group_columns];
         for (int k = 0; k < last - first; ++k) rows[k] = strips + row_at(first + k, columns);
         Scalar ones[2 * height] = {};
@@ -49,7 +50,7 @@ struct Substitution : Strips<Scalar, Bytes> {
             for (int v = 0; v < group_vectors; ++v)
                 inverse[c][v] = sum[v] * square[in_square * unknowns + in_square];
         }
-        alignas(Vector) Scalar others[height];  // 1 where a row is not the group's
+        alignas(Vector) Scalar others[height];  // 1 in rows outside the group
         for (int r = 0; r < height; ++r) others[r] = r < before || r >= before + last - first ? 1 : 0;
         const int count = vectors_up_to(last) - begin;
         for (int v = 0; v < count; ++v) {
@@ -67,7 +68,7 @@ struct Substitution : Strips<Scalar, Bytes> {
         }
     }
 
-    /// Sums over `count` columns, an even number, of R vectors of rows times y.
+    /// sum = A y for R vectors of rows and `count` columns, an even number.
     template <int R>
     DDA_KERNEL static void multiply(Vector (&sum)[R], const Scalar* strips, int columns, int column,
                                     int count, int first_vector, const Scalar* y) {
@@ -90,7 +91,7 @@ struct Substitution : Strips<Scalar, Bytes> {
         }
         for (int r = 0; r < R; ++r) sum[r] += odd[r];
     }
-    /// Takes these from x.
+    /// x -= A y for the same rows and columns.
     template <int R>
     DDA_KERNEL static void subtract_products(const Scalar* strips, int columns, int column, int count,
                                              int first_vector, const Scalar* y, Scalar* x) {
@@ -127,42 +128,44 @@ struct Substitution : Strips<Scalar, Bytes> {
         }
     }
 
-    /// sum += L^T x for N columns and vectors [begin, end) of rows; x has those from `origin` on.
+    /// sum += L^T x for N columns and vectors [begin, end) of rows, before the lanes are summed.
+    /// @param x begins with the vector of rows `origin`.
     template <int N>
     DDA_KERNEL static void add_products(Vector (&sum)[N], const Scalar* strips, int columns, int column,
                                         int begin, int end, const Scalar* x, int origin) {
         for (int v = begin; v < end; ++v) {
             const Scalar* at = strips + vector_at(v, columns) + static_cast<long>(column) * w;
-            const Vector known = load(x + static_cast<long>(v - origin) * lanes);
+            const Vector factor = load(x + static_cast<long>(v - origin) * lanes);
 #pragma GCC unroll 18
-            for (int q = 0; q < N; ++q) sum[q] += load(at + q * w) * known;
+            for (int q = 0; q < N; ++q) sum[q] += load(at + q * w) * factor;
         }
     }
 
-    /// Of vectors a and b that hold sums in parts of 2 * Half lanes: those parts' halves added.
+    /// One step of a horizontal sum. Vectors a and b hold groups of 2 * Half lanes; `sum` gets, for each
+    /// group, its two halves added.
     template <int Half, std::size_t... Lane>
     DDA_KERNEL static void add_halves(const Vector& a, const Vector& b, Vector& sum,
                                       std::index_sequence<Lane...>) {
         sum = __builtin_shufflevector(a, b, (Lane / Half * 2 * Half + Lane % Half)...) +
               __builtin_shufflevector(a, b, (Lane / Half * 2 * Half + Lane % Half + Half)...);
     }
-    /// The sums of N vectors' lanes.
+    /// sums[k] = sum of the lanes of vectors[k].
     template <int N, int Half = lanes / 2>
-    DDA_KERNEL static void sum_lanes(const Vector (&of)[N], Scalar* sums) {
-        constexpr int left = (N + 1) / 2;
-        Vector halved[left];
+    DDA_KERNEL static void sum_lanes(const Vector (&vectors)[N], Scalar* sums) {
+        constexpr int pairs = (N + 1) / 2;
+        Vector halved[pairs];
 #pragma GCC unroll 18
-        for (int k = 0; k < left; ++k)
-            add_halves<Half>(of[2 * k], of[2 * k + 1 < N ? 2 * k + 1 : 2 * k], halved[k],
+        for (int k = 0; k < pairs; ++k)
+            add_halves<Half>(vectors[2 * k], vectors[2 * k + 1 < N ? 2 * k + 1 : 2 * k], halved[k],
                              std::make_index_sequence<lanes>());
         if constexpr (Half == 1) {
-            for (int k = 0; k < left; ++k) store(halved[k], sums + k * lanes);
+            for (int k = 0; k < pairs; ++k) store(halved[k], sums + k * lanes);
         } else {
-            sum_lanes<left, Half / 2>(halved, sums);
+            sum_lanes<pairs, Half / 2>(halved, sums);
         }
     }
 
-    /// Substitutes N block columns backward.
+    /// Backward substitution of a group of N block columns.
     template <int N>
     DDA_KERNEL static void group_backward(const Scalar* strips, int columns, int first, int vectors,
                                           Scalar* x) {

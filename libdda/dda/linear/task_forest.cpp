@@ -12,7 +12,7 @@ namespace rockslope::dda {
 
 namespace {
 
-/// Tasks that need not wait, those with the longest critical_path first, and how many are still to be begun.
+/// Priority queue of the tasks that wait for nothing, longest critical path first. Thread-safe.
 class ReadyQueue {
   public:
     ReadyQueue(const std::vector<double>& critical_path, std::vector<int> dependency_count)
@@ -31,19 +31,19 @@ class ReadyQueue {
         const int task = ready_.back().second;
         ready_.pop_back();
         --not_started_;
-        return static_cast<std::size_t>(task);
+        return task;
     }
-    /// One of those that they wait for has ended.
+    /// Counts down one dependency of each of these tasks, and queues those that have none left.
     void release(const std::vector<int>& tasks) {
         const std::lock_guard lock(mutex_);
         for (const int task : tasks) {
-            if (--dependency_count_[static_cast<std::size_t>(task)] == 0) push(task);
+            if (--dependency_count_[task] == 0) push(task);
         }
     }
 
   private:
     void push(int task) {
-        ready_.emplace_back(critical_path_[static_cast<std::size_t>(task)], task);
+        ready_.emplace_back(critical_path_[task], task);
         std::push_heap(ready_.begin(), ready_.end());
     }
 
@@ -64,17 +64,16 @@ TaskForest::TaskForest(const std::vector<int>& parent, const std::vector<double>
     for (std::size_t task = 0; task < count; ++task) {
         down_.critical_path[task] += longest_below[task];
         if (parent[task] < 0) continue;
-        const auto above = static_cast<std::size_t>(parent[task]);
+        const std::size_t above = parent[task];
         assert(task < above);
         up_.dependents[task].push_back(parent[task]);
         ++up_.dependency_count[above];
-        down_.dependents[above].push_back(static_cast<int>(task));
+        down_.dependents[above].push_back(task);
         down_.dependency_count[task] = 1;
         longest_below[above] = std::max(longest_below[above], down_.critical_path[task]);
     }
     for (std::size_t task = count; task-- > 0;) {
-        if (parent[task] >= 0)
-            up_.critical_path[task] += up_.critical_path[static_cast<std::size_t>(parent[task])];
+        if (parent[task] >= 0) up_.critical_path[task] += up_.critical_path[parent[task]];
     }
 }
 
@@ -100,7 +99,7 @@ void TaskForest::run(const Direction& direction, const ThreadPool& pool, const B
             }
         }
     };
-    pool.parallel_for_dynamic(static_cast<std::size_t>(pool.size()), work);
+    pool.parallel_for_dynamic(pool.size(), work);
 }
 
 }  // namespace rockslope::dda

@@ -14,10 +14,10 @@ struct BlockMaterial {
     double density = 0;         ///< kg/m3, positive
     double youngs_modulus = 0;  ///< Pa, positive
     double poissons_ratio = 0;  ///< in [0, 0.5)
-    /// Viscous damping of a block's own strain modes, as a share of critical, theory Eq. (18). These modes
-    /// lie above what a mesh of constant-strain blocks resolves; undamped, they couple with friction and
-    /// shake a block that should rest off its incline. Normally 0.1; a wave 20 blocks long then loses 5 % per
-    /// wavelength. 0 switches it off.
+    /// Viscous damping of a block's strain modes, fraction of critical, Eq. (18). The frequencies of these
+    /// modes are above those that a mesh of constant-strain blocks resolves. Undamped, they couple with
+    /// friction and make a block creep down an incline on which it should rest. Normally 0.1; a wave 20
+    /// blocks long then loses 5 % per wavelength. 0: no damping.
     double damping_ratio = 0.1;
     Vec3 initial_stress = Vec3::Zero();  ///< (sigma_x, sigma_y, tau_xy) in Pa, tension positive
 };

@@ -1,13 +1,15 @@
 #pragma once
 
+#include "dda/base/indices.hpp"
+
 namespace rockslope::dda {
 
-/// A part of an edge that loads or boundaries act on. It is marked on the rock: it moves and stretches with
-/// it.
+/// A part of an edge on which a load or boundary acts. It is a material line: it moves and stretches with
+/// the rock.
 struct FacePart {
-    int edge = 0;     ///< first corner of the edge
-    double from = 0;  ///< where the part begins, as a share of the edge, in [0, 1)
-    double to = 1;    ///< where it ends, above `from`
+    EdgeIndex edge;
+    double from = 0;  ///< start of the part, fraction of the edge's length, in [0, 1)
+    double to = 1;    ///< end of the part, above `from`
 };
 
 }  // namespace rockslope::dda

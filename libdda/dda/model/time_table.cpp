@@ -21,8 +21,8 @@ double TimeTable::at(double time) const {
     if (time >= times_.back()) return values_.back();
     const auto upper = std::upper_bound(times_.begin(), times_.end(), time);
     const auto k = static_cast<std::size_t>(upper - times_.begin());
-    const double share = (time - times_[k - 1]) / (times_[k] - times_[k - 1]);
-    return values_[k - 1] + share * (values_[k] - values_[k - 1]);
+    const double fraction = (time - times_[k - 1]) / (times_[k] - times_[k - 1]);
+    return values_[k - 1] + fraction * (values_[k] - values_[k - 1]);
 }
 
 }  // namespace rockslope::dda

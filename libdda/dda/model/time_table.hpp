@@ -4,8 +4,8 @@
 
 namespace rockslope::dda {
 
-/// A quantity given at instants and linear between them; constant before the first and after the last.
-/// An empty table is the constant 1, so that a load without a history simply acts.
+/// A piecewise linear function of time, constant before the first and after the last entry. An empty table is
+/// the constant 1, the history of a constant load.
 class TimeTable {
   public:
     TimeTable() = default;

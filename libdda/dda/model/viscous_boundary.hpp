@@ -9,17 +9,19 @@
 
 namespace rockslope::dda {
 
-/// In which directions a viscous boundary is held while a static stage finds the forces that bear the model.
+/// Directions in which a viscous boundary is held by springs in static stages. Their forces are the reactions
+/// that support the model.
 enum class Hold { none, normal, both };
 
-/// Faces behind which the rock goes on for ever, theory sec. 11: dashpots that swallow waves.
+/// Faces beyond which the rock is unbounded: dashpots absorb the waves that arrive, theory section 11.
 struct ViscousBoundary {
-    std::string name;  ///< by which a stage's incident wave calls it
+    std::string name;  ///< referred to by IncidentWave::boundary
     std::vector<FacePart> faces;
     double normal_impedance = 0;  ///< Pa s/m; 0: density times the speed of pressure waves in the face's rock
     double shear_impedance = 0;   ///< Pa s/m; 0: density times the speed of shear waves
     Hold hold = Hold::both;
-    /// A column beside the faces, whose motion the rock behind them has; nothing: what leaves is swallowed.
+    /// The free field beside the faces: only motion relative to it is absorbed. Nothing: all motion is
+    /// absorbed.
     std::optional<FreeField> free_field = std::nullopt;
 };
 

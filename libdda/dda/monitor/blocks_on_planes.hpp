@@ -9,31 +9,31 @@
 
 namespace rockslope::dda {
 
-/// A block that rests on one plane of rock that moves with the ground, or not at all: Newmark's block.
+/// A block that rests on one plane of a fixed or prescribed block: Newmark's sliding block.
 struct BlockOnPlane {
-    int block = 0;
-    int base = 0;                   ///< the fixed or prescribed block below it
-    Vec2 downhill = Vec2::UnitX();  ///< along the plane; towards +x where it is level
+    BlockIndex block;
+    BlockIndex base;                ///< the fixed or prescribed block below it
+    Vec2 downhill = Vec2::UnitX();  ///< unit, along the plane; towards +x if the plane is level
     double dip = 0;                 ///< rad, of the plane
     record::PlaneStrength peak, residual;
 };
 
-/// The blocks of a state that rest so: 95 % of the normal forces at a block come from one plane, to 3
-/// degrees, of one block that cannot move by itself, and hold it up. Strengths are those of the contacts
-/// there: cohesion with their lengths; of a joint law other than Mohr-Coulomb, what it bears at present.
+/// The blocks of a state that rest on one plane: at least 95 % of the normal forces on a block come from one
+/// plane, to 3 degrees, of one fixed or prescribed block below it. The strength is that of the contacts
+/// there. Mohr-Coulomb contacts have cohesion times their length; other laws give their present strength.
 std::vector<BlockOnPlane> find_blocks_on_planes(const Model& model, const State& state);
 
-/// Horizontal acceleration of the ground, over g, at which the block begins to slide downhill: Newmark's
-/// yield coefficient, with the adhesion.
+/// Newmark's yield coefficient: horizontal ground acceleration over g at which the block begins to slide
+/// downhill, with adhesion. @param gravity m/s2.
 double yield_coefficient(const BlockOnPlane& plane, double gravity);
 
-/// Newmark's estimate, m downhill: how far the block, taken as rigid and alone, slides in the dynamic stages
-/// up to `dynamic_time` under gravity, body loads and the motion of its base.
+/// Newmark's estimate of the slip, m downhill: slip of the rigid block alone in the dynamic stages up to
+/// `dynamic_time`, s, under gravity, body loads and the motion of its base.
 double rigid_slip(const Model& model, std::span<const Stage> stages, const BlockOnPlane& plane,
                   double dynamic_time);
 
-/// The same in the run: the block's displacement down the plane, relative to its base, m, since displacements
-/// count.
+/// Slip of the block in the run, m: its displacement down the plane relative to its base, from the state at
+/// which displacements were last zeroed.
 double simulated_slip(const State& state, const BlockOnPlane& plane);
 
 }  // namespace rockslope::dda

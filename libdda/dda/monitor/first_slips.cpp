@@ -8,13 +8,13 @@ namespace rockslope::dda {
 
 namespace {
 
-/// What the closed contacts between two blocks do.
+/// The closed contacts between two blocks.
 struct Pair {
-    int first = 0, second = 0;
-    bool is_locked = false;  ///< somewhere
-    bool slides = false;     ///< somewhere
-    double slip = 0;         ///< m, of the contact that has slipped most
-    int joint_material = -1;
+    BlockIndex first, second;
+    bool is_locked = false;  ///< one of the contacts is locked
+    bool slides = false;     ///< one of the contacts slides
+    double slip = 0;         ///< m, largest of the contacts
+    JointMaterialIndex joint_material = JointMaterialIndex::none();
 
     friend bool operator<(const Pair& a, const Pair& b) {
         return std::tie(a.first, a.second) < std::tie(b.first, b.second);
@@ -47,25 +47,25 @@ std::vector<Pair> closed_pairs(const State& state) {
     return pairs;
 }
 
-/// What a block slides on in a step.
+/// The block on which a block slides in a step.
 struct Sliding {
     bool slides = false;
-    double slip = 0;  ///< m, where it has slipped most
-    int other = -1;
-    int joint_material = -1;
+    double slip = 0;  ///< m, largest of the contacts
+    BlockIndex other = BlockIndex::none();
+    JointMaterialIndex joint_material = JointMaterialIndex::none();
 
-    void add(const Pair& pair, int with) {
+    void add(const Pair& pair, BlockIndex with) {
         if (slides && pair.slip <= slip) return;
         *this = {true, pair.slip, with, pair.joint_material};
     }
 };
 
-std::vector<Sliding> sliding_of(const Model& model, const State& state) {
-    std::vector<Sliding> blocks(static_cast<std::size_t>(model.block_count()));
+PerBlock<Sliding> sliding_of(const Model& model, const State& state) {
+    PerBlock<Sliding> blocks(model.block_count());
     for (const Pair& pair : closed_pairs(state)) {
         if (!pair.slides || pair.is_locked) continue;
-        blocks[static_cast<std::size_t>(pair.first)].add(pair, pair.second);
-        blocks[static_cast<std::size_t>(pair.second)].add(pair, pair.first);
+        blocks[pair.first].add(pair, pair.second);
+        blocks[pair.second].add(pair, pair.first);
     }
     return blocks;
 }
@@ -73,9 +73,9 @@ std::vector<Sliding> sliding_of(const Model& model, const State& state) {
 }  // namespace
 
 void update_first_slips(const Model& model, const State& state, const StepReport& step, double threshold,
-                        std::vector<FirstSlip>& slips) {
+                        PerBlock<FirstSlip>& slips) {
     const std::vector<Sliding> blocks = sliding_of(model, state);
-    for (std::size_t b = 0; b < slips.size(); ++b) {
+    for (const BlockIndex b : slips.indices()) {
         FirstSlip& slip = slips[b];
         const Sliding& now = blocks[b];
         if (slip.has_slipped() || model.motion[b] != Motion::free) continue;

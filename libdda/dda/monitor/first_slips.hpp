@@ -8,24 +8,23 @@
 
 namespace rockslope::dda {
 
-/// When and where a block first slipped in the dynamic stages of a run.
+/// The first slip of a block in the dynamic stages of a run.
 struct FirstSlip {
-    double sliding_since = -1;  ///< s of the dynamic stages; -1: it does not slide at present
-    double time = -1;           ///< s of the run; -1: it has not slipped
-    double dynamic_time = -1;   ///< s of the dynamic stages, likewise
-    int other = -1;             ///< the block that it slipped on, or that slipped on it
-    int joint_material = -1;
+    double sliding_since = -1;              ///< s of dynamic time; -1: it does not slide at present
+    double time = -1;                       ///< s of the run, of the first slip; -1: it has not slipped
+    double dynamic_time = -1;               ///< s of dynamic time, of the first slip; -1: it has not slipped
+    BlockIndex other = BlockIndex::none();  ///< the other block of the contact that slipped
+    JointMaterialIndex joint_material = JointMaterialIndex::none();
 
     bool has_slipped() const { return dynamic_time >= 0; }
 };
 
-/// Looks at an accepted step. Two blocks slide on each other when contacts between them slide and none is
-/// locked; they have slipped when one of those has slipped by more than the threshold since displacements
-/// count. The time is when that began: the start of the first of the steps in a row, up to this one, in each
-/// of which the block slid on some other. So springs that give way a little while the block stays are no
-/// slip, and the threshold does not delay the time.
+/// Updates the first slips with an accepted step. Two blocks slide on each other if at least one contact
+/// between them slides and none is locked. They have slipped once the slip of such a contact exceeds the
+/// threshold. The time of the slip is the start of the uninterrupted sequence of sliding steps that led to
+/// it. Elastic shear of the springs is therefore no slip, and the threshold does not delay the time.
 /// @param threshold m, positive; @param slips per block.
 void update_first_slips(const Model& model, const State& state, const StepReport& step, double threshold,
-                        std::vector<FirstSlip>& slips);
+                        PerBlock<FirstSlip>& slips);
 
 }  // namespace rockslope::dda

@@ -9,12 +9,11 @@ namespace rockslope::dda {
 
 namespace {
 
-Vec2 displacement_of(const State& state, int point) {
-    const auto p = static_cast<std::size_t>(point);
-    return state.blocks.points[p] - state.displacement_origin[p];
+Vec2 displacement_of(const State& state, PointIndex point) {
+    return state.blocks.points[point] - state.displacement_origin[point];
 }
 
-/// ContactSums over the contacts of a joint.
+/// Sums over the closed contacts of a joint.
 struct ContactSums {
     double normal_force = 0, shear_force = 0, length = 0, strength = 0, slip = 0;
     int closed = 0;
@@ -41,14 +40,13 @@ double smaller(const Strength& strength) {
 
 JointReading read_joint(const Model& model, const State& state, const MeasuredJoint& joint) {
     const auto& vertices = state.blocks.vertices;
-    const auto first = static_cast<std::size_t>(joint.edge);
-    const auto last = static_cast<std::size_t>(model.topology.next[first]);
-    const Vec2 tangent = (vertices[last] - vertices[first]).normalized();
+    const Vec2 tangent =
+        (vertices[model.topology.end_of(joint.edge)] - vertices[start_of(joint.edge)]).normalized();
     const Vec2 normal = -perpendicular(tangent);
     const Vec2 relative_displacement =
         displacement_of(state, joint.other_point) - displacement_of(state, joint.point);
-    const int block = model.topology.block_of[first];
-    const int other = model.material_points[static_cast<std::size_t>(joint.other_point)].block;
+    const BlockIndex block = model.topology.block_of_edge(joint.edge);
+    const BlockIndex other = model.material_points[joint.other_point].block;
 
     JointReading reading;
     reading.displacement = -relative_displacement.dot(tangent);

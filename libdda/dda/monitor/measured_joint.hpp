@@ -5,18 +5,18 @@
 
 namespace rockslope::dda {
 
-/// What a laboratory would measure of a joint, SI. Displacements count as those of measured points do. The
-/// forces are those of the contacts between the two faces' blocks along this joint.
+/// Displacements and stresses of a joint as a laboratory would measure them, SI. Displacements are zeroed
+/// with those of measured points. Forces are summed over the contacts between the blocks of the two faces
+/// along this joint.
 struct JointReading {
-    double displacement = 0;   ///< m, of the faces past each other, the joint's give included; positive where
-                               ///< the rock above goes to the right
-    double dilation = 0;       ///< m, of the faces apart
-    double shear_stress = 0;   ///< Pa, over the length in contact; resists positive displacement
+    double displacement = 0;   ///< m, shear with its elastic part; positive: rock above moves right
+    double dilation = 0;       ///< m, opening of the joint
+    double shear_stress = 0;   ///< Pa, over the length in contact; positive against positive displacement
     double normal_stress = 0;  ///< Pa, compression positive
-    double strength = 0;       ///< Pa, the smaller of those against motion in either direction
-    double slip = 0;           ///< m, plastic, of the sign of displacement; the mean of the contacts'
+    double strength = 0;       ///< Pa, the smaller of the strengths in both directions
+    double slip = 0;           ///< m, plastic shear displacement, mean of the contacts
     ContactState state = ContactState::open;  ///< sliding if any contact slides
-    JointRecord record;                       ///< of the contact that bears most
+    JointRecord record;                       ///< of the contact with the largest normal force
 };
 JointReading read_joint(const Model& model, const State& state, const MeasuredJoint& joint);
 

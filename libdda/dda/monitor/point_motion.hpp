@@ -11,7 +11,7 @@ namespace rockslope::dda {
 
 /// The motion of a point of the rock at one instant, SI.
 struct PointMotion {
-    Vec2 displacement = Vec2::Zero();  ///< from where displacements count
+    Vec2 displacement = Vec2::Zero();  ///< since displacements were last zeroed
     Vec2 velocity = Vec2::Zero();
     Vec2 acceleration = Vec2::Zero();
 };
@@ -20,12 +20,12 @@ struct PointMotion {
 /// centroid) by name.
 struct TrackedPoint {
     std::string name;
-    int material_point = -1;  ///< of a measured point
-    int block = -1;           ///< of a prescribed block
+    PointIndex material_point = PointIndex::none();  ///< of a measured point
+    BlockIndex block = BlockIndex::none();           ///< of a prescribed block
 };
 
 std::vector<TrackedPoint> tracked_points(const Model& model);
-/// The first of the points with that name; nothing for an empty one.
+/// Index of the first point with that name; nothing if the name is empty or unknown.
 std::optional<std::size_t> find_point(const std::vector<TrackedPoint>& points, const std::string& name);
 PointMotion motion_of(const Model& model, const State& state, const TrackedPoint& point);
 

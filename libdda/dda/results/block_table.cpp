@@ -12,7 +12,7 @@ namespace rockslope::dda {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
-constexpr std::size_t max_printed = 10;  // blocks on planes
+constexpr std::size_t max_printed = 10;  // rows of the table of blocks on planes
 
 template <class... Values>
 std::string formatted(const char* format, Values... values) {
@@ -30,13 +30,13 @@ CsvRow& add_slip(const FirstSlip& slip, const Model& model, CsvRow& row) {
     if (!slip.has_slipped()) return row.text("").text("").text("").text("");
     return row.number(slip.time, "the time of a slip")
         .number(slip.dynamic_time, "the time of a slip")
-        .integer(slip.other)
+        .integer(slip.other.value())
         .text(model.joint_material_at(slip.joint_material).name);
 }
 
 CsvRow& add_plane(const PlaneSlip* slip, CsvRow& row) {
     if (slip == nullptr) return row.text("").text("").text("").text("").text("");
-    return row.integer(slip->plane.base)
+    return row.integer(slip->plane.base.value())
         .number(slip->plane.dip / degree, "a dip")
         .number(slip->yield, "a yield coefficient")
         .number(slip->newmark, "an estimate of slip")
@@ -70,11 +70,11 @@ std::string points_text(const Model& model, const State& state, const Results& r
                        "  x (m)    y (m)   peak acceleration (m/s2)" +
                        (reference ? "  over the reference's\n" : "\n");
     const auto width = static_cast<int>(std::string("  x (m)").size() + from.size() + 9);
-    const Vec2 moved = reference_displacement(model, state, results);
+    const Vec2 reference_motion = reference_displacement(model, state, results);
     for (std::size_t k = 0; k < results.points().size(); ++k) {
         if (reference == k) continue;
         const TrackedPoint& point = results.points()[k];
-        const Vec2 displacement = motion_of(model, state, point).displacement - moved;
+        const Vec2 displacement = motion_of(model, state, point).displacement - reference_motion;
         const Peaks& peaks = results.state().peaks[k];
         text += formatted("%-22.22s %*.4f %8.4f   %24.3f", point.name.c_str(), width, displacement.x(),
                           displacement.y(), peaks.acceleration);
@@ -129,19 +129,18 @@ std::string block_table(const Model& model, const State& state, const Results& r
     CsvRow heading(path);
     for (const char* text : headings) heading.text(text);
     std::string table = heading.line();
-    const Vec2 moved = reference_displacement(model, state, results);
-    for (int block = 0; block < model.block_count(); ++block) {
-        const auto b = static_cast<std::size_t>(block);
-        if (model.motion[b] != Motion::free || !state.is_present(block)) continue;
-        const Vec2 place = state.blocks.centroid(block) + model.origin;
-        const Vec2 displacement = state.blocks.centroid(block) - state.centroid_origin[b];
-        const std::string what = "the motion of block " + std::to_string(block);
+    const Vec2 reference_motion = reference_displacement(model, state, results);
+    for (const BlockIndex block : model.blocks()) {
+        if (model.motion[block] != Motion::free || !state.is_present(block)) continue;
+        const Vec2 position = state.blocks.centroid(block) + model.origin;
+        const Vec2 displacement = state.blocks.centroid(block) - state.centroid_origin[block];
+        const std::string what = "the motion of block " + std::to_string(block.value());
         CsvRow row(path);
-        row.integer(block).text(model.material_of(block).name);
-        for (const Vec2& v : {place, displacement, Vec2(displacement - moved)})
+        row.integer(block.value()).text(model.material_of(block).name);
+        for (const Vec2& v : {position, displacement, Vec2(displacement - reference_motion)})
             row.number(v.x(), what).number(v.y(), what);
-        row.number(state.blocks.rotation[b], what);
-        add_slip(results.state().first_slips[b], model, row);
+        row.number(state.blocks.rotation[block], what);
+        add_slip(results.state().first_slips[block], model, row);
         const auto slip = std::find_if(slips.begin(), slips.end(),
                                        [&](const PlaneSlip& s) { return s.plane.block == block; });
         add_plane(slip == slips.end() ? nullptr : &*slip, row);

@@ -8,7 +8,7 @@
 
 namespace rockslope::dda {
 
-/// The contact that a run which did not converge blames, as its summary names it.
+/// The contact with the largest residual of a run that did not converge, from its summary.
 struct WorstContact {
     int corner_block = -1;
     int edge_block = -1;
@@ -16,8 +16,8 @@ struct WorstContact {
     std::string joint_material;
 };
 
-/// The worst contact of a summary.json; none if the run ended without one to blame. @throws InputError when
-/// the file cannot be read or is not what dda-run writes.
+/// The worst contact in a summary.json; nothing if it has none. @throws InputError if the file cannot be read
+/// or is not a summary of dda-run.
 std::optional<WorstContact> read_worst_contact(const std::filesystem::path& summary);
 
 }  // namespace rockslope::dda

@@ -8,7 +8,7 @@ namespace rockslope::dda {
 
 namespace {
 
-/// A time within this share of an interval of its due time is on time.
+/// Output is due this fraction of an interval before its time, because of rounding.
 constexpr double due_tolerance = 1e-6;
 
 double dynamic_duration(const std::vector<Stage>& stages, std::size_t count) {
@@ -28,14 +28,14 @@ void update_peak(double value, double time, double& peak, double& peak_time) {
     peak_time = time;
 }
 
-/// A static stage ends by what its last step reports, which a checkpoint does not hold: none falls between
-/// that step and the stage's end.
+/// Whether a step ends a static stage. The report of the step decides, and a checkpoint does not contain it:
+/// no checkpoint is written between that step and the stage's end.
 bool ends_stage(const State& state, const Stage& stage, const StepReport& report) {
     return stage.kind == StageKind::static_equilibrium &&
            (report.unbalanced_force <= stage.tolerance || state.stage_steps >= stage.step_limit);
 }
 
-/// Whether displacements count anew from a stage's end.
+/// Whether displacements are zeroed at the end of a stage.
 bool resets_displacements(const Stage& stage) {
     return stage.kind == StageKind::static_equilibrium && stage.reset_displacements;
 }
@@ -56,7 +56,7 @@ Results::Results(const Model& model, const std::vector<Stage>& stages, const Out
     if (output_.frames > 0) frame_interval_ = dynamic_duration(stages_, stages_.size()) / output_.frames;
     if (resume_from) progress_ = resume_from->results;
     progress_.peaks.resize(points_.size());
-    progress_.first_slips.resize(static_cast<std::size_t>(model.block_count()));
+    progress_.first_slips.resize(model.block_count());
     for (const WriterEntry& entry : writer_table()) {
         WriterContext context{model_,       options_.folder, output_.name,
                               std::nullopt, options_.pvd,    output_.relative_to};
@@ -110,7 +110,8 @@ void Results::update_peaks(const State& state) {
     }
 }
 
-/// Before the first dynamic step there may be no contacts yet.
+/// Finds the blocks on planes after the first dynamic step, since before it there may be no contacts, and
+/// updates the first slips.
 void Results::update_sliding(const State& state, const StepReport& report) {
     const bool is_first = state.dynamic_time <= report.step * (1 + 1e-9);
     if (is_first) progress_.planes = find_blocks_on_planes(model_, state);
@@ -141,7 +142,8 @@ void Results::stage_begins(const Model&, const State& state, const Stage& stage,
     progress_.stage = stage_index;
     progress_.next_frame = progress_.next_history = 1;
     if (stage.strength_reduction) progress_.trials.clear();
-    // The state's second row: the first, of the same instant, has the displacements that the last stage made.
+    // The last stage zeroed the displacements: write a second row of this time, after the one with its
+    // displacements.
     if (stage_index > 0 && resets_displacements(stages_[static_cast<std::size_t>(stage_index) - 1]))
         progress_.last_history_step = -1;
     write_frame(state);
@@ -157,7 +159,7 @@ bool Results::step_done(const Model&, const State& state, const Stage& stage, co
         write_history(state, stage);
     const bool ends = ends_stage(state, stage, report);
     if (!ends && frame_is_due(state, stage)) write_frame(state);
-    // Displacements of a static stage that resets them are not the motion that peaks are asked for.
+    // Peaks are those of dynamic stages.
     if (stage.kind == StageKind::dynamic) {
         update_peaks(state);
         update_sliding(state, report);
@@ -185,9 +187,10 @@ void Results::mechanism_found(const Model&, const State& state, const Stage& sta
 }
 
 void Results::stage_ends(const Model&, const State& state, const Stage& stage, int stage_index) {
-    if (stage.strength_reduction) return;  // what it has to show is the mechanism
+    if (stage.strength_reduction) return;  // mechanism_found wrote its frame
     write_history(state, stage);
-    // A viewer finds a frame by its time, so of an instant there is one: that of the next stage's start.
+    // A viewer finds a frame by its time: if displacements are zeroed, only the next stage's start is
+    // written.
     const bool is_last = static_cast<std::size_t>(stage_index) + 1 == stages_.size();
     if (is_last || !resets_displacements(stage)) write_frame(state);
 }
@@ -200,11 +203,11 @@ void Results::stage_fails(const Model&, const State& state, const Stage& stage, 
 namespace {
 
 double bytes_per_frame(const Model& model) {
-    constexpr double compressed = 0.6;  // of the floats of the blocks, shuffled and deflated
+    constexpr double compressed = 0.6;  // size of the shuffled and deflated floats over the original
     const double bytes_per_corner = model.origin.isZero(0) ? 3 * 4 : 3 * 8;  // coordinates
     constexpr double bytes_per_block = 14 * 4;                               // quantities of a block
     constexpr double bytes_per_contact = 90;  // coordinates, cell and quantities
-    constexpr double contacts_per_block = 4;  // of a jointed mass
+    constexpr double contacts_per_block = 4;  // typical of a jointed rock mass
     const double blocks =
         bytes_per_corner * static_cast<double>(model.vertices.size()) + model.block_count() * bytes_per_block;
     const double contacts = model.block_count() * contacts_per_block * bytes_per_contact;

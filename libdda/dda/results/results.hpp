@@ -16,13 +16,13 @@
 
 namespace rockslope::dda {
 
-/// Where a run is, for a progress line.
+/// Progress of a run, for a progress line.
 struct Progress {
     const Stage& stage;
     const State& state;
     const StepReport& report;
-    double done = 0;       ///< s, of the dynamic stages
-    double total = 0;      ///< s, likewise
+    double done = 0;       ///< s, computed part of the dynamic stages
+    double total = 0;      ///< s, duration of the dynamic stages
     double wall_time = 0;  ///< s, since this program started the run
 };
 
@@ -30,17 +30,17 @@ struct Progress {
 using ProgressFunction = std::function<bool(const Progress&)>;
 
 struct ResultsOptions {
-    std::filesystem::path folder;  ///< exists already
+    std::filesystem::path folder;  ///< must exist
     bool pvd = false;
     std::string input_hash;  ///< stored in checkpoints
     ProgressFunction progress = [](const Progress&) { return true; };
 };
 
-/// Writes the results of a run as it goes: composes the writers of the table, keeps their rhythm, and writes
-/// checkpoints.
+/// Writes the results of a run: calls the enabled writers of writer_table() when their output is due, and
+/// writes checkpoints.
 class Results : public RunObserver {
   public:
-    /// Opens the result files; with a checkpoint, cuts them back to it. @throws OutputError.
+    /// Opens the result files; with a checkpoint, truncates them to its positions. @throws OutputError.
     Results(const Model& model, const std::vector<Stage>& stages, const OutputSpec& output,
             ResultsOptions options, const Checkpoint* resume_from = nullptr);
     ~Results() override;
@@ -58,7 +58,7 @@ class Results : public RunObserver {
 
     const ResultsState& state() const { return progress_; }
     const std::vector<TrackedPoint>& points() const { return points_; }
-    /// The point that relative motions count from, among points(); nothing where there is none.
+    /// Index in points() of the reference of relative motions; nothing if there is none.
     const std::optional<std::size_t>& reference() const { return reference_; }
     /// s of wall time, of this and the earlier parts of the run.
     double wall_time() const;
@@ -93,11 +93,11 @@ class Results : public RunObserver {
     Clock::time_point last_checkpoint_;
 };
 
-/// The size that the frames of a run will take on disk, bytes, but for those within static stages: an
-/// estimate, good to a factor of two.
+/// Estimated size on disk of the frames of a run, bytes, without those inside static stages. It is correct to
+/// a factor of two.
 double estimated_bytes(const Model& model, const std::vector<Stage>& stages, const OutputSpec& output);
-/// What the frames within static stages add if every one of these takes all the steps it may: by how many
-/// steps it settles is not known before.
+/// Upper bound of the size on disk of the frames inside static stages, bytes: every static stage takes all
+/// the steps of its limit.
 double max_static_frame_bytes(const Model& model, const std::vector<Stage>& stages, const OutputSpec& output);
 
 }  // namespace rockslope::dda

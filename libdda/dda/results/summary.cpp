@@ -33,7 +33,7 @@ Json pair(const Vec2& v) {
     return Json::array({v.x(), v.y()});
 }
 
-/// Null where there is nothing to compare with.
+/// Ratio of a peak acceleration to the reference's; null without a reference or if that is zero.
 Json over_reference(double peak, const Results& results) {
     if (!results.reference()) return nullptr;
     const double base = results.state().peaks[*results.reference()].acceleration;
@@ -49,7 +49,7 @@ Json peaks_json(const Results& results, const Model& model, const State& state) 
         const Peaks& peaks = results.state().peaks[i];
         const PointMotion motion = motion_of(model, state, point);
         points.push_back({{"name", point.name},
-                          {"kind", point.material_point >= 0 ? "measured point" : "prescribed block"},
+                          {"kind", point.material_point.exists() ? "measured point" : "prescribed block"},
                           {"final_displacement", pair(motion.displacement)},
                           {"peak_displacement", peaks.displacement},
                           {"peak_displacement_time", peaks.displacement_time},
@@ -67,20 +67,19 @@ Json peaks_json(const Results& results, const Model& model, const State& state) 
 }
 
 Json farthest_block(const Model& model, const State& state) {
-    int farthest = 0;
+    BlockIndex farthest;
     double distance = -1;
-    for (int block = 0; block < model.block_count(); ++block) {
-        const Vec2 moved =
-            state.blocks.centroid(block) - state.centroid_origin[static_cast<std::size_t>(block)];
-        if (model.motion[static_cast<std::size_t>(block)] != Motion::free || !state.is_present(block) ||
-            moved.norm() <= distance)
+    for (const BlockIndex block : model.blocks()) {
+        const Vec2 moved = state.blocks.centroid(block) - state.centroid_origin[block];
+        if (model.motion[block] != Motion::free || !state.is_present(block) || moved.norm() <= distance)
             continue;
         distance = moved.norm();
         farthest = block;
     }
     if (distance < 0) return nullptr;
-    return {
-        {"block", farthest}, {"displacement", distance}, {"centroid", pair(state.blocks.centroid(farthest))}};
+    return {{"block", farthest.value()},
+            {"displacement", distance},
+            {"centroid", pair(state.blocks.centroid(farthest))}};
 }
 
 Json contact_counts(const State& state) {
@@ -89,7 +88,7 @@ Json contact_counts(const State& state) {
     return {{"open", counts[0]}, {"sliding", counts[1]}, {"locked", counts[2]}};
 }
 
-/// How many blocks slipped, and which first.
+/// The number of blocks that slipped, and the first of them.
 Json slips_json(const std::vector<FirstSlip>& slips) {
     const auto slipped = [](const FirstSlip& slip) { return slip.has_slipped(); };
     const auto count = std::count_if(slips.begin(), slips.end(), slipped);
@@ -106,8 +105,8 @@ Json slips_json(const std::vector<FirstSlip>& slips) {
 Json planes_json(const std::vector<PlaneSlip>& slips) {
     Json planes = Json::array();
     for (const PlaneSlip& slip : slips)
-        planes.push_back({{"block", slip.plane.block},
-                          {"base", slip.plane.base},
+        planes.push_back({{"block", slip.plane.block.value()},
+                          {"base", slip.plane.base.value()},
                           {"dip", slip.plane.dip},
                           {"yield_coefficient", slip.yield},
                           {"newmark_slip", slip.newmark},
@@ -125,7 +124,7 @@ Json energy_json(const Energy& e) {
             {"residual", e.residual()}};
 }
 
-/// The bracket that the trials leave, null where none stood or none failed, and the trials.
+/// The bracket of the factor of safety, null where no trial stood or none failed, and the trials.
 Json factor_of_safety(const std::vector<ReductionTrial>& trials) {
     Json stands, fails;
     Json list = Json::array();
@@ -144,8 +143,8 @@ Json factor_of_safety(const std::vector<ReductionTrial>& trials) {
 }
 
 Json contact_json(const Model& model, const Contact& contact) {
-    return {{"corner_block", contact.corner_block},
-            {"edge_block", contact.edge_block},
+    return {{"corner_block", contact.corner_block.value()},
+            {"edge_block", contact.edge_block.value()},
             {"at", pair(contact.point + model.origin)},
             {"joint_material", model.joint_material_at(contact.joint_material).name},
             {"normal_force", contact.normal_force},
@@ -169,7 +168,7 @@ std::string summary_text(const Model& model, const std::vector<Stage>& stages, c
     json["status"] = status_name(outcome.status);
     json["message"] = outcome.message;
     if (outcome.worst_contact) json["worst_contact"] = contact_json(model, *outcome.worst_contact);
-    json["stage"] = stages[static_cast<std::size_t>(results.state().stage)].name;
+    json["stage"] = stages[results.state().stage].name;
     json["time"] = state.time;
     json["steps"] = state.step_count;
     json["wall_time"] = results.wall_time();

@@ -9,7 +9,7 @@
 
 namespace rockslope::dda {
 
-/// A file that a run was made from.
+/// An input file of a run.
 struct InputFile {
     std::string path;
     std::string sha256;
@@ -18,7 +18,8 @@ struct InputFile {
 /// Reads and hashes files. @throws InputError for one that cannot be read.
 std::vector<InputFile> hash_files(const std::vector<std::filesystem::path>& files);
 
-/// How a run ended, as JSON text: outcome, stages, peaks, energies, contacts, wall time, version and inputs.
+/// The summary of a run as JSON text: outcome, stage, peaks, energies, contacts, wall time, version and
+/// inputs.
 std::string summary_text(const Model& model, const std::vector<Stage>& stages, const State& state,
                          const RunOutcome& outcome, const Results& results, const std::string& version,
                          const std::vector<InputFile>& inputs);

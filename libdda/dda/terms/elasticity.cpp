@@ -5,6 +5,7 @@
 namespace rockslope::dda {
 
 double retardation_time(const BlockMaterial& material, const AreaMoments& moments) {
+    // Eq. (18), with the larger principal moment of the area.
     const double largest_moment =
         (moments.xx + moments.yy) / 2 + std::hypot((moments.xx - moments.yy) / 2, moments.xy);
     const double longest = largest_moment / moments.area;
@@ -14,11 +15,11 @@ double retardation_time(const BlockMaterial& material, const AreaMoments& moment
 
 void add_elasticity(const Model& model, const RowMap& rows, const BlockSystem& blocks, double dt,
                     BaseSystem& base) {
-    for (std::size_t row = 0; row < rows.block_of.size(); ++row) {
-        const auto b = static_cast<std::size_t>(rows.block_of[row]);
-        const BlockMaterial& material = model.material_of(rows.block_of[row]);
+    for (const RowIndex row : rows.rows()) {
+        const BlockIndex b = rows.block_of[row];
+        const BlockMaterial& material = model.material_of(b);
         const double area = blocks.moments[b].area;
-        // The strain rate is the step's mean: the viscous stress then only ever takes energy.
+        // With the mean strain rate of the step, the viscous stress never adds energy.
         const double viscous = retardation_time(material, blocks.moments[b]) / dt;
         base.stiffness[row].bottomRightCorner<3, 3>() +=
             (1 + viscous) * area * elasticity(material, model.plane);

@@ -7,18 +7,18 @@
 
 namespace rockslope::dda {
 
-/// A point on a face at which an integral along it is evaluated.
+/// An integration point on a face.
 struct FacePoint {
-    int block = 0;
-    double fraction = 0;          ///< of the way along the face's part, in (0, 1)
-    double weight = 0;            ///< m, the length that the point stands for
+    BlockIndex block;
+    double fraction = 0;          ///< position along the face part, in (0, 1)
+    double weight = 0;            ///< m, integration weight
     Vec2 arm = Vec2::Zero();      ///< m, from the block's centroid
-    Vec2 tangent = Vec2::Zero();  ///< along the edge
-    Vec2 normal = Vec2::Zero();   ///< out of the rock
+    Vec2 tangent = Vec2::Zero();  ///< unit vector along the edge
+    Vec2 normal = Vec2::Zero();   ///< unit vector out of the rock
 };
 
-/// Gauss's two points of a part of an edge, half-way through the step: exact for polynomials up to the third
-/// degree, so for the product of a linear traction and the linear displacements of a block.
+/// The two Gauss points of a part of an edge at mid-step. They integrate polynomials of the third degree
+/// exactly, hence also the product of a linear traction and the linear displacement field of a block.
 std::array<FacePoint, 2> face_points(const Model& model, const MidStep& mid, const FacePart& face);
 
 }  // namespace rockslope::dda

@@ -12,12 +12,12 @@ double within_table(const TimeTable& table, double time) {
     return table.at(time);
 }
 
-/// One direction of a column as the step sees it: a chain of springs and masses, per metre of width.
+/// A column in one direction: a chain of masses and springs, per metre of width.
 struct Chain {
-    std::vector<double> mass;       ///< kg/m2, of each layer
-    std::vector<double> stiffness;  ///< Pa/m, of each layer
-    std::vector<double> retarded;   ///< 1 + retardation time over the step, of each layer
-    double impedance = 0;           ///< Pa s/m, at the foot
+    std::vector<double> mass;       ///< kg/m2, per layer
+    std::vector<double> stiffness;  ///< Pa/m, per layer
+    std::vector<double> retarded;   ///< 1 + retardation time over the step, per layer
+    double impedance = 0;           ///< Pa s/m, at the base
 };
 
 /// @param axis 0: shear waves; 1: pressure waves.
@@ -30,18 +30,18 @@ Chain chain_of(const Model& model, const FreeField& field, const BlockSystem& bl
         const double stiff = elasticity(rock, model.plane)(modulus, modulus);
         chain.mass.push_back(rock.density * height);
         chain.stiffness.push_back(stiff / height);
-        chain.retarded.push_back(
-            1 + retardation_time(rock, blocks.moments[static_cast<std::size_t>(field.rock[k])]) / dt);
+        chain.retarded.push_back(1 + retardation_time(rock, blocks.moments[field.rock[k]]) / dt);
         if (k == 0) chain.impedance = std::sqrt(rock.density * stiff);
     }
     return chain;
 }
 
-/// A symmetric tridiagonal system, solved by elimination.
+/// A symmetric tridiagonal system of equations.
 struct Tridiagonal {
     std::vector<double> diagonal, above, right;
 
     explicit Tridiagonal(std::size_t size) : diagonal(size, 0.0), above(size, 0.0), right(size, 0.0) {}
+    /// Solves by Gaussian elimination (Thomas algorithm); overwrites the system.
     std::vector<double> solution() {
         const std::size_t size = diagonal.size();
         for (std::size_t k = 1; k < size; ++k) {
@@ -56,13 +56,14 @@ struct Tridiagonal {
     }
 };
 
-/// The displacements of a step in one direction. @param push Pa, of the incident wave at the foot.
+/// The displacements of a step in one direction, Eq. (51) with the ends of Eq. (52). @param push Pa, of the
+/// incident wave at the foot.
 std::vector<double> chain_step(const Chain& chain, const ColumnMotion& motion, int axis, double push,
                                double mass_damping, const Newmark& newmark) {
     const double rate = newmark.velocity_rate();
     const double inertia = 1 / (newmark.beta * newmark.dt * newmark.dt) + mass_damping * rate;
     Tridiagonal system(motion.displacement.size());
-    // Per node: velocity and acceleration at the step's end if it did not move.
+    // Velocity, and inertia force per unit mass, of a node at the end of the step for zero displacement.
     const auto velocity = [&](std::size_t k) {
         return newmark.velocity_at_zero_displacement(motion.velocity[k][axis], motion.acceleration[k][axis]);
     };
@@ -131,11 +132,12 @@ FreeFieldMotions advance_fields(const Model& model, const Stage& stage, const Bl
 
 FieldPoint field_at(const Model& model, const FreeField& field, const ColumnMotion& motion, double height) {
     const auto above = std::upper_bound(field.nodes.begin() + 1, field.nodes.end() - 1, height);
-    const auto k = static_cast<std::size_t>(above - field.nodes.begin()) - 1;
+    const std::size_t k = above - field.nodes.begin() - 1;
     const double thickness = field.nodes[k + 1] - field.nodes[k];
     const double fraction = std::clamp((height - field.nodes[k]) / thickness, 0.0, 1.0);
     const Vec2 strain = (motion.displacement[k + 1] - motion.displacement[k]) / thickness;
     const Mat3 modulus = elasticity(model.material_of(field.rock[k]), model.plane);
+    // The velocity and the stresses of Eq. (53).
     return {(1 - fraction) * motion.velocity[k] + fraction * motion.velocity[k + 1],
             {modulus(0, 1) * strain.y(), modulus(2, 2) * strain.x()}};
 }

@@ -7,37 +7,38 @@
 
 namespace rockslope::dda {
 
-/// The motion of a free-field column, per node from the foot up.
+/// The motion of a free-field column, per node from the base up.
 struct ColumnMotion {
-    std::vector<Vec2> displacement;  ///< m, since the dynamic stages' start
-    std::vector<Vec2> velocity;
-    std::vector<Vec2> acceleration;
+    std::vector<Vec2> displacement;  ///< m, since the start of the dynamic stages
+    std::vector<Vec2> velocity;      ///< m/s
+    std::vector<Vec2> acceleration;  ///< m/s2
 };
-/// Per viscous boundary of the model; empty where there is no column beside it.
+/// The motion of the column beside each viscous boundary; empty for a boundary without a column.
 using FreeFieldMotions = std::vector<ColumnMotion>;
 
 FreeFieldMotions fields_at_rest(const Model& model);
 
-/// The columns one step later, Eqs. (51) and (52): linear elements with the engine's integration, dashpots
-/// and incident wave at the foot, the damping of the blocks beside them. The model does not act on them.
-/// Static stages have them at rest. @param blocks beside the columns; @param stage_time s, at the step's end.
+/// Advances the free-field columns by one step, Eqs. (51) and (52): linear elements with the same Newmark
+/// integration and damping as the blocks beside them, and dashpots and incident wave at the base. The blocks
+/// do not act on the columns. Columns are at rest in static stages.
+/// @param blocks provide the damping; @param stage_time s, at the end of the step.
 FreeFieldMotions advance_fields(const Model& model, const Stage& stage, const BlockSystem& blocks,
                                 const FreeFieldMotions& before, double stage_time, const Newmark& newmark);
 
-/// What a column does at a height.
+/// Velocity and traction of a column at a height.
 struct FieldPoint {
     Vec2 velocity = Vec2::Zero();  ///< m/s
     Vec2 traction = Vec2::Zero();  ///< Pa, on a plane whose normal is +x: (sigma_x, tau_xy)
 };
-/// @param height m, within the column; beyond its ends, what is there.
+/// @param height m; clamped to the ends of the column.
 FieldPoint field_at(const Model& model, const FreeField& field, const ColumnMotion& motion, double height);
 
-/// What enters through a boundary of that name: a velocity and a traction, to be doubled by those who let it
-/// in, Eq. (48).
+/// The incident wave at a boundary. Eq. (48) doubles it at a dashpot.
 struct IncidentMotion {
-    Vec2 velocity = Vec2::Zero();  ///< m/s
-    Vec2 traction = Vec2::Zero();  ///< Pa, with which the wave pushes the rock
+    Vec2 velocity = Vec2::Zero();  ///< m/s, particle velocity of the wave
+    Vec2 traction = Vec2::Zero();  ///< Pa, traction of the wave on the rock
 };
+/// The sum of the stage's incident waves at the boundary named `boundary`.
 IncidentMotion incident_motion(const Stage& stage, const std::string& boundary, double stage_time);
 
 }  // namespace rockslope::dda

@@ -3,7 +3,7 @@
 namespace rockslope::dda {
 
 Mat6 mass_matrix(double mass, const AreaMoments& moments) {
-    // First moments vanish about the centroid, so translation is not coupled to the other unknowns.
+    // Eq. (11). First moments vanish about the centroid, so translation is not coupled to the other unknowns.
     const double density = mass / moments.area;
     const double xx = density * moments.xx;
     const double yy = density * moments.yy;
@@ -26,8 +26,8 @@ void add_inertia(const RowMap& rows, const BlockSystem& blocks, const Newmark& n
                  BaseSystem& base) {
     const double beta = newmark.beta;
     const double dt = newmark.dt;
-    for (std::size_t row = 0; row < rows.block_of.size(); ++row) {
-        const auto b = static_cast<std::size_t>(rows.block_of[row]);
+    for (const RowIndex row : rows.rows()) {
+        const BlockIndex b = rows.block_of[row];
         const Mat6 m = mass_matrix(blocks.mass[b], blocks.moments[b]);
         const Vec6& v0 = blocks.velocity[b];
         const Vec6& a0 = blocks.acceleration[b];

@@ -6,6 +6,7 @@ void visit_tractions(const Model& model, const MidStep& mid, const LineLoad& loa
                      const TractionVisit& visit) {
     for (const LoadedFace& loaded : load.faces) {
         for (const FacePoint& point : face_points(model, mid, loaded.face)) {
+            // The traction of Eq. (54).
             const double pressure =
                 loaded.pressure_from + point.fraction * (loaded.pressure_to - loaded.pressure_from);
             const Vec2 traction =

@@ -1,100 +1,120 @@
 #include "dda/terms/loads.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace rockslope::dda {
 
 namespace {
 
-/// Adds one load's force at an instant to the rows.
-struct AddLoad {
-    const Model& model;
-    const RowMap& rows;
-    const BlockSystem& blocks;
-    const MidStep& mid;
-    double time;
-    std::vector<Vec6>& forces;
+/// Sums the generalised forces of loads on the free blocks at one instant.
+class LoadForces {
+  public:
+    LoadForces(const Model& model, const RowMap& rows, const BlockSystem& blocks, const MidStep& mid,
+               double time)
+        : model_(model),
+          rows_(rows),
+          blocks_(blocks),
+          mid_(mid),
+          time_(time),
+          forces_(rows.count(), Vec6::Zero()) {}
 
-    void operator()(const PointLoad& load) const {
-        const auto p = static_cast<std::size_t>(load.point);
-        const int block = model.material_points[p].block;
-        add(block, load.history.at(time) *
-                       project(load.force, mid.points[p] - mid.centroid[static_cast<std::size_t>(block)]));
+    double factor(const TimeTable& history) const { return history.at(time_); }
+    /// Adds a generalised force on the six unknowns of a block.
+    void add(BlockIndex block, const Vec6& force) {
+        const RowIndex row = rows_.row_of[block];
+        if (row.exists()) forces_[row] += force;
     }
-    void operator()(const BodyLoad& load) const {
-        const Vec2 acceleration = load.history.at(time) * load.acceleration;
-        for (const int block : rows.block_of) {
-            if (load.block >= 0 && load.block != block) continue;
+    /// Adds a force at a material point, N per metre, times a factor.
+    void add_at_point(PointIndex point, double factor, const Vec2& force) {
+        const BlockIndex block = model_.material_points[point].block;
+        add(block, factor * project(force, mid_.points[point] - mid_.centroid[block]));
+    }
+    /// Adds mass times an acceleration, m/s2, for one block, or for all blocks if `block` is none.
+    void add_acceleration(BlockIndex block, const Vec2& acceleration) {
+        for (const BlockIndex loaded : rows_.block_of) {
+            if (block.exists() && block != loaded) continue;
             Vec6 force = Vec6::Zero();
-            force.head<2>() = blocks.mass[static_cast<std::size_t>(block)] * acceleration;
-            add(block, force);
+            force.head<2>() = blocks_.mass[loaded] * acceleration;
+            add(loaded, force);
         }
     }
+    /// Adds the tractions of a load on faces, times its history.
     template <class FaceLoad>
-    void operator()(const FaceLoad& load) const {
-        const double factor = load.history.at(time);
-        if (factor == 0) return;
-        visit_tractions(model, mid, load, [&](const FacePoint& point, const Vec2& traction) {
-            add(point.block, factor * point.weight * project(traction, point.arm));
+    void add_tractions(const FaceLoad& load) {
+        const double present_factor = factor(load.history);
+        if (present_factor == 0) return;
+        visit_tractions(model_, mid_, load, [&](const FacePoint& point, const Vec2& traction) {
+            add(point.block, present_factor * point.weight * project(traction, point.arm));
         });
     }
 
-    void add(int block, const Vec6& force) const {
-        const int row = rows.row_of[static_cast<std::size_t>(block)];
-        if (row >= 0) forces[static_cast<std::size_t>(row)] += force;
-    }
+    PerRow<Vec6> result() && { return std::move(forces_); }
+
+  private:
+    const Model& model_;
+    const RowMap& rows_;
+    const BlockSystem& blocks_;
+    const MidStep& mid_;
+    double time_;
+    PerRow<Vec6> forces_;
 };
 
-/// The largest acceleration by one load.
-struct MaxLoadAcceleration {
-    const Model& model;
-    const BlockSystem& blocks;
+/// The masses, sizes and tractions for estimating the largest acceleration by a load.
+class LoadedBlocks {
+  public:
+    LoadedBlocks(const Model& model, const BlockSystem& blocks) : model_(model), blocks_(blocks) {}
 
-    double operator()(const PointLoad& load) const {
-        const int block = model.material_points[static_cast<std::size_t>(load.point)].block;
-        return load.force.norm() / blocks.mass[static_cast<std::size_t>(block)];
-    }
-    double operator()(const BodyLoad& load) const { return load.acceleration.norm(); }
+    double mass(BlockIndex block) const { return blocks_.mass[block]; }  ///< kg per metre
+    /// m, the side of a square of the block's area.
+    double size(BlockIndex block) const { return std::sqrt(blocks_.moments[block].area); }
+    BlockIndex block_of(PointIndex point) const { return model_.material_points[point].block; }
+    /// The acceleration by the sum of the magnitudes of all tractions of a load on faces, m/s2.
     template <class FaceLoad>
-    double operator()(const FaceLoad& load) const {
-        MidStep now{blocks.vertices, blocks.points, {}};
-        for (const AreaMoments& moments : blocks.moments) now.centroid.push_back(moments.centroid);
-        std::vector<double> total_force(blocks.mass.size(), 0);
-        visit_tractions(model, now, load, [&](const FacePoint& point, const Vec2& traction) {
-            total_force[static_cast<std::size_t>(point.block)] += point.weight * traction.norm();
+    double max_traction_acceleration(const FaceLoad& load) const {
+        MidStep now{blocks_.vertices, blocks_.points, {}};
+        for (const AreaMoments& moments : blocks_.moments) now.centroid.push_back(moments.centroid);
+        PerBlock<double> total_force(blocks_.mass.size(), 0);
+        visit_tractions(model_, now, load, [&](const FacePoint& point, const Vec2& traction) {
+            total_force[point.block] += point.weight * traction.norm();
         });
         double largest = 0;
-        for (std::size_t b = 0; b < total_force.size(); ++b)
-            largest = std::max(largest, total_force[b] / blocks.mass[b]);
+        for (const BlockIndex b : total_force.indices())
+            largest = std::max(largest, total_force[b] / blocks_.mass[b]);
         return largest;
     }
+
+  private:
+    const Model& model_;
+    const BlockSystem& blocks_;
 };
 
 }  // namespace
 
-std::vector<Vec6> load_forces(const Model& model, const RowMap& rows, const BlockSystem& blocks,
-                              const MidStep& mid, const LoadInstant& instant) {
-    std::vector<Vec6> forces(static_cast<std::size_t>(rows.count()), Vec6::Zero());
-    const AddLoad add{model, rows, blocks, mid, instant.time, forces};
-    for (const Load& load : model.loads) std::visit(add, load);
-    add(BodyLoad{-1, -instant.frame_acceleration, {}});
-    return forces;
+PerRow<Vec6> load_forces(const Model& model, const RowMap& rows, const BlockSystem& blocks,
+                         const MidStep& mid, const LoadInstant& instant) {
+    LoadForces forces(model, rows, blocks, mid, instant.time);
+    for (const Load& load : model.loads) std::visit([&](const auto& l) { l.add_to(forces); }, load);
+    forces.add_acceleration(BlockIndex::none(), -instant.frame_acceleration);
+    return std::move(forces).result();
 }
 
 void add_loads(const Model& model, const RowMap& rows, const BlockSystem& blocks, const MidStep& mid,
                const LoadInstant& instant, BaseSystem& base) {
-    const std::vector<Vec6> forces = load_forces(model, rows, blocks, mid, instant);
-    for (std::size_t row = 0; row < rows.block_of.size(); ++row) {
-        const auto b = static_cast<std::size_t>(rows.block_of[row]);
-        base.load[row].head<2>() += blocks.mass[b] * model.gravity;
+    const PerRow<Vec6> forces = load_forces(model, rows, blocks, mid, instant);
+    for (const RowIndex row : rows.rows()) {
+        base.load[row].head<2>() += blocks.mass[rows.block_of[row]] * model.gravity;
         base.load[row] += forces[row];
     }
 }
 
 double max_load_acceleration(const Model& model, const BlockSystem& blocks) {
     double largest = 0;
+    const LoadedBlocks loaded(model, blocks);
     for (const Load& load : model.loads)
-        largest = std::max(largest, std::visit(MaxLoadAcceleration{model, blocks}, load));
+        largest =
+            std::max(largest, std::visit([&](const auto& l) { return l.max_acceleration(loaded); }, load));
     return largest;
 }
 

@@ -2,22 +2,20 @@
 
 namespace rockslope::dda {
 
-void RowContacts::find(int rows, std::span<const ContactSprings> springs) {
+void RowContacts::find(std::size_t rows, ContactSpan<const ContactSprings> springs) {
     const auto for_rows = [&](const auto& visit) {
-        for (std::size_t k = 0; k < springs.size(); ++k) {
-            for (const int row : {springs[k].rows.first, springs[k].rows.second}) {
-                if (row >= 0) visit(static_cast<std::size_t>(row), static_cast<int>(k));
+        for (const ContactIndex k : springs.indices()) {
+            for (const RowIndex row : {springs[k].rows.first, springs[k].rows.second}) {
+                if (row.exists()) visit(row, k);
             }
         }
     };
-    // Counted two places on, summed, and moved down by one while the contacts are put in their places.
-    begin_.assign(static_cast<std::size_t>(rows) + 2, 0);
-    for_rows([&](std::size_t row, int) { ++begin_[row + 2]; });
+    // Counting sort. Counts are stored two places ahead and summed; filling moves each start down by one row.
+    begin_.assign(rows + 2, 0);
+    for_rows([&](RowIndex row, ContactIndex) { ++begin_[row + 2]; });
     for (std::size_t k = 2; k < begin_.size(); ++k) begin_[k] += begin_[k - 1];
-    contacts_.resize(static_cast<std::size_t>(begin_.back()));
-    for_rows([&](std::size_t row, int contact) {
-        contacts_[static_cast<std::size_t>(begin_[row + 1]++)] = contact;
-    });
+    contacts_.resize(begin_.back());
+    for_rows([&](RowIndex row, ContactIndex contact) { contacts_[begin_[row + 1]++] = contact; });
 }
 
 }  // namespace rockslope::dda

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -7,21 +8,20 @@
 
 namespace rockslope::dda {
 
-/// The contacts that each row has springs of: what a row's equations are put together from, each row by
-/// itself.
+/// For each matrix row, the contacts with a spring on its block. Assembly by rows needs no locks.
 class RowContacts {
   public:
-    /// Takes no new memory where the contacts found before were as many.
-    void find(int rows, std::span<const ContactSprings> springs);
+    /// Finds the contacts of all rows. Allocates only if there are more contacts or rows than ever before.
+    void find(std::size_t rows, ContactSpan<const ContactSprings> springs);
 
     /// Indices of a row's contacts, ascending.
-    std::span<const int> of(std::size_t row) const {
-        return {contacts_.data() + begin_[row], static_cast<std::size_t>(begin_[row + 1] - begin_[row])};
+    std::span<const ContactIndex> of(RowIndex row) const {
+        return std::span(contacts_).subspan(begin_[row], begin_[row + 1] - begin_[row]);
     }
 
   private:
-    std::vector<int> begin_;  ///< per row, and the end
-    std::vector<int> contacts_;
+    PerRow<std::uint32_t> begin_;  ///< index of the first contact of each row in contacts_, then the end
+    std::vector<ContactIndex> contacts_;
 };
 
 }  // namespace rockslope::dda

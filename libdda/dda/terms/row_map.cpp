@@ -2,11 +2,11 @@
 
 namespace rockslope::dda {
 
-RowMap::RowMap(const std::vector<Motion>& motion) : row_of(motion.size(), -1) {
-    for (std::size_t b = 0; b < motion.size(); ++b) {
+RowMap::RowMap(const PerBlock<Motion>& motion) : row_of(motion.size(), RowIndex::none()) {
+    for (const BlockIndex b : motion.indices()) {
         if (motion[b] != Motion::free) continue;
         row_of[b] = count();
-        block_of.push_back(static_cast<int>(b));
+        block_of.push_back(b);
     }
 }
 

@@ -9,46 +9,42 @@ namespace rockslope::dda {
 
 namespace {
 
-/// The two blocks' unknowns, where they have any, and a point of each.
-BlockPair attach(const RowMap& rows, const MidStep& mid, int a, const Vec2& point_on_a, int b,
+/// Attaches a spring to a point of block `a` and a point of block `b`.
+BlockPair attach(const RowMap& rows, const MidStep& mid, BlockIndex a, const Vec2& point_on_a, BlockIndex b,
                  const Vec2& point_on_b) {
-    const auto ia = static_cast<std::size_t>(a);
-    const auto ib = static_cast<std::size_t>(b);
-    return {rows.row_of[ia], rows.row_of[ib], point_on_a - mid.centroid[ia], point_on_b - mid.centroid[ib]};
+    return {rows.row_of[a], rows.row_of[b], point_on_a - mid.centroid[a], point_on_b - mid.centroid[b]};
 }
 
-/// The displacement of the point of block `a` along `direction`, less that of the point of block `b`.
-RelativeMeasure relative_measure(const BlockPair& pair, std::span<const Vec6> prescribed,
-                                 const Vec2& direction, int a, int b) {
+/// The displacement of the point of block `a` along `direction`, less that of the point of block `b`,
+/// Eq. (20).
+RelativeMeasure relative_measure(const BlockPair& pair, BlockSpan<const Vec6> prescribed,
+                                 const Vec2& direction, BlockIndex a, BlockIndex b) {
     RelativeMeasure relative{direction, 0};
-    if (pair.first < 0)
-        relative.prescribed += pair.gradient_first(relative).dot(prescribed[static_cast<std::size_t>(a)]);
-    if (pair.second < 0)
-        relative.prescribed += pair.gradient_second(relative).dot(prescribed[static_cast<std::size_t>(b)]);
+    if (!pair.first.exists()) relative.prescribed += pair.gradient_first(relative).dot(prescribed[a]);
+    if (!pair.second.exists()) relative.prescribed += pair.gradient_second(relative).dot(prescribed[b]);
     return relative;
 }
 
 }  // namespace
 
-void BlockPair::add_force(const RelativeMeasure& relative, double force, std::span<Vec6> load) const {
-    if (first >= 0) load[static_cast<std::size_t>(first)] += force * gradient_first(relative);
-    if (second >= 0) load[static_cast<std::size_t>(second)] += force * gradient_second(relative);
+void BlockPair::add_force(const RelativeMeasure& relative, double force, RowSpan<Vec6> load) const {
+    if (first.exists()) load[first] += force * gradient_first(relative);
+    if (second.exists()) load[second] += force * gradient_second(relative);
 }
 
-std::vector<ContactSprings> contact_springs(const Model& model, const RowMap& rows, const MidStep& mid,
-                                            std::span<const Vec6> prescribed,
-                                            std::span<const Contact> contacts, const ThreadPool& pool) {
-    std::vector<ContactSprings> springs(contacts.size());
+PerContact<ContactSprings> contact_springs(const Model& model, const RowMap& rows, const MidStep& mid,
+                                           BlockSpan<const Vec6> prescribed,
+                                           ContactSpan<const Contact> contacts, const ThreadPool& pool) {
+    PerContact<ContactSprings> springs(contacts.size());
     pool.parallel_for(contacts.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t k = begin; k < end; ++k) {
+        for (const ContactIndex k : indices<ContactIndex>(begin, end)) {
             const Contact& contact = contacts[k];
-            const Vec2& point = mid.vertices[static_cast<std::size_t>(contact.corner)];
-            const Vec2& first = mid.vertices[static_cast<std::size_t>(contact.edge)];
-            const Vec2& second = mid.vertices[static_cast<std::size_t>(
-                model.topology.next[static_cast<std::size_t>(contact.edge)])];
+            const Vec2& point = mid.vertices[contact.corner];
+            const Vec2& first = mid.vertices[start_of(contact.edge)];
+            const Vec2& second = mid.vertices[model.topology.end_of(contact.edge)];
             const CornerEdgeGeometry geometry = corner_edge_geometry(point, first, second);
-            // The force acts half-way between the corner and the face it lies on: the same place when corner
-            // and edge exchange roles.
+            // The force acts half-way between the corner and the face it lies on, Eq. (19): the same place
+            // when corner and edge exchange roles.
             const Vec2 contact_point = point - geometry.gap / 2 * geometry.normal;
             ContactSprings& spring = springs[k];
             spring.rows =
@@ -68,13 +64,13 @@ std::vector<ContactSprings> contact_springs(const Model& model, const RowMap& ro
 }
 
 std::vector<BoltSpring> bolt_springs(const Model& model, const RowMap& rows, const MidStep& mid,
-                                     std::span<const Vec6> prescribed) {
+                                     BlockSpan<const Vec6> prescribed) {
     std::vector<BoltSpring> springs;
     for (const BoltSpec& bolt : model.bolts) {
-        const MaterialPoint& first = model.material_points[static_cast<std::size_t>(bolt.first)];
-        const MaterialPoint& second = model.material_points[static_cast<std::size_t>(bolt.second)];
-        const Vec2& from = mid.points[static_cast<std::size_t>(bolt.first)];
-        const Vec2& to = mid.points[static_cast<std::size_t>(bolt.second)];
+        const MaterialPoint& first = model.material_points[bolt.first];
+        const MaterialPoint& second = model.material_points[bolt.second];
+        const Vec2& from = mid.points[bolt.first];
+        const Vec2& to = mid.points[bolt.second];
         BoltSpring spring;
         spring.rows = attach(rows, mid, second.block, to, first.block, from);
         spring.elongation =
@@ -85,7 +81,7 @@ std::vector<BoltSpring> bolt_springs(const Model& model, const RowMap& rows, con
     return springs;
 }
 
-double max_spring_stiffness(std::span<const ContactSprings> springs) {
+double max_spring_stiffness(ContactSpan<const ContactSprings> springs) {
     double max_stiffness = 0;
     for (const ContactSprings& s : springs)
         max_stiffness = std::max({max_stiffness, s.normal_stiffness, s.shear_stiffness});

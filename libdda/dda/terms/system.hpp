@@ -7,21 +7,21 @@
 
 namespace rockslope::dda {
 
-/// The numbering of the unknowns: one row of six for each free block; fixed and prescribed blocks have none
-/// (their displacement is known and is eliminated).
+/// The numbering of the unknowns: each free block has one row of six unknowns. Fixed and prescribed blocks
+/// have none; their displacement is known and is eliminated.
 struct RowMap {
-    std::vector<int> row_of;    ///< per block, -1 when it has no unknowns
-    std::vector<int> block_of;  ///< per row
+    PerBlock<RowIndex> row_of;    ///< per block, -1 when it has no unknowns
+    PerRow<BlockIndex> block_of;  ///< per row
 
-    explicit RowMap(const std::vector<Motion>& motion);
-    int count() const { return static_cast<int>(block_of.size()); }
+    explicit RowMap(const PerBlock<Motion>& motion);
+    std::size_t count() const { return block_of.size(); }
+    IndexRange<RowIndex> rows() const { return block_of.indices(); }
 };
 
-/// The part of the step's equations that does not depend on contacts: submatrices on the diagonal and the
-/// load vector.
+/// The terms of the step's equations that do not depend on contacts: diagonal submatrices and load vector.
 struct BaseSystem {
-    std::vector<Mat6> stiffness;  ///< per row
-    std::vector<Vec6> load;       ///< per row
+    PerRow<Mat6> stiffness;  ///< per row
+    PerRow<Vec6> load;       ///< per row
 };
 
 /// Newmark's relations for one step, Eqs. (14)-(16): with a displacement d over dt
@@ -37,9 +37,9 @@ struct Newmark {
     Vector acceleration(const Vector& d, const Vector& v0, const Vector& a0) const {
         return (d / dt - v0) / (beta * dt) - (0.5 - beta) / beta * a0;
     }
-    /// The part of v1 that is proportional to d, over d, 1/s.
+    /// The derivative of v1 with respect to d, 1/s.
     double velocity_rate() const { return gamma / (beta * dt); }
-    /// v1 when d is zero.
+    /// v1 for d = 0.
     template <class Vector>
     Vector velocity_at_zero_displacement(const Vector& v0, const Vector& a0) const {
         return (1 - gamma / beta) * v0 + dt * ((1 - gamma) - gamma * (0.5 - beta) / beta) * a0;
@@ -54,14 +54,17 @@ struct Newmark {
 /// rotation and strains).
 Mat6 mass_matrix(double mass, const AreaMoments& moments);
 
+/// Adds inertia and mass damping. @param mass_damping 1/s
 void add_inertia(const RowMap& rows, const BlockSystem& blocks, const Newmark& newmark, double mass_damping,
                  BaseSystem& base);
+/// Adds the stiffness of the blocks, their initial stress and their strain damping. @param dt s
 void add_elasticity(const Model& model, const RowMap& rows, const BlockSystem& blocks, double dt,
                     BaseSystem& base);
-/// Retardation time of a block's rock, s: viscous stress = time * elasticity * strain rate gives the
-/// material's damping ratio in the block's softest strain mode, of frequency sqrt(E area / (rho I)) with
-/// the larger principal moment I of the area, Eq. (18).
+/// Retardation time of a block, s, Eq. (18): viscous stress = time * elasticity * strain rate. It gives the
+/// material's damping ratio in the softest strain mode of the block, whose angular frequency is
+/// sqrt(E area / (rho I)), with I the larger principal moment of the area.
 double retardation_time(const BlockMaterial& material, const AreaMoments& moments);
+/// Adds the penalty springs of fixed points, Eq. (39).
 void add_fixed_points(const Model& model, const RowMap& rows, const BlockSystem& blocks, const MidStep& mid,
                       BaseSystem& base);
 

@@ -8,8 +8,8 @@ namespace rockslope::dda {
 
 namespace {
 
-/// Normal and shear impedance of a face, Pa s/m: density times wave speed, sqrt(density * modulus).
-Vec2 impedance(const Model& model, const ViscousBoundary& boundary, int block) {
+/// Normal and shear impedance of a face, Eq. (47), Pa s/m: density times wave speed, sqrt(density * modulus).
+Vec2 impedance(const Model& model, const ViscousBoundary& boundary, BlockIndex block) {
     const BlockMaterial& rock = model.material_of(block);
     const Mat3 modulus = elasticity(rock, model.plane);
     return {
@@ -23,17 +23,17 @@ Eigen::Matrix2d along_face(const FacePoint& point, double normal, double shear) 
            shear * point.tangent * point.tangent.transpose();
 }
 
-/// N/m per metre of a point's holding springs, by direction.
+/// The stiffness matrix of the springs that hold a point in static stages, N/m per metre.
 Eigen::Matrix2d restraint_stiffness(const Model& model, const ViscousBoundary& boundary,
                                     const FacePoint& point) {
     const double k = model.fixed_point_penalty;
     return along_face(point, boundary.hold == Hold::none ? 0 : k, boundary.hold == Hold::both ? k : 0);
 }
 
-/// The force of a point's dashpots, reversed, and what the rock behind drives them with, N per metre.
+/// The dashpots of a point: their force on the rock is drive - damping * velocity, N per metre.
 struct DashpotForce {
-    Eigen::Matrix2d damping = Eigen::Matrix2d::Zero();
-    Vec2 drive = Vec2::Zero();
+    Eigen::Matrix2d damping = Eigen::Matrix2d::Zero();  ///< N s/m per metre
+    Vec2 drive = Vec2::Zero();                          ///< N per metre, by incident wave or free field
 };
 
 /// Eq. (48) where waves come in, Eq. (53) beside a free field.
@@ -78,19 +78,19 @@ std::vector<BoundaryTerm> boundary_terms(const Model& model, const RowMap& rows,
     const bool dynamic = stage.kind == StageKind::dynamic;
     std::vector<BoundaryTerm> terms;
     for_faces(model, [&](const ViscousBoundary& boundary, const FacePart& face, std::size_t reaction) {
-        const int block = model.topology.block_of[static_cast<std::size_t>(face.edge)];
+        const BlockIndex block = model.topology.block_of_edge(face.edge);
         BoundaryTerm term;
-        term.row = rows.row_of[static_cast<std::size_t>(block)];
-        if (term.row < 0) return;
+        term.row = rows.row_of[block];
+        if (!term.row.exists()) return;
         const Vec2 z = impedance(model, boundary, block);
-        const ColumnMotion& column =
-            fields[static_cast<std::size_t>(&boundary - model.viscous_boundaries.data())];
+        const ColumnMotion& column = fields[&boundary - model.viscous_boundaries.data()];
         const IncidentMotion wave = incident_motion(stage, boundary.name, stage_time);
         for (const FacePoint& point : face_points(model, mid, face)) {
             const auto t = displacement_matrix(point.arm);
             Vec2 force = reactions[reaction++];
             if (dynamic) {
-                const double height = mid.centroid[static_cast<std::size_t>(block)].y() + point.arm.y();
+                const double height = mid.centroid[block].y() + point.arm.y();
+                // The dashpots in the equations, Eq. (49).
                 const DashpotForce dashpots = dashpot_force(model, boundary, point, z, column, wave, height);
                 term.damping += t.transpose() * dashpots.damping * t;
                 force += dashpots.drive;
@@ -107,21 +107,20 @@ std::vector<BoundaryTerm> boundary_terms(const Model& model, const RowMap& rows,
 void add_boundaries(std::span<const BoundaryTerm> terms, const RowMap& rows, const BlockSystem& blocks,
                     const Newmark& newmark, BaseSystem& base) {
     for (const BoundaryTerm& term : terms) {
-        const auto row = static_cast<std::size_t>(term.row);
-        const auto b = static_cast<std::size_t>(rows.block_of[row]);
-        base.stiffness[row] += term.stiffness + newmark.velocity_rate() * term.damping;
-        base.load[row] += term.force - term.damping * newmark.velocity_at_zero_displacement(
-                                                          blocks.velocity[b], blocks.acceleration[b]);
+        const BlockIndex b = rows.block_of[term.row];
+        base.stiffness[term.row] += term.stiffness + newmark.velocity_rate() * term.damping;
+        base.load[term.row] += term.force - term.damping * newmark.velocity_at_zero_displacement(
+                                                               blocks.velocity[b], blocks.acceleration[b]);
     }
 }
 
 BoundaryReactions advance_reactions(const Model& model, const MidStep& mid, const Stage& stage,
-                                    std::span<const Vec6> displacement, BoundaryReactions reactions) {
+                                    BlockSpan<const Vec6> displacement, BoundaryReactions reactions) {
     if (stage.kind == StageKind::dynamic) return reactions;
     for_faces(model, [&](const ViscousBoundary& boundary, const FacePart& face, std::size_t reaction) {
         for (const FacePoint& point : face_points(model, mid, face)) {
-            const Vec2 moved =
-                displacement_matrix(point.arm) * displacement[static_cast<std::size_t>(point.block)];
+            const Vec2 moved = displacement_matrix(point.arm) * displacement[point.block];
+            // The forces of the held face, Eq. (50).
             reactions[reaction++] -= restraint_stiffness(model, boundary, point) * moved;
         }
     });

@@ -6,22 +6,24 @@
 
 namespace rockslope::dda {
 
-/// What the face of a viscous boundary adds to its block's equations in one step, Eqs. (47)-(50).
+/// The contribution of one face of a viscous boundary to the equations of its block, Eqs. (47)-(50). The
+/// force on the block is force - damping * velocity - stiffness * displacement.
 struct BoundaryTerm {
-    int row = 0;
-    Mat6 damping = Mat6::Zero();  ///< times the velocity at the step's end: the dashpots' force, reversed
-    Mat6 stiffness =
-        Mat6::Zero();           ///< times the displacement: what a static stage holds the face with, reversed
-    Vec6 force = Vec6::Zero();  ///< of the incident wave, and of the rock that was taken away
+    RowIndex row;
+    Mat6 damping = Mat6::Zero();    ///< dashpots; the velocity is that at the end of the step
+    Mat6 stiffness = Mat6::Zero();  ///< springs that hold the face in static stages
+    Vec6 force = Vec6::Zero();      ///< incident wave, and reactions of the rock beyond the boundary
 };
 
-/// The forces of the rock behind each face's two points, N per metre: what bore the model at the end of its
-/// last static stage. In the order of the model's boundaries and their faces; zero at first.
+/// The reactions of the rock beyond the boundary, N per metre, at the two integration points of each face:
+/// they balance the model at the end of its last static stage. Ordered as the model's boundaries and their
+/// faces.
 using BoundaryReactions = std::vector<Vec2>;
+/// Zero reactions, as at the start of a run.
 BoundaryReactions no_reactions(const Model& model);
 
-/// One term for each face of a free block. Dashpots work in dynamic stages, holding springs in static ones.
-/// @param stage_time s, at the step's end; @param fields at the step's end.
+/// One term for each face of a free block. Dashpots act in dynamic stages, springs in static stages.
+/// @param stage_time s, at the end of the step; @param fields at the end of the step.
 std::vector<BoundaryTerm> boundary_terms(const Model& model, const RowMap& rows, const MidStep& mid,
                                          const Stage& stage, double stage_time,
                                          const BoundaryReactions& reactions, const FreeFieldMotions& fields);
@@ -29,9 +31,9 @@ std::vector<BoundaryTerm> boundary_terms(const Model& model, const RowMap& rows,
 void add_boundaries(std::span<const BoundaryTerm> terms, const RowMap& rows, const BlockSystem& blocks,
                     const Newmark& newmark, BaseSystem& base);
 
-/// The reactions after an accepted step. They change in static stages alone.
+/// The reactions after an accepted step. They change only in static stages.
 /// @param displacement per block.
 BoundaryReactions advance_reactions(const Model& model, const MidStep& mid, const Stage& stage,
-                                    std::span<const Vec6> displacement, BoundaryReactions reactions);
+                                    BlockSpan<const Vec6> displacement, BoundaryReactions reactions);
 
 }  // namespace rockslope::dda

@@ -17,7 +17,7 @@ double head_at(const std::vector<Vec2>& head, double x) {
     return a.y() + fraction * (upper->y() - a.y());
 }
 
-/// Where the head line bends above an edge, as fractions of the edge, in order, with both its ends.
+/// The fractions of an edge between which the head line is linear, ascending, with both ends of the edge.
 std::vector<double> linear_pieces(const std::vector<Vec2>& head, const Vec2& p, const Vec2& q) {
     std::vector<double> fractions = {0, 1};
     for (const Vec2& bend : head) {
@@ -28,13 +28,14 @@ std::vector<double> linear_pieces(const std::vector<Vec2>& head, const Vec2& p, 
     return fractions;
 }
 
-/// The wet part of a piece over which depth below the head is linear: none where both ends are dry.
+/// The wet part of an edge piece over which the depth below the head line is linear. Both depths are zero if
+/// the piece is dry.
 struct WetPart {
     FacePart face;
     double from = 0;  ///< m, depth where the part begins
     double to = 0;    ///< m, depth where it ends
 };
-WetPart wet_part(int edge, double from, double to, double depth_from, double depth_to) {
+WetPart wet_part(EdgeIndex edge, double from, double to, double depth_from, double depth_to) {
     WetPart part{{edge, from, to}, std::max(depth_from, 0.0), std::max(depth_to, 0.0)};
     const double waterline = from + (to - from) * depth_from / (depth_from - depth_to);
     if (depth_from < 0 && depth_to > 0) part.face.from = waterline;
@@ -46,7 +47,7 @@ WetPart wet_part(int edge, double from, double to, double depth_from, double dep
 
 void visit_tractions(const Model& model, const MidStep& mid, const JointWater& load,
                      const TractionVisit& visit) {
-    for (const int edge : load.edges) {
+    for (const EdgeIndex edge : load.edges) {
         for (const FacePoint& point : face_points(model, mid, {edge, 0, 1}))
             visit(point, -load.pressure * point.normal);
     }
@@ -54,10 +55,9 @@ void visit_tractions(const Model& model, const MidStep& mid, const JointWater& l
 
 void visit_tractions(const Model& model, const MidStep& mid, const HeadWater& load,
                      const TractionVisit& visit) {
-    for (const int edge : load.edges) {
-        const Vec2& p = mid.vertices[static_cast<std::size_t>(edge)];
-        const Vec2& q =
-            mid.vertices[static_cast<std::size_t>(model.topology.next[static_cast<std::size_t>(edge)])];
+    for (const EdgeIndex edge : load.edges) {
+        const Vec2& p = mid.vertices[start_of(edge)];
+        const Vec2& q = mid.vertices[model.topology.end_of(edge)];
         const auto depth = [&](double fraction) {
             const Vec2 at = p + fraction * (q - p);
             return head_at(load.head, at.x()) - at.y();
@@ -69,6 +69,7 @@ void visit_tractions(const Model& model, const MidStep& mid, const HeadWater& lo
             if (wet.from <= 0 && wet.to <= 0) continue;
             for (const FacePoint& point : face_points(model, mid, wet.face)) {
                 const double below = wet.from + point.fraction * (wet.to - wet.from);
+                // The pressure of Eq. (55).
                 visit(point, -load.unit_weight * below * point.normal);
             }
         }

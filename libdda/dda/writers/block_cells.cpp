@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
 #include "dda/writers/frame_data.hpp"
@@ -11,17 +12,17 @@ constexpr std::uint8_t vtk_polygon = 7;
 
 struct Rings {
     const Model& model;
-    const Vec2& at(std::int64_t corner) const { return model.vertices[static_cast<std::size_t>(corner)]; }
-    std::vector<std::int64_t> corners(int ring) const {
+    const Vec2& at(CornerIndex corner) const { return model.vertices[corner]; }
+    std::vector<std::int64_t> corners(RingIndex ring) const {
         std::vector<std::int64_t> result;
-        for (int c = model.topology.ring_corners[static_cast<std::size_t>(ring)];
-             c < model.topology.ring_corners[static_cast<std::size_t>(ring) + 1]; ++c)
-            result.push_back(c);
+        for (CornerIndex c = model.topology.ring_corners[ring]; c < model.topology.ring_corners[ring + 1];
+             ++c)
+            result.push_back(c.value());
         return result;
     }
 };
 
-/// A proper crossing of two segments; segments that share an end do not cross.
+/// Whether two segments cross between their ends; segments that share an end do not cross.
 bool cross_each_other(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
     const double s1 = cross(b - a, c - a), s2 = cross(b - a, d - a);
     const double s3 = cross(d - c, a - c), s4 = cross(d - c, b - c);
@@ -38,7 +39,7 @@ bool is_clear(const Rings& rings, std::int64_t from, std::int64_t to,
     return true;
 }
 
-/// Joins a hole to the ring that has been gathered so far along the shortest clear line between two corners.
+/// Inserts a hole into a ring by a slit along the shortest line between two corners that crosses no obstacle.
 void join_hole(const Rings& rings, const std::vector<std::int64_t>& hole,
                const std::vector<std::vector<std::int64_t>>& obstacles, std::vector<std::int64_t>& ring) {
     std::size_t best_ring = 0, best_hole = 0;
@@ -52,10 +53,10 @@ void join_hole(const Rings& rings, const std::vector<std::int64_t>& hole,
             best_hole = k;
         }
     }
-    std::vector<std::int64_t> slit(hole.begin() + static_cast<std::ptrdiff_t>(best_hole), hole.end());
-    slit.insert(slit.end(), hole.begin(), hole.begin() + static_cast<std::ptrdiff_t>(best_hole) + 1);
+    std::vector<std::int64_t> slit(std::next(hole.begin(), best_hole), hole.end());
+    slit.insert(slit.end(), hole.begin(), std::next(hole.begin(), best_hole + 1));
     slit.push_back(ring[best_ring]);
-    ring.insert(ring.begin() + static_cast<std::ptrdiff_t>(best_ring) + 1, slit.begin(), slit.end());
+    ring.insert(std::next(ring.begin(), best_ring + 1), slit.begin(), slit.end());
 }
 
 }  // namespace
@@ -63,10 +64,10 @@ void join_hole(const Rings& rings, const std::vector<std::int64_t>& hole,
 GridCells block_cells(const Model& model) {
     GridCells cells;
     const Rings rings{model};
-    for (std::size_t block = 0; block < static_cast<std::size_t>(model.block_count()); ++block) {
-        const int first = model.topology.block_rings[block];
+    for (const BlockIndex block : model.blocks()) {
         std::vector<std::vector<std::int64_t>> all;
-        for (int ring = first; ring < model.topology.block_rings[block + 1]; ++ring)
+        for (const RingIndex ring :
+             indices(model.topology.block_rings[block], model.topology.block_rings[block + 1]))
             all.push_back(rings.corners(ring));
         std::vector<std::int64_t> outline = all.front();
         for (std::size_t hole = 1; hole < all.size(); ++hole) join_hole(rings, all[hole], all, outline);

@@ -43,8 +43,9 @@ CsvFile::CsvFile(std::filesystem::path path, std::optional<std::int64_t> resume_
     if (descriptor_ < 0) fail("cannot be written", errno);
     size_ = resume_from.value_or(0);
     const off_t end = ::lseek(descriptor_, 0, SEEK_END);
-    if (end < size_) fail("is shorter than the checkpoint says", 0);
-    if (::ftruncate(descriptor_, size_) != 0) fail("cannot be cut back", errno);
+    if (end < size_)
+        fail("has " + std::to_string(end) + " bytes, the checkpoint " + std::to_string(size_), 0);
+    if (::ftruncate(descriptor_, size_) != 0) fail("cannot be truncated", errno);
     ::lseek(descriptor_, size_, SEEK_SET);
 }
 

@@ -8,15 +8,15 @@
 
 namespace rockslope::dda {
 
-/// A row of a CSV file in the making.
+/// Builds a row of a CSV file.
 class CsvRow {
   public:
     explicit CsvRow(const std::filesystem::path& path) : path_(path) {}
 
-    CsvRow& text(std::string_view value);  ///< quoted where CSV asks for it
+    CsvRow& text(std::string_view value);  ///< quoted if it has a comma, quote or line break
     CsvRow& integer(std::int64_t value);
-    /// Shortest decimal that reads back to the same double. @throws OutputError when it is not finite, naming
-    /// `what`.
+    /// Appends the shortest decimal that reads back to the same double. @throws OutputError that names `what`
+    /// if the value is not finite.
     CsvRow& number(double value, std::string_view what);
     std::string line() const { return line_ + '\n'; }
 
@@ -28,11 +28,12 @@ class CsvRow {
     bool first_ = true;
 };
 
-/// A text file that grows by whole lines: each is on its way to the disk when append() returns, and a line
-/// that does not fit on the disk is taken back.
+/// A text file that grows by whole lines. append() writes without buffering; lines that do not fit on the
+/// disk are removed again.
 class CsvFile {
   public:
-    /// A new file, or with `resume_from` an old one cut to that many bytes. @throws OutputError.
+    /// Creates a file or, with `resume_from`, truncates an existing one to that many bytes. @throws
+    /// OutputError.
     CsvFile(std::filesystem::path path, std::optional<std::int64_t> resume_from);
     ~CsvFile();
     CsvFile(const CsvFile&) = delete;

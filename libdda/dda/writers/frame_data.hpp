@@ -6,23 +6,22 @@
 
 namespace rockslope::dda {
 
-/// The blocks as cells: one polygon each; a block with holes is one polygon with a slit to each hole.
+/// The blocks as polygons; a block with holes is one polygon with a slit to each hole.
 GridCells block_cells(const Model& model);
-/// The quantities of a block, in the order of block_frame()'s columns.
+/// Names and widths of the columns of block_frame().
 std::vector<GridColumn> block_columns();
-/// Corners, and per block: displacement and velocity of the centroid, stress and principal stresses,
-/// rotation, id, material, and motion
-/// (0 free, 1 fixed, 2 prescribed).
+/// All blocks: corners and, per block, displacement and velocity of the centroid, stress, principal stresses,
+/// rotation, index, material and motion (0 free, 1 fixed, 2 prescribed).
 GridFrame block_frame(const Model& model, const State& state);
-/// The same of the blocks that are there, with their cells: of a run that takes blocks out. @param cells of
-/// all blocks.
+/// The frame of a run with excavations: the blocks that are not removed, with their cells.
+/// @param cells of all blocks.
 GridFrame active_block_frame(const Model& model, const State& state, const GridCells& cells);
 
-/// The quantities of a contact, in the order of contact_frame()'s columns.
+/// Names and widths of the columns of contact_frame().
 std::vector<GridColumn> contact_columns();
-/// The contacts that touch, and the open ones between faces that lie side by side: each half of an edge-edge
-/// contact a line along its share of the joint, every other contact a vertex; state (0 open, 1 sliding, 2
-/// locked), forces, stresses, slip, gap.
+/// The closed contacts, and the open ones between faces that lie side by side. A contact with a length is a
+/// line along the joint, any other a vertex. Per contact: state (0 open, 1 sliding, 2 locked), forces,
+/// stresses, slip, gap and the joint's history.
 GridFrame contact_frame(const Model& model, const State& state);
 
 }  // namespace rockslope::dda

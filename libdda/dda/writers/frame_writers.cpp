@@ -8,8 +8,8 @@ namespace rockslope::dda {
 
 namespace {
 
-/// Single precision holds a model's own coordinates to micrometres, and those of a national grid to half a
-/// metre.
+/// Single precision unless the model has an origin of its own. It resolves coordinates near zero to
+/// micrometres, but those of a national grid only to half a metre.
 HdfType type_of_points(const Model& model) {
     return model.origin.isZero(0) ? HdfType::f4 : HdfType::f8;
 }
@@ -23,8 +23,8 @@ std::vector<std::string> names_of(const std::vector<GridColumn>& columns) {
     return names;
 }
 
-/// The file of a resumed run: the frames up to the checkpoint are written anew, by the same calls as before,
-/// so that the bytes are those of a run that was never interrupted. The old file stays until they stand.
+/// The file of a resumed run. The frames up to the checkpoint are written again by the same calls, so that
+/// the bytes are those of an uninterrupted run. The old file is replaced when the copy is complete.
 VtkHdfFile resumed_file(const std::filesystem::path& path, const MakeFile& make,
                         const std::vector<GridColumn>& columns, std::int64_t frames) {
     const std::filesystem::path copy = path.string() + ".resumed";
@@ -60,11 +60,11 @@ class FrameWriter : public ResultWriter {
     VtkHdfFile file_;
 };
 
-/// Frames that bring the cells of the blocks that are there.
+/// Frames of a run with excavations: each has the cells of its blocks.
 std::unique_ptr<ResultWriter> make_excavated_block_frames(const WriterContext& context) {
     const MakeFile make = [&](const std::filesystem::path& path) {
         return VtkHdfFile(path, block_columns(), type_of_points(context.model),
-                          static_cast<std::size_t>(context.model.block_count()));
+                          context.model.block_material.size());
     };
     return std::make_unique<FrameWriter>(
         context, ".vtkhdf", block_columns(), make,
@@ -72,8 +72,6 @@ std::unique_ptr<ResultWriter> make_excavated_block_frames(const WriterContext& c
             return active_block_frame(model, state, cells);
         });
 }
-
-}  // namespace
 
 std::unique_ptr<ResultWriter> make_block_frames(const WriterContext& context) {
     if (!context.model.excavations.empty()) return make_excavated_block_frames(context);
@@ -86,11 +84,21 @@ std::unique_ptr<ResultWriter> make_block_frames(const WriterContext& context) {
 
 std::unique_ptr<ResultWriter> make_joint_frames(const WriterContext& context) {
     const MakeFile make = [&](const std::filesystem::path& path) {
-        // Blocks of a jointed mass touch about three neighbours each, with two contacts a joint.
+        // A block of a jointed mass touches about three neighbours per block, with two contacts per joint.
         return VtkHdfFile(path, contact_columns(), type_of_points(context.model),
-                          6 * static_cast<std::size_t>(context.model.block_count()) + 64);
+                          6 * context.model.block_material.size() + 64);
     };
     return std::make_unique<FrameWriter>(context, ".joints.vtkhdf", contact_columns(), make, contact_frame);
+}
+
+}  // namespace
+
+WriterEntry block_frames() {
+    return {"blocks", "*.vtkhdf", PositionUnit::frames, is_always_written, make_block_frames};
+}
+
+WriterEntry joint_frames() {
+    return {"joints", "*.joints.vtkhdf", PositionUnit::frames, is_always_written, make_joint_frames};
 }
 
 }  // namespace rockslope::dda

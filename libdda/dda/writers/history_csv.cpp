@@ -6,7 +6,7 @@ namespace rockslope::dda {
 
 namespace {
 
-/// The motion of points, as it is or less that of one of them.
+/// The motion of the tracked points, absolute or relative to one of them.
 class HistoryCsv : public ResultWriter {
   public:
     HistoryCsv(const WriterContext& context, const char* file, const std::string& relative_to)
@@ -22,9 +22,10 @@ class HistoryCsv : public ResultWriter {
     void history(const State& state, const Stage& stage) override {
         CsvRow row = file_.row();
         row.number(state.time, "the time").text(stage.name);
-        const PointMotion of_reference = reference_ ? motion_of(model_, state, *reference_) : PointMotion{};
+        const PointMotion reference_motion =
+            reference_ ? motion_of(model_, state, *reference_) : PointMotion{};
         for (const TrackedPoint& point : points_) {
-            const PointMotion motion = relative(motion_of(model_, state, point), of_reference);
+            const PointMotion motion = relative(motion_of(model_, state, point), reference_motion);
             for (const Vec2& v : {motion.displacement, motion.velocity, motion.acceleration})
                 row.number(v.x(), "the motion of '" + point.name + "'")
                     .number(v.y(), "the motion of '" + point.name + "'");
@@ -54,14 +55,23 @@ class HistoryCsv : public ResultWriter {
     CsvFile file_;
 };
 
-}  // namespace
-
 std::unique_ptr<ResultWriter> make_history_csv(const WriterContext& context) {
     return std::make_unique<HistoryCsv>(context, "history.csv", "");
 }
 
 std::unique_ptr<ResultWriter> make_relative_csv(const WriterContext& context) {
     return std::make_unique<HistoryCsv>(context, "relative.csv", context.relative_to);
+}
+
+}  // namespace
+
+WriterEntry history_csv() {
+    return {"history", "history.csv", PositionUnit::bytes, is_always_written, make_history_csv};
+}
+
+WriterEntry relative_csv() {
+    return {"relative", "relative.csv", PositionUnit::bytes,
+            [](const WriterContext& context) { return !context.relative_to.empty(); }, make_relative_csv};
 }
 
 }  // namespace rockslope::dda

@@ -69,8 +69,10 @@ class JointsCsv : public ResultWriter {
 
 }  // namespace
 
-std::unique_ptr<ResultWriter> make_joints_csv(const WriterContext& context) {
-    return std::make_unique<JointsCsv>(context);
+WriterEntry joints_csv() {
+    return {"measured joints", "joints.csv", PositionUnit::bytes,
+            [](const WriterContext& context) { return !context.model.measured_joints.empty(); },
+            make_writer<JointsCsv>};
 }
 
 }  // namespace rockslope::dda

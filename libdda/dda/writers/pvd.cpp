@@ -37,7 +37,7 @@ std::string vtu_text(const GridFrame& frame, const std::vector<GridColumn>& colu
     return text + "</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
 }
 
-/// NAME.pvd, a list of NAME.K.vtu files, for viewers that do not know temporal VTKHDF.
+/// NAME.pvd, a list of files NAME.K.vtu, for viewers that cannot read temporal VTKHDF.
 class Pvd : public ResultWriter {
   public:
     explicit Pvd(const WriterContext& context)
@@ -47,8 +47,7 @@ class Pvd : public ResultWriter {
           cells_(block_cells(context.model)) {
         if (!context.resume_from) return;
         const VtkHdfReader blocks(folder_ / (name_ + ".vtkhdf"));
-        for (std::int64_t k = 0; k < *context.resume_from; ++k)
-            times_.push_back(blocks.times()[static_cast<std::size_t>(k)]);
+        for (std::int64_t k = 0; k < *context.resume_from; ++k) times_.push_back(blocks.times()[k]);
     }
 
     void frame(const State& state) override {
@@ -57,7 +56,8 @@ class Pvd : public ResultWriter {
             for (const float value : column)
                 if (!std::isfinite(value))
                     throw OutputError(folder_ / (name_ + ".pvd"),
-                                      "a value is not finite; the frame is not written");
+                                      "a value at t = " + shortest_text(state.time) +
+                                          " s is not finite; the frame is not written");
         write_file_atomically(folder_ / frame_name(times_.size()), vtu_text(frame, block_columns()));
         times_.push_back(state.time);
         write_file_atomically(folder_ / (name_ + ".pvd"), list_text());
@@ -84,8 +84,9 @@ class Pvd : public ResultWriter {
 
 }  // namespace
 
-std::unique_ptr<ResultWriter> make_pvd(const WriterContext& context) {
-    return std::make_unique<Pvd>(context);
+WriterEntry pvd() {
+    return {"pvd", "*.pvd", PositionUnit::none, [](const WriterContext& context) { return context.pvd; },
+            make_writer<Pvd>};
 }
 
 }  // namespace rockslope::dda

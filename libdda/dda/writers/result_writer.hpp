@@ -11,54 +11,58 @@
 
 namespace rockslope::dda {
 
-/// What every writer is made from. `model` outlives the writer.
+/// Input of every writer. `model` must outlive the writer.
 struct WriterContext {
     const Model& model;
     std::filesystem::path folder;
     std::string name;                         ///< stem of the result files
-    std::optional<std::int64_t> resume_from;  ///< position() of the checkpoint; absent for a fresh run
+    std::optional<std::int64_t> resume_from;  ///< position() in the checkpoint; absent in a new run
     bool pvd = false;
-    std::string relative_to = {};  ///< a tracked point's name; empty: none
+    std::string relative_to = {};  ///< name of a tracked point; empty: none
 };
 
-/// One kind of result. A writer overrides what it is interested in; each call leaves its file whole on disk.
-/// @throws OutputError naming the file: disk full, or a value that is not finite.
+/// Writes one kind of result file. A writer overrides the events that it needs; each call leaves its file
+/// complete on disk. @throws OutputError that names the file if the disk is full or a value is not finite.
 class ResultWriter {
   public:
     virtual ~ResultWriter() = default;
-    /// A frame that is kept.
+    /// Writes a frame.
     virtual void frame(const State&) {}
-    /// A row of the histories of measured points.
+    /// Writes a row of the histories of measured points.
     virtual void history(const State&, const Stage&) {}
-    /// An accepted step.
+    /// Records an accepted step.
     virtual void step(const State&, const Stage&, const StepReport&) {}
-    /// Where the next output goes, in the writer's own count (frames, bytes).
+    /// Amount written so far, in the writer's PositionUnit; stored in checkpoints.
     virtual std::int64_t position() const = 0;
 };
 
-/// What a writer's position() counts.
+/// Unit of a writer's position().
 enum class PositionUnit {
     frames,  ///< of a VTKHDF file
     bytes,   ///< of a table
-    none     ///< nothing that its own file could be checked for
+    none     ///< not checked against the file
 };
 
-/// One row of the table of results: a new output is one file and one row.
+/// An entry of the writer table. A new output is one file that defines its entry and one line in
+/// writer_list.def.
 struct WriterEntry {
-    const char* name;
-    const char* file;  ///< what it writes; '*' stands for the stem of the results
+    const char* name;  ///< key in checkpoints: it must not change
+    const char* file;  ///< file name; '*' is the stem of the result files
     PositionUnit unit;
-    bool (*is_enabled)(const WriterContext& context);
+    bool (*is_enabled)(const WriterContext& context);  ///< whether this run has the output
     std::unique_ptr<ResultWriter> (*make)(const WriterContext& context);
 };
+/// All writers, in the order of writer_list.def, in which they are called.
 const std::vector<WriterEntry>& writer_table();
 
-std::unique_ptr<ResultWriter> make_block_frames(const WriterContext& context);
-std::unique_ptr<ResultWriter> make_joint_frames(const WriterContext& context);
-std::unique_ptr<ResultWriter> make_history_csv(const WriterContext& context);
-std::unique_ptr<ResultWriter> make_relative_csv(const WriterContext& context);
-std::unique_ptr<ResultWriter> make_joints_csv(const WriterContext& context);
-std::unique_ptr<ResultWriter> make_steps_csv(const WriterContext& context);
-std::unique_ptr<ResultWriter> make_pvd(const WriterContext& context);
+/// WriterEntry::is_enabled of an output that every run has.
+constexpr bool is_always_written(const WriterContext&) {
+    return true;
+}
+/// WriterEntry::make of a writer with a constructor from WriterContext.
+template <class Writer>
+std::unique_ptr<ResultWriter> make_writer(const WriterContext& context) {
+    return std::make_unique<Writer>(context);
+}
 
 }  // namespace rockslope::dda

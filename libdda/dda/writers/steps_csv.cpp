@@ -69,8 +69,8 @@ class StepsCsv : public ResultWriter {
 
 }  // namespace
 
-std::unique_ptr<ResultWriter> make_steps_csv(const WriterContext& context) {
-    return std::make_unique<StepsCsv>(context);
+WriterEntry steps_csv() {
+    return {"steps", "steps.csv", PositionUnit::bytes, is_always_written, make_writer<StepsCsv>};
 }
 
 }  // namespace rockslope::dda

@@ -13,7 +13,7 @@ inline SlopeModel slope(const std::string& text) {
     return read_slope_model(ConfigTable::from_text(text, "slope.toml"), enclosed_area);
 }
 
-/// A rectangle from the origin, of rock, without joints.
+/// A rectangle of rock with its lower left corner at the origin, without joints.
 inline SlopeModel rectangle(double width, double height) {
     SlopeModel model;
     model.outline = {{0, 0}, {width, 0}, {width, height}, {0, height}};

@@ -15,7 +15,7 @@ inline std::vector<double> areas(const BlockMesh& mesh) {
     return result;
 }
 
-/// A sliver 1/16 m high between two joints right across; a short joint parts what lies below.
+/// A sliver 1/16 m high between two persistent joints; a short joint divides the rock below it.
 inline SlopeModel sliver(SmallBlockPolicy policy) {
     SlopeModel model = rectangle(8, 4);
     add_trace(model, {{-1, 2}, {9, 2}}, "lower");

@@ -8,21 +8,21 @@ using namespace rockslope;
 
 namespace {
 
-TEST(ColourScale, CoversTheAskedShareOfTheArea) {
+TEST(ColourScale, CoversTheGivenFractionOfTheArea) {
     const std::vector<DisplacedArea> slope = {{50, 0.02}, {0.5, 40}, {48.5, 0.01}, {1, 0.3}};
     EXPECT_EQ(area_weighted_quantile(slope, 0.99), 0.3)
-        << "the small one that flew far is less than a hundredth";
+        << "the small part that moved far is less than 1 % of the area";
     EXPECT_EQ(area_weighted_quantile(slope, 0.98), 0.02);
     EXPECT_EQ(area_weighted_quantile(slope, 1), 40);
     EXPECT_EQ(area_weighted_quantile({{1e-9, 3}}, 0.99), 3);
     EXPECT_EQ(area_weighted_quantile({}, 0.99), 0);
-    // A hundred equal parts: 99 of them are the share, whatever the rounding of the sums.
+    // For a hundred equal parts the quantile is the 99th, for any rounding of the sums.
     std::vector<DisplacedArea> equal;
     for (int k = 1; k <= 100; ++k) equal.push_back({0.1, static_cast<double>(k)});
     EXPECT_EQ(area_weighted_quantile(equal, 0.99), 99);
 }
 
-TEST(ColourScale, EndsAtTheNextRoundLength) {
+TEST(ColourScale, RoundsUpToTheNextRoundLength) {
     for (const double exponent : {-9.0, -3.0, 0.0, 4.0}) {
         const double power = std::pow(10, exponent);
         EXPECT_DOUBLE_EQ(round_length_above(1 * power), 1 * power);

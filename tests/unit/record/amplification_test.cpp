@@ -15,7 +15,7 @@ namespace {
 
 const std::vector<double> periods = {0.1, 0.2, 0.35, 0.5, 0.8, 1.5};
 
-TEST(Amplification, OfAMultipleIsTheFactorEverywhere) {
+TEST(Amplification, OfAScaledRecordIsTheFactor) {
     const Accelerogram base = synthesise({});
     for (const Amplification& a : amplification(scaled(base, -2.5), base, periods, 0.05)) {
         EXPECT_NEAR(a.response_ratio(), 2.5, 1e-12);
@@ -24,15 +24,16 @@ TEST(Amplification, OfAMultipleIsTheFactorEverywhere) {
     }
 }
 
-// What a floor on an oscillator of 0.5 s feels: |H| = sqrt((1 + 4 z^2 r^2) / ((1 - r^2)^2 + 4 z^2 r^2)),
-// r = f / 2 Hz. The window is a fifteenth of the frequency wide: away from the peak |H| is straight over it
-// to a few per cent, at the peak it is not.
+// The transfer function of an oscillator with a period of 0.5 s is
+// |H| = sqrt((1 + 4 z^2 r^2) / ((1 - r^2)^2 + 4 z^2 r^2)), r = f / 2 Hz. The window is a fifteenth of the
+// frequency wide. Away from the peak |H| is linear over it to a few per cent, at the peak it is not.
 TEST(Amplification, OfAnOscillatorIsItsTransferFunction) {
     const Accelerogram base = synthesise({});
     const double damping = 0.1;
     const Accelerogram floor{base.step, oscillate(base, 0.5, damping).absolute_acceleration};
     Accelerogram quiet = floor;
-    quiet.values.resize(2 * quiet.values.size(), 0.0);  // the record's end is at rest
+    quiet.values.resize(2 * quiet.values.size(),
+                        0.0);  // zeros after the end, where the oscillator is at rest
     for (const Amplification& a : amplification(quiet, base, periods, 0.05)) {
         const double r = 0.5 / a.period, w = 4 * damping * damping * r * r;
         const double expected = std::sqrt((1 + w) / ((1 - r * r) * (1 - r * r) + w));
@@ -40,7 +41,7 @@ TEST(Amplification, OfAnOscillatorIsItsTransferFunction) {
     }
 }
 
-// A burst at 2 Hz has its largest amplitude at 0.5 s and next to nothing at 0.1 s.
+// A burst at 2 Hz has its largest amplitude at 0.5 s and almost none at 0.1 s.
 TEST(Amplification, ReportsWhereTheBaseHardlyMoves) {
     const Accelerogram base = sine_burst(3, 2, 10, 0.005);
     for (const Amplification& a : amplification(base, base, periods, 0.05)) {
@@ -53,7 +54,7 @@ TEST(Amplification, ReportsWhereTheBaseHardlyMoves) {
     }
 }
 
-TEST(Amplification, RefusesABaseAtRest) {
+TEST(Amplification, RejectsABaseAtRestAndInvalidArguments) {
     const Accelerogram base = synthesise({});
     EXPECT_THROW(amplification(base, scaled(base, 0), periods, 0.05), std::invalid_argument);
     EXPECT_THROW(amplification({0.01, {1}}, base, periods, 0.05), std::invalid_argument);

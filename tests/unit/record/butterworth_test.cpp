@@ -39,14 +39,14 @@ struct FilterCase {
     int extension;
 };
 
-/// SciPy's own extension: three times the number of the filter's coefficients.
+/// SciPy's default extension: three times the number of filter coefficients.
 std::size_t extension_of(const FilterCase& tested) {
     return tested.extension < 0 ? 3 * (static_cast<std::size_t>(tested.order) + 1)
                                 : static_cast<std::size_t>(tested.extension);
 }
 
-// The required 1e-9 of values up to 2; thirteen digits are kept of SciPy's.
-TEST(Butterworth, IsSciPysZeroPhaseFilter) {
+// The tolerance is 1e-9 for values up to 2; the file has thirteen digits of SciPy's result.
+TEST(Butterworth, AgreesWithTheZeroPhaseFilterOfSciPy) {
     std::ifstream file(std::filesystem::path(REFERENCE_FOLDER) / "zero_phase.csv");
     const FilterCase cases[] = {{Pass::high, 2, 0.1, 0},  {Pass::high, 4, 0.05, 0}, {Pass::high, 4, 0.2, -1},
                                 {Pass::high, 3, 0.1, -1}, {Pass::low, 8, 20.0, -1}, {Pass::high, 1, 0.5, -1}};
@@ -71,20 +71,20 @@ TEST(Butterworth, IsSciPysZeroPhaseFilter) {
     EXPECT_EQ(rows, 172);
 }
 
-// One pass keeps 1 / sqrt(2) at the corner and two keep half, without delay: the definition of the corner.
+// By the definition of the corner frequency one pass keeps 1 / sqrt(2) of the amplitude, and two passes keep
+// half, without delay.
 TEST(Butterworth, KeepsHalfAtItsCornerInTwoPasses) {
     for (const Pass pass : {Pass::low, Pass::high}) {
         for (const int order : {1, 2, 3, 4, 8}) {
             std::vector<double> sine;
             for (int k = 0; k <= 6000; ++k) sine.push_back(std::sin(2 * pi * 2 * step * k));
             const std::vector<double> kept = filter_both_ways(butterworth(pass, order, 2, step), sine, 0);
-            for (int k = 2500; k < 3500; ++k)
-                EXPECT_NEAR(kept[static_cast<std::size_t>(k)], sine[static_cast<std::size_t>(k)] / 2, 1e-6);
+            for (int k = 2500; k < 3500; ++k) EXPECT_NEAR(kept[k], sine[k] / 2, 1e-6);
         }
     }
 }
 
-TEST(Butterworth, RefusesCornersAndOrdersThatAreNone) {
+TEST(Butterworth, RejectsInvalidCornersAndOrders) {
     EXPECT_THROW(butterworth(Pass::high, 0, 1, step), std::invalid_argument);
     EXPECT_THROW(butterworth(Pass::high, 13, 1, step), std::invalid_argument);
     EXPECT_THROW(butterworth(Pass::high, 4, 0, step), std::invalid_argument);

@@ -1,4 +1,4 @@
-// What is done to a record before it shakes a model: scale, trim, taper, resample, rotate, correct.
+// Changes of a record before it is used as base motion: scale, trim, taper, resample, rotate, correct.
 
 #include <gtest/gtest.h>
 
@@ -20,8 +20,8 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// A burst of 2 Hz between 5 and 15 s that leaves the ground 1 m away: its velocity has a pulse of 2 s
-/// besides.
+/// A burst of 2 Hz between 5 and 15 s, plus a velocity pulse of 2 s that leaves a permanent displacement of
+/// 1 m.
 Accelerogram burst(double step = 0.01, double length = 30) {
     Accelerogram record{step, {}};
     for (int k = 0; k * step <= length + 1e-9; ++k) {
@@ -45,7 +45,7 @@ TEST(Scale, ReachesItsTarget) {
         7, 1e-12);
 }
 
-TEST(Scale, RefusesTargetsThatAreNone) {
+TEST(Scale, RejectsInvalidTargets) {
     for (const double target : {0.0, -1.0, std::nan(""), 1.0 / 0.0}) {
         EXPECT_THROW(scaled_to_peak(burst(), target), std::invalid_argument);
         EXPECT_THROW(scaled_to_arias(burst(), target), std::invalid_argument);
@@ -55,7 +55,7 @@ TEST(Scale, RefusesTargetsThatAreNone) {
     EXPECT_THROW(scaled(burst(), std::nan("")), std::invalid_argument);
 }
 
-TEST(Trim, KeepsTheSamplesBetween) {
+TEST(Trim, KeepsTheSamplesBetweenTwoTimes) {
     const Accelerogram record{0.5, {0, 1, 2, 3, 4, 5}};
     EXPECT_EQ(trimmed(record, 0.5, 1.6).values, (std::vector<double>{1, 2, 3}));
     EXPECT_EQ(trimmed(record, 1, 1e9).values, (std::vector<double>{2, 3, 4, 5}));
@@ -65,7 +65,7 @@ TEST(Trim, KeepsTheSamplesBetween) {
     EXPECT_THROW(trimmed(record, std::nan(""), 1), std::invalid_argument);
 }
 
-TEST(Taper, TakesTheEndsToZeroAndLeavesTheMiddle) {
+TEST(Taper, ReducesTheEndsToZeroAndKeepsTheMiddle) {
     const Accelerogram record{0.5, {1, 1, 1, 1, 1, 1, 1}};
     const std::vector<double> expected = {0, 0.5, 1, 1, 1, 0.5, 0};
     const std::vector<double> values = tapered(record, 1).values;
@@ -75,7 +75,7 @@ TEST(Taper, TakesTheEndsToZeroAndLeavesTheMiddle) {
     EXPECT_THROW(tapered(record, -1), std::invalid_argument);
 }
 
-TEST(Resample, FinerIsLinearAndBackAgainTheSame) {
+TEST(Resample, FinerIsLinearAndKeepsTheSamples) {
     const Accelerogram record = burst();
     const Accelerogram fine = resampled(record, 0.0025);
     ASSERT_EQ(fine.values.size(), 4 * (record.values.size() - 1) + 1);
@@ -84,8 +84,8 @@ TEST(Resample, FinerIsLinearAndBackAgainTheSame) {
     EXPECT_NEAR(measure(fine).final_displacement, measure(record).final_displacement, 1e-9);
 }
 
-// 40 Hz at a step of 5 ms would look like 10 Hz at a step of 20 ms; the 2 Hz below it stay. Two passes keep
-// (tan(40 pi h) / tan(20 pi h))^-16 = 2.6e-6 of the 40 Hz.
+// 40 Hz at a step of 5 ms would alias to 10 Hz at a step of 20 ms; the component of 2 Hz must stay. Two
+// passes of the filter keep (tan(40 pi h) / tan(20 pi h))^-16 = 2.6e-6 of the 40 Hz.
 TEST(Resample, CoarserHasNoAliases) {
     Accelerogram clean{0.005, {}};
     Accelerogram record{0.005, {}};
@@ -103,7 +103,7 @@ TEST(Resample, CoarserHasNoAliases) {
     EXPECT_THROW(resampled(record, std::nan("")), std::invalid_argument);
 }
 
-// A motion along one azimuth, seen by two sensors at any angles, is that motion again.
+// A motion along one azimuth, recorded by two sensors at any angles, is recovered.
 TEST(Rotate, GivesTheMotionAlongAnAzimuth) {
     const double motion[] = {0.3, -1.2, 0.7};
     const double heading = 50 * pi / 180;
@@ -124,7 +124,7 @@ TEST(Rotate, GivesTheMotionAlongAnAzimuth) {
     }
 }
 
-TEST(Rotate, RefusesComponentsThatDoNotSpanThePlane) {
+TEST(Rotate, RejectsNearlyParallelComponents) {
     const Accelerogram record{0.01, {0, 1}};
     EXPECT_THROW(rotated({record, 10}, {record, 15}, 0), std::invalid_argument);
     EXPECT_THROW(rotated({record, 10}, {record, 190}, 0), std::invalid_argument);
@@ -133,7 +133,7 @@ TEST(Rotate, RefusesComponentsThatDoNotSpanThePlane) {
     EXPECT_EQ(rotated({record, 0}, {{0.01, {0, 1, 2}}, 90}, 0).values.size(), 2u);
 }
 
-TEST(Correct, TakesOffTheMeanBeforeTheEvent) {
+TEST(Correct, SubtractsTheMeanBeforeTheEvent) {
     Accelerogram record = burst();
     for (double& a : record.values) a += 0.05;
     EXPECT_NEAR(measure(without_mean(record, 4)).final_displacement, measure(burst()).final_displacement,
@@ -142,8 +142,8 @@ TEST(Correct, TakesOffTheMeanBeforeTheEvent) {
     EXPECT_THROW(without_mean(record, -1), std::invalid_argument);
 }
 
-// A baseline a0 + a1 t is the derivative of a velocity of the second degree: all that it adds goes again.
-TEST(Correct, TakesOffTheTrendOfTheVelocity) {
+// A baseline a0 + a1 t is the derivative of a velocity of degree 2, so the correction removes it completely.
+TEST(Correct, SubtractsTheTrendOfTheVelocity) {
     const Accelerogram record = burst();
     Accelerogram drifting = record;
     for (std::size_t k = 0; k < record.values.size(); ++k)
@@ -157,8 +157,8 @@ TEST(Correct, TakesOffTheTrendOfTheVelocity) {
     EXPECT_THROW(without_velocity_trend({0.01, {0, 1, 2}}, 2), std::invalid_argument);
 }
 
-// The usual test of a corrected record: at the end less than 1 % of the largest velocity and displacement.
-TEST(Correct, HighPassEndsAtRestWhereItBegan) {
+// The usual criterion for a corrected record: final velocity and displacement below 1 % of the peaks.
+TEST(Correct, HighPassEndsAtRestWhereItStarted) {
     Accelerogram record = burst();
     for (double& a : record.values) a += 0.01;
     const RecordMeasures measures = measure(high_passed(record, 0.1, 4));
@@ -169,10 +169,10 @@ TEST(Correct, HighPassEndsAtRestWhereItBegan) {
     EXPECT_THROW(high_passed(record, 1e-9, 4), std::invalid_argument);
 }
 
-// A near-source record whose sensor tilts: 0.05 m/s2 while it shakes, 0.01 after. The displacement that was
-// there, 1 m, stays; the correction spreads the tilt's onset evenly, which is worth centimetres when the
-// onset is where it is said.
-TEST(Correct, NearSourceRecordEndsAtRestElsewhere) {
+// A near-source record with a tilting sensor: 0.05 m/s2 during the shaking, 0.01 after it. The permanent
+// displacement of 1 m must stay. The correction distributes the tilt evenly over the interval, an error of
+// centimetres when the interval is right.
+TEST(Correct, NearSourceRecordKeepsItsPermanentDisplacement) {
     Accelerogram record = burst();
     for (std::size_t k = 500; k < record.values.size(); ++k) record.values[k] += k < 1500 ? 0.05 : 0.01;
     EXPECT_GT(measure(record).final_displacement, 10);

@@ -1,4 +1,4 @@
-// Every format: the numbers come out in SI units, and a file that lost a part is refused at the place.
+// Every format: the values are in SI units, and a truncated file is rejected with the location.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -26,15 +26,15 @@ std::string replaced(std::string text, const std::string& what, const std::strin
     return text.replace(text.find(what), what.size(), by);
 }
 
-/// Only the SAC file must be told what it holds; the others agree.
+/// The SAC format needs a declaration of quantity and unit; the others state them.
 RecordDeclaration declaration_for(const std::string& format) {
     RecordDeclaration declaration;
     if (format == "sac") declaration = {Quantity::acceleration, "cm/s2"};
     return declaration;
 }
 
-// A title that begins with a number looks like a sample, too: two columns are tried last.
-TEST(RecordFormats, EachIsRecognisedBeforeAllOthers) {
+// A title that begins with a number also looks like a sample, so two columns are tried last.
+TEST(RecordFormats, EachIsRecognisedFirst) {
     for (const auto& [key, text] : small_records::all()) {
         const RecordLines lines(text, "r");
         const auto formats = record_formats();
@@ -46,7 +46,7 @@ TEST(RecordFormats, EachIsRecognisedBeforeAllOthers) {
     }
 }
 
-TEST(RecordFormats, ValuesComeOutInSi) {
+TEST(RecordFormats, ConvertValuesToSi) {
     for (const auto& [key, text] : small_records::all()) {
         if (key == std::string("knet")) continue;
         const double unit = key == std::string("peer") ? 9.80665 : key == std::string("geonet") ? 1e-3 : 1e-2;
@@ -66,7 +66,7 @@ TEST(RecordFormats, ValuesComeOutInSi) {
     }
 }
 
-TEST(RecordFormats, KnetCountsLoseTheirMean) {
+TEST(RecordFormats, KnetMeanIsRemoved) {
     const Record record = parse_record(small_records::knet(), "r");
     EXPECT_DOUBLE_EQ(record.dt, 0.01);
     ASSERT_EQ(record.values.size(), 10u);
@@ -75,7 +75,7 @@ TEST(RecordFormats, KnetCountsLoseTheirMean) {
     EXPECT_NEAR(record.values[9], -0.0392, 1e-15);
 }
 
-TEST(RecordFormats, StackedFilesGiveChannelAndQuantity) {
+TEST(RecordFormats, StackedFilesSelectChannelAndQuantity) {
     RecordDeclaration wanted;
     wanted.channel = 2;
     EXPECT_NEAR(parse_record(small_records::csmip(), "r", wanted).values[0], 0.03038, 1e-12);
@@ -108,7 +108,7 @@ TEST(RecordFormats, SacInBothByteOrdersAndVersions) {
             EXPECT_EQ(record.dt, 0.02);
             EXPECT_NEAR(record.values[0], -0.03038, 1e-8);
         }
-    EXPECT_THAT(error_in(small_records::sac()), HasSubstr("nothing says what the values are"));
+    EXPECT_THAT(error_in(small_records::sac()), HasSubstr("the quantity of the values is not given"));
     EXPECT_THAT(error_in(small_records::sac().substr(0, 660), declaration),
                 HasSubstr("660 bytes: it is cut off"));
     EXPECT_THAT(error_in(small_records::sac() + "more", declaration), HasSubstr("more than the header says"));
@@ -117,8 +117,8 @@ TEST(RecordFormats, SacInBothByteOrdersAndVersions) {
     EXPECT_THAT(error_in(uneven, declaration), HasSubstr("the time step is uneven"));
 }
 
-// The last 30 bytes of the time history asked for are gone.
-TEST(RecordFormats, ATruncatedRecordIsRefused) {
+// The last 30 bytes of the selected time history are missing.
+TEST(RecordFormats, RejectATruncatedRecord) {
     for (const auto& [key, text] : small_records::all()) {
         const std::string_view format = key;
         if (format == "csv") continue;  // states no count
@@ -130,47 +130,48 @@ TEST(RecordFormats, ATruncatedRecordIsRefused) {
         EXPECT_THAT(
             error_in(text.substr(0, end - 30), declaration),
             AnyOf(HasSubstr("the text ends within"), HasSubstr("a number is missing"),
-                  HasSubstr("is no number"), HasSubstr("cut off"), HasSubstr("the record ends after")))
+                  HasSubstr("is not a number"), HasSubstr("cut off"), HasSubstr("the record ends after")))
             << key;
     }
 }
 
-TEST(RecordFormats, AWrongCountIsRefusedAtTheLine) {
+TEST(RecordFormats, RejectAWrongCountWithTheLine) {
     EXPECT_EQ(error_in(replaced(small_records::esm(), "NDATA: 10", "NDATA: 9")),
               "r:74: there are more values than the header says; expected 9 values");
     EXPECT_EQ(error_in(replaced(small_records::esm(), "NDATA: 10", "NDATA: 11")),
               "r:74: the text ends within the record, before value 11; expected 11 values");
     EXPECT_EQ(error_in(replaced(small_records::knet(), "Duration Time(s)  0.1", "Duration Time(s)  0.09")),
-              "r:19:10: the line goes on after the last number; expected the end of the record, 9 values");
+              "r:19:10: there is text after the last number; expected the end of the record, 9 values");
     EXPECT_EQ(error_in(replaced(small_records::csmip(), "   10 points", "   11 points")),
               "r:48:21: a number is missing; expected value 11 of 11 of the acceleration");
     EXPECT_THAT(error_in(replaced(small_records::geonet(), "points    10", "points    11")),
-                StartsWith("r:10: the text promises 11 points"));
+                StartsWith("r:10: the text states 11 points"));
 }
 
-TEST(RecordFormats, HeadersThatSayNothingUsableAreRefused) {
+TEST(RecordFormats, RejectInvalidHeaders) {
     EXPECT_THAT(error_in(replaced(small_records::knet(), "3920(gal)/1000", "3920(gal)/0")),
-                StartsWith("r:14:19: '3920(gal)/0' is no scale factor"));
+                StartsWith("r:14:19: '3920(gal)/0' is not a scale factor"));
     EXPECT_THAT(error_in(replaced(small_records::knet(), "100Hz", "0Hz")),
-                StartsWith("r:11:19: '0Hz' is no"));
+                StartsWith("r:11:19: '0Hz' is not a valid"));
     EXPECT_THAT(error_in(replaced(small_records::esm(), "TYPE: ACCELERATION", "TYPE: RESPONSE SPECTRUM")),
-                StartsWith("r:64: 'RESPONSE SPECTRUM' is no time history"));
+                StartsWith("r:64: 'RESPONSE SPECTRUM' is not a time history"));
     EXPECT_THAT(error_in(replaced(small_records::esm(), "0.020000", "0")), HasSubstr("steps of 0 s"));
     EXPECT_THAT(error_in(replaced(small_records::cosmos(), "       2       1", "       0       1")),
                 HasSubstr("the record is raw"));
     EXPECT_THAT(error_in(replaced(small_records::cosmos(), "       2       1", "       2       3")),
-                HasSubstr("says otherwise than 'pts'"));
+                HasSubstr("give different quantities"));
     EXPECT_THAT(error_in(replaced(small_records::smc(), "5.0000000E+01", "1.7000000E+38")),
-                StartsWith("r:18:16: a sampling rate of 1.7e+38 Hz is none"));
+                StartsWith("r:18:16: the sampling rate is 1.7e+38 Hz"));
     EXPECT_THAT(error_in(replaced(small_records::smc(), "|a comment", "a comment")),
                 StartsWith("r:29: there are fewer comment lines"));
 }
 
-// Bytes changed, pieces cut out or doubled: read, or refused by InputError; with the format declared, too.
-TEST(RecordFormats, DamagedFilesAreReadOrRefused) {
+// Files with changed bytes and removed or repeated pieces are read or rejected by InputError, also with a
+// declared format.
+TEST(RecordFormats, ReadOrRejectDamagedFiles) {
     std::mt19937 random(1);
     const auto pick = [&](std::size_t n) { return n == 0 ? 0 : random() % n; };
-    int refused = 0;
+    int rejected = 0;
     for (const auto& [key, text] : small_records::all())
         for (int trial = 0; trial < 300; ++trial) {
             std::string damaged = text;
@@ -194,11 +195,11 @@ TEST(RecordFormats, DamagedFilesAreReadOrRefused) {
             if (trial % 10 == 0) damaged.resize(pick(damaged.size()));
             for (const RecordFormat* format : record_formats()) {
                 RecordDeclaration declaration{Quantity::acceleration, "", format->key};
-                refused += error_in(damaged, declaration) != "no error";
+                rejected += error_in(damaged, declaration) != "no error";
             }
             error_in(damaged, declaration_for(key));
         }
-    EXPECT_GT(refused, 1000);
+    EXPECT_GT(rejected, 1000);
 }
 
 }  // namespace

@@ -15,7 +15,7 @@
 namespace rockslope::record {
 namespace {
 
-/// A design spectrum of stiff ground: rises to 2.5 times the peak, a plateau, then falls with the period.
+/// A design spectrum of stiff ground, m/s2: rises from 3 to a plateau of 6, then falls with the period.
 TargetSpectrum design() {
     return {{0.05, 0.15, 0.4, 2.0}, {3.0, 6.0, 6.0, 1.2}};
 }
@@ -26,9 +26,10 @@ Accelerogram start() {
     return synthesise(recipe);
 }
 
-// 10 % off at the worst period by filtering alone. Practice asks for 5 %; the rounds end at 2 %, which this
-// record reaches. Wavelets leave hardly any velocity, and the baseline is corrected in each round.
-TEST(MatchSpectrum, WaveletsBringTheWorstPeriodNearToo) {
+// Filtering alone leaves a misfit of 10 % at the worst period. Practice requires 5 %; the rounds end at 2 %,
+// which this record reaches. Wavelets leave hardly any velocity, and the baseline is corrected in each
+// round.
+TEST(MatchSpectrum, WaveletsReduceTheLargestMisfit) {
     const TargetSpectrum wide{{0.05, 0.15, 0.4, 4}, {3, 6, 6, 0.6}};
     const SpectralMatch match = match_spectrum(start(), wide, 0.05, 30);
     EXPECT_LT(match.mean_misfit, 0.005);
@@ -38,9 +39,9 @@ TEST(MatchSpectrum, WaveletsBringTheWorstPeriodNearToo) {
     EXPECT_NEAR(measures.final_displacement, 0, 1e-9);
 }
 
-// What the match says of itself must be what the response spectrum says, and between the periods that were
-// matched the spectrum may not run away: oscillators 4.5 % apart share most of their motion, not all.
-TEST(MatchSpectrum, HoldsBetweenTheMatchedPeriodsToo) {
+// The reported misfit must be that of the response spectrum. Between the matched periods the misfit must stay
+// small: the motions of oscillators 4.5 % apart are similar but not equal.
+TEST(MatchSpectrum, MatchesBetweenTheMatchedPeriods) {
     const TargetSpectrum wide{{0.05, 0.15, 0.4, 4}, {3, 6, 6, 0.6}};
     const SpectralMatch match = match_spectrum(start(), wide, 0.05, 30);
     double worst_matched = 0, worst_between = 0, mean_between = 0;
@@ -54,12 +55,12 @@ TEST(MatchSpectrum, HoldsBetweenTheMatchedPeriodsToo) {
     }
     EXPECT_NEAR(worst_matched, match.largest_misfit, 1e-9);
     EXPECT_LT(mean_between, 0.025);
-    EXPECT_LT(worst_between, 0.1);  // codes' bound
+    EXPECT_LT(worst_between, 0.1);  // the bound of design codes
 }
 
-// Codes ask that no ordinate falls below 90 % of the target; a few rounds of this come to some per cent in
-// the mean.
-TEST(MatchSpectrum, ComesNearTheTargetInAFewRounds) {
+// Design codes require that no ordinate falls below 90 % of the target. A few rounds reach a mean misfit of
+// some per cent.
+TEST(MatchSpectrum, ApproachesTheTargetInAFewRounds) {
     const SpectralMatch before = match_spectrum(start(), design(), 0.05, 0);
     const SpectralMatch after = match_spectrum(start(), design(), 0.05, 8);
     EXPECT_GT(before.mean_misfit, 0.1);
@@ -69,7 +70,7 @@ TEST(MatchSpectrum, ComesNearTheTargetInAFewRounds) {
     EXPECT_NEAR(measures.final_displacement, 0, 1e-9);
 }
 
-TEST(MatchSpectrum, ReturnsARecordThatCannotBeBettered) {
+TEST(MatchSpectrum, ReturnsTheRecordAfterZeroRounds) {
     const Accelerogram record = start();
     EXPECT_EQ(match_spectrum(record, design(), 0.05, 0).record.values, record.values);
 }
@@ -81,7 +82,7 @@ TEST(MatchSpectrum, InterpolatesOnLogarithmicScales) {
     EXPECT_NEAR(design().at(1.0), 2.4, 1e-12);  // falls as 1 / T
 }
 
-TEST(MatchSpectrum, RefusesWhatCannotBeMatched) {
+TEST(MatchSpectrum, RejectsInvalidArguments) {
     EXPECT_THROW(match_spectrum(start(), design(), 1, 1), std::invalid_argument);
     EXPECT_THROW(match_spectrum(start(), design(), 0.05, -1), std::invalid_argument);
     EXPECT_THROW(match_spectrum(start(), {{1}, {1}}, 0.05, 1), std::invalid_argument);

@@ -20,8 +20,9 @@ Accelerogram sine(double amplitude, double frequency, double step, int samples) 
     return record;
 }
 
-// A sin(wt) over whole cycles: v reaches 2 A / w, u drifts by A / w per second, the integral of a^2 is A^2 T
-// / 2. Linear interpolation of the sine costs (w dt)^2 / 12 = 3e-6 of each.
+// A sin(wt) over whole cycles of total length T: v reaches 2 A / w, u drifts by A / w per second, the
+// integral of a^2 is A^2 T / 2. Linear interpolation of the sine has a relative error of (w dt)^2 / 12 =
+// 3e-6.
 TEST(Measures, OfASineAreItsIntegrals) {
     const RecordMeasures measures = measure(sine(3, 1, 0.001, 4001));
     EXPECT_NEAR(measures.peak_acceleration, 3, 1e-12);
@@ -33,7 +34,7 @@ TEST(Measures, OfASineAreItsIntegrals) {
     EXPECT_NEAR(measures.significant_duration_75, 0.7 * 4, 0.1);
 }
 
-TEST(Measures, OfASilentOrSingleSampleAreZero) {
+TEST(Measures, OfZeroAccelerationAreZero) {
     for (const Accelerogram& record : {Accelerogram{0.01, {0}}, Accelerogram{0.01, {0, 0, 0}}}) {
         const RecordMeasures measures = measure(record);
         EXPECT_EQ(measures.peak_velocity, 0);
@@ -42,8 +43,9 @@ TEST(Measures, OfASilentOrSingleSampleAreZero) {
     }
 }
 
-// The sine above drifts by 1.9 m; afterwards it must not, and its ends must keep their values.
-TEST(CorrectBaseline, StopsTheGroundWhereItStarted) {
+// The sine above drifts by 1.9 m. After the correction it must not drift, and the end samples must be
+// unchanged.
+TEST(CorrectBaseline, EndsAtRestWhereItStarted) {
     const Accelerogram before = sine(3, 1, 0.01, 401);
     const Accelerogram after = correct_baseline(before);
     const RecordMeasures measures = measure(after);
@@ -53,7 +55,7 @@ TEST(CorrectBaseline, StopsTheGroundWhereItStarted) {
     EXPECT_EQ(after.values.back(), before.values.back());
 }
 
-TEST(CorrectBaseline, LeavesAMotionAtRestAsItIs) {
+TEST(CorrectBaseline, IsIdempotent) {
     const Accelerogram once = correct_baseline(sine(3, 1, 0.01, 401));
     const Accelerogram twice = correct_baseline(once);
     for (std::size_t k = 0; k < once.values.size(); ++k) {
@@ -61,7 +63,7 @@ TEST(CorrectBaseline, LeavesAMotionAtRestAsItIs) {
     }
 }
 
-TEST(CorrectBaseline, RefusesTooFewSamples) {
+TEST(CorrectBaseline, RejectsTooFewSamples) {
     EXPECT_THROW(correct_baseline({0.01, {}}), std::invalid_argument);
     EXPECT_THROW(correct_baseline({0.01, {0, 1, 0}}), std::invalid_argument);
 }

@@ -23,9 +23,9 @@ double radians(double degrees) {
     return degrees * pi / 180;
 }
 
-// The half-sine pulse of V13 and the rectangular one of V12 in closed form; its drop takes one sample, 1 ms
-// of 0.5 s, and brings half of that in impulse: 0.3 %.
-TEST(NewmarkBlock, SlipsAsTheClosedFormsSay) {
+// Closed forms for the half-sine pulse of V13 and the rectangular pulse of V12. The end of the rectangular
+// pulse is a ramp over one sample, 1 ms of 0.5 s, which adds half of that to the impulse: 0.3 %.
+TEST(NewmarkBlock, AgreesWithClosedForms) {
     const SlidingPlane flat{0, std::atan(0.2)};
     const auto half_sine =
         sampled(1.5, [](double t) { return t <= 0.5 ? 0.5 * g * std::sin(2 * pi * t) : 0; });
@@ -34,9 +34,9 @@ TEST(NewmarkBlock, SlipsAsTheClosedFormsSay) {
     EXPECT_NEAR(newmark_slip(rectangle, flat).back(), -0.91969, 0.003 * 0.91969);
 }
 
-// V14 and V15: slip after each second. The table has five digits, and samples of 1 ms miss 2e-6 of a sine of
-// 2 Hz.
-TEST(NewmarkBlock, SlipsOnInclinesAsIntegrated) {
+// V14 and V15: slip after each second. The table has five digits, and linear interpolation over 1 ms has a
+// relative error of 2e-6 for a sine of 2 Hz.
+TEST(NewmarkBlock, AgreesWithNumericalIntegrationOnInclines) {
     const auto one = newmark_slip(sampled(5, [](double t) { return 0.3 * g * std::sin(2 * pi * t); }),
                                   {radians(20), radians(30)});
     const auto two = newmark_slip(sampled(5, [](double t) { return 0.4 * g * std::sin(4 * pi * t); }),
@@ -49,15 +49,15 @@ TEST(NewmarkBlock, SlipsOnInclinesAsIntegrated) {
     }
 }
 
-TEST(NewmarkBlock, BeginsToSlipAtItsYieldCoefficient) {
+TEST(NewmarkBlock, BeginsToSlipAtTheYieldCoefficient) {
     const SlidingPlane plane{radians(20), radians(30)};
     EXPECT_NEAR(yield_coefficient(plane), 0.17633, 1e-5);
-    const auto held = [&](double share) {
-        return newmark_slip(sampled(1, [&](double) { return -share * yield_coefficient(plane) * g; }), plane)
+    const auto slip_at = [&](double factor) {
+        return newmark_slip(sampled(1, [&](double) { return -factor * yield_coefficient(plane) * g; }), plane)
             .back();
     };
-    EXPECT_EQ(held(0.999), 0);
-    EXPECT_GT(held(1.001), 0);
+    EXPECT_EQ(slip_at(0.999), 0);
+    EXPECT_GT(slip_at(1.001), 0);
     EXPECT_THROW(newmark_slip(sampled(1, [](double) { return 0.0; }), {-0.1, 0.5}), std::invalid_argument);
     EXPECT_THROW(newmark_slip(sampled(1, [](double) { return 0.0; }), {0.1, std::nan("")}),
                  std::invalid_argument);

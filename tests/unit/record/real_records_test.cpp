@@ -24,7 +24,7 @@ struct Expected {
     double unit;  // SI
     Quantity quantity = acceleration;
     std::optional<double> peak_time = {};  // s from the first sample
-    double rounding = 0;                   // of the published peak: half a unit of its last digit
+    double rounding = 0;                   // half a unit of the last digit of the published peak
     const char* declared_unit = "";
 };
 
@@ -32,7 +32,7 @@ std::string test_name(const ::testing::TestParamInfo<Expected>& tested) {
     return case_name(std::string(tested.param.file) + "_" + quantity_name(tested.param.quantity));
 }
 
-/// The values that stand in the records' description.
+/// The values in the published descriptions of the records.
 class RealRecords : public ::testing::TestWithParam<Expected> {};
 
 TEST_P(RealRecords, HaveTheirPublishedPeak) {
@@ -73,7 +73,7 @@ INSTANTIATE_TEST_SUITE_P(
                  std::nullopt, 0, "m/s2"}),
     test_name);
 
-// The header of the GeoNet file counts its times from the trigger, 5 s behind the first sample.
+// The header of the GeoNet file counts its times from the trigger, 5 s after the first sample.
 INSTANTIATE_TEST_SUITE_P(
     Stacked, RealRecords,
     ::testing::Values(Expected{"dmg_CE36456.V2", 3251, 0.02, -267.957, 0.01, acceleration, 10.94},
@@ -85,8 +85,8 @@ INSTANTIATE_TEST_SUITE_P(
                                5e-7}),
     test_name);
 
-// The headers of the other channels state these peaks.
-TEST(RealRecords, FurtherChannelsAreRead) {
+// The peaks are those in the headers of the second channels.
+TEST(RealRecords, ReadsSecondChannels) {
     const auto folder = external_data("records");
     if (!folder) GTEST_SKIP() << external_data_missing("records");
     const auto peak = [&](const char* file, int channel) {

@@ -37,7 +37,7 @@ TEST(Records, PeerHeadersInAllThreeSpellings) {
     }
 }
 
-TEST(Records, NumbersAsFortranWritesThem) {
+TEST(Records, ReadsFortranNumbers) {
     const Record record = parse_record(peer(in_g, "NPTS= 3, DT= .01 SEC", "-.2D-01 +.5d+00 1.D0"), "r");
     EXPECT_DOUBLE_EQ(record.values[0], -0.02 * g);
     EXPECT_DOUBLE_EQ(record.values[1], 0.5 * g);
@@ -61,7 +61,7 @@ TEST(Records, PeerVelocityAndDisplacement) {
     EXPECT_DOUBLE_EQ(d.values[1], 0.02);
 }
 
-TEST(Records, PeerFaultsNameTheLine) {
+TEST(Records, PeerErrorsNameTheLine) {
     const std::string three = "NPTS= 3, DT= .01 SEC";
     EXPECT_EQ(error_in(peer(in_g, three, "1 2\n")),
               "r:5: the record ends after 2 values; expected NPTS = 3 values");
@@ -72,9 +72,9 @@ TEST(Records, PeerFaultsNameTheLine) {
     EXPECT_EQ(error_in(peer(in_g, three, "1 nan 3\n")),
               "r:5: 'nan' is not a finite number; expected value 2 of NPTS = 3");
     EXPECT_EQ(error_in(peer(in_g, three, "1 2 3\nend of record\n")), "no error")
-        << "text after the last value is no value";
+        << "text after the last value is ignored";
     EXPECT_THAT(error_in(peer(in_g, "NPTS= many, DT= .01", "1")),
-                StartsWith("r:4: no number of points and step"));
+                StartsWith("r:4: the number of points and the time step are missing"));
     EXPECT_THAT(error_in(peer(in_g, "NPTS= 3, DT= 0.0 SEC", "1 2 3")), StartsWith("r:4: the time step is 0"));
     EXPECT_THAT(error_in(peer(in_g, "NPTS= 1, DT= 0.1 SEC", "1")), StartsWith("r:4: NPTS is 1"));
     EXPECT_THAT(error_in(peer("ACCELERATION IN UNITS OF FURLONGS", three, "1 2 3")),
@@ -85,7 +85,7 @@ TEST(Records, PeerFaultsNameTheLine) {
                 HasSubstr("the file's unit is G; expected m/s2"));
 }
 
-TEST(Records, TwoColumnsInEverySeparator) {
+TEST(Records, TwoColumnsWithEverySeparator) {
     for (const char* text :
          {"0,1\n0.1,2\n0.2,3\n", "# c\n0 1\n\n0.1\t2\n 0.2  3", "time;acc\r\n0;1\r\n0.1;2\r\n0.2;3\r\n",
           "\xEF\xBB\xBF"
@@ -103,25 +103,26 @@ TEST(Records, AHeadingDeclaresQuantityAndUnit) {
     EXPECT_DOUBLE_EQ(record.values[1], 0.02);
 }
 
-TEST(Records, TwoColumnFaultsNameTheLine) {
+TEST(Records, TwoColumnErrorsNameTheLine) {
     const RecordDeclaration acceleration{Quantity::acceleration, "g"};
     EXPECT_EQ(error_in("0,1\n0.1,2\n0.25,3\n0.3,4\n", acceleration).substr(0, 32),
               "r:3: the time step is uneven: 0.");
     EXPECT_EQ(error_in("0,1\n0.1,2\n0.1,3\n", acceleration),
-              "r:3: the time does not grow; expected a time later than 0.1 s");
+              "r:3: the time does not increase; expected a time later than 0.1 s");
     EXPECT_EQ(error_in("0,1\n0.1,inf\n", acceleration),
               "r:2: '0.1,inf' is not a sample; expected two finite numbers, time and value");
     EXPECT_EQ(error_in("0,1\n0.1,2,3\n", acceleration),
               "r:2: '0.1,2,3' is not a sample; expected two finite numbers, time and value");
     EXPECT_THAT(error_in("0,1\n", acceleration), HasSubstr("fewer than two samples"));
-    EXPECT_THAT(error_in("0,1\n0.1,2\n"), HasSubstr("nothing says what the values are"));
-    EXPECT_THAT(error_in("0,1\n0.1,2\n", {Quantity::velocity, ""}), HasSubstr("nothing says in which unit"));
+    EXPECT_THAT(error_in("0,1\n0.1,2\n"), HasSubstr("the quantity of the values is not given"));
+    EXPECT_THAT(error_in("0,1\n0.1,2\n", {Quantity::velocity, ""}),
+                HasSubstr("the unit of the values is not given"));
     EXPECT_THAT(error_in("0,1\n0.1,2\n", {Quantity::velocity, "g"}),
                 HasSubstr("the unit 'g' is not known; expected a unit of velocity"));
 }
 
-// A heading would swallow the first sample.
-TEST(Records, ABadFirstSampleIsNoHeading) {
+// If an invalid first sample were taken as a heading it would be lost.
+TEST(Records, AnInvalidFirstSampleIsNotAHeading) {
     const RecordDeclaration acceleration{Quantity::acceleration, "g"};
     for (const char* first : {"0,nan", "0,1e999", "0,1,2", "nan,0", "1e999,0", "0", "0,x"})
         EXPECT_EQ(
@@ -129,7 +130,7 @@ TEST(Records, ABadFirstSampleIsNoHeading) {
             "r:1: '" + std::string(first) + "' is not a sample; expected two finite numbers, time and value");
 }
 
-TEST(Records, ValuesAndTimesOutOfAllProportionAreRefused) {
+TEST(Records, RejectsValuesAndTimesOutOfRange) {
     const RecordDeclaration acceleration{Quantity::acceleration, "g"};
     EXPECT_THAT(error_in("0,1e30\n0.1,2\n", acceleration), HasSubstr("too large"));
     EXPECT_THAT(error_in("0,1\n1e31,2\n", acceleration), StartsWith("r:2: '1e31,2' is not a sample"));
@@ -142,7 +143,7 @@ TEST(Records, ValuesAndTimesOutOfAllProportionAreRefused) {
     EXPECT_THAT(error_in(peer(in_g, "NPTS= 3, DT= 1 SEC", "1 2 1e308")), HasSubstr("too large"));
 }
 
-TEST(Records, TimesRoundedToFewDigitsAreStillEven) {
+TEST(Records, AcceptsTimesRoundedToFewDigits) {
     std::string text;
     for (int i = 0; i < 1000; ++i) {
         char line[64];
@@ -152,7 +153,7 @@ TEST(Records, TimesRoundedToFewDigitsAreStillEven) {
     EXPECT_DOUBLE_EQ(parse_record(text, "r", {Quantity::acceleration, "g"}).dt, 0.005);
 }
 
-TEST(Records, UnknownContentIsRefused) {
+TEST(Records, RejectsUnknownContent) {
     for (const char* text : {"", "\n", "# only a comment\n", "hello\nworld\n", "{\"a\": 1}"})
         EXPECT_THAT(error_in(text), HasSubstr("no known record format")) << text;
     EXPECT_THAT(error_in(std::string("000001D \0\0", 10)), HasSubstr("binary file"));
@@ -160,7 +161,7 @@ TEST(Records, UnknownContentIsRefused) {
     EXPECT_THAT(error_in(std::string("PK\x03\x04\0", 5)), HasSubstr("is compressed"));
 }
 
-TEST(Records, MiniSeedIsRefusedWithTheWayOut) {
+TEST(Records, RejectsMiniSeedWithAdvice) {
     std::string header = "000001D ABCD 00HNENZ";
     header.resize(512);
     EXPECT_THAT(error_in(header), StartsWith("r: is miniSEED: raw counts"));
@@ -169,7 +170,7 @@ TEST(Records, MiniSeedIsRefusedWithTheWayOut) {
     EXPECT_THAT(error_in(header), StartsWith("r: is miniSEED: raw counts"));
 }
 
-TEST(Records, ADeclaredFormatIsTaken) {
+TEST(Records, UsesTheDeclaredFormat) {
     const std::string text = peer(in_g, "NPTS= 2, DT= .01 SEC", "1 2\n");
     RecordDeclaration declaration;
     declaration.format = "peer";
@@ -180,12 +181,12 @@ TEST(Records, ADeclaredFormatIsTaken) {
     declaration.format = "at3";
     EXPECT_THAT(error_in(text, declaration),
                 StartsWith("r: the format 'at3' is not known; expected peer, knet"));
-    // A heading of numbers is two columns of samples, unless it is declared otherwise.
+    // Rows of numbers from the first line on are two columns of samples.
     declaration = {Quantity::acceleration, "g", "csv"};
     EXPECT_EQ(parse_record("0 1\n1 2\n", "r", declaration).values.size(), 2u);
 }
 
-TEST(Records, AFormatOfOneChannelHasNoSecond) {
+TEST(Records, RejectsASecondChannelOfASingleChannelFormat) {
     RecordDeclaration declaration;
     declaration.channel = 2;
     EXPECT_THAT(error_in(peer(in_g, "NPTS= 2, DT= .01 SEC", "1 2\n"), declaration),

@@ -20,7 +20,7 @@ Accelerogram sampled(double step, double duration, double (*acceleration)(double
     return record;
 }
 
-// A suddenly constant acceleration A: u = -A / w^2 (1 - e^(-zwt) (cos w_d t + z w / w_d sin w_d t)). The
+// A constant acceleration A from t = 0 on: u = -A / w^2 (1 - e^(-zwt) (cos w_d t + z w / w_d sin w_d t)). The
 // method is exact for it, so only rounding is allowed.
 TEST(Oscillator, FollowsAConstantAccelerationToRounding) {
     const Accelerogram record = sampled(0.01, 3, [](double) { return 2.0; });
@@ -50,8 +50,8 @@ TEST(Oscillator, FollowsARampToRounding) {
 }
 
 // The steady state under A sin(W t) has the absolute acceleration A sqrt((1 + (2 z r)^2) / ((1 - r^2)^2 + (2
-// z r)^2)), r = W / w. Linear interpolation of the sine takes (W dt)^2 / 12 = 8e-6 off; the maxima are
-// sampled to (w dt)^2 / 8 = 5e-5.
+// z r)^2)), r = W / w. Linear interpolation of the sine reduces it by (W dt)^2 / 12 = 8e-6, and the sampling
+// of the maxima by (w dt)^2 / 8 = 5e-5.
 TEST(ResponseSpectrum, OfALongHarmonicIsItsTransmissibility) {
     const Accelerogram record = sampled(0.001, 40, [](double t) { return 1.5 * std::sin(2 * pi * 1.6 * t); });
     const double damping = 0.05;
@@ -66,20 +66,20 @@ TEST(ResponseSpectrum, OfALongHarmonicIsItsTransmissibility) {
     }
 }
 
-// Limits: a stiff oscillator moves with the ground (absolute acceleration -> peak), a soft one stays where it
-// was (relative displacement -> the ground's). Two full sines of 1 Hz start and end at rest after 2 s.
+// Limits: a stiff oscillator moves with the ground (absolute acceleration -> that of the ground), a soft one
+// stays at rest (relative displacement -> that of the ground). Two full sines of 1 Hz end at rest after 2 s.
 TEST(ResponseSpectrum, HasTheGroundMotionAsItsLimits) {
     Accelerogram record = sampled(0.005, 4, [](double t) { return t <= 2 ? 2 * std::sin(2 * pi * t) : 0.0; });
     const std::array<double, 2> periods = {0.01, 1000};
     const auto spectrum = response_spectrum(record, periods, 0.05);
-    // (T / T_ground)^2 = 1e-4 is the dynamic amplification that is left at 0.01 s.
+    // The dynamic amplification at 0.01 s is (T / T_ground)^2 = 1e-4.
     EXPECT_NEAR(spectrum[0].absolute_acceleration, 2.0, 2.0 * 5e-4);
     // At 1000 s the oscillator recovers by about w^2 t^2 / 2 + 2 z w t = 3e-3 in 4 s.
     const double ground = largest_magnitude(integrate(record).displacement);
     EXPECT_NEAR(spectrum[1].displacement, ground, 5e-3 * ground);
 }
 
-TEST(ResponseSpectrum, RefusesInvalidPeriodsAndDampings) {
+TEST(ResponseSpectrum, RejectsInvalidPeriodsAndDampings) {
     const Accelerogram record{0.01, {0, 1, 0}};
     for (const double period : {0.0, -1.0, std::nan("")}) {
         EXPECT_THROW(oscillate(record, period, 0.05), std::invalid_argument);

@@ -1,4 +1,4 @@
-// The history of a run as a record: a point's motion in the run's last stage.
+// The history of a run as a record: the motion of a point in the last stage.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -31,8 +31,8 @@ std::string error_in(const std::string& content, const RecordDeclaration& declar
     return error_of([&] { parse_record(content, "history.csv", declaration); });
 }
 
-// One row is late by 0.02 s: at the even instant the value between the rows counts.
-TEST(RunHistory, IsThePointsMotionInTheLastStage) {
+// One row is late by 0.02 s, so its value is interpolated.
+TEST(RunHistory, IsTheMotionOfAPointInTheLastStage) {
     const Record record = parse_record(text, "history.csv", declared("crest, left x"));
     EXPECT_EQ(record.quantity, Quantity::acceleration);
     EXPECT_NEAR(record.dt, 0.1, 1e-12);
@@ -45,8 +45,8 @@ TEST(RunHistory, IsThePointsMotionInTheLastStage) {
     EXPECT_NEAR(velocity.values[1], 7, 1e-12);
 }
 
-TEST(RunHistory, RefusesUnknownPoints) {
-    EXPECT_THAT(error_in(text, {}), HasSubstr("history.csv:1: nothing says which point is meant; expected "
+TEST(RunHistory, RejectsUnknownPointsAndInvalidRows) {
+    EXPECT_THAT(error_in(text, {}), HasSubstr("history.csv:1: no point is given; expected "
                                               "point = one of 'crest, left x', 'prescribed base x'"));
     EXPECT_THAT(error_in(text, declared("toe x")), HasSubstr("there is no point 'toe x'"));
     EXPECT_THAT(error_in(text, declared("base y")), HasSubstr("there is no point 'base y'"));
@@ -54,7 +54,8 @@ TEST(RunHistory, RefusesUnknownPoints) {
                 HasSubstr("history.csv:8: has 3 fields"));
     EXPECT_THAT(error_in(text + "0.7,shake,1,1,1,1,1,nan\n", declared("base x")),
                 HasSubstr("'nan' is not a finite number"));
-    EXPECT_THAT(error_in(text + "0.6,shake,1,1,1,1,1,1\n", declared("base x")), HasSubstr("does not grow"));
+    EXPECT_THAT(error_in(text + "0.6,shake,1,1,1,1,1,1\n", declared("base x")),
+                HasSubstr("does not increase"));
     EXPECT_THAT(error_in(heading, declared("base x")), HasSubstr("fewer than two rows"));
     EXPECT_THAT(error_in("0,1\n1,2\n2,3\n", declared("base x")), HasSubstr("file holds no points"));
 }

@@ -9,10 +9,10 @@
 
 #include "record/records.hpp"
 
-/// Small files in every format, as their providers lay them out.
+/// Small files in every format, laid out as by their providers.
 namespace rockslope::small_records {
 
-/// Numbers in fields of a width, so many to a line.
+/// Numbers in fields of the width in `format`, `per_line` to a line.
 template <class Number>
 std::string fields(const std::vector<Number>& numbers, std::size_t per_line, const char* format) {
     std::string text;
@@ -34,7 +34,7 @@ inline std::string peer() {
            fields(ten, 5, "%15.7E");
 }
 
-/// 10 samples at 100 Hz; the counts' mean is 5.
+/// 10 samples at 100 Hz; the mean of the counts is 5.
 inline std::string knet() {
     std::string text =
         "Origin Time       2020/01/02 03:04:00\nLat.              41.0\nLong.             142.5\n"
@@ -46,14 +46,14 @@ inline std::string knet() {
     return text + fields(std::vector<int>{5, 105, -95, 5, 15, -5, 5, 5, 6, 4}, 8, "%9d");
 }
 
-/// A channel of COSMOS V1.20 in fields that touch.
+/// A channel of COSMOS V1.20 in fields without separators.
 inline std::string cosmos_channel(const char* announced, int quantity, const char* unit) {
     std::vector<int> integers(100, -999);
     integers[0] = 2;
     integers[1] = quantity;
     std::vector<double> reals(100, -999);
     reals[61] = 20;     // ms
-    reals[33] = 0.005;  // s, of the raw record: no concern of ours
+    reals[33] = 0.005;  // s, step of the raw record, which must not be read
     std::string text = "Corrected acceleration    (Format v01.20 with 13 text lines)\n";
     for (int line = 2; line <= 13; ++line) text += "text\n";
     text += " 100 Integer-header values follow on  10 lines, Format= (10I8)\n" + fields(integers, 10, "%8d") +
@@ -81,7 +81,7 @@ inline std::string csmip_channel(double factor) {
         if (line[0] == 'V') text.replace(text.rfind("points of"), 9, "POINTS OF");
         std::vector<double> values = ten;
         for (double& value : values) value *= factor;
-        text += fields(values, 8, "%10.7f");  // nine characters and a sign: they touch
+        text += fields(values, 8, "%10.7f");  // nine characters and a sign: no separators
     }
     return text + "/&  ----------  End of data for channel  1  ----------\n";
 }
@@ -125,7 +125,7 @@ inline std::string smc() {
     std::vector<double> reals(50, 1.7e38);
     reals[1] = 50;
     text += fields(integers, 8, "%10d") + fields(reals, 5, "%15.7E") + "|\n|a comment\n";
-    // 8(1pe10.4e1) as the files have it: "-3.0380E+0", one digit of exponent
+    // 8(1pe10.4e1) as in the published files: "-3.0380E+0", one digit of exponent
     for (std::size_t k = 0; k < ten.size(); ++k) {
         char field[32];
         std::snprintf(field, sizeof field, "%10.4E", ten[k]);

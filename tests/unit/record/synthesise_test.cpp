@@ -18,9 +18,9 @@ SyntheticMotion example() {
     return recipe;
 }
 
-// The integrals of 4000 samples of order 1 carry rounding of about 4000 * 1e-16 times the largest value
-// reached.
-TEST(Synthesise, StartsAndEndsAtRestWithThePeakAskedFor) {
+// The rounding error of the integrals of 4000 samples of order 1 is about 4000 * 1e-16 times their largest
+// value.
+TEST(Synthesise, StartsAndEndsAtRestWithTheGivenPeak) {
     for (const std::uint64_t seed : {0ULL, 1ULL, 2ULL, 0xffffffffffffffffULL}) {
         SyntheticMotion recipe = example();
         recipe.seed = seed;
@@ -36,7 +36,7 @@ TEST(Synthesise, StartsAndEndsAtRestWithThePeakAskedFor) {
     }
 }
 
-// The simulator's own update must end at rest as well, or a base that follows the record would drift away.
+// The simulator's update must end at rest as well, or a base that follows the record would drift.
 TEST(Synthesise, EndsAtRestUnderTheSimulatorsUpdate) {
     const Accelerogram record = synthesise(example());
     double velocity = 0;
@@ -49,7 +49,7 @@ TEST(Synthesise, EndsAtRestUnderTheSimulatorsUpdate) {
     EXPECT_NEAR(displacement, 0, 1e-10);
 }
 
-TEST(Synthesise, GivesTheSameNumbersForTheSameSeedAndOthersForAnother) {
+TEST(Synthesise, DependsOnTheSeedOnly) {
     SyntheticMotion recipe = example();
     const Accelerogram first = synthesise(recipe);
     EXPECT_EQ(first.values, synthesise(recipe).values);
@@ -57,9 +57,9 @@ TEST(Synthesise, GivesTheSameNumbersForTheSameSeedAndOthersForAnother) {
     EXPECT_NE(first.values, synthesise(recipe).values);
 }
 
-// With a flat envelope the record is the stationary noise itself (but for scale), whose power per band must
-// follow the density. A band of 40 to 400 components of random phase holds its share of the power exactly in
-// the mean over twice the duration; over the record itself the scatter is about 1 / sqrt(components).
+// With a flat envelope the record is the stationary noise times a scale factor, and its power per band must
+// follow the density. The power of a band of 40 to 400 components of random phase is exact over twice the
+// duration; over the record its scatter is about 1 / sqrt(components).
 TEST(Synthesise, FollowsThePowerSpectrum) {
     SyntheticMotion recipe = example();
     recipe.envelope = {0.005, 20, 0};
@@ -86,7 +86,7 @@ TEST(Synthesise, FollowsThePowerSpectrum) {
     EXPECT_NEAR(band(16, 25) / reference, 1, 0.25);
 }
 
-TEST(Synthesise, IsShapedLikeAnEarthquakeOfItsSize) {
+TEST(Synthesise, HasDurationAndVelocityOfAnEarthquakeOfItsMagnitude) {
     const RecordMeasures measures = measure(synthesise(example()));
     EXPECT_GT(measures.significant_duration, 5);
     EXPECT_LT(measures.significant_duration, 15);
@@ -96,21 +96,21 @@ TEST(Synthesise, IsShapedLikeAnEarthquakeOfItsSize) {
     EXPECT_LT(velocity_per_g, 1.8);
 }
 
-TEST(Synthesise, RefusesImpossibleRecipes) {
-    const auto refused = [](auto change) {
+TEST(Synthesise, RejectsParametersOutOfRange) {
+    const auto expect_rejected = [](auto change) {
         SyntheticMotion recipe = example();
         change(recipe);
         EXPECT_THROW(synthesise(recipe), std::invalid_argument);
     };
-    refused([](auto& recipe) { recipe.step = 0; });
-    refused([](auto& recipe) { recipe.step = std::nan(""); });
-    refused([](auto& recipe) { recipe.duration = 0; });
-    refused([](auto& recipe) { recipe.duration = 20.0025; });
-    refused([](auto& recipe) { recipe.peak = -1; });
-    refused([](auto& recipe) { recipe.peak = std::nan(""); });
-    refused([](auto& recipe) { recipe.envelope.rise = 0; });
-    refused([](auto& recipe) { recipe.spectrum.kappa = -0.1; });
-    refused([](auto& recipe) { recipe.spectrum.ground_frequency = 0; });
+    expect_rejected([](auto& recipe) { recipe.step = 0; });
+    expect_rejected([](auto& recipe) { recipe.step = std::nan(""); });
+    expect_rejected([](auto& recipe) { recipe.duration = 0; });
+    expect_rejected([](auto& recipe) { recipe.duration = 20.0025; });
+    expect_rejected([](auto& recipe) { recipe.peak = -1; });
+    expect_rejected([](auto& recipe) { recipe.peak = std::nan(""); });
+    expect_rejected([](auto& recipe) { recipe.envelope.rise = 0; });
+    expect_rejected([](auto& recipe) { recipe.spectrum.kappa = -0.1; });
+    expect_rejected([](auto& recipe) { recipe.spectrum.ground_frequency = 0; });
     EXPECT_THROW(envelope_of_earthquake(3, 10), std::invalid_argument);
     EXPECT_THROW(envelope_of_earthquake(6, -1), std::invalid_argument);
 }

@@ -1,5 +1,5 @@
-// The report of the verification tests: what is recorded is what was asserted, and the check sees what
-// differs.
+// The report of the verification tests: the recorded rows agree with the assertions, and the check finds
+// differences.
 
 #include <gtest/gtest-spi.h>
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace verification;
 
-/// A folder of its own, named by the test, and the variable that makes cases record there.
+/// A report folder of the test, set in the environment variable with which cases record rows.
 class Report : public testing::Test {
   protected:
     void SetUp() override {
@@ -74,7 +74,7 @@ TEST_F(Report, EvaluatesEachKind) {
     EXPECT_EQ(rows().size(), 13u);
 }
 
-TEST_F(Report, RefusesWhatItCannotPrint) {
+TEST_F(Report, RefusesUnknownCasesAndInvalidTexts) {
     EXPECT_THROW(Case("V99", "a", "r"), std::out_of_range);
     EXPECT_THROW(Case("V01", "a | b", "r"), std::invalid_argument);
     EXPECT_THROW(Case("V01", "a", "r").expect("q", "m", 0, 0, relative(.1)), std::invalid_argument);
@@ -108,7 +108,7 @@ Row passing(const std::string& id, const std::string& quantity) {
     return row;
 }
 
-TEST(Differences, SeeRowsVerdictsAndTolerancesButNotDigits) {
+TEST(Differences, AreOfRowsVerdictsAndTolerancesButNotDigits) {
     const std::vector<Row> committed = {passing("V01", "x"), passing("V02", "y")};
     std::vector<Row> fresh = committed;
     fresh[0].ours = "1.002";
@@ -123,7 +123,7 @@ TEST(Differences, SeeRowsVerdictsAndTolerancesButNotDigits) {
     EXPECT_NE(differences(committed, fresh)[0].find("V02"), std::string::npos);
 }
 
-TEST(Page, ListsEveryCaseAndSaysWhichIsMissing) {
+TEST(Page, ListsEveryCaseAndMarksMissingOnes) {
     EXPECT_THROW(in_order({passing("V01", "x"), passing("V01", "x")}), std::runtime_error);
     const std::string text =
         page(in_order({passing("V08", "s"), passing("V02", "p")}), {{"V08", "p.svg", "curve"}});
@@ -158,7 +158,7 @@ TEST(Page, ShowsEnergyInASeparateTable) {
     EXPECT_NE(page({residual, friction, loss}, {}).find("| 0.25 | **outside** |"), std::string::npos);
 }
 
-TEST(Balances, AreMissedWhereACaseMoves) {
+TEST(Balances, AreRequiredOfDynamicCases) {
     const Row statics = passing("V02", "p");
     const Row moves = passing("V10", "s");
     Row balance = passing("V10", energy_residual);
@@ -167,7 +167,7 @@ TEST(Balances, AreMissedWhereACaseMoves) {
     EXPECT_EQ(missing_balances({statics, moves}).size(), 1u);
 }
 
-TEST_F(Report, PicturesReadBackAsTheyWereRecorded) {
+TEST_F(Report, PicturesReadBackAsRecorded) {
     record_picture("V14", "slip", "Slip", "time, s", "slip, m",
                    {{"closed form", {0, 1}, {0, 2}}, {"engine", {0, 1, 2}, {0, 1, 3}}});
     const std::vector<Picture> pictures = read_pictures(folder_.string());

@@ -1,4 +1,4 @@
-#include "blockgen/arrangement/walk_faces.hpp"
+#include "blockgen/arrangement/arrange.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 namespace rockslope::blockgen {
 namespace {
 
-/// The same faces by other numbers.
+/// Expects the same faces, up to their numbering.
 void expect_same(const NodedEdges& noded) {
     const Subdivision swept = arrange(noded), walked = walk_faces(noded);
     ASSERT_EQ(swept.face_count, walked.face_count);
@@ -31,13 +31,13 @@ void add_ring(std::vector<SourceSegment>& segments, const std::vector<Point>& ri
             {ring[k], ring[(k + 1) % ring.size()], static_cast<std::int32_t>(segments.size())});
 }
 
-TEST(WalkFaces, PartsWithinPartsWithinParts) {
+TEST(WalkFaces, NestedComponents) {
     std::vector<SourceSegment> segments;
     for (int k = 0; k < 6; ++k) {
         const double r = 10 - 1.5 * k;
         add_ring(segments, {{-r, -r}, {r, -r}, {r, r}, {-r, r}});
     }
-    // Beside each other, above each other, starting at one x, a lone segment and a tree.
+    // Components beside each other, above each other, with the same leftmost x; a single segment; a tree.
     add_ring(segments, {{20, 0}, {22, 0}, {21, 2}});
     add_ring(segments, {{20, 5}, {22, 5}, {21, 7}});
     segments.push_back({{20, 3}, {20, 4}, 90});
@@ -47,7 +47,7 @@ TEST(WalkFaces, PartsWithinPartsWithinParts) {
     expect_same(node_joints(segments, 0x1p-20));
 }
 
-TEST(WalkFaces, PartsThatTouchInAPointAreOne) {
+TEST(WalkFaces, ComponentsThatTouchInAPointAreOne) {
     std::vector<SourceSegment> segments;
     add_ring(segments, {{0, 0}, {10, 0}, {10, 10}, {0, 10}});
     add_ring(segments, {{0, 0}, {4, 2}, {2, 4}});
@@ -55,7 +55,7 @@ TEST(WalkFaces, PartsThatTouchInAPointAreOne) {
     expect_same(node_joints(segments, 0x1p-20));
 }
 
-TEST(WalkFaces, AtRandom) {
+TEST(WalkFaces, AgreesWithTheSweepOnRandomNetworks) {
     for (const double length : {0.3, 1.0, 8.0})
         for (unsigned seed = 1; seed <= 5; ++seed) {
             std::mt19937 random(seed);
@@ -70,7 +70,7 @@ TEST(WalkFaces, AtRandom) {
         }
 }
 
-TEST(WalkFaces, NothingIsOneFace) {
+TEST(WalkFaces, EmptyNetworkHasOneFace) {
     EXPECT_EQ(walk_faces(node_joints({}, 1)).face_count, 1);
 }
 

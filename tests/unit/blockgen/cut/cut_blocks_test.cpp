@@ -49,8 +49,8 @@ TEST(CutBlocks, OneJointMakesTwoBlocksThatShareAMarkedEdge) {
     EXPECT_NEAR(result.report.joints[0].retained, 1, 1e-9);
 }
 
-// On a grid of 1 m the upper side of a lens lies no more than two cells off the straight line between its
-// tips, which would pass below the corner of the lower side: there two joints meet, so it stays.
+// On a grid of 1 m the upper side of a lens lies at most two cells off the straight line between its tips.
+// That line would pass below the corner of the lower side, which must stay because two joints meet there.
 TEST(CutBlocks, SimplificationInvertsNoBlock) {
     SlopeModel model = rectangle(20, 20);
     model.grid = 1;
@@ -76,7 +76,7 @@ TEST(CutBlocks, AGridOfAHundredByAHundredJoints) {
 }
 
 TEST(CutBlocks, InclinedSetsMakeParallelogramsWithoutRedundantVertices) {
-    // Inclined lines have no grid points to run through, so that every crossing is snapped.
+    // Inclined lines pass through no grid point, so every crossing is snapped.
     SlopeModel model = rectangle(20, 20);
     for (int k = -30; k <= 60; ++k) {
         add_trace(model, {{-50 - 0.37 * k, -50 + 1.13 * k}, {70 - 0.37 * k, -50 + 1.13 * k + 120 * 0.31}});
@@ -93,7 +93,7 @@ TEST(CutBlocks, InclinedSetsMakeParallelogramsWithoutRedundantVertices) {
 }
 
 TEST(CutBlocks, JointsThroughOnePointMakeAFan) {
-    // The point is no grid point: rounding each joint by itself would part the crossings.
+    // The point is not a grid point: rounding each joint separately would give several crossings.
     SlopeModel model = rectangle(2, 2);
     const Point centre{1.0 / 3 + 0.6, 0.7 + std::numbers::pi / 10};
     for (int k = 0; k < 100; ++k) {
@@ -116,8 +116,8 @@ TEST(CutBlocks, ALatticeOfTrianglesHasNoSlivers) {
             add_trace(model, {{p.x - 40 * u.x, p.y - 40 * u.y}, {p.x + 40 * u.x, p.y + 40 * u.y}});
         }
     const CutResult result = cut(model);
-    // A triangle of side 1, or a piece of one at the boundary; a sliver of the rounding would have some 1e-6
-    // m2 or less.
+    // Blocks are triangles of side 1, or pieces at the boundary; a sliver by rounding would have at most 1e-6
+    // m2.
     EXPECT_GT(result.report.sizes.smallest_area, 1e-4);
     EXPECT_NEAR(result.report.sizes.largest_area, height / 2, 1e-5);
     EXPECT_EQ(result.report.domain_area, result.report.sizes.area);
@@ -187,12 +187,12 @@ TEST(CutBlocks, DanglingEdgesAndBridgesArePruned) {
     EXPECT_NEAR(joints[2].pruned, std::sqrt(2), 1e-5);
     EXPECT_NEAR(joints[3].retained, 4, 1e-6);
     EXPECT_NEAR(joints[4].pruned, 2, 1e-6);
-    // What ended at the wall leaves no vertex behind.
+    // A pruned joint leaves no vertex on the wall at which it ended.
     EXPECT_EQ(areas(result.mesh), (std::vector<double>{1, 49, 50}));
     EXPECT_EQ(result.mesh.vertices.size(), 6u + 4u);
 }
 
-TEST(CutBlocks, EndsWithinReachOfTheBoundaryReachIt) {
+TEST(CutBlocks, EndsNearTheBoundaryAreJoinedToIt) {
     for (const double gap : {0.0, 1e-12, 1e-9, 1e-7, -1e-12, -1e-9, -1e-7}) {
         SlopeModel model = rectangle(1, 1);
         model.outline = {{0, 0}, {1, 0.1}, {0.9, 1.1}, {-0.1, 1}};
@@ -221,7 +221,7 @@ TEST(CutBlocks, DuplicatesAndOverlapsMakeOneEdge) {
     EXPECT_EQ(result.mesh.joints[0].set, "first");
 }
 
-TEST(CutBlocks, OverlappingPartsThatOnlyTogetherCross) {
+TEST(CutBlocks, CollinearPiecesThatOnlyTogetherCross) {
     SlopeModel model = rectangle(3, 3);
     const Point a{-0.01, 0.3}, b{3.01, 2.1};
     const auto at = [&](double t) { return Point{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}; };
@@ -256,7 +256,7 @@ TEST(CutBlocks, ATriangulatedIslandIsKeptOrRefused) {
     EXPECT_THAT(error_of(model), HasSubstr("encloses others at (4, 4)"));
 }
 
-TEST(CutBlocks, AnIslandThatTouchesTheRimInOnePoint) {
+TEST(CutBlocks, AnIslandThatTouchesTheBoundaryInOnePoint) {
     SlopeModel model = rectangle(4, 4);
     add_trace(model, {{0, 0}, {2, 1}, {1, 2}, {0, 0}});
     const CutResult result = cut(model);
@@ -278,7 +278,7 @@ TEST(CutBlocks, TheOrderOfJointsDoesNotMatter) {
     EXPECT_EQ(forward.corners, backward.corners);
 }
 
-TEST(CutBlocks, RegionsPartBlocksWhereMaterialsDiffer) {
+TEST(CutBlocks, RegionsSeparateBlocksOfDifferentMaterials) {
     const std::string text = R"(
 [domain]
 outline = [[0, 0], [10, 0], [10, 10], [0, 10]]
@@ -306,7 +306,7 @@ polygon = [[2, 2], [4, 2], [4, 4], [2, 4]]
     EXPECT_THAT(error_of(slope(without)), HasSubstr("expected joint_material"));
 }
 
-TEST(CutBlocks, BlocksArePickedByPointPolygonAndSide) {
+TEST(CutBlocks, BlocksAreSelectedByPointPolygonAndSide) {
     SlopeModel model = rectangle(3, 3);
     for (int k = 1; k <= 2; ++k) {
         add_trace(model, {{k + 0.0, -1}, {k + 0.0, 4}});
@@ -324,20 +324,20 @@ TEST(CutBlocks, BlocksArePickedByPointPolygonAndSide) {
     const BlockMesh mesh = cut(model).mesh;
     EXPECT_EQ(std::count(mesh.motion.begin(), mesh.motion.end(), BlockMotion::fixed), 4);
     EXPECT_EQ(std::count(mesh.motion.begin(), mesh.motion.end(), BlockMotion::prescribed), 1);
-    EXPECT_EQ(mesh.motion[static_cast<std::size_t>(mesh.measured_points[0].block)], BlockMotion::fixed);
+    EXPECT_EQ(mesh.motion[mesh.measured_points[0].block], BlockMotion::fixed);
     EXPECT_NE(mesh.bolts[0].first_block, mesh.bolts[0].second_block);
 
     model.selectors = {inner};
     model.selectors[0].at = Point{1.5, -0.1};
     EXPECT_EQ(cut(model).report.warnings.size(), 1u);
     model.selectors[0].at = Point{1.5, -9};
-    EXPECT_THAT(error_of(model), HasSubstr("no block holds the point (1.5, -9)"));
+    EXPECT_THAT(error_of(model), HasSubstr("no block contains the point (1.5, -9)"));
     model.selectors = {bottom, inner};
     model.selectors[1].at = Point{1.5, 0.5};
     EXPECT_THAT(error_of(model), HasSubstr("already fixed"));
     model.selectors.clear();
     model.measured_points[0].at = {3.5, 0};
-    EXPECT_THAT(error_of(model), HasSubstr("no block holds measured point 'crest'"));
+    EXPECT_THAT(error_of(model), HasSubstr("no block contains measured point 'crest'"));
 }
 
 TEST(CutBlocks, TooManyBlocksArePredicted) {
@@ -397,7 +397,8 @@ TEST_P(Outcrop, FillsItsArea) {
     if (!maps) GTEST_SKIP() << external_data_missing("joint-maps");
     const SlopeModel model = outcrop(*maps, GetParam().name, GetParam().grid);
     const CutResult result = cut(model);
-    // Corners of the outline move by up to 0.71 cells each: the area by less than that times the perimeter.
+    // Corners of the outline move by up to 0.71 cells, so the area changes by less than that times the
+    // perimeter.
     double perimeter = 0;
     for (std::size_t k = 0; k < model.outline.size(); ++k) {
         const Point &a = model.outline[k], &b = model.outline[(k + 1) % model.outline.size()];
@@ -407,7 +408,7 @@ TEST_P(Outcrop, FillsItsArea) {
     EXPECT_NEAR(result.report.sizes.area, result.report.domain_area, 1e-9);
     EXPECT_TRUE(result.report.verified);
     EXPECT_EQ(result.report.blocks, GetParam().blocks);
-    // Islands that are kept are named, the first five of them.
+    // The first five islands that are kept are reported.
     std::vector<std::string> warnings = result.report.warnings;
     const std::size_t named =
         std::erase_if(warnings, [](const std::string& w) { return w.find("island") != std::string::npos; });
@@ -417,9 +418,10 @@ TEST_P(Outcrop, FillsItsArea) {
 
 const std::string many_outside = "3473 traces of 'Getaberget' lie outside the rock and are dropped";
 
-// One end of KB11 stops 6.2e-6 m short of the outline. The default grid leaves the gap open; from 2^-17 m on
-// it closes. GEOS counts 529: where plain noding fails it snaps within 1e-12 of the largest coordinate, here
-// 6.7e-6 m, because the coordinates are UTM's; about an origin of its own the same map leaves it 204 blocks.
+// One trace end of KB11 stops 6.2e-6 m short of the outline. The default grid leaves the gap open; grids of
+// 2^-17 m and more close it. GEOS counts 529: when its plain noding fails, it snaps within 1e-12 of the
+// largest coordinate, 6.7e-6 m for these UTM coordinates. For the map shifted to the origin GEOS finds 204
+// blocks.
 INSTANTIATE_TEST_SUITE_P(Maps, Outcrop,
                          testing::Values(OutcropCut{"KB11", 0x1p-20, 528, 1237.900, {}},
                                          OutcropCut{"KB11", 0x1p-17, 529, 1237.900, {}},

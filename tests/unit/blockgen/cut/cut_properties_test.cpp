@@ -1,4 +1,4 @@
-// What may not change the blocks: the order and direction of the joints, and where and how the section lies.
+// Invariances of the cut: order and direction of the joints, translation and rotation of the section.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace rockslope::blockgen {
 namespace {
 
-/// Joints at random, many of which end on others, run parallel to them or share their ends. Coordinates are
+/// Random joints; many end on others, are parallel to others or share ends with others. Coordinates are
 /// multiples of 2^-24, so that shifts by whole grid cells are exact.
 SlopeModel random_slope(unsigned seed, int joints) {
     std::mt19937 random(seed);
@@ -89,8 +89,8 @@ TEST_P(CutProperties, AQuarterTurn) {
     const std::vector<double> before = sorted_areas(mesh_), after = sorted_areas(other);
     ASSERT_EQ(before.size(), after.size());
     EXPECT_EQ(mesh_.vertices.size(), other.vertices.size());
-    // Cells are half open, so that a crossing on a cell's edge may go to the other side: a cell times the
-    // block's perimeter.
+    // Cells are half-open, so a crossing on a cell's edge may be rounded to the other side. The area then
+    // changes by up to one cell times the block's perimeter.
     for (std::size_t k = 0; k < before.size(); ++k) EXPECT_NEAR(before[k], after[k], 60 * model_.grid);
 }
 

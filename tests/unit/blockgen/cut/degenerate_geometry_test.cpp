@@ -1,4 +1,4 @@
-// The inputs that break cutters, each with the blocks that one would draw by hand.
+// Degenerate inputs, each with the expected blocks counted by hand.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -50,7 +50,7 @@ TEST(DegenerateGeometry, ALatticeOfTrianglesInAParallelogramOfItsOwnLines) {
 }
 
 TEST(DegenerateGeometry, ALatticeOfTrianglesInARectangle) {
-    // Each joint adds a block, and each inner corner of the lattice, where three joints meet, two more.
+    // Each joint adds one block; each interior corner of the lattice, where three joints meet, adds two.
     const Point origin{0.123456789, 0.2};
     const double width = 10.2, height = 10.4, row = std::sqrt(3) / 2;
     SlopeModel model = rectangle(width, height);
@@ -85,13 +85,13 @@ TEST(DegenerateGeometry, AJointThatEndsJustShortOfAnother) {
         }
     SlopeModel model = rectangle(3, 3);
     add_trace(model, {a, b});
-    add_trace(model, {{1.2 - 3e-6, 1.5}, {-1, 1.5}});  // 2.8e-6 m off: beyond what the grid joins
+    add_trace(model, {{1.2 - 3e-6, 1.5}, {-1, 1.5}});  // a gap of 2.8e-6 m stays open on this grid
     EXPECT_EQ(cut(model).mesh.block_count(), 2u);
 }
 
-// Up to an eighth of a cell, wherever in its cell the other lies: an upright or level joint may run along a
-// cell's side with the end just beyond it.
-TEST(DegenerateGeometry, AJointThatEndsWithinAnEighthOfACellOfALevelJointOrTheRim) {
+// An end is joined up to an eighth of a cell, wherever the other joint lies in its cell: a vertical or
+// horizontal joint may run along a cell's side with the end just beyond it.
+TEST(DegenerateGeometry, AJointThatEndsWithinAnEighthOfACellOfAHorizontalJointOrTheBoundary) {
     for (const double grid : {0x1p-20, 0x1p-7})
         for (const double place : {0.0, 0.25, 0.49, 0.5 - 1e-9 / grid, 0.5, 0.51, 0.8})
             for (const double gap : {0.0, 1e-9, 2e-9, 1e-7, 0.05 * grid, 0.124 * grid})
@@ -112,25 +112,25 @@ TEST(DegenerateGeometry, AJointThatEndsWithinAnEighthOfACellOfALevelJointOrTheRi
                 }
 }
 
-// In any direction: the larger component of the gap counts, along x or along y.
+// The same in any direction: the larger of the gap's x and y components counts.
 TEST(DegenerateGeometry, AJointThatEndsWithinAnEighthOfACellOfAnotherInAnyDirection) {
     std::mt19937 random(5);
-    const auto share = [&] { return static_cast<double>(random()) * 0x1p-32; };
+    const auto uniform = [&] { return static_cast<double>(random()) * 0x1p-32; };
     for (const double grid : {0x1p-20, 0x1p-7})
         for (int k = 0; k < 1000; ++k) {
             SlopeModel model = rectangle(3, 3);
             model.grid = grid;
-            // Every fourth is level or upright but for a hair.
+            // Every fourth is nearly horizontal or vertical.
             const double angle = k % 4 == 0 ? (k % 8 == 0 ? 0 : std::numbers::pi / 2) +
-                                                  (share() - 0.5) * std::pow(10, -8 * share())
-                                            : std::numbers::pi * share();
+                                                  (uniform() - 0.5) * std::pow(10, -8 * uniform())
+                                            : std::numbers::pi * uniform();
             const Point u{std::cos(angle), std::sin(angle)}, across{-u.y, u.x};
-            const Point middle{1.3 + 0.4 * share(), 1.3 + 0.4 * share()};
+            const Point middle{1.3 + 0.4 * uniform(), 1.3 + 0.4 * uniform()};
             add_trace(model, {moved(middle, u, -5), moved(middle, u, 5)}, "long");
             const double gap =
-                0.124 * grid / std::max(std::abs(u.x), std::abs(u.y)) * std::pow(10, -4 * share());
-            const Point end = moved(moved(middle, u, 0.4 * (share() - 0.5)), across, gap);
-            const double turn = angle + std::numbers::pi * (0.1 + 0.8 * share());
+                0.124 * grid / std::max(std::abs(u.x), std::abs(u.y)) * std::pow(10, -4 * uniform());
+            const Point end = moved(moved(middle, u, 0.4 * (uniform() - 0.5)), across, gap);
+            const double turn = angle + std::numbers::pi * (0.1 + 0.8 * uniform());
             add_trace(model, {end, moved(end, {std::cos(turn), std::sin(turn)}, 5)}, "short");
             const CutResult result = cut(model, false);
             EXPECT_EQ(result.mesh.block_count(), 3u) << grid << ' ' << k << ' ' << angle;
@@ -175,7 +175,7 @@ TEST(DegenerateGeometry, ATunnelOfSixtyFourSidesCutByJoints) {
     EXPECT_THAT(result.report.warnings, ElementsAre(HasSubstr("lies outside the rock")));
 }
 
-TEST(DegenerateGeometry, ATunnelThatPartsTheDomain) {
+TEST(DegenerateGeometry, ATunnelThatDividesTheDomain) {
     SlopeModel model = rectangle(10, 10);
     model.tunnels.push_back({"adit", {{-1, 4}, {11, 5}, {11, 6}, {-1, 5}}, {}});
     add_trace(model, {{3, -1}, {3, 11}});
@@ -199,7 +199,7 @@ TEST(DegenerateGeometry, LayersCutByAJoint) {
     EXPECT_EQ(result.mesh.block_materials.size(), 2u);
 }
 
-TEST(DegenerateGeometry, JointsThatMakeNothingAreNamed) {
+TEST(DegenerateGeometry, JointsWithoutEffectAreReported) {
     SlopeModel model = rectangle(2, 1);
     add_trace(model, {{1, 0.5}, {1, 0.5}}, "point");
     add_trace(model, {{5, 5}, {6, 6}}, "outside");
@@ -238,7 +238,7 @@ TEST(DegenerateGeometry, NodesAndDensities) {
     EXPECT_NEAR(report.joints[1].outside, 3, 1e-6);
 }
 
-TEST(DegenerateGeometry, AHoleOrTunnelAwayFromTheRockIsNoticed) {
+TEST(DegenerateGeometry, AHoleOrTunnelOutsideTheRockIsReported) {
     const std::string domain =
         "[domain]\noutline = [[0, 0], [2, 0], [2, 1], [0, 1]]\nblock_material = \"rock\"\n";
     EXPECT_THROW(
@@ -256,7 +256,7 @@ TEST(DegenerateGeometry, AHoleOrTunnelAwayFromTheRockIsNoticed) {
     EXPECT_THAT(cut(model).report.warnings, ElementsAre(HasSubstr("tunnel 'far' lies outside the outline")));
 }
 
-TEST(DegenerateGeometry, KeptIslandIsNamedWithPlaceAndArea) {
+TEST(DegenerateGeometry, KeptIslandIsReportedWithPositionAndArea) {
     SlopeModel model = rectangle(10, 10);
     add_trace(model, {{4, 4}, {6, 4}, {6, 7}, {4, 7}, {4, 4}});
     const CutResult result = cut(model);

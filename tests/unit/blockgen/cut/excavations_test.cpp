@@ -3,8 +3,8 @@
 
 #include "blockgen/mesh/block_file.hpp"
 #include "blockgen/mesh/measures.hpp"
-#include "unit/blockgen/slopes.hpp"
 #include "support/error_of.hpp"
+#include "unit/blockgen/slopes.hpp"
 
 namespace rockslope::blockgen {
 namespace {
@@ -27,7 +27,7 @@ double area_of(const BlockMesh& mesh, const ExcavatedBlocks& blocks) {
     return sum;
 }
 
-TEST(Excavations, AreCutOutAndStayInTheFileWithTheirStage) {
+TEST(Excavations, AreCutAndWrittenWithTheirStage) {
     SlopeModel model = slope(domain + excavation("2", "[[4, 4], [6, 4], [6, 6], [4, 6]]"));
     add_trace(model, {{0, 5}, {10, 5}});
     const CutResult result = cut(model);
@@ -45,7 +45,7 @@ TEST(Excavations, AreCutOutAndStayInTheFileWithTheirStage) {
     EXPECT_EQ(block_file_text(parse_block_file(text, "x")), text);
 }
 
-TEST(Excavations, WhereTheyOverlapTheEarliestTakesTheRock) {
+TEST(Excavations, OverlapBelongsToTheEarliestStage) {
     const SlopeModel model = slope(domain + excavation("3", "[[2, 2], [6, 2], [6, 6], [2, 6]]") +
                                    excavation("2", "[[4, 4], [8, 4], [8, 8], [4, 8]]"));
     const CutResult result = cut(model);
@@ -55,7 +55,7 @@ TEST(Excavations, WhereTheyOverlapTheEarliestTakesTheRock) {
     EXPECT_DOUBLE_EQ(area_of(result.mesh, result.mesh.excavations[1]), 16);
 }
 
-TEST(Excavations, ATunnelWithAStageIsRockUntilThen) {
+TEST(Excavations, ATunnelWithAStageIsRockBeforeIt) {
     const std::string tunnel =
         "[[tunnel]]\nname = \"adit\"\nshape = \"circle\"\ncentre = [5, 5]\nradius = 2\n";
     EXPECT_EQ(cut(slope(domain + tunnel)).report.blocks, 1U);
@@ -65,23 +65,23 @@ TEST(Excavations, ATunnelWithAStageIsRockUntilThen) {
     EXPECT_EQ(staged.mesh.excavations.at(0).name, "adit");
 }
 
-TEST(Excavations, SmallBlocksAreNotJoinedAcrossTheirOutline) {
+TEST(Excavations, SmallBlocksAreNotMergedAcrossTheirOutline) {
     SlopeModel model = slope(domain + excavation("2", "[[4, 0], [5, 0], [5, 0.1], [4, 0.1]]"));
     model.small_blocks = {SmallBlockPolicy::merge, 1, 0};
     EXPECT_EQ(cut(model).report.blocks, 2U);
 }
 
-TEST(Excavations, WithoutOneTheFileIsOfTheFirstVersion) {
+TEST(Excavations, FileWithoutExcavationsHasVersionOne) {
     EXPECT_EQ(block_file_text(cut(rectangle(2, 1)).mesh).substr(0, 9), "ddablk 1\n");
 }
 
-TEST(Excavations, OutsideTheRockTakeNothingOut) {
+TEST(Excavations, OutsideTheRockRemoveNothing) {
     const CutResult result = cut(slope(domain + excavation("2", "[[14, 4], [16, 4], [16, 6], [14, 6]]")));
     EXPECT_TRUE(result.mesh.excavations.empty());
-    EXPECT_THAT(result.report.warnings, ElementsAre(HasSubstr("takes no rock out")));
+    EXPECT_THAT(result.report.warnings, ElementsAre(HasSubstr("removes no rock")));
 }
 
-TEST(Excavations, BadOnesAreRefused) {
+TEST(Excavations, InvalidExcavationsAreRejected) {
     const std::string polygon = "[[4, 4], [6, 4], [6, 6], [4, 6]]";
     for (const char* stage : {"0", "-1", "1.5", "\"two\""})
         EXPECT_THROW(slope(domain + excavation(stage, polygon)), InputError) << stage;

@@ -6,14 +6,13 @@
 #include <algorithm>
 #include <random>
 
-#include "blockgen/cut/island_cuts.hpp"
 #include "common/base/input_error.hpp"
 #include "unit/blockgen/small_blocks.hpp"
 
 namespace rockslope::blockgen {
 namespace {
 
-TEST(SmallBlocks, AreKeptUnlessAskedFor) {
+TEST(SmallBlocks, AreKeptByDefault) {
     const CutResult result = cut(sliver(SmallBlockPolicy::keep));
     EXPECT_EQ(areas(result.mesh), (std::vector<double>{0.5, 6, 10, 15.5}));
     EXPECT_EQ(result.report.merges.merged_blocks, 0u);
@@ -30,15 +29,16 @@ TEST(SmallBlocks, MergeAcrossTheLongestBoundary) {
     EXPECT_NEAR(result.report.joints[1].pruned, 8, 1e-6);
 }
 
-TEST(SmallBlocks, DropTheLeastJointsPiece) {
-    // Upper and lower are of one length; the lower comes first and is dropped, with both blocks beyond it.
+TEST(SmallBlocks, DropThePieceOfTheShortestJoint) {
+    // The upper and the lower joint have the same length. The lower one comes first and is dropped, and both
+    // blocks beyond it are merged.
     const CutResult result = cut(sliver(SmallBlockPolicy::drop));
     EXPECT_EQ(areas(result.mesh), (std::vector<double>{15.5, 16.5}));
     EXPECT_NEAR(result.report.joints[0].pruned, 8, 1e-6);
     EXPECT_NEAR(result.report.joints[2].pruned, 2, 1e-6);
 }
 
-TEST(SmallBlocks, SlendernessCountsToo) {
+TEST(SmallBlocks, SlenderBlocksAreMerged) {
     SlopeModel model = sliver(SmallBlockPolicy::merge);
     model.small_blocks = {SmallBlockPolicy::merge, 0, 0.05};  // the sliver has 4 pi 0.5 / 16.1^2 = 0.024
     EXPECT_EQ(cut(model).mesh.block_count(), 3u);
@@ -46,7 +46,7 @@ TEST(SmallBlocks, SlendernessCountsToo) {
     EXPECT_EQ(cut(model).mesh.block_count(), 4u);
 }
 
-TEST(SmallBlocks, OfAnotherMaterialStay) {
+TEST(SmallBlocks, AreNotMergedWithAnotherMaterial) {
     SlopeModel model = rectangle(4, 4);
     model.regions.push_back({"lens", "coal", "contact", {{1, 1}, {1.5, 1}, {1.5, 1.5}, {1, 1.5}}, {}});
     model.small_blocks = {SmallBlockPolicy::merge, 1, 0};
@@ -55,7 +55,7 @@ TEST(SmallBlocks, OfAnotherMaterialStay) {
     EXPECT_EQ(result.report.merges.kept_small, 1u);
 }
 
-TEST(SmallBlocks, NoneIsLeftAndTheAreaStays) {
+TEST(SmallBlocks, NoneRemainsAndTheAreaIsUnchanged) {
     std::mt19937 random(3);
     SlopeModel model = rectangle(16, 16);
     const auto coordinate = [&] { return 18 * static_cast<double>(random()) * 0x1p-32 - 1; };
@@ -90,7 +90,7 @@ TEST(Islands, AreKept) {
     EXPECT_TRUE(island_cuts(cut(rectangle(1, 1)).mesh).empty());
 }
 
-TEST(Islands, AreFilledWithAllThatTheyHold) {
+TEST(Islands, AreFilledWithAllBlocksInside) {
     const CutResult result = cut(with_islands(IslandPolicy::fill));
     EXPECT_EQ(result.mesh.block_count(), 1u);
     EXPECT_EQ(result.report.merges.filled_islands, 4u);
@@ -103,7 +103,7 @@ TEST(Islands, AreFilledWithAllThatTheyHold) {
     EXPECT_THROW(cut(model), InputError);
 }
 
-TEST(Islands, AreCutToTheRim) {
+TEST(Islands, AreConnectedToTheBoundaryByCuts) {
     const CutResult result = cut(with_islands(IslandPolicy::cut));
     EXPECT_EQ(result.report.islands, 0u);
     EXPECT_EQ(result.report.holes, 0u);
@@ -114,7 +114,7 @@ TEST(Islands, AreCutToTheRim) {
     for (std::size_t b = 0; b < result.mesh.block_count(); ++b) EXPECT_EQ(result.mesh.ring_count(b), 1u);
 }
 
-TEST(Islands, ATunnelIsNone) {
+TEST(Islands, ATunnelIsNotAnIsland) {
     SlopeModel model = rectangle(10, 10);
     model.tunnels.push_back({"t", {{4, 4}, {6, 4}, {6, 6}, {4, 6}}, {}});
     for (const IslandPolicy policy : {IslandPolicy::error, IslandPolicy::cut, IslandPolicy::fill}) {
@@ -126,14 +126,14 @@ TEST(Islands, ATunnelIsNone) {
     }
 }
 
-TEST(Islands, APinchedOneNeedsOneCut) {
+TEST(Islands, AnIslandThatTouchesTheBoundaryNeedsOneCut) {
     SlopeModel model = rectangle(4, 4);
     add_trace(model, {{0, 0}, {2, 1}, {1, 2}, {0, 0}});
     model.islands = IslandPolicy::cut;
     const CutResult result = cut(model);
     EXPECT_EQ(result.report.island_cuts, 1u);
     EXPECT_EQ(result.report.holes, 0u);
-    EXPECT_EQ(result.mesh.block_count(), 3u);  // the ring from the corner to the cut falls into two
+    EXPECT_EQ(result.mesh.block_count(), 3u);  // the cut divides the ring around the island into two blocks
 }
 
 struct PolicyCase {
@@ -141,8 +141,9 @@ struct PolicyCase {
     std::size_t kept, cut, filled;  ///< blocks by policy
 };
 
-// Inside; at a corner of the rim; touching a side in one corner; two that touch each other and the rim.
-TEST(Islands, AndPinchesByEachPolicy) {
+// Islands inside; at a corner of the boundary; touching a side in one corner; two that touch each other and
+// the boundary.
+TEST(Islands, TouchingTheBoundaryUnderEachPolicy) {
     const std::vector<PolicyCase> cases = {
         {{{1, 1}, {3, 1}, {2, 3}, {1, 1}}, 2, 3, 1},
         {{{0, 0}, {2, 1}, {1, 2}, {0, 0}}, 2, 3, 1},
@@ -167,7 +168,7 @@ TEST(Islands, AndPinchesByEachPolicy) {
 }
 
 TEST(Islands, ATunnelWithABlockAtItsWall) {
-    // The hole's first edge is free, others are joints: it is an island all the same.
+    // The first edge of the hole is free and others are joints: it contains an island.
     SlopeModel model = rectangle(10, 10);
     model.tunnels.push_back({"t", {{2, 4}, {4, 4}, {4, 6}, {2, 6}}, {}});
     add_trace(model, {{4, 4}, {6, 5}, {4, 6}}, "wedge");

@@ -39,7 +39,7 @@ TEST(Distribution, Weibull) {
                           [&](double x) { return 1 - std::exp(-std::pow(x / scale, 1.7)); }),
               ks_limit(draws));
     EXPECT_NEAR(weibull(3, 1.7).truncated_mean(), 3, 1e-6);
-    // Shape 1 is the exponential law.
+    // Shape 1 gives the exponential law.
     EXPECT_NEAR(weibull(5, 1).quantile(0.3), Distribution({Law::exponential, 5}).quantile(0.3), 1e-12);
 }
 
@@ -89,8 +89,8 @@ TEST(Distribution, TruncatedWeibullAndGammaKeepTheirShapeWithin) {
     Distribution w = weibull(3, 1.7);
     w.min = 2, w.max = 4;
     const double scale = 3 / std::tgamma(1 + 1 / 1.7);
-    const auto share = [&](double x) { return 1 - std::exp(-std::pow(x / scale, 1.7)); };
-    EXPECT_LT(ks_distance(sample(w), [&](double x) { return (share(x) - share(2)) / (share(4) - share(2)); }),
+    const auto cdf = [&](double x) { return 1 - std::exp(-std::pow(x / scale, 1.7)); };
+    EXPECT_LT(ks_distance(sample(w), [&](double x) { return (cdf(x) - cdf(2)) / (cdf(4) - cdf(2)); }),
               ks_limit(draws));
     Distribution g{Law::gamma, 2, 1, 1, 3};
     for (const double x : sample(g)) EXPECT_TRUE(x >= 1 && x <= 3);

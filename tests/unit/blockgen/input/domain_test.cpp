@@ -18,7 +18,7 @@ SlopeModel two_squares(double gap) {
     return model;
 }
 
-TEST(Domain, PartsAreCutEachForItself) {
+TEST(Domain, PartsAreCutSeparately) {
     const CutResult result = cut(two_squares(1));
     EXPECT_EQ(result.report.blocks, 4u);
     EXPECT_EQ(result.report.domain_area, 8);
@@ -34,7 +34,7 @@ TEST(Domain, PartsThatTouchAreOneRock) {
     EXPECT_EQ(result.report.boundary_edges, 6u);
 }
 
-TEST(Domain, ItsBoxAndItsPointsAreThoseOfAllParts) {
+TEST(Domain, BoundsAndContainmentCoverAllParts) {
     const SlopeModel model = two_squares(1);
     EXPECT_EQ(domain_bounds(model).high, (Point{5, 2}));
     EXPECT_TRUE(is_in_outlines(model, {1, 1}));
@@ -57,13 +57,13 @@ p21 = 1.5
 )");
     const CutResult result = cut(model);
     EXPECT_EQ(result.report.domain_area, 2400);
-    EXPECT_NEAR(result.report.joints[0].p21, 1.5, 5.0 / 2400);  // half of the last trace
+    EXPECT_NEAR(result.report.joints[0].p21, 1.5, 5.0 / 2400);  // tolerance: half of the last trace
     for (const auto& [low, high] : {std::pair(0, 40), std::pair(60, 100)}) {
         SlopeModel part = model;
         part.outline = {{low * 1.0, 0}, {high * 1.0, 0}, {high * 1.0, 30}, {low * 1.0, 30}};
         part.further_outlines.clear();
         const CutResult alone = cut_blocks(part, all_traces(model));
-        // 360 traces of 5 m a part: the deviation of their number is some 5 %.
+        // 360 traces of 5 m in each part: the standard deviation of their number is about 5 %.
         EXPECT_NEAR(alone.report.joints[0].p21, 1.5, 0.3);
     }
 }
@@ -77,12 +77,12 @@ std::string error_of(const std::string& domain) {
     return "none";
 }
 
-TEST(Domain, BadPartsAreNamed) {
+TEST(Domain, InvalidPartsAreReported) {
     const std::string square = "[[0, 0], [2, 0], [2, 2], [0, 2]]";
     EXPECT_EQ(error_of("outlines = [" + square + ", [[2, 0], [4, 0], [4, 2]]]"), "none");
     EXPECT_THAT(error_of("outlines = [" + square + ", [[1, 0], [4, 0], [4, 2]]]"),
-                HasSubstr("outline 2 lies over an earlier part"));
-    EXPECT_THAT(error_of("outlines = [" + square + ", " + square + "]"), HasSubstr("outline 2 lies over"));
+                HasSubstr("outline 2 overlaps an earlier part"));
+    EXPECT_THAT(error_of("outlines = [" + square + ", " + square + "]"), HasSubstr("outline 2 overlaps"));
     EXPECT_THAT(error_of("outlines = [" + square + ", [[5, 0], [6, 0]]]"), HasSubstr("outline 2: 2 corners"));
     EXPECT_THAT(error_of("outlines = []"), HasSubstr("no part of the domain"));
     EXPECT_THAT(error_of("outline = " + square + "\noutlines = [" + square + "]"),

@@ -18,7 +18,7 @@ namespace {
 using testing::HasSubstr;
 
 std::string written(const std::string& name, const std::string& bytes) {
-    // The tests of this file run at the same time, each in a process of its own.
+    // The tests of this file run concurrently in separate processes.
     const std::filesystem::path folder =
         std::filesystem::path(testing::TempDir()) / ("gdal_file_" + std::to_string(::getpid()));
     std::filesystem::create_directories(folder);
@@ -88,7 +88,7 @@ void put(std::string& bytes, double value) {
     for (int k = 0; k < 8; ++k) bytes += static_cast<char>(bits >> (8 * k) & 255u);
 }
 
-/// The header that the file of shapes and that of their index share; length in bytes.
+/// The header that the shape file and its index file share; length in bytes.
 std::string shape_header(std::int32_t length) {
     std::string bytes;
     for (const std::int32_t value : {9994, 0, 0, 0, 0, 0, length / 2}) put(bytes, value, true);
@@ -118,7 +118,7 @@ TEST(GdalFile, LinesOfAShapefile) {
     EXPECT_EQ(traces[0].points, (std::vector<Point>{{0, 0}, {4, 3}}));
 }
 
-TEST(GdalFile, WhatIsNoGeometryIsRefused) {
+TEST(GdalFile, FilesWithoutGeometryAreRefused) {
     NEEDS_GDAL();
     EXPECT_THROW(read_trace_file("no-such.dxf", "map", "joint"), InputError);
     EXPECT_THROW(read_trace_file(written("junk.gpkg", "junk"), "map", "joint"), InputError);

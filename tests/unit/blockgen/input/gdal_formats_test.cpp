@@ -1,4 +1,4 @@
-// GeoPackage, Shapefile and DXF as GDAL itself writes them, read back.
+// GeoPackage, Shapefile and DXF files written by GDAL are read back.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -36,7 +36,7 @@ struct Shape {
     std::string joint_material;
 };
 
-/// A file of one layer in a format of GDAL's. Tests run at the same time, each in a process of its own.
+/// A file of one layer in a format of GDAL. Tests run concurrently in separate processes.
 class Format {
   public:
     Format(const char* driver, const std::string& extension, int zone = 35)
@@ -129,7 +129,7 @@ TEST(GdalFormats, TracesOfADrawingByLayer) {
     ASSERT_EQ(traces[0].points.size(), 3u);
     EXPECT_NEAR(traces[0].points[0].x, 466000.25, 1e-6);  // DXF holds 15 digits
     EXPECT_NEAR(traces[0].points[2].y, 6691600, 1e-6);
-    EXPECT_EQ(traces[1].joint_material, "0");  // the layer of what is on none
+    EXPECT_EQ(traces[1].joint_material, "0");  // the default layer
 }
 
 TEST(GdalFormats, CurvesAndCollectionsBecomeLines) {
@@ -183,7 +183,7 @@ std::string error_of(const fs::path& path, bool outline) {
 
 TEST(GdalFormats, DegreesAndOpenOutlinesAreRefused) {
     Format degrees("GPKG", ".gpkg", 0);
-    EXPECT_THAT(error_of(degrees.with(lines), false), HasSubstr("the coordinates are degrees"));
+    EXPECT_THAT(error_of(degrees.with(lines), false), HasSubstr("the coordinates are in degrees"));
     Format open("GPKG", ".gpkg");
     EXPECT_THAT(error_of(open.with(lines), true), HasSubstr("not closed"));
     Format empty("GPKG", ".gpkg");

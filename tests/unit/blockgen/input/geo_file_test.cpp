@@ -18,7 +18,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-// A wall of two courses on a plinth, with a window; lines overshoot by up to 0.01 as digitised ones do.
+// A wall of two courses on a plinth, with a window. Lines overshoot by up to 0.01, as digitised lines do.
 const char* wall = R"(0.01
 8 0
 1
@@ -45,7 +45,7 @@ const char* wall = R"(0.01
 )";
 
 std::string written(const std::string& text) {
-    // The tests of this file run at the same time, each in a process of its own.
+    // The tests of this file run concurrently in separate processes.
     const std::filesystem::path folder =
         std::filesystem::path(testing::TempDir()) / ("geo_file_" + std::to_string(::getpid()));
     std::filesystem::create_directories(folder);
@@ -53,7 +53,7 @@ std::string written(const std::string& text) {
     return folder / "shi.geo";
 }
 
-TEST(GeoFile, HoldsWhatItsCountsSay) {
+TEST(GeoFile, ReadsTheCountedRecords) {
     const GeoFile geo = read_geo_file(written(wall));
     EXPECT_EQ(geo.edge_node_distance, 0.01);
     ASSERT_EQ(geo.joints.size(), 8u);
@@ -77,14 +77,14 @@ std::string error_of(std::string text, const std::string& from, const std::strin
     return "no error";
 }
 
-TEST(GeoFile, FaultsHaveTheirPlace) {
+TEST(GeoFile, ErrorsHaveTheirLocation) {
     EXPECT_THAT(error_of(wall, "6 4 0 4 1", "6 4 zero 4 1"),
                 HasSubstr("shi.geo:11:5: 'zero' is not a number"));
-    EXPECT_THAT(error_of(wall, "8 0", "8.5 0"), HasSubstr("2:1: 8.5 is no count"));
-    EXPECT_THAT(error_of(wall, "8 0", "-1 0"), HasSubstr("no count"));
+    EXPECT_THAT(error_of(wall, "8 0", "8.5 0"), HasSubstr("2:1: 8.5 is not a count"));
+    EXPECT_THAT(error_of(wall, "8 0", "-1 0"), HasSubstr("not a count"));
     EXPECT_THAT(error_of(wall, "3.5 2.5\n", ""), HasSubstr("the file ends"));
     EXPECT_THAT(error_of(wall, "3.5 2.5\n", "3.5 2.5 1\n"), HasSubstr("words after the last point"));
-    EXPECT_THAT(error_of(wall, "4 3 3", "4 3 3.3"), HasSubstr("no material number"));
+    EXPECT_THAT(error_of(wall, "4 3 3", "4 3 3.3"), HasSubstr("not a material number"));
     EXPECT_THAT(error_of(wall, "0.01", "nan"), HasSubstr("'nan' is not a number"));
     EXPECT_THAT(error_of(wall, "0.01", "<?xml"), HasSubstr("XML"));
     EXPECT_THROW(read_geo_file("no-such.geo"), InputError);
@@ -95,7 +95,7 @@ SlopeModel model_of(const std::string& text, const std::string& more = "") {
 }
 
 TEST(GeoFile, BecomesBlocks) {
-    // The window lacks a side, so that its hole point would take all that is right of it: close it.
+    // The window lacks a side, so its hole point would remove all rock right of it. The test adds the side.
     const std::string closed = std::string(wall).replace(std::string(wall).find("8 0"), 3, "9 0");
     std::string with_lid = closed;
     with_lid.replace(with_lid.find("4 2 4 3 3\n"), 10, "4 2 4 3 3\n4 3 3 3 2\n");
@@ -105,7 +105,7 @@ TEST(GeoFile, BecomesBlocks) {
     EXPECT_THAT(window.mesh.joint_materials, testing::UnorderedElementsAre("joint 2", "joint 3"));
     const auto at = [&](const Point& p) { return static_cast<std::size_t>(block_at(window.mesh, p)); };
     const auto material = [&](const Point& p) {
-        return window.mesh.block_materials[static_cast<std::size_t>(window.mesh.block_material[at(p)])];
+        return window.mesh.block_materials[window.mesh.block_material[at(p)]];
     };
     EXPECT_EQ(material({1, 0.5}), "block 7");
     EXPECT_EQ(material({1, 2.5}), "rock");
@@ -114,10 +114,11 @@ TEST(GeoFile, BecomesBlocks) {
     ASSERT_EQ(window.mesh.measured_points.size(), 2u);
     EXPECT_EQ(window.mesh.measured_points[1].name, "load 1");
     EXPECT_EQ(window.mesh.bolts.size(), 1u);
-    EXPECT_THAT(window.report.warnings, ElementsAre(HasSubstr("loads belong to the run"), HasSubstr("bolt")));
+    EXPECT_THAT(window.report.warnings,
+                ElementsAre(HasSubstr("loads are given in the run file"), HasSubstr("bolt")));
 }
 
-TEST(GeoFile, FurtherTablesAdd) {
+TEST(GeoFile, OtherTablesAddToTheGeoFile) {
     const SlopeModel model =
         model_of("0.01\n4 4\n0\n0\n0\n0\n0\n0\n0 0 1 0 1\n1 0 1 1 1\n1 1 0 1 1\n0 1 0 0 1\n",
                  "[[joint_set]]\nname = \"a\"\nangle = \"0 deg\"\nspacing = 0.25\n");

@@ -38,7 +38,7 @@ TEST(Orientation, DipsTowardsOrAgainstTheSection) {
     EXPECT_NEAR(plane(30, 0, 90).spacing_factor(), 1 / std::cos(30 * degree), 1e-12);
     EXPECT_NEAR(std::abs(plane(90, 90, 90).mean_angle()), 90 * degree, 1e-12);
     EXPECT_NEAR(plane(0, 12, 90).spacing_factor(), 1, 1e-12);
-    EXPECT_GT(plane(90, 0, 90).spacing_factor(), 1e9);  // the section's own plane
+    EXPECT_GT(plane(90, 0, 90).spacing_factor(), 1e9);  // parallel to the section
 }
 
 TEST(Orientation, FisherScatterAboutTheMean) {
@@ -53,7 +53,7 @@ TEST(Orientation, FisherScatterAboutTheMean) {
     double sum = 0;
     constexpr int n = 10000;
     for (int i = 0; i < n; ++i) {
-        // With v = 0 the pole turns within the section, so that the joint's angle is the angle from the mean.
+        // With v = 0 the pole stays in the section, so the joint's angle is the angle from the mean pole.
         const double u = stream.draw(0, i, 0);
         cosines.push_back(std::cos(o.draw(u, 0)));
         sum += o.draw(u, stream.draw(0, i, 1));
@@ -67,13 +67,13 @@ TEST(Orientation, FisherScatterAboutTheMean) {
     EXPECT_NEAR(sum / n, 0, 3 / std::sqrt(k * n));
 }
 
-// Fisher's density K / (4 pi sinh K) exp(K cos theta) about a pole in the section, summed over all latitudes
-// delta off the section, leaves the longitude the density proportional to the integral of
-// exp(K cos delta cos longitude) cos delta; of axes, the sum of that and its opposite.
-TEST(Orientation, FisherScatterAsTheSectionSeesIt) {
+// Fisher density K / (4 pi sinh K) exp(K cos theta) about a pole in the section. Integration over the
+// latitudes delta gives a density of the longitude proportional to the integral of
+// exp(K cos delta cos longitude) cos delta. For axes, the density of the opposite longitude is added.
+TEST(Orientation, FisherScatterProjectedIntoTheSection) {
     for (const double k : {3.0, 12.0, 80.0}) {
         constexpr int cells = 2000;
-        std::vector<double> share = {0};  // of angles from -90 degrees up
+        std::vector<double> cumulative = {0};  // unnormalised distribution of angles from -90 degrees
         for (int i = 0; i < cells; ++i) {
             const double longitude = ((i + 0.5) / cells - 0.5) * std::numbers::pi;
             double density = 0;
@@ -83,7 +83,7 @@ TEST(Orientation, FisherScatterAsTheSectionSeesIt) {
                 density += c * (std::exp(k * (c * std::cos(longitude) - 1)) +
                                 std::exp(k * (-c * std::cos(longitude) - 1)));
             }
-            share.push_back(share.back() + density);
+            cumulative.push_back(cumulative.back() + density);
         }
         const Orientation o = plane(35, 90, 90, k);
         const RandomStream stream(11, "section");
@@ -97,14 +97,15 @@ TEST(Orientation, FisherScatterAsTheSectionSeesIt) {
                                   const double at = (turn / std::numbers::pi + 0.5) * cells;
                                   const auto i = static_cast<std::size_t>(std::clamp(at, 0.0, cells - 1.0));
                                   const double f = at - static_cast<double>(i);
-                                  return (share[i] + f * (share[i + 1] - share[i])) / share.back();
+                                  return (cumulative[i] + f * (cumulative[i + 1] - cumulative[i])) /
+                                         cumulative.back();
                               }),
                   ks_limit(turns.size()))
             << k;
     }
 }
 
-TEST(Orientation, BootstrapDrawsEachMeasuredPlaneAsOften) {
+TEST(Orientation, BootstrapDrawsEachMeasuredPlaneEquallyOften) {
     const Orientation o{{}, {pole_of(0.3, 1.5, 1.57), pole_of(0.5, 1.5, 1.57), pole_of(0.7, 1.5, 1.57)}, 0};
     EXPECT_TRUE(o.has_scatter());
     const RandomStream stream(5, "bootstrap");
@@ -116,15 +117,15 @@ TEST(Orientation, BootstrapDrawsEachMeasuredPlaneAsOften) {
     EXPECT_NEAR(o.mean_angle(), Orientation({{}, {o.poles[1]}, 0}).mean_angle(), 1e-6);
 }
 
-TEST(Orientation, SteepestJoint) {
+TEST(Orientation, MaxDeviationTangent) {
     const auto degrees = [](const Orientation& o) { return std::atan(o.max_deviation_tangent()) / degree; };
     EXPECT_EQ(plane(60, 120, 90).max_deviation_tangent(), 0);
     EXPECT_EQ((Orientation{constant_value(0.3), {}, 0}).max_deviation_tangent(), 0);
     EXPECT_NEAR(degrees({{Law::uniform, 0, 0, -0.2, 0.4}, {}, 0}), 0.3 / degree, 0.01);
-    // Half of one in ten thousand on either side of a normal law: 3.8906 standard deviations.
+    // Half of 1e-4 on either side of a normal law: 3.8906 standard deviations.
     EXPECT_NEAR(degrees({{Law::normal, 1, 5 * degree}, {}, 0}), 5 * 3.8906, 1e-3);
     EXPECT_NEAR(degrees({{Law::normal, 1, 40 * degree}, {}, 0}), 89, 1e-9);
-    // Of axes: 170 and -170 degrees lie 20 degrees apart.
+    // Axes: 170 and -170 degrees are 20 degrees apart.
     EXPECT_NEAR(degrees({{},
                          {pole_of(10 * degree, 90 * degree, 90 * degree),
                           pole_of(10 * degree, 270 * degree, 90 * degree)},

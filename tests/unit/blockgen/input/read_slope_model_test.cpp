@@ -75,7 +75,7 @@ TEST(ReadSlopeModel, ReadsEveryTable) {
     EXPECT_EQ(model.measured_points[0].name, "crest");
 }
 
-TEST(ReadSlopeModel, ItsTemplateIsAModel) {
+TEST(ReadSlopeModel, TheTemplateIsAValidModel) {
     EXPECT_GT(cut(slope(slope_model_template())).mesh.block_count(), 100u);
 }
 
@@ -139,7 +139,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"law = \"lognormal\", mean = 3.0, sd = 0.6, min = 1.0",
               "law = \"normal\", mean = 3.0, sd = 0.6, min = -1.0", "18", "negative"},
         Fault{"min = 1.0, max = 8.0", "min = 8.0, max = 1.0", "18", "max"},
-        Fault{"min = 1.0, max = 8.0", "min = 1e6, max = 2e6", "18", "no weight"},
+        Fault{"min = 1.0, max = 8.0", "min = 1e6, max = 2e6", "18", "no probability"},
         Fault{"sd = 0.6", "sd = -0.6", "18", "standard deviation"},
         Fault{"sd = 0.6", "sdd = 0.6", "18", "sd"}, Fault{"gap = 2.0", "gap = -2.0", "20", "too small"},
         Fault{"gap = 2.0", "", "19", "gap and persistence"},

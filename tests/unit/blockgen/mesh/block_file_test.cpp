@@ -91,7 +91,7 @@ TEST(BlockFile, CommentsBlankLinesAndCarriageReturnsAreSkipped) {
     std::string text = replaced(two_blocks, "vertex 1 0\n", "\n  # a comment\nvertex 1 0   # the toe\r\n");
     EXPECT_EQ(parse_block_file(text + "\n# after\n", "x"), parse_block_file(two_blocks, "x"));
     EXPECT_EQ(parse_block_file("\xEF\xBB\xBF" + text, "x"), parse_block_file(two_blocks, "x"))
-        << "a byte order mark is skipped, too";
+        << "a byte order mark is skipped";
 }
 
 TEST(BlockFile, EveryTruncationIsAnError) {
@@ -144,10 +144,10 @@ INSTANTIATE_TEST_SUITE_P(
                     Damage{"edges - - 0:0 -", "edges - - 0:0", "15", "3 edges"},
                     Damage{"edges - - 0:0 -", "edges - - 1:0 -", "15:11", "joint material"},
                     Damage{"edges - - 0:0 -", "edges - - 0:1 -", "15:11", "a joint"},
-                    Damage{"edges - - 0:0 -", "edges - - 0 -", "15:11", "marks no edge"},
+                    Damage{"edges - - 0:0 -", "edges - - 0 -", "15:11", "is not an edge mark"},
                     Damage{"block 0 1 fixed", "block 1 1 fixed", "13:7", "out of range"},
                     Damage{"block 0 1 fixed", "block 0 0 fixed", "13:9", "without a ring"},
-                    Damage{"block 0 1 fixed", "block 0 1 frozen", "13:11", "no motion"},
+                    Damage{"block 0 1 fixed", "block 0 1 frozen", "13:11", "not a motion"},
                     Damage{"crest 1 0.5", "crest 2 0.5", "19:22", "out of range"},
                     Damage{"\"blockgen 0.1.0\"", "\"blockgen", "3:12", "not closed"},
                     Damage{"\"blockgen 0.1.0\"", "\"\\q\"", "3:12", "escape"},
@@ -187,7 +187,7 @@ TEST(BlockFile, AHundredThousandBlocksReadFast) {
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     EXPECT_EQ(again, mesh);
     RecordProperty("seconds", std::to_string(seconds.count()));
-    // 0.05 s on an idle core in release; the slack is for instrumented builds and busy machines.
+    // 0.05 s on an idle core in a release build; the limit allows for instrumented builds and busy machines.
     EXPECT_LT(seconds.count(), 5.0);
 }
 

@@ -43,7 +43,7 @@ const Ring hole = {{1, 1}, {1, 2}, {2, 2}, {2, 1}};
 
 TEST(CheckMesh, AcceptsABlockWithAHole) {
     EXPECT_EQ(error_of(mesh_of({square, hole})), "no error");
-    // A hole that touches the outer ring in one of its corners still leaves the rock in one piece.
+    // A hole that touches the outer ring in one corner leaves the block connected.
     EXPECT_EQ(error_of(mesh_of({square, {{0, 0}, {1, 2}, {2, 1}}})), "no error");
 }
 
@@ -69,7 +69,7 @@ TEST(CheckMesh, RefusesBadIndicesAndPoints) {
     mesh.measured_points[0].position = {1.5, 1.5};
     EXPECT_THAT(error_of(mesh), HasSubstr("'crest' at (1.5, 1.5) lies outside its block 0"));
     mesh.measured_points = {{"crest", 1, {3, 3}}};
-    EXPECT_THAT(error_of(mesh), HasSubstr("names no block"));
+    EXPECT_THAT(error_of(mesh), HasSubstr("has a block out of range"));
     mesh = mesh_of({square});
     mesh.corners[1] = 4;
     EXPECT_THAT(error_of(mesh), HasSubstr("vertex out of range"));
@@ -107,7 +107,7 @@ TEST(Measures, OfASquareWithAHole) {
     const BlockMesh mesh = mesh_of({square, hole});
     EXPECT_DOUBLE_EQ(block_area(mesh, 0), 15);
     EXPECT_DOUBLE_EQ(block_perimeter(mesh, 0), 20);
-    // First moment of the square less that of the hole: (16 * 2 - 1 * 1.5) / 15.
+    // First moment of the square minus that of the hole: (16 * 2 - 1 * 1.5) / 15.
     EXPECT_NEAR(block_centroid(mesh, 0).x, 30.5 / 15, 1e-14);
     const SizeSummary sizes = size_summary(mesh);
     EXPECT_DOUBLE_EQ(sizes.smallest_edge, 1);

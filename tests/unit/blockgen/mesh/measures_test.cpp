@@ -8,7 +8,7 @@
 namespace rockslope::blockgen {
 namespace {
 
-/// One block with the given corners, turned and far from the origin.
+/// One block with the given corners, rotated and far from the origin.
 BlockMesh block(const Ring& corners) {
     BlockMesh mesh;
     mesh.begin_block(0);
@@ -28,7 +28,7 @@ TEST(Measures, RoundnessAndAspectOfKnownShapes) {
     const BlockMesh plank = block({{0, 0}, {5, 0}, {5, 1}, {0, 1}});
     EXPECT_NEAR(block_aspect(plank, 0), 0.2, 1e-7);
     EXPECT_NEAR(block_roundness(plank, 0), 4 * std::numbers::pi * 5 / 144, 1e-7);
-    // Second moments of a right triangle of unit sides about its centroid: 1/36, and across them -1/72.
+    // Right triangle of unit sides, about its centroid: second moments of area 1/36, product moment -1/72.
     const BlockMesh triangle = block({{0, 0}, {1, 0}, {0, 1}});
     EXPECT_NEAR(block_aspect(triangle, 0), std::sqrt((1.0 / 36 - 1.0 / 72) / (1.0 / 36 + 1.0 / 72)), 1e-7);
 }

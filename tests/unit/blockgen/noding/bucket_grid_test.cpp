@@ -5,7 +5,7 @@
 namespace rockslope::blockgen {
 namespace {
 
-/// Pairs of segments that share a bucket, counted once for each bucket, per segment: the work of looking for
+/// Number of pairs of segments that share a bucket, over all buckets, per segment: the work of finding
 /// crossings.
 double pairs_per_segment(std::int64_t columns, std::int64_t spacing, std::int64_t length) {
     std::vector<FineSegment> segments;
@@ -22,8 +22,8 @@ double pairs_per_segment(std::int64_t columns, std::int64_t spacing, std::int64_
     return pairs / static_cast<double>(segments.size());
 }
 
-// From cracks far apart to joints as long as they are apart: the work per segment is bounded, however many
-// there are.
+// The work per segment is bounded for any number of segments, from short segments far apart to segments as
+// long as their spacing.
 TEST(BucketGrid, WorkPerSegmentIsBounded) {
     for (const std::int64_t columns : {30, 100, 300})
         for (const std::int64_t length : {10, 1000, 10'000})

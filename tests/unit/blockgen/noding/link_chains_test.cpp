@@ -8,7 +8,7 @@
 namespace rockslope::blockgen {
 namespace {
 
-constexpr double cell = 0x1p-5;  // coarse, so that much comes near something else
+constexpr double cell = 0x1p-5;  // coarse, so that many edges come near other vertices
 
 NodedEdges random_network(unsigned seed) {
     std::mt19937 random(seed);
@@ -23,12 +23,13 @@ NodedEdges random_network(unsigned seed) {
 
 std::vector<GridPoint> places(const SnappedChains& chains, std::size_t k) {
     std::vector<GridPoint> result;
-    for (const std::int32_t c : chains.chain(k)) result.push_back(chains.cells[static_cast<std::size_t>(c)]);
+    for (const std::int32_t c : chains.chain(k)) result.push_back(chains.cells[c]);
     return result;
 }
 
-/// Adds edges across a clean network, so that there is something to snap, and marks them.
-std::vector<char> spoil(NodedEdges& network, unsigned seed) {
+/// Adds edges across a properly noded network, so that a round has edges to snap. @return flags of the added
+/// edges.
+std::vector<char> add_random_edges(NodedEdges& network, unsigned seed) {
     std::mt19937 random(seed);
     std::vector<char> changed(network.edges.size(), 0);
     const auto vertex = [&] {
@@ -43,11 +44,11 @@ std::vector<char> spoil(NodedEdges& network, unsigned seed) {
     return changed;
 }
 
-TEST(SnapRoundEdges, ALocalRoundDoesWhatARoundOfAllDoes) {
+TEST(SnapRoundEdges, LocalRoundEqualsRoundOfAllEdges) {
     std::size_t spared = 0, bent = 0;
     for (unsigned seed = 1; seed <= 40; ++seed) {
         NodedEdges network = random_network(seed);
-        const std::vector<char> changed = spoil(network, seed);
+        const std::vector<char> changed = add_random_edges(network, seed);
         const SnapRoundingPass all = snap_round_edges(network.vertices, network.edges, {});
         const SnapRoundingPass local = snap_round_edges(network.vertices, network.edges, changed);
         ASSERT_EQ(all.edges.size(), network.edges.size());
@@ -62,14 +63,14 @@ TEST(SnapRoundEdges, ALocalRoundDoesWhatARoundOfAllDoes) {
             bent += all.chains.chain(e).size() != 2;
         }
     }
-    EXPECT_GT(spared, 1000u);  // or nothing was compared
+    EXPECT_GT(spared, 1000u);  // otherwise nothing is compared
     EXPECT_GT(bent, 200u);
 }
 
-TEST(LinkChains, OfALocalRoundMakesTheNetworkOfARoundOfAll) {
+TEST(LinkChains, LocalRoundGivesTheNetworkOfARoundOfAllEdges) {
     for (unsigned seed = 1; seed <= 20; ++seed) {
         NodedEdges network = random_network(seed);
-        const std::vector<char> changed = spoil(network, seed);
+        const std::vector<char> changed = add_random_edges(network, seed);
         LineSources along;
         for (std::size_t e = 0; e < network.edges.size(); ++e) {
             along.sources.push_back({static_cast<std::int32_t>(e), false});

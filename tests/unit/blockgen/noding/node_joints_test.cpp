@@ -22,13 +22,13 @@ TEST(NodeJoints, ACrossingIsOneVertex) {
     EXPECT_EQ(noded.largest_snap, 0);
 }
 
-// Ends move on to the first round's finer grid, too: on a coarse one that is what lengthens a joint most.
+// Ends are also rounded to the fine grid of the first round, which on a coarse grid lengthens a joint most.
 TEST(NodeJoints, TheLargestSnapCountsAnEndThatMovesLessThanTheFinestUnit) {
     const double off = 2.24e-8;
     EXPECT_NEAR(node({{{0, 3}, {3, off}, 0}}, 1).largest_snap, off, 1e-15);
 }
 
-TEST(NodeJoints, ATouchWithinHalfACellCuts) {
+TEST(NodeJoints, AnEndWithinHalfACellCutsTheSegment) {
     for (const double gap : {-0.4, -1e-6, 0.0, 1e-6, 0.4})
         EXPECT_EQ(node({{{0, 0}, {2, 0}, 0}, {{1, gap * cell}, {1, 1}, 1}}).edges.size(), 3u) << gap;
     EXPECT_EQ(node({{{0, 0}, {2, 0}, 0}, {{1, 3 * cell}, {1, 1}, 1}}).edges.size(), 2u);
@@ -44,21 +44,21 @@ TEST(NodeJoints, OverlapsKeepAllTheirSources) {
     EXPECT_EQ(noded.sources_of(2).size(), 1u);
 }
 
-TEST(NodeJoints, NothingAndPointsMakeNoEdge) {
+TEST(NodeJoints, EmptyInputAndPointsMakeNoEdge) {
     EXPECT_TRUE(node({}).edges.empty());
     EXPECT_TRUE(node({{{1, 1}, {1, 1}, 0}}).edges.empty());
     EXPECT_TRUE(node({{{1, 1}, {1 + 1e-9, 1}, 0}}).edges.empty());
 }
 
-TEST(NodeJoints, TooLargeForItsGridIsRefused) {
+TEST(NodeJoints, RejectsModelsTooLargeForTheGrid) {
     EXPECT_THROW(node({{{0, 0}, {1e7, 0}, 0}}), std::invalid_argument);
     EXPECT_THROW(node({{{1e10, 0}, {1e10 + 1, 0}, 0}}), std::invalid_argument);
     EXPECT_NO_THROW(node({{{6691582, 466000}, {6691583, 466000}, 0}}));
 }
 
-/// Brute force over all pairs, in integers: what NodedEdges promises.
+/// Expects the invariant of NodedEdges, by brute force over all pairs, in integers.
 void expect_clean(const NodedEdges& noded) {
-    const auto at = [&](std::int32_t v) { return noded.vertices[static_cast<std::size_t>(v)]; };
+    const auto at = [&](std::int32_t v) { return noded.vertices[v]; };
     for (std::size_t e = 0; e < noded.edges.size(); ++e) {
         const auto [a, b] = noded.edges[e];
         const GridPoint p = at(a), q = at(b);
@@ -82,8 +82,8 @@ void expect_clean(const NodedEdges& noded) {
     }
 }
 
-TEST(NodeJoints, ACoarseGridStillMakesCleanEdges) {
-    // The coarser the grid, the more the snapped segments get in each other's way.
+TEST(NodeJoints, ACoarseGridGivesProperlyNodedEdges) {
+    // On a coarser grid, more snapped segments come near other vertices.
     for (const double step : {0x1p-10, 0x1p-5, 0x1p-4, 0x1p-3}) {
         std::mt19937 random(7);
         std::uniform_real_distribution<double> coordinate(0, 4);
@@ -112,8 +112,7 @@ TEST(NodeJoints, NodingAgainChangesNothing) {
     const NodedEdges once = node(segments, 0x1p-12);
     std::vector<SourceSegment> again;
     for (const auto& [a, b] : once.edges)
-        again.push_back({once.frame.place(once.vertices[static_cast<std::size_t>(a)]),
-                         once.frame.place(once.vertices[static_cast<std::size_t>(b)]), 0});
+        again.push_back({once.frame.position(once.vertices[a]), once.frame.position(once.vertices[b]), 0});
     const NodedEdges twice = node(again, 0x1p-12);
     EXPECT_EQ(once.vertices.size(), twice.vertices.size());
     EXPECT_EQ(once.edges.size(), twice.edges.size());

@@ -19,14 +19,14 @@ std::vector<Change> changes_of(const CutResult& result, ChangeKind kind) {
     return rows;
 }
 
-/// The only change of a kind.
+/// The change of a kind, of which there must be exactly one.
 Change the(ChangeKind kind, const SlopeModel& model) {
     const std::vector<Change> rows = changes_of(cut(model), kind);
     EXPECT_EQ(rows.size(), 1u);
     return rows.empty() ? Change{} : rows[0];
 }
 
-TEST(Changes, AreNoneWhereEveryJointMeetsWhatItEndsOn) {
+TEST(Changes, AreEmptyWhenEveryJointEndsExactlyOnAnother) {
     SlopeModel model = rectangle(8, 4);
     add_trace(model, {{0, 2}, {8, 2}}, "bedding");
     add_trace(model, {{3, 0}, {3, 2}}, "cross");
@@ -48,16 +48,16 @@ TEST(Changes, AnEndThatStopsShortIsJoined) {
     SlopeModel model = rectangle(8, 4);
     add_trace(model, {{1e-7, 2}, {8, 2}}, "bedding");
     EXPECT_EQ(the(ChangeKind::end_joined, model).other, "outline");
-    // A tip that only lies off the grid is rounded, not joined.
+    // A tip between grid points is rounded, not joined.
     model = rectangle(8, 4);
     add_trace(model, {{0, 2}, {5.1234567891, 2}}, "bedding");
     EXPECT_TRUE(changes_of(cut(model), ChangeKind::end_joined).empty());
 }
 
-TEST(Changes, TipsAndLooseJointsArePruned) {
+TEST(Changes, DanglingAndIsolatedPiecesArePruned) {
     SlopeModel model = rectangle(8, 4);
     add_trace(model, {{0, 2}, {8, 2}}, "bedding");
-    add_trace(model, {{3, 1}, {3, 2.5}}, "cross");  // a tip on either side
+    add_trace(model, {{3, 1}, {3, 2.5}}, "cross");  // a dangling end on either side
     add_trace(model, {{5, 3}, {6, 3}, {6, 3.5}}, "loose");
     const std::vector<Change> pruned = changes_of(cut(model), ChangeKind::piece_pruned);
     ASSERT_EQ(pruned.size(), 2u);
@@ -68,7 +68,7 @@ TEST(Changes, TipsAndLooseJointsArePruned) {
     EXPECT_NEAR(pruned[1].length, 1.5, 1e-12);
 }
 
-TEST(Changes, GivenTracesThatMakeNothingAreDropped) {
+TEST(Changes, GivenTracesWithoutEffectAreDropped) {
     SlopeModel model = rectangle(8, 4);
     add_trace(model, {{20, 1}, {20, 4}}, "far");
     add_trace(model, {{2, 0}, {5, 0}}, "floor");
@@ -79,7 +79,7 @@ TEST(Changes, GivenTracesThatMakeNothingAreDropped) {
     EXPECT_EQ(the(ChangeKind::trace_without_length, model).joint, "point");
 }
 
-TEST(Changes, ASmallBlockHasARowWithPlaceAndArea) {
+TEST(Changes, ASmallBlockHasARowWithPositionAndArea) {
     const Change merged = the(ChangeKind::block_merged, sliver(SmallBlockPolicy::merge));
     EXPECT_NEAR(merged.at.x, 4, 1e-9);
     EXPECT_NEAR(merged.at.y, 2.03125, 1e-9);
@@ -106,7 +106,7 @@ TEST(Changes, IslandsFilledAndCutHaveTheirRows) {
     EXPECT_GT(cuts[0].length, 1.9);
 }
 
-TEST(Changes, StandInBothReportsAndLongListsAreCutInTheReadableOne) {
+TEST(Changes, AreInBothReportsAndLongListsAreTruncatedInTheTables) {
     SlopeModel model = rectangle(100, 4);
     for (int k = 1; k < 60; ++k) {
         const double x = k;
@@ -114,7 +114,7 @@ TEST(Changes, StandInBothReportsAndLongListsAreCutInTheReadableOne) {
     }
     const CutResult result = cut(model);
     EXPECT_THAT(report_tables(result.report), HasSubstr("joint piece pruned"));
-    EXPECT_THAT(report_tables(result.report), HasSubstr("and 39 more; the JSON report has them all"));
+    EXPECT_THAT(report_tables(result.report), HasSubstr("and 39 more; the JSON report lists all"));
     const std::string json = report_text(result.report);
     std::size_t rows = 0;
     for (auto at = json.find("joint piece pruned"); at != std::string::npos;

@@ -1,4 +1,4 @@
-// The screen's modes beside a search through all directions, and wedges by hand.
+// The modes of the kinematic screen against a search of all directions, and wedges by hand.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,12 +15,12 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 
-/// What a block can do by trying 3600 directions; `margin` is the cosine by which the best of them clears the
-/// nearest face, negative for a tapered block.
+/// Result of a search of 3600 directions of movement. `margin` is the largest, over all directions d, of the
+/// smallest d.n over the faces; it is negative for a tapered block.
 struct Search {
     bool is_free = false;
     double margin = -1;
-    double descent = -1;  ///< of the steepest direction that no face forbids
+    double descent = -1;  ///< sine of the dip of the steepest admissible direction
     Point steepest;
 };
 
@@ -53,9 +53,9 @@ Search search(const BlockMesh& mesh, std::size_t block, double left_end, double 
     return found;
 }
 
-TEST(Kinematics, AreWhatASearchThroughAllDirectionsFinds) {
+TEST(Kinematics, ModesAgreeWithASearchOfAllDirections) {
     std::mt19937 random(3);
-    const auto share = [&] { return static_cast<double>(random()) * 0x1p-32; };
+    const auto uniform = [&] { return static_cast<double>(random()) * 0x1p-32; };
     int count[6] = {};
     for (int round = 0; round < 80; ++round) {
         SlopeModel model = rectangle(1, 1);
@@ -63,14 +63,15 @@ TEST(Kinematics, AreWhatASearchThroughAllDirectionsFinds) {
         model.kinematics = KinematicScreen{35 * degree};
         if (round % 3 == 0) model.tunnels.push_back({"t", {{6, 4}, {9, 4}, {9, 7}, {6, 7}}, {}});
         for (int k = 0; k < 7; ++k)
-            add_trace(model, {{22 * share() - 1, -1 + 3 * share()}, {22 * share() - 1, 14 + 3 * share()}});
-        for (int k = 0; k < 3; ++k) add_trace(model, {{-1, 14 * share()}, {21, 14 * share()}});
+            add_trace(model,
+                      {{22 * uniform() - 1, -1 + 3 * uniform()}, {22 * uniform() - 1, 14 + 3 * uniform()}});
+        for (int k = 0; k < 3; ++k) add_trace(model, {{-1, 14 * uniform()}, {21, 14 * uniform()}});
         const CutResult result = cut(model, false);
         const KinematicReport& report = *result.report.kinematics;
         for (std::size_t b = 0; b < result.mesh.block_count(); ++b) {
             const Search by_search = search(result.mesh, b, 0, 20, 0);
             const BlockMode mode = report.mode[b];
-            // Too near to the limit for steps of a tenth of a degree.
+            // Skip blocks too near the limit for directions at steps of a tenth of a degree.
             if (std::abs(by_search.margin) < 5e-3) continue;
             ++count[static_cast<int>(mode)];
             if (!by_search.is_free) {
@@ -88,7 +89,7 @@ TEST(Kinematics, AreWhatASearchThroughAllDirectionsFinds) {
                 EXPECT_NEAR(-key->direction.y, by_search.descent, 2e-3) << round << ' ' << b;
                 if (by_search.descent > 0.999) continue;
                 EXPECT_NE(mode, BlockMode::falling) << round << ' ' << b;
-                // Friction of the weight's part across the direction holds against its part along it.
+                // Friction of the weight's normal component against its driving component.
                 const double safety = std::tan(35 * degree) * std::abs(key->direction.x) / -key->direction.y;
                 if (key->factor_of_safety > 0) {
                     EXPECT_NEAR(key->factor_of_safety, safety, 1e-6 * safety);
@@ -99,8 +100,8 @@ TEST(Kinematics, AreWhatASearchThroughAllDirectionsFinds) {
     for (const int mode : {0, 1, 2, 3, 4}) EXPECT_GT(count[mode], 5) << mode;
 }
 
-// A wedge at the foot of a face on a plane of dip beta, parted from the rock by a joint of dip delta behind
-// it: tan phi / tan beta, whatever delta; and the mirror image the same to the left.
+// A wedge at the foot of a face on a plane of dip beta, with a joint of dip delta behind it: the factor of
+// safety is tan phi / tan beta for any delta. The mirror image gives the same to the left.
 TEST(Kinematics, AWedgeOnAPlaneWithAJointBehind) {
     for (const double beta : {12.0, 25.0, 41.0})
         for (const double delta : {55.0, 70.0, 90.0, 110.0, 130.0})
@@ -122,7 +123,7 @@ TEST(Kinematics, AWedgeOnAPlaneWithAJointBehind) {
                 EXPECT_EQ(key.mode, BlockMode::sliding);
                 EXPECT_NEAR(key.factor_of_safety, std::tan(33 * degree) / t, 1e-5);
                 EXPECT_NEAR(key.direction.x, side * std::cos(beta * degree), 1e-6);
-                EXPECT_EQ(result.mesh.joints[static_cast<std::size_t>(key.joint)].set, "plane");
+                EXPECT_EQ(result.mesh.joints[key.joint].set, "plane");
             }
 }
 

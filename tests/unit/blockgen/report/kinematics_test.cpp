@@ -23,7 +23,7 @@ SlopeModel bench() {
 }
 
 BlockMode mode_at(const CutResult& result, const Point& p) {
-    return result.report.kinematics->mode[static_cast<std::size_t>(block_at(result.mesh, p))];
+    return result.report.kinematics->mode[block_at(result.mesh, p)];
 }
 
 TEST(Kinematics, ASlabOnADaylightingJointSlides) {
@@ -38,9 +38,9 @@ TEST(Kinematics, ASlabOnADaylightingJointSlides) {
         EXPECT_EQ(key.mode, BlockMode::sliding);
         EXPECT_NEAR(key.factor_of_safety, std::tan(35 * degree) / slope, 1e-5);
         EXPECT_NEAR(key.direction.x, std::cos(dip * degree), 1e-6);
-        EXPECT_EQ(result.mesh.joints[static_cast<std::size_t>(key.joint)].set, "plane");
+        EXPECT_EQ(result.mesh.joints[key.joint].set, "plane");
         EXPECT_EQ(key.block, block_at(result.mesh, {12, 12.5}));
-        // What lies below is held by the model's end.
+        // The fixed side of the model holds the block below.
         EXPECT_EQ(mode_at(result, {2, 2}), BlockMode::tapered);
     }
 }
@@ -65,7 +65,8 @@ SlopeModel roof(const Point& left, const Point& right, const std::vector<Point>&
 }
 
 TEST(Kinematics, BlocksOfARoof) {
-    // A wedge that narrows upwards falls; one that widens is held; upright sides slide without friction.
+    // A wedge that narrows upwards falls, one that widens upwards is tapered; a block with vertical sides
+    // slides without friction.
     CutResult result = cut(roof({8, 10}, {12, 10}, {{10, 13}}));
     EXPECT_EQ(mode_at(result, {10, 11}), BlockMode::falling);
     EXPECT_EQ(result.report.kinematics->blocks.at(0).factor_of_safety, 0);
@@ -75,12 +76,12 @@ TEST(Kinematics, BlocksOfARoof) {
     result = cut(roof({9, 10}, {11, 10}, {{9, 13}, {11, 13}}));
     EXPECT_EQ(mode_at(result, {10, 11}), BlockMode::sliding_two_faces);
     EXPECT_NEAR(result.report.kinematics->blocks.at(0).factor_of_safety, 0, 1e-5);
-    // It rests on a right side at tan = 3, the left one hangs over it: tan 30 / 3.
+    // The block rests on its right side, at tan = 3; its left side overhangs: tan 30 / 3.
     result = cut(roof({9, 10}, {12, 10}, {{9 + 3 / std::tan(60 * degree), 13}, {13, 13}}));
     EXPECT_EQ(mode_at(result, {11, 11}), BlockMode::sliding);
     EXPECT_NEAR(result.report.kinematics->blocks.at(0).factor_of_safety, std::tan(30 * degree) / 3, 1e-5);
-    // It rests on a left side at 60 degrees; the right one lets it out when it is flatter than that, at tan =
-    // 2/1.2, and holds it when it is steeper.
+    // The block rests on its left side at 60 degrees. It is removable when the right side is flatter, at
+    // tan = 2/1.2, and tapered when the right side is steeper.
     result = cut(roof({9, 10}, {12, 10}, {{9 - 2 / std::tan(60 * degree), 12}, {10.8, 12}}));
     EXPECT_EQ(mode_at(result, {10, 11}), BlockMode::sliding);
     EXPECT_NEAR(result.report.kinematics->blocks.at(0).factor_of_safety, 1.0 / 3, 1e-5);
@@ -91,8 +92,8 @@ TEST(Kinematics, BlocksOfARoof) {
 TEST(Kinematics, BlocksOnTheGround) {
     SlopeModel model = rectangle(10, 6);
     model.kinematics = KinematicScreen{30 * degree};
-    add_trace(model, {{2, 6}, {3, 4}, {4, 6}});          // a notch's block can only be lifted
-    add_trace(model, {{6, 6}, {6, 5}, {8, 5}, {8, 6}});  // so can that in a box
+    add_trace(model, {{2, 6}, {3, 4}, {4, 6}});          // a block in a notch can only be lifted
+    add_trace(model, {{6, 6}, {6, 5}, {8, 5}, {8, 6}});  // the same for a block in a box
     const CutResult result = cut(model);
     EXPECT_EQ(mode_at(result, {3, 5.5}), BlockMode::stable);
     EXPECT_EQ(mode_at(result, {7, 5.5}), BlockMode::stable);
@@ -101,7 +102,7 @@ TEST(Kinematics, BlocksOnTheGround) {
 
 TEST(Kinematics, TwoStepsOfOneDipAreTwoFaces) {
     SlopeModel model = bench();
-    // Down the face in two treads that dip at 20 degrees, with a riser between that opens as it slides.
+    // A stepped joint with two treads that dip at 20 degrees; the riser between them opens during sliding.
     const double t = std::tan(20 * degree);
     add_trace(model, {{20, 6.5 - 2 * t}, {15, 6.5 + 3 * t}, {15, 7.5 + 3 * t}, {9, 7.5 + 9 * t}, {9, 16}},
               "steps");
@@ -112,7 +113,7 @@ TEST(Kinematics, TwoStepsOfOneDipAreTwoFaces) {
 }
 
 TEST(Kinematics, BlocksBetweenSnappedParallelJointsCanSlideOut) {
-    // Snapping turns each edge a little: without slack the slab would be wedged between its two joints.
+    // Snapping rotates each edge a little: without a tolerance the slab would be wedged between its joints.
     SlopeModel model = bench();
     for (const double y : {7.0, 8.3}) add_trace(model, {{21, y - 0.5237 * 4}, {1, y + 0.5237 * 16}});
     add_trace(model, {{6.1, 5}, {6.1, 16}});
@@ -155,7 +156,7 @@ TEST(Kinematics, JointsOfTwoMaterialsInOneLineCarryByTheirLengths) {
     add_trace(model, {{8, 16}, {8, 13}}, "crack");
     const KinematicReport report = *cut(model).report.kinematics;
     ASSERT_EQ(report.blocks.size(), 1u);
-    // Along the joint from the face at x = 16 to the crack at x = 8, halves of one length.
+    // The joint runs from the face at x = 16 to the crack at x = 8, in two halves of equal length.
     EXPECT_NEAR(report.blocks[0].factor_of_safety, 2 * (std::tan(20 * degree) + std::tan(35 * degree)) / 2,
                 1e-5);
 }

@@ -4,7 +4,6 @@
 #include <numbers>
 
 #include "blockgen/picture/block_picture.hpp"
-#include "blockgen/picture/size_picture.hpp"
 #include "unit/blockgen/slopes.hpp"
 
 namespace rockslope::blockgen {
@@ -21,11 +20,11 @@ CutResult sample() {
     return cut(model);
 }
 
-TEST(ReportTables, SayWhatTheJsonSays) {
+TEST(ReportTables, AgreeWithTheJsonReport) {
     const CutResult result = sample();
     const std::string tables = report_tables(result.report), json = report_text(result.report);
     EXPECT_THAT(tables, HasSubstr("number                    3\n"));
-    EXPECT_THAT(tables, HasSubstr("32 m2, which the blocks fill exactly"));
+    EXPECT_THAT(tables, HasSubstr("32 m2, filled exactly by the blocks"));
     EXPECT_THAT(tables, HasSubstr("bedding                  1      10.00       8.00       0.00"));
     EXPECT_THAT(tables, HasSubstr("1 abutments (Y)"));
     EXPECT_THAT(tables, HasSubstr("enclosed                 3"));
@@ -35,7 +34,7 @@ TEST(ReportTables, SayWhatTheJsonSays) {
     EXPECT_THAT(json, HasSubstr("\"enclosed\": 3"));
 }
 
-TEST(Pictures, OfSizesAndOfALayer) {
+TEST(Pictures, DrawSizesAndALayer) {
     const BlockMesh mesh = sample().mesh;
     const std::string sizes = draw_sizes(mesh).bytes(PictureFormat::svg);
     EXPECT_EQ(sizes, draw_sizes(mesh).bytes(PictureFormat::svg));

@@ -44,14 +44,14 @@ TEST(CrossJoints, EndOnTheBedding) {
             if (p.y > 1e-9 && p.y < 40 - 1e-9 && p.x > 1e-9 && p.x < 60 - 1e-9) {
                 EXPECT_NEAR(std::remainder(p.y - 1, 2), 0, 1e-9);
             }
-    // Every cross joint is an edge between two blocks of one bed: as many blocks as without beds' ends.
+    // Each cross joint separates two blocks of one bed, so no joint is pruned.
     const CutResult result = cut(model);
     EXPECT_LT(result.report.joints[1].pruned, 1e-6 * result.report.joints[1].retained);
     EXPECT_EQ(result.report.nodes.i, 0u);
     EXPECT_EQ(result.report.slivers, 0u);
 }
 
-TEST(CrossJoints, PiecesLieAside) {
+TEST(CrossJoints, PiecesAreOffsetLaterally) {
     SlopeModel model = slope(bedded);
     const double across = std::sin(80 * std::numbers::pi / 180);
     const auto offset = [&](const Trace& t) {
@@ -67,7 +67,7 @@ TEST(CrossJoints, PiecesLieAside) {
     for (const Trace& t : straight) EXPECT_NEAR(std::remainder(offset(t) - offset(straight[0]), 3), 0, 1e-6);
 }
 
-TEST(CrossJoints, EndWithTheProbabilityGiven) {
+TEST(CrossJoints, EndWithTheGivenProbability) {
     SlopeModel model = slope(bedded);
     const std::size_t all = cross_joints(model).size();
     model.joint_sets[1].termination = 0;

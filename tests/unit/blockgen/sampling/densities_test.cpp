@@ -9,7 +9,7 @@
 namespace rockslope::blockgen {
 namespace {
 
-/// A notched section with a tunnel, so that area and length have something to leave out.
+/// A notched section with a tunnel, so that areas and lengths must exclude cavities.
 const std::string head =
     "seed = 1\n[domain]\noutline = [[0, 0], [60, 0], [60, 15], [30, 40], [0, 40]]\nblock_material = "
     "\"rock\"\n"
@@ -23,7 +23,7 @@ struct Densities {
     double p10 = 0, p20 = 0, p21 = 0;
 };
 
-/// Of the traces themselves, before anything is noded. @param u the set's mean direction.
+/// Densities of the traces before noding. @param u the set's mean direction.
 Densities densities_of(const std::vector<Trace>& traces, const RockDomain& rock, const Point& u) {
     Densities sums;
     for (const Trace& t : traces) {
@@ -36,7 +36,7 @@ Densities densities_of(const std::vector<Trace>& traces, const RockDomain& rock,
     return {sums.p10 / rock.area(), sums.p20 / rock.area(), sums.p21 / rock.area()};
 }
 
-/// A mean over independent seeds.
+/// Mean over independent seeds.
 class SeedMean {
   public:
     void add(double value) {
@@ -53,8 +53,8 @@ class SeedMean {
     double n_ = 0, sum_ = 0, squares_ = 0;
 };
 
-/// Holds the densities of a model's last set against those expected, 0 for what is not, within three standard
-/// errors of so many seeds.
+/// Expects the densities of a model's last set, 0 for those not checked, within three standard errors over
+/// that many seeds.
 void expect_densities(const std::string& keys, const Densities& expected, std::uint64_t seeds) {
     SlopeModel model = slope(head + keys);
     const JointSet& set = model.joint_sets.back();
@@ -67,17 +67,17 @@ void expect_densities(const std::string& keys, const Densities& expected, std::u
         const Densities d = densities_of(traces, rock, {std::cos(mean), std::sin(mean)});
         p10.add(d.p10), p20.add(d.p20), p21.add(d.p21);
     }
-    // A stop rule is met as nearly as whole traces can.
+    // A stop rule is met to within half a trace.
     const double rounding = set.stop.measure == StopRule::Measure::p20 ? 0.5 / rock.area() : 1e-9;
-    const auto check = [&](const char* what, const SeedMean& achieved, double asked) {
-        if (asked <= 0) return;
+    const auto check = [&](const char* what, const SeedMean& achieved, double target) {
+        if (target <= 0) return;
         const double error = achieved.standard_error();
-        EXPECT_NEAR(achieved.mean(), asked, 3 * error + rounding)
-            << what << " with a standard error of " << error << ", z = " << (achieved.mean() - asked) / error
+        EXPECT_NEAR(achieved.mean(), target, 3 * error + rounding)
+            << what << " with a standard error of " << error << ", z = " << (achieved.mean() - target) / error
             << ", of\n"
             << keys;
-        // A mean that scatters too much to tell anything would pass.
-        EXPECT_LT(error, 0.02 * asked) << what << " of\n" << keys;
+        // With a larger error the comparison would be meaningless.
+        EXPECT_LT(error, 0.02 * target) << what << " of\n" << keys;
     };
     check("P10", p10, expected.p10);
     check("P20", p20, expected.p20);
@@ -97,8 +97,8 @@ const std::string within_30 = "angle = { law = \"uniform\", min = \"-10 deg\", m
                   all_round = "angle = { law = \"uniform\", min = \"0 deg\", max = \"180 deg\" }\n",
                   exponential_4 = "trace_length = { law = \"exponential\", mean = 4 }\n";
 
-// Lines that cross a scanline at a spacing s, each in a direction of its own, cross every other one as often:
-// P10 = 1 / s. Each metre of scanline brings 1 / cos of the angle in length per metre along the set.
+// Lines with independent directions that cross a scanline at a spacing s cross every parallel scanline at the
+// same frequency: P10 = 1 / s. P21 is P10 times the mean of 1 / cos of the angle to the mean direction.
 TEST(Densities, OfParallelSets) {
     expect_densities("angle = \"20 deg\"\nspacing = 2\n", {0.5, 0, 0.5}, 1000);
     expect_densities(within_30 + "spacing = 2\n", {0.5, 0, 0.5 * mean_secant(30 * degree)}, 1000);
@@ -120,7 +120,7 @@ TEST(Densities, OfParallelSetsOfTraces) {
     const double secant = mean_secant(30 * degree);
     expect_densities(within_30 + "spacing = 1\ngap = { law = \"exponential\", mean = 2 }\n" + exponential_4,
                      {2.0 / 3, secant / 6, secant * 2 / 3}, 1000);
-    // Truncated, both the spacing and the traces.
+    // Truncated spacings and traces.
     const double open = Distribution{Law::exponential, 4, 0, 2, 6}.truncated_mean();
     expect_densities(within_30 +
                          "spacing = { law = \"normal\", mean = 1, sd = 0.5, min = 0.5, max = 1.5 }\ngap = 2\n"
@@ -134,7 +134,7 @@ TEST(Densities, OfPlanesInSpace) {
     expect_densities(plane, {seen / 2, 0, seen / 2}, 1000);
     for (const char* k : {"30", "10", "5"})
         expect_densities(plane + "fisher_k = " + k + "\n", {seen / 2, 0, 0}, 2000);
-    // Readings that lie in planes across the section, by 15 degrees to either side of the mean.
+    // Measured planes that strike perpendicular to the section, 15 degrees to either side of the mean.
     expect_densities(
         "orientations = [[\"45 deg\", \"90 deg\"], [\"75 deg\", \"90 deg\"], [\"60 deg\", \"90 deg\"]]\n"
         "spacing = 2\n",
@@ -167,7 +167,7 @@ TEST(Densities, OfVenezianosLines) {
 }
 
 TEST(Densities, OfCrossJoints) {
-    // Beds of 2 m through the whole section; each piece is moved by up to half a spacing, none gets lost.
+    // Beds of 2 m through the whole section; each piece is offset by up to half a spacing.
     const std::string beds =
         "angle = \"0 deg\"\nspacing = 2\norigin = [0, 1]\n[[joint_set]]\nname = \"cross\"\n"
         "kind = \"cross-jointed\"\nends_on = \"set\"\n";
@@ -180,13 +180,13 @@ TEST(Densities, OfCrossJoints) {
         {1 / 1.5, 0, secant / 1.5}, 300);
 }
 
-// Poisson's cells: edges of the length 2 sqrt(density) per area and three edges to a cell (Meijering 1953).
+// Poisson-Voronoi cells: edge length per area 2 sqrt(density), three edges per cell (Meijering 1953).
 TEST(Densities, OfVoronoiCells) {
     const double density = 500 / (60.0 * 40 - 25 * 15 - 64);
     expect_densities("kind = \"voronoi\"\ncount = 500\n", {0, 3 * density, 2 * std::sqrt(density)}, 100);
 }
 
-// The report measures the noded joints; asked is what spacing and stop rule come to.
+// The report measures the noded joints; the targets follow from spacing and stop rule.
 TEST(Densities, OfTheReport) {
     for (const std::string& keys :
          {"kind = \"veneziano\"\np10 = 0.5\npersistence = 0.6\n" + all_round + exponential_4,

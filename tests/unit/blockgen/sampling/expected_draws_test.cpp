@@ -37,8 +37,8 @@ Draws draws_of(const std::string& keys) {
     return draws;
 }
 
-// Hundreds to thousands of draws each, whose spread is far below the factor of two that is promised.
-TEST(ExpectedDraws, AreThoseNeeded) {
+// Each set needs hundreds to thousands of draws, with a scatter far below the required factor of two.
+TEST(ExpectedDraws, AreWithinAFactorOfTwo) {
     const std::string lines = "angle = \"20 deg\"\nspacing = 0.1\n",
                       short_traces = "trace_length = { law = \"exponential\", mean = 1 }\n",
                       anywhere = "angle = { law = \"normal\", mean = \"20 deg\", sd = \"15 deg\" }\n",
@@ -49,7 +49,7 @@ TEST(ExpectedDraws, AreThoseNeeded) {
           lines + "trace_length = { law = \"lognormal\", mean = 3, sd = 9 }\npersistence = 0.4\n",
           "angle = \"-70 deg\"\nspacing = { law = \"exponential\", mean = 0.2 }\n" + short_traces +
               "gap = 0\n",
-          // Most spacings are a tiny share of a mean that a few reach.
+          // Most spacings are a small fraction of the mean, and few exceed it.
           std::string("angle = \"-70 deg\"\nspacing = { law = \"lognormal\", mean = 0.3, sd = 6 }\n"),
           anywhere + "spacing = 0.2\n", anywhere + "spacing = 0.2\ngap = 0.5\n" + short_traces,
           spread + "spacing = 0.2\n", lines + "kind = \"cross-jointed\"\nends_on = \"bed\"\n",
@@ -81,7 +81,7 @@ std::string refusal_of(const std::string& keys, std::size_t max_blocks) {
     return "none";
 }
 
-// Each of these would otherwise be drawn for hours, or until the memory is full.
+// Without the check each of these would be sampled for hours, or until memory is exhausted.
 TEST(ExpectedDraws, RejectTooLargeSetsBeforeSampling) {
     for (const std::string& keys :
          {std::string("angle = \"3 deg\"\nspacing = 1e-5\n"),
@@ -101,7 +101,7 @@ TEST(ExpectedDraws, RejectTooLargeSetsBeforeSampling) {
             << keys;
 }
 
-TEST(ExpectedDraws, CountForAllSetsTogether) {
+TEST(ExpectedDraws, AddUpOverAllSets) {
     const std::string first = "angle = \"3 deg\"\nspacing = 0.005\n",
                       second = "[[joint_set]]\nname = \"b\"\n" + first;
     EXPECT_EQ(refusal_of(first, 1), "none");

@@ -24,7 +24,7 @@ JointSet random_set(SetKind kind, const StopRule& stop) {
     return set;
 }
 
-/// A notched section with a tunnel, so that area and length have something to leave out.
+/// A notched section with a tunnel, so that areas and lengths must exclude cavities.
 SlopeModel notched() {
     SlopeModel model = rectangle(60, 40);
     model.outline = {{0, 0}, {60, 0}, {60, 15}, {30, 40}, {0, 40}};
@@ -43,7 +43,7 @@ double length_of(const Trace& t) {
     return std::hypot(t.points[1].x - t.points[0].x, t.points[1].y - t.points[0].y);
 }
 
-TEST(RockDomain, LeavesOutWhatIsNoRock) {
+TEST(RockDomain, ExcludesCavities) {
     SlopeModel model = notched();
     const double area = 60 * 40 - 25 * 15 - 64;
     const RockDomain rock(model, "");
@@ -58,7 +58,7 @@ TEST(RockDomain, LeavesOutWhatIsNoRock) {
     EXPECT_NEAR(left.length_in({-10, 14}, {70, 14}), 10, 1e-9);
 }
 
-TEST(RockDomain, CountsACavityOnceWhereTwoOverlap) {
+TEST(RockDomain, SubtractsOverlappingCavitiesOnce) {
     SlopeModel model = notched();
     model.tunnels.push_back({"u", {{14, 12}, {22, 12}, {22, 16}, {14, 16}}, {}});
     model.holes.push_back({{15, 13}, {30, 13}, {30, 15}, {15, 15}});
@@ -72,7 +72,7 @@ TEST(Baecher, MeetsItsStopRule) {
     const SlopeModel model = notched();
     const RockDomain rock(model, "");
     const auto p21 = sample_joint_set(random_set(SetKind::baecher, {Measure::p21, 0.8}), model);
-    // The last trace is kept when that is nearer: half a long trace's length at most.
+    // The last trace is kept when that is nearer to the target; the error is at most half a long trace.
     EXPECT_NEAR(length_in(rock, p21) / rock.area(), 0.8, 15 / rock.area());
 
     const auto middles = [&](const std::vector<Trace>& traces) {
@@ -87,11 +87,11 @@ TEST(Baecher, MeetsItsStopRule) {
 
     JointSet flat = random_set(SetKind::baecher, {Measure::p10, 0.5});
     flat.orientation.angle = constant_value(20 * degree);
-    // All of one direction: P10 across it is P21.
+    // With one direction, P10 perpendicular to it equals P21.
     EXPECT_NEAR(length_in(rock, sample_joint_set(flat, model)) / rock.area(), 0.5, 15 / rock.area());
 }
 
-TEST(Baecher, FollowsItsLawsAndHasNoRim) {
+TEST(Baecher, FollowsItsLawsWithoutEdgeEffects) {
     SlopeModel model = rectangle(100, 100);
     model.seed = 3;
     const auto traces = sample_joint_set(random_set(SetKind::baecher, {Measure::count, 8000}), model);
@@ -110,19 +110,19 @@ TEST(Baecher, FollowsItsLawsAndHasNoRim) {
     }
     EXPECT_LT(ks_distance(lengths, [](double x) { return 1 - std::exp(-x / 4); }), ks_limit(lengths.size()));
     EXPECT_LT(ks_distance(angles, [](double a) { return a / std::numbers::pi; }), ks_limit(angles.size()));
-    // As dense at the rim as in the middle quarter, within three standard errors: n traces of exponential
-    // length have a total with the relative error sqrt(2 / n).
+    // The density near the boundary equals that in the middle quarter within three standard errors: the total
+    // length of n exponential traces has the relative error sqrt(2 / n).
     EXPECT_NEAR(inner / 2500 / ((outer - inner) / 7500), 1, 3 * std::sqrt(2 / 2000.0 + 2 / 6000.0));
 }
 
-TEST(Veneziano, LinesOpenByTheirPersistence) {
+TEST(Veneziano, LinesHaveTheGivenPersistence) {
     SlopeModel model = rectangle(100, 100);
     model.seed = 11;
     JointSet set = random_set(SetKind::veneziano, {Measure::p21, 1});
     set.gap = Distribution{Law::exponential, 2};
     const auto traces = sample_joint_set(set, model);
     const RockDomain rock(model, "");
-    // The last line is kept when that is nearer: half of the longest line.
+    // The last line is kept when that is nearer to the target; the error is at most half of the longest line.
     EXPECT_NEAR(length_in(rock, traces) / rock.area(), 1, 71 / rock.area());
 
     set.stop = {Measure::count, 400};
@@ -132,13 +132,13 @@ TEST(Veneziano, LinesOpenByTheirPersistence) {
     const auto lines = sample_joint_set(whole, model);
     EXPECT_EQ(lines.size(), 400u);
     const double total = length_in(rock, lines);
-    // Two thirds are open. A renewal process of traces (mean and sd 4) and bridges (2) has on a length l the
-    // variance of the open length 2 (4 2)^2 / 6^3 l: three standard errors of the share.
+    // The persistence is two thirds. For a renewal process of traces (mean and sd 4) and bridges (2) the
+    // variance of the trace length on a line of length l is 2 (4 2)^2 / 6^3 l; three standard errors.
     EXPECT_NEAR(open / total, 2.0 / 3, 3 * std::sqrt(2 * 64.0 / 216 / total));
 }
 
-TEST(Veneziano, LinesLieAnywhere) {
-    // Isotropic lines anywhere meet the middle disc in chords of mean length pi r / 2.
+TEST(Veneziano, LinesAreUniformlyDistributed) {
+    // Uniform isotropic lines intersect the central disc in chords of mean length pi r / 2.
     SlopeModel model = rectangle(100, 100);
     JointSet set = random_set(SetKind::veneziano, {Measure::count, 4000});
     set.trace_length.reset();
@@ -151,7 +151,7 @@ TEST(Veneziano, LinesLieAnywhere) {
         sum += 2 * std::sqrt(1600 - d * d);
         ++chords;
     }
-    // The chord's standard deviation is r sqrt(8/3 - pi^2/4).
+    // The standard deviation of the chord length is r sqrt(8/3 - pi^2/4).
     EXPECT_NEAR(sum / chords, std::numbers::pi * 20, 3 * 40 * std::sqrt((8.0 / 3 - 2.4674) / chords));
 }
 
@@ -179,7 +179,7 @@ TEST(RandomNetworks, AreReproducible) {
         const auto first = sample_joint_set(set, model), again = sample_joint_set(set, model);
         ASSERT_EQ(first.size(), again.size());
         for (std::size_t k = 0; k < first.size(); ++k) EXPECT_EQ(first[k].points, again[k].points);
-        // A higher target goes on where the lower one ended.
+        // A higher target continues the sequence of the lower target.
         set.stop.target = 0.8;
         const auto more = sample_joint_set(set, model);
         for (std::size_t k = 0; k + 10 < first.size(); ++k) EXPECT_EQ(first[k].points, more[k].points);
@@ -214,7 +214,7 @@ TEST(RandomNetworks, KeysOfTheModelFile) {
 }
 
 TEST(RandomNetworks, PersistenceOfTruncatedTraces) {
-    // The bridge follows from the mean of the truncated traces, so that the open share is the one asked for.
+    // The bridge follows from the mean of the truncated traces, so that the persistence is the given one.
     const SlopeModel model = slope(head +
                                    "angle = \"30 deg\"\nspacing = 0.02\npersistence = 0.7\n"
                                    "trace_length = { law = \"exponential\", mean = 2, min = 1, max = 4 }\n");
@@ -223,8 +223,8 @@ TEST(RandomNetworks, PersistenceOfTruncatedTraces) {
     whole.trace_length.reset();
     const RockDomain rock(model, "");
     const double total = length_in(rock, sample_joint_set(whole, model));
-    // Traces have the mean 2.16 and a standard deviation below 0.87, bridges a constant 0.93: the variance of
-    // the open length per length is at most (0.93 0.87)^2 / 3.09^3.
+    // Traces have the mean 2.16 and a standard deviation below 0.87, bridges are constant, 0.93. The variance
+    // of the trace length per length is at most (0.93 0.87)^2 / 3.09^3.
     EXPECT_NEAR(length_in(rock, traces) / total, 0.7,
                 3 * std::sqrt(0.93 * 0.93 * 0.87 * 0.87 / 29.5 / total));
 }

@@ -27,7 +27,7 @@ std::vector<double> sample(const Distribution& d) {
     return values;
 }
 
-/// Exceeded once in a thousand samples.
+/// The limit that a sample exceeds with probability 1e-3.
 const double limit = ks_limit(draws);
 
 double mean_of(const std::vector<double>& values) {
@@ -88,7 +88,7 @@ TEST(Distribution, TruncationKeepsTheShapeWithin) {
 }
 
 TEST(RandomStream, GivesTheSameNumbersOnEveryPlatform) {
-    // Recorded once: a change breaks every user's seed.
+    // Recorded values: a change would change the result of every seed.
     const RandomStream stream(42, "bedding");
     EXPECT_EQ(stream.draw(0, 0, 0), 0.053038580676637692);
     EXPECT_EQ(stream.draw(3, -7, 11), 0.25809822305966346);
@@ -146,8 +146,8 @@ TEST(SampleJoints, TheOriginIsOnAJointWhereAnglesScatter) {
     }
 }
 
-// Whole, so that a middle outside the rock tells that a trace is not counted there.
-TEST(SampleJoints, TracesReachBeyondTheRim) {
+// Traces are not clipped, so that a trace is counted only when its midpoint lies in the rock.
+TEST(SampleJoints, TracesAreNotClippedAtTheBoundary) {
     JointSet set = parallel(90, 1);
     set.trace_length = constant_value(7);
     set.gap = constant_value(1);
@@ -156,7 +156,7 @@ TEST(SampleJoints, TracesReachBeyondTheRim) {
     for (const Trace& t : traces) EXPECT_NEAR(std::abs(t.points[1].y - t.points[0].y), 7, 1e-9);
 }
 
-TEST(SampleJoints, TracesAndGapsShareTheLine) {
+TEST(SampleJoints, TracesAndGapsAlternate) {
     JointSet set = parallel(30, 0.5);
     set.trace_length = Distribution{Law::exponential, 4};
     set.gap = Distribution{Law::uniform, 0, 0, 0.5, 1.5};
@@ -164,18 +164,18 @@ TEST(SampleJoints, TracesAndGapsShareTheLine) {
     const RockDomain rock(model, "");
     double length = 0;
     for (const Trace& t : sample_joint_set(set, model)) length += rock.length_in(t.points[0], t.points[1]);
-    // Four fifths of each line are open, within three standard errors: a renewal process of traces (mean and
-    // standard deviation 4) and bridges (1, and 1 / sqrt(12)) has on a length l the variance of the open
-    // length (16 + 16 / 12) / 5^3 l.
+    // The persistence is four fifths, within three standard errors. For a renewal process of traces (mean and
+    // standard deviation 4) and bridges (mean 1, standard deviation 1 / sqrt(12)) the variance of the trace
+    // length on a line of length l is (16 + 16 / 12) / 5^3 l.
     set.trace_length.reset();
     double whole = 0;
     for (const Trace& t : sample_joint_set(set, model)) whole += rock.length_in(t.points[0], t.points[1]);
     EXPECT_NEAR(length / whole, 0.8, 3 * std::sqrt((16 + 16 / 12.0) / 125 / whole));
 }
 
-// Ten spacings wide, so that a joint too many at one rim would be a tenth. The rim must not know where the
-// first joint lies, whatever the law: three and a half standard errors of 1000 seeds.
-TEST(SampleJoints, SpacingsGiveTheirFrequencyWithoutARim) {
+// The domain is ten spacings wide, so one joint too many at its boundary would be an error of 10 %. The
+// frequency must not depend on the first joint, for any law: within 3.5 standard errors of 1000 seeds.
+TEST(SampleJoints, SpacingsGiveTheirFrequencyWithoutEdgeEffects) {
     constexpr int seeds = 1000;
     SlopeModel model = rectangle(50, 20);
     for (const Distribution& spacing :
@@ -238,7 +238,7 @@ TEST(SampleJoints, TheSameSeedGivesTheSameBytes) {
     EXPECT_NE(first, block_file_text(cut(slope(other)).mesh));
 }
 
-TEST(SampleJoints, EditingOneSetLeavesTheOther) {
+TEST(SampleJoints, EditingOneSetDoesNotChangeTheOther) {
     SlopeModel model = slope(two_sets);
     const auto before = sample_joint_set(model.joint_sets[1], model);
     model.joint_sets[0].spacing = constant_value(1);
@@ -248,7 +248,7 @@ TEST(SampleJoints, EditingOneSetLeavesTheOther) {
     for (std::size_t k = 0; k < before.size(); ++k) EXPECT_EQ(before[k].points, after[k].points);
 }
 
-/// One set of each kind; the cells limited to a region.
+/// One set of each kind; the Voronoi cells are limited to a region.
 const std::string all_kinds = R"(
 seed = 42
 [domain]
@@ -288,7 +288,7 @@ region = "left"
 count = 30
 )";
 
-TEST(SampleJoints, AddingOrRemovingASetLeavesTheOthers) {
+TEST(SampleJoints, AddingOrRemovingASetDoesNotChangeTheOthers) {
     const SlopeModel model = slope(all_kinds);
     const auto of_set = [](const std::vector<Trace>& traces, const std::string& name) {
         std::vector<std::vector<Point>> points;
@@ -307,7 +307,7 @@ TEST(SampleJoints, AddingOrRemovingASetLeavesTheOthers) {
         for (const JointSet& set : model.joint_sets)
             EXPECT_EQ(of_set(before, set.name), of_set(after, set.name)) << set.name << ' ' << place;
     }
-    for (std::size_t gone = 1; gone < 5; ++gone) {  // the first is what the second ends on
+    for (std::size_t gone = 1; gone < 5; ++gone) {  // the second set ends on the first
         SlopeModel less = model;
         less.joint_sets.erase(less.joint_sets.begin() + static_cast<std::ptrdiff_t>(gone));
         const auto after = all_traces(less);
@@ -335,13 +335,13 @@ TEST(SampleJoints, EveryKindStaysInItsRegion) {
 
 TEST(SampleJoints, TooManyLinesAreRefused) {
     EXPECT_THROW(sample_joint_set(parallel(10, 0.01), rectangle(100, 100), {}, 1000), InputError);
-    // Lines that lie outside cost as much time as those within.
+    // Lines outside the domain take as much time as those inside.
     JointSet set = parallel(10, 0.01);
     set.origin = Point{1e9, 1e9};
     EXPECT_THROW(sample_joint_set(set, rectangle(1, 1), {}, 1000), InputError);
 }
 
-// Such lengths leave the position along the line where it was, without end.
+// Lengths this small do not change the position along the line, so the loop would not end.
 TEST(SampleJoints, TooManyTracesAreRefused) {
     for (const auto& [length, gap] : {std::pair(1e-3, 0.0), std::pair(1e-9, 1e-9), std::pair(1e-30, 0.0)}) {
         JointSet set = parallel(10, 50);

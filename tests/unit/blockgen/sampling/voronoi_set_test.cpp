@@ -33,7 +33,7 @@ double area_spread(const BlockMesh& mesh) {
 
 TEST(Voronoi, FourPointsOfASquareMakeACross) {
     const Bounds box{{-1, -1}, {3, 3}};
-    // Plus four far points, so that the cells between them are bounded by edges that leave the box.
+    // Four more points far away bound the cells of the square by edges outside the box.
     const auto edges =
         voronoi_edges({{0, 0}, {2, 0}, {0, 2}, {2.0, 2.0}, {1, 90}, {1, -90}, {90, 1}, {-90, 1}}, 0, box);
     double length = 0;
@@ -47,8 +47,8 @@ TEST(Voronoi, FourPointsOfASquareMakeACross) {
 
 TEST(Voronoi, CellsFillTheDomain) {
     const CutResult result = cut(slope(cells));
-    // A thousand points in the mean, and cells cut by the rim: the perimeter of 200 m meets about 0.7 times
-    // its length over the cell size of 1.55 m.
+    // A thousand points on average, plus cells cut by the boundary: the perimeter of 200 m meets about 0.7
+    // times its length over the cell size of 1.55 m.
     EXPECT_NEAR(static_cast<double>(result.mesh.block_count()), 1000 + 0.7 * 200 / 1.55, 3 * std::sqrt(1000));
     EXPECT_LT(result.report.joints[0].pruned, 1e-4);
     EXPECT_EQ(result.report.nodes.i, 0u);

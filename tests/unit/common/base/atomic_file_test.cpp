@@ -29,7 +29,7 @@ class AtomicFile : public ::testing::Test {
     fs::path folder;
 };
 
-TEST_F(AtomicFile, HoldsTheBytesAndNothingElseIsLeft) {
+TEST_F(AtomicFile, WritesTheBytesAndLeavesNoTemporaryFile) {
     const std::string bytes("a\0b\r\n", 5);
     write_file_atomically(folder / "f", bytes);
     EXPECT_EQ(read_text_file(folder / "f"), bytes);
@@ -42,11 +42,11 @@ TEST_F(AtomicFile, FailureKeepsTheOldFile) {
     fs::create_directory(folder / "d");
     fs::create_directory(folder / "d" / "inner");
     EXPECT_THROW(write_file_atomically(folder / "d", "x"), OutputError);
-    EXPECT_EQ(files_in_folder(), 1u) << "the temporary file must go";
+    EXPECT_EQ(files_in_folder(), 1u) << "the temporary file must be removed";
     EXPECT_THROW(write_file_atomically(folder / "missing" / "f", "x"), OutputError);
 }
 
-TEST_F(AtomicFile, AFullDeviceIsNamed) {
+TEST_F(AtomicFile, ReportsAFullDevice) {
     try {
         write_file_atomically("/dev/full", "x");
         FAIL();

@@ -43,7 +43,7 @@ class OutputCheck : public testing::Test {
     const fs::path folder = fs::path(testing::TempDir()) / ("output_check_" + std::to_string(::getpid()));
 };
 
-TEST_F(OutputCheck, AcceptsWhatCanBeWritten) {
+TEST_F(OutputCheck, AcceptsWritablePaths) {
     EXPECT_EQ(error_for("new.blocks"), "no error");
     EXPECT_EQ(error_for("sub/new.blocks"), "no error");
     EXPECT_EQ(error_of([] { check_output("/dev/null", {}); }), "no error");
@@ -51,7 +51,7 @@ TEST_F(OutputCheck, AcceptsWhatCanBeWritten) {
     EXPECT_EQ(error_of([&] { check_output_folder(folder / "later" / "still"); }), "no error");
 }
 
-TEST_F(OutputCheck, RefusesWhatCannotBeWritten) {
+TEST_F(OutputCheck, RejectsUnwritablePaths) {
     EXPECT_THAT(error_for("sub"), HasSubstr("this is a folder"));
     EXPECT_THAT(error_for("later/run.d"), HasSubstr("no such folder"));
     EXPECT_THAT(error_for("model.toml/run.d"), HasSubstr("no such folder"));
@@ -59,26 +59,26 @@ TEST_F(OutputCheck, RefusesWhatCannotBeWritten) {
     EXPECT_THAT(error_of([&] { check_output_folder(folder / "model.toml"); }), HasSubstr("Not a directory"));
     EXPECT_THAT(error_of([&] { check_output_folder(folder / "model.toml" / "out"); }),
                 HasSubstr("expected a folder for the results"));
-    if (::geteuid() == 0) return;  // who may write everywhere
+    if (::geteuid() == 0) return;  // root may write everywhere
     fs::permissions(folder / "sub", fs::perms::owner_write, fs::perm_options::remove);
     EXPECT_THAT(error_for("sub/new.blocks"), HasSubstr("Permission denied"));
     EXPECT_THAT(error_of([&] { check_output_folder(folder / "sub" / "out"); }),
                 HasSubstr("Permission denied"));
 }
 
-TEST_F(OutputCheck, RefusesToOverwriteAnInputUnderAnyName) {
+TEST_F(OutputCheck, RejectsAnInputUnderAnySpelling) {
     EXPECT_THAT(error_for("model.toml"), HasSubstr("overwrite the model file"));
     EXPECT_THAT(error_for("sub/../model.toml"), HasSubstr("overwrite the model file"));
     EXPECT_THAT(error_for("record.csv"), HasSubstr("overwrite the input file"));
     EXPECT_THAT(error_for("link.csv"), HasSubstr("overwrite the input file"));
 }
 
-TEST_F(OutputCheck, RefusesTwoResultsOfOneName) {
+TEST_F(OutputCheck, RejectsTwoResultsInTheSameFile) {
     const auto error_for_both = [&](const fs::path& a, const fs::path& b) {
         return error_of([&] { check_distinct({a, {}, b, {}}); });
     };
     EXPECT_EQ(error_for_both("a.csv", "b.csv"), "no error");
-    EXPECT_THAT(error_for_both("a.csv", "./a.csv"), HasSubstr("two results of one name"));
+    EXPECT_THAT(error_for_both("a.csv", "./a.csv"), HasSubstr("two results are the same file"));
     EXPECT_THAT(error_for_both(folder / "sub" / ".." / "a", folder / "a"), HasSubstr("different names"));
 }
 

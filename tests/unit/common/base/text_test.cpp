@@ -31,14 +31,14 @@ TEST(Text, ShortestTextReadsBackToTheSameDouble) {
     EXPECT_EQ(shortest_text(0.1), "0.1");
 }
 
-TEST(Text, OnlyWholeFiniteNumbersAreNumbers) {
+TEST(Text, ParsesOnlyCompleteFiniteNumbers) {
     for (const char* good : {"1", "-1", "+1", ".5", "5.", "-.1234E-02", "1e3"})
         EXPECT_TRUE(parse_number(good)) << good;
     for (const char* bad : {"", " 1", "1 ", "1x", "+-1", "++1", "nan", "inf", "-inf", "1e999", "0x10", "1,5"})
         EXPECT_FALSE(parse_number(bad)) << bad;
 }
 
-TEST(Text, NearestWordForgivesTyposOnly) {
+TEST(Text, NearestWordAcceptsTyposOnly) {
     const std::vector<std::string> words = {"friction_angle", "cohesion", "law", "x"};
     EXPECT_EQ(nearest_word("frcition_angle", words), "friction_angle");
     EXPECT_EQ(nearest_word("cohesoin", words), "cohesion");

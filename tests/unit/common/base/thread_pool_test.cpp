@@ -15,11 +15,9 @@ using namespace rockslope;
 
 namespace {
 
-
 class ThreadPoolSizes : public testing::TestWithParam<int> {};
 
-// Lengths on both sides of the one below which a loop stays in the calling thread, and not divisible by the
-// pool's size.
+// The lengths include those around min_parallel_length and one that no pool size divides.
 TEST_P(ThreadPoolSizes, CallsEachIndexOnce) {
     const ThreadPool pool(GetParam());
     for (const std::size_t count : {0u, 1u, 7u, 511u, 512u, 513u, 10007u}) {
@@ -43,29 +41,30 @@ TEST_P(ThreadPoolSizes, RethrowsAnExceptionInTheCaller) {
     std::atomic<int> sum = 0;
     pool.parallel_for(10000,
                       [&](std::size_t begin, std::size_t end) { sum += static_cast<int>(end - begin); });
-    EXPECT_EQ(sum, 10000) << "the crew works on after a failure";
+    EXPECT_EQ(sum, 10000) << "the pool must work after a failure";
 }
 
 TEST_P(ThreadPoolSizes, RunsEachTaskOnceWithItsThreadIndex) {
     const ThreadPool pool(GetParam());
     for (const std::size_t count : {0u, 1u, 2u, 5u, 300u}) {
-        std::vector<std::thread::id> by(count);
+        std::vector<std::thread::id> thread_id(count);
         std::vector<std::size_t> thread(count, 99);
         std::vector<int> visits(count, 0);
         pool.parallel_for_dynamic(count, [&](std::size_t task, std::size_t t) {
             ++visits[task];
             thread[task] = t;
-            by[task] = std::this_thread::get_id();
+            thread_id[task] = std::this_thread::get_id();
         });
         EXPECT_EQ(visits, std::vector<int>(count, 1));
         for (std::size_t a = 0; a < count; ++a) {
             EXPECT_LT(thread[a], static_cast<std::size_t>(pool.size()));
-            for (std::size_t b = 0; b < a; ++b) EXPECT_TRUE(thread[a] != thread[b] || by[a] == by[b]);
+            for (std::size_t b = 0; b < a; ++b)
+                EXPECT_TRUE(thread[a] != thread[b] || thread_id[a] == thread_id[b]);
         }
     }
 }
 
-TEST_P(ThreadPoolSizes, RethrowsATasksExceptionInTheCaller) {
+TEST_P(ThreadPoolSizes, RethrowsAnExceptionOfATaskInTheCaller) {
     const ThreadPool pool(GetParam());
     const auto fail = [](std::size_t task, std::size_t) {
         if (task == 3) throw std::runtime_error("task 3");
@@ -81,18 +80,18 @@ TEST(ThreadPool, HasAtLeastOneThread) {
     EXPECT_EQ(ThreadPool(2).size(), 2);
 }
 
-/// Waits until both of a pool's two threads are in the same loop.
+/// Waits until both threads of a pool are in the same loop.
 class Rendezvous {
   public:
     void arrive() {
-        ++here_;
+        ++arrived_;
         const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-        while (here_ < 2 && std::chrono::steady_clock::now() < end) std::this_thread::yield();
+        while (arrived_ < 2 && std::chrono::steady_clock::now() < end) std::this_thread::yield();
     }
-    bool is_complete() const { return here_ == 2; }
+    bool is_complete() const { return arrived_ == 2; }
 
   private:
-    std::atomic<int> here_ = 0;
+    std::atomic<int> arrived_ = 0;
 };
 
 TEST(ThreadPool, SplitsLongLoopsAmongThreads) {
@@ -112,11 +111,11 @@ TEST(ThreadPool, WakesSleepingThreads) {
     }
 }
 
-// Other threads of the process, a BLAS library's, may take a while until they sleep, too.
+// Other threads of the process, such as those of a BLAS library, may take a while to fall asleep.
 TEST(ThreadPool, IdleThreadsSleep) {
     const ThreadPool pool(2);
     pool.parallel_for_dynamic(2, [](std::size_t, std::size_t) {});
-    double busy = 1;  // share of a tenth of a second, of the whole process
+    double busy = 1;  // CPU time of the process over a tenth of a second
     for (int attempt = 0; attempt < 20 && busy > 0.2; ++attempt) {
         const std::clock_t before = std::clock();
         std::this_thread::sleep_for(std::chrono::milliseconds(100));
@@ -125,7 +124,7 @@ TEST(ThreadPool, IdleThreadsSleep) {
     EXPECT_LE(busy, 0.2);
 }
 
-// Many short loops one after the other, so that helpers come early, late and not at all.
+// In many short loops some workers join early, some late and some not at all.
 TEST(ThreadPool, RunsEveryTaskExactlyOnce) {
     const ThreadPool pool(3);
     for (int round = 0; round < 20000; ++round) {
@@ -135,7 +134,7 @@ TEST(ThreadPool, RunsEveryTaskExactlyOnce) {
     }
 }
 
-TEST(ThreadPool, ReducesAlikeWithAnyNumberOfThreads) {
+TEST(ThreadPool, ReducesToTheSameBytesOnAnyNumberOfThreads) {
     for (const std::size_t count : {0u, 1u, 63u, 64u, 65u, 4096u, 4097u, 100003u}) {
         const auto sum = [&](int threads) {
             return ThreadPool(threads).parallel_reduce(
@@ -147,11 +146,11 @@ TEST(ThreadPool, ReducesAlikeWithAnyNumberOfThreads) {
                 },
                 std::plus<>());
         };
-        const double alone = sum(1);
+        const double serial = sum(1);
         double expected = 0.5;
         for (std::size_t k = 0; k < count; ++k) expected += 1 / static_cast<double>(k + 1);
-        EXPECT_NEAR(alone, expected, 1e-12 * expected) << count;
-        for (const int threads : {2, 3, 5}) EXPECT_EQ(sum(threads), alone) << count << ", " << threads;
+        EXPECT_NEAR(serial, expected, 1e-12 * expected) << count;
+        for (const int threads : {2, 3, 5}) EXPECT_EQ(sum(threads), serial) << count << ", " << threads;
     }
 }
 

@@ -45,7 +45,7 @@ TEST(ConfigTable, ConvertsUnitsToSi) {
     EXPECT_NO_THROW(t.finish());
 }
 
-TEST(ConfigTable, RefusesValuesOfTheWrongKindAtTheirPlace) {
+TEST(ConfigTable, RejectsValuesOfTheWrongTypeWithTheirLocation) {
     const std::string angle = "expected an angle with its unit such as \"35 deg\" (rad, deg)";
     EXPECT_EQ(error_of("\n a = 35", number(Dimension::angle)),
               "m.toml:2:6: 'a' is 35, without a unit; " + angle);
@@ -100,7 +100,7 @@ TEST(ConfigTable, ChoicesAndRanges) {
               "m.toml:1:11: 'density' is -5; expected a positive number");
 }
 
-TEST(ConfigTable, SyntaxErrorsHaveAPlace) {
+TEST(ConfigTable, SyntaxErrorsHaveALocation) {
     EXPECT_EQ(error_of("a = 1\nb = [1, ", number()).substr(0, 9), "m.toml:2:");
     EXPECT_EQ(error_of("a = 1\na = 2", number()).substr(0, 9), "m.toml:2:");
 }
@@ -131,7 +131,7 @@ TEST(ConfigTable, ErrorsOfOverridesNameThem) {
         EXPECT_EQ(error_of("a = [1]", number(), {bad}).substr(0, 6), "--set ") << bad;
 }
 
-TEST(ConfigTable, PathsAreRelativeToTheirWriter) {
+TEST(ConfigTable, PathsAreRelativeToTheModelFileOrTheWorkingDirectory) {
     const ConfigTable t = ConfigTable::from_text("a = 'x/../r.at2'", "m.toml", {"b=r.at2"});
     EXPECT_EQ(t.file_path("a"), std::filesystem::current_path() / "r.at2");
     EXPECT_EQ(t.file_path("b"), std::filesystem::current_path() / "r.at2");

@@ -29,7 +29,7 @@ Canvas drawing() {
     return canvas;
 }
 
-TEST(Canvas, WritesEachFormatTheSameEveryTime) {
+TEST(Canvas, WritesEachFormatReproducibly) {
     for (const auto& [format, start] :
          {std::pair(PictureFormat::svg, "<?xml"), std::pair(PictureFormat::png, "\x89PNG"),
           std::pair(PictureFormat::pdf, "%PDF")}) {
@@ -40,7 +40,7 @@ TEST(Canvas, WritesEachFormatTheSameEveryTime) {
     }
 }
 
-TEST(Canvas, FormatGoesByExtension) {
+TEST(Canvas, ChoosesTheFormatByExtension) {
     EXPECT_EQ(picture_format("a/b.PNG"), PictureFormat::png);
     EXPECT_EQ(picture_format("b.svg"), PictureFormat::svg);
     EXPECT_EQ(picture_format("b.pdf"), PictureFormat::pdf);
@@ -85,7 +85,7 @@ TEST(Axes, LabelsFarFromTheOriginStayShortAndDistinct) {
     EXPECT_EQ(south.title("y (m)"), "y + 3000000100 (m)");
 
     const TickLabels wide = tick_labels({-2e9, 6e9}, 4);
-    EXPECT_EQ(wide.offset, 0) << "nothing is shared by a range about zero";
+    EXPECT_EQ(wide.offset, 0) << "a range that contains zero has no common offset";
 }
 
 TEST(Colour, ShadesOfNeighboursDiffer) {

@@ -1,5 +1,5 @@
-// What users are promised: the displacement of an accepted step solves its linear system to 1e-10 of the
-// load, or stops short of that solution by no more than the force tolerance.
+// The displacement of an accepted step solves its linear system to 1e-10 of the load, or the blocks are in
+// balance within the force tolerance.
 
 #include <gtest/gtest.h>
 
@@ -14,10 +14,10 @@ namespace {
 
 using namespace scene;
 
-/// The refined solver, which remembers the matrix and the last right-hand side that it was given.
-class Watched final : public dda::LinearSolver {
+/// The refined solver; records the last matrix and the last right-hand side.
+class RecordingSolver final : public dda::LinearSolver {
   public:
-    explicit Watched(const ThreadPool& pool)
+    explicit RecordingSolver(const ThreadPool& pool)
         : solver_(dda::make_linear_solver(dda::SolverKind::refined, pool)) {}
 
     void analyze(const dda::BlockPattern& pattern) override {
@@ -34,10 +34,10 @@ class Watched final : public dda::LinearSolver {
         return solver_->solve_coarsely(x, b);
     }
     void apply_factor(std::vector<Vec6>& right_hand_side) override { solver_->apply_factor(right_hand_side); }
-    int refine(std::vector<Vec6>& x, const std::vector<Vec6>& b, double share) override {
+    int refine(std::vector<Vec6>& x, const std::vector<Vec6>& b, double tolerance) override {
         load_ = b;
-        largest_share = std::max(largest_share, share);
-        return solver_->refine(x, b, share);
+        largest_tolerance = std::max(largest_tolerance, tolerance);
+        return solver_->refine(x, b, tolerance);
     }
 
     dda::OpenCloseResult iterate(const FirstStep& step) {
@@ -45,21 +45,21 @@ class Watched final : public dda::LinearSolver {
         const dda::StepProblem problem = step.problem();
         return dda::iterate_open_close(problem, step.pattern, *this, work_, step.pool);
     }
-    /// Of the last load, what a displacement leaves in the residual.
+    /// The residual of x over the load in the last linear system, in the solver's norm.
     double residual(const std::vector<Vec6>& x) const {
         std::vector<Vec6> image(x.size());
         matrix_->multiply(pattern_, x, image);
-        double left = 0;
-        double whole = 0;
+        double residual = 0;
+        double load = 0;
         for (std::size_t r = 0; r < x.size(); ++r) {
             const Vec6 weight = matrix_->diagonal[r].diagonal().cwiseInverse();
-            left += (load_[r] - image[r]).cwiseAbs2().dot(weight);
-            whole += load_[r].cwiseAbs2().dot(weight);
+            residual += (load_[r] - image[r]).cwiseAbs2().dot(weight);
+            load += load_[r].cwiseAbs2().dot(weight);
         }
-        return std::sqrt(left / whole);
+        return std::sqrt(residual / load);
     }
 
-    double largest_share = 0;  ///< that was asked for
+    double largest_tolerance = 0;  ///< of all calls of refine()
 
   private:
     std::unique_ptr<dda::LinearSolver> solver_;
@@ -69,8 +69,8 @@ class Watched final : public dda::LinearSolver {
     std::vector<Vec6> load_;
 };
 
-/// A wall under its weight, each block pushed to a side: contacts open and slide, and friction takes several
-/// solutions. They are not all exact.
+/// A wall under its weight with a random body force on each block. Contacts open and slide, and the friction
+/// coupling needs several solutions, not all of them to full accuracy.
 struct PushedWall : FirstStep {
     static constexpr double dt = 0.005;
 
@@ -81,24 +81,24 @@ struct PushedWall : FirstStep {
         dda::add_elasticity(model, rows, state.blocks, dt, base);
         RandomSource random(seed);
         for (std::size_t r = 0; r < base.load.size(); ++r) {
-            const double mass = state.blocks.mass[static_cast<std::size_t>(rows.block_of[r])];
+            const double mass = state.blocks.mass[rows.block_of[r]];
             base.load[r].head<2>() += mass * (model.gravity + 5 * random.direction());
         }
     }
 
-    /// N per metre: the largest force that a block lacks for its balance under the contacts' forces, for each
-    /// of these and for the block's own inertia.
-    double lacking(const dda::OpenCloseResult& result) const {
+    /// The largest unbalanced force of a block, N per metre, over the number of its contact forces plus one
+    /// for its inertia.
+    double unbalanced_force(const dda::OpenCloseResult& result) const {
         double largest = 0;
         for (std::size_t r = 0; r < base.load.size(); ++r) {
             Vec6 force = base.load[r] - base.stiffness[r] * result.displacement[r];
             int terms = 1;
-            for (const int k : row_contacts.of(r)) {
-                const dda::ContactSprings& s = springs[static_cast<std::size_t>(k)];
-                const dda::EvaluatedContact& judged = result.contacts[static_cast<std::size_t>(k)];
+            for (const dda::ContactIndex k : row_contacts.of(r)) {
+                const dda::ContactSprings& s = springs[k];
+                const dda::EvaluatedContact& evaluated = result.contacts[k];
                 force +=
-                    s.rows.project_on_row(static_cast<int>(r), judged.normal_force * s.normal.direction -
-                                                                   judged.shear_force * s.shear.direction);
+                    s.rows.project_on_row(static_cast<int>(r), evaluated.normal_force * s.normal.direction -
+                                                                   evaluated.shear_force * s.shear.direction);
                 terms += 2;  // a normal and a shear force
             }
             largest = std::max(largest, force.head<2>().cwiseAbs().maxCoeff() / terms);
@@ -107,8 +107,8 @@ struct PushedWall : FirstStep {
     }
     static double largest_force(const dda::OpenCloseResult& result) {
         double largest = 0;
-        for (const dda::EvaluatedContact& judged : result.contacts)
-            largest = std::max({largest, judged.normal_force, std::abs(judged.shear_force)});
+        for (const dda::EvaluatedContact& evaluated : result.contacts)
+            largest = std::max({largest, evaluated.normal_force, std::abs(evaluated.shear_force)});
         return largest;
     }
 };
@@ -116,31 +116,32 @@ struct PushedWall : FirstStep {
 TEST(AcceptedStep, SolvesItsLinearSystem) {
     for (const unsigned seed : {1u, 2u, 3u, 4u, 5u, 6u}) {
         const PushedWall step(seed, dda::StepControl().force_tolerance);
-        Watched solver(step.pool);
+        RecordingSolver solver(step.pool);
         const dda::OpenCloseResult result = solver.iterate(step);
         ASSERT_TRUE(result.converged) << "seed " << seed;
         EXPECT_GT(result.iterations, 2) << "seed " << seed << ": nothing to iterate";
-        EXPECT_GT(solver.largest_share, 1e-9) << "seed " << seed;
+        EXPECT_GT(solver.largest_tolerance, 1e-9) << "seed " << seed;
         EXPECT_LT(solver.residual(result.displacement), 1e-10) << "seed " << seed;
     }
 }
 
-// Where the line search stops short of that solution, the forces of the laws balance the blocks all the same,
-// each of them to the tolerance. With a tolerance of 1e-2 some of the steps end so, and some do not.
+// Where the line search stops short of the linear solution, the forces of the laws balance the blocks within
+// the tolerance all the same. With a tolerance of 1e-2 some steps end this way, and some do not.
 TEST(AcceptedStep, BalancesItsBlocks) {
     constexpr double tolerance = 1e-2;
-    int short_of_it = 0;
+    int short_searches = 0;
     for (unsigned seed = 1; seed <= 100; ++seed) {
         const PushedWall step(seed, tolerance);
-        Watched solver(step.pool);
+        RecordingSolver solver(step.pool);
         const dda::OpenCloseResult result = solver.iterate(step);
         ASSERT_TRUE(result.converged) << "seed " << seed;
-        EXPECT_LE(step.lacking(result), tolerance * PushedWall::largest_force(result)) << "seed " << seed;
-        if (solver.residual(result.displacement) > 1e-10) ++short_of_it;
+        EXPECT_LE(step.unbalanced_force(result), tolerance * PushedWall::largest_force(result))
+            << "seed " << seed;
+        if (solver.residual(result.displacement) > 1e-10) ++short_searches;
     }
-    RecordProperty("short", short_of_it);
-    EXPECT_GT(short_of_it, 0) << "none is the case that this is about";
-    EXPECT_LT(short_of_it, 100);
+    RecordProperty("short", short_searches);
+    EXPECT_GT(short_searches, 0) << "no step ends short of the linear solution, so nothing is tested";
+    EXPECT_LT(short_searches, 100);
 }
 
 }  // namespace

@@ -13,10 +13,10 @@ using namespace scene;
 constexpr double tolerance = 1e-9;  // m
 
 double largest_penetration(const dda::State& state) {
-    double deepest = 0;
+    double largest = 0;
     for (const dda::Contact& c : state.contacts.contacts)
-        if (c.state != dda::ContactState::open) deepest = std::max(deepest, -c.gap);
-    return deepest;
+        if (c.state != dda::ContactState::open) largest = std::max(largest, -c.gap);
+    return largest;
 }
 
 double normal_force_on(const dda::State& state, int block) {
@@ -32,8 +32,8 @@ struct Settled {
     std::size_t steps = 0;
 };
 
-/// A wall pulled aside, with a penalty in multiples of E. Friction so high that nothing slips: else the
-/// forces at rest would depend on which contact slipped first.
+/// A wall under a horizontal body force. Friction is so high that no contact slips; otherwise the forces at
+/// rest would depend on the order of slipping. @param penalty_over_e penalty in multiples of E
 Settled settled(double penalty_over_e, double penetration_tolerance) {
     Scene s = running_bond_wall(4, 4, penalty_over_e);
     s.model.penetration_tolerance = penetration_tolerance;
@@ -53,8 +53,8 @@ Settled settled(double penalty_over_e, double penetration_tolerance) {
     return result;
 }
 
-// Between blocks with the same forces but 100 times stiffer springs.
-TEST(AugmentedContact, AWallMovesTheSameWhateverThePenalty) {
+// Compares penalties of 1 E and 100 E.
+TEST(AugmentedContact, DisplacementsDoNotDependOnThePenalty) {
     const Settled soft = settled(1, tolerance);
     const Settled stiff = settled(100, tolerance);
     double moved = 0;
@@ -65,17 +65,18 @@ TEST(AugmentedContact, AWallMovesTheSameWhateverThePenalty) {
     }
     const double drift = 4 * tolerance * static_cast<double>(soft.steps + stiff.steps);
     EXPECT_LT(difference, drift)
-        << "m; in four rows one on the other stuck contacts may move by the tolerance per step";
+        << "m; the locked contacts of four rows may each move by the tolerance per step";
     EXPECT_LT(drift, .02 * moved) << "m";
-    EXPECT_GT(moved, 1e-6) << "m: it is the rock that gives way";
+    EXPECT_GT(moved, 1e-6) << "m, by deformation of the blocks";
     const Settled plain = settled(1, 0);
-    double without = 0;
+    double plain_difference = 0;
     for (std::size_t b = 0; b < plain.moved.size(); ++b)
-        without = std::max(without, (plain.moved[b] - stiff.moved[b]).norm());
-    EXPECT_GT(without, 1e-6) << "m: a penalty of 1 E alone gives way by as much as the rock";
+        plain_difference = std::max(plain_difference, (plain.moved[b] - stiff.moved[b]).norm());
+    EXPECT_GT(plain_difference, 1e-6)
+        << "m, without augmentation springs of 1 E deform as much as the blocks";
 }
 
-TEST(AugmentedContact, BearsTheWeightAtNoPenetration) {
+TEST(AugmentedContact, CarriesTheWeightWithoutPenetration) {
     for (const double penalty : {1e10, 1e12}) {
         Scene s;
         s.model.normal_penalty = s.model.shear_penalty = penalty;
@@ -87,7 +88,7 @@ TEST(AugmentedContact, BearsTheWeightAtNoPenetration) {
         EXPECT_LE(largest_penetration(sim.state), tolerance);
         EXPECT_NEAR(normal_force_on(sim.state, 1), 2500 * g, 1e-5 * 2500 * g) << "to the force tolerance";
         ASSERT_EQ(sim.shake(2, .002).status, dda::RunStatus::completed);
-        EXPECT_LT(sim.moved(1).norm(), 1e-8) << "m: and stays";
+        EXPECT_LT(sim.moved(1).norm(), 1e-8) << "m, at rest";
         EXPECT_LT(std::abs(sim.state.energy.residual()), 1e-6);
     }
 }
@@ -111,12 +112,12 @@ TEST(AugmentedContact, SlidesByTheClosedForm) {
     EXPECT_LT(std::abs(e.residual()), 1e-6 * drop);
 }
 
-/// A block of 10 m x 5 m that loses grip on 40 degrees all of a sudden, so that its contacts are shaken.
+/// A block of 10 m x 5 m on a plane of 40 degrees whose friction angle drops suddenly from 80 to 20 degrees.
 struct Released {
     double slid = 0;           ///< m, in half a second
-    double turned = 0;         ///< rad, the most
-    double farthest = 0;       ///< m, of a contact that bears a force from touching, either way
-    double least_loss = 0;     ///< J, by the time integration, in any step
+    double turned = 0;         ///< rad, largest rotation
+    double farthest = 0;       ///< m, largest gap or penetration of a contact that bears a force
+    double least_loss = 0;     ///< J, smallest numerical loss of a step
     double friction_loss = 0;  ///< J
     explicit Released(double penalty) {
         const double psi = radians(40);
@@ -127,15 +128,15 @@ struct Released {
         s.box(-dda::perpendicular(along) - 10 * along, 40, 1, dda::Motion::fixed, -psi);
         const int block = s.box({0, 0}, 10, 5, dda::Motion::free, -psi);
         s.friction(80);
-        Simulation glued(s);
-        EXPECT_EQ(glued.settle().status, dda::RunStatus::completed);
+        Simulation settled(s);
+        EXPECT_EQ(settled.settle().status, dda::RunStatus::completed);
         s.friction(20);
         Simulation sim(s);
-        sim.state = glued.state;
+        sim.state = settled.state;
         sim.restart_ledger();
         double before = 0;
         sim.on_step = [&](const dda::State& state, const dda::StepReport&) {
-            turned = std::max(turned, std::abs(state.blocks.rotation[static_cast<std::size_t>(block)]));
+            turned = std::max(turned, std::abs(state.blocks.rotation[block]));
             for (const dda::Contact& c : state.contacts.contacts)
                 if (c.normal_force > 0) farthest = std::max(farthest, std::abs(c.gap));
             least_loss = std::min(least_loss, state.energy.numerical_loss - before);
@@ -147,9 +148,9 @@ struct Released {
     }
 };
 
-// A contact whose force was augmented must let go of an edge that moves away. Kept up to the distance at
-// which its shifted spring bears nothing, N*/k, it pushes from afar: at 1 E this block took off from the
-// plane, turning by 0.1 rad, on a million joules from nowhere.
+// A contact whose spring was shifted by augmentation must open when the edge moves away. If it stayed closed
+// up to the zero of the shifted spring, N*/k, it would push without touching: at 1 E this block then lifted
+// off the plane, rotated by 0.1 rad and gained a million joules.
 TEST(AugmentedContact, PushesOnlyWhereItTouches) {
     const double psi = radians(40);
     const double expected = g * (std::sin(psi) - std::cos(psi) * std::tan(radians(20))) / 8;
@@ -157,8 +158,8 @@ TEST(AugmentedContact, PushesOnlyWhereItTouches) {
         const Released block(penalty);
         EXPECT_LE(block.farthest, 1e-8);
         EXPECT_LT(block.turned, 1e-5);
-        EXPECT_NEAR(block.slid, expected, 1e-3 * expected) << "m; the take-off is elastic";
-        // Of a mid-step's rounding of the gaps: a tolerance times the weight's part, each way.
+        EXPECT_NEAR(block.slid, expected, 1e-3 * expected) << "m; the start is elastic";
+        // A gap error of the tolerance, in both directions, times the weight.
         EXPECT_GT(block.least_loss, -2e-8 * 50 * 2500 * g) << "J";
     }
 }

@@ -37,7 +37,7 @@ Vec2 acceleration_at(double time) {
     return {time <= .0137 * 40 ? record().at(time) : 0, time <= 1 ? 2 * time : 0};
 }
 
-/// Follows a prescribed block, and integrates the record in steps of `h` beside the engine.
+/// Observes a prescribed block and integrates the record independently in steps of `h`.
 struct Follower {
     double h;
     void operator()(const dda::State& state, const dda::StepReport& report) {
@@ -65,8 +65,8 @@ struct Follower {
     int cuts = 0;
 };
 
-// A falling block beside the base gets too fast for the step after a while, which cuts the base's steps as
-// well. What the base does at the stage's instants must not depend on that.
+// A falling block beside the base becomes too fast for the step, so steps are cut. The motion of the base at
+// multiples of the stage's step must not depend on cuts.
 class PrescribedBlock : public testing::TestWithParam<double> {};
 
 TEST_P(PrescribedBlock, AcceleratesAsTheRecordAndDoesNotDrift) {
@@ -81,17 +81,17 @@ TEST_P(PrescribedBlock, AcceleratesAsTheRecordAndDoesNotDrift) {
     stage.control.displacement_ratio = GetParam();
     ASSERT_EQ(sim.run(stage).status, dda::RunStatus::completed);
     if (GetParam() < 1e-3) {
-        EXPECT_GT(follower.cuts, 0) << "this case is about cut steps";
+        EXPECT_GT(follower.cuts, 0) << "this case must have cut steps";
     }
     EXPECT_EQ(follower.instants, 80);
-    EXPECT_LT(follower.worst_acceleration, 1e-8) << "m/s2, of 3: the instants are off by rounding";
+    EXPECT_LT(follower.worst_acceleration, 1e-8) << "m/s2, of 3: rounding of the instants";
     EXPECT_LT(follower.worst_place, 1e-12) << "m, rounding of some hundred steps";
-    EXPECT_LT(follower.worst_speed, 1e-12) << "m/s, likewise";
+    EXPECT_LT(follower.worst_speed, 1e-12) << "m/s, rounding of some hundred steps";
 }
 INSTANTIATE_TEST_SUITE_P(DisplacementRatios, PrescribedBlock, testing::Values(.01, 5e-4),
                          [](const auto& tested) { return case_name(case_number(tested.param)); });
 
-TEST(BaseMotion, AnEmptyNameMovesAllPrescribedBlocksAndANameOnlyItsOwn) {
+TEST(BaseMotion, MovesThePrescribedBlockOfItsNameOrAllIfUnnamed) {
     Scene s;
     s.box({0, 0}, 1, 1, Motion::prescribed, 0, "base");
     s.box({2, 0}, 1, 1, Motion::prescribed, 0, "wall");
@@ -118,11 +118,12 @@ TEST(BaseMotion, IsZeroOutsideTheRecordAndInStaticStages) {
     for (const double time : {-.1, 1.12}) {
         const auto motion = dda::prescribe_motion(s.model, stage, blocks, .01, time);
         EXPECT_TRUE(motion.acceleration[0].isZero(0)) << time;
-        EXPECT_DOUBLE_EQ(motion.displacement[0][0], .03) << "it coasts";
+        EXPECT_DOUBLE_EQ(motion.displacement[0][0], .03) << "constant velocity";
     }
     const auto cut = dda::prescribe_motion(s.model, stage, blocks, .002, .013);
-    EXPECT_NEAR(cut.acceleration[0][1], .026, 1e-15) << "what the record is at the step's end";
-    EXPECT_NEAR(cut.velocity_change[0][1], .002 * .04, 1e-15) << "what it is at the instant 0.02 s";
+    EXPECT_NEAR(cut.acceleration[0][1], .026, 1e-15) << "value of the record at the end of the step";
+    EXPECT_NEAR(cut.velocity_change[0][1], .002 * .04, 1e-15)
+        << "value of the record at 0.02 s, the next multiple of the step";
     stage.kind = dda::StageKind::static_equilibrium;
     EXPECT_TRUE(dda::prescribe_motion(s.model, stage, blocks, .01, .5).displacement[0].isZero(0));
 }

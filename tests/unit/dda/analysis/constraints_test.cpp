@@ -1,4 +1,4 @@
-// Bolts, fixed points and bonds: what holds a block that nothing else holds.
+// Blocks held by bolts, fixed points or bonds alone.
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ using namespace scene;
 constexpr double weight = 2500 * g;
 constexpr double axial_stiffness = 2e7;
 
-/// A unit block hung by one bolt of 2 m from a fixed block above.
+/// A unit block hung from a fixed block by one bolt of 2 m.
 struct Hung {
     Scene s;
     int block;
@@ -26,8 +26,8 @@ struct Hung {
     }
 };
 
-// The block hangs below the bolt's end, so that is a stable place, and the bolt bears all of the weight.
-TEST(Bolt, BearsTheWeightOfAHungBlock) {
+// The centroid is below the end of the bolt, so equilibrium is stable, and the bolt carries the whole weight.
+TEST(Bolt, CarriesTheWeightOfAHungBlock) {
     Hung h;
     Simulation sim(h.s);
     ASSERT_EQ(sim.settle(.005, 1e-9).status, dda::RunStatus::completed);
@@ -36,17 +36,17 @@ TEST(Bolt, BearsTheWeightOfAHungBlock) {
     EXPECT_NEAR(elongation, weight * 2 / axial_stiffness, 1e-6 * elongation);
 }
 
-TEST(Bolt, PretensionEqualToTheWeightStretchesNoFarther) {
+TEST(Bolt, DoesNotStretchIfPretensionEqualsTheWeight) {
     Hung h(0, weight);
     Simulation sim(h.s);
     ASSERT_EQ(sim.settle(.005, 1e-9).status, dda::RunStatus::completed);
     EXPECT_NEAR(sim.state.bolt_force[0], weight, 1e-6 * weight);
-    // What is left is the block's own strain between its centroid and the bolt's end, about W/(2 E).
+    // Only the block strains between its centroid and the end of the bolt, by about W/(2 E).
     EXPECT_LT(sim.moved(h.block).norm(), 2 * weight / 10e9);
 }
 
-// A bolt that yields at half the weight lets the block fall at half of gravity, from the first step on if it
-// starts there.
+// A bolt that yields at half the weight lets the block fall with g / 2. With pretension at the yield force it
+// yields from the first step on.
 TEST(Bolt, YieldsAtItsYieldForce) {
     Hung h(weight / 2, weight / 2);
     Simulation sim(h.s);
@@ -56,8 +56,9 @@ TEST(Bolt, YieldsAtItsYieldForce) {
     EXPECT_LT(std::abs(sim.state.energy.residual()), 1e-6 * weight);
 }
 
-// Nor does a bolt that is all but slack in stiffness: its tension's rounding over that is no elongation.
-TEST(Bolt, BelowItsYieldForceDissipatesNothing) {
+// The rounding of the tension over the very small stiffness of this bolt must not count as plastic
+// elongation.
+TEST(Bolt, DissipatesNothingBelowItsYieldForce) {
     Hung h(0, 1e4);
     h.s.model.bolts[0].axial_stiffness = 1e-3;
     Simulation sim(h.s);
@@ -66,7 +67,7 @@ TEST(Bolt, BelowItsYieldForceDissipatesNothing) {
     EXPECT_EQ(sim.state.energy.friction_loss, 0);
 }
 
-TEST(FixedPoints, GiveByTheForceOverTheirStiffness) {
+TEST(FixedPoints, MoveByTheForceOverTheirStiffness) {
     Scene s;
     const int block = s.box({0, 0}, 1, 1);
     for (const double x : {0.0, 1.0}) s.model.fixed_points.push_back({s.material_point(block, {x, 1})});
@@ -100,22 +101,21 @@ struct Bonded {
     }
 };
 
-// Half the weight at either end of the bond: it must bear W over 1 m. The static approach does not overshoot
-// by a tenth.
-TEST(Bond, BearsTheWeightOrTears) {
+// Each end of the bond carries half the weight: W over 1 m. The static stage overshoots by less than 10 %.
+TEST(Bond, CarriesTheWeightOrBreaks) {
     Bonded strong(1.1 * weight);
-    Simulation held(strong.s);
-    ASSERT_EQ(held.settle(.005, 1e-9).status, dda::RunStatus::completed);
+    Simulation intact(strong.s);
+    ASSERT_EQ(intact.settle(.005, 1e-9).status, dda::RunStatus::completed);
     double tension = 0;
-    for (const dda::Contact& c : held.state.contacts.contacts) tension -= c.normal_force;
+    for (const dda::Contact& c : intact.state.contacts.contacts) tension -= c.normal_force;
     EXPECT_NEAR(tension, weight, 1e-3 * weight);
-    EXPECT_LT(held.moved(strong.block).norm(), 1e-5);
+    EXPECT_LT(intact.moved(strong.block).norm(), 1e-5);
 
     Bonded weak(.9 * weight);
-    Simulation bond_broken(weak.s);
-    ASSERT_EQ(bond_broken.shake(.2, 1e-3).status, dda::RunStatus::completed);
-    EXPECT_NEAR(bond_broken.moved(weak.block).y(), -g * .04 / 2, .05 * g * .04 / 2);
-    for (const dda::Contact& c : bond_broken.state.contacts.contacts) EXPECT_FALSE(c.bonded);
+    Simulation broken(weak.s);
+    ASSERT_EQ(broken.shake(.2, 1e-3).status, dda::RunStatus::completed);
+    EXPECT_NEAR(broken.moved(weak.block).y(), -g * .04 / 2, .05 * g * .04 / 2);
+    for (const dda::Contact& c : broken.state.contacts.contacts) EXPECT_FALSE(c.bonded);
 }
 
 }  // namespace

@@ -25,13 +25,13 @@ TEST(Excavation, StressBelowFallsToTheNewOverburden) {
     Simulation sim(s);
     for (const int left : {4, 3, 2}) {
         ASSERT_EQ(sim.settle().status, dda::RunStatus::completed);
-        // The column's constant-strain blocks bear half their own weight and all above them; the tolerance is
-        // that of the catalogue's column.
+        // The stress of a constant-strain block carries half its own weight and the weight of all blocks
+        // above. The tolerance is that of the column in the verification catalogue.
         for (int k = 1; k <= left; ++k)
             EXPECT_NEAR(sim.stress(k)[1], -weight * (left - k + 0.5), 0.01 * weight * (left - k + 0.5));
         for (const dda::Contact& c : sim.state.contacts.contacts)
             EXPECT_TRUE(c.corner_block <= left && c.edge_block <= left);
-        // What was taken out bears nothing and stays where it was.
+        // Removed blocks have no stress.
         for (int k = left + 1; k <= 4; ++k) EXPECT_EQ(sim.stress(k), dda::Vec3::Zero());
     }
 }
@@ -42,14 +42,14 @@ TEST(Excavation, BlockWithoutItsSupportFallsFreely) {
     Simulation sim(s);
     ASSERT_EQ(sim.settle().status, dda::RunStatus::completed);
     ASSERT_EQ(sim.shake(0.3, 0.001).status, dda::RunStatus::completed);
-    // Constant acceleration is integrated exactly; 1e-9 m is the settled state's remaining motion and
-    // rounding.
+    // Constant acceleration is integrated exactly; 1e-9 m covers the remaining motion of the settled state
+    // and rounding.
     EXPECT_NEAR(sim.moved(2).y(), -g * 0.3 * 0.3 / 2, 1e-9);
     EXPECT_NEAR(sim.velocity(2)[1], -g * 0.3, 1e-8);
     EXPECT_EQ(sim.moved(1), Vec2::Zero());
 }
 
-TEST(Excavation, LedgerAccountsForWhatLeaves) {
+TEST(Excavation, EnergyBalanceAccountsForRemovedBlocks) {
     Scene s = column(3);
     s.model.excavations = {{"crest", 2, {3}}};
     Simulation sim(s);
@@ -59,10 +59,10 @@ TEST(Excavation, LedgerAccountsForWhatLeaves) {
     ASSERT_TRUE(dda::excavate(sim.model, 2, sim.state));
     EXPECT_NEAR(sim.state.energy.residual(), before, 1e-12 * std::abs(stores));
     EXPECT_NE(sim.state.energy.excavated, 0);
-    EXPECT_FALSE(dda::excavate(sim.model, 2, sim.state)) << "it is gone already";
+    EXPECT_FALSE(dda::excavate(sim.model, 2, sim.state)) << "the block is already removed";
 }
 
-TEST(Excavation, BoltsAndFixedPointsGoWithTheirRock) {
+TEST(Excavation, RemovesBoltsAndFixedPointsOfRemovedBlocks) {
     Scene s = column(3);
     const int first = s.material_point(1, {0.5, 0.5}), second = s.material_point(2, {0.5, 1.5}),
               third = s.material_point(3, {0.5, 2.5});
@@ -72,12 +72,12 @@ TEST(Excavation, BoltsAndFixedPointsGoWithTheirRock) {
     dda::State state = dda::initial_state(s.model);
     ASSERT_TRUE(dda::excavate(s.model, 1, state));
     EXPECT_EQ(state.bolt_force, std::vector<double>{2e3});
-    const dda::Model rest = dda::without_removed_blocks(s.model, state.removed);
-    ASSERT_EQ(rest.bolts.size(), 1U);
-    EXPECT_EQ(rest.bolts[0].name, "kept");
-    ASSERT_EQ(rest.fixed_points.size(), 1U);
-    EXPECT_EQ(rest.fixed_points[0].point, first);
-    EXPECT_EQ(rest.motion[3], dda::Motion::removed);
+    const dda::Model active_model = dda::without_removed_blocks(s.model, state.removed);
+    ASSERT_EQ(active_model.bolts.size(), 1U);
+    EXPECT_EQ(active_model.bolts[0].name, "kept");
+    ASSERT_EQ(active_model.fixed_points.size(), 1U);
+    EXPECT_EQ(active_model.fixed_points[0].point, first);
+    EXPECT_EQ(active_model.motion[3], dda::Motion::removed);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Steps whose matrix is too much for a factor in single precision: what falls back is counted and told.
+// The report counts the factorisations that are repeated in double precision.
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@ using namespace rockslope;
 
 namespace {
 
-/// A step of ten seconds, in which inertia is as good as nothing beside springs of ten million times E.
+/// A step of ten seconds, whose inertia is negligible beside the springs. @param penalty in multiples of E
 dda::StepAttempt attempt_with(dda::SolverKind solver, double penalty) {
     scene::Scene s = scene::running_bond_wall(4, 4, penalty);
     s.model.solver = solver;
@@ -19,15 +19,15 @@ dda::StepAttempt attempt_with(dda::SolverKind solver, double penalty) {
     return stepper.advance(stage, dda::initial_state(s.model), 10);
 }
 
-// The first factors fall back at a tenth of these springs. Whether so stiff a step is taken in the end hangs
-// on the last digits, and is not asked for.
-TEST(Fallbacks, AreCountedWhereSinglePrecisionIsTooLittle) {
+// With a tenth of this penalty the first factorisations fall back. Whether so stiff a step is accepted
+// depends on rounding and is not tested.
+TEST(Fallbacks, AreCountedWhereSinglePrecisionDoesNotSuffice) {
     const dda::StepReport report = attempt_with(dda::SolverKind::refined, 1e7).report;
     EXPECT_GT(report.fallbacks, 0);
     EXPECT_LE(report.fallbacks, report.factorizations);
 }
 
-TEST(Fallbacks, AreNoneWhereItSuffices) {
+TEST(Fallbacks, AreZeroWhereSinglePrecisionSuffices) {
     EXPECT_EQ(attempt_with(dda::SolverKind::refined, 100).report.fallbacks, 0);
     EXPECT_EQ(attempt_with(dda::SolverKind::multifrontal, 1e7).report.fallbacks, 0);
 }

@@ -24,12 +24,12 @@ struct SlidingWall {
 
     SlidingWall(unsigned seed, dda::SolverKind kind) : solver(dda::make_linear_solver(kind, step.pool)) {
         RandomSource random(seed);
-        const std::vector<Vec6> there = moved(random, step.rows.count(), 1);
-        trials.set_displacement(there, there);
+        const std::vector<Vec6> displacement = moved(random, step.rows.count(), 1);
+        trials.set_displacement(displacement, displacement);
         trials.select_first_entrances();
         trials.update_bounds();
         trials.update_active_set();
-        trials.force_change();  // sets what counts as converged
+        trials.force_change();  // sets the largest force, which scales the tolerance
         dda::StepMatrix matrix(problem, step.pattern, work, step.pool);
         matrix.assemble(trials);
         solver->analyze(step.pattern);
@@ -50,7 +50,7 @@ struct SlidingWall {
         solver->solve(d);
         return d;
     }
-    /// The largest bound_violation between held forces and what the laws bear at a solution's normal forces.
+    /// The largest difference between friction forces and the bounds of the laws at the normal forces of d.
     double bound_violation(const std::vector<Vec6>& d) const {
         double largest = 0;
         for (std::size_t k = 0; k < trials.count(); ++k) {
@@ -71,19 +71,18 @@ struct SlidingWall {
 
 class FrictionCouplingOfMovedWalls : public testing::TestWithParam<std::tuple<unsigned, dda::SolverKind>> {};
 
-// What comes back is the linear system's solution with the forces that are held in the end, up to the
-// rounding that the solver refines away, though it has been put together from others; and these forces are
-// nearer to the laws' than at first.
+// The result combines several solutions. It must solve the linear system with the final friction forces, up
+// to rounding that refinement removes, and these forces must be closer to the bounds than before.
 TEST_P(FrictionCouplingOfMovedWalls, MatchesTheBoundsAndSolvesTheSystem) {
     const auto [seed, kind] = GetParam();
     SlidingWall wall(seed, kind);
     std::vector<Vec6> d = wall.solution();
     const double before = wall.bound_violation(d);
-    ASSERT_GT(before, wall.trials.tolerance()) << "nothing to agree on";
+    ASSERT_GT(before, wall.trials.tolerance()) << "the friction forces are at their bounds already";
     dda::FrictionCoupling coupling(wall.problem, wall.trials, *wall.solver, wall.step.pool);
-    const int taken = coupling.solve(d);
-    EXPECT_GT(taken, 0);
-    EXPECT_LE(taken, 12);
+    const int substitutions = coupling.solve(d);
+    EXPECT_GT(substitutions, 0);
+    EXPECT_LE(substitutions, 12);
     wall.solver->refine(d, wall.load(), dda::full_tolerance);
     EXPECT_LE(wall.bound_violation(d), 0.05 * before);
     const std::vector<Vec6> solution = wall.solution();
@@ -92,7 +91,7 @@ TEST_P(FrictionCouplingOfMovedWalls, MatchesTheBoundsAndSolvesTheSystem) {
     for (std::size_t r = 0; r < d.size(); ++r)
         EXPECT_LT((d[r] - solution[r]).cwiseAbs().maxCoeff(), 1e-10 * size) << "row " << r;
 
-    // Where nothing is left to be done nothing is.
+    // A second solution changes nothing if the first one has converged.
     const std::vector<Vec6> solved = d;
     wall.trials.force_change();
     if (wall.bound_violation(d) <= wall.trials.tolerance() / 2) {

@@ -1,4 +1,4 @@
-// What the two ends of a rough joint share.
+// The two contacts at the ends of a rough joint have one stiffness and one history.
 
 #include <gtest/gtest.h>
 
@@ -12,39 +12,41 @@ namespace {
 
 using namespace scene;
 
-/// A block of 1 m on a rough floor, held along it and pressed by a force of 1 MN/m that acts off its middle.
-Simulation pressed(double off_middle) {
+/// A block of 1 m on a rough floor, fixed along x, under an eccentric vertical force of 1 MN per metre.
+/// @param eccentricity m
+Simulation eccentric_load(double eccentricity) {
     Scene s;
     s.model.gravity.setZero();
     s.model.joint_materials[0].law = joint_tests::granite();
     s.model.block_materials[0].poissons_ratio = 0;
     s.box({-1, -1}, 3, 1, dda::Motion::prescribed, 0, "floor");
     const int block = s.box({0, 0}, 1, 1);
-    for (const auto& [x, share] : {std::pair{0., .5 - off_middle}, {1., .5 + off_middle}}) {
+    for (const auto& [x, fraction] : {std::pair{0., .5 - eccentricity}, {1., .5 + eccentricity}}) {
         s.model.fixed_points.push_back({s.material_point(block, {x, 0}), true, false});
-        s.model.loads.push_back(dda::PointLoad{s.material_point(block, {x, 1}), {0, -1e6 * share}, {}});
+        s.model.loads.push_back(dda::PointLoad{s.material_point(block, {x, 1}), {0, -1e6 * fraction}, {}});
     }
     return Simulation(s);
 }
 
-// Eq. (58): the strength of the whole joint over the peak displacement, half of it at either end, also where
-// one end bears more: the joint has one stress.
-TEST(JointHistory, SpringOfTheJointIsSharedByItsEnds) {
-    const double of_joint =
+// Eq. (58): the shear stiffness is the strength of the whole joint over the peak displacement. Each end has
+// half of it, also under unequal loads, because the law sees the mean stress of the joint.
+TEST(JointHistory, EachEndHasHalfTheShearStiffness) {
+    const double joint_stiffness =
         joint_tests::granite_strength().shear_strength(1e6, 1, 1) / joint_tests::granite_peak;
-    for (const double off_middle : {0., .2}) {
-        Simulation sim = pressed(off_middle);
+    for (const double eccentricity : {0., .2}) {
+        Simulation sim = eccentric_load(eccentricity);
         ASSERT_EQ(sim.settle().status, dda::RunStatus::completed);
         ASSERT_EQ(sim.state.contacts.contacts.size(), 2U);
         for (const dda::Contact& contact : sim.state.contacts.contacts) {
-            // The block's bottom has grown or shrunk by its strain, some 1e-4.
-            EXPECT_NEAR(dda::shear_stiffness(sim.model, contact), of_joint / 2, 1e-3 * of_joint);
+            // The tolerance allows for the strain of the block's bottom, about 1e-4.
+            EXPECT_NEAR(dda::shear_stiffness(sim.model, contact), joint_stiffness / 2,
+                        1e-3 * joint_stiffness);
         }
     }
 }
 
-TEST(JointHistory, EndsThatBearUnlikeLoadsHaveOnePast) {
-    Simulation sim = pressed(.2);
+TEST(JointHistory, EndsUnderUnequalLoadsHaveTheSameHistory) {
+    Simulation sim = eccentric_load(.2);
     ASSERT_EQ(sim.settle().status, dda::RunStatus::completed);
     sim.velocity(0)[0] = .02;
     dda::Stage stage;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 using namespace rockslope;
 
 namespace {
@@ -18,11 +20,11 @@ Contact contact(ContactState state, double normal_force) {
     return c;
 }
 
-/// The motion of both, each of 0.5 m with a spring of 1e8, under the normal forces of a trial.
+/// The combined motion of two contacts of 0.5 m with springs of 1e8 N/m, for given normal forces.
 std::optional<dda::SegmentMotion> moved(const std::vector<Contact>& contacts, double first, double second) {
-    const std::vector<int> members = {0, 1};
-    const double normal[] = {first, second};
-    return dda::segment_motion(members, contacts, [&](int k) {
+    const std::vector<dda::ContactIndex> members = {0, 1};
+    const std::array<double, 2> normal = {first, second};
+    return dda::segment_motion(members, contacts, [&](dda::ContactIndex k) {
         ContactMotion motion;
         motion.displacement = k == 0 ? 1e-3 : 3e-3;
         motion.normal_force = normal[k];
@@ -33,34 +35,34 @@ std::optional<dda::SegmentMotion> moved(const std::vector<Contact>& contacts, do
     });
 }
 
-// The strength of a rough joint depends on its normal force over its length: where one contact opens or
-// closes the force has no jump, and nothing else may have one.
-TEST(SegmentMotion, NothingJumpsWhereAContactOpens) {
+// The strength of a rough joint depends on its normal force over its length. The normal force is continuous
+// where a contact opens, so all other inputs of the law must be continuous there, too.
+TEST(SegmentMotion, IsContinuousWhereAContactOpens) {
     for (const ContactState second : {ContactState::open, ContactState::locked}) {
         const std::vector<Contact> contacts = {contact(ContactState::sliding, 5), contact(second, 0)};
-        const auto pressed = moved(contacts, 7, 1e-9), opened = moved(contacts, 7, -1e-9);
-        ASSERT_TRUE(pressed && opened);
-        EXPECT_NEAR(pressed->motion.normal_force, opened->motion.normal_force, 2e-9);
-        EXPECT_EQ(pressed->motion.length, opened->motion.length);
-        EXPECT_EQ(pressed->motion.stiffness, opened->motion.stiffness);
-        EXPECT_EQ(pressed->motion.displacement, opened->motion.displacement);
-        EXPECT_EQ(pressed->motion.shear_force, opened->motion.shear_force);
-        EXPECT_EQ(pressed->motion.length, second == ContactState::open ? 0.5 : 1.0);
+        const auto closed = moved(contacts, 7, 1e-9), opened = moved(contacts, 7, -1e-9);
+        ASSERT_TRUE(closed && opened);
+        EXPECT_NEAR(closed->motion.normal_force, opened->motion.normal_force, 2e-9);
+        EXPECT_EQ(closed->motion.length, opened->motion.length);
+        EXPECT_EQ(closed->motion.stiffness, opened->motion.stiffness);
+        EXPECT_EQ(closed->motion.displacement, opened->motion.displacement);
+        EXPECT_EQ(closed->motion.shear_force, opened->motion.shear_force);
+        EXPECT_EQ(closed->motion.length, second == ContactState::open ? 0.5 : 1.0);
     }
 }
 
-TEST(SegmentMotion, AJointThatWasOpenIsAllOfItsContacts) {
+TEST(SegmentMotion, CombinesAllContactsIfAllWereOpen) {
     const std::vector<Contact> contacts = {contact(ContactState::open, 0), contact(ContactState::open, 0)};
-    const auto whole = moved(contacts, 3, 4);
-    ASSERT_TRUE(whole);
-    EXPECT_EQ(whole->motion.normal_force, 7);
-    EXPECT_EQ(whole->motion.length, 1);
-    EXPECT_EQ(whole->motion.displacement, 2e-3);
-    EXPECT_EQ(moved(contacts, 3, -4)->motion.normal_force, 3) << "what is open bears nothing";
+    const auto combined = moved(contacts, 3, 4);
+    ASSERT_TRUE(combined);
+    EXPECT_EQ(combined->motion.normal_force, 7);
+    EXPECT_EQ(combined->motion.length, 1);
+    EXPECT_EQ(combined->motion.displacement, 2e-3);
+    EXPECT_EQ(moved(contacts, 3, -4)->motion.normal_force, 3) << "tension of an open contact does not count";
     EXPECT_FALSE(moved(contacts, -3, 0));
 }
 
-TEST(SegmentMotion, TheHistoryIsThatOfTheContactThatBoreMost) {
+TEST(SegmentMotion, TakesTheHistoryOfTheContactWithTheLargestForce) {
     const std::vector<Contact> contacts = {contact(ContactState::locked, 1),
                                            contact(ContactState::locked, 5)};
     EXPECT_EQ(moved(contacts, 3, 4)->history, &contacts[1].history);

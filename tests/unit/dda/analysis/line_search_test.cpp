@@ -13,7 +13,7 @@ namespace {
 
 using namespace scene;
 
-/// A wall somewhere on its direction.
+/// The first step of a wall at a random displacement, from which the line search starts.
 struct MovingWall {
     FirstStep step;
     dda::StepProblem problem = step.problem();
@@ -25,9 +25,10 @@ struct MovingWall {
         trials.select_first_entrances();
         trials.update_bounds();
         trials.update_active_set();
-        trials.force_change();  // sets what counts as converged
+        trials.force_change();  // sets the largest force, which scales the tolerance
     }
-    /// The potential's slope after a step_length of the direction, as the header has it.
+    /// The directional derivative of the potential at a step length, computed directly from the formula in
+    /// line_search.hpp.
     double slope(const std::vector<Vec6>& target, double step_length) const {
         double sum = 0;
         std::vector<Vec6> d(target.size());
@@ -52,7 +53,7 @@ struct MovingWall {
     }
 };
 
-TEST(LineSearch, FindsWhereTheSlopePassesZero) {
+TEST(LineSearch, FindsTheZeroOfTheSlope) {
     RandomSource random(7);
     int inside = 0;
     for (int round = 0; round < 40; ++round) {
@@ -74,7 +75,7 @@ TEST(LineSearch, FindsWhereTheSlopePassesZero) {
     EXPECT_GT(inside, 10);
 }
 
-TEST(LineSearch, GivesTheSameBitsWithAnyNumberOfThreads) {
+TEST(LineSearch, IsBitwiseTheSameForAnyNumberOfThreads) {
     RandomSource random(8);
     const MovingWall wall(random);
     const std::vector<Vec6> target = moved(random, wall.step.rows.count(), 1);

@@ -31,9 +31,9 @@ struct Crash {
     }
 };
 
-// In two seconds a body falls by 20 m, but a step may move a corner of this wall by 0.11 m only: pairs that
-// are farther apart need not be looked at, of which a large model would have thousands for each block.
-TEST(Run, ALongStaticStepLooksNoFartherThanItMayMove) {
+// A body falls by 20 m in two seconds, but a step may move a vertex of this wall by 0.11 m only. The search
+// radius must not exceed that: otherwise a large model would have thousands of candidates for each block.
+TEST(Run, SearchRadiusOfALongStaticStepIsLimited) {
     const Scene s = running_bond_wall(10, 21, 10);
     const dda::State state = dda::initial_state(s.model);
     dda::Stage stage;
@@ -46,8 +46,8 @@ TEST(Run, ALongStaticStepLooksNoFartherThanItMayMove) {
     EXPECT_LT(attempt.state.contacts.candidate_distance, 2 * (2 * admitted + .01));
 }
 
-// A load beyond numbers moves the block by no number: the step must be refused at any size.
-TEST(Run, RefusesADisplacementThatIsNoNumber) {
+// An overflowing load gives a displacement that is not finite: the step must be rejected at any size.
+TEST(Run, RejectsADisplacementThatIsNotFinite) {
     Scene s;
     s.box({0, 0}, 1, 1);
     s.model.gravity = {0, -1e308};
@@ -60,8 +60,8 @@ TEST(Run, RefusesADisplacementThatIsNoNumber) {
     EXPECT_TRUE(sim.reports.empty());
 }
 
-// One iteration is not enough to close a contact, and the step may hardly be cut: the run must end with the
-// reason and with the last good state.
+// One iteration does not suffice to close a contact, and the step can be cut only once. The run must end with
+// the reason and with the last accepted state.
 TEST(Run, EndsWithTheReasonWhereNoStepConverges) {
     const Crash crash;
     Simulation sim(crash.s);
@@ -93,8 +93,8 @@ TEST(Run, EndsWithTheReasonWhereBlocksAreTooFast) {
     EXPECT_TRUE(sim.reports.empty());
 }
 
-// Coordinates of 2 m are rounded to 3.6e-15 m in a step, so a spring of 1e18 N/m forgets 3.6 kN of a block of
-// 24.5 kN: whatever state the blocks were in would pass for equilibrium. A thousandth of that is no danger.
+// Coordinates of 2 m have a rounding error of 3.6e-15 m in a step. A spring of 1e18 N/m turns it into 3.6 kN,
+// for a block of 24.5 kN: any state would pass for equilibrium. A spring of 1e15 N/m must be accepted.
 TEST(Run, EndsWithTheReasonWhereSpringsAreTooStiffForRounding) {
     for (const double stiffness : {1e18, 1e15}) {
         Scene s;
@@ -109,20 +109,20 @@ TEST(Run, EndsWithTheReasonWhereSpringsAreTooStiffForRounding) {
             continue;
         }
         EXPECT_EQ(outcome.status, dda::RunStatus::not_converged);
-        EXPECT_NE(outcome.message.find("springs are so stiff"), std::string::npos) << outcome.message;
+        EXPECT_NE(outcome.message.find("springs are too stiff"), std::string::npos) << outcome.message;
     }
 }
 
-TEST(Run, TheSameModelRunsWhereTheControlLetsIt) {
+TEST(Run, CompletesTheSameModelWithDefaultControl) {
     const Crash crash;
     Simulation sim(crash.s);
     EXPECT_EQ(sim.shake(.02, 1e-3).status, dda::RunStatus::completed);
     EXPECT_TRUE(all_finite(sim.state));
     EXPECT_GT(sim.state.blocks.centroid(1).x(), sim.state.blocks.centroid(0).x())
-        << "they have not passed each other";
+        << "the blocks must not pass through each other";
 }
 
-TEST(Run, SaysThatAFallingBlockDoesNotSettle) {
+TEST(Run, ReportsThatAFallingBlockDoesNotSettle) {
     Scene s;
     s.box({0, 0}, 1, 1);
     Simulation sim(s);
@@ -135,7 +135,7 @@ TEST(Run, SaysThatAFallingBlockDoesNotSettle) {
     EXPECT_EQ(sim.reports.size(), 20u);
 }
 
-TEST(Run, EndsAtTheStagesDurationWhateverTheStep) {
+TEST(Run, EndsAtTheDurationOfTheStageForAnyStep) {
     for (const double step : {.03, .1, .0999999, .5}) {
         Scene s;
         s.box({0, 0}, 1, 100);
@@ -154,13 +154,13 @@ TEST(Run, LoadHistoriesCountTheTimeOfDynamicStages) {
     Simulation sim(s);
     ASSERT_EQ(sim.settle(.5, 1e-6).status, dda::RunStatus::completed);
     ASSERT_EQ(sim.shake(.1, .01).status, dda::RunStatus::completed);
-    EXPECT_EQ(sim.velocity(0)[0], 0) << "the history still stands at zero";
+    EXPECT_EQ(sim.velocity(0)[0], 0) << "the history is still zero";
     ASSERT_EQ(sim.shake(.1, .01).status, dda::RunStatus::completed);
     EXPECT_NEAR(sim.velocity(0)[0], .01 * (.1 + .2 + .3 + .4 + .5 + .6 + .7 + .8 + .9 + 1), 1e-12)
-        << "m/s, dt times the ramp at the steps' ends";
+        << "m/s, dt times the sum of the ramp at the ends of steps";
 }
 
-TEST(Run, WithoutAFreeBlockTimePasses) {
+TEST(Run, CompletesWithoutAFreeBlock) {
     Scene s;
     s.box({0, 0}, 1, 1, dda::Motion::fixed);
     Simulation sim(s);
@@ -168,9 +168,9 @@ TEST(Run, WithoutAFreeBlockTimePasses) {
     EXPECT_EQ(sim.moved(0), Vec2(0, 0));
 }
 
-// With every joint of the wall about to slip, the states of a pair of mirrored contacts chase each other; the
-// bounds found as a fixed point end that.
-TEST(Run, AWallDroppedOnItsBaseTakesEveryStepAtOnce) {
+// Every joint of the wall is about to slip, and the states of symmetric contacts alternate. Mixing the shear
+// bounds from minimum to minimum makes the iteration converge.
+TEST(Run, AWallUnderSuddenGravityNeedsNoCuts) {
     Simulation sim(running_bond_wall(20, 20, 10));
     ASSERT_EQ(sim.shake(.06, .005).status, dda::RunStatus::completed);
     EXPECT_EQ(sim.reports.size(), 12U);
@@ -199,8 +199,8 @@ Bytes shaken_wall(int columns, int rows, int threads) {
     return bytes;
 }
 
-// 7 rows of 7 or 8. Loops are shared among threads from 512 indices on, and the candidates must be more for
-// this to show anything.
+// 7 rows of 7 or 8 blocks. Loops of fewer than 512 indices run on one thread, so there must be more
+// candidates.
 TEST(Determinism, AWallIsBitwiseTheSameAgainAndOnTwoThreads) {
     const Bytes once = shaken_wall(7, 7, 1);
     EXPECT_EQ(shaken_wall(7, 7, 1), once);
@@ -208,14 +208,14 @@ TEST(Determinism, AWallIsBitwiseTheSameAgainAndOnTwoThreads) {
     EXPECT_GT(once.candidates, 512u);
 }
 
-/// Four blocks stacked out of line on a base, pushed: they slide, tilt and lose contact. `at` moves the
-/// whole, and `order` says which block comes when.
+/// Four blocks stacked out of line on a base. With initial velocities they slide, tilt and lose contact.
+/// @param at offset of the model, m; @param order of the blocks
 Simulation stack(const Vec2& at, const std::vector<int>& order) {
     Scene s;
     s.friction(20);
     s.box(at + Vec2(-4, -1), 12, 1, dda::Motion::fixed);
     const std::vector<Vec2> corners = {{0, 0}, {.25, 1}, {-.125, 2}, {1.5, 0}};
-    for (const int k : order) s.box(at + corners[static_cast<std::size_t>(k)], 1, 1);
+    for (const int k : order) s.box(at + corners[k], 1, 1);
     Simulation sim(s);
     EXPECT_EQ(sim.settle(.005, 1e-4).status, dda::RunStatus::completed);
     for (std::size_t b = 1; b <= order.size(); ++b)
@@ -224,9 +224,9 @@ Simulation stack(const Vec2& at, const std::vector<int>& order) {
     return sim;
 }
 
-// A power of two moves the coordinates without rounding them, and they then resolve 2^-33 m. Times the
-// penalty that is a noise of 6 N in each contact force, a 4000th of a block's weight; it may change the way
-// by four times that share.
+// An offset of a power of two does not round the coordinates, whose resolution becomes 2^-33 m. Times the
+// penalty this is a noise of 6 N in each contact force, 1/4000 of a block's weight. Displacements may change
+// by four times this ratio.
 TEST(Invariance, OfAModelMovedByAMillionMetres) {
     const Simulation here = stack({0, 0}, {0, 1, 2, 3});
     const Simulation far = stack({1048576, -1048576}, {0, 1, 2, 3});

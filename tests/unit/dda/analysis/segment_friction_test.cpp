@@ -1,4 +1,4 @@
-// Which pairs of rough faces are asked for their friction again, against what their laws say each time.
+// When the laws of rough joint segments are evaluated again, compared with evaluating them every time.
 
 #include "dda/analysis/segment_friction.hpp"
 
@@ -35,7 +35,7 @@ struct SegmentFriction : testing::Test {
     void update_in(dda::SegmentFriction& of, double tolerance) const {
         of.update(tolerance, of_index(), [](std::size_t, const Strength&) {});
     }
-    /// What each contact bears over its normal force: lines that nobody has wanted go through nothing.
+    /// Shear bound over normal force of each contact. Lines that were not requested have no cohesion.
     std::vector<double> ratios_of(const dda::SegmentFriction& of) const {
         std::vector<double> found;
         for (std::size_t k = 0; k < loading.size(); ++k) {
@@ -51,7 +51,7 @@ struct SegmentFriction : testing::Test {
     }
 };
 
-TEST_F(SegmentFriction, IsReusedWhereLittleHasMoved) {
+TEST_F(SegmentFriction, IsReusedAfterASmallChange) {
     const std::vector<double> before = ratios();
     for (ContactLoading& one : loading) one.normal += 10;
     update(31);  // three contacts at most
@@ -61,7 +61,7 @@ TEST_F(SegmentFriction, IsReusedWhereLittleHasMoved) {
     EXPECT_EQ(ratios(), freshly_evaluated());
 }
 
-TEST_F(SegmentFriction, SmallMovementsAddUp) {
+TEST_F(SegmentFriction, IsReevaluatedAfterManySmallChanges) {
     const std::vector<double> before = ratios();
     for (int k = 0; k < 4; ++k) {
         for (ContactLoading& one : loading) one.normal += 10;
@@ -89,7 +89,7 @@ TEST_F(SegmentFriction, IsEvaluatedForSegmentsThatWereOpen) {
     EXPECT_EQ(ratios(), freshly_evaluated());
 }
 
-TEST_F(SegmentFriction, GivesEachContactItsShare) {
+TEST_F(SegmentFriction, GivesEachContactTheBoundOfItsNormalForce) {
     std::vector<int> times(loading.size(), 0);
     friction.update(1e9, of_index(), [&](std::size_t k, const Strength& bounds) {
         ++times[k];
@@ -99,14 +99,14 @@ TEST_F(SegmentFriction, GivesEachContactItsShare) {
     EXPECT_EQ(times, std::vector<int>(loading.size(), 1));
 }
 
-/// The roughness angle shrinks as the force grows, so the line is not the one through nothing. A power
-/// through the strengths at a force and at half of it gives most of the difference: 0.2 is what the curvature
-/// of the tangent leaves.
+/// The roughness angle decreases with the normal force, so the tangent does not pass through zero. A power
+/// law through the strengths at a force and at half of it explains most of the difference between tangent and
+/// secant slopes; the curvature of the tangent leaves a fraction of 0.2.
 TEST_F(SegmentFriction, ARequestedLineIsTangentToTheStrength) {
     const double aside = 0.01;
     dda::SegmentFriction more(problem, pool), less(problem, pool), lines(problem, pool);
     for (std::size_t k = 0; k < loading.size(); ++k) lines.request_line(k);
-    lines.find_requested_lines(of_index());  // of pairs that nobody has asked for
+    lines.find_requested_lines(of_index());  // of segments that have not been evaluated
     const std::vector<ContactLoading> here = loading;
     for (ContactLoading& one : loading) one.normal = one.normal * (1 + aside);
     update_in(more, 0);

@@ -1,4 +1,4 @@
-// What is put combined once in a step against the motion that segment_motion makes of each displacement.
+// SegmentStrength, which prepares its input once a step, against segment_motion at each displacement.
 
 #include "dda/analysis/segment_strength.hpp"
 
@@ -25,27 +25,28 @@ TEST(SegmentStrength, MatchesTheSegmentMotion) {
         for (std::size_t k = 0; k < step.contacts.size(); ++k)
             loading.push_back({random.between(-2e5, 1e6), random.between(-2e-3, 2e-3)});
         for (std::size_t segment = 0; segment < strengths.count(); ++segment) {
-            const std::span<const int> members = step.segments.contacts_of(segment);
-            for (const int k : members)
-                EXPECT_EQ(strengths.segment_of(static_cast<std::size_t>(k)), static_cast<int>(segment));
+            const std::span<const dda::ContactIndex> members = step.segments.contacts_of(segment);
+            for (const dda::ContactIndex k : members)
+                EXPECT_EQ(strengths.segment_of(k), static_cast<int>(segment));
             const dda::SegmentLoading combined =
                 strengths.loading(segment, [&](std::size_t contact) { return loading[contact]; });
             const dda::Strength found =
                 combined.normal > 0 ? strengths.over_normal_force(segment, combined) : dda::Strength{};
-            const auto combined_motion = dda::segment_motion(members, step.contacts, [&](int k) {
-                const auto c = static_cast<std::size_t>(k);
-                return dda::contact_motion(step.model, step.contacts[c], step.springs[c].shear_stiffness,
-                                           loading[c].normal, loading[c].shearing, 0);
-            });
+            const auto combined_motion =
+                dda::segment_motion(members, step.contacts, [&](dda::ContactIndex k) {
+                    const auto c = static_cast<std::size_t>(k);
+                    return dda::contact_motion(step.model, step.contacts[c], step.springs[c].shear_stiffness,
+                                               loading[c].normal, loading[c].shearing, 0);
+                });
             dda::Strength expected;
             if (combined_motion) {
-                const auto& first = step.contacts[static_cast<std::size_t>(members[0])];
+                const auto& first = step.contacts[members[0]];
                 const dda::ContactMotion& m = combined_motion->motion;
                 expected = dda::strength(step.model.joint_material_at(first.joint_material).law,
                                          *combined_motion->history, m.normal_force, m.length,
                                          {m.displacement, m.shear_force, m.stiffness});
-                const double share = 1 / step.model.strength_reduction / m.normal_force;
-                expected = {expected.forward * share, expected.backward * share, 0};
+                const double factor = 1 / step.model.strength_reduction / m.normal_force;
+                expected = {expected.forward * factor, expected.backward * factor, 0};
                 ++bearing;
             }
             EXPECT_EQ(found.forward, expected.forward);

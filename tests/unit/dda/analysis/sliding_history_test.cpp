@@ -1,4 +1,5 @@
-// A contact's history goes with it: over collinear edges, a redundant vertex, a neighbour's face.
+// A sliding contact keeps its history over collinear edges, over a redundant vertex and onto a neighbour's
+// face.
 
 #include <gtest/gtest.h>
 
@@ -10,8 +11,8 @@ namespace {
 
 using namespace scene;
 
-/// A block of 1 m slides at 0.5 m/s over a floor whose upper face is y = 0, friction 30 degrees, and is kept
-/// going by a body force as large as friction. Its friction force must not jump, and nothing is released.
+/// A block of 1 m slides at 0.5 m/s over a floor with upper face y = 0 and friction angle 30 degrees. A body
+/// force balances friction. The friction force must not jump, and no spring energy may be released.
 void expect_smooth_slide(Scene s, int slider) {
     s.friction(30);
     const double weight = 2500 * g;
@@ -21,8 +22,8 @@ void expect_smooth_slide(Scene s, int slider) {
     ASSERT_EQ(sim.settle(.005, 1e-7).status, dda::RunStatus::completed);
     sim.velocity(slider)[0] = .5;
     sim.restart_ledger();
-    double least = 1e300;
-    double most = 0;
+    double smallest = 1e300;
+    double largest = 0;
     int steps = 0;
     sim.on_step = [&](const dda::State& state, const dda::StepReport&) {
         double shear = 0;
@@ -32,14 +33,14 @@ void expect_smooth_slide(Scene s, int slider) {
             shear += sign * c.shear_force * c.tangent.x();
         }
         if (++steps < 20) return;  // the start from rest
-        least = std::min(least, shear);
-        most = std::max(most, shear);
+        smallest = std::min(smallest, shear);
+        largest = std::max(largest, shear);
     };
     ASSERT_EQ(sim.shake(2, .002).status, dda::RunStatus::completed);
     EXPECT_NEAR(sim.moved(slider).x(), 1, .01);
-    // What the blocks' elastic strain moves: stresses of 2e4 Pa in rock of 1e10.
-    EXPECT_NEAR(least, friction, .01 * friction);
-    EXPECT_NEAR(most, friction, .01 * friction);
+    // The tolerance allows for elastic strain: stresses of 2e4 Pa in rock of 1e10 Pa.
+    EXPECT_NEAR(smallest, friction, .01 * friction);
+    EXPECT_NEAR(largest, friction, .01 * friction);
     EXPECT_LT(std::abs(sim.state.energy.released), 1e-6 * sim.state.energy.friction_loss);
 }
 

@@ -1,4 +1,4 @@
-// Whole runs do not depend on the linear solver.
+// The result of a run does not depend on the linear solver.
 
 #include <gtest/gtest.h>
 
@@ -18,8 +18,8 @@ Simulation dropped_wall(dda::SolverKind solver) {
     return sim;
 }
 
-// Gravity sets upon the wall at once and contacts close and slide. Solutions differ by some 1e-12 of their
-// size, convergence allows forces to differ by 1e-6: of a way of about a millimetre that is 1e-9 m.
+// Gravity acts on the wall suddenly, and contacts close and slide. Linear solutions differ by about 1e-12,
+// and convergence allows forces to differ by 1e-6: that is 1e-9 m for displacements of about a millimetre.
 TEST(SolverChoice, ChangesARunByRoundingOnly) {
     const Simulation reference = dropped_wall(dda::SolverKind::cholmod);
     for (const dda::SolverKind kind : {dda::SolverKind::multifrontal, dda::SolverKind::refined}) {
@@ -30,7 +30,7 @@ TEST(SolverChoice, ChangesARunByRoundingOnly) {
             moved = std::max(moved, reference.moved(b).norm());
             EXPECT_LT((own.moved(b) - reference.moved(b)).norm(), 1e-9) << "block " << b;
         }
-        EXPECT_GT(moved, 1e-5) << "the wall does not move enough to show anything";
+        EXPECT_GT(moved, 1e-5) << "the wall moves too little for this test";
     }
 }
 

@@ -10,9 +10,9 @@ namespace {
 
 using namespace scene;
 
-// Whatever opens, closes and slips from one iteration to the next: what is put together in part must be the
-// bytes of what is put together at once, and rows that are not told must not differ.
-TEST(StepMatrix, OfWhatHasChangedIsTheSameBytesAsAFreshOne) {
+// For any change of the active set, the partial reassembly must give the same bits as a full assembly, and
+// rows not reported as changed must be unchanged.
+TEST(StepMatrix, ReassemblesChangedRowsToTheSameBits) {
     const FirstStep step;
     const dda::StepProblem problem = step.problem();
     dda::TrialContacts trials(problem, step.pool);
@@ -21,12 +21,12 @@ TEST(StepMatrix, OfWhatHasChangedIsTheSameBytesAsAFreshOne) {
     matrix.assemble(trials);
     EXPECT_TRUE(matrix.changed().empty());
     RandomSource random(5);
-    long told = 0;
+    long changed = 0;
     long rows = 0;
     for (const unsigned one_in : {1u, 3u, 10u, 30u, 60u, 60u}) {
         const dda::BlockMatrix last = work;
-        const std::vector<Vec6> there = moved(random, step.rows.count(), one_in);
-        trials.set_displacement(there, there);
+        const std::vector<Vec6> displacement = moved(random, step.rows.count(), one_in);
+        trials.set_displacement(displacement, displacement);
         trials.select_first_entrances();
         trials.update_bounds();
         trials.update_active_set();
@@ -39,16 +39,16 @@ TEST(StepMatrix, OfWhatHasChangedIsTheSameBytesAsAFreshOne) {
         EXPECT_EQ(work.upper, other_work.upper);
         ASSERT_EQ(matrix.changed().size(), work.diagonal.size());
         for (std::size_t r = 0; r < work.diagonal.size(); ++r) {
-            told += matrix.changed()[r];
+            changed += matrix.changed()[r];
             ++rows;
             if (matrix.changed()[r] != 0) continue;
             EXPECT_EQ(work.diagonal[r], last.diagonal[r]);
-            for (int k = step.pattern.start[r]; k < step.pattern.start[r + 1]; ++k)
-                EXPECT_EQ(work.upper[static_cast<std::size_t>(k)], last.upper[static_cast<std::size_t>(k)]);
+            for (std::uint32_t k = step.pattern.start[r]; k < step.pattern.start[r + 1]; ++k)
+                EXPECT_EQ(work.upper[k], last.upper[k]);
         }
     }
-    EXPECT_GT(told, rows / 10);
-    EXPECT_LT(told, rows);
+    EXPECT_GT(changed, rows / 10);
+    EXPECT_LT(changed, rows);
 }
 
 }  // namespace

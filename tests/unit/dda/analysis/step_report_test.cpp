@@ -11,9 +11,9 @@ namespace {
 using dda::Contact;
 using dda::ContactState;
 
-/// Of one contact that is closed at the end, from one dilation to another, in a step that was solved with the
-/// third.
-double left(double before, double after, double solved) {
+/// The remaining dilation of a contact that is closed at the end of the step. Its dilation goes from `before`
+/// to `after`, and the step was solved with the increment `solved`.
+double remaining(double before, double after, double solved) {
     std::vector<Contact> start(1), end(1);
     std::vector<dda::EvaluatedContact> evaluated(1);
     start[0].dilation = before;
@@ -23,15 +23,15 @@ double left(double before, double after, double solved) {
     return dda::remaining_dilation(start, evaluated, end);
 }
 
-TEST(DilationLeft, IsWhatTheStepWasNotSolvedWith) {
-    EXPECT_EQ(left(0, 0, 0), 0);
-    EXPECT_EQ(left(.25, .75, .5), 0);
-    EXPECT_EQ(left(.25, .75, 0), .5) << "postponed";
-    EXPECT_EQ(left(.75, .25, 0), .5) << "together";
-    EXPECT_EQ(left(.25, .75, .75), .25) << "too much of it";
+TEST(RemainingDilation, IsTheDifferenceToTheIncrementOfTheSolution) {
+    EXPECT_EQ(remaining(0, 0, 0), 0);
+    EXPECT_EQ(remaining(.25, .75, .5), 0);
+    EXPECT_EQ(remaining(.25, .75, 0), .5) << "postponed";
+    EXPECT_EQ(remaining(.75, .25, 0), .5) << "contracting";
+    EXPECT_EQ(remaining(.25, .75, .75), .25) << "solved with too much";
 }
 
-TEST(DilationLeft, IsTheLargestOfWhatBearsOrOverlaps) {
+TEST(RemainingDilation, IsTheLargestOfClosedOrOverlappingContacts) {
     std::vector<Contact> start(4), end(4);
     const std::vector<dda::EvaluatedContact> evaluated(4);
     end[0].state = ContactState::locked;

@@ -66,36 +66,37 @@ TEST(StrengthReduction, FindsTheFactorOfABlockOnAPlane) {
     ASSERT_EQ(sim.search(.002).status, dda::RunStatus::completed);
     const double exact = std::tan(radians(30)) / std::tan(radians(20));
     EXPECT_LE(sim.fails / sim.stands, 1.002);
-    EXPECT_LE(sim.stands, exact * (1 + 1e-4)) << "friction at the limit is met to the force tolerance";
+    EXPECT_LE(sim.stands, exact * (1 + 1e-4)) << "friction is at its limit within the force tolerance";
     EXPECT_GE(sim.fails, exact * (1 - 1e-4));
-    EXPECT_EQ(sim.state.blocks.vertices, before) << "the search leaves the blocks where they were";
+    EXPECT_EQ(sim.state.blocks.vertices, before) << "the search must not move the blocks";
     EXPECT_GT(sim.state.time, clock);
-    const auto of_fails = std::find_if(sim.trials.begin(), sim.trials.end(),
-                                       [&](const auto& trial) { return trial.factor == sim.fails; });
-    EXPECT_EQ(sim.mechanism_move, of_fails->displacement) << "told last: the smallest factor that fails";
+    const auto failed_trial = std::find_if(sim.trials.begin(), sim.trials.end(),
+                                           [&](const auto& trial) { return trial.factor == sim.fails; });
+    EXPECT_EQ(sim.mechanism_move, failed_trial->displacement)
+        << "reported last: the smallest factor that fails";
     EXPECT_GT(sim.mechanism_move, 0);
 }
 
-// A block that slips until enough of its roughness works: it stands while the peak bears it, and the peak is
-// Eq. (57) at the plane's mean stress.
+// A block slips until enough roughness is mobilised. It stands while the peak strength suffices: Eq. (57) at
+// the mean stress of the plane.
 TEST(StrengthReduction, ReducesRoughnessLikeFriction) {
     const double angle = 50;
     Scene s = on_incline(angle, 0, 0);
     const dda::BartonStrength barton{8, 50e6, radians(28)};
     s.model.joint_materials[0].law = dda::BartonBandis{barton, 2e-3, dda::barton_1985(), true, 1};
-    // The toe bears four fifths of the weight. The soft spring of Eq. (58) would give it its share of shear
-    // only after the joint has passed its peak, at a factor 3 % lower.
+    // The toe carries four fifths of the weight. With the soft spring of Eq. (58) the shear force at the toe
+    // would develop only after the joint has passed its peak, at a factor 3 % lower.
     s.model.joint_materials[0].shear_penalty = 1e10;
     Searched sim(s);
     ASSERT_EQ(sim.settle(.005, 1e-6).status, dda::RunStatus::completed);
-    // A step takes the block by some 1e-5 m, and less as it comes to rest.
+    // The block moves by about 1e-5 m in a step, and by less as it comes to rest.
     ASSERT_EQ(sim.search(.002, 4000).status, dda::RunStatus::completed);
     const double weight = 2 * s.model.block_materials[0].density * s.model.gravity.norm();
     const double exact =
         barton.shear_strength(weight * std::cos(radians(angle)), 2, 1) / (weight * std::sin(radians(angle)));
     EXPECT_LE(sim.fails / sim.stands, 1.002);
-    EXPECT_LE(sim.stands, exact * (1 + 1e-4)) << "friction at the limit is met to the force tolerance";
-    // The last steps to the peak may carry the block past it, to where less roughness works.
+    EXPECT_LE(sim.stands, exact * (1 + 1e-4)) << "friction is at its limit within the force tolerance";
+    // The last steps may carry the block past the peak, where less roughness is mobilised.
     EXPECT_GE(sim.fails, exact * (1 - 1e-3));
 }
 
@@ -112,7 +113,7 @@ TEST(StrengthReduction, ReducesCohesionLikeFriction) {
     EXPECT_GE(sim.fails, exact * (1 - 1e-3));
 }
 
-TEST(StrengthReduction, OfASlopeThatFallsIsBelowOne) {
+TEST(StrengthReduction, IsBelowOneForAnUnstableBlock) {
     Searched sim(on_incline(30, 20, 0));
     ASSERT_EQ(sim.search(.02).status, dda::RunStatus::completed);
     const double exact = std::tan(radians(20)) / std::tan(radians(30));
@@ -133,7 +134,7 @@ TEST(StrengthReduction, EndsAtItsLimitsWhereNothingFails) {
     EXPECT_EQ(sim.trials.size(), 4U);
 }
 
-TEST(StrengthReduction, StopsWhenAsked) {
+TEST(StrengthReduction, StopsIfTheObserverSaysSo) {
     Searched sim(on_incline(20, 30, 0));
     sim.steps_allowed = 3;
     EXPECT_EQ(sim.search(.01).status, dda::RunStatus::stopped);

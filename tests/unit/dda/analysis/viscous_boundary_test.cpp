@@ -1,4 +1,5 @@
-// A block on dashpots: held while it settles, carried on by what held it, slowed down when it moves.
+// A block on a viscous boundary: springs hold it in the static stage, their reactions support it in the
+// dynamic stage, and the dashpots slow it down.
 
 #include <gtest/gtest.h>
 
@@ -27,36 +28,36 @@ Vec2 sum(const dda::BoundaryReactions& reactions) {
     return total;
 }
 
-// Held by a spring at each of two points, the base gives by W over both; let go, it stays, for what held it
-// is now a load: a dashpot that carried the weight would sink by W t / (z L), 2 mm here.
-TEST(ViscousBoundary, HoldsTheModelAtRestAndCarriesItOn) {
+// Two springs hold the base, which sinks by W / (2 k). In the dynamic stage their reaction is a load, and the
+// block stays at rest. If the dashpots carried the weight, it would sink by W t / (z L), 2 mm here.
+TEST(ViscousBoundary, ReactionsOfTheStaticStageSupportTheModel) {
     const OnDashpots made(5e6);
     Simulation sim(made.s);
     ASSERT_EQ(sim.settle().status, dda::RunStatus::completed);
     EXPECT_NEAR(sum(sim.state.boundary_reactions).y(), weight, 1e-6 * weight);
     EXPECT_NEAR(sum(sim.state.boundary_reactions).x(), 0, 1e-6 * weight);
-    const double give = weight / (2 * made.s.model.fixed_point_penalty);
-    EXPECT_NEAR(sim.state.blocks.vertices[0].y(), -give, 1e-3 * give);
+    const double sinking = weight / (2 * made.s.model.fixed_point_penalty);
+    EXPECT_NEAR(sim.state.blocks.vertices[0].y(), -sinking, 1e-3 * sinking);
     ASSERT_EQ(sim.shake(0.5, 1e-3).status, dda::RunStatus::completed);
     EXPECT_LT(sim.moved(made.block).norm(), 1e-9);
     EXPECT_NEAR(sum(sim.state.boundary_reactions).y(), weight, 1e-6 * weight);
-    EXPECT_LT(std::abs(sim.state.energy.residual()), 1e-3 * weight * give);
+    EXPECT_LT(std::abs(sim.state.energy.residual()), 1e-3 * weight * sinking);
 }
 
-TEST(ViscousBoundary, HoldsOnlyWhatItIsAskedTo) {
+TEST(ViscousBoundary, HoldsOnlyTheNormalDirectionIfAsked) {
     OnDashpots made(5e6, dda::Hold::normal);
     made.s.model.gravity = {1, -g};
     Simulation sim(made.s);
     dda::Stage stage;
     stage.kind = dda::StageKind::static_equilibrium;
     stage.step_limit = 20;
-    EXPECT_EQ(sim.run(stage).status, dda::RunStatus::not_settled) << "nothing holds it sideways";
+    EXPECT_EQ(sim.run(stage).status, dda::RunStatus::not_settled) << "no spring holds it in x";
     EXPECT_NEAR(sum(sim.state.boundary_reactions).y(), weight, 1e-3 * weight);
     EXPECT_EQ(sum(sim.state.boundary_reactions).x(), 0);
 }
 
-// m v' = -z L v: the velocity falls by e in m / (z L) = 0.1 s. The integration is of first order, and the
-// step a thousandth of that.
+// m v' = -z L v: the velocity decays by a factor e in m / (z L) = 0.1 s. The integration is first-order, and
+// the step is a thousandth of that time.
 TEST(ViscousBoundary, SlowsARigidBlockDown) {
     OnDashpots made(25000);
     made.s.model.gravity.setZero();

@@ -48,7 +48,8 @@ TEST(BlockMap, RotatesExactlyAndStrainsFirst) {
     EXPECT_LT((map(x) - expected).norm(), 1e-14);
 }
 
-// Small strains take a series in place of the quotient: the map back undoes the map on either side of it.
+// Below a strain of 1e-4 the exponential is computed by a series: exp(-strain) inverts exp(strain) on both
+// sides of that limit.
 TEST(BlockMap, IsUndoneByTheOppositeStrain) {
     for (const double size : {1e-9, .99e-4, 1.01e-4, .1}) {
         const Vec6 d = (Vec6() << 0, 0, 0, size, -.5 * size, .7 * size).finished();
@@ -57,7 +58,7 @@ TEST(BlockMap, IsUndoneByTheOppositeStrain) {
     }
 }
 
-// The exact map's tangent is T: halving the displacement quarters the difference.
+// T is the tangent of the map: half the displacement has a quarter of the difference.
 TEST(DisplacementMatrix, IsTheTangentOfTheMap) {
     const Vec2 centre(1, 2);
     const Vec2 arm(2, -3);
@@ -93,12 +94,13 @@ TEST(MoveBlocks, MovesPointsStressAndRates) {
     EXPECT_LT((blocks.centroid(moved) - Vec2(11, .5)).norm(), 1e-14);
     EXPECT_LT((blocks.stress[0] - Vec3(0, 1e6, 0)).norm(), 1e-8);
     EXPECT_LT((blocks.velocity[0].tail<3>() - Vec3(0, 1, 0)).norm(), 1e-14);
-    EXPECT_NEAR(blocks.moments[0].xx, 1 * 8. / 12 / 4, 1e-13) << "2 x 1 upright: 1^3 2 / 12";
+    EXPECT_NEAR(blocks.moments[0].xx, 1 * 8. / 12 / 4, 1e-13)
+        << "a 2 x 1 rectangle turned upright: 1^3 2 / 12";
     EXPECT_EQ(blocks.centroid(still), Vec2(5.5, .5));
     EXPECT_EQ(blocks.stress[1], Vec3(1e6, 0, 0));
 }
 
-TEST(MidStep, IsHalfWayWithTheExactRotation) {
+TEST(MidStep, HasHalfTheTranslationAndHalfTheRotation) {
     Scene s;
     const int block = s.box({0, 0}, 2, 1);
     s.material_point(block, {2, 1});

@@ -1,4 +1,4 @@
-// Runs that stop and go on from their checkpoint.
+// Runs that are stopped and resumed from their checkpoint.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,8 +10,8 @@
 #include "dda/analysis/step.hpp"
 #include "dda/checkpoint/state_archive.hpp"
 #include "dda/results/block_table.hpp"
-#include "unit/dda/results/run_in_a_folder.hpp"
 #include "support/walls.hpp"
+#include "unit/dda/results/run_in_a_folder.hpp"
 
 namespace rockslope::dda {
 namespace {
@@ -22,7 +22,7 @@ using ContinuedRun = RunInAFolder;
 
 TEST_F(ContinuedRun, EndsInTheSameBytes) {
     simulate("whole");
-    // Stops in the settling, early and late in the shaking, and in its last step.
+    // Stop in the static stage, early and late in the dynamic one, and in the last step.
     const auto steps = static_cast<int>(lines_of(folder / "whole" / "steps.csv").size()) - 1;
     for (const int stop : {1, steps / 2, steps - 20, steps}) {
         const std::string name = "stopped" + std::to_string(stop);
@@ -45,9 +45,9 @@ TEST_F(ContinuedRun, RestoresExcavatedBlocks) {
     simulate("whole");
     const VtkHdfReader frames = frames_of("whole");
     const auto blocks_in = [&](std::int64_t k) { return frames.frame(k, {"block"}).columns[0].size(); };
-    EXPECT_EQ(blocks_in(0), 3u) << "before the stages";
-    EXPECT_EQ(blocks_in(frames.frame_count() - 1), 2u) << "taken out when the shaking began";
-    // Stops before and after the block is gone, right after it went, and in the last step.
+    EXPECT_EQ(blocks_in(0), 3u) << "before the excavation";
+    EXPECT_EQ(blocks_in(frames.frame_count() - 1), 2u) << "removed at the start of the dynamic stage";
+    // Stop before, right after and long after the excavation, and in the last step.
     const auto lines = lines_of(folder / "whole" / "steps.csv");
     const auto settled = static_cast<int>(std::count_if(
         lines.begin(), lines.end(), [](const auto& l) { return l.find("settle") != std::string::npos; }));
@@ -61,7 +61,7 @@ TEST_F(ContinuedRun, RestoresExcavatedBlocks) {
     }
 }
 
-TEST_F(ContinuedRun, CountsOnToTheStepLimit) {
+TEST_F(ContinuedRun, ContinuesTheCountToTheStepLimit) {
     input.stages[0].tolerance = 1e-300;
     input.stages[0].step_limit = 40;
     const RunOutcome whole = simulate("whole");
@@ -74,7 +74,7 @@ TEST_F(ContinuedRun, CountsOnToTheStepLimit) {
         EXPECT_EQ(outcome.message, whole.message) << stop;
         expect_same_files(name, "whole");
     }
-    // The limit's own step leaves nothing to go on with.
+    // A stop in the last step of the limit has nothing to resume.
     int step = 0;
     EXPECT_EQ(simulate("late", [&](const Progress&) { return ++step < 40; }).status, RunStatus::not_settled);
 }
@@ -123,7 +123,7 @@ TEST_F(ContinuedRun, RestoresFirstSlips) {
     EXPECT_EQ(table_of("stopped", steps - 30), whole);
 }
 
-// A joint that parts as it is sheared: the largest of the step log's column so far goes on with the run.
+// A joint that dilates as it is sheared. The checkpoint has the largest remaining dilation of the step log.
 TEST_F(ContinuedRun, RestoresTheLargestRemainingDilation) {
     CyclicBartonBandis law;
     law.barton = {8, 100e6, .3};
@@ -150,9 +150,9 @@ TEST_F(ContinuedRun, RestoresTheLargestRemainingDilation) {
     EXPECT_EQ(read_checkpoint(folder / "a" / "checkpoint.h5").results.remaining_dilation, largest);
 }
 
-// What a stepper keeps from step to step, as its factor and the lists that it works on, leaves no trace in
-// the results: one that begins with a state's copy goes on with the same bytes. From some five hundred blocks
-// on the factor is in single precision and solutions are refined.
+// Data that a stepper keeps from step to step, such as its factor and work lists, must not affect the
+// results: a new stepper that starts from a copy of the state gives the same bytes. Above some five hundred
+// blocks the factor is in single precision and solutions are refined.
 TEST(ContinuedSteps, OfAWallWithARefinedFactorAreTheSameBytes) {
     const Model model = scene::running_bond_wall(26, 24, 10).model;
     Stage stage;

@@ -15,25 +15,22 @@ using namespace scene;
 using dda::CornerEdge;
 using dda::Motion;
 
-/// Every pair, one by one.
+/// The candidates by a test of every pair.
 std::vector<CornerEdge> brute_force(const dda::Model& model, const std::vector<Vec2>& vertices,
                                     double distance) {
     const dda::Topology& t = model.topology;
-    const auto at = [&](int k) { return vertices[static_cast<std::size_t>(k)]; };
-    const auto of = [](const std::vector<int>& list, int k) { return list[static_cast<std::size_t>(k)]; };
-    const auto free = [&](int block) {
-        return model.motion[static_cast<std::size_t>(block)] == Motion::free;
-    };
+    const auto at = [&](dda::CornerIndex k) { return vertices[k]; };
+    const auto free = [&](dda::BlockIndex block) { return model.motion[block] == Motion::free; };
     std::vector<CornerEdge> found;
-    for (int corner = 0; corner < t.corner_count(); ++corner) {
-        const Vec2 in = (at(corner) - at(of(t.previous, corner))).normalized();
-        const Vec2 out = (at(of(t.next, corner)) - at(corner)).normalized();
+    for (const dda::CornerIndex corner : t.corners()) {
+        const Vec2 in = (at(corner) - at(t.previous[corner])).normalized();
+        const Vec2 out = (at(t.next[corner]) - at(corner)).normalized();
         if (dda::cross(in, out) < -1e-3) continue;
-        for (int edge = 0; edge < t.corner_count(); ++edge) {
-            const int a = of(t.block_of, corner);
-            const int b = of(t.block_of, edge);
+        for (const dda::EdgeIndex edge : t.edges()) {
+            const dda::BlockIndex a = t.block_of[corner];
+            const dda::BlockIndex b = t.block_of_edge(edge);
             if (a == b || (!free(a) && !free(b))) continue;
-            if (dda::distance_to_segment(at(corner), at(edge), at(of(t.next, edge))) <= distance)
+            if (dda::distance_to_segment(at(corner), at(start_of(edge)), at(t.end_of(edge))) <= distance)
                 found.push_back({corner, edge});
         }
     }

@@ -34,7 +34,7 @@ TEST(Detect, AWholeSharedEdgeIsTwoContactsOfHalfItsLength) {
     for (const Contact& c : contacts) {
         EXPECT_EQ(c.kind, ContactKind::edge_edge);
         EXPECT_DOUBLE_EQ(c.length, .5);
-        EXPECT_EQ(c.group, -1) << "one line each: nothing to choose";
+        EXPECT_EQ(c.group, -1) << "one entrance line each: no group";
         EXPECT_NEAR(std::abs(c.normal.y()), 1, 1e-15);
         EXPECT_NEAR(c.gap, 0, 1e-15);
     }
@@ -65,7 +65,7 @@ TEST(Detect, NormalPointsOutOfTheEdgesBlock) {
     }
 }
 
-TEST(Detect, FacesThatGapWiderThanTheReachDoNotTouch) {
+TEST(Detect, FacesFartherApartThanTheSearchRadiusHaveNoContact) {
     Scene s;
     s.box({0, 0}, 1, 1);
     s.box({0, 1.02}, 1, 1);
@@ -73,7 +73,7 @@ TEST(Detect, FacesThatGapWiderThanTheReachDoNotTouch) {
     EXPECT_EQ(detect(s, .03).size(), 2u);
 }
 
-TEST(Detect, CornerOnCornerIsAGroupOfItsTwoLines) {
+TEST(Detect, CornerOnCornerIsAGroupOfTwoEntranceLines) {
     Scene s;
     s.box({0, 0}, 1, 1);
     s.box({-1, -1}, 1, 1);
@@ -98,7 +98,7 @@ TEST(Detect, ABareCornerOnAFaceIsOneContact) {
     EXPECT_EQ(contacts[0].length, 0);
 }
 
-// A joint that ends on the face below leaves a straight corner there, 5 mm from the far face of a thin plate.
+// The straight corner of the lower block, where a joint ended, is 5 mm from the far face of a thin plate.
 TEST(Detect, AStraightCornerDoesNotTouchTheFarFaceOfAThinPlate) {
     Scene s;
     s.block({{{0, -1}, {2, -1}, {2, 0}, {1, 0}, {0, 0}}});
@@ -106,7 +106,7 @@ TEST(Detect, AStraightCornerDoesNotTouchTheFarFaceOfAThinPlate) {
     for (const Contact& c : detect(s, .02)) {
         EXPECT_NEAR(c.gap, 0, 1e-15) << "corner " << c.corner << " edge " << c.edge;
         if (c.edge_block == plate) {
-            EXPECT_NEAR(c.normal.y(), -1, 1e-15) << "only its lower face is touched";
+            EXPECT_NEAR(c.normal.y(), -1, 1e-15) << "only the lower face of the plate has contacts";
         }
     }
 }
@@ -121,7 +121,7 @@ TEST(Detect, AWedgeInANotchRestsOnBothFlanks) {
     double right = 0;
     for (const Contact& c : contacts) {
         EXPECT_EQ(c.kind, ContactKind::edge_edge);
-        EXPECT_EQ(c.group, -1) << "in a notch both lines bear at once";
+        EXPECT_EQ(c.group, -1) << "both lines bear force in a notch";
         EXPECT_NEAR(c.gap, 0, 1e-15);
         (c.normal.x() * (c.edge_block == 0 ? 1 : -1) > 0 ? left : right) += c.length;
     }
@@ -129,8 +129,9 @@ TEST(Detect, AWedgeInANotchRestsOnBothFlanks) {
     EXPECT_NEAR(right, std::sqrt(.5), 1e-15);
 }
 
-// Which of two corners is the corner and which is on the edge must not matter for what lies on what.
-TEST(Detect, SwappingTheBlocksKeepsPlacesAndLengths) {
+// The order of the blocks decides which of two corners is the contact's corner and which is the end of its
+// edge.
+TEST(Detect, SwappingTheBlocksKeepsPointsAndLengths) {
     for (const double offset : {-.5, -.25, 0.0, .25, .5}) {
         Scene first;
         first.box({0, 0}, 1, 1);

@@ -10,8 +10,8 @@ namespace {
 
 using namespace scene;
 
-/// A block's lowest corner, 0.3 mm deep in a box's top, has slid 70 um past the box's end; the face that
-/// comes after it leans by some angle. The box's corner is behind that face now.
+/// The lowest corner of a block, 0.3 mm deep in the top of a box, has slid 70 um past the end of the top. The
+/// corner of the box is now behind the next face of the block, which leans by a given angle.
 struct SlidPast {
     Scene s;
     dda::Contact contact;
@@ -34,7 +34,7 @@ struct SlidPast {
     }
 };
 
-// In a slide one leant by 3.1 degrees, was not told of, and the steps went down to nanoseconds.
+// In a slide, a face with a lean of 3.1 degrees was not accounted for, and the steps fell to nanoseconds.
 TEST(InheritedPenetration, OfACornerPastTheEdgeEndIsThatOfTheEnd) {
     for (const double lean : {0., 3.5, 30.}) {
         const double depth = 3e-4 * std::cos(radians(lean)) - 7e-5 * std::sin(radians(lean));
@@ -50,7 +50,7 @@ TEST(InheritedPenetration, IsAtMostTwiceTheInheritedPenetration) {
     EXPECT_EQ(SlidPast(3.5, 1e-4).depth(), std::nullopt);
 }
 
-// A joint that has contracted by 0.4 um lets its corners in that far, before it bears.
+// The corners of a joint that has contracted by 0.4 um penetrate by that depth without a force.
 TEST(InheritedPenetration, OfAContractedJointIsAtLeastItsContraction) {
     Scene s;
     s.box({0, 0}, 2, 1);

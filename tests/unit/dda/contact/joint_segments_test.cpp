@@ -23,12 +23,12 @@ dda::Contact contact(const dda::Vec2& point, const dda::Vec2& normal, double len
     return c;
 }
 
-std::vector<std::vector<int>> groups(const std::vector<dda::Contact>& contacts) {
+std::vector<std::vector<dda::ContactIndex>> groups(const std::vector<dda::Contact>& contacts) {
     dda::Model model;
     model.joint_materials.push_back({"rough", joint_tests::granite(), 0, 0});
     model.joint_materials.push_back({"smooth", scene::Scene::mohr_coulomb(30), 0, 0});
     const dda::JointSegments segments(model, contacts);
-    std::vector<std::vector<int>> found;
+    std::vector<std::vector<dda::ContactIndex>> found;
     for (std::size_t k = 0; k < segments.count(); ++k)
         found.emplace_back(segments.contacts_of(k).begin(), segments.contacts_of(k).end());
     return found;

@@ -4,19 +4,23 @@
 
 #include <algorithm>
 
+#include "dda/base/indices.hpp"
+
 using namespace rockslope;
 
 namespace {
 
-using Items = std::vector<int>;
+using Items = std::vector<dda::ContactIndex>;
+using Owners = std::vector<dda::BlockIndex>;
+using ItemsOfBlocks = dda::OwnerIndex<dda::BlockIndex, dda::ContactIndex>;
 
-Items of(const dda::OwnerIndex& index, int owner) {
+Items of(const ItemsOfBlocks& index, dda::BlockIndex owner) {
     const auto items = index.of(owner);
     return {items.begin(), items.end()};
 }
 
 TEST(OwnerIndex, ReturnsTheItemsOfAnOwnerInAscendingOrder) {
-    const dda::OwnerIndex index(5, Items{3, 0, 3, 4, 0, 3});
+    const ItemsOfBlocks index(5, Owners{3, 0, 3, 4, 0, 3});
     EXPECT_EQ(of(index, 0), (Items{1, 4}));
     EXPECT_EQ(of(index, 1), Items{});
     EXPECT_EQ(of(index, 2), Items{});
@@ -25,7 +29,7 @@ TEST(OwnerIndex, ReturnsTheItemsOfAnOwnerInAscendingOrder) {
 }
 
 TEST(OwnerIndex, MayBeEmpty) {
-    const dda::OwnerIndex index(2, {});
+    const ItemsOfBlocks index(2, {});
     EXPECT_EQ(of(index, 0), Items{});
     EXPECT_EQ(of(index, 1), Items{});
 }

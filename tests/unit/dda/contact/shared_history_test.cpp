@@ -57,8 +57,7 @@ TEST(SharedHistory, OfABatchOutlivesTheBatch) {
     }
     kept.erase(kept.begin());
     for (int k = 1; k < 4; ++k)
-        EXPECT_EQ(std::get<dda::CyclicBartonBandis::History>(*kept[static_cast<std::size_t>(k - 1)]).position,
-                  k);
+        EXPECT_EQ(std::get<dda::CyclicBartonBandis::History>(*kept[k - 1]).position, k);
     EXPECT_TRUE(std::get<dda::MohrCoulomb::History>(*kept[3]).broken);
     EXPECT_EQ(reinterpret_cast<const char*>(&*kept[1]) - reinterpret_cast<const char*>(&*kept[0]),
               static_cast<std::ptrdiff_t>(sizeof(JointHistory) + sizeof(void*)))

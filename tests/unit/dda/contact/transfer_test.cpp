@@ -26,7 +26,7 @@ Contact contact(int corner_block, int edge_block, int corner, int edge, const Ve
     return c;
 }
 
-Contact carrying(Contact c) {
+Contact loaded(Contact c) {
     c.state = ContactState::sliding;
     c.normal_force = 100;
     c.shear_force = -30;
@@ -57,14 +57,14 @@ class Transfer : public testing::Test {
     Scene s;
     const Vec2 up{0, 1};
     /// Corner 4 of block 1 on edge 2 of block 0.
-    Contact old = carrying(contact(1, 0, 4, 2, {0, 0}, up));
+    Contact old = loaded(contact(1, 0, 4, 2, {0, 0}, up));
 };
 
-TEST_F(Transfer, TheSamePairGoesOn) {
+TEST_F(Transfer, TheSamePairKeepsItsState) {
     expect_carried(moved_to(contact(1, 0, 4, 2, {.05, 0}, up)));
 }
 
-TEST_F(Transfer, TheSamePairGoesOnWhereverItIs) {
+TEST_F(Transfer, TheSamePairKeepsItsStateAtAnyDistance) {
     expect_carried(moved_to(contact(1, 0, 4, 2, {5, 0}, Vec2(1, 0))));
 }
 
@@ -75,8 +75,8 @@ TEST_F(Transfer, SlidingOntoTheNextEdge) {
 TEST_F(Transfer, CornerAndEdgeExchangeRoles) {
     const Contact now = moved_to(contact(0, 1, 3, 5, {.05, 0}, -up));
     expect_carried(now);
-    // Positive shear pushes the corner's block along -tangent. Now the blocks are exchanged and the tangent
-    // is turned, so the force on block 1 is what it was.
+    // Positive shear pushes the corner's block along -tangent. Blocks and tangent are both exchanged, so the
+    // force on block 1 is the same.
     EXPECT_EQ(old.shear_force * old.tangent, -now.shear_force * now.tangent);
 }
 
@@ -113,8 +113,8 @@ TEST_F(Transfer, AContactMatchesOnceAndTheNearest) {
     EXPECT_EQ((contacts[0].state != ContactState::open) + (contacts[1].state != ContactState::open), 1);
 }
 
-// The corner slides on to a neighbour's face, while the end of the overlap that it leaves has a corner of its
-// own: what was one contact is two, and the force stays with the corner.
+// The corner slides onto a neighbour's face, and the end of the overlap that it leaves has a corner: one
+// contact becomes two, and the force stays with the corner.
 TEST_F(Transfer, ForceStaysWithTheCornerOnANeighboursFace) {
     std::vector<Contact> contacts = {contact(0, 1, 3, 5, {.01, 0}, -up), contact(1, 2, 4, 9, {.02, 0}, up)};
     dda::transfer_contacts(s.model, std::vector{old}, .1, false, contacts);
@@ -130,7 +130,7 @@ TEST_F(Transfer, ForcePassesToAnExistingOpenContact) {
     expect_carried(contacts[0]);
 }
 
-// Both are between other blocks: what the corner has been through there is not what these have.
+// The predecessor is between other blocks, so its history is not that of the existing contact.
 TEST_F(Transfer, AnOpenPredecessorKeepsTheExistingHistory) {
     old.state = ContactState::open;
     const Contact next = contact(1, 2, 4, 9, {.02, 0}, up);
@@ -139,7 +139,7 @@ TEST_F(Transfer, AnOpenPredecessorKeepsTheExistingHistory) {
     EXPECT_EQ(contacts[0].history, next.history);
     EXPECT_EQ(contacts[0].slip, 0);
     dda::transfer_contacts(s.model, std::vector{old}, .1, false, contacts);
-    EXPECT_EQ(contacts[0].history, old.history) << "one that comes into being takes it";
+    EXPECT_EQ(contacts[0].history, old.history) << "a new contact inherits the history";
 }
 
 TEST_F(Transfer, TheForceStaysTheSameAtAnotherDepth) {

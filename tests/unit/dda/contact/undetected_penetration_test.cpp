@@ -19,11 +19,12 @@ constexpr double clip_depth = 1e-5;
 std::vector<UndetectedPenetration> undetected_penetrations(const Scene& s, const std::vector<Vec2>& moved,
                                                            const std::vector<dda::CornerEdge>& candidates,
                                                            const std::vector<Contact>& contacts) {
-    return dda::find_undetected_penetrations(s.model, s.model.vertices, moved, candidates, contacts, 1,
-                                             tolerance, clip_depth, ThreadPool(1));
+    return dda::find_undetected_penetrations(
+        s.model, {s.model.vertices, moved, candidates, contacts, 1, tolerance, clip_depth}, ThreadPool(1));
 }
 
-/// A plate 2 cm thick, its upper face y = 0 edge 2; a block above it moves as told, corner by corner.
+/// A plate 2 cm thick with its upper face y = 0, edge 2. The corners of a block above it move to given
+/// points.
 class UndetectedPenetrations : public testing::Test {
   protected:
     UndetectedPenetrations() {
@@ -51,9 +52,9 @@ class UndetectedPenetrations : public testing::Test {
     Scene s;
 };
 
-TEST_F(UndetectedPenetrations, NoneWhereTheCornerStaysOutside) {
+TEST_F(UndetectedPenetrations, NoneIfTheCornerStaysOutside) {
     EXPECT_TRUE(after({{0, 1e-12}, {.2, .2}, {-.2, .2}}).empty());
-    EXPECT_TRUE(after({{0, -.5 * tolerance}, {.2, .2}, {-.2, .2}}).empty()) << "by rounding";
+    EXPECT_TRUE(after({{0, -.5 * tolerance}, {.2, .2}, {-.2, .2}}).empty()) << "within the tolerance";
 }
 
 TEST_F(UndetectedPenetrations, ACornerWithoutAContactIsFoundWithItsEdgeAndDepth) {
@@ -84,14 +85,14 @@ TEST_F(UndetectedPenetrations, ACornerOutsideAgainPassedThroughTheBlock) {
     const auto found = after({{0, -.5}, {.2, .2}, {-.2, .2}});
     ASSERT_EQ(found.size(), 1U);
     EXPECT_TRUE(found[0].passed_through);
-    EXPECT_EQ(found[0].pair, (dda::CornerEdge{4, 2})) << "what it came in through";
+    EXPECT_EQ(found[0].pair, (dda::CornerEdge{4, 2})) << "the edge through which it entered";
     EXPECT_NEAR(found[0].depth, .01, 1e-15) << "half-way through the plate";
 }
 
-// Two blocks flush with each other. The upper one's corner was past the lower one's by a fraction of a micron
-// and behind its face by less; now it is within, and deeper. Only the side face has been crossed, and it is
-// the nearer: but a corner that came from above cannot touch it.
-TEST_F(UndetectedPenetrations, ACornerThatSlidPastAnotherPenetratesTheFacingEdge) {
+// Two blocks flush with each other. The corner of the upper block was past that of the lower block by a
+// fraction of a micron, and less than that behind its upper face. Now it is inside and deeper. It crossed
+// only the side face, which is also the nearest, but it fails the entrance-angle test there.
+TEST_F(UndetectedPenetrations, ACornerThatSlidAroundAnotherIsFoundWithTheEdgeThatPassesTheAngleTest) {
     Scene flush;
     flush.block({{{0, -1}, {1, -1}, {1, 0}, {0, 0}}});
     flush.block({{{0, 0}, {1 + 2e-7, -2e-8}, {1, 1}, {0, 1}}});
@@ -100,7 +101,7 @@ TEST_F(UndetectedPenetrations, ACornerThatSlidPastAnotherPenetratesTheFacingEdge
     const auto found =
         undetected_penetrations(flush, moved, dda::find_candidates(flush.model, flush.model.vertices, 1), {});
     ASSERT_EQ(found.size(), 1U);
-    EXPECT_EQ(found[0].pair, (dda::CornerEdge{5, 2})) << "its upper face, not its right one";
+    EXPECT_EQ(found[0].pair, (dda::CornerEdge{5, 2})) << "the upper face, not the right one";
 }
 
 TEST_F(UndetectedPenetrations, ACornerThatEntersAndLeavesByOneEdgeIsNotReported) {
@@ -132,12 +133,12 @@ TEST_F(UndetectedPenetrations, AShallowClipOfACornerIsNotReported) {
     };
     EXPECT_TRUE(past(clip_depth / 10).empty());
     const auto found = past(.001);
-    ASSERT_EQ(found.size(), 2U) << "each corner went through the other's block";
+    ASSERT_EQ(found.size(), 2U) << "each corner passed through the other's block";
     EXPECT_TRUE(found[0].passed_through);
     EXPECT_TRUE(found[1].passed_through);
 }
 
-TEST_F(UndetectedPenetrations, ACornerThatWasInsideMayNotGetDeeper) {
+TEST_F(UndetectedPenetrations, ACornerThatWasInsideIsReportedIfItGetsDeeper) {
     s.model.vertices[4] = {0, -.001};
     EXPECT_TRUE(after({{.1, -.001}, {.3, .2}, {-.1, .2}}).empty());
     EXPECT_TRUE(after({{0, -.0005}, {.2, .2}, {-.2, .2}}).empty());
@@ -146,8 +147,9 @@ TEST_F(UndetectedPenetrations, ACornerThatWasInsideMayNotGetDeeper) {
     EXPECT_EQ(found[0].pair, (dda::CornerEdge{4, 2})) << "the nearest edge";
 }
 
-TEST_F(UndetectedPenetrations, OfTwoEdgesCrossedTheCornerCameInThroughTheOneItCanTouch) {
-    // It crosses the lines of both the upper and the right face; at the end its rock lies to the right.
+TEST_F(UndetectedPenetrations, OfTwoCrossedEdgesTheOneThatPassesTheAngleTestIsFound) {
+    // The corner crosses the lines of both the upper and the right face; at the end its rock lies to the
+    // right.
     s.model.vertices[4] = {1.01, .0005};
     s.model.vertices[5] = {1.5, -.005};
     s.model.vertices[6] = {1.5, .005};
@@ -156,7 +158,7 @@ TEST_F(UndetectedPenetrations, OfTwoEdgesCrossedTheCornerCameInThroughTheOneItCa
     EXPECT_EQ(found[0].pair, (dda::CornerEdge{4, 1}));
 }
 
-TEST_F(UndetectedPenetrations, AWallOfAHoleIsLikeAnyOther) {
+TEST_F(UndetectedPenetrations, TheWallOfAHoleIsPenetratedLikeAnyFace) {
     Scene holed;
     holed.block({{{-2, -2}, {2, -2}, {2, 2}, {-2, 2}}, {{-1, -1}, {-1, 1}, {1, 1}, {1, -1}}});
     holed.box({-.5, -.5}, 1, 1);

@@ -15,7 +15,7 @@ using dda::Vec2;
 const std::vector<Vec2> unit_square = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
 
 AreaMoments of(const std::vector<Vec2>& ring) {
-    const int ends[] = {0, static_cast<int>(ring.size())};
+    const dda::CornerIndex ends[] = {0, static_cast<int>(ring.size())};
     return dda::integrate(ring, ends);
 }
 
@@ -24,7 +24,7 @@ std::vector<Vec2> shifted(std::vector<Vec2> ring, const Vec2& by) {
     return ring;
 }
 
-/// Moments of an axis-parallel rectangle about the origin, by hand.
+/// Analytical moments of an axis-parallel rectangle about the origin.
 struct Rectangle {
     double left, bottom, right, top;
     double area() const { return (right - left) * (top - bottom); }
@@ -92,11 +92,11 @@ TEST(Simplex, ConcavePolygonIsASumOfRectangles) {
     expect_near(of(ell), sum_of({{1, {0, 0, 3, 1}}, {1, {0, 1, 1, 4}}}), 1e-13);
 }
 
-TEST(Simplex, HolesAreTakenAway) {
+TEST(Simplex, HolesAreSubtracted) {
     const std::vector<Vec2> rings = {{0, 0}, {6, 0}, {6, 4}, {0, 4},  //
                                      {1, 1}, {1, 2}, {3, 2}, {3, 1},  // clockwise
                                      {4, 2}, {4, 3}, {5, 3}, {5, 2}};
-    const int ends[] = {20, 24, 28, 32};  // as they are counted among others
+    const dda::CornerIndex ends[] = {20, 24, 28, 32};  // offsets need not start at 0
     expect_near(dda::integrate(rings, ends),
                 sum_of({{1, {0, 0, 6, 4}}, {-1, {1, 1, 3, 2}}, {-1, {4, 2, 5, 3}}}), 1e-12);
 }
@@ -110,8 +110,8 @@ TEST(Simplex, StartingVertexDoesNotMatter) {
                 of({{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 4}, {0, 4}}), 1e-13);
 }
 
-// A million metres off, coordinates resolve 2^-33 m; the square's corners are exact there, so nothing else
-// may be lost.
+// At a distance of 1e6 m coordinates resolve 2^-33 m. The corners of the square are exact, so that no digit
+// of the moments may be lost.
 TEST(Simplex, FarFromTheOriginLosesNoDigits) {
     const Vec2 far(1e6, -1e6);
     const AreaMoments m = of(shifted(unit_square, far));

@@ -39,24 +39,26 @@ double largest_error(const TimeTable& table, double duration) {
     return error;
 }
 
-TEST(BaseAcceleration, AnAccelerationIsTakenAsItIs) {
+TEST(BaseAcceleration, AnAccelerationIsScaledAndEndsInZero) {
     const TimeTable table = acceleration_of({0.1, {1, -2, 4}, record::Quantity::acceleration}, 0.5, {});
     EXPECT_EQ(table.times().size(), 4u);
     EXPECT_EQ(table.at(0.1), -1);
     EXPECT_EQ(table.at(0.2), 2);
-    EXPECT_EQ(table.values().back(), 0) << "it ends in zero, one step later";
+    EXPECT_EQ(table.values().back(), 0) << "a zero is appended one step later";
     EXPECT_DOUBLE_EQ(table.times().back(), 0.3);
 }
 
 TEST(BaseAcceleration, SplineDerivativesConverge) {
-    // Both are then linear between samples, which costs h^2/8 of the acceleration's curvature; a spline's
-    // second derivative is itself off by h^2/12 of it at the samples (de Boor), its first by less. Ten
-    // samples from the end, where the unknown end slope has died out.
+    // Both accelerations are linear between samples, with an error of h^2/8 times the acceleration's second
+    // derivative. The second derivative of the spline itself has an error of h^2/12 times that at the samples
+    // (de Boor), its first derivative a smaller one. The last ten samples are left out: there the error of
+    // the unknown end slope has not yet decayed.
     for (const double dt : {0.02, 0.01, 0.005}) {
-        const TimeTable from_velocity = acceleration_of(sampled(wave_rate, record::Quantity::velocity, dt, 2), 1, {});
+        const TimeTable from_velocity =
+            acceleration_of(sampled(wave_rate, record::Quantity::velocity, dt, 2), 1, {});
         const TimeTable from_displacement =
             acceleration_of(sampled(wave, record::Quantity::displacement, dt, 2), 1, {});
-        const double scale = 1.6 * pi * pi * 16 * pi * pi * dt * dt;  // of d2a/dt2 dt^2
+        const double scale = 1.6 * pi * pi * 16 * pi * pi * dt * dt;  // amplitude of d2a/dt2, times dt^2
         EXPECT_LT(largest_error(from_velocity, 1.8), 0.25 * scale) << dt;
         EXPECT_LT(largest_error(from_displacement, 1.8), 0.5 * scale) << dt;
     }
@@ -70,11 +72,12 @@ TEST(BaseAcceleration, TooFewSamplesForASplineAreRefused) {
               "m.toml:3:4: the record has 4 samples; expected at least 5 to differentiate a velocity");
 }
 
-TEST(BaseAcceleration, WithoutDriftTheEngineEndsAtRestWhereItBegan) {
+TEST(BaseAcceleration, ACorrectedRecordEndsAtRestWhereItBegan) {
     for (const double step : {0.01, 0.005, 0.0025, 0.02, 0.007}) {
-        const TimeTable raw = acceleration_of(sampled(noise, record::Quantity::acceleration, 0.01, 20), 1, {});
+        const TimeTable raw =
+            acceleration_of(sampled(noise, record::Quantity::acceleration, 0.01, 20), 1, {});
         const FinalBaseState before = integrate_base_motion(raw, step);
-        EXPECT_GT(std::abs(before.displacement), 1) << "the record must drift for the test to mean anything";
+        EXPECT_GT(std::abs(before.displacement), 1) << "the record must drift";
         const TimeTable corrected = baseline_corrected(raw, step);
         const FinalBaseState after = integrate_base_motion(corrected, step);
         // Rounding of 2000 to 8000 sums of terms of order 1 m.
@@ -96,7 +99,7 @@ TEST(BaseAcceleration, TheCorrectionIsAStraightLine) {
         EXPECT_NEAR(correction(i + 1) - 2 * correction(i) + correction(i - 1), 0, 1e-14);
 }
 
-TEST(BaseAcceleration, AWholeRecordWithoutDriftIsLeftAlone) {
+TEST(BaseAcceleration, ARecordWithoutDriftIsUnchanged) {
     const TimeTable raw({0, 1, 2}, {0, 0, 0});
     EXPECT_EQ(baseline_corrected(raw, 0.1).values(), raw.values());
 }

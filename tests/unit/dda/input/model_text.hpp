@@ -9,8 +9,7 @@
 
 namespace rockslope::io_test {
 
-/// The reading of one model text and of what becomes of it when a part is replaced. The model is that of
-/// two_block_mesh(), in "two.blocks".
+/// Reads a model text, also with parts of it replaced. Its block file is "two.blocks", of two_block_mesh().
 class ModelTextTest : public ::testing::Test {
   protected:
     explicit ModelTextTest(std::string text) : text_(std::move(text)) {
@@ -19,14 +18,14 @@ class ModelTextTest : public ::testing::Test {
     dda::RunInput read(const std::string& text, dda::RunReadOptions options = {}) const {
         return dda::read_run(folder.write("run.toml", text), options);
     }
-    /// The text with `before`, which must be in it, replaced.
+    /// The text with `before`, which it must contain, replaced by `after`.
     std::string changed(const std::string& before, const std::string& after) const {
         std::string text = text_;
         const std::size_t at = text.find(before);
         EXPECT_NE(at, std::string::npos) << before;
         return at == std::string::npos ? text : text.replace(at, before.size(), after);
     }
-    /// The error of the changed text, without the folder's path.
+    /// The error text for the changed text, without the folder's path.
     std::string error_with(const std::string& before, const std::string& after) const {
         std::string error = error_of([&] { read(changed(before, after)); });
         const std::string prefix = folder.path().string() + "/";

@@ -36,7 +36,7 @@ class ReadBoundaries : public io_test::ModelTextTest {
     ReadBoundaries() : ModelTextTest(model_text) {}
 };
 
-TEST_F(ReadBoundaries, EveryKeyArrives) {
+TEST_F(ReadBoundaries, ReadsEveryKey) {
     const RunInput input = read(model_text);
     const JointMaterial& joint = input.model.joint_materials[0];
     EXPECT_TRUE(std::holds_alternative<Elastic>(joint.law));
@@ -51,7 +51,7 @@ TEST_F(ReadBoundaries, EveryKeyArrives) {
     const ViscousBoundary& top = input.model.viscous_boundaries[0];
     ASSERT_EQ(top.faces.size(), 1u);
     // The block's top runs from (3, 2) to (1, 2); the line covers the last three quarters of it.
-    EXPECT_EQ(input.model.vertices[static_cast<std::size_t>(top.faces[0].edge)], Vec2(3, 2));
+    EXPECT_EQ(input.model.vertices[start_of(top.faces[0].edge)], Vec2(3, 2));
     EXPECT_DOUBLE_EQ(top.faces[0].from, 0.25);
     EXPECT_DOUBLE_EQ(top.faces[0].to, 1);
     EXPECT_EQ(top.normal_impedance, 5e6);
@@ -64,7 +64,7 @@ TEST_F(ReadBoundaries, EveryKeyArrives) {
     EXPECT_EQ(wave.y.at(0.5), 0);
 }
 
-TEST_F(ReadBoundaries, TheEchoReadsBackToTheSame) {
+TEST_F(ReadBoundaries, TheEffectiveModelReadsBackToTheSame) {
     const RunInput first = read(model_text);
     const RunInput second = read(first.effective);
     EXPECT_EQ(second.model.joint_materials[0].shear_stiffness, 5e9);
@@ -83,7 +83,7 @@ TEST_F(ReadBoundaries, BadInputIsOneLineWithItsPlace) {
         << "the base cannot move";
     EXPECT_EQ(error_with("[[1, 2], [2.5, 2]]", "[[1, 1], [3, 1]]").substr(0, 30),
               "run.toml:13:9: no face lies on")
-        << "a joint's face is no free face";
+        << "the face of a joint is not free";
     EXPECT_THAT(error_with("[[1, 2], [2.5, 2]]", "[[1, 2], [1, 2]]"),
                 HasSubstr("expected a line of two points or more"));
     EXPECT_EQ(error_with("\"side\"", "\"top\""),
@@ -96,7 +96,7 @@ TEST_F(ReadBoundaries, BadInputIsOneLineWithItsPlace) {
     EXPECT_THAT(error_with("\"20 GPa/m\"", "0"), HasSubstr("expected a positive number"));
     EXPECT_THAT(error_with("\"20 GPa/m\"", "\"20 GPa\""), HasSubstr("Pa/m"));
     EXPECT_EQ(error_with("corner_length = \"5 cm\"", "normal_penalty = 1e9"),
-              "run.toml:10:18: 'normal_penalty' and 'normal_stiffness' stand together in "
+              "run.toml:10:18: 'normal_penalty' and 'normal_stiffness' are both given in "
               "[joint_material.bedding]; expected one of them");
     EXPECT_THAT(error_with("corner_length = \"5 cm\"", "largest_closure = 0"),
                 HasSubstr("expected a positive number"));
@@ -106,7 +106,7 @@ TEST_F(ReadBoundaries, BadInputIsOneLineWithItsPlace) {
                 HasSubstr("unknown key 'cohesion'"));
 }
 
-TEST_F(ReadBoundaries, AFreeFieldStandsBesideAnUprightSide) {
+TEST_F(ReadBoundaries, AFreeFieldNeedsAnUprightSide) {
     const std::string side = "along = [[3, 1], [3, 2]]";
     const RunInput input = read(changed(side, side + "\nfree_field = \"top\"\nfree_field_layer = \"40 cm\""));
     EXPECT_FALSE(input.model.viscous_boundaries[0].free_field);
@@ -115,12 +115,12 @@ TEST_F(ReadBoundaries, AFreeFieldStandsBesideAnUprightSide) {
     ASSERT_EQ(field.nodes.size(), 4u) << "1 m in layers of 40 cm or less";
     EXPECT_DOUBLE_EQ(field.nodes.front(), 1);
     EXPECT_DOUBLE_EQ(field.nodes.back(), 2);
-    EXPECT_EQ(field.rock, (std::vector<int>{1, 1, 1}));
+    EXPECT_EQ(field.rock, (std::vector<dda::BlockIndex>{1, 1, 1}));
     const auto refused = [&](const std::string& keys) { return error_with(side, side + "\n" + keys); };
     EXPECT_EQ(refused("free_field = \"tip\""),
               "run.toml:19:14: there is no viscous boundary 'tip'; expected perhaps 'top'");
-    EXPECT_THAT(refused("free_field = \"side\""), HasSubstr("stands beside a free field"));
-    EXPECT_THAT(refused("free_field = \"\""), HasSubstr("names no boundary"));
+    EXPECT_THAT(refused("free_field = \"side\""), HasSubstr("has a free field"));
+    EXPECT_THAT(refused("free_field = \"\""), HasSubstr("'free_field' is empty"));
     EXPECT_THAT(refused("free_field_layer = 1"), HasSubstr("unknown key 'free_field_layer'"));
     EXPECT_THAT(refused("free_field = \"top\"\nfree_field_layer = -1"),
                 HasSubstr("expected zero or a positive number"));
@@ -131,7 +131,7 @@ TEST_F(ReadBoundaries, AFreeFieldStandsBesideAnUprightSide) {
     const auto at = both.find("boundary = \"top\"");
     std::string onto_side = both;
     onto_side.replace(at, 16, "boundary = \"side\"");
-    EXPECT_THAT(io_test::error_of([&] { read(onto_side); }), HasSubstr("which no wave enters"));
+    EXPECT_THAT(io_test::error_of([&] { read(onto_side); }), HasSubstr("so no wave can enter through it"));
 }
 
 TEST_F(ReadBoundaries, AWaveIsAVelocityAStressOrARecord) {
@@ -148,13 +148,13 @@ TEST_F(ReadBoundaries, AWaveIsAVelocityAStressOrARecord) {
     EXPECT_TRUE(stress.y_is_traction);
     EXPECT_FALSE(stress.x_is_traction);
     EXPECT_DOUBLE_EQ(stress.y.values()[0], 3000);
-    // 0, 1, 2, 1, 0 gal at 0.1 s: the velocity grows by trapezia.
+    // 0, 1, 2, 1, 0 gal at 0.1 s, integrated by the trapezoidal rule.
     folder.write("a.csv", "0,0\n0.1,1\n0.2,2\n0.3,1\n0.4,0\n");
-    const IncidentWave felt =
+    const IncidentWave integrated =
         wave("x = { file = \"a.csv\", quantity = \"acceleration\", unit = \"gal\", scale = 10 }");
-    ASSERT_EQ(felt.x.values().size(), 5u);
-    EXPECT_NEAR(felt.x.values()[1], 0.1 * 0.05, 1e-15);
-    EXPECT_NEAR(felt.x.values()[4], 0.1 * 0.4, 1e-15);
+    ASSERT_EQ(integrated.x.values().size(), 5u);
+    EXPECT_NEAR(integrated.x.values()[1], 0.1 * 0.05, 1e-15);
+    EXPECT_NEAR(integrated.x.values()[4], 0.1 * 0.4, 1e-15);
     EXPECT_EQ(wave("x = { file = \"a.csv\" }").x.values()[1], 1) << "two columns are m/s";
     EXPECT_THAT(error_with(table, "delay = -1\n" + table), HasSubstr("'delay'"));
     EXPECT_THAT(error_with("scale = 2", "quantity = \"speed\""), HasSubstr("'quantity'"));

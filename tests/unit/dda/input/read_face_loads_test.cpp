@@ -40,8 +40,8 @@ class ReadFaceLoads : public io_test::ModelTextTest {
     ReadFaceLoads() : ModelTextTest(model_text) {}
 };
 
-// The block that can move has its corners 6 to 9 at (1, 1), (3, 1), (3, 2), (1, 2); its bottom is the joint.
-TEST_F(ReadFaceLoads, EveryKeyArrives) {
+// The free block has its corners 6 to 9 at (1, 1), (3, 1), (3, 2), (1, 2); its bottom is the joint.
+TEST_F(ReadFaceLoads, ReadsEveryKey) {
     const Model model = read(model_text).model;
     ASSERT_EQ(model.loads.size(), 4u);
     const auto& pressure = std::get<LineLoad>(model.loads[0]);
@@ -68,7 +68,7 @@ TEST_F(ReadFaceLoads, EveryKeyArrives) {
     EXPECT_EQ(head.unit_weight, 9810);
 }
 
-TEST_F(ReadFaceLoads, TheEchoReadsBackToTheSame) {
+TEST_F(ReadFaceLoads, TheEffectiveModelReadsBackToTheSame) {
     const RunInput first = read(model_text);
     const Model again = read(first.effective).model;
     ASSERT_EQ(again.loads.size(), 4u);
@@ -82,7 +82,7 @@ TEST_F(ReadFaceLoads, TheEchoReadsBackToTheSame) {
     EXPECT_THAT(first.effective, HasSubstr("free_faces = true  # default"));
 }
 
-TEST_F(ReadFaceLoads, WaterMayKeepToJointsAndMaterials) {
+TEST_F(ReadFaceLoads, WaterIsRestrictedToJointsAndMaterials) {
     const Model model = read(changed("head = [[0, 2]",
                                      "free_faces = false\njoint_material = \"bedding\"\n"
                                      "head = [[0, 2]"))
@@ -92,8 +92,8 @@ TEST_F(ReadFaceLoads, WaterMayKeepToJointsAndMaterials) {
                 HasSubstr("[joint_water[0]] wets no face of a block that can move"));
 }
 
-// Coordinates far from zero are read less the model's own origin, lines, regions and heads like the rest.
-TEST_F(ReadFaceLoads, PlacesFarFromZeroAreTheModelsOwn) {
+// Coordinates of lines, regions and heads are relative to the model's origin too.
+TEST_F(ReadFaceLoads, CoordinatesFarFromZeroAreRelativeToTheOrigin) {
     blockgen::BlockMesh mesh = io_test::two_block_mesh();
     for (Point& point : mesh.vertices) point = {point.x + 1000, point.y + 2000};
     for (auto& point : mesh.measured_points) point.position = {1002, 2002};
@@ -126,7 +126,7 @@ TEST_F(ReadFaceLoads, BadInputIsOneLineWithItsPlace) {
     EXPECT_THAT(error_with("joint_set = \"set\"", "joint_material = \"beding\""),
                 HasSubstr("there is no joint_material 'beding'; expected perhaps 'bedding'"));
     EXPECT_THAT(error_with("\"5 kPa\"", "0"), HasSubstr("expected a positive number"));
-    EXPECT_THAT(error_with("[4, 1.5]]", "[0, 1.5]]"), HasSubstr("expected points with growing x"));
+    EXPECT_THAT(error_with("[4, 1.5]]", "[0, 1.5]]"), HasSubstr("expected points with increasing x"));
     EXPECT_THAT(error_with("[[0, 2], [4, 1.5]]", "[]"), HasSubstr("head"));
     EXPECT_THAT(error_with("head = [[0, 2], [4, 1.5]]\n", ""), HasSubstr("there is no key 'head'"));
     EXPECT_THAT(error_with("[[0.5, 0.5], [3.5, 0.5], [3.5, 1.8], [0.5, 1.8]]", "[[0, 0], [1, 1]]"),

@@ -33,7 +33,7 @@ class ReadRoughJoints : public io_test::ModelTextTest {
     }
 };
 
-TEST_F(ReadRoughJoints, BartonBandisComesInWithItsTable) {
+TEST_F(ReadRoughJoints, ReadsBartonBandisWithItsTable) {
     const BartonBandis law = barton(model_text);
     EXPECT_EQ(law.barton.roughness_coefficient, 12.8);
     EXPECT_EQ(law.barton.wall_strength, 151e6);
@@ -118,11 +118,12 @@ class ReadCyclicJoint : public io_test::ModelTextTest {
     }
 };
 
-TEST_F(ReadCyclicJoint, ComesInWithItsTablesAndDefaults) {
+TEST_F(ReadCyclicJoint, ReadsTablesAndDefaults) {
     const CyclicBartonBandis law = cyclic(cyclic_text);
     ASSERT_EQ(law.cycles.size(), 1u);
     EXPECT_EQ(law.cycles[0].forward_advance, (RoughnessTable{{{0, 0}, {1, 1}, {2, 0.5}}}));
-    EXPECT_EQ(law.cycles[0].backward_advance, (RoughnessTable{{{0, -0.4}, {1, 0.5}, {4, 0.4}}})) << "bridged";
+    EXPECT_EQ(law.cycles[0].backward_advance, (RoughnessTable{{{0, -0.4}, {1, 0.5}, {4, 0.4}}}))
+        << "starts at the end of the forward return";
     EXPECT_EQ(law.cycles[0].backward_return, (RoughnessTable{{{1, -0.4}, {4, -0.3}}}));
     EXPECT_EQ(law.peak_displacement, 1.25e-3);
     EXPECT_EQ(law.min_slip, 1e-4);
@@ -132,7 +133,7 @@ TEST_F(ReadCyclicJoint, ComesInWithItsTablesAndDefaults) {
     EXPECT_FALSE(law.heal || law.unsigned_ratios || law.asymmetric || law.floor_dilation);
 }
 
-TEST_F(ReadCyclicJoint, OptionsComeIn) {
+TEST_F(ReadCyclicJoint, ReadsOptions) {
     EXPECT_EQ(cyclic(with("bridge = \"clamp\"")).cycles[0].backward_advance,
               (RoughnessTable{{{1, 0.5}, {4, 0.4}}}));
     EXPECT_TRUE(cyclic(with("heal = true")).heal);
@@ -143,7 +144,7 @@ TEST_F(ReadCyclicJoint, OptionsComeIn) {
     EXPECT_EQ(cyclic(with("contact_length = 25.1")).contact_length, 25.1);
 }
 
-TEST_F(ReadCyclicJoint, OneTableOfWearStandsForAllBranches) {
+TEST_F(ReadCyclicJoint, OneTableOfWearServesAllBranches) {
     std::string text = cyclic_text;
     const std::size_t from = text.find("[[joint_material"), to = text.find("[[stage]]");
     text.replace(from, to - from, "wear = [[0, 1], [20, -0.2]]\nasymmetric = true\n");
@@ -155,7 +156,7 @@ TEST_F(ReadCyclicJoint, OneTableOfWearStandsForAllBranches) {
     EXPECT_TRUE(law.unsigned_ratios && law.asymmetric);
 }
 
-TEST_F(ReadCyclicJoint, WhatItReadIsEchoedAndReadsBack) {
+TEST_F(ReadCyclicJoint, TheEffectiveModelReadsBackToTheSame) {
     const RunInput input = read(with("reversal_factor = 0.9"));
     const auto& first = std::get<CyclicBartonBandis>(input.model.joint_materials[0].law);
     const CyclicBartonBandis again = cyclic(input.effective);
@@ -173,14 +174,15 @@ TEST_F(ReadCyclicJoint, BadValuesAreRefused) {
     EXPECT_THAT(error_with_line("contact_length = -1"), HasSubstr("zero or a positive number"));
     EXPECT_THAT(error_with_line("bridge = \"clmp\""), HasSubstr("clamp"));
     EXPECT_THAT(error_with_line("heal = 1"), HasSubstr("heal"));
-    EXPECT_THAT(error_with_line("asymmetric = true"), HasSubstr("unknown key 'asymmetric'")) << "needs wear";
-    EXPECT_THAT(error_with_line("wear = [[0, 1]]"), HasSubstr("cycle")) << "one of the two";
+    EXPECT_THAT(error_with_line("asymmetric = true"), HasSubstr("unknown key 'asymmetric'"))
+        << "requires 'wear'";
+    EXPECT_THAT(error_with_line("wear = [[0, 1]]"), HasSubstr("cycle")) << "either 'cycle' or 'wear'";
     EXPECT_THAT(error_with("[[0, -0.4], [2, -0.3]]", "[[2, -0.4], [1, -0.3]]"),
                 HasSubstr("'forward_return' in [joint_material.bedding.cycle[0]] has the entry [1, -0.3]"));
     EXPECT_THAT(error_with("backward_return = [[1, -0.4], [4, -0.3]]", ""), HasSubstr("backward_return"));
 }
 
-// --- weakening and asperities: the law's table is put in the place of another
+// --- weakening and asperities: the table of the law replaces that of the model text
 
 class ReadWornJoints : public io_test::ModelTextTest {
   protected:
@@ -199,7 +201,7 @@ class ReadWornJoints : public io_test::ModelTextTest {
     }
 };
 
-TEST_F(ReadWornJoints, WeakeningAndBilinear) {
+TEST_F(ReadWornJoints, ReadsWeakeningAndBilinear) {
     const std::string text =
         "law = \"weakening\"\nfriction_angle = \"0.5 rad\"\nresidual_friction_angle = "
         "\"0.3 rad\"\ncohesion = 2e5\nresidual_cohesion = 1e4\nweakening_slip = \"5 mm\"\n";
@@ -228,7 +230,7 @@ TEST_F(ReadWornJoints, WeakeningAndBilinear) {
                 HasSubstr("zero or a positive number"));
 }
 
-TEST_F(ReadWornJoints, VelocityWeakens) {
+TEST_F(ReadWornJoints, ReadsVelocityWeakening) {
     const std::string start =
         "law = \"velocity-weakening\"\nfriction_angle = \"0.5 rad\"\nresidual_friction_angle = \"0.3 rad\"\n";
     const auto smooth = law<VelocityWeakening>(start + "weakening_speed = \"10 cm/s\"\n");
@@ -242,12 +244,12 @@ TEST_F(ReadWornJoints, VelocityWeakens) {
     EXPECT_THAT(error(start + "weakening_speed = 1\nweakening = \"linear\"\n"), HasSubstr("logarithmic"));
     EXPECT_THAT(error(start + "weakening_speed = 1\nweakening_rate = 0.02\n"),
                 HasSubstr("unknown key 'weakening_rate'"))
-        << "the exponential has none";
+        << "the exponential law has none";
     EXPECT_THAT(error(logarithmic), HasSubstr("weakening_rate"));
     EXPECT_THAT(error(logarithmic + "weakening_rate = -1\n"), HasSubstr("expected a positive number"));
 }
 
-TEST_F(ReadWornJoints, ContinuouslyYields) {
+TEST_F(ReadWornJoints, ReadsContinuouslyYielding) {
     const std::string start =
         "law = \"continuously-yielding\"\nfriction_angle = \"0.5 rad\"\nresidual_friction_angle = \"0.3 "
         "rad\"\n";
@@ -262,7 +264,7 @@ TEST_F(ReadWornJoints, ContinuouslyYields) {
                 HasSubstr("an angle up to 'friction_angle'"));
 }
 
-TEST_F(ReadWornJoints, Asperities) {
+TEST_F(ReadWornJoints, ReadsAsperities) {
     const std::string friction = "friction_angle = \"0.5 rad\"\n";
     const auto plesha =
         law<Plesha>("law = \"plesha\"\n" + friction + "asperity_angle = \"0.2 rad\"\nwear = 1e-4\n");

@@ -116,7 +116,7 @@ void expect_same_model(const RunInput& a, const RunInput& b) {
     EXPECT_EQ(a.output.frames, b.output.frames);
 }
 
-TEST_F(ReadRun, EveryKeyArrives) {
+TEST_F(ReadRun, ReadsEveryKey) {
     const RunInput input = read(full_model);
     const Model& model = input.model;
     EXPECT_EQ(model.block_count(), 2);
@@ -125,7 +125,7 @@ TEST_F(ReadRun, EveryKeyArrives) {
     EXPECT_EQ(model.block_materials[0].initial_stress[0], -1e6);
     EXPECT_EQ(model.motion[0], Motion::prescribed);
     EXPECT_EQ(model.block_name[0], "base");
-    EXPECT_EQ(model.topology.joint_material[3], 1) << "'bedding' is the model file's second material";
+    EXPECT_EQ(model.topology.joint_material[3], 1) << "'bedding' is the second material of the model file";
     EXPECT_EQ(model.topology.joint_material[0], -1);
     EXPECT_EQ(model.topology.joint[3], 0);
     EXPECT_EQ(model.plane, Plane::stress);
@@ -145,8 +145,7 @@ TEST_F(ReadRun, EveryKeyArrives) {
     EXPECT_EQ(first.point, model.measured_points[0].point);
     EXPECT_EQ(first.force, Vec2(1000, 0));
     EXPECT_EQ(first.history.at(0.5), 1);
-    EXPECT_EQ(
-        model.material_points[static_cast<std::size_t>(std::get<PointLoad>(model.loads[1]).point)].block, 1);
+    EXPECT_EQ(model.material_points[std::get<PointLoad>(model.loads[1]).point].block, 1);
     EXPECT_EQ(std::get<BodyLoad>(model.loads[2]).block, 1);
     EXPECT_TRUE(model.fixed_points[0].hold_x);
     EXPECT_FALSE(model.fixed_points[0].hold_y);
@@ -167,7 +166,7 @@ TEST_F(ReadRun, EveryKeyArrives) {
     EXPECT_EQ(input.files.size(), 3u);
 }
 
-TEST_F(ReadRun, TheEchoReadsBackToTheSameRun) {
+TEST_F(ReadRun, TheEffectiveModelReadsBackToTheSameRun) {
     fs::create_directories(folder / "out");
     RunReadOptions options;
     options.echo_folder = folder / "out";
@@ -180,7 +179,7 @@ TEST_F(ReadRun, TheEchoReadsBackToTheSameRun) {
     EXPECT_THAT(first.effective, HasSubstr("growth = 1.3  # default"));
 }
 
-TEST_F(ReadRun, OverridesAndBlocksOfTheCommandLine) {
+TEST_F(ReadRun, AppliesOverridesAndBlockFileOfTheCommandLine) {
     fs::rename(folder / "two.blocks", folder / "other.blocks");
     RunReadOptions options;
     options.blocks = folder / "other.blocks";
@@ -251,27 +250,27 @@ TEST_F(ReadRun, BadInputIsOneLineWithItsPlace) {
     EXPECT_THAT(error_with("frames = 10", "history_interval = 1e-300"), HasSubstr("1e-9 s or more"));
 }
 
-TEST_F(ReadRun, ABaseMotionMayComeLaterOrAsABodyForce) {
+TEST_F(ReadRun, ABaseMotionMayBeDelayedOrABodyForce) {
     const RunInput late = read(changed("block = \"base\"", "block = \"base\"\ndelay = \"30 ms\""));
     const BaseMotion& motion = late.stages[1].base_motions.at(0);
     EXPECT_DOUBLE_EQ(motion.y.times()[0], 0.03);
     EXPECT_DOUBLE_EQ(motion.y.times()[1], 1.03);
     EXPECT_DOUBLE_EQ(motion.x.times()[0], 0.03);
     const FinalBaseState end = integrate_base_motion(motion.x, 0.005);
-    EXPECT_NEAR(end.velocity, 0, 1e-12) << "the drift is taken out of what comes later";
+    EXPECT_NEAR(end.velocity, 0, 1e-12) << "a delayed record is drift-corrected too";
     EXPECT_NEAR(end.displacement, 0, 1e-12);
 
-    const RunInput felt = read(changed("block = \"base\"", "way = \"body-force\""));
-    EXPECT_TRUE(felt.stages[1].base_motions.empty());
-    ASSERT_EQ(felt.stages[1].frame_motions.size(), 1u);
-    EXPECT_DOUBLE_EQ(felt.stages[1].frame_motions[0].y.at(1), 0.1 * 9.80665);
+    const RunInput body_force = read(changed("block = \"base\"", "way = \"body-force\""));
+    EXPECT_TRUE(body_force.stages[1].base_motions.empty());
+    ASSERT_EQ(body_force.stages[1].frame_motions.size(), 1u);
+    EXPECT_DOUBLE_EQ(body_force.stages[1].frame_motions[0].y.at(1), 0.1 * 9.80665);
     EXPECT_THAT(error_with("block = \"base\"", "block = \"base\"\nway = \"body-force\""),
                 HasSubstr("unknown key 'block'"));
     EXPECT_THAT(error_with("block = \"base\"", "way = \"felt\""), HasSubstr("'way'"));
     EXPECT_THAT(error_with("block = \"base\"", "delay = -1"), HasSubstr("'delay'"));
 }
 
-TEST_F(ReadRun, RelativeMotionsCountFromTheBaseUnlessSaidOtherwise) {
+TEST_F(ReadRun, RelativeMotionsReferToTheBaseByDefault) {
     EXPECT_EQ(read(full_model).output.relative_to, "base");
     EXPECT_EQ(read(changed("frames = 10", "relative_to = \"crest\"")).output.relative_to, "crest");
     EXPECT_EQ(read(changed("frames = 10", "relative_to = \"\"")).output.relative_to, "");
@@ -282,7 +281,7 @@ TEST_F(ReadRun, RelativeMotionsCountFromTheBaseUnlessSaidOtherwise) {
                     HasSubstr("slip_threshold"));
 }
 
-TEST_F(ReadRun, ARecordIsReadAsItsKeysSay) {
+TEST_F(ReadRun, ARecordIsReadAsItsKeysDeclare) {
     EXPECT_EQ(error_with("scale = 2.0", "format = \"csv\", channel = 1"), "no error");
     EXPECT_THAT(error_with("scale = 2.0", "format = \"knet\""), StartsWith("r.csv:1: the header has no"));
     EXPECT_THAT(error_with("scale = 2.0", "format = \"k-net\""), HasSubstr("did you mean \"knet\"?"));
@@ -290,7 +289,7 @@ TEST_F(ReadRun, ARecordIsReadAsItsKeysSay) {
     EXPECT_THAT(error_with("scale = 2.0", "channel = 2"), StartsWith("r.csv: there is no channel 2"));
 }
 
-TEST_F(ReadRun, NumbersOutOfAllProportionAreRefused) {
+TEST_F(ReadRun, NumbersOutsideTheAllowedRangeAreRefused) {
     EXPECT_EQ(error_with("\"5 GPa\"", "1e31"),
               "run.toml:4:18: 'youngs_modulus' in [block_material.rock] is 1e+31, which is too large; "
               "expected a stress "
@@ -318,16 +317,16 @@ TEST_F(ReadRun, BlocksThatCannotBeSimulatedAreRefused) {
                 HasSubstr("every block is fixed or prescribed; expected a block that is free to move"));
     EXPECT_THAT(error_of_blocks([](auto& mesh) { mesh.vertices[6].x = 1e31; }),
                 HasSubstr("'1e+31' is too large"));
-    EXPECT_THAT(error_of_blocks([](auto& mesh) { mesh = {}; }), HasSubstr("holds no block"));
+    EXPECT_THAT(error_of_blocks([](auto& mesh) { mesh = {}; }), HasSubstr("has no block"));
 }
 
-TEST_F(ReadRun, TheTemplateIsAWholeModelFile) {
+TEST_F(ReadRun, TheTemplateIsACompleteModelFile) {
     blockgen::BlockMesh mesh = io_test::two_block_mesh();
     mesh.joint_materials = {"joint"};
     blockgen::write_block_file(folder / "slope.blocks", mesh);
     const RunInput input = read(run_template());
     EXPECT_EQ(input.stages.size(), 2u);
-    // A commented key is a claim about a default: it must be a key that is read.
+    // The template uncommented: every key in its comments must be known.
     std::string uncommented;
     for (std::string rest = run_template(); !rest.empty();) {
         std::string line = rest.substr(0, rest.find('\n') + 1);

@@ -1,4 +1,4 @@
-// A base shaken by real records: its acceleration is the record, and it ends at rest where it began.
+// A base driven by real records: its acceleration is the record, and it ends at rest where it began.
 
 #include <gtest/gtest.h>
 
@@ -7,24 +7,24 @@
 
 #include "dda/analysis/run.hpp"
 #include "dda/input/read_run.hpp"
-#include "unit/dda/input/small_models.hpp"
 #include "support/case_name.hpp"
 #include "support/external_data.hpp"
+#include "unit/dda/input/small_models.hpp"
 
 namespace rockslope::dda {
 namespace {
 
 struct Shaken {
     const char* file;
-    const char* keys;  ///< beside `file`
+    const char* keys;  ///< additional keys of the axis
 };
 
 class RealBaseMotion : public ::testing::TestWithParam<Shaken> {};
 
-/// Compares the base with its table at every step's end.
-class Follower : public RunObserver {
+/// Compares the acceleration of the base with its table at the end of every step.
+class BaseMonitor : public RunObserver {
   public:
-    explicit Follower(const TimeTable& table) : table_(table) {}
+    explicit BaseMonitor(const TimeTable& table) : table_(table) {}
     bool step_done(const Model&, const State& state, const Stage& stage, const StepReport& report) override {
         if (stage.kind != StageKind::dynamic) return true;
         const double t = state.stage_time;
@@ -44,8 +44,8 @@ class Follower : public RunObserver {
     const TimeTable& table_;
 };
 
-// Required: 1e-6 of the peak, also when steps are cut, here because the sliding block gets too fast for them.
-// The drift is taken out to rounding, which 16000 sums make of 1e-16.
+// Required: 1e-6 of the peak, also with cut steps, which the fast sliding block causes here. The remaining
+// drift is the rounding of 16000 sums of 1e-16 each.
 TEST_P(RealBaseMotion, IsTheRecordAndEndsAtRest) {
     const auto folder = external_data("records");
     if (!folder) GTEST_SKIP() << external_data_missing("records");
@@ -68,14 +68,14 @@ x = { file = ")" + file + R"(", baseline = "drift")" + GetParam().keys +
     double peak = 0;
     for (const double a : table.values()) peak = std::max(peak, std::abs(a));
     State state = initial_state(input.model);
-    Follower follower(table);
-    follower.start = state.blocks.centroid(0).x();
-    const RunOutcome outcome = run(input.model, input.stages, state, follower);
+    BaseMonitor monitor(table);
+    monitor.start = state.blocks.centroid(0).x();
+    const RunOutcome outcome = run(input.model, input.stages, state, monitor);
     ASSERT_EQ(outcome.status, RunStatus::completed) << outcome.message;
-    EXPECT_GT(follower.cuts, 0) << "this case is about cut steps";
-    EXPECT_LT(follower.worst, 1e-6 * peak);
-    EXPECT_LT(std::abs(state.blocks.velocity[0][0]), 1e-9 * follower.largest_velocity);
-    EXPECT_LT(std::abs(state.blocks.centroid(0).x() - follower.start), 1e-8 * follower.largest_displacement);
+    EXPECT_GT(monitor.cuts, 0) << "the case must have cut steps";
+    EXPECT_LT(monitor.worst, 1e-6 * peak);
+    EXPECT_LT(std::abs(state.blocks.velocity[0][0]), 1e-9 * monitor.largest_velocity);
+    EXPECT_LT(std::abs(state.blocks.centroid(0).x() - monitor.start), 1e-8 * monitor.largest_displacement);
 }
 
 INSTANTIATE_TEST_SUITE_P(Records, RealBaseMotion,

@@ -15,7 +15,7 @@ namespace rockslope::io_test {
 namespace fs = std::filesystem;
 using rockslope::error_of;
 
-/// A folder of the test's own, removed at its end.
+/// A temporary folder of a test, removed at its end.
 class Folder {
   public:
     Folder() {
@@ -59,7 +59,7 @@ inline blockgen::BlockMesh two_block_mesh() {
     return mesh;
 }
 
-/// How the text of a run of two_block_mesh() begins: its file, "two.blocks", and its rock.
+/// Beginning of a model text for two_block_mesh(): the block file "two.blocks" and the rock.
 inline std::string two_blocks_of_rock() {
     return R"(blocks = "two.blocks"
 [block_material.rock]
@@ -69,7 +69,7 @@ poissons_ratio = 0.25
 )";
 }
 
-/// The same with the friction of their joint, such as "20 deg".
+/// The same with a Mohr-Coulomb joint. @param angle friction angle, such as "20 deg".
 inline std::string two_blocks_with_friction(const std::string& angle) {
     return two_blocks_of_rock() + "[joint_material.bedding]\nlaw = \"mohr-coulomb\"\nfriction_angle = \"" +
            angle + "\"\n";

@@ -50,7 +50,7 @@ TEST(Plesha, WithoutFrictionTheWorkIsThatOfTheNormalStress) {
 }
 
 // dW = sigma tan(phi + a exp(-c W)) dU, so the slip is an integral over the work: here by Simpson's rule.
-// Displacements of all sizes, so that the last step of the integration ends anywhere in it.
+// The displacements have all sizes, so the last integration step has any length.
 TEST(Plesha, SlipIsTheIntegralOverTheWork) {
     const Plesha law{25 * degree, 20 * degree, 3e-4};
     const auto inverse = [&](double work) {

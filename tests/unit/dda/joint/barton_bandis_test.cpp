@@ -56,7 +56,7 @@ TEST(BartonBandis, MobilisedRoughnessStaysOnReversal) {
     EXPECT_EQ(back.dilation, there.dilation);
 }
 
-// A strength that has to be reached with a spring: at the peak the spring of Eq. (58) just arrives.
+// The spring of Eq. (58) reaches the strength at the peak displacement.
 TEST(BartonBandis, SpringReachesThePeakAtThePeakDisplacement) {
     const BartonBandis law = barton_1985_granite();
     const double k = law.shear_stiffness(law.fresh(true), force, length);
@@ -65,7 +65,8 @@ TEST(BartonBandis, SpringReachesThePeakAtThePeakDisplacement) {
     EXPECT_EQ(law.shear_stiffness(loaded, 3 * force, length), k) << "it stays what it was at first";
 }
 
-// Of the rising curve a spring softer than it sees only the end; the strength tried is what it can arrive at.
+// A spring softer than the rising curve does not reach the strength on it; its force is the smaller one of
+// Eq. (62).
 TEST(BartonBandis, TrialStrengthIsTheLowestAlongTheDisplacement) {
     const BartonBandis law = barton_1985_granite();
     const double far = 4 * granite_peak, k = 1e12;  // stiff: the force follows the curve down to x = 4

@@ -1,9 +1,10 @@
-// What every law of the list must keep, whatever it says about rock. The laws are taken from the list itself.
+// Properties that every law of the list must have. The laws are taken from the list itself.
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
+#include <set>
 
 #include "dda/joint/shear_step.hpp"
 #include "specimens.hpp"
@@ -23,7 +24,8 @@ using dda::Strength;
 constexpr JointLoad usual{1e5, 0.1, 8e7};
 constexpr double forces[] = {-1e12, -10.0, -1e-12, 0.0, 1e-12, 1.0, 10.0, 1e3, 1e5, 1e6, 1e7, 1e12};
 
-/// Displacements of a joint shaken to and fro by up to a few millimetres, some steps far, some hardly at all.
+/// Displacements of up to a few millimetres in both directions; every fourth step has the full size, the
+/// others 1/10, 1/100 and 1/1000 of it.
 std::vector<double> random_path(unsigned seed) {
     std::mt19937 random(seed);
     std::normal_distribution<double> size(0, 1);
@@ -49,14 +51,14 @@ void expect_equal(const Strength& a, const Strength& b) {
     EXPECT_EQ(a.tensile, b.tensile);
 }
 
-/// Whether the strength drops at the first slip, however small: then the force at the end of the step in
-/// which that happens is the peak, and depends on the step by nature. The history does not.
+/// Whether the strength drops at the first slip, however small. Then the force at the end of the step with
+/// the first slip is the peak, so it depends on the step; the history does not.
 bool is_brittle(const JointLaw& law) {
-    const auto* joint = std::get_if<dda::MohrCoulomb>(&law);
-    return joint && !joint->fresh(true).broken;
+    const auto envelope = dda::coulomb_envelope(law);
+    return envelope && dda::bound_line(law, dda::fresh_history(law, true)) != envelope->residual;
 }
 
-/// What anyone can learn from a history: its record and its strengths. The tolerances are the rounding of a
+/// Compares all that a history determines: its record and its strengths. The tolerances are the rounding of a
 /// path of some hundred steps and millimetres.
 void expect_alike(const JointLaw& law, const ShearedJoint& a, const ShearedJoint& b) {
     const JointRecord ra = dda::record(law, a.history), rb = dda::record(law, b.history);
@@ -77,11 +79,8 @@ void expect_alike(const JointLaw& law, const ShearedJoint& a, const ShearedJoint
     EXPECT_NEAR(sa.tensile, sb.tensile, 1e-9 * usual.normal_force);
 }
 
-/// Whether the law says that strength grows with the normal force. It does not where a joint runs down its
-/// own roughness: the steeper the asperities, the easier it goes, and they flatten as the stress grows.
 bool is_monotonic(const JointLaw& law) {
-    const auto* joint = std::get_if<dda::CyclicBartonBandis>(&law);
-    return !(joint && joint->asymmetric);
+    return std::visit([](const auto& l) { return joint_tests::strength_grows_with_normal_force(l); }, law);
 }
 
 template <class Law>
@@ -180,8 +179,8 @@ TYPED_TEST(JointLawConformance, SlopeIsTheDerivativeOfTheStrength) {
     }
 }
 
-// Swapping the roles of the two blocks turns the tangent with them, so the joint sees the same displacements.
-// What is left to ask is that a fresh joint prefers no direction of the tangent.
+// Swapping the two blocks also turns the tangent, so the displacements stay the same. The remaining symmetry
+// is that a fresh joint prefers no direction of the tangent.
 TYPED_TEST(JointLawConformance, AFreshJointIsSymmetric) {
     for (const JointLaw& law : this->laws()) {
         const std::vector<double> path = random_path(3);
@@ -240,8 +239,122 @@ TYPED_TEST(JointLawConformance, HistoryBelongsToItsLawAndIsPlainData) {
             EXPECT_EQ(joint.history.index(), law.index());
 }
 
-// A joint at rest under a changing force, as in a static stage, does not wear.
-// A joint that is not sheared remembers at most the largest stress, which gives it its spring.
+// A law without dilation has none in any history; one with dilation opens or closes some specimen.
+TYPED_TEST(JointLawConformance, DilatesSaysWhetherTheRecordHasDilation) {
+    for (const JointLaw& law : this->laws()) {
+        double largest = 0;
+        for (unsigned seed = 1; seed <= 3; ++seed)
+            for (const ShearedJoint& joint : sheared(law, random_path(seed)))
+                largest = std::max(largest, std::abs(dda::dilation(law, joint.history)));
+        EXPECT_EQ(dda::dilates(law), largest > 0);
+    }
+}
+
+// The two contacts of a joint segment dilate together, so only a segment's history may contain dilation.
+TYPED_TEST(JointLawConformance, OnlyJointSegmentsDilate) {
+    for (const JointLaw& law : this->laws()) {
+        EXPECT_EQ(dda::has_segment_history(law),
+                  TypeParam::history_scope == dda::HistoryScope::joint_segment);
+        EXPECT_TRUE(!dda::dilates(law) || dda::has_segment_history(law));
+    }
+}
+
+// The friction coupling replaces the strength by its line: they must be equal, whatever the trial.
+TYPED_TEST(JointLawConformance, BoundLineIsTheStrength) {
+    for (const JointLaw& law : this->laws()) {
+        for (const ShearedJoint& joint : sheared(law, random_path(6))) {
+            const auto line = dda::bound_line(law, joint.history);
+            if (!line) continue;
+            for (const double normal : forces) {
+                for (const double length : {0.0, 0.1, 3.0}) {
+                    for (const double displacement : {-1e-3, 0.0, 1e-3}) {
+                        const Strength s = dda::strength(law, joint.history, normal, length,
+                                                         {displacement, joint.shear_force, 8e7});
+                        EXPECT_EQ(s.forward, line->strength(normal, length)) << normal << ' ' << length;
+                        EXPECT_EQ(s.backward, s.forward) << normal << ' ' << length;
+                    }
+                }
+            }
+        }
+    }
+}
+
+// A law with an envelope has its residual line after the first slip, and its peak line, or the residual one
+// if nothing can break, before.
+TYPED_TEST(JointLawConformance, EnvelopeHasTheLinesBeforeAndAfterTheFirstSlip) {
+    for (const JointLaw& law : this->laws()) {
+        const auto envelope = dda::coulomb_envelope(law);
+        const JointHistory fresh = dda::fresh_history(law, true);
+        if (!envelope) continue;
+        ASSERT_TRUE(dda::bound_line(law, fresh));
+        EXPECT_TRUE(dda::bound_line(law, fresh) == envelope->peak ||
+                    dda::bound_line(law, fresh) == envelope->residual);
+        const JointHistory slipped = dda::advance(law, fresh, {1e-3, 1e-3, 1e5, 0.1});
+        EXPECT_EQ(dda::bound_line(law, slipped), envelope->residual);
+        EXPECT_EQ(dda::bound_line(law, dda::fresh_history(law, false)), envelope->residual);
+    }
+}
+
+TYPED_TEST(JointLawConformance, ShearStiffnessIsFiniteAndNotNegative) {
+    for (const JointLaw& law : this->laws()) {
+        for (const ShearedJoint& joint : sheared(law, random_path(7))) {
+            for (const double normal : forces) {
+                for (const double length : {0.0, 1e-12, 0.1}) {
+                    const double stiffness = dda::shear_stiffness(law, joint.history, normal, length);
+                    EXPECT_TRUE(stiffness >= 0 && std::isfinite(stiffness)) << normal << ' ' << length;
+                }
+            }
+        }
+    }
+}
+
+// Common histories are stored once, so they must be values that joints have.
+TYPED_TEST(JointLawConformance, CommonHistoriesOccur) {
+    constexpr auto common = TypeParam::common_histories();
+    for (const auto& history : common) {
+        bool occurs = false;
+        for (const JointLaw& law : this->laws())
+            for (const bool intact : {true, false})
+                for (const JointHistory& found :
+                     {dda::fresh_history(law, intact),
+                      dda::advance(law, dda::fresh_history(law, intact), {1e-3, 1e-3, 1e12, 0.1})})
+                    occurs = occurs || std::get<typename TypeParam::History>(found) == history;
+        EXPECT_TRUE(occurs);
+    }
+}
+
+// Names are the values of `law = "..."`, so no two laws have the same.
+TEST(JointLaws, HaveDifferentNames) {
+    const auto names = []<class... Laws>(std::type_identity<std::variant<Laws...>>) {
+        return std::set<std::string>{Laws::name...};
+    }(std::type_identity<JointLaw>{});
+    EXPECT_EQ(names.size(), std::variant_size_v<JointLaw>);
+}
+
+// The contract refuses a law in which one member is missing or has another type.
+template <class Law>
+struct CompleteLaw : dda::MohrCoulomb {
+    static Law read(const dda::ParameterTable&) { return {}; }
+};
+struct Complete : CompleteLaw<Complete> {};
+struct WithoutDilation : CompleteLaw<WithoutDilation> {
+    void dilates() const = delete;
+};
+struct WithoutBoundLine : CompleteLaw<WithoutBoundLine> {
+    void bound_line(const History&) const = delete;
+};
+struct WithWrongScope : CompleteLaw<WithWrongScope> {
+    static constexpr bool history_scope = true;
+};
+struct WithoutReader : CompleteLaw<Complete> {};
+static_assert(dda::JointLawContract<Complete>);
+static_assert(!dda::JointLawContract<WithoutDilation>);
+static_assert(!dda::JointLawContract<WithoutBoundLine>);
+static_assert(!dda::JointLawContract<WithWrongScope>);
+static_assert(!dda::JointLawContract<WithoutReader>);
+
+// A joint at rest under a changing force, as in a static stage, does not wear. Its history may contain the
+// largest stress, from which the spring follows.
 TYPED_TEST(JointLawConformance, RestChangesNothing) {
     for (const JointLaw& law : this->laws()) {
         ShearedJoint joint =

@@ -26,8 +26,8 @@ ShearedJoint fresh(const ContinuouslyYielding& law) {
     return {dda::fresh_history(law, true)};
 }
 
-// Without damage d tau/ds = k (1 - tau/tau_m): an exponential approach, whose plastic part is what the spring
-// does not take.
+// Without damage d tau/ds = k (1 - tau/tau_m): an exponential approach; the plastic displacement is the rest
+// after the spring's.
 TEST(ContinuouslyYielding, NearsItsBoundExponentially) {
     const double bound = 1e5 * tangent(30), length = bound / 1e8;
     for (const double way : {1e-5, 3e-4, 2e-3}) {
@@ -38,8 +38,8 @@ TEST(ContinuouslyYielding, NearsItsBoundExponentially) {
     }
 }
 
-// The factor r = tau/tau_m of the reversal: reloaded, the joint is as stiff as at first, and nears the bound
-// in (1 - r) of the length. Unloading is elastic until the force has changed its sign.
+// The factor r = tau/tau_m of the reversal: the reloading starts with the elastic stiffness and approaches
+// the bound over (1 - r) times the length. Unloading is elastic until the force has changed its sign.
 TEST(ContinuouslyYielding, UnloadsElasticallyAndReloadsStiff) {
     const double bound = 1e5 * tangent(30);
     const ShearedJoint there = dda::shear(even, fresh(even), 4e-4, load);
@@ -74,7 +74,7 @@ TEST(ContinuouslyYielding, PeaksAndWearsDown) {
     EXPECT_NEAR(joint.shear_force, 1e5 * tangent(30), 1e-3 * 1e5);
 }
 
-// However stiff the spring, the joint that slides is at its bound.
+// A sliding joint is at its bound for any stiffness of the spring.
 TEST(ContinuouslyYielding, AStiffSpringFollowsTheBound) {
     const ShearedJoint joint = dda::shear(wearing, fresh(wearing), 1e-3, {1e5, 0.1, 1e13});
     EXPECT_NEAR(joint.shear_force, 1e5 * tangent(30 + 15 * std::exp(-0.5)), 1e-5 * 1e5);

@@ -51,7 +51,7 @@ void expect_bounds(const CyclicBartonBandis& law, double stress, double peak, st
         std::vector<double> there = path;
         if (bound.x != 0) there.push_back(sign * bound.x * peak / mm);
         const auto row = end_of(law, stress, there);
-        // The springs reach every one of these bounds on the way, but for those just after a jump.
+        // The springs reach all these bounds except those just after a jump.
         EXPECT_NEAR(std::abs(row.shear_stress) / 1e6, bound.mpa, 5.1e-5) << "x = " << bound.x;
     }
 }
@@ -94,13 +94,14 @@ TEST(CyclicJoint, StrengthJumpsAtTheOriginAndTheForceDoesNot) {
     EXPECT_FALSE(on.back().sliding && on.back().shear_stress > 0.6899e6);
 }
 
-/// Two cycles of 15 mm and what each quarter ends with, to the digits that the reference gives.
+/// Two cycles of 15 mm and the state at the end of each quarter, with the digits of the reference.
 void expect_reference(const CyclicBartonBandis& law, double stress,
                       const std::vector<joint_tests::QuarterCycle>& expected, double net_work) {
     const auto quarters = sheared(law, stress, two_cycles);
     ASSERT_EQ(quarters.size(), expected.size() + 1);
     for (std::size_t k = 0; k < expected.size(); ++k) {
-        // At the jumps the reference is an increment up its spring: 62.5 nm of granite are 1.0e-4 MPa.
+        // At the jumps the reference is one increment further along its spring: 62.5 nm of granite are 1.0e-4
+        // MPa.
         EXPECT_NEAR(quarters[k + 1].shear_stress / 1e6, expected[k].stress, 1.5e-4) << k;
         EXPECT_NEAR(quarters[k + 1].dilation / mm, expected[k].dilation, 6e-4) << k;
     }
@@ -194,9 +195,9 @@ TEST(CyclicJoint, ACycleNeedsABackwardExcursion) {
     EXPECT_EQ(end_of(granite(), 1e6, {15, -1.24, 0.1}).record.cycle, 1);
     EXPECT_EQ(end_of(granite(), 1e6, {15, -1.26, 0.1}).record.cycle, 2);
     EXPECT_EQ(end_of(granite(), 1e6, {15, -1.26, -0.1}).record.cycle, 1) << "not before it is back";
-    // Noise about the origin does not spend the peak.
+    // Small motions about the origin do not use up the peak.
     EXPECT_NEAR(end_of(granite(), 1e6, {0.1, -0.1, 0.1, -0.1, 1.25}).shear_stress, 1.92024e6, 5);
-    // A small step behind the origin does not bring back what was worn off in the cycle.
+    // A small step behind the origin does not restore the roughness worn in the cycle.
     EXPECT_NEAR(end_of(granite(), 1e6, {15, -0.5, 5}).shear_stress, granite_stress(0.15), 1);
 }
 
@@ -210,7 +211,7 @@ TEST(CyclicJoint, FurtherCyclesAreLikeTheLast) {
     EXPECT_NEAR(end_of(wearing, 1e6, path).shear_stress, granite_stress(0.15), 1);
 }
 
-// Resolution 11: forward is where it slips first.
+// Resolution 11: forward is the direction of the first slip.
 TEST(CyclicJoint, ForwardIsTheDirectionOfTheFirstSlip) {
     const auto there = sheared(granite(), 1e6, {0.3, -15, 2});
     auto mirrored = sheared(granite(), 1e6, {-0.3, 15, -2});
@@ -223,7 +224,7 @@ TEST(CyclicJoint, ForwardIsTheDirectionOfTheFirstSlip) {
     EXPECT_EQ(there[3].record.stage, JointStage::backward_advance);
 }
 
-// Resolution 13: only slip that has gone more than min_slip the other way is a reversal.
+// Resolution 13: only slip of more than min_slip in the other direction is a reversal.
 TEST(CyclicJoint, CountsReversalsOfSlipAndNotOfDisplacement) {
     const auto reversals = [&](const std::vector<double>& path) {
         return end_of(granite(), 1e6, path).record.reversals;
@@ -296,8 +297,8 @@ TEST(CyclicJoint, AnOpenJointKeepsItsHistory) {
     EXPECT_EQ(s.forward + s.backward + s.tensile, 0);
 }
 
-// A joint under load may be pulled one way when it is made and slip that way while it is still behind its
-// origin.
+// A loaded joint may be displaced in one direction before its first slip, and slip in the other direction
+// before it is back at its origin.
 TEST(CyclicJoint, APreloadedJointStartsFromWhereItSlipsFirst) {
     const auto law = granite();
     const double k = granite_stress(1) / 1.25e-3 * length;
@@ -309,7 +310,7 @@ TEST(CyclicJoint, APreloadedJointStartsFromWhereItSlipsFirst) {
     EXPECT_NEAR(law.strength(history, 1e5, length, {}).forward, 1.92024e5, 1);
 }
 
-// Without the spring's stiffness the engine's word counts for what slid.
+// Without the spring's stiffness the slip of the motion is taken as given.
 TEST(CyclicJoint, TakesThePrescribedSlip) {
     const auto law = granite();
     const auto slid = law.advance(law.fresh(true), {5 * mm, 5 * mm, 1e5, length, false, 0, 0});

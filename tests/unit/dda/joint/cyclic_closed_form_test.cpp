@@ -1,4 +1,4 @@
-// The closed form of a stretch against the path that it stands for.
+// The closed form of a displacement against CyclicShearPath.
 
 #include "dda/joint/cyclic_closed_form.hpp"
 
@@ -46,7 +46,7 @@ std::vector<CyclicBartonBandis> laws() {
         joint_tests::granite(), joint_tests::marble(), joint_tests::sliding_plane(), healing, wearing, skew};
 }
 
-/// A joint somewhere on its way, and what may be done to it next.
+/// The state of a joint on a path, and its next displacement.
 struct Case {
     CyclicBartonBandis law;
     CyclicBartonBandis::History history;
@@ -54,8 +54,8 @@ struct Case {
     dda::ShearTrial trial;
 };
 
-/// Calls `check(case)`, which tells whether there was a closed form, for displacements of many sizes from
-/// many places on the way of each law.
+/// Calls `check(case)`, which returns whether there was a closed form, for displacements of many sizes from
+/// many states of each law.
 template <class Check>
 void for_many_cases(const std::vector<CyclicBartonBandis>& laws, Check check) {
     scene::RandomSource random(29);
@@ -107,8 +107,8 @@ TEST(CyclicClosedForm, GivesTheHistoryOfTheIntegratedPath) {
                              CyclicShearPath::Purpose::history);
         path.displace(c.trial.displacement);
         CyclicBartonBandis::History expected = path.history();
-        // Sums of the same parts in another order: the slip's are differences of forces up to 1e7 N/m, over a
-        // stiffness of at least 1e7.
+        // The two sum the same terms in another order; the slip contains differences of forces up to 1e7 N/m
+        // over a stiffness of at least 1e7.
         EXPECT_NEAR(closed->reverse_slip, expected.reverse_slip, 1e-14);
         EXPECT_NEAR(closed->position, expected.position, 1e-15 * std::abs(c.trial.displacement));
         EXPECT_NEAR(closed->furthest_forward, expected.furthest_forward, 1e-17);

@@ -1,5 +1,5 @@
 // Partial and irregular reversals of marble at 0.5 MPa, Tables 6 and 7 of Ma et al. (2017), by hand from Eqs.
-// (57) to (64). Displacements in mm, x = d / 0.3; what the letters mean is said in cyclic_reversals_test.cpp.
+// (57) to (64). Displacements in mm, x = d / 0.3; cyclic_reversals_test.cpp explains the letters.
 // Its tables bend everywhere and its return is steeper than the advance, so that a partial reversal does not
 // close.
 
@@ -97,7 +97,8 @@ TEST_F(CyclicMarbleReversals, BehindTheOrigin) {
     EXPECT_EQ(turned[5].record.reversals, 4);
 }
 
-// Slip to and fro that does not count wears nothing, but contracts: 0.06 mm at 0.45 back, at 0.35 out.
+// Slip below min_slip in both directions does not wear the joint, but contracts it: 0.06 mm at 0.45 back, at
+// 0.35 out.
 TEST_F(CyclicMarbleReversals, SmallerThanMinSlip) {
     auto law = marble();
     law.reversal_factor = 0.9;

@@ -40,7 +40,7 @@ ShearTestRow end_of(const CyclicBartonBandis& law, const std::vector<double>& pa
     return rows(law, path).back();
 }
 
-// Before the peak the joint is locked, whatever the path: the force is k d, and the peak is there in the end.
+// Before the peak the joint is locked on every path: the force is k d, and the peak is reached at the end.
 // The dilation of a turn is not undone on the way back: out to d it gains the mean over the table, ratio x,
 // and back it loses at the ratio of the turning point, Eq. (64).
 TEST_F(CyclicReversals, BeforeThePeakTheForceIsThatOfTheSpring) {
@@ -142,8 +142,9 @@ TEST_F(CyclicReversals, AcrossTheOriginAndBack) {
     EXPECT_EQ(turned[5].record.reversals, 1);
 }
 
-// Turns within the spring leave nothing behind. Turns that slip do, each two reversals, but no dilation: at
-// constant ratios, 0.3 both ways, it closes. What follows is the path without them, times the wear.
+// Turns within the spring change nothing. Turns with slip add two reversals each, but no dilation: at
+// constant ratios, 0.3 in both directions, the path closes. The rest is the path without turns, times the
+// wear.
 TEST_F(CyclicReversals, SmallCyclesAndThenABigOne) {
     std::vector<double> within = {5}, slipping = {5};
     for (int n = 0; n < 10; ++n) within.insert(within.end(), {4.6, 5});

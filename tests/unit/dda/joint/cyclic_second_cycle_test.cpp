@@ -1,5 +1,5 @@
 // Partial and irregular reversals after a full cycle of 15 mm, by hand from Eqs. (57) to (64). Granite at 1
-// MPa, displacements in mm, x = d / 1.25; what the letters mean is said in cyclic_reversals_test.cpp. The
+// MPa, displacements in mm, x = d / 1.25; cyclic_reversals_test.cpp explains the letters. The
 // tables of the second cycle: forward advance 0.3 x up to x = 1 and 0.3 beyond; return -0.38 + 0.08 x, then
 // -0.3; backward advance -0.38 + 0.48 x, 0.1 + 0.2 (x - 1) up to x = 2, then 0.3; return -0.3. The first
 // cycle counts two reversals and comes back to the origin at tau(-0.4).

@@ -10,6 +10,16 @@ namespace rockslope::joint_tests {
 
 constexpr double degree = 0.017453292519943295;
 
+/// Whether the strength of a joint grows with the normal force. It does not where a joint slides down its own
+/// roughness: the steeper the asperities, the smaller the resistance, and they flatten as the stress grows.
+template <class Law>
+bool strength_grows_with_normal_force(const Law&) {
+    return true;
+}
+inline bool strength_grows_with_normal_force(const dda::CyclicBartonBandis& law) {
+    return !law.asymmetric;
+}
+
 /// Joints of each law for the conformance test: one overload per law, or the test does not compile.
 inline std::vector<dda::MohrCoulomb> specimens(std::type_identity<dda::MohrCoulomb>) {
     return {{30 * degree, 1e5, 5e4, 20 * degree, 1e4}, {30 * degree, 0, 0, 30 * degree, 0}, {}};

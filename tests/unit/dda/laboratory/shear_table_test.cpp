@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "unit/dda/input/small_models.hpp"
 #include "support/cyclic_joints.hpp"
+#include "unit/dda/input/small_models.hpp"
 
 namespace rockslope::dda {
 namespace {
@@ -34,8 +34,8 @@ TEST_F(ShearTableTest, ColumnsAreFoundByNameAndConvertedByUnit) {
 }
 
 TEST_F(ShearTableTest, BadTablesAreRefusedWithTheirPlace) {
-    EXPECT_THAT(error(""), HasSubstr("holds no points"));
-    EXPECT_THAT(error("displacement (mm)\n"), HasSubstr("holds no points"));
+    EXPECT_THAT(error(""), HasSubstr("has no data rows"));
+    EXPECT_THAT(error("displacement (mm)\n"), HasSubstr("has no data rows"));
     EXPECT_THAT(error("shear stress (MPa)\n1\n"), HasSubstr("lab.csv:1: there is no column 'displacement'"));
     EXPECT_THAT(error("displacement\n1\n"), HasSubstr("column 'displacement' has no unit"));
     EXPECT_THAT(error("displacement (MPa)\n1\n"), HasSubstr("is in 'MPa'"));
@@ -67,7 +67,7 @@ TEST_F(ShearTableTest, RowsReadBackAsATable) {
     }
 }
 
-TEST_F(ShearTableTest, AMeasuredJointIsReadFromWhereItsDisplacementsCount) {
+TEST_F(ShearTableTest, AMeasuredJointIsReadFromWhereDisplacementsAreZeroed) {
     const fs::path file = folder.write("joints.csv",
                                        "time (s),stage,bed displacement (m),bed shear stress (Pa),bed state,"
                                        "fault displacement (m)\n"
@@ -82,7 +82,7 @@ TEST_F(ShearTableTest, AMeasuredJointIsReadFromWhereItsDisplacementsCount) {
                 HasSubstr("there is no column 'bet displacement'"));
 }
 
-TEST_F(ShearTableTest, MisfitIsTakenAtTheMeasuredPointsAlongTheirPath) {
+TEST_F(ShearTableTest, TheMisfitIsThatAtTheMeasuredPoints) {
     ShearTable measured;
     measured.displacement = {1.25e-3, 5e-3, 4e-3};
     const ShearTest test = granite_test();

@@ -43,17 +43,18 @@ double error_after(const Affine& map, int memory, int steps) {
 
 class AndersonOnAffineMaps : public testing::TestWithParam<std::tuple<int, double>> {};
 
-// With n differences the residuals span the space, so the (n + 1)th iterate is the fixed point, whether plain
-// iteration contracts (norm below 1) or grows. Rounding is amplified by the condition of the differences:
-// 1e-6 leaves room for it.
-TEST_P(AndersonOnAffineMaps, EndAfterOneStepMoreThanUnknowns) {
+// n residual differences span the space of n unknowns, so the (n + 1)th iterate is the fixed point, whether
+// plain iteration converges (norm below 1) or diverges. Rounding is amplified by the condition number of the
+// differences; 1e-6 leaves room for it.
+TEST_P(AndersonOnAffineMaps, ConvergeInOneStepMoreThanUnknowns) {
     const auto [size, norm] = GetParam();
     for (const unsigned seed : {1u, 2u, 3u}) {
         const Affine map = random_map(size, norm, seed);
         EXPECT_LT(error_after(map, size, size + 1), 1e-6)
             << size << " unknowns, norm " << norm << ", seed " << seed;
         if (size > 1) {
-            EXPECT_GT(error_after(map, size, size - 1), 1e-6) << "the problem is too easy to show anything";
+            EXPECT_GT(error_after(map, size, size - 1), 1e-6)
+                << "converged too early: the test shows nothing";
         }
     }
 }
@@ -89,7 +90,7 @@ TEST(AndersonMixing, AtAFixedPointStaysThere) {
     for (int k = 0; k < 4; ++k) EXPECT_EQ(mixing.next(x, x), x);
 }
 
-TEST(AndersonMixing, NothingToMix) {
+TEST(AndersonMixing, AcceptsEmptyVectors) {
     dda::AndersonMixing mixing(3);
     const Eigen::VectorXd none(0);
     EXPECT_EQ(mixing.next(none, none).size(), 0);

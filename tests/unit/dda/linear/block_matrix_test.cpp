@@ -15,23 +15,22 @@ using dda::Vec6;
 TEST(BlockPattern, SortsSwapsAndDropsRepetitions) {
     const BlockPattern pattern = BlockPattern::from_pairs(4, {{3, 0}, {1, 2}, {0, 3}, {0, 1}, {2, 1}});
     EXPECT_EQ(pattern.size, 4);
-    EXPECT_EQ(pattern.start, (std::vector<int>{0, 2, 3, 3, 3}));
-    EXPECT_EQ(pattern.columns, (std::vector<int>{1, 3, 2}));
+    EXPECT_EQ(pattern.start, (std::vector<std::uint32_t>{0, 2, 3, 3, 3}));
+    EXPECT_EQ(pattern.columns, (std::vector<dda::RowIndex>{1, 3, 2}));
 }
 
-TEST(BlockPattern, KnowsThePositionsOfItsEntries) {
+TEST(BlockPattern, FindsThePositionsOfItsEntries) {
     const BlockPattern pattern = BlockPattern::from_pairs(5, {{0, 4}, {0, 2}, {1, 4}, {3, 4}});
-    for (int row = 0; row < pattern.size; ++row) {
-        for (int k = pattern.start[static_cast<std::size_t>(row)];
-             k < pattern.start[static_cast<std::size_t>(row) + 1]; ++k) {
-            EXPECT_EQ(pattern.position(row, pattern.columns[static_cast<std::size_t>(k)]), k);
+    for (std::size_t row = 0; row < pattern.size; ++row) {
+        for (std::uint32_t k = pattern.start[row]; k < pattern.start[row + 1]; ++k) {
+            EXPECT_EQ(pattern.position(row, pattern.columns[k]), k);
         }
     }
 }
 
 TEST(BlockPattern, WithoutPairs) {
-    EXPECT_EQ(BlockPattern::from_pairs(0, {}).start, std::vector<int>{0});
-    EXPECT_EQ(BlockPattern::from_pairs(3, {}).start, (std::vector<int>{0, 0, 0, 0}));
+    EXPECT_EQ(BlockPattern::from_pairs(0, {}).start, std::vector<std::uint32_t>{0});
+    EXPECT_EQ(BlockPattern::from_pairs(3, {}).start, (std::vector<std::uint32_t>{0, 0, 0, 0}));
 }
 
 TEST(BlockPattern, DoesNotDependOnTheOrderOfPairs) {
@@ -39,8 +38,8 @@ TEST(BlockPattern, DoesNotDependOnTheOrderOfPairs) {
               BlockPattern::from_pairs(3, {{2, 1}, {1, 0}, {0, 1}}));
 }
 
-// The larger one in several chunks of rows, whose columns are anywhere.
-TEST(BlockMatrix, MultipliesAsTheDenseOneDoesOnAnyNumberOfThreads) {
+// The larger matrix has several chunks of rows, with entries that cross them.
+TEST(BlockMatrix, MultipliesLikeADenseMatrixOnAnyNumberOfThreads) {
     for (const int size : {20, 300}) {
         const RandomSystem system(size, 3 * size, 3);
         const auto rows = static_cast<std::size_t>(size);
@@ -49,14 +48,14 @@ TEST(BlockMatrix, MultipliesAsTheDenseOneDoesOnAnyNumberOfThreads) {
         Eigen::VectorXd x(6 * size);
         Eigen::VectorXd y(6 * size);
         for (int i = 0; i < size; ++i) {
-            x.segment<6>(6 * i) = system.load[static_cast<std::size_t>(i)];
-            y.segment<6>(6 * i) = product[static_cast<std::size_t>(i)];
+            x.segment<6>(6 * i) = system.load[i];
+            y.segment<6>(6 * i) = product[i];
         }
         EXPECT_LT((y - dense(system.pattern, system.matrix) * x).norm(), 1e-13 * y.norm());
         for (const int threads : {2, 3}) {
-            std::vector<Vec6> shared(rows);
-            system.matrix.multiply(system.pattern, system.load, shared, ThreadPool(threads));
-            EXPECT_EQ(shared, product);
+            std::vector<Vec6> parallel_product(rows);
+            system.matrix.multiply(system.pattern, system.load, parallel_product, ThreadPool(threads));
+            EXPECT_EQ(parallel_product, product);
         }
     }
 }
@@ -77,7 +76,7 @@ TEST(BlockMatrix, AddsOuterProductsAboveAndBelowTheDiagonal) {
     EXPECT_EQ(dense(pattern, matrix), expected);
 }
 
-TEST(BlockMatrix, ResetForgets) {
+TEST(BlockMatrix, ResetClearsAllEntries) {
     const BlockPattern pattern = BlockPattern::from_pairs(2, {{0, 1}});
     BlockMatrix matrix;
     matrix.reset(pattern);

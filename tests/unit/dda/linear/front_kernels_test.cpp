@@ -13,7 +13,7 @@ using namespace rockslope;
 
 namespace {
 
-/// A dense front beside the panel that the kernels work on.
+/// A random positive definite front, as a dense matrix and as the panel that the kernels work on.
 template <class Scalar>
 class DenseFront {
   public:
@@ -37,7 +37,7 @@ class DenseFront {
             for (int r = c / 6 * 6; r < size; ++r) at(r, c) = matrix(r, c);
         }
     }
-    /// A scalar of the panel by its row in the dense front.
+    /// A scalar of the panel, by its row and column in the dense matrix.
     Scalar& at(int row, int column) {
         const int r = row < columns ? row : row - columns + padded;
         return panel_.data()[dda::diagonal_blocks_size<Scalar>(pivots) +
@@ -54,7 +54,7 @@ class DenseFront {
     dda::AlignedBuffer<Scalar> panel_;
 };
 
-/// A scalar of an update.
+/// A scalar of an update, by its row and column.
 template <class Scalar>
 Scalar at_update(const Scalar* update, int row, int column, int stride) {
     constexpr std::size_t w = dda::strip_rows<Scalar>;
@@ -70,7 +70,7 @@ class FrontKernels : public testing::Test {};
 using Scalars = testing::Types<float, double>;
 TYPED_TEST_SUITE(FrontKernels, Scalars);
 
-/// Runs `check(kernels, front)` for all sets of kernels and fronts of many shapes.
+/// Runs `check(kernels, front)` for all kernel sets and for fronts of many shapes.
 template <class Scalar, class Check>
 void for_fronts(const Check& check) {
     for (const auto& kernels : dda::front_kernels<Scalar>()) {
@@ -85,7 +85,7 @@ void for_fronts(const Check& check) {
     }
 }
 
-// Well conditioned by construction (below 100): differences are some roundings of the entries.
+// The condition number is below 100 by construction, so the differences are a few roundings of the entries.
 TYPED_TEST(FrontKernels, FactoriseAFront) {
     using Scalar = TypeParam;
     using Matrix = typename DenseFront<Scalar>::Matrix;
@@ -136,7 +136,7 @@ TYPED_TEST(FrontKernels, Solve) {
     for_fronts<Scalar>([&](const dda::FrontKernels<Scalar>& kernels, DenseFront<Scalar>& front) {
         const int k = front.columns;
         const int m = 6 * front.rows;
-        if (m == 0) return;  // that is a root: the factor's tests solve with them
+        if (m == 0) return;  // a root, which the tests of the factor cover
         ASSERT_TRUE(kernels.factor_pivots(front.panel(), front.pivots));
         kernels.solve_rows(front.panel(), front.pivots, 0, front.row_strips());
         kernels.invert_groups(front.panel(), front.pivots);
@@ -162,7 +162,7 @@ TYPED_TEST(FrontKernels, Solve) {
     });
 }
 
-TYPED_TEST(FrontKernels, WorkTheSameInPortions) {
+TYPED_TEST(FrontKernels, GiveTheSameBytesInChunks) {
     using Scalar = TypeParam;
     for_fronts<Scalar>([&](const dda::FrontKernels<Scalar>& kernels, DenseFront<Scalar>& front) {
         DenseFront<Scalar> other(front.pivots, front.rows,
@@ -194,11 +194,11 @@ TYPED_TEST(FrontKernels, WorkTheSameInPortions) {
     });
 }
 
-TYPED_TEST(FrontKernels, RefuseWhatIsNotPositiveDefinite) {
+TYPED_TEST(FrontKernels, RejectAnIndefiniteMatrix) {
     using Scalar = TypeParam;
     for_fronts<Scalar>([&](const dda::FrontKernels<Scalar>& kernels, DenseFront<Scalar>& front) {
-        const int bad = front.columns / 2;
-        front.at(bad, bad) = -1;
+        const int middle = front.columns / 2;
+        front.at(middle, middle) = -1;
         EXPECT_FALSE(kernels.factor_pivots(front.panel(), front.pivots));
     });
 }

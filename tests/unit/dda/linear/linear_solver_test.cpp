@@ -1,4 +1,4 @@
-// What every linear solver has to do.
+// Conformance test of all linear solvers.
 
 #include "dda/linear/linear_solver.hpp"
 
@@ -35,7 +35,8 @@ struct Size {
 
 class SolversOnGraphs : public testing::TestWithParam<std::tuple<Kind, Size>> {};
 
-// The condition number is below 1e4 by construction, so a backward stable solution is right to some 1e-12.
+// The condition number is below 1e4 by construction, so a backward stable solution has an error of some
+// 1e-12.
 TEST_P(SolversOnGraphs, AgreeWithADenseSolution) {
     const auto& [kind, size] = GetParam();
     for (const unsigned seed : {1u, 2u, 3u}) {
@@ -62,13 +63,13 @@ INSTANTIATE_TEST_SUITE_P(Graphs, SolversOnGraphs,
 
 class Solvers : public testing::TestWithParam<Kind> {};
 
-TEST_P(Solvers, ServeOnePatternAfterAnother) {
+TEST_P(Solvers, SolvePatternsInTurn) {
     const auto solver = GetParam().make();
     for (const int size : {20, 3, 40}) {
         const RandomSystem system(size, 2 * size, 11);
         solver->analyze(system.pattern);
         ASSERT_TRUE(solver->factorize(system.matrix));
-        for (int again = 0; again < 2; ++again) {
+        for (int repetition = 0; repetition < 2; ++repetition) {
             std::vector<Vec6> x = system.load;
             solver->solve(x);
             EXPECT_LT(system.error_of(x), 1e-11);
@@ -76,7 +77,7 @@ TEST_P(Solvers, ServeOnePatternAfterAnother) {
     }
 }
 
-TEST_P(Solvers, RefuseAnIndefiniteMatrixAndRecover) {
+TEST_P(Solvers, RejectAnIndefiniteMatrixAndRecover) {
     RandomSystem system(12, 30, 5);
     const auto solver = GetParam().make();
     solver->analyze(system.pattern);
@@ -94,7 +95,7 @@ TEST_P(Solvers, RefuseAnIndefiniteMatrixAndRecover) {
     EXPECT_LT(system.error_of(x), 1e-11);
 }
 
-TEST_P(Solvers, RefuseAZeroDiagonalBlock) {
+TEST_P(Solvers, RejectAZeroDiagonalBlock) {
     RandomSystem system(4, 6, 3);
     system.matrix.diagonal[2].setZero();
     for (Mat6& upper : system.matrix.upper) upper.setZero();
@@ -103,7 +104,7 @@ TEST_P(Solvers, RefuseAZeroDiagonalBlock) {
     EXPECT_FALSE(solver->factorize(system.matrix));
 }
 
-// With a mass of 1e-9 and springs of 1 the condition number is some 1e10: of 16 digits some 6 are left.
+// With a mass of 1e-9 and springs of 1 the condition number is some 1e10, which leaves some 6 of 16 digits.
 TEST_P(Solvers, AreAccurateToTheConditionNumber) {
     for (const unsigned seed : {1u, 2u, 3u}) {
         const RandomSystem system(40, 150, seed, 1e-9);
@@ -119,7 +120,7 @@ TEST_P(Solvers, AreAccurateToTheConditionNumber) {
 TEST_P(Solvers, GiveTheSameBytesAgain) {
     const scene::StepSystem system = scene::step_system(scene::running_bond_wall(20, 20, 10).model, 0.005);
     std::vector<std::vector<Vec6>> solutions;
-    for (int again = 0; again < 3; ++again) {
+    for (int repetition = 0; repetition < 3; ++repetition) {
         const auto solver = GetParam().make();
         solver->analyze(system.pattern);
         ASSERT_TRUE(solver->factorize(system.matrix));
@@ -132,28 +133,26 @@ TEST_P(Solvers, GiveTheSameBytesAgain) {
 
 /// |b - A x| / |b|.
 double residual(const scene::StepSystem& system, const std::vector<Vec6>& x) {
-    std::vector<Vec6> left = system.load;
-    for (int i = 0; i < system.pattern.size; ++i) {
-        const auto row = static_cast<std::size_t>(i);
-        left[row] -= system.matrix.diagonal[row] * x[row];
-        for (auto k = static_cast<std::size_t>(system.pattern.start[row]);
-             k < static_cast<std::size_t>(system.pattern.start[row + 1]); ++k) {
-            const auto j = static_cast<std::size_t>(system.pattern.columns[k]);
-            left[row] -= system.matrix.upper[k] * x[j];
-            left[j] -= system.matrix.upper[k].transpose() * x[row];
+    std::vector<Vec6> remainder = system.load;
+    for (std::size_t row = 0; row < system.pattern.size; ++row) {
+        remainder[row] -= system.matrix.diagonal[row] * x[row];
+        for (std::uint32_t k = system.pattern.start[row]; k < system.pattern.start[row + 1]; ++k) {
+            const dda::RowIndex j = system.pattern.columns[k];
+            remainder[row] -= system.matrix.upper[k] * x[j];
+            remainder[j] -= system.matrix.upper[k].transpose() * x[row];
         }
     }
-    double rest = 0;
-    double whole = 0;
-    for (std::size_t i = 0; i < left.size(); ++i) {
-        rest += left[i].squaredNorm();
-        whole += system.load[i].squaredNorm();
+    double remainder_square = 0;
+    double load_square = 0;
+    for (std::size_t i = 0; i < remainder.size(); ++i) {
+        remainder_square += remainder[i].squaredNorm();
+        load_square += system.load[i].squaredNorm();
     }
-    return std::sqrt(rest / whole);
+    return std::sqrt(remainder_square / load_square);
 }
 
-// Backward stability: |b - A x| is some rounding of |A| |x|. Springs of 100 E against the mass that 1 ms
-// leaves make |A| |x| up to 1e5 |b|.
+// Backward stability: |b - A x| is a small multiple of the rounding of |A| |x|. With springs of 100 E and a
+// step of 1 ms, |A| |x| is up to 1e5 |b|.
 TEST_P(Solvers, SolveTheStepsOfAWall) {
     for (const double penalty : {10.0, 100.0}) {
         for (const double dt : {1e-4, 1e-3, 5e-3, 0.1}) {
@@ -171,9 +170,9 @@ TEST_P(Solvers, SolveTheStepsOfAWall) {
     }
 }
 
-// Fewer springs than unknowns, and a mass that single precision cannot see beside them: the factor is the one
-// in double precision then, to the byte.
-TEST(RefinedSolver, TakesDoublePrecisionWhereSingleIsTooLittle) {
+// There are fewer springs than unknowns, and the mass is lost beside them in single precision. The solver
+// falls back to double precision and gives the same bytes.
+TEST(RefinedSolver, FallsBackToDoublePrecision) {
     RandomSystem system(12, 40, 7, 1e-12);
     std::vector<std::vector<Vec6>> solutions;
     for (const dda::SolverKind kind : {dda::SolverKind::multifrontal, dda::SolverKind::refined}) {
@@ -187,9 +186,8 @@ TEST(RefinedSolver, TakesDoublePrecisionWhereSingleIsTooLittle) {
     EXPECT_EQ(solutions[0], solutions[1]);
 }
 
-// A step's right-hand sides are near each other, and its matrices too: solutions that start from the one
-// before are as near.
-TEST_P(Solvers, SolveOneRightHandSideAfterAnother) {
+// The right-hand sides and the matrices of a step are close to each other.
+TEST_P(Solvers, SolveRightHandSidesInTurn) {
     RandomSystem system(30, 90, 4);
     const auto solver = GetParam().make();
     solver->analyze(system.pattern);
@@ -197,12 +195,12 @@ TEST_P(Solvers, SolveOneRightHandSideAfterAnother) {
     std::vector<Vec6> x = system.load;
     solver->solve(x);
     const std::vector<Vec6> load = system.load;
-    for (const double share : {1e-9, 1e-3, 1.0, 1e3}) {
-        system.matrix.diagonal[3] *= 1 + share / 1e4;
+    for (const double change : {1e-9, 1e-3, 1.0, 1e3}) {
+        system.matrix.diagonal[3] *= 1 + change / 1e4;
         std::vector<char> changed(30, 0);
         changed[3] = 1;
         ASSERT_TRUE(solver->refactorize(system.matrix, changed));
-        for (std::size_t i = 0; i < load.size(); ++i) system.load[i] = load[i] + share * load[29 - i];
+        for (std::size_t i = 0; i < load.size(); ++i) system.load[i] = load[i] + change * load[29 - i];
         x = system.load;
         solver->solve(x);
         EXPECT_LT(system.error_of(x), 1e-11);
@@ -212,8 +210,8 @@ TEST_P(Solvers, SolveOneRightHandSideAfterAnother) {
     }
 }
 
-// From anywhere to a first solution, whose residual is below 1e-5 of the load (the condition number is below
-// 1e4); to it one for a change of the load; then the rounding of both is taken away.
+// A coarse solution from any guess (residual below 1e-5 of the load, condition number below 1e4), plus a
+// direction for a change of the load, then refinement.
 TEST_P(Solvers, SolveCoarselyAddAndRefine) {
     for (const double guess : {0.0, 1.0, 1e6}) {
         RandomSystem system(60, 200, 9);

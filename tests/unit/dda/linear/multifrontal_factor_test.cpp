@@ -22,35 +22,34 @@ dda::SupernodeTree tree_of(const BlockPattern& pattern) {
     return dda::find_supernodes(pattern, dda::fill_reducing_order(pattern));
 }
 
-// From the moment a front forms its update until its parent has taken it, nobody else writes there. Within
-// subtrees each thread has a space of its own; the roots of all subtrees come before the fronts above.
-TEST(SymbolicFactor, KeepsUpdatesApartWhileTheyAreNeeded) {
+// No other front writes to an update from the moment it is formed until its parent has added it. Inside a
+// subtree each thread has its own space. All subtree roots come before the fronts above them.
+TEST(SymbolicFactor, UpdatesDoNotOverlapWhileTheyAreNeeded) {
     for (const int columns : {1, 4, 15, 30}) {
         const auto pattern = BlockPattern::from_pairs(columns * 20, grid_graph(columns, 20));
         const SymbolicFactor plan = dda::symbolic_factorization(pattern, tree_of(pattern), 8, 0);
         EXPECT_FALSE(plan.keeps_updates);
         const int count = static_cast<int>(plan.count());
-        const auto front = [&](int f) -> const Front& { return plan.fronts[static_cast<std::size_t>(f)]; };
+        const auto front = [&](int f) -> const Front& { return plan.fronts[f]; };
         const auto size = [&](const Front& f) {
             const auto rows = static_cast<std::size_t>(f.rows);
             return 6 * (rows * f.stride - dda::omitted_rows_before(rows, 8));
         };
         std::vector<int> subtree(plan.count(), -1);
         for (const dda::Subtree& one : plan.subtrees) {
-            for (int f = one.begin; f < one.end; ++f) subtree[static_cast<std::size_t>(f)] = one.begin;
+            for (int f = one.begin; f < one.end; ++f) subtree[f] = one.begin;
             for (int f = one.begin; f < one.end; ++f) EXPECT_EQ(front(f).in_subtree, f + 1 < one.end);
         }
         for (int a = 0; a < count; ++a) {
             const bool inside = front(a).in_subtree;
             EXPECT_LE(front(a).update + size(front(a)), inside ? plan.subtree_space : plan.shared_space);
-            EXPECT_TRUE(subtree[static_cast<std::size_t>(a)] >= 0 ||
+            EXPECT_TRUE(subtree[a] >= 0 ||
                         std::binary_search(plan.top_fronts.begin(), plan.top_fronts.end(), a));
             for (int b = 0; b < count; ++b) {
                 if (a == b || front(b).in_subtree != inside) continue;
-                const bool a_is_root = !inside && subtree[static_cast<std::size_t>(a)] >= 0;
-                const bool b_is_root = !inside && subtree[static_cast<std::size_t>(b)] >= 0;
-                if (inside && subtree[static_cast<std::size_t>(a)] != subtree[static_cast<std::size_t>(b)])
-                    continue;
+                const bool a_is_root = !inside && subtree[a] >= 0;
+                const bool b_is_root = !inside && subtree[b] >= 0;
+                if (inside && subtree[a] != subtree[b]) continue;
                 const bool b_comes_while_a_is_needed =
                     (a_is_root && b_is_root) || ((a_is_root || a < b) && !b_is_root && b <= front(a).parent);
                 const bool apart = front(a).update + size(front(a)) <= front(b).update ||
@@ -61,21 +60,21 @@ TEST(SymbolicFactor, KeepsUpdatesApartWhileTheyAreNeeded) {
     }
 }
 
-// Units are subtrees of subtrees. What their inner fronts hand on is needed by the unit only; all other
-// updates stay where they are.
-TEST(SymbolicFactor, HasAPlaceForTheUpdateOfEachUnit) {
+// Each unit is a subtree inside one of `subtrees`. The updates of its inner fronts are used inside the unit
+// only. All other updates keep their own memory.
+TEST(SymbolicFactor, AllocatesTheUpdateOfEachUnit) {
     const auto pattern = BlockPattern::from_pairs(30 * 40, grid_graph(30, 40));
     const SymbolicFactor plan = dda::symbolic_factorization(pattern, tree_of(pattern), 8);
     ASSERT_TRUE(plan.keeps_updates);
     EXPECT_GT(plan.refactor_units.size(), plan.subtrees.size());
-    const auto front = [&](int f) -> const Front& { return plan.fronts[static_cast<std::size_t>(f)]; };
+    const auto front = [&](int f) -> const Front& { return plan.fronts[f]; };
     std::vector<char> is_inner(plan.count(), 0);
     for (const dda::Subtree& unit : plan.refactor_units) {
         EXPECT_TRUE(std::any_of(plan.subtrees.begin(), plan.subtrees.end(), [&](const dda::Subtree& subtree) {
             return subtree.begin <= unit.begin && unit.end <= subtree.end;
         }));
         for (int f = unit.begin; f + 1 < unit.end; ++f) {
-            is_inner[static_cast<std::size_t>(f)] = 1;
+            is_inner[f] = 1;
             EXPECT_LT(front(f).parent, unit.end);
         }
     }
@@ -95,7 +94,7 @@ TEST(SymbolicFactor, StoresTheLowerTriangleOfAnUpdate) {
     for (const std::size_t w : {8, 16}) {
         for (const std::size_t rows : {1, 2, 5, 9, 40}) {
             const std::size_t stride = (6 * rows + w - 1) / w * w;
-            std::size_t end = 0;  // of the columns so far
+            std::size_t end = 0;  // of the block columns before j
             for (std::size_t j = 0; j < rows; ++j) {
                 const std::size_t first = dda::first_update_row(j, w);
                 EXPECT_LE(first, 6 * j);
@@ -120,7 +119,7 @@ std::vector<Vec6> solution(const scene::StepSystem& system, int threads) {
     return x;
 }
 
-/// Large enough for its subtrees and its largest fronts to be shared.
+/// Large enough for several subtrees and for fronts whose work is split among threads.
 scene::StepSystem large_system() {
     return scene::step_system(scene::running_bond_wall(40, 40, 10).model, 0.005);
 }
@@ -162,8 +161,8 @@ std::vector<char> changed_rows(const dda::BlockMatrix& a, const dda::BlockMatrix
     return differ;
 }
 
-// Contacts open and close at random, a few or a fifth of them; what is factorised in part must be the same as
-// what is factorised at once. Where updates are not kept everything is factorised, to the same bytes.
+// Contacts open and close at random, a few or a fifth of them. A refactorisation must give the same bytes as
+// a full factorisation. Without kept updates everything is factorised, to the same bytes.
 TEST(MultifrontalFactor, RefactorizationEqualsAFullFactorization) {
     RandomNumbers draw(11);
     const scene::StepSystem whole = large_system();
@@ -196,7 +195,7 @@ TEST(MultifrontalFactor, RefactorizationEqualsAFullFactorization) {
     }
 }
 
-// Told that nothing has changed, it does nothing, whatever the matrix is.
+// With no row marked as changed it does nothing, even if the matrix differs.
 TEST(MultifrontalFactor, RefactorizesOnlyChangedFronts) {
     scene::StepSystem system = large_system();
     const ThreadPool pool(1);
@@ -228,17 +227,19 @@ TEST(MultifrontalFactor, RecoversAfterAnIndefiniteMatrix) {
     EXPECT_EQ(x, solution<double>(system, 1));
 }
 
-double difference(const std::vector<Vec6>& a, const std::vector<Vec6>& b) {
-    double apart = 0;
+/// |a - b| / |b|.
+double relative_difference(const std::vector<Vec6>& a, const std::vector<Vec6>& b) {
+    double difference = 0;
     double size = 0;
     for (std::size_t i = 0; i < a.size(); ++i) {
-        apart += (a[i] - b[i]).squaredNorm();
+        difference += (a[i] - b[i]).squaredNorm();
         size += b[i].squaredNorm();
     }
-    return std::sqrt(apart / size);
+    return std::sqrt(difference / size);
 }
 
-// The wall's condition number is some 1e4 (springs of 10 E, 5 ms), so double leaves 1e-11 and single 1e-2.
+// The condition number of the wall is some 1e4 (springs of 10 E, 5 ms), so the error is up to 1e-11 in double
+// precision and 1e-2 in single.
 TEST(MultifrontalFactor, SolvesAWallAsCholmodDoes) {
     const scene::StepSystem system = large_system();
     const auto cholmod = dda::make_cholmod_solver();
@@ -246,11 +247,11 @@ TEST(MultifrontalFactor, SolvesAWallAsCholmodDoes) {
     ASSERT_TRUE(cholmod->factorize(system.matrix));
     std::vector<Vec6> expected = system.load;
     cholmod->solve(expected);
-    EXPECT_LT(difference(solution<double>(system, 1), expected), 1e-11);
-    EXPECT_LT(difference(solution<float>(system, 1), expected), 1e-2);
+    EXPECT_LT(relative_difference(solution<double>(system, 1), expected), 1e-11);
+    EXPECT_LT(relative_difference(solution<float>(system, 1), expected), 1e-2);
 }
 
-TEST(MultifrontalFactor, RefusesNan) {
+TEST(MultifrontalFactor, RejectsNan) {
     RandomSystem system(20, 40, 3);
     const ThreadPool pool(1);
     dda::MultifrontalFactor<double> factor;
@@ -260,7 +261,7 @@ TEST(MultifrontalFactor, RefusesNan) {
 }
 
 TEST(MultifrontalFactor, SinglePrecisionFailsOnANearlySingularMatrix) {
-    // A mass 1e-12 of the springs is lost in them.
+    // A mass of 1e-12 vanishes beside springs of 1 in single precision.
     const RandomSystem system(6, 4, 2, 1e-12);
     const ThreadPool pool(1);
     dda::MultifrontalFactor<double> wide;

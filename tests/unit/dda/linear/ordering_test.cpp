@@ -20,26 +20,26 @@ void expect_permutation(std::vector<int> order, int size) {
     EXPECT_EQ(order, all);
 }
 
-/// Entries of the factor below the diagonal when the graph's nodes are eliminated in an order.
-std::size_t fill(int size, const std::vector<std::pair<int, int>>& pairs, const std::vector<int>& order) {
+/// Number of entries of the factor below the diagonal when the nodes of a graph are eliminated in an order.
+std::size_t fill(int size, const std::vector<std::pair<dda::RowIndex, dda::RowIndex>>& pairs,
+                 const std::vector<int>& order) {
     const auto n = static_cast<std::size_t>(size);
     std::vector<std::vector<char>> linked(n, std::vector<char>(n, 0));
     for (const auto& [i, j] : pairs) {
-        linked[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] =
-            linked[static_cast<std::size_t>(j)][static_cast<std::size_t>(i)] = 1;
+        linked[i][j] = linked[j][i] = 1;
     }
-    std::vector<char> gone(n, 0);
+    std::vector<char> eliminated(n, 0);
     std::size_t entries = 0;
     for (const int next : order) {
         const auto k = static_cast<std::size_t>(next);
-        gone[k] = 1;
-        std::vector<std::size_t> rest;
+        eliminated[k] = 1;
+        std::vector<std::size_t> neighbours;
         for (std::size_t j = 0; j < n; ++j) {
-            if (linked[k][j] && !gone[j]) rest.push_back(j);
+            if (linked[k][j] && !eliminated[j]) neighbours.push_back(j);
         }
-        entries += rest.size();
-        for (const std::size_t i : rest) {
-            for (const std::size_t j : rest) linked[i][j] = i != j;
+        entries += neighbours.size();
+        for (const std::size_t i : neighbours) {
+            for (const std::size_t j : neighbours) linked[i][j] = i != j;
         }
     }
     return entries;
@@ -51,7 +51,7 @@ TEST(FillReducingOrder, IsAPermutation) {
     expect_permutation(dda::fill_reducing_order(BlockPattern::from_pairs(400, grid_graph(20, 20))), 400);
     std::mt19937 engine(3);
     for (const int size : {2, 5, 50, 300}) {
-        std::vector<std::pair<int, int>> pairs;
+        std::vector<std::pair<dda::RowIndex, dda::RowIndex>> pairs;
         for (int k = 0; k < 3 * size; ++k) {
             const int i = static_cast<int>(engine() % static_cast<unsigned>(size));
             const int j = static_cast<int>(engine() % static_cast<unsigned>(size));
@@ -61,8 +61,8 @@ TEST(FillReducingOrder, IsAPermutation) {
     }
 }
 
-// Row by row a 40 x 40 grid fills 40 entries a node; dissection needs about 8 log2(40)/2. Half is a bound it
-// meets with room.
+// In the natural order a 40 x 40 grid fills 40 entries a node; nested dissection needs about 8 log2(40)/2. A
+// bound of one half leaves room.
 TEST(FillReducingOrder, HalvesTheFillOfAGrid) {
     const auto pairs = grid_graph(40, 40);
     std::vector<int> natural(1600);
@@ -71,7 +71,7 @@ TEST(FillReducingOrder, HalvesTheFillOfAGrid) {
     EXPECT_LT(2 * fill(1600, pairs, order), fill(1600, pairs, natural));
 }
 
-TEST(FillReducingOrder, IsTheSameAgain) {
+TEST(FillReducingOrder, IsReproducible) {
     const auto pattern = BlockPattern::from_pairs(900, grid_graph(30, 30));
     EXPECT_EQ(dda::fill_reducing_order(pattern), dda::fill_reducing_order(pattern));
 }

@@ -21,22 +21,21 @@ SupernodeTree tree_of(const BlockPattern& pattern) {
     return dda::find_supernodes(pattern, dda::fill_reducing_order(pattern));
 }
 
-/// The places that each column of the factor reaches, by playing the elimination through.
+/// Rows of each column of the factor, found by performing the elimination symbolically.
 std::vector<std::set<int>> fill(const BlockPattern& pattern, const std::vector<int>& order) {
-    std::vector<int> place(order.size());
-    for (std::size_t k = 0; k < order.size(); ++k)
-        place[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
+    std::vector<int> position(order.size());
+    for (std::size_t k = 0; k < order.size(); ++k) position[order[k]] = static_cast<int>(k);
     std::vector<std::set<int>> reach(order.size());
     for (std::size_t i = 0; i < order.size(); ++i) {
-        for (int k = pattern.start[i]; k < pattern.start[i + 1]; ++k) {
-            const int a = place[i];
-            const int b = place[static_cast<std::size_t>(pattern.columns[static_cast<std::size_t>(k)])];
-            reach[static_cast<std::size_t>(std::min(a, b))].insert(std::max(a, b));
+        for (std::uint32_t k = pattern.start[i]; k < pattern.start[i + 1]; ++k) {
+            const int a = position[i];
+            const int b = position[pattern.columns[k]];
+            reach[std::min(a, b)].insert(std::max(a, b));
         }
     }
     for (auto& column : reach) {
         if (column.empty()) continue;
-        reach[static_cast<std::size_t>(*column.begin())].insert(std::next(column.begin()), column.end());
+        reach[*column.begin()].insert(std::next(column.begin()), column.end());
     }
     return reach;
 }
@@ -52,7 +51,7 @@ class TreesOfGraphs : public testing::TestWithParam<int> {
             case 2:
                 return BlockPattern::from_pairs(300, grid_graph(20, 15));
             case 3:
-                return BlockPattern::from_pairs(320, grid_graph(20, 15));  // and twenty blocks alone
+                return BlockPattern::from_pairs(320, grid_graph(20, 15));  // 20 isolated blocks
             default:
                 return RandomSystem(GetParam(), 2 * GetParam(), 7).pattern;
         }
@@ -79,33 +78,33 @@ TEST_P(TreesOfGraphs, EliminateEachBlockOnceChildrenFirst) {
     EXPECT_EQ(next, pattern().size);
 }
 
-TEST_P(TreesOfGraphs, HoldAllThatEliminationFills) {
+TEST_P(TreesOfGraphs, ContainAllFill) {
     const SupernodeTree tree = tree_of(pattern());
     const auto reach = fill(pattern(), tree.order);
     for (const Supernode& node : tree.nodes) {
-        std::set<int> held(node.rows.begin(), node.rows.end());
-        EXPECT_EQ(held.size(), node.rows.size());
+        std::set<int> rows(node.rows.begin(), node.rows.end());
+        EXPECT_EQ(rows.size(), node.rows.size());
         for (int k = node.first; k < node.first + node.pivots; ++k) {
-            for (const int row : reach[static_cast<std::size_t>(k)])
-                EXPECT_TRUE(row < node.first + node.pivots || held.count(row))
+            for (const int row : reach[k])
+                EXPECT_TRUE(row < node.first + node.pivots || rows.count(row))
                     << "column " << k << ", row " << row;
         }
-        // and no row that no pivot reaches
+        // no row that is in no pivot column
         for (const int row : node.rows) {
             bool reached = false;
             for (int k = node.first; k < node.first + node.pivots; ++k)
-                reached = reached || reach[static_cast<std::size_t>(k)].count(row) > 0;
+                reached = reached || reach[k].count(row) > 0;
             EXPECT_TRUE(reached) << row;
         }
     }
 }
 
-TEST_P(TreesOfGraphs, HandOnToAParentThatHasThoseRows) {
+TEST_P(TreesOfGraphs, HaveParentsThatContainTheirRows) {
     const SupernodeTree tree = tree_of(pattern());
     for (const Supernode& node : tree.nodes) {
         ASSERT_EQ(node.parent < 0, node.rows.empty());
         if (node.parent < 0) continue;
-        const Supernode& parent = tree.nodes[static_cast<std::size_t>(node.parent)];
+        const Supernode& parent = tree.nodes[node.parent];
         for (const int row : node.rows) {
             EXPECT_GE(row, parent.first);
             EXPECT_TRUE(row < parent.first + parent.pivots ||
@@ -117,18 +116,18 @@ TEST_P(TreesOfGraphs, HandOnToAParentThatHasThoseRows) {
 INSTANTIATE_TEST_SUITE_P(Graphs, TreesOfGraphs, testing::Values(0, 1, 2, 3, 10, 40, 150),
                          [](const auto& tested) { return "graph_" + std::to_string(tested.param); });
 
-TEST(FindSupernodes, MergesWhatIsCheaperTogether) {
-    // A chain of blocks: apart, each is a front of one pivot and one row.
-    std::vector<std::pair<int, int>> chain;
+TEST(FindSupernodes, MergesWhereOneFrontIsCheaper) {
+    // A chain of blocks. Without merging each block is a front of one pivot and one row.
+    std::vector<std::pair<dda::RowIndex, dda::RowIndex>> chain;
     for (int k = 0; k + 1 < 64; ++k) chain.emplace_back(k, k + 1);
     std::vector<int> order(64);
     std::iota(order.begin(), order.end(), 0);
     const SupernodeTree tree = dda::find_supernodes(BlockPattern::from_pairs(64, chain), order);
     EXPECT_LT(tree.nodes.size(), 40U);
-    double together = 0;
+    double merged_cost = 0;
     for (const Supernode& node : tree.nodes)
-        together += dda::front_cost(node.pivots, static_cast<int>(node.rows.size()));
-    EXPECT_LT(together, 63 * dda::front_cost(1, 1) + dda::front_cost(1, 0));
+        merged_cost += dda::front_cost(node.pivots, static_cast<int>(node.rows.size()));
+    EXPECT_LT(merged_cost, 63 * dda::front_cost(1, 1) + dda::front_cost(1, 0));
 }
 
 }  // namespace

@@ -16,33 +16,33 @@ const std::vector<int> two_trees = {2, 2, 6, 5, 5, -1, -1};
 
 class TaskForests : public testing::TestWithParam<std::vector<int>> {};
 
-// Each task is done once; going up when its children have been, going down when its parent has.
-TEST_P(TaskForests, DoTasksInOrder) {
+// Each task runs once: leaves first after its children, roots first after its parent.
+TEST_P(TaskForests, RunTasksInOrder) {
     const std::vector<int>& parent = GetParam();
     const std::size_t count = parent.size();
     const dda::TaskForest forest(parent, std::vector<double>(count, 1.0));
     ASSERT_EQ(forest.count(), count);
     for (const int threads : {1, 2, 3}) {
         const ThreadPool pool(threads);
-        for (int again = 0; again < 50; ++again) {
-            std::vector<std::atomic<int>> done(count);
+        for (int repetition = 0; repetition < 50; ++repetition) {
+            std::vector<std::atomic<int>> runs(count);
             forest.run_leaves_first(pool, [&](std::size_t task, std::size_t thread) {
                 EXPECT_LT(thread, static_cast<std::size_t>(threads));
                 for (std::size_t k = 0; k < count; ++k) {
                     if (parent[k] == static_cast<int>(task)) {
-                        EXPECT_EQ(done[k], 1);
+                        EXPECT_EQ(runs[k], 1);
                     }
                 }
-                ++done[task];
+                ++runs[task];
             });
-            for (const auto& times : done) EXPECT_EQ(times, 1);
+            for (const auto& times : runs) EXPECT_EQ(times, 1);
             forest.run_roots_first(pool, [&](std::size_t task, std::size_t) {
                 if (parent[task] >= 0) {
-                    EXPECT_EQ(done[static_cast<std::size_t>(parent[task])], 2);
+                    EXPECT_EQ(runs[parent[task]], 2);
                 }
-                ++done[task];
+                ++runs[task];
             });
-            for (const auto& times : done) EXPECT_EQ(times, 2);
+            for (const auto& times : runs) EXPECT_EQ(times, 2);
         }
     }
 }

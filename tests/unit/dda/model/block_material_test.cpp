@@ -17,7 +17,7 @@ dda::BlockMaterial rock(double nu) {
     return {"rock", 2500, 10e9, nu, 0.1, Vec3::Zero()};
 }
 
-// Hooke's law read backwards: strains under one stress at a time.
+// The compliance, strains under one stress at a time, is Hooke's law.
 TEST(Elasticity, PlaneStressIsHookesLaw) {
     const Mat3 compliance = dda::elasticity(rock(.25), Plane::stress).inverse();
     EXPECT_TRUE(compliance.isApprox((Mat3() << 1, -.25, 0, -.25, 1, 0, 0, 0, 2.5).finished() / 10e9, 1e-14));

@@ -20,7 +20,7 @@ TEST(NextStepMultiple, ToleratesTheRoundingOfASum) {
     double time = 0;
     for (int k = 1; k <= 10000; ++k) {
         EXPECT_DOUBLE_EQ(dda::next_step_multiple(stage, time), k * .005);
-        time += .005;  // off by 1e-11 in the end, a step's 2e-9th part
+        time += .005;  // its error grows to 1e-11 s, 2e-9 of a step
     }
 }
 

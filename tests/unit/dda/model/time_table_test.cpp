@@ -16,7 +16,7 @@ TEST(TimeTable, EmptyIsOne) {
     for (const double t : {-1e9, 0.0, 1e9}) EXPECT_EQ(TimeTable().at(t), 1);
 }
 
-TEST(TimeTable, IsLinearBetweenItsInstantsAndExactAtThem) {
+TEST(TimeTable, IsLinearBetweenItsEntriesAndExactAtThem) {
     const TimeTable table({0, 1, 3}, {2, 4, -4});
     EXPECT_EQ(table.at(0), 2);
     EXPECT_EQ(table.at(1), 4);
@@ -34,12 +34,12 @@ TEST(TimeTable, IsConstantOutside) {
     EXPECT_EQ(table.at(1e300), 4);
 }
 
-TEST(TimeTable, OneInstantIsAConstant) {
+TEST(TimeTable, OneEntryIsAConstant) {
     const TimeTable table({5}, {7});
     for (const double t : {0.0, 5.0, 10.0}) EXPECT_EQ(table.at(t), 7);
 }
 
-TEST(TimeTable, RefusesWhatIsNoFunctionOfTime) {
+TEST(TimeTable, RejectsTimesThatDoNotIncreaseAndMissingValues) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_THROW(TimeTable({0, 1}, {1}), std::invalid_argument);
     EXPECT_THROW(TimeTable({0, 0}, {1, 2}), std::invalid_argument);

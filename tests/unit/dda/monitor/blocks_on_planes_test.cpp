@@ -14,8 +14,8 @@ using scene::radians;
 using scene::Scene;
 using scene::Simulation;
 
-/// A block of 2 m x 1 m on a prescribed base that falls to the right by an angle in degrees; another on
-/// top of it, and one far off that falls.
+/// A block of 2 m x 1 m on a prescribed base that dips to the right, another block on top of it, and one far
+/// off in free fall. Angles in degrees.
 struct Tower {
     Scene s;
     explicit Tower(double dip, double friction, double cohesion = 0) {
@@ -38,11 +38,11 @@ TimeTable sampled(double duration, const std::function<double(double)>& f) {
     return {times, values};
 }
 
-TEST(BlocksOnPlanes, FindsTheOnesThatRestOnRockThatMovesWithTheGround) {
+TEST(BlocksOnPlanes, FindsTheBlocksOnOnePlaneOfAPrescribedBlock) {
     const Tower tower(20, 35);
     Simulation sim(tower.s);
     ASSERT_EQ(sim.shake(0.05, 1e-3).status, RunStatus::completed);
-    // The lower block is pressed by the upper one from above: that is no single plane.
+    // The lower block is loaded from above by the upper one: it does not rest on a single plane.
     EXPECT_TRUE(find_blocks_on_planes(sim.model, sim.state).empty());
 
     Tower single(20, 35);
@@ -60,7 +60,7 @@ TEST(BlocksOnPlanes, FindsTheOnesThatRestOnRockThatMovesWithTheGround) {
     EXPECT_NEAR(yield_coefficient(planes[0], scene::g), std::tan(radians(15)), 1e-6);
 }
 
-TEST(BlocksOnPlanes, AJointThatHoldsTogetherYieldsLaterAndOnce) {
+TEST(BlocksOnPlanes, CohesionAndStrengthReductionEnterTheYieldCoefficient) {
     Tower tower(20, 35, 5e3);
     tower.s.model.motion[2] = Motion::removed;
     tower.s.model.topology.joint_material.assign(tower.s.model.topology.joint_material.size(), 0);
@@ -77,12 +77,12 @@ TEST(BlocksOnPlanes, AJointThatHoldsTogetherYieldsLaterAndOnce) {
     const double s = std::sin(radians(20)), c = std::cos(radians(20));
     EXPECT_NEAR(scene::g * s + k * scene::g * c,
                 mu * (scene::g * c - k * scene::g * s) + planes[0].peak.adhesion, 1e-6)
-        << "what drives the block is what holds it";
+        << "driving force equals resistance at yield";
 }
 
-// V14: dip 20, friction 30, 0.3 g sin 2 pi t; slip after each second as integrated there. The base's motion
-// and a body load of the opposite sign are the same to the block.
-TEST(BlocksOnPlanes, TheEstimateIsNewmarksWhicheverWayTheShakingComes) {
+// V14: dip 20, friction 30, 0.3 g sin 2 pi t; slip after each second as integrated there. A motion of the
+// base and a body load of the opposite sign are equivalent.
+TEST(BlocksOnPlanes, TheEstimateIsNewmarksForBaseMotionsAndBodyLoads) {
     Model model;
     model.motion = {Motion::prescribed, Motion::free};
     model.block_name = {"base", ""};
@@ -107,14 +107,14 @@ TEST(BlocksOnPlanes, TheEstimateIsNewmarksWhicheverWayTheShakingComes) {
     }
 }
 
-// On a level base, whose friction allows 0.2 g, that accelerates by 5 t m/s2: slip begins at 1.962 / 5 =
-// 0.3924 s. What the engine finds is late by the give of the shear springs and by less than a step.
+// A level base with friction for 0.2 g accelerates by 5 t m/s2: slip begins at 1.962 / 5 = 0.3924 s. The
+// run's slip is later by the elastic shear of the springs and by less than a step.
 TEST(FirstSlips, BeginWhenTheBaseExceedsTheFriction) {
     Tower tower(0, std::atan(0.2) * 180 / std::numbers::pi);
     tower.s.model.motion[2] = Motion::removed;
     tower.s.model.motion[3] = Motion::fixed;
     Simulation sim(tower.s);
-    std::vector<FirstSlip> slips(4);
+    PerBlock<FirstSlip> slips(4);
     ASSERT_EQ(sim.settle().status, RunStatus::completed);
     sim.on_step = [&](const State& state, const StepReport& report) {
         update_first_slips(sim.model, state, report, 1e-4, slips);
@@ -130,8 +130,8 @@ TEST(FirstSlips, BeginWhenTheBaseExceedsTheFriction) {
     EXPECT_NEAR(slips[1].time, start + slips[1].dynamic_time, 1e-9);
     EXPECT_EQ(slips[1].other, 0);
     EXPECT_EQ(slips[1].joint_material, 0);
-    EXPECT_FALSE(slips[0].has_slipped()) << "the base is not asked";
-    EXPECT_FALSE(slips[3].has_slipped()) << "it is fixed";
+    EXPECT_FALSE(slips[0].has_slipped()) << "a prescribed block does not slip";
+    EXPECT_FALSE(slips[3].has_slipped()) << "a fixed block does not slip";
 }
 
 }  // namespace

@@ -10,7 +10,8 @@ namespace {
 
 using testing::HasSubstr;
 
-/// The block of two_block_mesh(), 2 m x 1 m, on its base, 45 deg of friction, and a place on their joint.
+/// The block of two_block_mesh(), 2 m x 1 m, on its base with 45 deg of friction, and a measured joint below
+/// it.
 class MeasuredJointTest : public io_test::ModelTextTest {
   protected:
     MeasuredJointTest()
@@ -35,22 +36,22 @@ class Silent : public RunObserver {
     bool step_done(const Model&, const State&, const Stage&, const StepReport&) override { return true; }
 };
 
-TEST_F(MeasuredJointTest, ReadsWhatALaboratoryWould) {
+TEST_F(MeasuredJointTest, ReportsStressesAndDisplacementsOfTheJoint) {
     const RunInput input = read(changed("", ""));
     ASSERT_EQ(input.model.measured_joints.size(), 1u);
     State state = initial_state(input.model);
     Silent nothing;
     ASSERT_EQ(run(input.model, input.stages, state, nothing).status, RunStatus::completed);
     const JointReading settled = read_joint(input.model, state, input.model.measured_joints[0]);
-    const double weight = 2500 * 9.81;  // Pa, of a metre
+    const double weight = 2500 * 9.81;  // Pa, weight of 1 m of rock
     EXPECT_NEAR(settled.normal_stress, weight, 1e-5 * weight);
     EXPECT_NEAR(settled.shear_stress, 0, 1e-5 * weight);
     EXPECT_NEAR(settled.strength, weight + 3000, 1e-5 * weight);
     EXPECT_NEAR(settled.displacement, 0, 1e-12);
     EXPECT_EQ(settled.state, ContactState::locked);
 
-    // The block 3 mm to the right and 2 mm up: both positive. The forces are those of the contacts.
-    const auto upper = static_cast<std::size_t>(input.model.measured_joints[0].point);
+    // Move the block 3 mm to the right and 2 mm up: both are positive.
+    const dda::PointIndex upper = input.model.measured_joints[0].point;
     state.blocks.points[upper] += Vec2(-3e-3, -2e-3);
     const JointReading moved = read_joint(input.model, state, input.model.measured_joints[0]);
     EXPECT_NEAR(moved.displacement - settled.displacement, 3e-3, 1e-9);
@@ -70,7 +71,7 @@ TEST_F(MeasuredJointTest, ReadsWhatALaboratoryWould) {
     EXPECT_EQ(open.normal_stress, 0);
 }
 
-TEST_F(MeasuredJointTest, PlacesOffAJointAreRefused) {
+TEST_F(MeasuredJointTest, PointsOffAJointAreRefused) {
     const std::string at = "at = [1.5, 1]";
     EXPECT_THAT(error_with(at, "at = [1.5, 1.1]"),
                 HasSubstr("no joint runs within 0.001 m of 'at' in [measured_joint"));
@@ -82,7 +83,8 @@ TEST_F(MeasuredJointTest, PlacesOffAJointAreRefused) {
     EXPECT_EQ(read(changed(at, "at = [1.5, 1.1]\ntolerance = 0.2")).model.measured_joints.size(), 1u);
 }
 
-/// The base's upper face has corners where the block ends and where it is free: only one on the joint goes.
+/// The upper face of the base has a corner at which the cross joint ends: it is straight, with the same joint
+/// on both sides, and is dropped. So is one on the top of the left block, 1 um off the straight line.
 TEST_F(MeasuredJointTest, StraightCornersAreDroppedWhenAsked) {
     blockgen::BlockMesh mesh;
     mesh.vertices = {{0, 0}, {4, 0}, {4, 1}, {2, 1}, {0, 1}, {4, 2}, {2, 2}, {0, 2}, {1, 2.000001}};
@@ -107,7 +109,7 @@ TEST_F(MeasuredJointTest, StraightCornersAreDroppedWhenAsked) {
             .model;
     EXPECT_EQ(model.vertices.size(), 4u + 4 + 4);
     EXPECT_EQ(model.topology.joint[2], 0) << "the base's upper face";
-    EXPECT_EQ(model.topology.block_corners, (std::vector<int>{0, 4, 8, 12}));
+    EXPECT_EQ(model.topology.block_corners, (std::vector<dda::CornerIndex>{0, 4, 8, 12}));
     EXPECT_THAT(
         error_with("[[measured_joint]]", "[analysis]\nstraight_corners = \"gone\"\n[[measured_joint]]"),
         HasSubstr("keep"));

@@ -25,11 +25,11 @@ TEST(ReadSummary, FindsTheWorstContact) {
     EXPECT_EQ(worst->joint_material, "bedding");
 }
 
-TEST(ReadSummary, FindsNoneInARunThatWentWell) {
+TEST(ReadSummary, FindsNoneInACompletedRun) {
     EXPECT_FALSE(read(R"({"status": "completed"})"));
 }
 
-TEST(ReadSummary, RefusesWhatDdaRunDoesNotWrite) {
+TEST(ReadSummary, RefusesOtherFiles) {
     for (const char* text :
          {"", "{", "[]", "3", "{}", R"({"worst_contact": {}})", R"({"status": "x", "worst_contact": 3})",
           R"({"status": "x", "worst_contact": {"corner_block": 1, "edge_block": 2, "at": [1],

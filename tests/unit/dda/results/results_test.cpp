@@ -30,7 +30,8 @@ using ResultsTest = RunInAFolder;
 TEST_F(ResultsTest, ARunWritesEveryKindOfResult) {
     ASSERT_EQ(simulate("a").status, RunStatus::completed);
     const VtkHdfReader frames(folder / "a" / "run.vtkhdf");
-    EXPECT_EQ(frames.frame_count(), 1 + 1 + 10) << "the start, the end of settling, ten of the shaking";
+    EXPECT_EQ(frames.frame_count(), 1 + 1 + 10)
+        << "the start, the end of the static stage, ten of the dynamic one";
     const GridFrame last = frames.frame(frames.frame_count() - 1, {"displacement", "block", "motion"});
     EXPECT_EQ(last.cells.count(), 2u);
     EXPECT_EQ(last.cells.types[0], 7);
@@ -40,7 +41,7 @@ TEST_F(ResultsTest, ARunWritesEveryKindOfResult) {
     const VtkHdfReader contacts(folder / "a" / "run.joints.vtkhdf");
     EXPECT_EQ(contacts.times(), frames.times());
     const GridFrame settled = contacts.frame(1, {"state", "normal_stress", "normal_force"});
-    ASSERT_EQ(settled.cells.count(), 2u) << "an edge-edge contact is two";
+    ASSERT_EQ(settled.cells.count(), 2u) << "two faces have a contact at each end";
     double force = 0, length = 0;
     for (std::size_t i = 0; i < 2; ++i) {
         force += settled.columns[2][i];
@@ -58,7 +59,7 @@ TEST_F(ResultsTest, ARunWritesEveryKindOfResult) {
     const auto shaken = std::count_if(history.begin(), history.end(), [](const std::string& line) {
         return line.find(",shake,") != std::string::npos;
     });
-    EXPECT_EQ(shaken, 1 + 25) << "0.5 s every 0.02 s, and the start, from which displacements count";
+    EXPECT_EQ(shaken, 1 + 25) << "0.5 s every 0.02 s, and the start with zeroed displacements";
     EXPECT_GT(lines_of(folder / "a" / "steps.csv").size(), 100u);
 }
 
@@ -87,7 +88,7 @@ TEST_F(ResultsTest, FramesOfStaticStagesAreEstimatedFromTheStepLimit) {
     EXPECT_NEAR(max_static_frame_bytes(input.model, input.stages, input.output), 14 * one, 1e-9 * one);
 }
 
-TEST_F(ResultsTest, AStaticStageKeepsFramesWhenAsked) {
+TEST_F(ResultsTest, AStaticStageWritesFramesOnRequest) {
     for (const int interval : {1, 2, 3}) {
         const std::string name = "every" + std::to_string(interval);
         input.output.static_frame_interval = interval;
@@ -99,17 +100,17 @@ TEST_F(ResultsTest, AStaticStageKeepsFramesWhenAsked) {
         const std::int64_t inside = (settling - 1) / interval;
         ASSERT_GT(inside, 0);
         const VtkHdfReader frames = frames_of(name);
-        EXPECT_EQ(frames.frame_count(), 1 + inside + 1 + 10) << "the last step's is that of the stage's end";
+        EXPECT_EQ(frames.frame_count(), 1 + inside + 1 + 10) << "the last step of a stage has one frame";
         const std::vector<double> times = frames.times();
-        EXPECT_TRUE(std::is_sorted(times.begin(), times.end(), std::less_equal<>())) << "no instant twice";
+        EXPECT_TRUE(std::is_sorted(times.begin(), times.end(), std::less_equal<>())) << "no time twice";
         EXPECT_LT(settlement(frames, inside), -1e-8);
-        EXPECT_EQ(settlement(frames, inside + 1), 0) << "the shaking counts from here";
+        EXPECT_EQ(settlement(frames, inside + 1), 0) << "displacements are zeroed";
         stop_and_resume(name + " stopped", 3);
         expect_same_files(name + " stopped", name);
     }
 }
 
-// Displacements count anew for a stage that follows, not for those who look at a run's end.
+// Displacements are zeroed for the next stage only: the last stage of a run keeps them in its frame.
 TEST_F(ResultsTest, ARunThatEndsAtRestReportsItsSettlement) {
     input.stages.pop_back();
     ASSERT_EQ(simulate("a").status, RunStatus::completed);
@@ -147,16 +148,16 @@ TEST_F(ResultsTest, AFullDiskEndsTheRunWithItsResultsSoFar) {
     const pid_t child = ::fork();
     if (child == 0) {
         ::signal(SIGXFSZ, SIG_IGN);
-        // Less than the frames and the room that is reserved for their bookkeeping.
+        // Less than the size of the frames and the space reserved for their metadata.
         const rlimit limit{whole + 200 * 1024, whole + 200 * 1024};
         ::setrlimit(RLIMIT_FSIZE, &limit);
         try {
             simulate("full");
         } catch (const OutputError& error) {
-            const bool told =
+            const bool is_reported =
                 std::string(error.what()).find("run.vtkhdf: cannot be written: File too large") !=
                 std::string::npos;
-            ::_exit(told ? 1 : 2);
+            ::_exit(is_reported ? 1 : 2);
         }
         ::_exit(0);
     }
@@ -170,7 +171,7 @@ TEST_F(ResultsTest, AFullDiskEndsTheRunWithItsResultsSoFar) {
         EXPECT_NO_THROW(frames.frame(k, {"displacement"}));
 }
 
-TEST_F(ResultsTest, ValuesThatAreNotFiniteReachNoFile) {
+TEST_F(ResultsTest, ValuesThatAreNotFiniteAreNotWritten) {
     fs::create_directories(folder / "nan");
     Results results(input.model, input.stages, input.output,
                     {folder / "nan", false, "", [](const Progress&) { return true; }});
@@ -204,7 +205,7 @@ TEST_F(ResultsTest, TheSummaryReportsTheOutcome) {
     EXPECT_GT(results.state().peaks[0].displacement, 0.01);
 }
 
-TEST_F(ResultsTest, RelativeMotionsAreThoseLessTheReferences) {
+TEST_F(ResultsTest, RelativeMotionsAreDifferencesFromTheReference) {
     ASSERT_EQ(simulate("a").status, RunStatus::completed);
     const auto whole = lines_of(folder / "a" / "history.csv");
     const auto relative = lines_of(folder / "a" / "relative.csv");
@@ -212,7 +213,7 @@ TEST_F(ResultsTest, RelativeMotionsAreThoseLessTheReferences) {
     EXPECT_EQ(relative[0],
               "time (s),stage,crest ux (m),crest uy (m),crest vx (m/s),crest vy (m/s),crest ax (m/s2),crest "
               "ay (m/s2)")
-        << "the base does not move from itself";
+        << "the reference has no columns";
     const auto numbers = [](const std::string& line) {
         std::vector<double> values;
         std::istringstream fields(line);
@@ -238,7 +239,7 @@ std::vector<std::string> fields_of(const std::string& line) {
     return fields;
 }
 
-// The block is shaken until it slides on its base, to and fro: the estimate is near what the run finds.
+// The block slides to and fro on its shaken base: Newmark's estimate is near the slip of the run.
 TEST_F(ResultsTest, TheBlockTableReportsTheFinalState) {
     fs::create_directories(folder / "a");
     Results results(input.model, input.stages, input.output,
@@ -257,14 +258,14 @@ TEST_F(ResultsTest, TheBlockTableReportsTheFinalState) {
     ASSERT_EQ(names.size(), values.size());
     const auto value = [&](const std::string& name) {
         const auto found = std::find(names.begin(), names.end(), name);
-        return found == names.end() ? "no " + name : values[static_cast<std::size_t>(found - names.begin())];
+        return found == names.end() ? "no " + name : values[found - names.begin()];
     };
     const auto number = [&](const std::string& name) { return *parse_number(value(name)); };
     EXPECT_EQ(value("block"), "1");
     EXPECT_EQ(value("slipped on block"), "0");
     EXPECT_EQ(value("joint material"), "bedding");
     // The base's 60 t m/s2 pass tan 20° g = 3.571 m/s2 at 0.0595 s.
-    EXPECT_NEAR(number("first slip (s of shaking)"), 0.0595, 0.005) << "a step";
+    EXPECT_NEAR(number("first slip (s of shaking)"), 0.0595, 0.005) << "within a step";
     EXPECT_NEAR(number("yield coefficient"), std::tan(20 * M_PI / 180), 1e-6);
     EXPECT_NEAR(number("slip (m)"), number("relative displacement x (m)"), 1e-12);
     EXPECT_NEAR(number("slip (m)"), number("Newmark slip (m)"), 0.03 * std::abs(number("slip (m)")))
@@ -305,12 +306,11 @@ TEST(BlockCells, ABlockWithHolesIsOnePolygonOfTheSameArea) {
                       {4, 4}, {4, 2},  {6, 6},   {6, 8},  {8, 6}};
     const GridCells cells = block_cells(model);
     ASSERT_EQ(cells.count(), 1u);
-    EXPECT_EQ(cells.connectivity.size(), 11u + 2 * 2) << "each hole's slit is walked twice";
+    EXPECT_EQ(cells.connectivity.size(), 11u + 2 * 2) << "each slit is passed twice";
     double area = 0;
     for (std::size_t i = 0; i < cells.connectivity.size(); ++i) {
-        const Vec2& a = model.vertices[static_cast<std::size_t>(cells.connectivity[i])];
-        const Vec2& b =
-            model.vertices[static_cast<std::size_t>(cells.connectivity[(i + 1) % cells.connectivity.size()])];
+        const Vec2& a = model.vertices[cells.connectivity[i]];
+        const Vec2& b = model.vertices[cells.connectivity[(i + 1) % cells.connectivity.size()]];
         area += cross(a, b) / 2;
     }
     EXPECT_NEAR(area, 100 - 4 - 2, 1e-12);

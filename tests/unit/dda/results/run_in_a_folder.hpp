@@ -66,7 +66,7 @@ history_interval = 0.02
         return lines;
     }
 
-    /// Runs until the given step, then goes on from the checkpoint. @return how it ended.
+    /// Stops a run at the given step and resumes it from the checkpoint.
     RunOutcome stop_and_resume(const std::string& name, int stop) {
         int step = 0;
         const RunOutcome first = simulate(name, [&](const Progress&) { return ++step < stop; });
@@ -76,7 +76,7 @@ history_interval = 0.02
     VtkHdfReader frames_of(const std::string& name) const {
         return VtkHdfReader(folder / name / "run.vtkhdf");
     }
-    /// Of the block that settles, m, in a kept frame.
+    /// Vertical displacement of the free block in a frame, m.
     static double settlement(const VtkHdfReader& frames, std::int64_t index) {
         return frames.frame(index, {"displacement"}).columns[0][4];
     }

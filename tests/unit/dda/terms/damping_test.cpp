@@ -1,4 +1,4 @@
-// Mass-proportional damping with Newmark's relations, against the recurrence worked out by hand.
+// Mass-proportional damping with Newmark's relations, against a recurrence derived by hand.
 
 #include <gtest/gtest.h>
 
@@ -15,9 +15,9 @@ struct NewmarkCase {
 };
 class MassDamping : public testing::TestWithParam<NewmarkCase> {};
 
-// A free block with M a1 + alpha M v1 = 0 at each step's end: v1 = (v0 + (1 - gamma) dt a0) / (1 + gamma
-// alpha dt), a1 = -alpha v1, and it moves by dt v0 + dt^2 ((1/2 - beta) a0 + beta a1). With (1/2, 1) that is
-// v0 / (1 + alpha dt)^n. The ledger gives the damping what the motion lost.
+// A free block has M a1 + alpha M v1 = 0 at the end of each step: v1 = (v0 + (1 - gamma) dt a0) / (1 + gamma
+// alpha dt) and a1 = -alpha v1. It moves by dt v0 + dt^2 ((1/2 - beta) a0 + beta a1). With (1/2, 1) the
+// velocity is v0 / (1 + alpha dt)^n. The energy balance must book the lost kinetic energy as damping loss.
 TEST_P(MassDamping, SlowsABlockByTheRecurrence) {
     const auto [beta, gamma] = GetParam();
     Scene s;

@@ -13,7 +13,8 @@ namespace {
 using namespace scene;
 using dda::Mat6;
 
-/// Integral of rho T^T T over rectangles by Gauss' rule of two points in each direction, exact for cubics.
+/// Integral of rho T^T T over rectangles by the Gauss rule with two points in each direction, exact for
+/// cubics.
 Mat6 quadrature(const std::vector<std::array<double, 4>>& rectangles, const Vec2& centroid, double density) {
     Mat6 sum = Mat6::Zero();
     for (const auto& [left, bottom, right, top] : rectangles) {
@@ -35,12 +36,12 @@ TEST(MassMatrix, IsTheIntegralOfEquation11) {
     const dda::BlockSystem blocks = dda::initial_block_system(s.model);
     const Mat6 m = dda::mass_matrix(blocks.mass[0], blocks.moments[0]);
     const Mat6 expected = quadrature({{0, 0, 3, 1}, {0, 1, 1, 4}}, blocks.centroid(0), 2500);
-    EXPECT_GT(std::abs(expected(2, 3)), 1) << "the block is lopsided, so every entry is tried";
+    EXPECT_GT(std::abs(expected(2, 3)), 1) << "the block must be asymmetric, so that no entry vanishes";
     EXPECT_LT((m - expected).norm(), 1e-12 * expected.norm());
     EXPECT_GT(Eigen::SelfAdjointEigenSolver<Mat6>(m).eigenvalues().minCoeff(), 0);
 }
 
-// d from known accelerations, Eq. (14), gives them back, Eqs. (15) and (16).
+// The displacement computed from accelerations, Eq. (14), gives the same accelerations, Eqs. (15) and (16).
 TEST(Newmark, InvertsItsOwnDisplacement) {
     const Vec6 v0 = Vec6::LinSpaced(1, 6);
     const Vec6 a0 = Vec6::LinSpaced(-3, 2);
@@ -56,7 +57,7 @@ TEST(Newmark, InvertsItsOwnDisplacement) {
     EXPECT_LT((shi.velocity(v0, a0, shi.acceleration(d, v0, a0)) - (2 * d / .01 - v0)).norm(), 1e-11);
 }
 
-// The system of one free block must say M a1 + alpha M v1 = 0 at its solution.
+// The solution for one free block must satisfy M a1 + alpha M v1 = 0.
 TEST(Inertia, BalancesDampingAtTheEndOfTheStep) {
     Scene s;
     s.box({0, 0}, 2, 1);
@@ -79,8 +80,8 @@ TEST(Inertia, BalancesDampingAtTheEndOfTheStep) {
 TEST(RowMap, NumbersTheFreeBlocks) {
     using dda::Motion;
     const dda::RowMap rows({Motion::fixed, Motion::free, Motion::prescribed, Motion::free});
-    EXPECT_EQ(rows.row_of, (std::vector<int>{-1, 0, -1, 1}));
-    EXPECT_EQ(rows.block_of, (std::vector<int>{1, 3}));
+    EXPECT_EQ(rows.row_of, (std::vector<dda::RowIndex>{-1, 0, -1, 1}));
+    EXPECT_EQ(rows.block_of, (std::vector<dda::BlockIndex>{1, 3}));
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ using dda::LoadedFace;
 
 constexpr double water_weight = 9810;
 
-/// The force of a scene's loads on its first block, as the equations get it, nothing having moved.
+/// The generalised force of a scene's loads on its first free block, without displacement.
 Vec6 force_on_first(const Scene& s, double time = 0) {
     const dda::BlockSystem blocks = dda::initial_block_system(s.model);
     const dda::RowMap rows(s.model.motion);
@@ -26,9 +26,9 @@ double difference(const Vec6& a, const Vec6& b) {
     return (a - b).cwiseAbs().maxCoeff() / b.cwiseAbs().maxCoeff();
 }
 
-// On the top of a unit square, from right to left, a pressure from 3 Pa to 1 Pa: 2 + 2 x with x from the
-// middle. Force -2; moment, the integral of -x (2 + 2 x), -1/6; against eps_y the force times the arm 1/2;
-// against gamma half the moment.
+// The pressure on the top of a unit square decreases from 3 Pa at the right to 1 Pa at the left: 2 + 2 x with
+// x from the middle. The force is -2 N. The moment is the integral of -x (2 + 2 x), -1/6. The generalised
+// force of eps_y is the force times the arm 1/2, that of gamma is half the moment.
 TEST(LineLoad, VariesLinearlyAlongTheFace) {
     Scene s;
     s.box({10, 20}, 1, 1);
@@ -37,10 +37,10 @@ TEST(LineLoad, VariesLinearlyAlongTheFace) {
     EXPECT_LT(difference(force_on_first(s), expected), 1e-14);
 }
 
-TEST(LineLoad, ActsOnAPartOfAFaceInAFixedDirectionTimesItsHistory) {
+TEST(LineLoad, ActsOnAPartOfAFaceAndFollowsItsHistory) {
     Scene s;
     s.box({0, 0}, 2, 1);
-    // The bottom between x = 1 and x = 1.5, under 8 Pa along x: 4 N, 0.25 right of the centroid and 0.5 below
+    // 8 Pa along x on the bottom between x = 1 and x = 1.5: 4 N, 0.25 m right of the centroid and 0.5 m below
     // it.
     s.model.loads.push_back(
         dda::LineLoad{{LoadedFace{{0, 0.5, 0.75}, 0, 0, {8, 0}, {8, 0}}}, dda::TimeTable({0, 1}, {0, 2})});
@@ -50,9 +50,9 @@ TEST(LineLoad, ActsOnAPartOfAFaceInAFixedDirectionTimesItsHistory) {
     EXPECT_LT(difference(force_on_first(s, 7), 2 * expected), 1e-14);
 }
 
-// Archimedes: what water does to a block under it is the weight of the water it displaces and the pressure at
-// its centroid, whatever the block's shape; by the divergence theorem.
-TEST(HeadWater, BearsASurroundedBlockByTheWaterItDisplaces) {
+// Archimedes, Eq. (56): by the divergence theorem, the action of water on a submerged block of any shape is
+// the weight of the displaced water and the pressure at the centroid.
+TEST(HeadWater, LiftsASubmergedBlockByTheDisplacedWeight) {
     Scene s;
     s.block({{{0, 0}, {3, .5}, {2.5, 2}, {2, 1}, {.5, 1.5}}});
     s.model.loads.push_back(dda::HeadWater{{0, 1, 2, 3, 4}, {{0, 4}}, water_weight, {}});
@@ -64,7 +64,7 @@ TEST(HeadWater, BearsASurroundedBlockByTheWaterItDisplaces) {
     EXPECT_LT(difference(force_on_first(s), expected), 1e-13);
 }
 
-TEST(HeadWater, LeavesWhatIsAboveItDry) {
+TEST(HeadWater, DoesNotActAboveTheHead) {
     Scene s;
     s.box({0, 0}, 1, 1);
     s.model.loads.push_back(dda::HeadWater{{0, 1, 2, 3}, {{0, .25}}, water_weight, {}});
@@ -78,8 +78,8 @@ TEST(HeadWater, LeavesWhatIsAboveItDry) {
     EXPECT_TRUE(force_on_first(s).isZero(0));
 }
 
-// A head line that bends above a face and crosses it twice, against a sum over a million strips.
-TEST(HeadWater, FollowsAHeadLineThatBends) {
+// A head line with bends above a face crosses it twice. The reference is a sum over a million strips.
+TEST(HeadWater, FollowsAHeadLineWithBends) {
     Scene s;
     s.block({{{0, 0}, {4, 0}, {4, 1}, {0, 2}}});
     const std::vector<Vec2> head = {{.5, 1.2}, {1.5, 2.5}, {3, .8}};
@@ -100,7 +100,7 @@ TEST(HeadWater, FollowsAHeadLineThatBends) {
         const double pressure = water_weight * std::max(0.0, level - at.y());
         expected += along.norm() / strips * dda::project(-pressure * normal, at - centroid);
     }
-    // The strips' own error where the line crosses: a strip's depth, 4e-6 m of 1 m.
+    // The reference errs by the depth of a strip where the head line crosses, 4e-6 m of 1 m.
     EXPECT_LT(difference(force_on_first(s), expected), 1e-9);
 }
 
@@ -116,7 +116,7 @@ TEST(JointWater, PushesBothFacesApart) {
     EXPECT_NEAR(force_on_first(s)[1], 500, 1e-12);
 }
 
-TEST(StrongestLoad, CountsOpposedPressuresAsLoads) {
+TEST(MaxLoadAcceleration, AddsOpposedPressures) {
     Scene s;
     s.box({0, 0}, 1, 1);
     const dda::BlockSystem blocks = dda::initial_block_system(s.model);

@@ -11,7 +11,7 @@ namespace {
 
 using namespace scene;
 
-/// A corner of the upper block a little inside the lower block's top.
+/// A corner of the upper block penetrates the top of the lower block by 0.01 m.
 struct Touching {
     Scene s;
     dda::Contact contact;
@@ -32,22 +32,22 @@ struct Touching {
 const Vec6 lower = (Vec6() << .1, .2, .3, .01, .02, .03).finished();
 const Vec6 upper = (Vec6() << -.4, .5, -.6, .07, -.08, .09).finished();
 
-TEST(ContactSprings, MeasureTheRelativeDisplacementAtTheMeetingPoint) {
+TEST(ContactSprings, MeasureTheRelativeDisplacementAtTheContactPoint) {
     const Touching t;
     const dda::BlockSystem blocks = dda::initial_block_system(t.s.model);
     const dda::MidStep mid{blocks.vertices, {}, {blocks.centroid(0), blocks.centroid(1)}};
     const dda::RowMap rows(t.s.model.motion);
     const auto spring = t.springs(rows, mid, {Vec6::Zero(), Vec6::Zero()});
-    const Vec2 meeting(.7, .995);
-    const Vec2 relative = dda::displacement_matrix(meeting - blocks.centroid(1)) * upper -
-                          dda::displacement_matrix(meeting - blocks.centroid(0)) * lower;
+    const Vec2 contact_point(.7, .995);
+    const Vec2 relative = dda::displacement_matrix(contact_point - blocks.centroid(1)) * upper -
+                          dda::displacement_matrix(contact_point - blocks.centroid(0)) * lower;
     const Vec6 d[] = {lower, upper};
     EXPECT_NEAR(spring.rows.measure(spring.normal, d), relative.y(), 1e-15);
     EXPECT_NEAR(spring.rows.measure(spring.shear, d), -relative.x(), 1e-15)
-        << "the top edge runs to the left";
+        << "the tangent of the top edge points to the left";
 }
 
-TEST(ContactSprings, AddNeitherMomentumNorMoment) {
+TEST(ContactSprings, AddNoForceAndNoMomentInTotal) {
     const Touching t;
     const dda::BlockSystem blocks = dda::initial_block_system(t.s.model);
     const dda::MidStep mid{blocks.vertices, {}, {blocks.centroid(0), blocks.centroid(1)}};
@@ -64,7 +64,7 @@ TEST(ContactSprings, AddNeitherMomentumNorMoment) {
     }
 }
 
-TEST(ContactSprings, KnowADisplacementWithoutUnknowns) {
+TEST(ContactSprings, IncludeThePrescribedDisplacement) {
     Touching t;
     const dda::BlockSystem blocks = dda::initial_block_system(t.s.model);
     const dda::MidStep mid{blocks.vertices, {}, {blocks.centroid(0), blocks.centroid(1)}};
@@ -78,14 +78,14 @@ TEST(ContactSprings, KnowADisplacementWithoutUnknowns) {
                 1e-15);
 }
 
-TEST(BlockPair, WorkAForceOnTheirMeasureInEitherOrder) {
+TEST(BlockPair, ForceDoesTheWorkOfItsMeasureInEitherOrder) {
     for (const auto& [first, second] :
          {std::pair(0, 2), std::pair(2, 0), std::pair(1, -1), std::pair(-1, 1)}) {
         const dda::BlockPair rows{first, second, {.3, -.7}, {-.4, .2}};
         const dda::RelativeMeasure relative{{.6, .8}, .5};
         std::vector<Vec6> force(3, Vec6::Zero());
         rows.add_force(relative, 7, force);
-        // The work of a force in a displacement is the force times what the measure grows by.
+        // The work of a force in a displacement is the force times the change of the measure.
         const std::vector<Vec6> moved{lower, .3 * upper, lower - upper};
         double work = 0;
         for (std::size_t r = 0; r < 3; ++r) work += force[r].dot(moved[r]);

@@ -10,7 +10,7 @@ namespace {
 
 using namespace scene;
 
-/// The ends of the only contact's line.
+/// End points of the line that shows the only contact.
 std::pair<Vec2, Vec2> drawn(Scene& s, int corner, int edge, double length) {
     dda::State state;
     state.blocks = dda::initial_block_system(s.model);
@@ -18,16 +18,16 @@ std::pair<Vec2, Vec2> drawn(Scene& s, int corner, int edge, double length) {
     contact.corner = corner;
     contact.edge = edge;
     contact.length = length;
-    const auto at = [&](int k) { return s.model.vertices[static_cast<std::size_t>(k)]; };
-    contact.tangent = (at(s.model.topology.next[static_cast<std::size_t>(edge)]) - at(edge)).normalized();
+    const auto at = [&](dda::CornerIndex k) { return s.model.vertices[k]; };
+    contact.tangent = (at(s.model.topology.next[edge]) - at(edge)).normalized();
     state.contacts.contacts.push_back(contact);
     const dda::GridFrame frame = dda::contact_frame(s.model, state);
     EXPECT_EQ(frame.points.size(), 6U);
     return {{frame.points[0], frame.points[1]}, {frame.points[3], frame.points[4]}};
 }
 
-// Two boxes on top of each other; the upper one, two metres wide, lies on the right end of the lower one's
-// top, which runs from corner 2 at (6, 1) to corner 3 at (0, 1).
+// Two boxes. The upper one, 2 m wide, lies on the right end of the lower one's top, which runs from corner 2
+// at (6, 1) to corner 3 at (0, 1).
 Scene boxes(double right) {
     Scene s;
     s.box({0, 0}, 6, 1);
@@ -35,7 +35,7 @@ Scene boxes(double right) {
     return s;
 }
 
-TEST(ContactFrame, DrawsAShareAlongTheCornersOwnFace) {
+TEST(ContactFrame, DrawsTheContactLengthAlongTheCornersFace) {
     Scene s = boxes(5.5);
     const auto left = drawn(s, 4, 2, 1);
     EXPECT_NEAR((left.first - Vec2(3.5, 1)).norm(), 0, 1e-12);
@@ -45,7 +45,7 @@ TEST(ContactFrame, DrawsAShareAlongTheCornersOwnFace) {
     EXPECT_NEAR((right.second - Vec2(4.5, 1)).norm(), 0, 1e-12);
 }
 
-TEST(ContactFrame, DrawsNoSharePastTheEdgesEnd) {
+TEST(ContactFrame, DrawsNoLengthBeyondTheEdgesEnd) {
     Scene s = boxes(7.5);
     const auto left = drawn(s, 4, 2, .9);
     EXPECT_NEAR((left.second - Vec2(6, 1)).norm(), 0, 1e-12) << "the edge ends half a metre from the corner";
