@@ -1,28 +1,13 @@
 # Checks that dependencies point down only and that each package stays private to its folder.
 #   cmake -D ROOT=<source tree> -P check_includes.cmake
-# Reads the #include lines of libcommon, libblockgen, libdda and tools, names every one that breaks a rule, and fails if
-# any does.
+# Reads the #include lines of libcommon, libblockgen, libdda and tools, reports each that violates a rule, and fails if any
+# does.
 cmake_minimum_required(VERSION 3.25)
 
-# The floors of each library from the ground up; floors on one line do not see each other.
-set(storeys_of_common "base" "geometry config" "drawing")
-set(storeys_of_blockgen "mesh" "input noding" "arrangement" "faces" "sampling" "report" "cut" "picture")
-set(storeys_of_dda "base" "geometry linear joint hdf" "model" "block" "contact" "terms" "analysis" "monitor" "input"
-    "laboratory writers" "checkpoint" "results")
-set(storeys_of_record "record")
+include(${CMAKE_CURRENT_LIST_DIR}/floors.cmake)
 
-foreach(library IN ITEMS common blockgen dda record)
-    set(rank 0)
-    foreach(storey IN LISTS storeys_of_${library})
-        string(REPLACE " " ";" floors "${storey}")
-        foreach(floor IN LISTS floors)
-            set(rank_of_${library}_${floor} ${rank})
-        endforeach()
-        math(EXPR rank "${rank} + 1")
-    endforeach()
-endforeach()
-
-# Which folders of another library a folder may see: "folder of the including file|library|folders", the first row that fits.
+# The folders of another library that a folder may include: "folder of the including file|library|folders". The first
+# matching row applies; "." allows the whole library.
 set(views
     "libcommon/common|blockgen|" "libcommon/common|dda|" "libcommon/common|record|"
     "libcommon/record|common|base" "libcommon/record|blockgen|" "libcommon/record|dda|"
@@ -50,22 +35,6 @@ set(violations "")
 macro(violation text)
     list(APPEND violations "${file} includes ${header}: ${text}")
 endmacro()
-
-# The library and the floor of a file or of an included header; both empty for anything else.
-function(locate path library_variable floor_variable)
-    string(REGEX REPLACE "^lib(blockgen|dda|common)/" "" inside "${path}")
-    set(library "")
-    set(floor "")
-    if(inside MATCHES "^(common|blockgen|dda)/([^/]+)/")
-        set(library "${CMAKE_MATCH_1}")
-        set(floor "${CMAKE_MATCH_2}")
-    elseif(inside MATCHES "^record/")
-        set(library record)
-        set(floor record)
-    endif()
-    set(${library_variable} "${library}" PARENT_SCOPE)
-    set(${floor_variable} "${floor}" PARENT_SCOPE)
-endfunction()
 
 function(check_floors)
     foreach(end IN ITEMS own other)
@@ -117,8 +86,7 @@ function(check_private_packages)
     set(violations "${violations}" PARENT_SCOPE)
 endfunction()
 
-file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/libcommon/*.[ch]pp ${ROOT}/libblockgen/*.[ch]pp ${ROOT}/libdda/*.[ch]pp
-     ${ROOT}/tools/*.[ch]pp)
+find_sources(files)
 list(LENGTH files file_count)
 if(file_count EQUAL 0)
     message(FATAL_ERROR "no sources under ${ROOT}")

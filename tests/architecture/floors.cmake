@@ -1,0 +1,41 @@
+# The floors of the libraries, for the check of the includes and for the picture.
+# The floors of each library from the ground up; floors on one line do not see each other.
+set(storeys_of_common "base" "geometry config" "drawing")
+set(storeys_of_blockgen "mesh" "input noding" "arrangement" "faces" "sampling" "report" "cut" "picture")
+set(storeys_of_dda "base" "geometry linear joint hdf" "model" "block" "contact" "terms" "analysis" "monitor" "input"
+    "laboratory writers" "checkpoint" "results")
+set(storeys_of_record "record")
+
+foreach(library IN ITEMS common blockgen dda record)
+    set(rank 0)
+    foreach(storey IN LISTS storeys_of_${library})
+        string(REPLACE " " ";" floors "${storey}")
+        foreach(floor IN LISTS floors)
+            set(rank_of_${library}_${floor} ${rank})
+        endforeach()
+        math(EXPR rank "${rank} + 1")
+    endforeach()
+endforeach()
+
+# The library and the floor of a file or of an included header; both empty for anything else.
+function(locate path library_variable floor_variable)
+    string(REGEX REPLACE "^lib(blockgen|dda|common)/" "" inside "${path}")
+    set(library "")
+    set(floor "")
+    if(inside MATCHES "^(common|blockgen|dda)/([^/]+)/")
+        set(library "${CMAKE_MATCH_1}")
+        set(floor "${CMAKE_MATCH_2}")
+    elseif(inside MATCHES "^record/")
+        set(library record)
+        set(floor record)
+    endif()
+    set(${library_variable} "${library}" PARENT_SCOPE)
+    set(${floor_variable} "${floor}" PARENT_SCOPE)
+endfunction()
+
+# All sources of the libraries and programs under ROOT, relative to it.
+function(find_sources variable)
+    file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/libcommon/*.[ch]pp ${ROOT}/libblockgen/*.[ch]pp
+         ${ROOT}/libdda/*.[ch]pp ${ROOT}/tools/*.[ch]pp)
+    set(${variable} "${files}" PARENT_SCOPE)
+endfunction()

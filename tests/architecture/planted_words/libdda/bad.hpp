@@ -1,0 +1,3 @@
+#pragma once
+/// Of the contacts, those that close.
+class Crew;
