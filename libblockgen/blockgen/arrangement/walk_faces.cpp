@@ -92,7 +92,8 @@ class FaceTracer {
         for (std::size_t v = 0; v < outer_cycle_.size(); ++v) {
             if (outer_cycle_[v] < 0) continue;  // v is not the smallest, so leftmost, of its component
             const std::int32_t below = edge_below(v, lines, grid);
-            face_of_cycle_[outer_cycle_[v]] = below < 0 ? 0 : face_of_cycle_[result_.face[2 * below]];
+            face_of_cycle_[outer_cycle_[v]] =
+                below < 0 ? 0 : face_of_cycle_[result_.face[2 * static_cast<std::size_t>(below)]];
         }
     }
 

@@ -31,13 +31,13 @@ nlohmann::ordered_json deciles_json(const Deciles& d) {
 }
 
 nlohmann::ordered_json kinematics_json(const KinematicReport& report) {
-    using json = nlohmann::ordered_json;
-    json counts = json::object(), blocks = json::array();
+    using Json = nlohmann::ordered_json;
+    Json counts = Json::object(), blocks = Json::array();
     for (const BlockMode mode : {BlockMode::enclosed, BlockMode::tapered, BlockMode::stable,
                                  BlockMode::falling, BlockMode::sliding, BlockMode::sliding_two_faces})
         counts[label_of(mode)] = std::count(report.mode.begin(), report.mode.end(), mode);
     for (const KeyBlock& b : report.blocks) {
-        json row = {{"block", b.block},
+        Json row = {{"block", b.block},
                     {"mode", label_of(b.mode)},
                     {"factor_of_safety", b.factor_of_safety},
                     {"direction", {b.direction.x, b.direction.y}},
@@ -64,10 +64,10 @@ nlohmann::ordered_json changes_json(const std::vector<Change>& changes) {
 }  // namespace
 
 std::string report_text(const CutReport& report) {
-    using json = nlohmann::ordered_json;
-    json joints = json::array();
+    using Json = nlohmann::ordered_json;
+    Json joints = Json::array();
     for (const JointBalance& b : report.joints) {
-        json asked = json::object();
+        Json asked = Json::object();
         if (b.p10_target > 0) asked["p10_per_m"] = b.p10_target;
         if (b.p20_target > 0) asked["p20_per_m2"] = b.p20_target;
         if (b.p21_target > 0) asked["p21_m_per_m2"] = b.p21_target;
@@ -85,7 +85,7 @@ std::string report_text(const CutReport& report) {
                           {"asked", asked}});
     }
     const SizeSummary& s = report.sizes;
-    json root = {
+    Json root = {
         {"blocks", report.blocks},
         {"holes", report.holes},
         {"islands", report.islands},
@@ -119,7 +119,7 @@ std::string report_text(const CutReport& report) {
         {"joints", joints},
         {"nodes",
          {{"i", report.nodes.i}, {"y", report.nodes.y}, {"x", report.nodes.x}, {"edge", report.nodes.edge}}},
-        {"excavations", json::array()},
+        {"excavations", Json::array()},
         {"changes", changes_json(report.changes)},
         {"warnings", report.warnings}};
     for (const ExcavationReport& e : report.excavations)

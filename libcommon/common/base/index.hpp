@@ -168,7 +168,8 @@ class IndexedSpan : public std::span<T> {
   public:
     constexpr IndexedSpan() = default;
     template <ViewableBy<Key, T> Range>
-    constexpr IndexedSpan(Range&& range)  // NOLINT(google-explicit-constructor): a view of the same
+    // A span of its own kind taken by this constructor is the copy that the others would make.
+    constexpr IndexedSpan(Range&& range)  // NOLINT(bugprone-forwarding-reference-overload)
         : std::span<T>(std::forward<Range>(range)) {}
 
     constexpr T& operator[](Key key) const { return std::span<T>::operator[](key); }
