@@ -5,36 +5,14 @@
 #include <string>
 #include <variant>
 
-#include "dda/joint/barton_bandis.hpp"
-#include "dda/joint/bilinear.hpp"
-#include "dda/joint/continuously_yielding.hpp"
-#include "dda/joint/cyclic_barton_bandis.hpp"
-#include "dda/joint/elastic.hpp"
 #include "dda/joint/joint_law_contract.hpp"
-#include "dda/joint/mohr_coulomb.hpp"
+#include "dda/joint/joint_law_list.hpp"
 #include "dda/joint/normal_closure.hpp"
-#include "dda/joint/plesha.hpp"
-#include "dda/joint/stressed_asperities.hpp"
-#include "dda/joint/two_order_asperities.hpp"
-#include "dda/joint/velocity_weakening.hpp"
-#include "dda/joint/weakening.hpp"
 
 namespace rockslope::dda {
 
-/// The list of joint laws. A new law is one file in this folder, included above, and one line here; it must
-/// fulfil JointLawContract. The order is that in which error messages list the names.
-using JointLaw = std::variant<  //
-    MohrCoulomb,                //
-    Elastic,                    //
-    BartonBandis,               //
-    CyclicBartonBandis,         //
-    Weakening,                  //
-    Bilinear,                   //
-    Plesha,                     //
-    TwoOrderAsperities,         //
-    StressedAsperities,         //
-    VelocityWeakening,          //
-    ContinuouslyYielding>;
+// JointLaw is the std::variant of all joint laws. A law is one file in this folder, which fulfils JointLawContract, and
+// one line in joint_laws.txt; CMake writes joint_law_list.hpp from it.
 
 namespace detail {
 template <class... Laws>
