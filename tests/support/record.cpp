@@ -45,17 +45,17 @@ void append(const Row& row) {
     if (!out.flush()) throw std::runtime_error("cannot write the rows of the report to " + folder.string());
 }
 
-void fail(const Row& row, const std::string& what, const char* file, int line) {
-    ADD_FAILURE_AT(file, line) << row.id << ", " << row.set_up << ": " << row.quantity << " is " << row.ours
-                               << ' ' << row.unit << ", expected " << row.expected << " ("
-                               << to_text(row.kind) << ' ' << row.tolerance << ", error " << row.error << ")"
-                               << what;
+void fail(const Row& row, const std::string& what, TestLine at) {
+    ADD_FAILURE_AT(at.file, at.line) << row.id << ", " << row.set_up << ": " << row.quantity << " is "
+                                     << row.ours << ' ' << row.unit << ", expected " << row.expected << " ("
+                                     << to_text(row.kind) << ' ' << row.tolerance << ", error " << row.error
+                                     << ")" << what;
 }
 
-void record_verdict(Row row, bool within, const char* file, int line) {
+void record_verdict(Row row, bool within, TestLine at) {
     row.verdict = within ? Verdict::passes : Verdict::fails;
     append(row);
-    if (!within) fail(row, "", file, line);
+    if (!within) fail(row, "", at);
 }
 
 bool within_tolerance(double ours, double expected, Tolerance tolerance) {
@@ -106,36 +106,36 @@ Row Case::compared(const std::string& quantity, const std::string& unit, double 
 }
 
 void Case::expect(const std::string& quantity, const std::string& unit, double ours, double expected,
-                  Tolerance tolerance, const char* file, int line) const {
+                  Tolerance tolerance, TestLine at) const {
     record_verdict(compared(quantity, unit, ours, expected, tolerance),
-                   within_tolerance(ours, expected, tolerance), file, line);
+                   within_tolerance(ours, expected, tolerance), at);
 }
 
 void Case::expect_below(const std::string& quantity, const std::string& unit, double ours, double limit,
-                        const char* file, int line) const {
+                        TestLine at) const {
     Row made = row(quantity, unit);
     made.ours = to_text(std::abs(ours));
     made.tolerance = to_text(limit);
     made.kind = ToleranceKind::below;
-    record_verdict(made, std::abs(ours) < limit, file, line);
+    record_verdict(made, std::abs(ours) < limit, at);
 }
 
 void Case::expect_above(const std::string& quantity, const std::string& unit, double ours, double limit,
-                        const char* file, int line) const {
+                        TestLine at) const {
     Row made = row(quantity, unit);
     made.ours = to_text(ours);
     made.tolerance = to_text(limit);
     made.kind = ToleranceKind::above;
-    record_verdict(made, ours > limit, file, line);
+    record_verdict(made, ours > limit, at);
 }
 
 void Case::expect_outcome(const std::string& quantity, const std::string& ours, const std::string& expected,
-                          const char* file, int line) const {
+                          TestLine at) const {
     Row made = row(quantity, {});
     made.expected = expected;
     made.ours = ours;
     made.kind = ToleranceKind::outcome;
-    record_verdict(made, ours == expected, file, line);
+    record_verdict(made, ours == expected, at);
 }
 
 void Case::inform(const std::string& quantity, const std::string& unit, double ours, double reference) const {
@@ -152,13 +152,13 @@ void Case::inform(const std::string& quantity, const std::string& unit, double o
 }
 
 void Case::expect_miss(const std::string& quantity, const std::string& unit, double ours, double expected,
-                       Tolerance tolerance, const std::string& why, const char* file, int line) const {
-    Row made = compared(quantity, unit, ours, expected, tolerance);
+                       const KnownMiss& miss, TestLine at) const {
+    Row made = compared(quantity, unit, ours, expected, miss.tolerance);
     made.verdict = Verdict::misses;
-    made.reason = why;
+    made.reason = miss.reason;
     append(made);
-    if (within_tolerance(ours, expected, tolerance))
-        fail(made, ": no longer a miss; use expect() instead", file, line);
+    if (within_tolerance(ours, expected, miss.tolerance))
+        fail(made, ": no longer a miss; use expect() instead", at);
 }
 
 void record_picture(const std::string& id, const std::string& slug, const std::string& title,

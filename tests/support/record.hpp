@@ -22,6 +22,23 @@ inline Tolerance absolute(double amount) {
     return {ToleranceKind::absolute, amount};
 }
 
+/// The tolerance that a number is known to miss, and the reason.
+struct KnownMiss {
+    Tolerance tolerance;
+    std::string reason;
+};
+
+/// A line of a test.
+struct TestLine {
+    const char* file = nullptr;
+    int line = 0;
+
+    /// The line of the call; as a default argument, the line of the call of that function.
+    static TestLine here(const char* file = __builtin_FILE(), int line = __builtin_LINE()) {
+        return {file, line};
+    }
+};
+
 /// A set-up of a case of the catalogue. Each call asserts (a GoogleTest expectation at the caller's line) and
 /// records a row of the report, in the folder of the environment variable DDA_VERIFICATION_REPORT. Without
 /// that variable it only asserts.
@@ -36,25 +53,24 @@ class Case {
 
     /// Expects a number within the tolerance.
     void expect(const std::string& quantity, const std::string& unit, double ours, double expected,
-                Tolerance tolerance, const char* file = __builtin_FILE(), int line = __builtin_LINE()) const;
+                Tolerance tolerance, TestLine at = TestLine::here()) const;
     /// Expects a number whose magnitude is below a limit.
     void expect_below(const std::string& quantity, const std::string& unit, double ours, double limit,
-                      const char* file = __builtin_FILE(), int line = __builtin_LINE()) const;
+                      TestLine at = TestLine::here()) const;
     /// Expects a number above a limit.
     void expect_above(const std::string& quantity, const std::string& unit, double ours, double limit,
-                      const char* file = __builtin_FILE(), int line = __builtin_LINE()) const;
+                      TestLine at = TestLine::here()) const;
     /// Expects a word: the mode of failure, or whether something moves.
     void expect_outcome(const std::string& quantity, const std::string& ours, const std::string& expected,
-                        const char* file = __builtin_FILE(), int line = __builtin_LINE()) const;
+                        TestLine at = TestLine::here()) const;
     /// Records a number and its reference without an assertion.
     void inform(const std::string& quantity, const std::string& unit, double ours, double reference) const;
     /// Records a number that has no reference.
     void inform(const std::string& quantity, const std::string& unit, double ours) const;
-    /// Records a known miss: a number outside its tolerance, with the reason `why`. Fails if the number is
-    /// within the tolerance, so that no miss is listed after its cause is gone.
+    /// Records a known miss with its reason. Fails if the number is within the tolerance, so that no miss is
+    /// listed after its cause is gone.
     void expect_miss(const std::string& quantity, const std::string& unit, double ours, double expected,
-                     Tolerance tolerance, const std::string& why, const char* file = __builtin_FILE(),
-                     int line = __builtin_LINE()) const;
+                     const KnownMiss& miss, TestLine at = TestLine::here()) const;
 
   private:
     Row row(const std::string& quantity, const std::string& unit) const;

@@ -171,7 +171,8 @@ TEST(LongToppling, FailsAtTheFrictionOfGoodmanAndBray) {
         if (n > 3)
             forces.expect(quantity, "kN", ours, theirs, relative(.05));
         else
-            forces.expect_miss(quantity, "kN", ours, theirs, relative(.05), indeterminate);
+            forces.expect_miss(quantity, "kN", ours, theirs,
+                               {.tolerance = relative(.05), .reason = indeterminate});
     }
     for (const int n : {4, 3, 2}) {
         const auto k = static_cast<std::size_t>(n);

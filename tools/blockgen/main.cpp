@@ -35,7 +35,7 @@ BlockLayer kinematic_layer(const KinematicReport& report) {
                      {"removable, stable", {0.62, 0.80, 0.62}},
                      {"tapered", {0.64, 0.74, 0.86}}};
     layer.entry_of_block.assign(report.mode.size(), -1);
-    for (std::size_t b = 0; b < report.mode.size(); ++b) {
+    for (const BlockIndex b : report.mode.indices()) {
         if (report.mode[b] == BlockMode::stable) layer.entry_of_block[b] = 3;
         if (report.mode[b] == BlockMode::tapered) layer.entry_of_block[b] = 4;
     }

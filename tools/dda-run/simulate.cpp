@@ -207,10 +207,10 @@ ExitCode simulate(const CommandLine& line, const std::string& version) {
     progress.clear();
 
     const std::vector<dda::PlaneSlip> slips = dda::plane_slips(input.model, input.stages, state, results);
-    write_summary_files(
-        line.output, outcome,
-        dda::block_table(input.model, state, results, slips, line.output / "blocks.csv"),
-        dda::summary_text(input.model, input.stages, state, outcome, results, version, files));
+    write_summary_files(line.output, outcome,
+                        dda::block_table(input.model, state, results, slips, line.output / "blocks.csv"),
+                        dda::summary_text(input.model, input.stages, state, outcome, results,
+                                          {.version = version, .inputs = files}));
     std::fputs(dda::outcome_table(input.model, state, results, slips).c_str(), stdout);
     print_factor_of_safety(results.state().trials);
     print_outcome(outcome, state, results.wall_time(), line.output);

@@ -22,7 +22,7 @@ Traits::Point_2 point_of(const GridPoint& p) {
     return {static_cast<double>(p.x), static_cast<double>(p.y)};
 }
 
-std::int32_t vertex_index(const NodedEdges& noded, const Traits::Point_2& p) {
+NodeIndex vertex_index(const NodedEdges& noded, const Traits::Point_2& p) {
     const GridPoint place{static_cast<std::int64_t>(p.x()), static_cast<std::int64_t>(p.y())};
     const auto found = std::lower_bound(noded.vertices.begin(), noded.vertices.end(), place);
     if (found == noded.vertices.end() || *found != place)
@@ -30,19 +30,21 @@ std::int32_t vertex_index(const NodedEdges& noded, const Traits::Point_2& p) {
     return found - noded.vertices.begin();
 }
 
-std::int32_t edge_index(const NodedEdges& noded, std::int32_t a, std::int32_t b) {
-    const auto found = std::lower_bound(noded.edges.begin(), noded.edges.end(), std::pair(a, b));
-    if (found == noded.edges.end() || *found != std::pair(a, b))
+EdgeIndex edge_index(const NodedEdges& noded, const EdgeEnds& ends) {
+    const auto found = std::lower_bound(noded.edges.begin(), noded.edges.end(), ends);
+    if (found == noded.edges.end() || *found != ends)
         throw std::logic_error("the arrangement created an edge that is not a noded edge");
     return found - noded.edges.begin();
 }
 
 void number_features(const NodedEdges& noded, Arrangement& arrangement) {
     for (auto v = arrangement.vertices_begin(); v != arrangement.vertices_end(); ++v)
-        v->set_data(vertex_index(noded, v->point()));
+        v->set_data(vertex_index(noded, v->point()).value());
     for (auto h = arrangement.halfedges_begin(); h != arrangement.halfedges_end(); ++h) {
-        const std::int32_t a = h->source()->data(), b = h->target()->data();
-        h->set_data(a < b ? 2 * edge_index(noded, a, b) : 2 * edge_index(noded, b, a) + 1);
+        const NodeIndex a = h->source()->data(), b = h->target()->data();
+        const HalfEdgeIndex half =
+            a < b ? forward_half(edge_index(noded, {a, b})) : backward_half(edge_index(noded, {b, a}));
+        h->set_data(half.value());
     }
     std::int32_t next_face = 1;
     for (auto f = arrangement.faces_begin(); f != arrangement.faces_end(); ++f)
@@ -68,7 +70,7 @@ Subdivision arrange(const NodedEdges& noded) {
     result.next.resize(2 * noded.edges.size());
     result.face.resize(2 * noded.edges.size());
     for (auto h = arrangement.halfedges_begin(); h != arrangement.halfedges_end(); ++h) {
-        const std::size_t k = h->data();
+        const HalfEdgeIndex k = h->data();
         result.next[k] = h->next()->data();
         result.face[k] = h->face()->data();
     }

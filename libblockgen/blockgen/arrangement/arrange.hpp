@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "blockgen/arrangement/indices.hpp"
 #include "blockgen/noding/node_joints.hpp"
 
 namespace rockslope::blockgen {
@@ -10,8 +11,8 @@ namespace rockslope::blockgen {
 /// A planar subdivision as a DCEL of half-edges, in plain arrays. Edge e has the half-edges 2e, from its
 /// first to its second vertex, and 2e + 1, its twin. The face of a half-edge lies on its left.
 struct Subdivision {
-    std::vector<std::int32_t> next;  ///< per half-edge: the next half-edge along its face
-    std::vector<std::int32_t> face;  ///< per half-edge: its face; face 0 is the unbounded face
+    PerHalfEdge<HalfEdgeIndex> next;  ///< the next half-edge along its face
+    PerHalfEdge<FaceIndex> face;      ///< face 0 is the unbounded face
     std::int32_t face_count = 0;
 };
 

@@ -44,11 +44,11 @@ Kernel::FT twice_ring_area(Circulator start) {
 }
 
 /// Sorts the areas and fills the adjacency by ranks of area.
-void fill_areas_and_adjacency(ArrangementSummary& summary, const std::vector<Int128>& area_of_face,
-                              const std::vector<std::pair<std::int32_t, std::int32_t>>& neighbours) {
+void fill_areas_and_adjacency(ArrangementSummary& summary, const PerFace<Int128>& area_of_face,
+                              const std::vector<std::pair<FaceIndex, FaceIndex>>& neighbours) {
     summary.twice_areas.assign(area_of_face.begin() + 1, area_of_face.end());
     std::sort(summary.twice_areas.begin(), summary.twice_areas.end());
-    const auto rank = [&](std::int32_t face) -> std::int32_t {
+    const auto rank = [&](FaceIndex face) -> std::int32_t {
         if (face == 0) return -1;
         const auto found =
             std::lower_bound(summary.twice_areas.begin(), summary.twice_areas.end(), area_of_face[face]);
@@ -61,7 +61,7 @@ void fill_areas_and_adjacency(ArrangementSummary& summary, const std::vector<Int
 }  // namespace
 
 ArrangementSummary arrange_exactly(const NodedEdges& noded) {
-    const auto point_of = [&](std::int32_t v) {
+    const auto point_of = [&](NodeIndex v) {
         const GridPoint& p = noded.vertices[v];
         return Kernel::Point_2(static_cast<double>(p.x), static_cast<double>(p.y));
     };
@@ -73,7 +73,7 @@ ArrangementSummary arrange_exactly(const NodedEdges& noded) {
     ArrangementSummary summary;
     summary.vertices = arrangement.number_of_vertices();
     summary.edges = arrangement.number_of_edges();
-    std::vector<Int128> areas(1, 0);
+    PerFace<Int128> areas(1, 0);
     for (auto f = arrangement.faces_begin(); f != arrangement.faces_end(); ++f) {
         f->set_data(f->is_unbounded() ? 0 : static_cast<std::int32_t>(areas.size()));
         if (f->is_unbounded()) continue;
@@ -82,7 +82,7 @@ ArrangementSummary arrange_exactly(const NodedEdges& noded) {
             area += twice_ring_area(*hole);
         areas.push_back(integer_of(area));
     }
-    std::vector<std::pair<std::int32_t, std::int32_t>> neighbours;
+    std::vector<std::pair<FaceIndex, FaceIndex>> neighbours;
     for (auto e = arrangement.edges_begin(); e != arrangement.edges_end(); ++e)
         neighbours.emplace_back(e->face()->data(), e->twin()->face()->data());
     fill_areas_and_adjacency(summary, areas, neighbours);
@@ -93,15 +93,16 @@ ArrangementSummary summarize(const NodedEdges& noded, const Subdivision& subdivi
     ArrangementSummary summary;
     summary.vertices = noded.vertices.size();
     summary.edges = noded.edges.size();
-    std::vector<Int128> areas(subdivision.face_count, 0);
-    std::vector<std::pair<std::int32_t, std::int32_t>> neighbours;
-    for (std::size_t e = 0; e < noded.edges.size(); ++e) {
+    PerFace<Int128> areas(subdivision.face_count, 0);
+    std::vector<std::pair<FaceIndex, FaceIndex>> neighbours;
+    for (const EdgeIndex e : noded.edges.indices()) {
         const GridPoint& a = noded.vertices[noded.edges[e].first];
         const GridPoint& b = noded.vertices[noded.edges[e].second];
         const Int128 area = twice_area({0, 0}, a, b);
-        areas[subdivision.face[2 * e]] += area;
-        areas[subdivision.face[2 * e + 1]] -= area;
-        neighbours.emplace_back(subdivision.face[2 * e], subdivision.face[2 * e + 1]);
+        const FaceIndex left = subdivision.face[forward_half(e)], right = subdivision.face[backward_half(e)];
+        areas[left] += area;
+        areas[right] -= area;
+        neighbours.emplace_back(left, right);
     }
     fill_areas_and_adjacency(summary, areas, neighbours);
     return summary;

@@ -8,6 +8,9 @@ namespace rockslope::blockgen {
 
 namespace {
 
+/// A closed walk of half-edges along one face.
+using CycleIndex = Index<struct CycleKind>;
+
 /// 0 for directions in [0, 180) degrees, 1 for the others.
 int half_plane(const GridPoint& d) {
     return d.y > 0 || (d.y == 0 && d.x > 0) ? 0 : 1;
@@ -23,22 +26,22 @@ class FaceTracer {
         link_half_edges();
         trace_cycles();
         nest_components();
-        for (std::int32_t& cycle : result_.face) cycle = face_of_cycle_[cycle];
+        result_.face.reserve(cycle_of_.size());
+        for (const CycleIndex cycle : cycle_of_) result_.face.push_back(face_of_cycle_[cycle]);
         return std::move(result_);
     }
 
   private:
-    std::int32_t origin(std::size_t h) const {
-        const auto& [a, b] = noded_.edges[h / 2];
-        return h % 2 == 0 ? a : b;
+    NodeIndex origin(HalfEdgeIndex h) const {
+        const auto& [a, b] = noded_.edges[edge_of(h)];
+        return is_forward(h) ? a : b;
     }
-    const GridPoint& grid_point(std::int32_t v) const { return noded_.vertices[v]; }
-    GridPoint direction(std::int32_t h) const {
-        const std::size_t k = h;
-        const GridPoint &a = grid_point(origin(k)), &b = grid_point(origin(k ^ 1u));
+    const GridPoint& grid_point(NodeIndex v) const { return noded_.vertices[v]; }
+    GridPoint direction(HalfEdgeIndex h) const {
+        const GridPoint &a = grid_point(origin(h)), &b = grid_point(origin(twin(h)));
         return {b.x - a.x, b.y - a.y};
     }
-    bool comes_before(std::int32_t g, std::int32_t h) const {
+    bool comes_before(HalfEdgeIndex g, HalfEdgeIndex h) const {
         const GridPoint d = direction(g), e = direction(h);
         if (half_plane(d) != half_plane(e)) return half_plane(d) < half_plane(e);
         return static_cast<Int128>(d.x) * e.y - static_cast<Int128>(d.y) * e.x > 0;
@@ -48,34 +51,35 @@ class FaceTracer {
     /// at which the half-edge ends.
     void link_half_edges() {
         const std::size_t n = 2 * noded_.edges.size();
-        std::vector<std::int32_t> first(noded_.vertices.size() + 1, 0), around(n);
-        for (std::size_t h = 0; h < n; ++h) ++first[origin(h) + 1];
-        for (std::size_t v = 0; v + 1 < first.size(); ++v) first[v + 1] += first[v];
-        std::vector<std::int32_t> fill(first.begin(), first.end() - 1);
-        for (std::size_t h = 0; h < n; ++h) around[fill[origin(h)]++] = h;
+        PerNode<std::int32_t> first(noded_.vertices.size() + 1, 0);
+        std::vector<HalfEdgeIndex> around(n);
         result_.next.resize(n);
-        for (std::size_t v = 0; v + 1 < first.size(); ++v) {
+        for (const HalfEdgeIndex h : result_.next.indices()) ++first[origin(h) + 1];
+        for (const NodeIndex v : noded_.vertices.indices()) first[v + 1] += first[v];
+        PerNode<std::int32_t> fill(first.begin(), first.end() - 1);
+        for (const HalfEdgeIndex h : result_.next.indices()) around[fill[origin(h)]++] = h;
+        for (const NodeIndex v : noded_.vertices.indices()) {
             const auto begin = around.begin() + first[v], end = around.begin() + first[v + 1];
-            std::sort(begin, end, [this](std::int32_t g, std::int32_t h) { return comes_before(g, h); });
-            for (auto h = begin; h != end; ++h) result_.next[*h ^ 1] = h == begin ? *(end - 1) : *(h - 1);
+            std::sort(begin, end, [this](HalfEdgeIndex g, HalfEdgeIndex h) { return comes_before(g, h); });
+            for (auto h = begin; h != end; ++h) result_.next[twin(*h)] = h == begin ? *(end - 1) : *(h - 1);
         }
     }
 
     /// Numbers the cycles of half-edges. A counter-clockwise cycle bounds a new face. A clockwise cycle, or
     /// one of zero area, is the outer boundary of a connected component.
     void trace_cycles() {
-        result_.face.assign(result_.next.size(), -1);
-        outer_cycle_.assign(noded_.vertices.size(), -1);
+        cycle_of_.assign(result_.next.size(), CycleIndex::none());
+        outer_cycle_.assign(noded_.vertices.size(), CycleIndex::none());
         face_of_cycle_.clear();
         result_.face_count = 1;
-        for (std::size_t start = 0; start < result_.next.size(); ++start) {
-            if (result_.face[start] >= 0) continue;
-            const std::int32_t cycle = face_of_cycle_.size();
+        for (const HalfEdgeIndex start : result_.next.indices()) {
+            if (cycle_of_[start].exists()) continue;
+            const CycleIndex cycle = face_of_cycle_.size();
             Int128 twice = 0;
             const GridPoint& o = grid_point(origin(start));
-            for (std::size_t h = start; result_.face[h] < 0; h = result_.next[h]) {
-                result_.face[h] = cycle;
-                twice += twice_area(o, grid_point(origin(h)), grid_point(origin(h ^ 1u)));
+            for (HalfEdgeIndex h = start; !cycle_of_[h].exists(); h = result_.next[h]) {
+                cycle_of_[h] = cycle;
+                twice += twice_area(o, grid_point(origin(h)), grid_point(origin(twin(h))));
             }
             face_of_cycle_.push_back(twice > 0 ? result_.face_count++ : -1);
             if (twice <= 0) outer_cycle_[components_.root(origin(start))] = cycle;
@@ -85,32 +89,33 @@ class FaceTracer {
     /// Finds the face that contains each connected component, in the order of the leftmost vertices. The
     /// component below such a vertex has a vertex further left, or lower, so that its face is already found.
     void nest_components() {
-        std::vector<FineSegment> lines;
+        PerEdge<FineSegment> lines;
         lines.reserve(noded_.edges.size());
         for (const auto& [a, b] : noded_.edges) lines.push_back({grid_point(a), grid_point(b)});
-        const BucketGrid grid(lines, 1);
-        for (std::size_t v = 0; v < outer_cycle_.size(); ++v) {
-            if (outer_cycle_[v] < 0) continue;  // v is not the smallest, so leftmost, of its component
-            const std::int32_t below = edge_below(v, lines, grid);
+        const BucketGrid grid(std::span<const FineSegment>(lines), 1);
+        for (const NodeIndex v : outer_cycle_.indices()) {
+            if (!outer_cycle_[v].exists()) continue;  // v is not the smallest, so leftmost, of its component
+            const EdgeIndex below = edge_below(v, lines, grid);
             face_of_cycle_[outer_cycle_[v]] =
-                below < 0 ? 0 : face_of_cycle_[result_.face[2 * static_cast<std::size_t>(below)]];
+                below.exists() ? face_of_cycle_[cycle_of_[forward_half(below)]] : FaceIndex(0);
         }
     }
 
     /// The first edge of another component on the vertical ray down from v, with the ray shifted to the right
-    /// by an infinitesimal; -1 if none.
-    std::int32_t edge_below(std::size_t v, const std::vector<FineSegment>& lines, const BucketGrid& grid) {
+    /// by an infinitesimal; none if there is no such edge.
+    EdgeIndex edge_below(NodeIndex v, const PerEdge<FineSegment>& lines, const BucketGrid& grid) {
         const GridPoint& p = noded_.vertices[v];
-        std::int32_t best = -1;
+        EdgeIndex best = EdgeIndex::none();
         for (std::size_t bucket = grid.bucket_of(p);; --bucket) {
-            for (const std::int32_t e : grid.segments_of(bucket)) {
+            for (const SegmentIndex segment : grid.segments_of(bucket)) {
+                const EdgeIndex e = segment.value();
                 const FineSegment& s = lines[e];
                 if (!(s.a.x <= p.x && p.x < s.b.x) || side_of(s.a, s.b, p) <= 0) continue;
                 if (components_.root(noded_.edges[e].first) == v) continue;
-                if (best < 0 || is_above(s, lines[best], p.x)) best = e;
+                if (!best.exists() || is_above(s, lines[best], p.x)) best = e;
             }
             // No edge in a lower bucket lies above an edge that crosses x = p.x within this bucket.
-            const bool is_found = best >= 0 && grid.bottom_of(bucket) <= height(lines[best], p.x);
+            const bool is_found = best.exists() && grid.bottom_of(bucket) <= height(lines[best], p.x);
             if (is_found || grid.row_of(bucket) == 0) break;
         }
         return best;
@@ -133,8 +138,9 @@ class FaceTracer {
     const NodedEdges& noded_;
     DisjointSets components_;
     Subdivision result_;
-    std::vector<std::int32_t> outer_cycle_;    ///< per smallest vertex of a component: its outer cycle; or -1
-    std::vector<std::int32_t> face_of_cycle_;  ///< -1 until found
+    PerHalfEdge<CycleIndex> cycle_of_;
+    PerNode<CycleIndex> outer_cycle_;  ///< of the component with that smallest vertex; none at other vertices
+    IndexedVector<CycleIndex, FaceIndex> face_of_cycle_;  ///< none until found
 };
 
 }  // namespace

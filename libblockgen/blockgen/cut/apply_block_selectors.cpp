@@ -17,9 +17,9 @@ std::string text_of(const Point& p) {
     return "(" + shortest_text(p.x) + ", " + shortest_text(p.y) + ")";
 }
 
-bool contains(const BlockMesh& mesh, std::size_t block, const Point& p) {
+bool contains(const BlockMesh& mesh, BlockIndex block, const Point& p) {
     bool in_box_x = false, in_box_y = false, below_x = false, below_y = false;
-    for (const std::int32_t v : mesh.ring(block, 0)) {
+    for (const VertexIndex v : mesh.ring(block, 0)) {
         const Point& q = mesh.vertices[v];
         below_x = below_x || q.x <= p.x;
         in_box_x = in_box_x || q.x >= p.x;
@@ -39,23 +39,23 @@ double distance_to_segment(const Point& p, const Point& a, const Point& b) {
     return std::hypot(p.x - a.x - t * ux, p.y - a.y - t * uy);
 }
 
-std::pair<std::int32_t, double> nearest_block(const BlockMesh& mesh, const Point& p) {
-    std::pair<std::int32_t, double> nearest{-1, std::numeric_limits<double>::infinity()};
-    for (std::size_t b = 0; b < mesh.block_count(); ++b)
+std::pair<BlockIndex, double> nearest_block(const BlockMesh& mesh, const Point& p) {
+    std::pair<BlockIndex, double> nearest{BlockIndex::none(), std::numeric_limits<double>::infinity()};
+    for (const BlockIndex b : mesh.blocks())
         for (std::size_t r = 0; r < mesh.ring_count(b); ++r) {
             const Ring ring = ring_points(mesh, b, r);
             for (std::size_t k = 0; k < ring.size(); ++k)
                 if (const double d = distance_to_segment(p, ring[k], ring[(k + 1) % ring.size()]);
                     d < nearest.second)
-                    nearest = {static_cast<std::int32_t>(b), d};
+                    nearest = {b, d};
         }
     return nearest;
 }
 
-std::int32_t block_near(const BlockMesh& mesh, const SlopeModel& model, const BlockSelector& selector,
-                        std::vector<std::string>& warnings) {
-    const std::int32_t block = block_at(mesh, *selector.at);
-    if (block >= 0) return block;
+BlockIndex block_near(const BlockMesh& mesh, const SlopeModel& model, const BlockSelector& selector,
+                      std::vector<std::string>& warnings) {
+    const BlockIndex block = block_at(mesh, *selector.at);
+    if (block.exists()) return block;
     const Bounds bounds = domain_bounds(model);
     const double reach = 0.05 * std::hypot(bounds.high.x - bounds.low.x, bounds.high.y - bounds.low.y);
     const auto [nearest, distance] = nearest_block(mesh, *selector.at);
@@ -71,7 +71,7 @@ std::int32_t block_near(const BlockMesh& mesh, const SlopeModel& model, const Bl
 }
 
 /// Whether a block has a free edge along a side of the box.
-bool lies_along(const BlockMesh& mesh, std::size_t block, const std::string& side, const Bounds& bounds,
+bool lies_along(const BlockMesh& mesh, BlockIndex block, const std::string& side, const Bounds& bounds,
                 double tolerance) {
     const auto is_there = [&](const Point& p) {
         if (side == "bottom") return p.y <= bounds.low.y + tolerance;
@@ -86,7 +86,7 @@ bool lies_along(const BlockMesh& mesh, std::size_t block, const std::string& sid
 }
 
 /// Whether a segment has a piece inside a block, or along its boundary.
-bool runs_through(const BlockMesh& mesh, std::size_t block, const Point& a, const Point& b) {
+bool runs_through(const BlockMesh& mesh, BlockIndex block, const Point& a, const Point& b) {
     for (const auto& [p, q] : clip_to_ring(a, b, ring_points(mesh, block, 0))) {
         const Point middle{(p.x + q.x) / 2, (p.y + q.y) / 2};
         if (contains(mesh, block, middle)) return true;
@@ -94,12 +94,12 @@ bool runs_through(const BlockMesh& mesh, std::size_t block, const Point& a, cons
     return false;
 }
 
-std::vector<std::int32_t> selected_blocks(const BlockMesh& mesh, const SlopeModel& model,
-                                          const BlockSelector& selector, std::vector<std::string>& warnings) {
+std::vector<BlockIndex> selected_blocks(const BlockMesh& mesh, const SlopeModel& model,
+                                        const BlockSelector& selector, std::vector<std::string>& warnings) {
     if (selector.at) return {block_near(mesh, model, selector, warnings)};
-    std::vector<std::int32_t> blocks;
+    std::vector<BlockIndex> blocks;
     const Bounds bounds = domain_bounds(model);
-    for (std::size_t b = 0; b < mesh.block_count(); ++b) {
+    for (const BlockIndex b : mesh.blocks()) {
         const bool is_selected =
             !selector.along.empty() ? runs_through(mesh, b, selector.along[0], selector.along[1])
             : selector.side.empty() ? side_of_ring(selector.inside, block_centroid(mesh, b)) >= 0
@@ -114,38 +114,38 @@ std::vector<std::int32_t> selected_blocks(const BlockMesh& mesh, const SlopeMode
     return blocks;
 }
 
-std::int32_t block_containing(const BlockMesh& mesh, const Point& p, const SourceLocation& place,
-                              const std::string& what) {
-    const std::int32_t block = block_at(mesh, p);
-    if (block < 0)
+BlockIndex block_containing(const BlockMesh& mesh, const Point& p, const SourceLocation& place,
+                            const std::string& what) {
+    const BlockIndex block = block_at(mesh, p);
+    if (!block.exists())
         throw InputError(place, "no block contains " + what + " at " + text_of(p), "a point inside the rock");
     return block;
 }
 
 }  // namespace
 
-std::int32_t block_at(const BlockMesh& mesh, const Point& p) {
-    for (std::size_t b = 0; b < mesh.block_count(); ++b)
+BlockIndex block_at(const BlockMesh& mesh, const Point& p) {
+    for (const BlockIndex b : mesh.blocks())
         if (contains(mesh, b, p)) return b;
-    return -1;
+    return BlockIndex::none();
 }
 
 static void apply_material_lines(BlockMesh& mesh, const SlopeModel& model) {
     if (model.material_lines.empty()) return;
-    std::vector<std::string> names = mesh.block_materials;
+    PerBlockMaterial<std::string> names = mesh.block_materials;
     for (const MaterialLine& line : model.material_lines) {
         const auto found = std::find(names.begin(), names.end(), line.block_material);
-        const std::int32_t material = found - names.begin();
+        const BlockMaterialIndex material = found - names.begin();
         if (found == names.end()) names.push_back(line.block_material);
-        for (std::size_t b = 0; b < mesh.block_count(); ++b)
+        for (const BlockIndex b : mesh.blocks())
             if (runs_through(mesh, b, line.from, line.to)) mesh.block_material[b] = material;
     }
     // Only materials that a block has are written to the file.
-    std::vector<std::int32_t> number(names.size(), -1);
+    PerBlockMaterial<BlockMaterialIndex> number(names.size(), -1);
     mesh.block_materials.clear();
-    for (std::int32_t& material : mesh.block_material) {
-        std::int32_t& n = number[material];
-        if (n < 0) {
+    for (BlockMaterialIndex& material : mesh.block_material) {
+        BlockMaterialIndex& n = number[material];
+        if (!n.exists()) {
             n = mesh.block_materials.size();
             mesh.block_materials.push_back(names[material]);
         }
@@ -157,14 +157,13 @@ void apply_block_selectors(BlockMesh& mesh, const SlopeModel& model, std::vector
     apply_material_lines(mesh, model);
     for (const BlockSelector& selector : model.selectors) {
         const BlockMotion motion = selector.prescribed ? BlockMotion::prescribed : BlockMotion::fixed;
-        for (const std::int32_t block : selected_blocks(mesh, model, selector, warnings)) {
-            const std::size_t b = block;
+        for (const BlockIndex b : selected_blocks(mesh, model, selector, warnings)) {
             const bool contradicts =
                 mesh.motion[b] != BlockMotion::free &&
                 (mesh.motion[b] != motion || (selector.prescribed && mesh.motion_name[b] != selector.name));
             if (contradicts)
                 throw InputError(selector.place,
-                                 "block " + std::to_string(block) + " near " +
+                                 "block " + std::to_string(b.value()) + " near " +
                                      text_of(block_centroid(mesh, b)) +
                                      " is already fixed, or prescribed under another name",
                                  "one motion for each block");

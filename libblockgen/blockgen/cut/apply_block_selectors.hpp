@@ -8,8 +8,8 @@
 
 namespace rockslope::blockgen {
 
-/// The first block that contains a point, edges included; -1 when none does.
-std::int32_t block_at(const BlockMesh& mesh, const Point& p);
+/// The first block that contains a point, edges included; none when no block does.
+BlockIndex block_at(const BlockMesh& mesh, const Point& p);
 
 /// Applies the model's material lines, fixed and prescribed blocks, measured points and bolts to a mesh. A
 /// fixed or prescribed block may be selected by a point outside the rock: the nearest block is used, with a

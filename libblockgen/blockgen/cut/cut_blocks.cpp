@@ -9,6 +9,7 @@
 #include "blockgen/cut/apply_block_selectors.hpp"
 #include "blockgen/cut/merge_blocks.hpp"
 #include "blockgen/cut/simplify_boundaries.hpp"
+#include "blockgen/faces/cut_context.hpp"
 #include "blockgen/faces/mark_edges.hpp"
 #include "blockgen/input/domain.hpp"
 #include "blockgen/mesh/check_mesh.hpp"
@@ -51,7 +52,7 @@ class Cutter {
           subdivision_(subdivide(noded_)),
           faces_(classify_and_merge_faces()),
           boundary_(noded_, subdivision_, faces_),
-          edges_(mark_edges(noded_, subdivision_, faces_, boundary_, model, traces, table_)) {}
+          edges_(mark_edges(context_of(faces_), boundary_)) {}
 
     CutResult cut(const CutOptions& options) {
         blocks_ = block_rings(noded_, subdivision_, faces_, boundary_);
@@ -97,22 +98,32 @@ class Cutter {
             throw InputError(model_.domain_location, "no rock is left",
                              "a domain larger than its holes and tunnels");
         if (model_.small_blocks.policy != SmallBlockPolicy::keep)
-            merge_small_blocks(faces, noded_, subdivision_, model_, traces_, table_, merges_);
+            faces = merge_small_blocks(context_of(faces), merges_);
         if (model_.islands == IslandPolicy::fill) {
             const BlockBoundary boundary(noded_, subdivision_, faces);
-            fill_islands(faces, block_rings(noded_, subdivision_, faces, boundary), noded_, subdivision_,
-                         model_, merges_);
+            faces =
+                fill_islands(context_of(faces), block_rings(noded_, subdivision_, faces, boundary), merges_);
         }
         return faces;
     }
 
-    std::int32_t block_of(std::size_t half_edge) const { return faces_.block[subdivision_.face[half_edge]]; }
-    const GridPoint& start(std::size_t half_edge) const {
+    CutContext context_of(const FaceBlocks& faces) const {
+        return {.noded = noded_,
+                .subdivision = subdivision_,
+                .faces = faces,
+                .model = model_,
+                .traces = traces_,
+                .table = table_};
+    }
+    FaceBlockIndex block_of(HalfEdgeIndex half_edge) const {
+        return faces_.block[subdivision_.face[half_edge]];
+    }
+    const GridPoint& start(HalfEdgeIndex half_edge) const {
         return noded_.vertices[boundary_.origin[half_edge]];
     }
 
     /// Index of a block's material in the mesh. Only materials that a block has are written to the file.
-    std::int32_t material_index(BlockMesh& mesh, std::int32_t block) const {
+    BlockMaterialIndex material_index(BlockMesh& mesh, FaceBlockIndex block) const {
         const std::string& name = material_of(faces_, model_, block);
         const auto found = std::find(mesh.block_materials.begin(), mesh.block_materials.end(), name);
         if (found == mesh.block_materials.end()) {
@@ -123,8 +134,8 @@ class Cutter {
     }
 
     void fill_mesh(BlockMesh& mesh) {
-        std::vector<std::int32_t> number(noded_.vertices.size(), -1);
-        std::vector<std::int32_t> ring;
+        PerNode<VertexIndex> number(noded_.vertices.size(), VertexIndex::none());
+        std::vector<VertexIndex> ring;
         std::vector<EdgeMark> marks;
         mesh.joint_materials = edges_.joint_materials;
         mesh.joints = edges_.joints;
@@ -133,16 +144,16 @@ class Cutter {
             for (const auto& half_edges : block.rings) {
                 ring.clear();
                 marks.clear();
-                for (const std::int32_t h : half_edges) {
-                    const std::size_t v = boundary_.origin[h];
+                for (const HalfEdgeIndex h : half_edges) {
+                    const NodeIndex v = boundary_.origin[h];
                     if (removed_[v]) continue;
-                    if (number[v] < 0) {
+                    if (!number[v].exists()) {
                         number[v] = mesh.vertices.size();
                         mesh.vertices.push_back(noded_.frame.position(noded_.vertices[v]));
                         grid_points_.push_back(noded_.vertices[v]);
                     }
                     ring.push_back(number[v]);
-                    marks.push_back(edges_.marks[h / 2]);
+                    marks.push_back(edges_.marks[edge_of(h)]);
                 }
                 mesh.add_ring(ring, marks);
                 twice_block_area_ += twice_ring_area(ring);
@@ -154,8 +165,8 @@ class Cutter {
     void add_excavations(CutResult& result) const {
         std::vector<ExcavatedBlocks> excavations;
         for (const Excavation& e : model_.excavations) excavations.push_back({e.name, e.stage, {}});
-        for (std::size_t b = 0; b < blocks_.size(); ++b)
-            if (const std::int32_t k = faces_.excavation[blocks_[b].block]; k >= 0)
+        for (const BlockIndex b : blocks_.indices())
+            if (const ExcavationIndex k = faces_.excavation[blocks_[b].block]; k.exists())
                 excavations[k].blocks.push_back(b);
         for (ExcavatedBlocks& e : excavations) {
             if (e.blocks.empty())
@@ -165,7 +176,7 @@ class Cutter {
         }
     }
 
-    Int128 twice_ring_area(const std::vector<std::int32_t>& ring) const {
+    Int128 twice_ring_area(const std::vector<VertexIndex>& ring) const {
         Int128 sum = 0;
         const auto corner = [&](std::size_t k) { return grid_points_[ring[k]]; };
         for (std::size_t k = 1; k + 1 < ring.size(); ++k)
@@ -178,10 +189,10 @@ class Cutter {
     /// the same.
     void verify_area(CutReport& report) const {
         Int128 twice_rock = 0, twice_outlines = 0;
-        for (std::size_t e = 0; e < noded_.edges.size(); ++e) {
-            const Int128 area = twice_area({0, 0}, start(2 * e), start(2 * e + 1));
-            const int left = block_of(2 * e) != FaceBlocks::outside,
-                      right = block_of(2 * e + 1) != FaceBlocks::outside;
+        for (const EdgeIndex e : noded_.edges.indices()) {
+            const Int128 area = twice_area({0, 0}, start(forward_half(e)), start(backward_half(e)));
+            const int left = block_of(forward_half(e)) != FaceBlocks::outside,
+                      right = block_of(backward_half(e)) != FaceBlocks::outside;
             twice_rock += area * (left - right);
             for (const EdgeSource& s : noded_.sources_of(e)) {
                 const bool is_void = (s.source >= table_.first_hole && s.source < table_.first_region) ||
@@ -209,7 +220,7 @@ class Cutter {
     }
 
     void add_network(CutReport& report) const {
-        const CutContext cut{noded_, subdivision_, faces_, model_, traces_, table_};
+        const CutContext cut = context_of(faces_);
         NetworkReport network = measure_network(cut, report.domain_area);
         report.joints = std::move(network.joints);
         report.nodes = network.nodes;
@@ -237,9 +248,9 @@ class Cutter {
         report.shapes = shape_summary(mesh);
         for (const ExcavatedBlocks& e : mesh.excavations) {
             report.excavations.push_back({e.name, e.stage, e.blocks.size(), 0});
-            for (const std::int32_t b : e.blocks) report.excavations.back().area += block_area(mesh, b);
+            for (const BlockIndex b : e.blocks) report.excavations.back().area += block_area(mesh, b);
         }
-        for (std::size_t b = 0; b < mesh.block_count(); ++b)
+        for (const BlockIndex b : mesh.blocks())
             report.slivers += block_roundness(mesh, b) < model_.small_blocks.below_roundness;
         count_islands(report);
         if (model_.kinematics)
@@ -254,7 +265,7 @@ class Cutter {
                 ++report.islands;
                 if (model_.islands == IslandPolicy::keep) warn_of_island(block.rings[r], report);
                 if (model_.islands != IslandPolicy::error) continue;
-                const std::size_t h = block.rings[r][0];
+                const HalfEdgeIndex h = block.rings[r][0];
                 const Point p = noded_.frame.position(start(h));
                 throw InputError(
                     model_.domain_location,
@@ -265,7 +276,7 @@ class Cutter {
     }
 
     /// Warns of each of the first islands that are kept; one more warning refers to the count in the report.
-    void warn_of_island(const std::vector<std::int32_t>& hole, CutReport& report) const {
+    void warn_of_island(const std::vector<HalfEdgeIndex>& hole, CutReport& report) const {
         constexpr std::size_t max_named = 5;
         if (report.islands > max_named + 1) return;
         if (report.islands == max_named + 1) {
@@ -293,9 +304,9 @@ class Cutter {
     FaceBlocks faces_;
     BlockBoundary boundary_;
     EdgeMarks edges_;
-    std::vector<BlockRings> blocks_;
-    std::vector<char> removed_;
-    std::vector<GridPoint> grid_points_;  ///< per vertex of the mesh
+    PerBlock<BlockRings> blocks_;
+    PerNode<char> removed_;
+    PerVertex<GridPoint> grid_points_;  ///< of the mesh
     Int128 twice_block_area_ = 0;
 };
 

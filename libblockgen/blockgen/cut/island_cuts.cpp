@@ -15,7 +15,7 @@ namespace {
 /// The rings of one block, for ray casting inside it.
 class BlockWithHoles {
   public:
-    BlockWithHoles(const BlockMesh& mesh, std::size_t block) {
+    BlockWithHoles(const BlockMesh& mesh, BlockIndex block) {
         for (std::size_t r = 0; r < mesh.ring_count(block); ++r)
             rings_.push_back(ring_points(mesh, block, r));
     }
@@ -62,8 +62,7 @@ std::optional<Trace> cut_from(const BlockMesh& mesh, const BlockWithHoles& block
         if (marks[edge] == EdgeMark{}) continue;
         const auto end = block.end_of_extension(ring[other], ring[k]);
         if (!end) continue;
-        const std::size_t material = marks[edge].joint_material;
-        return Trace{"island cut", mesh.joint_materials[material], {ring[k], *end}};
+        return Trace{"island cut", mesh.joint_materials[marks[edge].joint_material], {ring[k], *end}};
     }
     return std::nullopt;
 }
@@ -75,7 +74,7 @@ std::vector<Trace> island_cuts(const BlockMesh& mesh) {
     const auto before = [](const Point& p, const Point& q) {
         return std::tuple(p.x, p.y) < std::tuple(q.x, q.y);
     };
-    for (std::size_t b = 0; b < mesh.block_count(); ++b) {
+    for (const BlockIndex b : mesh.blocks()) {
         if (mesh.ring_count(b) == 1) continue;
         const BlockWithHoles block(mesh, b);
         for (std::size_t r = 1; r < mesh.ring_count(b); ++r) {

@@ -13,18 +13,19 @@ namespace rockslope::blockgen {
 
 namespace {
 
-std::string rock_text(const FaceBlocks& faces, const SlopeModel& model, std::size_t block) {
-    const std::int32_t k = faces.excavation[block];
+std::string rock_text(const FaceBlocks& faces, const SlopeModel& model, FaceBlockIndex block) {
+    const ExcavationIndex k = faces.excavation[block];
     return "'" + material_of(faces, model, block) + "'" +
-           (k < 0 ? "" : " in excavation '" + model.excavations[k].name + "'");
+           (k.exists() ? " in excavation '" + model.excavations[k].name + "'" : "");
 }
 
 /// Renumbers the merged blocks consecutively, in the order of their smallest old numbers.
-void renumber(FaceBlocks& faces, DisjointSets& sets) {
-    std::vector<std::int32_t> number(faces.material.size(), FaceBlocks::outside);
-    std::vector<std::int32_t> materials, excavations;
-    for (std::size_t b = 0; b < number.size(); ++b) {
-        const std::size_t root = sets.root(b);  // the smallest block of the set, so numbered before b
+FaceBlocks renumbered(FaceBlocks faces, DisjointSets& sets) {
+    PerFaceBlock<FaceBlockIndex> number(faces.material.size(), FaceBlocks::outside);
+    PerFaceBlock<RockIndex> materials;
+    PerFaceBlock<ExcavationIndex> excavations;
+    for (const FaceBlockIndex b : number.indices()) {
+        const FaceBlockIndex root = sets.root(b);  // the smallest block of the set, so numbered before b
         if (root == b) {
             number[b] = materials.size();
             materials.push_back(faces.material[b]);
@@ -33,17 +34,18 @@ void renumber(FaceBlocks& faces, DisjointSets& sets) {
             number[b] = number[root];
         }
     }
-    for (std::int32_t& block : faces.block)
+    for (FaceBlockIndex& block : faces.block)
         if (block != FaceBlocks::outside) block = number[block];
     faces.material = std::move(materials);
     faces.excavation = std::move(excavations);
+    return faces;
 }
 
 /// One side of an edge between two blocks, or between a block and the outside.
 struct Side {
-    std::int32_t neighbour;
-    std::int32_t joint;  ///< the first of its joints, -1 when it has none
-    double length;       ///< grid steps
+    FaceBlockIndex neighbour;
+    JointTraceIndex joint;  ///< the first of its joints, or none
+    double length;          ///< grid steps
 };
 
 /// Contribution of edge a-b to 6 A c, with the area A and the centroid c of its face. @param twice twice the
@@ -55,22 +57,22 @@ Point moment_of(const GridPoint& a, const GridPoint& b, double twice) {
 /// Adjacency graph of the blocks, with areas and centroids; a union-find merges blocks.
 class BlockGraph {
   public:
-    BlockGraph(const FaceBlocks& faces, const NodedEdges& noded, const Subdivision& subdivision,
-               const SourceTable& table)
-        : sets_(faces.material.size()),
-          twice_area_(faces.material.size()),
-          moment_(faces.material.size()),
-          sides_(faces.material.size()) {
-        for (std::size_t e = 0; e < noded.edges.size(); ++e) {
-            const std::int32_t left = faces.block[subdivision.face[2 * e]];
-            const std::int32_t right = faces.block[subdivision.face[2 * e + 1]];
+    explicit BlockGraph(const CutContext& cut)
+        : sets_(cut.faces.material.size()),
+          twice_area_(cut.faces.material.size()),
+          moment_(cut.faces.material.size()),
+          sides_(cut.faces.material.size()) {
+        const NodedEdges& noded = cut.noded;
+        for (const EdgeIndex e : noded.edges.indices()) {
+            const FaceBlockIndex left = cut.block_of(forward_half(e));
+            const FaceBlockIndex right = cut.block_of(backward_half(e));
             if (left == right) continue;
             const GridPoint& a = noded.vertices[noded.edges[e].first];
             const GridPoint& b = noded.vertices[noded.edges[e].second];
             const double length = std::hypot(static_cast<double>(b.x - a.x), static_cast<double>(b.y - a.y));
             const Int128 area = twice_area({0, 0}, a, b);
-            const std::int32_t joint = first_joint(noded, e, table);
-            if (joint >= 0) length_of_joint_[joint] += length;
+            const JointTraceIndex joint = first_joint(noded, e, cut.table);
+            if (joint.exists()) length_of_joint_[joint] += length;
             const Point moment = moment_of(a, b, static_cast<double>(area));
             if (left != FaceBlocks::outside) add(left, area, moment, {right, joint, length});
             if (right != FaceBlocks::outside)
@@ -78,17 +80,17 @@ class BlockGraph {
         }
     }
 
-    std::size_t root(std::size_t block) { return sets_.root(block); }
-    Int128 twice_area_of(std::size_t root) const { return twice_area_[root]; }
+    FaceBlockIndex root(FaceBlockIndex block) { return sets_.root(block); }
+    Int128 twice_area_of(FaceBlockIndex root) const { return twice_area_[root]; }
     /// In grid steps.
-    Point centroid_of(std::size_t root) const {
+    Point centroid_of(FaceBlockIndex root) const {
         const double six_areas = 3 * static_cast<double>(twice_area_[root]);
         return {moment_[root].x / six_areas, moment_[root].y / six_areas};
     }
-    double length_of_joint(std::int32_t joint) const { return length_of_joint_.at(joint); }
+    double length_of_joint(JointTraceIndex joint) const { return length_of_joint_.at(joint); }
 
     /// The sides of a merged block; drops those that have become interior.
-    const std::vector<Side>& sides(std::size_t root) {
+    const std::vector<Side>& sides(FaceBlockIndex root) {
         std::vector<Side>& sides = sides_[root];
         std::erase_if(sides, [&](const Side& s) {
             return s.neighbour != FaceBlocks::outside && sets_.root(s.neighbour) == root;
@@ -97,17 +99,17 @@ class BlockGraph {
     }
 
     /// 4 pi area over the square of the perimeter: 1 for a circle.
-    double roundness(std::size_t root) {
+    double roundness(FaceBlockIndex root) {
         double perimeter = 0;
         for (const Side& s : sides(root)) perimeter += s.length;
         return 2 * std::numbers::pi * static_cast<double>(twice_area_[root]) / (perimeter * perimeter);
     }
 
-    void unite(std::size_t a, std::size_t b) {
+    void unite(FaceBlockIndex a, FaceBlockIndex b) {
         a = sets_.root(a);
         b = sets_.root(b);
         if (!sets_.unite(a, b)) return;
-        const std::size_t stays = std::min(a, b), goes = std::max(a, b);
+        const FaceBlockIndex stays = std::min(a, b), goes = std::max(a, b);
         twice_area_[stays] += twice_area_[goes];
         moment_[stays].x += moment_[goes].x;
         moment_[stays].y += moment_[goes].y;
@@ -119,13 +121,13 @@ class BlockGraph {
     DisjointSets& sets() { return sets_; }
 
   private:
-    static std::int32_t first_joint(const NodedEdges& noded, std::size_t edge, const SourceTable& table) {
+    static JointTraceIndex first_joint(const NodedEdges& noded, EdgeIndex edge, const SourceTable& table) {
         for (const EdgeSource& s : noded.sources_of(edge))
-            if (table.is_joint(s.source)) return s.source - table.first_joint;
-        return -1;
+            if (table.is_joint(s.source)) return table.trace_of(s.source);
+        return JointTraceIndex::none();
     }
 
-    void add(std::int32_t block, Int128 area, const Point& moment, const Side& side) {
+    void add(FaceBlockIndex block, Int128 area, const Point& moment, const Side& side) {
         twice_area_[block] += area;
         moment_[block].x += moment.x;
         moment_[block].y += moment.y;
@@ -133,33 +135,32 @@ class BlockGraph {
     }
 
     DisjointSets sets_;
-    std::vector<Int128> twice_area_;
-    std::vector<Point> moment_;  ///< 6 area * centroid
-    std::vector<std::vector<Side>> sides_;
-    std::map<std::int32_t, double> length_of_joint_;
+    PerFaceBlock<Int128> twice_area_;
+    PerFaceBlock<Point> moment_;  ///< 6 area * centroid
+    PerFaceBlock<std::vector<Side>> sides_;
+    std::map<JointTraceIndex, double> length_of_joint_;
 };
 
 /// The blocks with which a small block is merged, and the boundary between them.
 struct MergeTargets {
-    std::vector<std::size_t> blocks;
-    double length = 0;        ///< of the boundary that disappears, grid steps
-    std::int32_t joint = -1;  ///< the joint whose piece is dropped, or -1
+    std::vector<FaceBlockIndex> blocks;
+    double length = 0;                                ///< of the boundary that disappears, grid steps
+    JointTraceIndex joint = JointTraceIndex::none();  ///< the joint whose piece is dropped, or none
 };
 
 class SmallBlockMerger {
   public:
-    SmallBlockMerger(FaceBlocks& faces, const NodedEdges& noded, const Subdivision& subdivision,
-                     const SlopeModel& model, const std::vector<Trace>& traces, const SourceTable& table)
-        : faces_(faces),
-          model_(model),
-          traces_(traces),
-          graph_(faces, noded, subdivision, table),
-          frame_(noded.frame),
-          cell_(noded.frame.step * noded.frame.step) {}
+    explicit SmallBlockMerger(const CutContext& cut)
+        : faces_(cut.faces),
+          model_(cut.model),
+          traces_(cut.traces),
+          graph_(cut),
+          frame_(cut.noded.frame),
+          cell_(cut.noded.frame.step * cut.noded.frame.step) {}
 
-    void run(MergeReport& report) {
-        std::set<std::pair<Int128, std::size_t>> small;
-        for (std::size_t b = 0; b < faces_.material.size(); ++b)
+    FaceBlocks run(MergeReport& report) {
+        std::set<std::pair<Int128, FaceBlockIndex>> small;
+        for (const FaceBlockIndex b : faces_.material.indices())
             if (is_small(b)) small.emplace(graph_.twice_area_of(b), b);
         report.small_blocks += small.size();
         while (!small.empty()) {
@@ -173,60 +174,60 @@ class SmallBlockMerger {
                 continue;
             }
             report.changes.push_back(change_of(b, targets));
-            for (const std::size_t target : targets.blocks) graph_.unite(b, target);
+            for (const FaceBlockIndex target : targets.blocks) graph_.unite(b, target);
             report.merged_blocks += targets.blocks.size();
             report.merged_area += static_cast<double>(twice_area) / 2 * cell_;
-            const std::size_t merged = graph_.root(b);
+            const FaceBlockIndex merged = graph_.root(b);
             if (is_small(merged)) small.emplace(graph_.twice_area_of(merged), merged);
         }
-        if (report.merged_blocks > 0) renumber(faces_, graph_.sets());
+        return report.merged_blocks > 0 ? renumbered(faces_, graph_.sets()) : faces_;
     }
 
   private:
-    bool is_small(std::size_t b) {
+    bool is_small(FaceBlockIndex b) {
         const SmallBlocks& limits = model_.small_blocks;
         return static_cast<double>(graph_.twice_area_of(b)) / 2 * cell_ < limits.below_area ||
                (limits.below_roundness > 0 && graph_.roundness(b) < limits.below_roundness);
     }
 
-    bool may_merge(const Side& side, std::size_t b) {
+    bool may_merge(const Side& side, FaceBlockIndex b) {
         return side.neighbour != FaceBlocks::outside && have_same_rock(faces_, model_, side.neighbour, b);
     }
 
-    Change change_of(std::size_t b, const MergeTargets& targets) const {
+    Change change_of(FaceBlockIndex b, const MergeTargets& targets) const {
         const Point c = graph_.centroid_of(b);
         Change change;
-        change.kind = targets.joint < 0 ? ChangeKind::block_merged : ChangeKind::piece_dropped;
+        change.kind = targets.joint.exists() ? ChangeKind::piece_dropped : ChangeKind::block_merged;
         change.at = {frame_.origin.x + frame_.step * c.x, frame_.origin.y + frame_.step * c.y};
         change.area = static_cast<double>(graph_.twice_area_of(b)) / 2 * cell_;
         change.length = targets.length * frame_.step;
-        if (targets.joint >= 0) change.joint = traces_[targets.joint].name;
+        if (targets.joint.exists()) change.joint = traces_[targets.joint].name;
         return change;
     }
 
-    MergeTargets merge_targets_of(std::size_t b) {
+    MergeTargets merge_targets_of(FaceBlockIndex b) {
         return model_.small_blocks.policy == SmallBlockPolicy::merge ? across_longest(b)
                                                                      : across_shortest_joint(b);
     }
 
-    MergeTargets across_longest(std::size_t b) {
-        std::map<std::size_t, double> common;
+    MergeTargets across_longest(FaceBlockIndex b) {
+        std::map<FaceBlockIndex, double> common;
         for (const Side& s : graph_.sides(b))
             if (may_merge(s, b)) common[graph_.root(s.neighbour)] += s.length;
         const auto longest = std::max_element(
             common.begin(), common.end(), [](const auto& x, const auto& y) { return x.second < y.second; });
         if (longest == common.end()) return {};
-        return {{longest->first}, longest->second, -1};
+        return {{longest->first}, longest->second, JointTraceIndex::none()};
     }
 
-    MergeTargets across_shortest_joint(std::size_t b) {
+    MergeTargets across_shortest_joint(FaceBlockIndex b) {
         MergeTargets targets;
-        std::int32_t& shortest = targets.joint;
+        JointTraceIndex& shortest = targets.joint;
         for (const Side& s : graph_.sides(b))
-            if (s.joint >= 0 && may_merge(s, b) && (shortest < 0 || is_shorter(s.joint, shortest)))
+            if (s.joint.exists() && may_merge(s, b) && (!shortest.exists() || is_shorter(s.joint, shortest)))
                 shortest = s.joint;
-        if (shortest < 0) return {};
-        std::set<std::size_t> blocks;
+        if (!shortest.exists()) return {};
+        std::set<FaceBlockIndex> blocks;
         for (const Side& s : graph_.sides(b)) {
             if (s.joint != shortest || !may_merge(s, b)) continue;
             blocks.insert(graph_.root(s.neighbour));
@@ -236,12 +237,12 @@ class SmallBlockMerger {
         return targets;
     }
 
-    bool is_shorter(std::int32_t joint, std::int32_t other) const {
+    bool is_shorter(JointTraceIndex joint, JointTraceIndex other) const {
         return std::pair(graph_.length_of_joint(joint), joint) <
                std::pair(graph_.length_of_joint(other), other);
     }
 
-    FaceBlocks& faces_;
+    const FaceBlocks& faces_;
     const SlopeModel& model_;
     const std::vector<Trace>& traces_;
     BlockGraph graph_;
@@ -250,12 +251,12 @@ class SmallBlockMerger {
 };
 
 /// The change for a filled hole. Its ring is clockwise. The area includes holes of the islands.
-Change filled_hole(const std::vector<std::int32_t>& hole, const NodedEdges& noded) {
+Change filled_hole(const std::vector<HalfEdgeIndex>& hole, const NodedEdges& noded) {
     Int128 twice = 0;
     Point moment{0, 0};
-    for (const std::int32_t h : hole) {
-        const auto& edge = noded.edges[h / 2];
-        const bool forward = h % 2 == 0;
+    for (const HalfEdgeIndex h : hole) {
+        const EdgeEnds& edge = noded.edges[edge_of(h)];
+        const bool forward = is_forward(h);
         const GridPoint& a = noded.vertices[forward ? edge.first : edge.second];
         const GridPoint& b = noded.vertices[forward ? edge.second : edge.first];
         const Int128 area = twice_area({0, 0}, a, b);
@@ -274,26 +275,24 @@ Change filled_hole(const std::vector<std::int32_t>& hole, const NodedEdges& node
 
 }  // namespace
 
-void merge_small_blocks(FaceBlocks& faces, const NodedEdges& noded, const Subdivision& subdivision,
-                        const SlopeModel& model, const std::vector<Trace>& traces, const SourceTable& table,
-                        MergeReport& report) {
-    SmallBlockMerger(faces, noded, subdivision, model, traces, table).run(report);
+FaceBlocks merge_small_blocks(const CutContext& cut, MergeReport& report) {
+    return SmallBlockMerger(cut).run(report);
 }
 
-bool encloses_rock(const std::vector<std::int32_t>& ring, const Subdivision& subdivision,
+bool encloses_rock(const std::vector<HalfEdgeIndex>& ring, const Subdivision& subdivision,
                    const FaceBlocks& faces) {
-    return std::any_of(ring.begin(), ring.end(), [&](std::int32_t h) {
-        const std::int32_t face = subdivision.face[h ^ 1];
-        return faces.block[face] != FaceBlocks::outside;
+    return std::any_of(ring.begin(), ring.end(), [&](HalfEdgeIndex h) {
+        return faces.block[subdivision.face[twin(h)]] != FaceBlocks::outside;
     });
 }
 
-void fill_islands(FaceBlocks& faces, const std::vector<BlockRings>& blocks, const NodedEdges& noded,
-                  const Subdivision& subdivision, const SlopeModel& model, MergeReport& report) {
-    const auto block_of = [&](std::size_t h) { return faces.block[subdivision.face[h]]; };
-    std::vector<std::vector<std::int32_t>> neighbours(faces.material.size());
-    for (std::size_t h = 0; h < subdivision.face.size(); ++h)
-        if (const std::int32_t b = block_of(h), n = block_of(h ^ 1u);
+FaceBlocks fill_islands(const CutContext& cut, const std::vector<BlockRings>& blocks, MergeReport& report) {
+    const FaceBlocks& faces = cut.faces;
+    const NodedEdges& noded = cut.noded;
+    const SlopeModel& model = cut.model;
+    PerFaceBlock<std::vector<FaceBlockIndex>> neighbours(faces.material.size());
+    for (const HalfEdgeIndex h : cut.subdivision.face.indices())
+        if (const FaceBlockIndex b = cut.block_of(h), n = cut.block_of(twin(h));
             b != n && b != FaceBlocks::outside && n != FaceBlocks::outside)
             neighbours[b].push_back(n);
 
@@ -302,16 +301,17 @@ void fill_islands(FaceBlocks& faces, const std::vector<BlockRings>& blocks, cons
         for (std::size_t r = 1; r < block.rings.size(); ++r) {
             const std::size_t before = report.filled_islands;
             // Blocks in the hole have no neighbour outside it except the enclosing block.
-            std::vector<std::int32_t> front;
-            for (const std::int32_t h : block.rings[r])
-                if (const std::int32_t n = block_of(h ^ 1); n != FaceBlocks::outside) front.push_back(n);
+            std::vector<FaceBlockIndex> front;
+            for (const HalfEdgeIndex h : block.rings[r])
+                if (const FaceBlockIndex n = cut.block_of(twin(h)); n != FaceBlocks::outside)
+                    front.push_back(n);
             while (!front.empty()) {
-                const std::size_t b = front.back();
+                const FaceBlockIndex b = front.back();
                 front.pop_back();
-                const std::size_t host = block.block;
+                const FaceBlockIndex host = block.block;
                 if (sets.root(b) == sets.root(host)) continue;
                 if (!have_same_rock(faces, model, b, host)) {
-                    const GridPoint& at = noded.vertices[noded.edges[block.rings[r][0] / 2].first];
+                    const GridPoint& at = noded.vertices[noded.edges[edge_of(block.rings[r][0])].first];
                     const Point p = noded.frame.position(at);
                     throw InputError(model.domain_location,
                                      "a block of " + rock_text(faces, model, host) + " encloses others of " +
@@ -321,12 +321,12 @@ void fill_islands(FaceBlocks& faces, const std::vector<BlockRings>& blocks, cons
                 }
                 sets.unite(b, host);
                 ++report.filled_islands;
-                for (const std::int32_t n : neighbours[b])
+                for (const FaceBlockIndex n : neighbours[b])
                     if (n != block.block) front.push_back(n);
             }
             if (report.filled_islands > before) report.changes.push_back(filled_hole(block.rings[r], noded));
         }
-    if (report.filled_islands > 0) renumber(faces, sets);
+    return report.filled_islands > 0 ? renumbered(faces, sets) : faces;
 }
 
 }  // namespace rockslope::blockgen

@@ -12,100 +12,105 @@ constexpr double max_deviation = 2;  // grid cells
 
 /// A chain of boundary edges between two vertices that are not removable.
 struct Chain {
-    std::vector<std::int32_t> vertices;
+    std::vector<NodeIndex> vertices;
     bool is_exact = false;     ///< along the outline of the rock
     bool is_restored = false;  ///< all its vertices are kept
+};
+using ChainIndex = Index<struct ChainKind>;
+
+/// The edges of all chains without the vertices to be removed.
+struct StraightEdges {
+    PerEdge<EdgeEnds> edges;
+    PerEdge<ChainIndex> chain;
+    PerEdge<char> changed;  ///< whether the chain has lost a vertex
 };
 
 class BoundarySimplifier {
   public:
     BoundarySimplifier(const NodedEdges& noded, const Subdivision& subdivision, const FaceBlocks& faces,
-                       const BlockBoundary& boundary, const std::vector<EdgeMark>& marks)
+                       const BlockBoundary& boundary, const PerEdge<EdgeMark>& marks)
         : noded_(noded), subdivision_(subdivision), faces_(faces), boundary_(boundary), marks_(marks) {
         find_removable_vertices();
         find_chains();
     }
 
-    std::vector<char> run() {
+    PerNode<char> run() {
         while (true) {
-            std::vector<char> out(noded_.vertices.size(), 0);
-            std::vector<std::pair<std::int32_t, std::int32_t>> edges;
-            std::vector<std::size_t> chain_of_edge;
-            std::vector<char> changed;
-            for (std::size_t c = 0; c < chains_.size(); ++c) {
-                const std::vector<std::int32_t>& all = chains_[c].vertices;
-                const std::vector<std::int32_t> kept = kept_vertices(chains_[c]);
+            PerNode<char> out(noded_.vertices.size(), 0);
+            StraightEdges straight;
+            for (const ChainIndex c : chains_.indices()) {
+                const std::vector<NodeIndex>& all = chains_[c].vertices;
+                const std::vector<NodeIndex> kept = kept_vertices(chains_[c]);
                 for (std::size_t k = 1; k + 1 < all.size(); ++k) out[all[k]] = 1;
-                for (const std::int32_t v : kept) out[v] = 0;
+                for (const NodeIndex v : kept) out[v] = 0;
                 for (std::size_t k = 0; k + 1 < kept.size(); ++k) {
-                    edges.push_back(std::minmax({kept[k], kept[k + 1]}));
-                    chain_of_edge.push_back(c);
-                    changed.push_back(kept.size() < all.size());
+                    straight.edges.push_back(std::minmax({kept[k], kept[k + 1]}));
+                    straight.chain.push_back(c);
+                    straight.changed.push_back(kept.size() < all.size());
                 }
             }
-            if (!restore_improperly_noded(edges, chain_of_edge, changed) && !restore_inverted_rings(out))
-                return out;
+            if (!restore_improperly_noded(straight) && !restore_inverted_rings(out)) return out;
         }
     }
 
   private:
     void find_removable_vertices() {
-        std::vector<int> degree(noded_.vertices.size(), 0);
-        std::vector<std::int32_t> one_edge(noded_.vertices.size(), -1);
+        PerNode<int> degree(noded_.vertices.size(), 0);
+        PerNode<EdgeIndex> one_edge(noded_.vertices.size(), EdgeIndex::none());
         is_removable_.assign(noded_.vertices.size(), 1);
-        for (std::size_t e = 0; e < noded_.edges.size(); ++e) {
+        for (const EdgeIndex e : noded_.edges.indices()) {
             if (!boundary_.is_boundary[e]) continue;
-            for (const std::int32_t v : {noded_.edges[e].first, noded_.edges[e].second}) {
-                const std::size_t i = v;
-                ++degree[i];
-                if (one_edge[i] >= 0 && !(marks_[one_edge[i]] == marks_[e])) is_removable_[i] = 0;
-                one_edge[i] = e;
+            for (const NodeIndex v : {noded_.edges[e].first, noded_.edges[e].second}) {
+                ++degree[v];
+                if (one_edge[v].exists() && !(marks_[one_edge[v]] == marks_[e])) is_removable_[v] = 0;
+                one_edge[v] = e;
             }
         }
-        for (std::size_t i = 0; i < is_removable_.size(); ++i)
-            is_removable_[i] = is_removable_[i] && degree[i] == 2;
+        for (const NodeIndex v : is_removable_.indices())
+            is_removable_[v] = is_removable_[v] && degree[v] == 2;
     }
 
-    std::size_t origin(std::size_t h) const { return boundary_.origin[h]; }
+    NodeIndex origin(HalfEdgeIndex h) const { return boundary_.origin[h]; }
 
     void find_chains() {
-        std::vector<char> used(noded_.edges.size(), 0);
-        chain_of_.assign(noded_.edges.size(), -1);
-        for (std::size_t h = 0; h < boundary_.next.size(); ++h)
-            if (boundary_.is_boundary[h / 2] && !used[h / 2] && !is_removable_[origin(h)]) walk(h, used);
+        PerEdge<char> used(noded_.edges.size(), 0);
+        chain_of_.assign(noded_.edges.size(), ChainIndex::none());
+        for (const HalfEdgeIndex h : boundary_.next.indices())
+            if (boundary_.is_boundary[edge_of(h)] && !used[edge_of(h)] && !is_removable_[origin(h)])
+                walk(h, used);
         // The remaining edges form closed rings of removable vertices, which are opened at their smallest
         // vertex.
-        for (std::size_t h = 0; h < boundary_.next.size(); ++h) {
-            if (!boundary_.is_boundary[h / 2] || used[h / 2]) continue;
-            std::size_t smallest = h;
-            for (std::size_t k = next(h); k != h; k = next(k))
+        for (const HalfEdgeIndex h : boundary_.next.indices()) {
+            if (!boundary_.is_boundary[edge_of(h)] || used[edge_of(h)]) continue;
+            HalfEdgeIndex smallest = h;
+            for (HalfEdgeIndex k = next(h); k != h; k = next(k))
                 if (origin(k) < origin(smallest)) smallest = k;
             is_removable_[origin(smallest)] = 0;
             walk(smallest, used);
         }
     }
 
-    std::size_t next(std::size_t h) const { return boundary_.next[h]; }
+    HalfEdgeIndex next(HalfEdgeIndex h) const { return boundary_.next[h]; }
 
-    void walk(std::size_t h, std::vector<char>& used) {
+    void walk(HalfEdgeIndex h, PerEdge<char>& used) {
         Chain chain;
-        const auto block = [&](std::size_t k) { return faces_.block[subdivision_.face[k]]; };
-        chain.is_exact = block(h) == FaceBlocks::outside || block(h ^ 1u) == FaceBlocks::outside;
+        const auto block = [&](HalfEdgeIndex k) { return faces_.block[subdivision_.face[k]]; };
+        chain.is_exact = block(h) == FaceBlocks::outside || block(twin(h)) == FaceBlocks::outside;
         chain.vertices.push_back(origin(h));
-        for (std::size_t k = h;; k = next(k)) {
-            used[k / 2] = 1;
-            chain_of_[k / 2] = static_cast<std::int32_t>(chains_.size());
-            chain.vertices.push_back(boundary_.origin[k ^ 1u]);
-            if (!is_removable_[origin(k ^ 1u)]) break;
+        for (HalfEdgeIndex k = h;; k = next(k)) {
+            used[edge_of(k)] = 1;
+            chain_of_[edge_of(k)] = chains_.size();
+            chain.vertices.push_back(origin(twin(k)));
+            if (!is_removable_[origin(twin(k))]) break;
         }
         chains_.push_back(std::move(chain));
     }
 
-    const GridPoint& grid_point(std::int32_t v) const { return noded_.vertices[v]; }
+    const GridPoint& grid_point(NodeIndex v) const { return noded_.vertices[v]; }
 
     /// Distance of v from the line a-b, or from a when a equals b, in cells. With `exact`, a vertex off the
     /// line is at least twice max_deviation away.
-    double distance(std::int32_t a, std::int32_t b, std::int32_t v, bool exact) const {
+    double distance(NodeIndex a, NodeIndex b, NodeIndex v, bool exact) const {
         const GridPoint &p = grid_point(a), &q = grid_point(b), &r = grid_point(v);
         const Int128 area = twice_area(p, q, r);
         if (a != b && area == 0) return 0;
@@ -116,7 +121,7 @@ class BoundarySimplifier {
     }
 
     /// Line simplification by Douglas and Peucker (1973) between the chain's ends.
-    std::vector<std::int32_t> kept_vertices(const Chain& chain) const {
+    std::vector<NodeIndex> kept_vertices(const Chain& chain) const {
         if (chain.is_restored || chain.vertices.size() == 2) return chain.vertices;
         std::vector<char> keep(chain.vertices.size(), 0);
         keep.front() = keep.back() = 1;
@@ -137,7 +142,7 @@ class BoundarySimplifier {
             open.emplace_back(first, where);
             open.emplace_back(where, last);
         }
-        std::vector<std::int32_t> kept;
+        std::vector<NodeIndex> kept;
         for (std::size_t k = 0; k < keep.size(); ++k)
             if (keep[k]) kept.push_back(chain.vertices[k]);
         return kept;
@@ -145,36 +150,35 @@ class BoundarySimplifier {
 
     /// Restores the vertices of chains that now share an edge, cross another chain or pass too near a vertex.
     /// @return whether a chain was restored.
-    bool restore_improperly_noded(const std::vector<std::pair<std::int32_t, std::int32_t>>& edges,
-                                  const std::vector<std::size_t>& chain_of_edge,
-                                  const std::vector<char>& changed) {
+    bool restore_improperly_noded(const StraightEdges& straight) {
+        const PerEdge<char>& changed = straight.changed;
         if (std::find(changed.begin(), changed.end(), 1) == changed.end()) return false;
         bool any = false;
-        const auto restore = [&](std::size_t edge) {
-            Chain& chain = chains_[chain_of_edge[edge]];
+        const auto restore = [&](EdgeIndex edge) {
+            Chain& chain = chains_[straight.chain[edge]];
             any = any || !chain.is_restored;
             chain.is_restored = true;
         };
-        for (const std::size_t e : duplicate_edges(edges, changed)) restore(e);
-        for (const std::size_t e : improperly_noded_edges(noded_.vertices, edges, changed)) restore(e);
+        for (const EdgeIndex e : duplicate_edges(straight)) restore(e);
+        for (const EdgeIndex e : improperly_noded_edges(noded_.vertices, straight.edges, changed)) restore(e);
         return any;
     }
 
     /// Restores the vertices of rings whose orientation has been inverted. A ring thinner than max_deviation
     /// can invert without a crossing. @return whether a chain was restored.
-    bool restore_inverted_rings(const std::vector<char>& out) {
+    bool restore_inverted_rings(const PerNode<char>& out) {
         bool any = false;
-        std::vector<char> seen(boundary_.next.size(), 0);
-        for (std::size_t h = 0; h < boundary_.next.size(); ++h) {
-            if (!boundary_.is_boundary[h / 2] || seen[h]) continue;
-            std::size_t k = h;
+        PerHalfEdge<char> seen(boundary_.next.size(), 0);
+        for (const HalfEdgeIndex h : boundary_.next.indices()) {
+            if (!boundary_.is_boundary[edge_of(h)] || seen[h]) continue;
+            HalfEdgeIndex k = h;
             do {
                 seen[k] = 1;
                 k = next(k);
             } while (k != h);
             if (!is_inverted(h, out)) continue;
             do {
-                Chain& chain = chains_[chain_of_[k / 2]];
+                Chain& chain = chains_[chain_of_[edge_of(k)]];
                 any = any || !chain.is_restored;
                 chain.is_restored = true;
                 k = next(k);
@@ -185,41 +189,40 @@ class BoundarySimplifier {
 
     /// Whether the ring of half-edge h changes its orientation, or loses its area, without the vertices that
     /// are `out`.
-    bool is_inverted(std::size_t h, const std::vector<char>& out) const {
-        const GridPoint& start = noded_.vertices[origin(h)];
+    bool is_inverted(HalfEdgeIndex h, const PerNode<char>& out) const {
+        const GridPoint& start = grid_point(origin(h));
         Int128 before = 0, after = 0;
-        std::int32_t first = -1, last = -1;
+        NodeIndex first = NodeIndex::none(), last = NodeIndex::none();
         bool has_removed = false;
-        std::size_t k = h;
+        HalfEdgeIndex k = h;
         do {
-            const std::int32_t v = origin(k);
-            before += twice_area(start, grid_point(v), grid_point(boundary_.origin[k ^ 1u]));
+            const NodeIndex v = origin(k);
+            before += twice_area(start, grid_point(v), grid_point(origin(twin(k))));
             k = next(k);
             if (out[v]) {
                 has_removed = true;
                 continue;
             }
-            if (last >= 0) after += twice_area(start, grid_point(last), grid_point(v));
-            if (first < 0) first = v;
+            if (last.exists()) after += twice_area(start, grid_point(last), grid_point(v));
+            if (!first.exists()) first = v;
             last = v;
         } while (k != h);
         if (!has_removed) return false;
-        if (last >= 0) after += twice_area(start, grid_point(last), grid_point(first));
+        if (last.exists()) after += twice_area(start, grid_point(last), grid_point(first));
         return before > 0 ? after <= 0 : after >= 0;
     }
 
     /// Edges that occur twice. At least one of the two must have changed.
-    std::vector<std::size_t> duplicate_edges(const std::vector<std::pair<std::int32_t, std::int32_t>>& edges,
-                                             const std::vector<char>& changed) const {
-        std::vector<char> at_changed(noded_.vertices.size(), 0);
-        for (std::size_t e = 0; e < edges.size(); ++e)
-            if (changed[e]) at_changed[edges[e].first] = at_changed[edges[e].second] = 1;
-        std::vector<std::size_t> order;
-        for (std::size_t e = 0; e < edges.size(); ++e)
+    std::vector<EdgeIndex> duplicate_edges(const StraightEdges& straight) const {
+        const PerEdge<EdgeEnds>& edges = straight.edges;
+        PerNode<char> at_changed(noded_.vertices.size(), 0);
+        for (const EdgeIndex e : edges.indices())
+            if (straight.changed[e]) at_changed[edges[e].first] = at_changed[edges[e].second] = 1;
+        std::vector<EdgeIndex> order;
+        for (const EdgeIndex e : edges.indices())
             if (at_changed[edges[e].first] && at_changed[edges[e].second]) order.push_back(e);
-        std::sort(order.begin(), order.end(),
-                  [&](std::size_t e, std::size_t f) { return edges[e] < edges[f]; });
-        std::vector<std::size_t> result;
+        std::sort(order.begin(), order.end(), [&](EdgeIndex e, EdgeIndex f) { return edges[e] < edges[f]; });
+        std::vector<EdgeIndex> result;
         for (std::size_t k = 1; k < order.size(); ++k)
             if (edges[order[k]] == edges[order[k - 1]]) result.insert(result.end(), {order[k - 1], order[k]});
         return result;
@@ -229,17 +232,17 @@ class BoundarySimplifier {
     const Subdivision& subdivision_;
     const FaceBlocks& faces_;
     const BlockBoundary& boundary_;
-    const std::vector<EdgeMark>& marks_;
-    std::vector<char> is_removable_;
-    std::vector<Chain> chains_;
-    std::vector<std::int32_t> chain_of_;  ///< per edge; -1 when it is not on a block boundary
+    const PerEdge<EdgeMark>& marks_;
+    PerNode<char> is_removable_;
+    IndexedVector<ChainIndex, Chain> chains_;
+    PerEdge<ChainIndex> chain_of_;  ///< none for an edge that is not on a block boundary
 };
 
 }  // namespace
 
-std::vector<char> redundant_vertices(const NodedEdges& noded, const Subdivision& subdivision,
-                                     const FaceBlocks& faces, const BlockBoundary& boundary,
-                                     const std::vector<EdgeMark>& marks) {
+PerNode<char> redundant_vertices(const NodedEdges& noded, const Subdivision& subdivision,
+                                 const FaceBlocks& faces, const BlockBoundary& boundary,
+                                 const PerEdge<EdgeMark>& marks) {
     return BoundarySimplifier(noded, subdivision, faces, boundary, marks).run();
 }
 

@@ -11,9 +11,9 @@ namespace rockslope::blockgen {
 /// line. On the outline of the rock, straight is exact, so that the area does not change. Between blocks a
 /// deviation of up to two grid cells is allowed, because snap rounding bends a straight joint by as much.
 /// Removing the vertices leaves the edges properly noded and inverts no ring.
-/// @param marks per edge. @return per vertex, whether to remove it.
-std::vector<char> redundant_vertices(const NodedEdges& noded, const Subdivision& subdivision,
-                                     const FaceBlocks& faces, const BlockBoundary& boundary,
-                                     const std::vector<EdgeMark>& marks);
+/// @return whether to remove each vertex.
+PerNode<char> redundant_vertices(const NodedEdges& noded, const Subdivision& subdivision,
+                                 const FaceBlocks& faces, const BlockBoundary& boundary,
+                                 const PerEdge<EdgeMark>& marks);
 
 }  // namespace rockslope::blockgen

@@ -9,16 +9,16 @@ namespace rockslope::blockgen {
 
 /// A block as rings of half-edges: the outer ring first, then the holes. The block lies on the left.
 struct BlockRings {
-    std::int32_t block = 0;  ///< number in FaceBlocks
-    std::vector<std::vector<std::int32_t>> rings;
+    FaceBlockIndex block = 0;
+    std::vector<std::vector<HalfEdgeIndex>> rings;
 };
 
 /// The half-edges between two blocks, or between a block and the outside, and their order along the blocks.
 /// Edges with the same block on both sides (dangling edges of joints that end in rock, bridges) are skipped.
 struct BlockBoundary {
-    std::vector<char> is_boundary;     ///< per edge
-    std::vector<std::int32_t> origin;  ///< per half-edge: its first vertex
-    std::vector<std::int32_t> next;    ///< per half-edge; valid for boundary edges only
+    PerEdge<char> is_boundary;
+    PerHalfEdge<NodeIndex> origin;    ///< the first vertex of the half-edge
+    PerHalfEdge<HalfEdgeIndex> next;  ///< valid for boundary edges only
 
     BlockBoundary(const NodedEdges& noded, const Subdivision& subdivision, const FaceBlocks& faces);
 };

@@ -12,18 +12,19 @@ namespace rockslope::blockgen {
 /// change of material or an excavation separates them. Where excavations overlap, the rock belongs to the
 /// excavation of the earliest stage.
 struct FaceBlocks {
-    static constexpr std::int32_t outside = -1;
-    std::vector<std::int32_t> block;       ///< per face; `outside` where there is no rock
-    std::vector<std::int32_t> material;    ///< per block: 0 the domain's, k that of region k, counted from 1
-    std::vector<std::int32_t> excavation;  ///< per block: index of the excavation that removes it, or -1
-    bool has_disjoint_voids = true;        ///< no hole or tunnel crosses the outline or overlaps another one
+    static constexpr FaceBlockIndex outside = FaceBlockIndex::none();
+    PerFace<FaceBlockIndex> block;  ///< `outside` where there is no rock
+    PerFaceBlock<RockIndex> material;
+    PerFaceBlock<ExcavationIndex> excavation;  ///< the excavation that removes the block, or none
+    bool has_disjoint_voids = true;  ///< no hole or tunnel crosses the outline or overlaps another one
 };
 
 /// The name of a block's material.
-const std::string& material_of(const FaceBlocks& faces, const SlopeModel& model, std::size_t block);
+const std::string& material_of(const FaceBlocks& faces, const SlopeModel& model, FaceBlockIndex block);
 
 /// Whether two blocks have the same material, and the same excavation or none.
-bool have_same_rock(const FaceBlocks& faces, const SlopeModel& model, std::size_t block, std::size_t other);
+bool have_same_rock(const FaceBlocks& faces, const SlopeModel& model, FaceBlockIndex block,
+                    FaceBlockIndex other);
 
 /// Classifies faces by a flood fill from the unbounded face. Crossing an edge of an outline toggles whether
 /// the face lies inside that outline (even-odd rule).

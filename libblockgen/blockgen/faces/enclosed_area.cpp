@@ -13,14 +13,14 @@ namespace {
 std::vector<Ring> rings_of(const NodedEdges& noded, const Subdivision& subdivision, const FaceBlocks& faces) {
     const BlockBoundary boundary(noded, subdivision, faces);
     std::vector<Ring> rings;
-    std::vector<char> walked(boundary.next.size(), 0);
-    for (std::size_t start = 0; start < boundary.next.size(); ++start) {
-        const std::int32_t block = faces.block[subdivision.face[start]];
-        if (!boundary.is_boundary[start / 2] || block == FaceBlocks::outside || walked[start]) continue;
+    PerHalfEdge<char> walked(boundary.next.size(), 0);
+    for (const HalfEdgeIndex start : boundary.next.indices()) {
+        const FaceBlockIndex block = faces.block[subdivision.face[start]];
+        if (!boundary.is_boundary[edge_of(start)] || block == FaceBlocks::outside || walked[start]) continue;
         Ring ring;
-        for (std::size_t h = start; !walked[h]; h = boundary.next[h]) {
+        for (HalfEdgeIndex h = start; !walked[h]; h = boundary.next[h]) {
             walked[h] = 1;
-            const std::size_t vertex = boundary.origin[h];
+            const NodeIndex vertex = boundary.origin[h];
             ring.push_back(noded.frame.position(noded.vertices[vertex]));
         }
         if (twice_signed_area(ring) > 0) rings.push_back(std::move(ring));
@@ -32,7 +32,8 @@ std::vector<Ring> rings_of(const NodedEdges& noded, const Subdivision& subdivisi
 FaceBlocks grouped_faces(const Subdivision& subdivision, bool one_group) {
     FaceBlocks faces;
     faces.block.assign(subdivision.face_count, FaceBlocks::outside);
-    for (std::int32_t f = 1; f < subdivision.face_count; ++f) faces.block[f] = one_group ? 0 : f - 1;
+    for (const FaceIndex f : indices<FaceIndex>(1, subdivision.face_count))
+        faces.block[f] = one_group ? 0 : f.value() - 1;
     return faces;
 }
 
@@ -41,7 +42,7 @@ FaceBlocks grouped_faces(const Subdivision& subdivision, bool one_group) {
 EnclosedArea enclosed_area(std::span<const std::pair<Point, Point>> lines, std::span<const Point> points,
                            double step) {
     std::vector<SourceSegment> segments;
-    for (const auto& [a, b] : lines) segments.push_back({a, b, static_cast<std::int32_t>(segments.size())});
+    for (const auto& [a, b] : lines) segments.push_back({a, b, segments.size()});
     const NodedEdges noded = node_joints(segments, step);
     const Subdivision subdivision = arrange(noded);
     EnclosedArea area;

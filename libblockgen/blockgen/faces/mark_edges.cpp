@@ -9,7 +9,7 @@ namespace rockslope::blockgen {
 
 namespace {
 
-std::int32_t index_of(std::vector<std::string>& names, const std::string& name) {
+JointMaterialIndex index_of(PerJointMaterial<std::string>& names, const std::string& name) {
     const auto found = std::find(names.begin(), names.end(), name);
     if (found != names.end()) return found - names.begin();
     names.push_back(name);
@@ -20,10 +20,10 @@ std::int32_t index_of(std::vector<std::string>& names, const std::string& name) 
 /// whose outline runs along the edge, excavations after regions.
 class OutlineMaterials {
   public:
-    OutlineMaterials(const NodedEdges& noded, const SlopeModel& model, const SourceTable& table)
-        : noded_(noded), model_(model), table_(table) {}
+    explicit OutlineMaterials(const CutContext& cut)
+        : noded_(cut.noded), model_(cut.model), table_(cut.table) {}
 
-    const std::string& joint_material(std::size_t edge) const {
+    const std::string& joint_material(EdgeIndex edge) const {
         const std::string* material = nullptr;
         const Region* region = nullptr;
         const Excavation* excavation = nullptr;
@@ -61,41 +61,39 @@ class OutlineMaterials {
 
 }  // namespace
 
-EdgeMarks mark_edges(const NodedEdges& noded, const Subdivision& subdivision, const FaceBlocks& faces,
-                     const BlockBoundary& boundary, const SlopeModel& model, const std::vector<Trace>& traces,
-                     const SourceTable& table) {
-    const OutlineMaterials outlines(noded, model, table);
+EdgeMarks mark_edges(const CutContext& cut, const BlockBoundary& boundary) {
+    const NodedEdges& noded = cut.noded;
+    const std::vector<Trace>& traces = cut.traces;
+    const OutlineMaterials outlines(cut);
     EdgeMarks result;
     result.marks.resize(noded.edges.size());
-    std::vector<std::int32_t> joint_of_edge(noded.edges.size(), EdgeMark::no_joint);
-    std::vector<std::int32_t> number(traces.size(), EdgeMark::no_joint);
-    const auto is_rock = [&](std::size_t h) {
-        return faces.block[subdivision.face[h]] != FaceBlocks::outside;
+    PerEdge<JointTraceIndex> trace_of_edge(noded.edges.size(), JointTraceIndex::none());
+    PerJointTrace<JointIndex> joint_of_trace(traces.size(), JointIndex::none());
+    const auto is_rock = [&](HalfEdgeIndex h) { return cut.block_of(h) != FaceBlocks::outside; };
+    const auto separates_blocks = [&](EdgeIndex e) {
+        return boundary.is_boundary[e] && is_rock(forward_half(e)) && is_rock(backward_half(e));
     };
-    const auto separates_blocks = [&](std::size_t e) {
-        return boundary.is_boundary[e] && is_rock(2 * e) && is_rock(2 * e + 1);
-    };
-    for (std::size_t e = 0; e < noded.edges.size(); ++e) {
+    for (const EdgeIndex e : noded.edges.indices()) {
         if (!separates_blocks(e)) continue;
         for (const EdgeSource& s : noded.sources_of(e))  // sorted by source
-            if (table.is_joint(s.source)) {
-                joint_of_edge[e] = s.source - table.first_joint;
-                number[joint_of_edge[e]] = 0;
+            if (cut.table.is_joint(s.source)) {
+                trace_of_edge[e] = cut.table.trace_of(s.source);
+                joint_of_trace[trace_of_edge[e]] = 0;
                 break;
             }
     }
-    for (std::size_t t = 0; t < traces.size(); ++t) {
-        if (number[t] == EdgeMark::no_joint) continue;
-        number[t] = result.joints.size();
+    for (const JointTraceIndex t : joint_of_trace.indices()) {
+        if (!joint_of_trace[t].exists()) continue;
+        joint_of_trace[t] = result.joints.size();
         result.joints.push_back({traces[t].name});
     }
-    for (std::size_t e = 0; e < noded.edges.size(); ++e) {
+    for (const EdgeIndex e : noded.edges.indices()) {
         if (!separates_blocks(e)) continue;
-        const std::int32_t joint = joint_of_edge[e];
+        const JointTraceIndex trace = trace_of_edge[e];
         const std::string& material =
-            joint == EdgeMark::no_joint ? outlines.joint_material(e) : traces[joint].joint_material;
+            trace.exists() ? traces[trace].joint_material : outlines.joint_material(e);
         result.marks[e] = {index_of(result.joint_materials, material),
-                           joint == EdgeMark::no_joint ? joint : number[joint]};
+                           trace.exists() ? joint_of_trace[trace] : JointIndex::none()};
     }
     return result;
 }

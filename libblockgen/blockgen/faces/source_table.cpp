@@ -11,7 +11,7 @@ namespace rockslope::blockgen {
 
 namespace {
 
-void add_ring(std::vector<SourceSegment>& segments, const Ring& ring, std::int32_t source) {
+void add_ring(std::vector<SourceSegment>& segments, const Ring& ring, SourceIndex source) {
     for (std::size_t k = 0; k < ring.size(); ++k)
         segments.push_back({ring[k], ring[(k + 1) % ring.size()], source});
 }
@@ -19,10 +19,10 @@ void add_ring(std::vector<SourceSegment>& segments, const Ring& ring, std::int32
 }  // namespace
 
 SourceTable::SourceTable(const SlopeModel& model) {
-    first_region = first_hole + static_cast<std::int32_t>(model.holes.size());
-    first_excavation = first_region + static_cast<std::int32_t>(model.regions.size());
-    first_tunnel = first_excavation + static_cast<std::int32_t>(model.excavations.size());
-    first_joint = first_tunnel + static_cast<std::int32_t>(model.tunnels.size());
+    first_region = first_hole + model.holes.size();
+    first_excavation = first_region + model.regions.size();
+    first_tunnel = first_excavation + model.excavations.size();
+    first_joint = first_tunnel + model.tunnels.size();
 }
 
 std::vector<SourceSegment> source_segments(const SlopeModel& model, const std::vector<Trace>& traces,
@@ -31,20 +31,19 @@ std::vector<SourceSegment> source_segments(const SlopeModel& model, const std::v
     add_ring(segments, model.outline, 0);
     for (const Ring& part : model.further_outlines) add_ring(segments, part, 0);
     for (std::size_t k = 0; k < model.holes.size(); ++k)
-        add_ring(segments, model.holes[k], table.first_hole + static_cast<std::int32_t>(k));
+        add_ring(segments, model.holes[k], table.first_hole + k);
     for (std::size_t k = 0; k < model.regions.size(); ++k)
-        add_ring(segments, model.regions[k].polygon, table.first_region + static_cast<std::int32_t>(k));
+        add_ring(segments, model.regions[k].polygon, table.first_region + k);
     for (std::size_t k = 0; k < model.excavations.size(); ++k)
-        add_ring(segments, model.excavations[k].outline,
-                 table.first_excavation + static_cast<std::int32_t>(k));
+        add_ring(segments, model.excavations[k].outline, table.first_excavation + k);
     for (std::size_t k = 0; k < model.tunnels.size(); ++k)
-        add_ring(segments, model.tunnels[k].outline, table.first_tunnel + static_cast<std::int32_t>(k));
+        add_ring(segments, model.tunnels[k].outline, table.first_tunnel + k);
 
     const Bounds bounds = domain_bounds(model);
     const double size = std::hypot(bounds.high.x - bounds.low.x, bounds.high.y - bounds.low.y);
     const Bounds reach = bounds.expanded(0.01 * size + 16 * model.grid);
-    for (std::size_t k = 0; k < traces.size(); ++k) {
-        const std::vector<Point>& points = traces[k].points;
+    for (const JointTraceIndex trace : indices<JointTraceIndex>(traces.size())) {
+        const std::vector<Point>& points = traces[trace].points;
         for (std::size_t i = 0; i + 1 < points.size(); ++i) {
             const Point &a = points[i], &b = points[i + 1];
             const Point u{b.x - a.x, b.y - a.y};
@@ -54,8 +53,7 @@ std::vector<SourceSegment> source_segments(const SlopeModel& model, const std::v
                 return t <= 0 ? a : t >= 1 ? b : Point{a.x + t * u.x, a.y + t * u.y};
             };
             const double first = std::max(inside->first, 0.0), last = std::min(inside->second, 1.0);
-            if (first < last)
-                segments.push_back({at(first), at(last), table.first_joint + static_cast<std::int32_t>(k)});
+            if (first < last) segments.push_back({at(first), at(last), table.source_of(trace)});
         }
     }
     return segments;

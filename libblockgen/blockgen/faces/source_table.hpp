@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "blockgen/faces/indices.hpp"
 #include "blockgen/input/slope_model.hpp"
 #include "blockgen/noding/node_joints.hpp"
 
@@ -13,17 +14,20 @@ namespace rockslope::blockgen {
 struct SourceTable {
     explicit SourceTable(const SlopeModel& model);
 
-    std::int32_t first_hole = 1;
-    std::int32_t first_region = 1;
-    std::int32_t first_excavation = 1;
-    std::int32_t first_tunnel = 1;
-    std::int32_t first_joint = 1;
+    SourceIndex first_hole = 1;
+    SourceIndex first_region = 1;
+    SourceIndex first_excavation = 1;
+    SourceIndex first_tunnel = 1;
+    SourceIndex first_joint = 1;
 
-    bool is_joint(std::int32_t source) const { return source >= first_joint; }
-    bool is_region(std::int32_t source) const { return source >= first_region && source < first_excavation; }
-    bool is_excavation(std::int32_t source) const {
+    bool is_joint(SourceIndex source) const { return source >= first_joint; }
+    bool is_region(SourceIndex source) const { return source >= first_region && source < first_excavation; }
+    bool is_excavation(SourceIndex source) const {
         return source >= first_excavation && source < first_tunnel;
     }
+    /// The trace of a source that is a joint.
+    JointTraceIndex trace_of(SourceIndex joint) const { return joint - first_joint; }
+    SourceIndex source_of(JointTraceIndex trace) const { return first_joint + trace.value(); }
 };
 
 /// The segments of all outlines, and of all joints clipped to the widened bounding box of the domain.

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "blockgen/mesh/indices.hpp"
 #include "common/geometry/point.hpp"
 
 namespace rockslope::blockgen {
@@ -14,8 +15,8 @@ namespace rockslope::blockgen {
 /// outline of the domain.
 struct EdgeMark {
     static constexpr std::int32_t no_joint = -1;
-    std::int32_t joint_material = no_joint;  ///< index into BlockMesh::joint_materials
-    std::int32_t joint = no_joint;           ///< index into BlockMesh::joints
+    JointMaterialIndex joint_material = no_joint;
+    JointIndex joint = no_joint;
     friend bool operator==(const EdgeMark&, const EdgeMark&) = default;
 };
 
@@ -30,7 +31,7 @@ struct Joint {
 /// A material point whose motion is recorded.
 struct MeasuredPoint {
     std::string name;
-    std::int32_t block = 0;
+    BlockIndex block = 0;
     Point position;
     friend bool operator==(const MeasuredPoint&, const MeasuredPoint&) = default;
 };
@@ -40,8 +41,8 @@ struct MeasuredPoint {
 struct Bolt {
     std::string name;
     std::string material;
-    std::int32_t first_block = 0;
-    std::int32_t second_block = 0;
+    BlockIndex first_block = 0;
+    BlockIndex second_block = 0;
     Point first;
     Point second;
     friend bool operator==(const Bolt&, const Bolt&) = default;
@@ -50,8 +51,8 @@ struct Bolt {
 /// Blocks that the simulation removes at the start of a stage.
 struct ExcavatedBlocks {
     std::string name;
-    std::int32_t stage = 1;            ///< stage of the simulation, counted from 1
-    std::vector<std::int32_t> blocks;  ///< ascending; in no other excavation
+    std::int32_t stage = 1;          ///< stage of the simulation, counted from 1
+    std::vector<BlockIndex> blocks;  ///< ascending; in no other excavation
     friend bool operator==(const ExcavatedBlocks&, const ExcavatedBlocks&) = default;
 };
 
@@ -60,22 +61,22 @@ struct ExcavatedBlocks {
 /// Blocks share vertices by index, so the coordinates of neighbours are identical to the last bit.
 /// Block b owns the rings [block_rings[b], block_rings[b + 1]): the outer ring, counter-clockwise, then the
 /// holes, clockwise. The block lies on the left of each of its edges.
-/// Ring r owns the range [ring_corners[r], ring_corners[r + 1]) of `corners` (vertex indices) and of
-/// `edge_marks`. Edge k runs from corner k to the next corner of the same ring.
+/// Ring r owns the range [ring_corners[r], ring_corners[r + 1]) of `corners` and of `edge_marks`. Edge k runs
+/// from corner k to the next corner of the same ring.
 struct BlockMesh {
-    std::vector<Point> vertices;
-    std::vector<std::int32_t> corners;
-    std::vector<EdgeMark> edge_marks;
-    std::vector<std::int32_t> ring_corners = {0};
-    std::vector<std::int32_t> block_rings = {0};
+    PerVertex<Point> vertices;
+    PerCorner<VertexIndex> corners;
+    PerCorner<EdgeMark> edge_marks;
+    PerRing<CornerIndex> ring_corners = {0};
+    PerBlock<RingIndex> block_rings = {0};
 
-    std::vector<std::int32_t> block_material;  ///< per block, index into block_materials
-    std::vector<BlockMotion> motion;           ///< per block
-    std::vector<std::string> motion_name;      ///< per block; name of a prescribed block, otherwise empty
+    PerBlock<BlockMaterialIndex> block_material;
+    PerBlock<BlockMotion> motion;
+    PerBlock<std::string> motion_name;  ///< name of a prescribed block, otherwise empty
 
-    std::vector<std::string> block_materials;
-    std::vector<std::string> joint_materials;
-    std::vector<Joint> joints;
+    PerBlockMaterial<std::string> block_materials;
+    PerJointMaterial<std::string> joint_materials;
+    PerJoint<Joint> joints;
     std::vector<MeasuredPoint> measured_points;
     std::vector<Bolt> bolts;
     std::vector<ExcavatedBlocks> excavations;
@@ -83,16 +84,18 @@ struct BlockMesh {
     std::vector<std::string> provenance;  ///< free text lines: program version, seed, hash of the input
 
     std::size_t block_count() const { return block_rings.size() - 1; }
-    std::size_t ring_count(std::size_t block) const { return block_rings[block + 1] - block_rings[block]; }
-    /// The vertex indices of a block's ring; ring 0 is the outer one.
-    std::span<const std::int32_t> ring(std::size_t block, std::size_t ring) const;
+    /// The indices of all blocks.
+    IndexRange<BlockIndex> blocks() const { return indices<BlockIndex>(block_count()); }
+    std::size_t ring_count(BlockIndex block) const { return block_rings[block + 1] - block_rings[block]; }
+    /// The vertices of a block's ring; ring 0 of a block is the outer one.
+    std::span<const VertexIndex> ring(BlockIndex block, std::size_t ring) const;
     /// The marks of the edges of a block's ring.
-    std::span<const EdgeMark> ring_marks(std::size_t block, std::size_t ring) const;
+    std::span<const EdgeMark> ring_marks(BlockIndex block, std::size_t ring) const;
 
     /// Appends a block's ring; the first ring appended after begin_block is the outer one.
-    void begin_block(std::int32_t material, BlockMotion block_motion = BlockMotion::free,
+    void begin_block(BlockMaterialIndex material, BlockMotion block_motion = BlockMotion::free,
                      std::string name = {});
-    void add_ring(std::span<const std::int32_t> ring_vertices, std::span<const EdgeMark> marks);
+    void add_ring(std::span<const VertexIndex> ring_vertices, std::span<const EdgeMark> marks);
 
     friend bool operator==(const BlockMesh&, const BlockMesh&) = default;
 };

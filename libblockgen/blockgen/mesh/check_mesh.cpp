@@ -23,10 +23,10 @@ class MeshChecker {
 
     void check() const {
         check_arrays();
-        for (std::size_t v = 0; v < mesh_.vertices.size(); ++v)
+        for (const VertexIndex v : mesh_.vertices.indices())
             if (!std::isfinite(mesh_.vertices[v].x) || !std::isfinite(mesh_.vertices[v].y))
-                fail("vertex " + std::to_string(v) + " is not finite", "finite coordinates");
-        for (std::size_t b = 0; b < mesh_.block_count(); ++b) check_block(b);
+                fail("vertex " + std::to_string(v.value()) + " is not finite", "finite coordinates");
+        for (const BlockIndex b : mesh_.blocks()) check_block(b);
         for (const MeasuredPoint& point : mesh_.measured_points)
             check_point("measured point '" + point.name + "'", point.block, point.position);
         for (const Bolt& bolt : mesh_.bolts) {
@@ -42,16 +42,17 @@ class MeshChecker {
         throw InputError({file_name_}, what, expected);
     }
 
-    static bool is_offsets(const std::vector<std::int32_t>& offsets, std::size_t total, std::int32_t step) {
-        if (offsets.empty() || offsets.front() != 0 || offsets.back() != static_cast<std::int32_t>(total))
-            return false;
+    template <class Part>
+    static bool is_offsets(const std::vector<Part>& offsets, std::size_t total, std::int32_t step) {
+        if (offsets.empty() || offsets.front() != 0 || offsets.back() != total) return false;
         for (std::size_t i = 1; i < offsets.size(); ++i)
             if (offsets[i] - offsets[i - 1] < step) return false;
         return true;
     }
 
-    static bool is_index(std::int32_t index, std::size_t size) {
-        return index >= 0 && static_cast<std::size_t>(index) < size;
+    template <class Key, class T>
+    static bool is_index_into(const IndexedVector<Key, T>& values, Key index) {
+        return index.exists() && index < values.size();
     }
 
     void check_arrays() const {
@@ -68,37 +69,37 @@ class MeshChecker {
                  "one material and one motion per block");
     }
 
-    std::string block_text(std::size_t b) const {
+    std::string block_text(BlockIndex b) const {
         const Point& p = mesh_.vertices[mesh_.ring(b, 0)[0]];
-        return "block " + std::to_string(b) + " at " + text_of(p);
+        return "block " + std::to_string(b.value()) + " at " + text_of(p);
     }
 
-    void check_indices(std::size_t b) const {
-        const std::string name = "block " + std::to_string(b);
-        if (!is_index(mesh_.block_material[b], mesh_.block_materials.size()))
+    void check_indices(BlockIndex b) const {
+        const std::string name = "block " + std::to_string(b.value());
+        if (!is_index_into(mesh_.block_materials, mesh_.block_material[b]))
             fail(name + " has a block material out of range", "an index into the block materials");
         for (std::size_t r = 0; r < mesh_.ring_count(b); ++r) {
-            for (const std::int32_t vertex : mesh_.ring(b, r))
-                if (!is_index(vertex, mesh_.vertices.size()))
+            for (const VertexIndex vertex : mesh_.ring(b, r))
+                if (!is_index_into(mesh_.vertices, vertex))
                     fail(name + " has a vertex out of range", "an index into the vertices");
             for (const EdgeMark& mark : mesh_.ring_marks(b, r)) {
                 const bool free = mark == EdgeMark{};
                 const bool joint_ok =
-                    mark.joint == EdgeMark::no_joint || is_index(mark.joint, mesh_.joints.size());
-                if (!free && (!joint_ok || !is_index(mark.joint_material, mesh_.joint_materials.size())))
+                    mark.joint == EdgeMark::no_joint || is_index_into(mesh_.joints, mark.joint);
+                if (!free && (!joint_ok || !is_index_into(mesh_.joint_materials, mark.joint_material)))
                     fail(name + " has an edge mark out of range", "a joint material and a joint of the file");
             }
         }
     }
 
-    std::vector<Ring> rings_of(std::size_t b) const {
+    std::vector<Ring> rings_of(BlockIndex b) const {
         std::vector<Ring> rings(mesh_.ring_count(b));
         for (std::size_t r = 0; r < rings.size(); ++r)
-            for (const std::int32_t vertex : mesh_.ring(b, r)) rings[r].push_back(mesh_.vertices[vertex]);
+            for (const VertexIndex vertex : mesh_.ring(b, r)) rings[r].push_back(mesh_.vertices[vertex]);
         return rings;
     }
 
-    void check_block(std::size_t b) const {
+    void check_block(BlockIndex b) const {
         check_indices(b);
         const std::vector<Ring> rings = rings_of(b);
         if (const auto fault = find_ring_fault(rings)) {
@@ -114,7 +115,7 @@ class MeshChecker {
         for (std::size_t r = 1; r < rings.size(); ++r) check_hole(b, rings, r);
     }
 
-    void check_hole(std::size_t b, const std::vector<Ring>& rings, std::size_t r) const {
+    void check_hole(BlockIndex b, const std::vector<Ring>& rings, std::size_t r) const {
         const std::string name = block_text(b) + ": hole " + std::to_string(r);
         if (!(twice_signed_area(rings[r]) < 0)) fail(name + " is counter-clockwise", "clockwise holes");
         for (std::size_t other = 0; other < rings.size(); ++other) {
@@ -138,14 +139,14 @@ class MeshChecker {
                 fail("there are two measured points '" + point.name + "'", "unique names");
     }
 
-    void check_point(const std::string& name, std::int32_t block, const Point& p) const {
-        if (!is_index(block, mesh_.block_count()))
+    void check_point(const std::string& name, BlockIndex block, const Point& p) const {
+        if (!is_index_into(mesh_.block_material, block))
             fail(name + " has a block out of range", "an index into the blocks");
         const std::vector<Ring> rings = rings_of(block);
         bool inside = side_of_ring(rings[0], p) >= 0;
         for (std::size_t r = 1; r < rings.size(); ++r) inside = inside && side_of_ring(rings[r], p) <= 0;
         if (!inside)
-            fail(name + " at " + text_of(p) + " lies outside its block " + std::to_string(block),
+            fail(name + " at " + text_of(p) + " lies outside its block " + std::to_string(block.value()),
                  "a point inside the block");
     }
 

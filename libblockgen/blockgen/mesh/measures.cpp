@@ -37,21 +37,21 @@ bool may_be_below(const Point& p, const Point& q, const Point& r, double tangent
 
 }  // namespace
 
-Ring ring_points(const BlockMesh& mesh, std::size_t block, std::size_t ring) {
+Ring ring_points(const BlockMesh& mesh, BlockIndex block, std::size_t ring) {
     Ring points;
     points.reserve(mesh.ring(block, ring).size());
-    for (const std::int32_t vertex : mesh.ring(block, ring)) points.push_back(mesh.vertices[vertex]);
+    for (const VertexIndex vertex : mesh.ring(block, ring)) points.push_back(mesh.vertices[vertex]);
     return points;
 }
 
-double block_area(const BlockMesh& mesh, std::size_t block) {
+double block_area(const BlockMesh& mesh, BlockIndex block) {
     double twice = 0;
     for (std::size_t r = 0; r < mesh.ring_count(block); ++r)
         twice += twice_signed_area(ring_points(mesh, block, r));
     return twice / 2;
 }
 
-Point block_centroid(const BlockMesh& mesh, std::size_t block) {
+Point block_centroid(const BlockMesh& mesh, BlockIndex block) {
     const Point o = mesh.vertices[mesh.ring(block, 0)[0]];
     double twice_area = 0, sx = 0, sy = 0;
     for (std::size_t r = 0; r < mesh.ring_count(block); ++r) {
@@ -68,7 +68,7 @@ Point block_centroid(const BlockMesh& mesh, std::size_t block) {
     return {o.x + sx / (3 * twice_area), o.y + sy / (3 * twice_area)};
 }
 
-double block_perimeter(const BlockMesh& mesh, std::size_t block) {
+double block_perimeter(const BlockMesh& mesh, BlockIndex block) {
     double length = 0;
     for (std::size_t r = 0; r < mesh.ring_count(block); ++r) {
         const Ring ring = ring_points(mesh, block, r);
@@ -80,12 +80,12 @@ double block_perimeter(const BlockMesh& mesh, std::size_t block) {
     return length;
 }
 
-double block_roundness(const BlockMesh& mesh, std::size_t block) {
+double block_roundness(const BlockMesh& mesh, BlockIndex block) {
     const double perimeter = block_perimeter(mesh, block);
     return 4 * std::numbers::pi * block_area(mesh, block) / (perimeter * perimeter);
 }
 
-double block_aspect(const BlockMesh& mesh, std::size_t block) {
+double block_aspect(const BlockMesh& mesh, BlockIndex block) {
     const Point c = block_centroid(mesh, block);
     double xx = 0, yy = 0, xy = 0;
     for (std::size_t r = 0; r < mesh.ring_count(block); ++r) {
@@ -110,7 +110,7 @@ ShapeSummary shape_summary(const BlockMesh& mesh) {
     std::vector<double> roundness, aspect;
     roundness.reserve(n);
     aspect.reserve(n);
-    for (std::size_t b = 0; b < n; ++b) {
+    for (const BlockIndex b : mesh.blocks()) {
         roundness.push_back(block_roundness(mesh, b));
         aspect.push_back(block_aspect(mesh, b));
     }
@@ -137,7 +137,7 @@ SizeSummary size_summary(const BlockMesh& mesh) {
     double tangent = std::numeric_limits<double>::infinity();
     std::vector<double> areas;
     areas.reserve(mesh.block_count());
-    for (std::size_t b = 0; b < mesh.block_count(); ++b) {
+    for (const BlockIndex b : mesh.blocks()) {
         areas.push_back(block_area(mesh, b));
         summary.area += areas.back();
         for (std::size_t r = 0; r < mesh.ring_count(b); ++r) {

@@ -8,23 +8,23 @@
 namespace rockslope::blockgen {
 
 /// A ring's vertices in order.
-Ring ring_points(const BlockMesh& mesh, std::size_t block, std::size_t ring);
+Ring ring_points(const BlockMesh& mesh, BlockIndex block, std::size_t ring);
 
 /// Area of a block without its holes, m2.
-double block_area(const BlockMesh& mesh, std::size_t block);
+double block_area(const BlockMesh& mesh, BlockIndex block);
 
 /// Centroid of a block without its holes.
-Point block_centroid(const BlockMesh& mesh, std::size_t block);
+Point block_centroid(const BlockMesh& mesh, BlockIndex block);
 
 /// Length of all rings of a block, holes included, m.
-double block_perimeter(const BlockMesh& mesh, std::size_t block);
+double block_perimeter(const BlockMesh& mesh, BlockIndex block);
 
 /// 4 pi area / perimeter^2: 1 for a circle, 0.785 for a square, near 0 for a sliver.
-double block_roundness(const BlockMesh& mesh, std::size_t block);
+double block_roundness(const BlockMesh& mesh, BlockIndex block);
 
 /// Aspect ratio, in (0, 1]: the square root of the smaller over the larger principal second moment of area
 /// about the centroid. It is 1 for a square or a circle.
-double block_aspect(const BlockMesh& mesh, std::size_t block);
+double block_aspect(const BlockMesh& mesh, BlockIndex block);
 
 /// The 10th, 50th and 90th percentiles over the blocks, by number.
 struct Deciles {

@@ -141,7 +141,7 @@ class BlockFileParser {
 
     void read_block(std::int64_t i) {
         begin_record("block", i, counts_.blocks);
-        const std::int32_t material = scan_.index("a block material", counts_.block_materials);
+        const BlockMaterialIndex material = scan_.index("a block material", counts_.block_materials);
         const std::int32_t rings = scan_.index("a number of rings", counts_.rings + 1);
         if (rings < 1) scan_.fail("a block without a ring", "one ring or more");
         const BlockMotion motion = read_motion();
@@ -219,11 +219,11 @@ class BlockFileParser {
         if (excavation.stage < 1) scan_.fail("there is no stage 0", "a stage, counted from 1");
         is_excavated_.resize(mesh_.block_count());
         while (!scan_.at_line_end()) {
-            const std::int32_t block = scan_.index("a block", counts_.blocks);
+            const BlockIndex block = scan_.index("a block", counts_.blocks);
             if (!excavation.blocks.empty() && block <= excavation.blocks.back())
-                scan_.fail("block " + std::to_string(block) + " is out of order", "ascending blocks");
+                scan_.fail("block " + std::to_string(block.value()) + " is out of order", "ascending blocks");
             if (is_excavated_[block])
-                scan_.fail("block " + std::to_string(block) + " is in two excavations",
+                scan_.fail("block " + std::to_string(block.value()) + " is in two excavations",
                            "at most one excavation per block");
             is_excavated_[block] = true;
             excavation.blocks.push_back(block);
@@ -248,7 +248,7 @@ class BlockFileParser {
     BlockMesh mesh_;
     std::int32_t version_ = 0;
     std::vector<bool> is_excavated_;
-    std::vector<std::int32_t> ring_;
+    std::vector<VertexIndex> ring_;
     std::vector<EdgeMark> marks_;
 };
 

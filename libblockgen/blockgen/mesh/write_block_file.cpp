@@ -15,6 +15,11 @@ void append_number(std::string& out, Number value) {
     out.append(digits, result.ptr);
 }
 
+template <class Kind>
+void append_number(std::string& out, Index<Kind> index) {
+    append_number(out, index.value());
+}
+
 void append_count(std::string& out, std::string_view noun, std::size_t count) {
     (out += ' ').append(noun) += ' ';
     append_number(out, count);
@@ -27,11 +32,12 @@ void append_point(std::string& out, const Point& point) {
     append_number(out, point.y);
 }
 
-void append_index(std::string& out, std::int32_t index) {
-    if (index < 0)
-        out += '-';
-    else
+template <class Kind>
+void append_index(std::string& out, Index<Kind> index) {
+    if (index.exists())
         append_number(out, index);
+    else
+        out += '-';
 }
 
 void append_mark(std::string& out, const EdgeMark& mark) {
@@ -76,7 +82,7 @@ void append_header(std::string& out, const BlockMesh& mesh) {
     out += '\n';
 }
 
-void append_block(std::string& out, const BlockMesh& mesh, std::size_t block) {
+void append_block(std::string& out, const BlockMesh& mesh, BlockIndex block) {
     out += "block ";
     append_number(out, mesh.block_material[block]);
     out += ' ';
@@ -86,7 +92,7 @@ void append_block(std::string& out, const BlockMesh& mesh, std::size_t block) {
     out += '\n';
     for (std::size_t r = 0; r < mesh.ring_count(block); ++r) {
         out += "ring";
-        for (const std::int32_t vertex : mesh.ring(block, r)) {
+        for (const VertexIndex vertex : mesh.ring(block, r)) {
             out += ' ';
             append_number(out, vertex);
         }
@@ -110,7 +116,7 @@ void append_bolt(std::string& out, const Bolt& bolt) {
 void append_excavation(std::string& out, const ExcavatedBlocks& excavation) {
     ((out += "excavation ") += quoted_name(excavation.name)) += ' ';
     append_number(out, excavation.stage);
-    for (const std::int32_t block : excavation.blocks) {
+    for (const BlockIndex block : excavation.blocks) {
         out += ' ';
         append_number(out, block);
     }
@@ -132,7 +138,7 @@ std::string block_file_text(const BlockMesh& mesh) {
         append_point(out, vertex);
         out += '\n';
     }
-    for (std::size_t block = 0; block < mesh.block_count(); ++block) append_block(out, mesh, block);
+    for (const BlockIndex block : mesh.blocks()) append_block(out, mesh, block);
     for (const MeasuredPoint& point : mesh.measured_points) {
         ((out += "measured_point ") += quoted_name(point.name)) += ' ';
         append_number(out, point.block);

@@ -14,8 +14,8 @@ constexpr double max_buckets = 1 << 26;
 
 }  // namespace
 
-BucketGrid::BucketGrid(std::span<const FineSegment> segments, std::int64_t margin,
-                       std::span<const char> listed)
+BucketGrid::BucketGrid(SegmentSpan<const FineSegment> segments, std::int64_t margin,
+                       SegmentSpan<const char> listed)
     : margin_(static_cast<double>(margin)) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     double high_x = -infinity, high_y = -infinity, length = 0;
@@ -41,13 +41,13 @@ BucketGrid::BucketGrid(std::span<const FineSegment> segments, std::int64_t margi
     rows_ = static_cast<std::int64_t>(span_y / width_) + 1;
 
     first_.assign(columns_ * rows_ + 1, 0);
-    const auto is_listed = [&](std::size_t k) { return listed.empty() || listed[k]; };
-    for (std::size_t k = 0; k < segments.size(); ++k)
+    const auto is_listed = [&](SegmentIndex k) { return listed.empty() || listed[k]; };
+    for (const SegmentIndex k : segments.indices())
         if (is_listed(k)) for_each_bucket(segments[k], [this](std::size_t b) { ++first_[b + 1]; });
     for (std::size_t b = 0; b + 1 < first_.size(); ++b) first_[b + 1] += first_[b];
     items_.resize(first_.back());
     std::vector<std::int64_t> next(first_.begin(), first_.end() - 1);
-    for (std::size_t k = 0; k < segments.size(); ++k)
+    for (const SegmentIndex k : segments.indices())
         if (is_listed(k)) for_each_bucket(segments[k], [&](std::size_t b) { items_[next[b]++] = k; });
 }
 

@@ -15,10 +15,11 @@ class BucketGrid {
   public:
     /// @param listed flag per segment: only flagged segments are listed. Empty: all are. All segments count
     /// for the bucket width.
-    BucketGrid(std::span<const FineSegment> segments, std::int64_t margin, std::span<const char> listed = {});
+    BucketGrid(SegmentSpan<const FineSegment> segments, std::int64_t margin,
+               SegmentSpan<const char> listed = {});
 
     std::size_t bucket_count() const { return first_.size() - 1; }
-    std::span<const std::int32_t> segments_of(std::size_t bucket) const {
+    std::span<const SegmentIndex> segments_of(std::size_t bucket) const {
         return std::span(items_).subspan(first_[bucket], first_[bucket + 1] - first_[bucket]);
     }
     /// The bucket that contains a point; for a point outside the grid, the nearest bucket.
@@ -42,7 +43,7 @@ class BucketGrid {
     double low_x_ = 0, low_y_ = 0, width_ = 1, margin_ = 0;
     std::int64_t columns_ = 1, rows_ = 1;
     std::vector<std::int64_t> first_;
-    std::vector<std::int32_t> items_;
+    std::vector<SegmentIndex> items_;
 };
 
 }  // namespace rockslope::blockgen

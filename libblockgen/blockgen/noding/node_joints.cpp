@@ -93,7 +93,7 @@ std::vector<Piece> fine_pieces(std::span<const SourceSegment> segments, const Gr
 
 /// Distinct lines, sorted, and the sources along them.
 struct Lines {
-    std::vector<FineSegment> lines;
+    PerSegment<FineSegment> lines;
     LineSources along;
 };
 
@@ -123,17 +123,17 @@ double distance(const FineSegment& s, const GridPoint& cell, std::int64_t units_
 }
 
 /// Largest distance of a chain's cell centres from its line, in cells.
-double largest_move(const FineSegment& line, const SnappedChains& chains, std::size_t k,
+double largest_move(const FineSegment& line, const SnappedChains& chains, SegmentIndex k,
                     std::int64_t units_per_cell) {
     double largest = 0;
-    for (const std::int32_t cell : chains.chain(k))
+    for (const CellIndex cell : chains.chain(k))
         largest = std::max(largest, distance(line, chains.cells[cell], units_per_cell));
     return largest;
 }
 
 double largest_move(const SnapRoundingPass& round, const NodedEdges& network) {
     double largest = 0;
-    for (std::size_t k = 0; k < round.edges.size(); ++k) {
+    for (const SegmentIndex k : round.edges.indices()) {
         if (round.chains.chain(k).size() == 2) continue;
         const auto& [a, b] = network.edges[round.edges[k]];
         const FineSegment line{network.vertices[a], network.vertices[b]};
@@ -145,7 +145,7 @@ double largest_move(const SnapRoundingPass& round, const NodedEdges& network) {
 /// The cells of the outline's corners (source 0), sorted. They win when cells are merged, so that the corners
 /// of the domain keep their cells.
 std::vector<GridPoint> anchors_of(const std::vector<Piece>& pieces, std::int64_t units_per_cell) {
-    std::vector<std::pair<std::int32_t, GridPoint>> ends;
+    std::vector<std::pair<SourceIndex, GridPoint>> ends;
     const auto cell = [units_per_cell](const GridPoint& p) {
         const auto nearest = [units_per_cell](std::int64_t x) {
             const std::int64_t shifted = x + units_per_cell / 2;
@@ -167,7 +167,7 @@ std::vector<GridPoint> anchors_of(const std::vector<Piece>& pieces, std::int64_t
 
 }  // namespace
 
-std::span<const EdgeSource> NodedEdges::sources_of(std::size_t edge) const {
+std::span<const EdgeSource> NodedEdges::sources_of(EdgeIndex edge) const {
     return std::span(sources).subspan(first_source[edge], first_source[edge + 1] - first_source[edge]);
 }
 
@@ -183,28 +183,29 @@ NodedEdges node_joints(std::span<const SourceSegment> segments, double step) {
         const std::vector<GridPoint> anchors = anchors_of(pieces, units_per_cell);
         const Lines lines = distinct_lines(std::move(pieces));
         const SnappedChains chains = snap_round_merging_cells(lines.lines, units_per_cell, anchors);
-        for (std::size_t k = 0; k < lines.lines.size(); ++k)
+        for (const SegmentIndex k : lines.lines.indices())
             result.largest_snap =
                 std::max(result.largest_snap, step * largest_move(lines.lines[k], chains, k, units_per_cell));
         result.largest_snap += rounded;
         link_chains(chains, lines.along, result);
     }
-    std::vector<char> changed;  // empty: all edges, in the first round
+    PerEdge<char> changed;  // empty: all edges, in the first round
     for (result.rounds = 1;; ++result.rounds) {
         const SnapRoundingPass round = snap_round_edges(result.vertices, result.edges, changed);
         if (round.is_fully_noded()) return result;
         result.largest_snap += step * largest_move(round, result);
-        const LineSources along{std::move(result.first_source), std::move(result.sources)};
+        // The lines of this round are the edges of the last.
+        const LineSources along{std::vector<std::int32_t>(std::move(result.first_source)),
+                                std::move(result.sources)};
         changed = link_chains(chains_of_all_edges(round, result), along, result);
     }
 }
 
-std::vector<std::size_t> improperly_noded_edges(std::span<const GridPoint> vertices,
-                                                std::span<const std::pair<std::int32_t, std::int32_t>> edges,
-                                                std::span<const char> changed) {
+std::vector<EdgeIndex> improperly_noded_edges(NodeSpan<const GridPoint> vertices,
+                                              EdgeSpan<const EdgeEnds> edges, EdgeSpan<const char> changed) {
     const SnapRoundingPass round = snap_round_edges(vertices, edges, changed);
-    std::vector<std::size_t> improper;
-    for (std::size_t k = 0; k < round.edges.size(); ++k)
+    std::vector<EdgeIndex> improper;
+    for (const SegmentIndex k : round.edges.indices())
         if (round.chains.chain(k).size() != 2) improper.push_back(round.edges[k]);
     return improper;
 }

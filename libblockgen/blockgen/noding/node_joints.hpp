@@ -6,37 +6,40 @@
 #include <vector>
 
 #include "blockgen/noding/grid.hpp"
+#include "blockgen/noding/indices.hpp"
 
 namespace rockslope::blockgen {
 
-/// A straight piece of a joint or of an outline. `source` is the caller's number of that joint or outline.
+/// A straight piece of a joint or of an outline. `source` is that joint or outline.
 struct SourceSegment {
     Point a, b;
-    std::int32_t source = 0;
+    SourceIndex source = 0;
 };
 
 /// A source that runs along a noded edge, from the edge's first vertex to its second, or reversed. A source
 /// that runs along an edge twice has two entries.
 struct EdgeSource {
-    std::int32_t source = 0;
+    SourceIndex source = 0;
     bool reversed = false;
     friend auto operator<=>(const EdgeSource&, const EdgeSource&) = default;
 };
+
+/// The two ends of an edge.
+using EdgeEnds = std::pair<NodeIndex, NodeIndex>;
 
 /// Edges between grid points that meet only at common vertices. No two edges cross or overlap, and no vertex
 /// lies on, or within half a cell of, an edge that does not end there.
 struct NodedEdges {
     GridFrame frame;
-    std::vector<GridPoint> vertices;  ///< sorted, distinct
-    std::vector<std::pair<std::int32_t, std::int32_t>>
-        edges;  ///< vertex indices, first < second; sorted, distinct
-    std::vector<std::int32_t> first_source = {
-        0};  ///< edge e has the sources [first_source[e], first_source[e + 1])
+    PerNode<GridPoint> vertices;  ///< sorted, distinct
+    PerEdge<EdgeEnds> edges;      ///< first < second; sorted, distinct
+    /// Edge e has the sources [first_source[e], first_source[e + 1]).
+    PerEdge<std::int32_t> first_source = {0};
     std::vector<EdgeSource> sources;
     int rounds = 0;           ///< rounds of snap rounding until nothing changed
     double largest_snap = 0;  ///< m, upper bound of the displacement of any point of a segment
 
-    std::span<const EdgeSource> sources_of(std::size_t edge) const;
+    std::span<const EdgeSource> sources_of(EdgeIndex edge) const;
 };
 
 /// Cuts segments at their crossings, ends and overlaps, on a grid of the given step, by iterated snap
@@ -51,9 +54,9 @@ NodedEdges node_joints(std::span<const SourceSegment> segments, double step);
 /// The edges that violate the invariant of NodedEdges: they cross another edge, or pass through the hot pixel
 /// of a vertex that is not their end.
 /// @param changed flag per edge; unchanged edges satisfy the invariant among themselves. Empty: all edges may
-/// have changed. @return indices into `edges`, ascending; empty when the edges are properly noded.
-std::vector<std::size_t> improperly_noded_edges(std::span<const GridPoint> vertices,
-                                                std::span<const std::pair<std::int32_t, std::int32_t>> edges,
-                                                std::span<const char> changed = {});
+/// have changed. @return ascending; empty when the edges are properly noded.
+std::vector<EdgeIndex> improperly_noded_edges(NodeSpan<const GridPoint> vertices,
+                                              EdgeSpan<const EdgeEnds> edges,
+                                              EdgeSpan<const char> changed = {});
 
 }  // namespace rockslope::blockgen

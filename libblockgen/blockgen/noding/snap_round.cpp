@@ -98,7 +98,7 @@ struct CellHash {
     }
 };
 
-std::vector<GridPoint> end_cells(std::span<const FineSegment> segments, std::int64_t units_per_cell) {
+std::vector<GridPoint> end_cells(SegmentSpan<const FineSegment> segments, std::int64_t units_per_cell) {
     std::vector<GridPoint> cells;
     cells.reserve(2 * segments.size());
     for (const FineSegment& s : segments) {
@@ -115,7 +115,7 @@ void sort_distinct(std::vector<GridPoint>& cells) {
     cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
 }
 
-std::vector<GridPoint> crossing_cells(std::span<const FineSegment> segments, const BucketGrid& grid,
+std::vector<GridPoint> crossing_cells(SegmentSpan<const FineSegment> segments, const BucketGrid& grid,
                                       std::int64_t units_per_cell) {
     std::vector<GridPoint> cells;
     for (std::size_t bucket = 0; bucket < grid.bucket_count(); ++bucket) {
@@ -141,27 +141,26 @@ std::vector<GridPoint> with_crossings(std::vector<GridPoint> ends, std::vector<G
 }
 
 /// Flags the cells of a sorted list that touch another cell of the list at a side or a corner.
-std::vector<char> touching(std::span<const GridPoint> cells) {
-    std::vector<char> touches(cells.size(), 0);
-    std::size_t other = 0;
-    for (std::size_t k = 0; k < cells.size(); ++k) {
-        const auto mark = [&](std::size_t j) { touches[k] = touches[j] = 1; };
+PerCell<char> touching(CellSpan<const GridPoint> cells) {
+    PerCell<char> touches(cells.size(), 0);
+    CellIndex other = 0;
+    for (const CellIndex k : cells.indices()) {
+        const auto mark = [&](CellIndex j) { touches[k] = touches[j] = 1; };
         if (k + 1 < cells.size() && cells[k + 1].x == cells[k].x && cells[k + 1].y == cells[k].y + 1)
             mark(k + 1);
         const GridPoint lowest{cells[k].x + 1, cells[k].y - 1};
         while (other < cells.size() && cells[other] < lowest) ++other;
-        for (std::size_t j = other; j < cells.size() && cells[j].x == lowest.x && cells[j].y <= lowest.y + 2;
+        for (CellIndex j = other; j < cells.size() && cells[j].x == lowest.x && cells[j].y <= lowest.y + 2;
              ++j)
             mark(j);
     }
     return touches;
 }
 
-/// For each hot cell the index of its representative: itself, or a touching cell chosen before it. Anchors
-/// are chosen first; they are hot.
-std::vector<std::int32_t> representatives(std::span<const GridPoint> cells,
-                                          std::span<const GridPoint> anchors) {
-    const std::vector<char> touches = touching(cells);
+/// The representative of each hot cell: itself, or a touching cell chosen before it. Anchors are chosen
+/// first; they are hot.
+PerCell<CellIndex> representatives(CellSpan<const GridPoint> cells, std::span<const GridPoint> anchors) {
+    const PerCell<char> touches = touching(cells);
     std::unordered_map<GridPoint, char, CellHash> chosen;
     const auto choose = [&chosen](const GridPoint& cell) {
         for (std::int64_t dx = -1; dx <= 1; ++dx)
@@ -171,8 +170,8 @@ std::vector<std::int32_t> representatives(std::span<const GridPoint> cells,
         return cell;
     };
     for (const GridPoint& anchor : anchors) choose(anchor);
-    std::vector<std::int32_t> result(cells.size());
-    for (std::size_t k = 0; k < cells.size(); ++k) {
+    PerCell<CellIndex> result(cells.size());
+    for (const CellIndex k : cells.indices()) {
         result[k] = k;
         if (!touches[k] || chosen.contains(cells[k])) continue;
         const auto found = std::lower_bound(cells.begin(), cells.end(), choose(cells[k]));
@@ -182,18 +181,17 @@ std::vector<std::int32_t> representatives(std::span<const GridPoint> cells,
 }
 
 struct Hit {
-    std::int32_t segment;
-    std::int32_t cell;
+    SegmentIndex segment;
+    CellIndex cell;
 };
 
-std::vector<Hit> find_hits(std::span<const FineSegment> segments, std::span<const GridPoint> cells,
+std::vector<Hit> find_hits(SegmentSpan<const FineSegment> segments, CellSpan<const GridPoint> cells,
                            const BucketGrid& grid, std::int64_t units_per_cell) {
     std::vector<Hit> hits;
-    for (std::size_t c = 0; c < cells.size(); ++c) {
+    for (const CellIndex c : cells.indices()) {
         const GridPoint centre{cells[c].x * units_per_cell, cells[c].y * units_per_cell};
-        for (const std::int32_t s : grid.segments_of(grid.bucket_of(centre)))
-            if (intersects_cell(segments[s], cells[c], units_per_cell))
-                hits.push_back({s, static_cast<std::int32_t>(c)});
+        for (const SegmentIndex s : grid.segments_of(grid.bucket_of(centre)))
+            if (intersects_cell(segments[s], cells[c], units_per_cell)) hits.push_back({s, c});
     }
     return hits;
 }
@@ -214,65 +212,62 @@ bool lies_between_ends(const FineSegment& s, const GridPoint& cell, std::int64_t
 
 /// Adds hits of segments that pass an end within an eighth of a cell but miss the end's cell. An end that
 /// near another joint is then joined to it, wherever the end lies in its cell.
-void add_hits_near_ends(std::span<const FineSegment> segments, std::span<const GridPoint> cells,
+void add_hits_near_ends(SegmentSpan<const FineSegment> segments, CellSpan<const GridPoint> cells,
                         const BucketGrid& grid, std::int64_t units_per_cell, std::vector<Hit>& hits) {
     // Wider squares bend segments so far that an outline may overlap itself on coarse grids.
     const std::int64_t width = units_per_cell / 8 * 2;
-    const auto add = [&](std::size_t ending, const GridPoint& end) {
-        for (const std::int32_t s : grid.segments_of(grid.bucket_of(end))) {
-            const std::size_t k = s;
-            if (k == ending || !intersects_square(segments[k], end, width)) continue;
+    const auto add = [&](SegmentIndex ending, const GridPoint& end) {
+        for (const SegmentIndex s : grid.segments_of(grid.bucket_of(end))) {
+            if (s == ending || !intersects_square(segments[s], end, width)) continue;
             const GridPoint cell = cell_of(end, units_per_cell);
-            if (intersects_cell(segments[k], cell, units_per_cell) ||
-                !lies_between_ends(segments[k], cell, units_per_cell))
+            if (intersects_cell(segments[s], cell, units_per_cell) ||
+                !lies_between_ends(segments[s], cell, units_per_cell))
                 continue;
             const auto found = std::lower_bound(cells.begin(), cells.end(), cell);
-            hits.push_back({s, static_cast<std::int32_t>(found - cells.begin())});
+            hits.push_back({s, found - cells.begin()});
         }
     };
-    for (std::size_t k = 0; k < segments.size(); ++k) add(k, segments[k].a), add(k, segments[k].b);
+    for (const SegmentIndex k : segments.indices()) add(k, segments[k].a), add(k, segments[k].b);
 }
 
 /// The cells that each segment passes through, unordered: those of segment k are [first[k], first[k + 1]).
 struct CellsOfSegments {
-    std::vector<std::int64_t> first;
-    std::vector<std::int32_t> cells;
+    PerSegment<std::int64_t> first;
+    std::vector<CellIndex> cells;
 };
 
 /// The hits grouped by segment (counting sort).
 CellsOfSegments group_by_segment(const std::vector<Hit>& hits, std::size_t segments) {
-    CellsOfSegments result{std::vector<std::int64_t>(segments + 1, 0),
-                           std::vector<std::int32_t>(hits.size())};
+    CellsOfSegments result{PerSegment<std::int64_t>(segments + 1, 0), std::vector<CellIndex>(hits.size())};
     for (const Hit& hit : hits) ++result.first[hit.segment + 1];
-    for (std::size_t k = 0; k < segments; ++k) result.first[k + 1] += result.first[k];
-    std::vector<std::int64_t> fill(result.first.begin(), result.first.end() - 1);
+    for (const SegmentIndex k : indices<SegmentIndex>(segments)) result.first[k + 1] += result.first[k];
+    PerSegment<std::int64_t> fill(result.first.begin(), result.first.end() - 1);
     for (const Hit& hit : hits) result.cells[fill[hit.segment]++] = hit.cell;
     return result;
 }
 
-/// Orders the hits along each segment. @param representative_of per cell the index of its representative;
-/// empty when no cells are merged.
-SnappedChains chains_of(std::span<const FineSegment> segments, std::vector<GridPoint> cells,
+/// Orders the hits along each segment. @param representative_of empty when no cells are merged.
+SnappedChains chains_of(SegmentSpan<const FineSegment> segments, PerCell<GridPoint> cells,
                         const std::vector<Hit>& hits, std::int64_t units_per_cell,
-                        std::span<const std::int32_t> representative_of) {
+                        CellSpan<const CellIndex> representative_of) {
     const CellsOfSegments near = group_by_segment(hits, segments.size());
     SnappedChains chains;
     chains.first.reserve(segments.size() + 1);
     chains.items.reserve(near.cells.size());
-    std::vector<std::pair<Int128, std::int32_t>> ordered;
-    for (std::size_t k = 0; k < segments.size(); ++k) {
+    std::vector<std::pair<Int128, CellIndex>> ordered;
+    for (const SegmentIndex k : segments.indices()) {
         ordered.clear();
         for (std::int64_t i = near.first[k]; i < near.first[k + 1]; ++i) {
-            const std::int32_t cell = near.cells[i];
+            const CellIndex cell = near.cells[i];
             ordered.emplace_back(distance_along(segments[k], cells[cell], units_per_cell), cell);
         }
         std::sort(ordered.begin(), ordered.end());
         const std::size_t start = chains.items.size();
         for (const auto& [distance, c] : ordered) {
-            const std::int32_t cell = representative_of.empty() ? c : representative_of[c];
+            const CellIndex cell = representative_of.empty() ? c : representative_of[c];
             if (chains.items.size() == start || chains.items.back() != cell) chains.items.push_back(cell);
         }
-        chains.first.push_back(static_cast<std::int64_t>(chains.items.size()));
+        chains.first.push_back(chains.items.size());
     }
     chains.cells = std::move(cells);
     return chains;
@@ -280,23 +275,23 @@ SnappedChains chains_of(std::span<const FineSegment> segments, std::vector<GridP
 
 }  // namespace
 
-SnappedChains snap_round(std::span<const FineSegment> segments, std::int64_t units_per_cell,
+SnappedChains snap_round(SegmentSpan<const FineSegment> segments, std::int64_t units_per_cell,
                          std::vector<GridPoint> ends) {
     const BucketGrid grid(segments, units_per_cell);
-    std::vector<GridPoint> cells =
+    PerCell<GridPoint> cells =
         with_crossings(std::move(ends), crossing_cells(segments, grid, units_per_cell));
     const std::vector<Hit> hits = find_hits(segments, cells, grid, units_per_cell);
     return chains_of(segments, std::move(cells), hits, units_per_cell, {});
 }
 
-SnappedChains snap_round_merging_cells(std::span<const FineSegment> segments, std::int64_t units_per_cell,
+SnappedChains snap_round_merging_cells(SegmentSpan<const FineSegment> segments, std::int64_t units_per_cell,
                                        std::span<const GridPoint> anchors) {
     const BucketGrid grid(segments, units_per_cell);
     std::vector<GridPoint> cells = end_cells(segments, units_per_cell);
     const std::vector<GridPoint> crossings = crossing_cells(segments, grid, units_per_cell);
     cells.insert(cells.end(), crossings.begin(), crossings.end());
     sort_distinct(cells);
-    const std::vector<std::int32_t> representative_of = representatives(cells, anchors);
+    const PerCell<CellIndex> representative_of = representatives(cells, anchors);
     std::vector<Hit> hits = find_hits(segments, cells, grid, units_per_cell);
     add_hits_near_ends(segments, cells, grid, units_per_cell, hits);
     return chains_of(segments, std::move(cells), hits, units_per_cell, representative_of);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "blockgen/noding/grid.hpp"
+#include "blockgen/noding/indices.hpp"
 
 namespace rockslope::blockgen {
 
@@ -17,12 +18,12 @@ struct FineSegment {
 /// The result of one round of snap rounding: segment k becomes the chain of hot cells
 /// items[first[k]] ... items[first[k + 1] - 1].
 struct SnappedChains {
-    std::vector<GridPoint> cells;  ///< hot cells (hot pixels), sorted; a cell may be in no chain
-    std::vector<std::int64_t> first = {0};
-    std::vector<std::int32_t> items;  ///< indices into `cells`
+    PerCell<GridPoint> cells;  ///< hot cells (hot pixels), sorted; a cell may be in no chain
+    PerSegment<std::int64_t> first = {0};
+    std::vector<CellIndex> items;
 
     std::size_t size() const { return first.size() - 1; }
-    std::span<const std::int32_t> chain(std::size_t k) const {
+    std::span<const CellIndex> chain(SegmentIndex k) const {
         return std::span(items).subspan(first[k], first[k + 1] - first[k]);
     }
 };
@@ -33,13 +34,13 @@ struct SnappedChains {
 /// items for evenly spread joints.
 /// @param units_per_cell width of a cell in fine-grid units, even.
 /// @param ends the cells of all ends, sorted and distinct.
-SnappedChains snap_round(std::span<const FineSegment> segments, std::int64_t units_per_cell,
+SnappedChains snap_round(SegmentSpan<const FineSegment> segments, std::int64_t units_per_cell,
                          std::vector<GridPoint> ends);
 
 /// As snap_round(), with two additions. A segment also passes through the hot cell of an end that it passes
 /// within an eighth of a cell in x and y. Hot cells that touch are merged: the first in `anchors` is kept,
 /// otherwise the smallest.
-SnappedChains snap_round_merging_cells(std::span<const FineSegment> segments, std::int64_t units_per_cell,
+SnappedChains snap_round_merging_cells(SegmentSpan<const FineSegment> segments, std::int64_t units_per_cell,
                                        std::span<const GridPoint> anchors);
 
 }  // namespace rockslope::blockgen

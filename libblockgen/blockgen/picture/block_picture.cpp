@@ -30,26 +30,26 @@ Extent extent_of(const BlockMesh& mesh) {
 }
 
 /// A shade for each block, by greedy colouring: different from the shades of its neighbours if possible.
-std::vector<std::size_t> shades_of(const BlockMesh& mesh) {
-    std::vector<std::pair<std::pair<std::int32_t, std::int32_t>, std::size_t>> edges;
-    for (std::size_t b = 0; b < mesh.block_count(); ++b)
+PerBlock<std::size_t> shades_of(const BlockMesh& mesh) {
+    std::vector<std::pair<std::pair<VertexIndex, VertexIndex>, BlockIndex>> edges;
+    for (const BlockIndex b : mesh.blocks())
         for (std::size_t r = 0; r < mesh.ring_count(b); ++r) {
             const auto ring = mesh.ring(b, r);
             for (std::size_t k = 0; k < ring.size(); ++k)
                 edges.push_back({std::minmax({ring[k], ring[(k + 1) % ring.size()]}), b});
         }
     std::sort(edges.begin(), edges.end());
-    std::vector<std::vector<std::size_t>> neighbours(mesh.block_count());
+    PerBlock<std::vector<BlockIndex>> neighbours(mesh.block_count());
     for (std::size_t i = 1; i < edges.size(); ++i)
         if (edges[i].first == edges[i - 1].first) {
             neighbours[edges[i].second].push_back(edges[i - 1].second);
             neighbours[edges[i - 1].second].push_back(edges[i].second);
         }
-    std::vector<std::size_t> shade(mesh.block_count(), shade_count);
-    for (std::size_t b = 0; b < shade.size(); ++b) {
+    PerBlock<std::size_t> shade(mesh.block_count(), shade_count);
+    for (const BlockIndex b : shade.indices()) {
         bool taken[shade_count + 1] = {};
-        for (const std::size_t n : neighbours[b]) taken[shade[n]] = true;
-        std::size_t s = b % 2;
+        for (const BlockIndex n : neighbours[b]) taken[shade[n]] = true;
+        std::size_t s = b.value() % 2;
         for (std::size_t k = 0; k < shade_count && taken[s]; ++k) s = (s + 1) % shade_count;
         shade[b] = s;
     }
@@ -68,7 +68,7 @@ class BlockPicture {
         for (const Joint& joint : mesh.joints)
             if (std::find(sets_.begin(), sets_.end(), joint.set) == sets_.end()) sets_.push_back(joint.set);
         for (const ExcavatedBlocks& excavation : mesh.excavations)
-            for (const std::int32_t b : excavation.blocks) is_excavated_[b] = true;
+            for (const BlockIndex b : excavation.blocks) is_excavated_[b] = true;
     }
 
     Canvas draw() {
@@ -83,7 +83,7 @@ class BlockPicture {
     }
 
   private:
-    std::vector<Ring> page_rings(std::size_t b) const {
+    std::vector<Ring> page_rings(BlockIndex b) const {
         std::vector<Ring> rings;
         for (std::size_t r = 0; r < mesh_.ring_count(b); ++r)
             rings.push_back(axes_.to_page(ring_points(mesh_, b, r)));
@@ -91,8 +91,8 @@ class BlockPicture {
     }
 
     void fill_blocks() {
-        const std::vector<std::size_t> shades = shades_of(mesh_);
-        for (std::size_t b = 0; b < mesh_.block_count(); ++b) {
+        const PerBlock<std::size_t> shades = shades_of(mesh_);
+        for (const BlockIndex b : mesh_.blocks()) {
             const std::int32_t entry = layer_.entries.empty() ? -1 : layer_.entry_of_block[b];
             const Colour rock = rock_colour(mesh_.block_material[b]);
             const Colour fill = entry < 0 ? shaded(rock, shades[b]) : layer_.entries[entry].colour;
@@ -115,7 +115,7 @@ class BlockPicture {
     void draw_edges() {
         const double width = line_width();
         for (const bool free_faces : {false, true})
-            for (std::size_t b = 0; b < mesh_.block_count(); ++b)
+            for (const BlockIndex b : mesh_.blocks())
                 for (std::size_t r = 0; r < mesh_.ring_count(b); ++r) {
                     const Ring ring = axes_.to_page(ring_points(mesh_, b, r));
                     const auto marks = mesh_.ring_marks(b, r);
@@ -159,7 +159,7 @@ class BlockPicture {
         const double x = axes_.lower_right().x + 18;
         double y = axes_.upper_left().y;
         std::vector<LegendEntry> rocks, lines, others;
-        for (std::size_t m = 0; m < mesh_.block_materials.size(); ++m)
+        for (const BlockMaterialIndex m : mesh_.block_materials.indices())
             rocks.push_back({mesh_.block_materials[m], rock_colour(m), Stroke{grey, 0.6}});
         for (std::size_t s = 0; s < sets_.size(); ++s)
             lines.push_back({sets_[s], {}, Stroke{line_colour(s), 1.6}, true});

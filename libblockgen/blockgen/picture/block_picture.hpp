@@ -17,7 +17,7 @@ struct BlockLayer {
     };
     std::string title;
     std::vector<Entry> entries;
-    std::vector<std::int32_t> entry_of_block;  ///< per block: index into `entries`; -1: the material's colour
+    PerBlock<std::int32_t> entry_of_block;  ///< index into `entries`; -1: the material's colour
 };
 
 /// Draws the section: blocks filled by material, joints coloured by set, fixed, prescribed and excavated

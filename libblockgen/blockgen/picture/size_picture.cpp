@@ -16,7 +16,7 @@ constexpr Point upper_left{62, 24}, lower_right{536, 318};
 
 std::vector<double> sorted_areas(const BlockMesh& mesh) {
     std::vector<double> areas;
-    for (std::size_t b = 0; b < mesh.block_count(); ++b) areas.push_back(block_area(mesh, b));
+    for (const BlockIndex b : mesh.blocks()) areas.push_back(block_area(mesh, b));
     std::sort(areas.begin(), areas.end());
     return areas;
 }

@@ -7,7 +7,7 @@
 #include <optional>
 #include <tuple>
 
-#include "blockgen/report/cut_context.hpp"
+#include "blockgen/faces/cut_context.hpp"
 #include "common/base/disjoint_sets.hpp"
 
 namespace rockslope::blockgen {
@@ -30,30 +30,31 @@ double distance(const Point& p, const std::vector<Point>& line, bool closed) {
 
 /// The edges of all traces: those of trace t are edges[first[t]] ... edges[first[t + 1] - 1].
 struct EdgesOfTraces {
-    std::vector<std::int32_t> first, edges;
+    PerJointTrace<std::int32_t> first;
+    std::vector<EdgeIndex> edges;
 
     EdgesOfTraces(const NodedEdges& noded, std::size_t traces, const SourceTable& table)
         : first(traces + 1, 0) {
-        for_each(noded, table, [&](std::size_t t, std::size_t) { ++first[t + 1]; });
+        for_each(noded, table, [&](JointTraceIndex t, EdgeIndex) { ++first[t + 1]; });
         std::partial_sum(first.begin(), first.end(), first.begin());
         edges.resize(first.back());
-        std::vector<std::int32_t> fill(first.begin(), first.end() - 1);
-        for_each(noded, table, [&](std::size_t t, std::size_t e) { edges[fill[t]++] = e; });
+        PerJointTrace<std::int32_t> fill(first.begin(), first.end() - 1);
+        for_each(noded, table, [&](JointTraceIndex t, EdgeIndex e) { edges[fill[t]++] = e; });
     }
 
-    std::span<const std::int32_t> of(std::size_t t) const {
+    std::span<const EdgeIndex> of(JointTraceIndex t) const {
         return std::span(edges).subspan(first[t], first[t + 1] - first[t]);
     }
 
   private:
     template <class Visit>
     static void for_each(const NodedEdges& noded, const SourceTable& table, const Visit& visit) {
-        for (std::size_t e = 0; e < noded.edges.size(); ++e) {
-            std::int32_t last = -1;
+        for (const EdgeIndex e : noded.edges.indices()) {
+            SourceIndex last = SourceIndex::none();
             for (const EdgeSource& s : noded.sources_of(e)) {  // sorted by source
                 if (!table.is_joint(s.source) || s.source == last) continue;
                 last = s.source;
-                visit(s.source - table.first_joint, e);
+                visit(table.trace_of(s.source), e);
             }
         }
     }
@@ -61,10 +62,11 @@ struct EdgesOfTraces {
 
 /// An end of a trace and the vertex to which it was snapped.
 struct TraceEnd {
-    std::int32_t vertex, trace;
+    NodeIndex vertex;
+    JointTraceIndex trace;
     Point point;
     double gap = std::numeric_limits<double>::infinity();  ///< m, distance to the nearest other source there
-    std::int32_t other = -1;                               ///< the nearest other source at the vertex
+    SourceIndex other = SourceIndex::none();               ///< the nearest other source at the vertex
 };
 
 class JointChanges {
@@ -74,7 +76,7 @@ class JointChanges {
 
     std::vector<Change> run() {
         join_ends();
-        for (std::size_t t = 0; t < context_.traces.size(); ++t) {
+        for (const JointTraceIndex t : indices<JointTraceIndex>(context_.traces.size())) {
             prune(t);
             if (t < context_.model.traces.size()) drop(t);
         }
@@ -83,57 +85,57 @@ class JointChanges {
     }
 
   private:
-    Point position(std::int32_t vertex) const {
+    Point position(NodeIndex vertex) const {
         return context_.noded.frame.position(context_.noded.vertices[vertex]);
     }
-    double length_of(std::size_t edge) const {
+    double length_of(EdgeIndex edge) const {
         const Point a = position(context_.noded.edges[edge].first),
                     b = position(context_.noded.edges[edge].second);
         return std::hypot(b.x - a.x, b.y - a.y);
     }
 
     /// The vertex of a trace nearest to its end p, if it is less than two grid steps away in x and y.
-    std::optional<TraceEnd> end_at(std::size_t t, const Point& p) const {
+    std::optional<TraceEnd> end_at(JointTraceIndex t, const Point& p) const {
         double smallest = 2 * context_.noded.frame.step;
         std::optional<TraceEnd> end;
-        for (const std::int32_t e : edges_.of(t))
-            for (const std::int32_t v : {context_.noded.edges[e].first, context_.noded.edges[e].second}) {
+        for (const EdgeIndex e : edges_.of(t))
+            for (const NodeIndex v : {context_.noded.edges[e].first, context_.noded.edges[e].second}) {
                 const Point q = position(v);
                 const double d = std::max(std::abs(q.x - p.x), std::abs(q.y - p.y));
                 if (d >= smallest) continue;
                 smallest = d;
-                end = TraceEnd{v, static_cast<std::int32_t>(t), p};
+                end = TraceEnd{v, t, p};
             }
         return end;
     }
 
     void join_ends() {
         std::vector<TraceEnd> ends;
-        for (std::size_t t = 0; t < context_.traces.size(); ++t)
+        for (const JointTraceIndex t : indices<JointTraceIndex>(context_.traces.size()))
             for (const Point& p : {context_.traces[t].points.front(), context_.traces[t].points.back()})
                 if (const auto end = end_at(t, p)) ends.push_back(*end);
         std::stable_sort(ends.begin(), ends.end(),
                          [](const TraceEnd& a, const TraceEnd& b) { return a.vertex < b.vertex; });
-        std::vector<std::int32_t> first(context_.noded.vertices.size() + 1, 0);
+        PerNode<std::int32_t> first(context_.noded.vertices.size() + 1, 0);
         for (const TraceEnd& end : ends) ++first[end.vertex + 1];
         std::partial_sum(first.begin(), first.end(), first.begin());
-        for (std::size_t e = 0; e < context_.noded.edges.size(); ++e)
-            for (const std::int32_t v : {context_.noded.edges[e].first, context_.noded.edges[e].second})
+        for (const EdgeIndex e : context_.noded.edges.indices())
+            for (const NodeIndex v : {context_.noded.edges[e].first, context_.noded.edges[e].second})
                 for (std::int32_t k = first[v]; k < first[v + 1]; ++k)
                     for (const EdgeSource& s : context_.noded.sources_of(e)) note_source(ends[k], s.source);
         for (const TraceEnd& end : ends) add_joined(end);
     }
 
-    void note_source(TraceEnd& end, std::int32_t source) const {
-        if (source == context_.table.first_joint + end.trace || source == end.other) return;
+    void note_source(TraceEnd& end, SourceIndex source) const {
+        if (source == context_.table.source_of(end.trace) || source == end.other) return;
         const double gap = distance_from(end.point, source);
         if (gap >= end.gap) return;
         end.gap = gap;
         end.other = source;
     }
 
-    double distance_from(const Point& p, std::int32_t source) const {
-        const auto part = [source](const auto& list, std::int32_t first) -> const auto& {
+    double distance_from(const Point& p, SourceIndex source) const {
+        const auto part = [source](const auto& list, SourceIndex first) -> const auto& {
             return list[source - first];
         };
         if (context_.table.is_joint(source))
@@ -157,23 +159,22 @@ class JointChanges {
         // A gap within the rounding of the coordinates is ignored.
         const double rounding = 64 * std::numeric_limits<double>::epsilon() *
                                 std::max(std::abs(end.point.x), std::abs(end.point.y));
-        if (end.other < 0 || !(end.gap > rounding)) return;
+        if (!end.other.exists() || !(end.gap > rounding)) return;
         Change change{
             ChangeKind::end_joined, position(end.vertex), 0, end.gap, name_of(end.trace), "outline"};
-        if (context_.table.is_joint(end.other))
-            change.other = name_of(end.other - context_.table.first_joint);
+        if (context_.table.is_joint(end.other)) change.other = name_of(context_.table.trace_of(end.other));
         changes_.push_back(std::move(change));
     }
 
-    const std::string& name_of(std::int32_t trace) const { return context_.traces[trace].name; }
+    const std::string& name_of(JointTraceIndex trace) const { return context_.traces[trace].name; }
 
     /// Adds a change for each connected run of a trace's edges that have the same block on both sides.
-    void prune(std::size_t t) {
-        std::vector<std::pair<std::int32_t, std::size_t>> ends;  // vertex, number of the pruned edge
-        std::vector<std::size_t> pruned;
-        for (const std::int32_t edge : edges_.of(t)) {
-            const std::size_t e = edge;
-            const std::int32_t left = context_.block_of(2 * e), right = context_.block_of(2 * e + 1);
+    void prune(JointTraceIndex t) {
+        std::vector<std::pair<NodeIndex, std::size_t>> ends;  // vertex, number of the pruned edge
+        std::vector<EdgeIndex> pruned;
+        for (const EdgeIndex e : edges_.of(t)) {
+            const FaceBlockIndex left = context_.block_of(forward_half(e)),
+                                 right = context_.block_of(backward_half(e));
             if (left != right || left == FaceBlocks::outside) continue;
             ends.emplace_back(context_.noded.edges[e].first, pruned.size());
             ends.emplace_back(context_.noded.edges[e].second, pruned.size());
@@ -187,7 +188,7 @@ class JointChanges {
 
         struct Run {
             double length = 0;
-            std::int32_t first = std::numeric_limits<std::int32_t>::max(), last = -1;
+            NodeIndex first = std::numeric_limits<std::int32_t>::max(), last = NodeIndex::none();
         };
         std::vector<Run> of_root(pruned.size());
         for (std::size_t k = 0; k < pruned.size(); ++k) {
@@ -197,7 +198,7 @@ class JointChanges {
             run.last = std::max(run.last, context_.noded.edges[pruned[k]].second);
         }
         for (const Run& run : of_root) {
-            if (run.last < 0) continue;
+            if (!run.last.exists()) continue;
             const Point a = position(run.first), b = position(run.last);
             changes_.push_back({ChangeKind::piece_pruned,
                                 {(a.x + b.x) / 2, (a.y + b.y) / 2},
@@ -209,12 +210,11 @@ class JointChanges {
     }
 
     /// Adds a change for a given trace if no piece of it lies inside the rock.
-    void drop(std::size_t t) {
+    void drop(JointTraceIndex t) {
         bool in_rock = false, on_face = false;
-        for (const std::int32_t edge : edges_.of(t)) {
-            const std::size_t e = edge;
-            const bool left = context_.block_of(2 * e) != FaceBlocks::outside,
-                       right = context_.block_of(2 * e + 1) != FaceBlocks::outside;
+        for (const EdgeIndex e : edges_.of(t)) {
+            const bool left = context_.block_of(forward_half(e)) != FaceBlocks::outside,
+                       right = context_.block_of(backward_half(e)) != FaceBlocks::outside;
             in_rock = in_rock || (left && right);
             on_face = on_face || left != right;
         }

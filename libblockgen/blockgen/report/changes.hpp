@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "blockgen/report/cut_context.hpp"
+#include "blockgen/faces/cut_context.hpp"
 
 namespace rockslope::blockgen {
 

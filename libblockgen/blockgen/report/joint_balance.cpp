@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <unordered_map>
 
+#include "blockgen/faces/cut_context.hpp"
 #include "blockgen/input/domain.hpp"
-#include "blockgen/report/cut_context.hpp"
 #include "blockgen/sampling/rock_domain.hpp"
 
 namespace rockslope::blockgen {
@@ -57,6 +57,11 @@ struct AxialSums {
     double mean_direction() const { return std::atan2(sine, cosine) / 2; }
 };
 
+/// A row of the balance: all traces of one name.
+using RowIndex = Index<struct BalanceRowKind>;
+template <class T>
+using PerRow = IndexedVector<RowIndex, T>;
+
 /// Balance of the length of one trace, m.
 struct TraceLengths {
     double retained = 0, pruned = 0, on_boundary = 0, outside = 0;
@@ -74,8 +79,8 @@ class NetworkMeasure {
 
     NetworkReport run(double rock_area) {
         add_edges();
-        for (std::size_t t = 0; t < context_.traces.size(); ++t) add_trace(t);
-        for (std::size_t r = 0; r < report_.joints.size(); ++r) {
+        for (const JointTraceIndex t : trace_lengths_.indices()) add_trace(t);
+        for (const RowIndex r : sums_.indices()) {
             JointBalance& b = report_.joints[r];
             const JointSet* set = set_of(b.name);
             const bool is_local = set != nullptr && !set->region.empty();
@@ -92,7 +97,7 @@ class NetworkMeasure {
 
   private:
     void assign_rows() {
-        std::unordered_map<std::string, std::size_t> row_of_name;
+        std::unordered_map<std::string, RowIndex> row_of_name;
         for (const Trace& trace : context_.traces) {
             const auto [found, is_new] = row_of_name.emplace(trace.name, report_.joints.size());
             if (is_new) report_.joints.push_back({trace.name});
@@ -125,14 +130,16 @@ class NetworkMeasure {
 
     /// The direction onto which lengths are projected for P10, rad: the nominal mean direction of a set, or
     /// the mean direction of given traces and of Voronoi edges.
-    double mean_direction(std::size_t row) const {
+    double mean_direction(RowIndex row) const {
         const JointSet* set = set_of(report_.joints[row].name);
         return set != nullptr && set->kind != SetKind::voronoi ? set->orientation.mean_angle()
                                                                : sums_[row].mean_direction();
     }
 
-    bool is_rock(std::size_t half_edge) const { return context_.block_of(half_edge) != FaceBlocks::outside; }
-    Point vector_of(std::size_t e) const {
+    bool is_rock(HalfEdgeIndex half_edge) const {
+        return context_.block_of(half_edge) != FaceBlocks::outside;
+    }
+    Point vector_of(EdgeIndex e) const {
         const GridPoint& a = context_.noded.vertices[context_.noded.edges[e].first];
         const GridPoint& b = context_.noded.vertices[context_.noded.edges[e].second];
         return {context_.noded.frame.step * static_cast<double>(b.x - a.x),
@@ -140,35 +147,35 @@ class NetworkMeasure {
     }
 
     template <class Visit>
-    void for_each_joint_of(std::size_t edge, const Visit& visit) const {
-        std::int32_t last = -1;
+    void for_each_joint_of(EdgeIndex edge, const Visit& visit) const {
+        SourceIndex last = SourceIndex::none();
         for (const EdgeSource& s : context_.noded.sources_of(edge)) {  // sorted by source
             if (!context_.table.is_joint(s.source) || s.source == last) continue;
             last = s.source;
-            visit(s.source - context_.table.first_joint);
+            visit(context_.table.trace_of(s.source));
         }
     }
 
     void add_edges() {
-        for (std::size_t e = 0; e < context_.noded.edges.size(); ++e)
-            for_each_joint_of(e, [&](std::size_t t) { add_edge(e, t); });
-        std::vector<Point> mean;
-        for (std::size_t r = 0; r < sums_.size(); ++r) {
+        for (const EdgeIndex e : context_.noded.edges.indices())
+            for_each_joint_of(e, [&](JointTraceIndex t) { add_edge(e, t); });
+        PerRow<Point> mean;
+        for (const RowIndex r : sums_.indices()) {
             const double angle = mean_direction(r);
             mean.push_back({std::cos(angle), std::sin(angle)});
         }
-        for (std::size_t e = 0; e < context_.noded.edges.size(); ++e)
-            for_each_joint_of(e, [&](std::size_t t) {
-                if (!is_rock(2 * e) || !is_rock(2 * e + 1)) return;
+        for (const EdgeIndex e : context_.noded.edges.indices())
+            for_each_joint_of(e, [&](JointTraceIndex t) {
+                if (!is_rock(forward_half(e)) || !is_rock(backward_half(e))) return;
                 const Point v = vector_of(e), u = mean[row_[t]];
                 projected_length_[row_[t]] += std::abs(v.x * u.x + v.y * u.y);
             });
     }
 
-    void add_edge(std::size_t e, std::size_t t) {
+    void add_edge(EdgeIndex e, JointTraceIndex t) {
         const Point v = vector_of(e);
         const double length = std::hypot(v.x, v.y);
-        const bool left = is_rock(2 * e), right = is_rock(2 * e + 1);
+        const bool left = is_rock(forward_half(e)), right = is_rock(backward_half(e));
         TraceLengths& lengths = trace_lengths_[t];
         ++lengths.edges;
         if (left != right)
@@ -176,12 +183,13 @@ class NetworkMeasure {
         else if (!left)
             lengths.outside += length;
         else
-            (context_.block_of(2 * e) == context_.block_of(2 * e + 1) ? lengths.pruned : lengths.retained) +=
+            (context_.block_of(forward_half(e)) == context_.block_of(backward_half(e)) ? lengths.pruned
+                                                                                       : lengths.retained) +=
                 length;
         if (left && right) sums_[row_[t]].add(v.x, v.y);
     }
 
-    void add_trace(std::size_t t) {
+    void add_trace(JointTraceIndex t) {
         TraceLengths& lengths = trace_lengths_[t];
         JointBalance& b = report_.joints[row_[t]];
         const double input = length_of(context_.traces[t]);
@@ -205,21 +213,21 @@ class NetworkMeasure {
     }
 
     void count_nodes() {
-        std::vector<unsigned char> branches(context_.noded.vertices.size(), 0),
+        PerNode<unsigned char> branches(context_.noded.vertices.size(), 0),
             at_face(context_.noded.vertices.size(), 0);
-        for (std::size_t e = 0; e < context_.noded.edges.size(); ++e) {
+        for (const EdgeIndex e : context_.noded.edges.indices()) {
             const auto sources = context_.noded.sources_of(e);
             const bool is_joint = std::any_of(sources.begin(), sources.end(), [&](const EdgeSource& s) {
                 return context_.table.is_joint(s.source);
             });
-            for (const std::int32_t v : {context_.noded.edges[e].first, context_.noded.edges[e].second}) {
-                const std::size_t i = v;
-                if (is_rock(2 * e) != is_rock(2 * e + 1)) at_face[i] = 1;
-                if (is_joint && is_rock(2 * e) && is_rock(2 * e + 1) && branches[i] < 255) ++branches[i];
+            const bool left = is_rock(forward_half(e)), right = is_rock(backward_half(e));
+            for (const NodeIndex v : {context_.noded.edges[e].first, context_.noded.edges[e].second}) {
+                if (left != right) at_face[v] = 1;
+                if (is_joint && left && right && branches[v] < 255) ++branches[v];
             }
         }
         NodeCounts& n = report_.nodes;
-        for (std::size_t v = 0; v < branches.size(); ++v) {
+        for (const NodeIndex v : branches.indices()) {
             if (branches[v] == 0) continue;
             if (at_face[v])
                 ++n.edge;
@@ -234,8 +242,9 @@ class NetworkMeasure {
         struct Dropped {
             std::size_t points = 0, outside = 0, on_boundary = 0;
         };
-        std::vector<Dropped> dropped(report_.joints.size());
-        for (std::size_t t = 0; t < std::min(context_.traces.size(), context_.model.traces.size()); ++t) {
+        PerRow<Dropped> dropped(report_.joints.size());
+        const std::size_t given = std::min(context_.traces.size(), context_.model.traces.size());
+        for (const JointTraceIndex t : indices<JointTraceIndex>(given)) {
             const TraceLengths& lengths = trace_lengths_[t];
             Dropped& row = dropped[row_[t]];
             if (lengths.in_rock() > 0) continue;
@@ -244,7 +253,7 @@ class NetworkMeasure {
             else
                 ++(length_of(context_.traces[t]) < context_.noded.frame.step ? row.points : row.outside);
         }
-        for (std::size_t r = 0; r < dropped.size(); ++r) {
+        for (const RowIndex r : dropped.indices()) {
             add_warning(r, dropped[r].points, "has no length on this grid and is dropped",
                         "have no length on this grid and are dropped");
             add_warning(r, dropped[r].outside, "lies outside the rock and is dropped",
@@ -254,17 +263,17 @@ class NetworkMeasure {
         }
     }
 
-    void add_warning(std::size_t row, std::size_t count, const std::string& one, const std::string& many) {
+    void add_warning(RowIndex row, std::size_t count, const std::string& one, const std::string& many) {
         if (count > 0)
             report_.warnings.push_back(std::to_string(count) + (count == 1 ? " trace" : " traces") + " of '" +
                                        report_.joints[row].name + "' " + (count == 1 ? one : many));
     }
 
     CutContext context_;
-    std::vector<TraceLengths> trace_lengths_;
-    std::vector<std::size_t> row_;
-    std::vector<AxialSums> sums_;
-    std::vector<double> projected_length_;  ///< per row: length projected onto the mean direction, m
+    PerJointTrace<TraceLengths> trace_lengths_;
+    PerJointTrace<RowIndex> row_;
+    PerRow<AxialSums> sums_;
+    PerRow<double> projected_length_;  ///< length projected onto the mean direction, m
     NetworkReport report_;
 };
 

@@ -18,7 +18,7 @@ struct Face {
     double tolerance = 0;  ///< d.n may be negative by this much, because snapping rotates the edge
     double offset = 0;     ///< distance of its line from the first vertex of its ring, m
     double length = 0;     ///< m
-    std::int32_t joint;    ///< -1 for a fixed side or a change of material
+    JointIndex joint;      ///< none for a fixed side or a change of material
     double friction = 0;   ///< tangent of the friction angle
 };
 
@@ -43,7 +43,7 @@ class BlockScreen {
 
     KinematicReport run() {
         KinematicReport report;
-        for (std::size_t b = 0; b < mesh_.block_count(); ++b) {
+        for (const BlockIndex b : mesh_.blocks()) {
             KeyBlock key;
             key.block = b;
             key.mode = mode_of(b, key);
@@ -75,12 +75,12 @@ class BlockScreen {
         return false;
     }
 
-    double friction_of(std::int32_t joint_material) const {
-        return joint_material < 0 ? std::tan(screen_.friction_angle) : friction_[joint_material];
+    double friction_of(JointMaterialIndex joint_material) const {
+        return joint_material.exists() ? friction_[joint_material] : std::tan(screen_.friction_angle);
     }
 
     /// Collects the faces of a block. @return whether the block has a free edge.
-    bool collect_faces(std::size_t b) {
+    bool collect_faces(BlockIndex b) {
         faces_.clear();
         bool free = false;
         for (std::size_t r = 0; r < mesh_.ring_count(b); ++r) {
@@ -110,11 +110,11 @@ class BlockScreen {
                            [&](const Face& f) { return dot(d, inward(f)) >= -f.tolerance; });
     }
 
-    BlockMode mode_of(std::size_t b, KeyBlock& key) {
+    BlockMode mode_of(BlockIndex b, KeyBlock& key) {
         if (mesh_.motion[b] != BlockMotion::free || !collect_faces(b)) return BlockMode::enclosed;
         const Point down{0, -1};
         if (may_move(down) && std::none_of(faces_.begin(), faces_.end(), [&](const Face& f) {
-                return std::abs(dot(down, inward(f))) <= f.tolerance && f.joint >= 0;
+                return std::abs(dot(down, inward(f))) <= f.tolerance && f.joint.exists();
             })) {
             key.direction = down;
             return BlockMode::falling;
@@ -168,7 +168,7 @@ class BlockScreen {
     const KinematicScreen& screen_;
     Bounds bounds_;
     double grid_;
-    std::vector<double> friction_;  ///< per joint material: tangent of its friction angle
+    PerJointMaterial<double> friction_;  ///< tangent of its friction angle
     std::vector<Face> faces_;
 };
 

@@ -22,16 +22,16 @@ enum class BlockMode : std::uint8_t {
 
 /// A removable block that moves under its weight.
 struct KeyBlock {
-    std::int32_t block = 0;
+    BlockIndex block = 0;
     BlockMode mode = BlockMode::falling;
     Point direction;              ///< of the first movement, a unit vector
     double factor_of_safety = 0;  ///< frictional resistance over driving force; 0 for a falling block
-    std::int32_t joint = -1;      ///< the joint of sliding, index into BlockMesh::joints; -1 when it falls
-    double area = 0;              ///< m2
+    JointIndex joint = JointIndex::none();  ///< the joint of sliding; none when it falls
+    double area = 0;                        ///< m2
 };
 
 struct KinematicReport {
-    std::vector<BlockMode> mode;   ///< per block
+    PerBlock<BlockMode> mode;
     std::vector<KeyBlock> blocks;  ///< sorted by factor of safety, then by number
 };
 

@@ -108,7 +108,7 @@ void kinematics_table(Page& page, const KinematicReport& k) {
     if (k.blocks.empty()) return;
     page.line("  block   mode                      safety    area m2");
     for (const KeyBlock& b : k.blocks)
-        page.line("  %5d   %s %10.3f %10.4g", b.block, (padded(label_of(b.mode)) + "  ").c_str(),
+        page.line("  %5d   %s %10.3f %10.4g", b.block.value(), (padded(label_of(b.mode)) + "  ").c_str(),
                   b.factor_of_safety, b.area);
 }
 

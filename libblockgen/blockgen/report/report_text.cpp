@@ -37,12 +37,12 @@ nlohmann::ordered_json kinematics_json(const KinematicReport& report) {
                                  BlockMode::falling, BlockMode::sliding, BlockMode::sliding_two_faces})
         counts[label_of(mode)] = std::count(report.mode.begin(), report.mode.end(), mode);
     for (const KeyBlock& b : report.blocks) {
-        Json row = {{"block", b.block},
+        Json row = {{"block", b.block.value()},
                     {"mode", label_of(b.mode)},
                     {"factor_of_safety", b.factor_of_safety},
                     {"direction", {b.direction.x, b.direction.y}},
                     {"area_m2", b.area}};
-        if (b.joint >= 0) row["joint"] = b.joint;
+        if (b.joint.exists()) row["joint"] = b.joint.value();
         blocks.push_back(std::move(row));
     }
     return {{"counts", counts}, {"blocks", blocks}};

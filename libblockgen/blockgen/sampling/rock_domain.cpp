@@ -23,15 +23,15 @@ double area_of(const SlopeModel& model, const Ring* region) {
     const NodedEdges noded = node_joints(source_segments(bare, {}, table), bare.grid);
     const Subdivision subdivision = arrange(noded);
     const FaceBlocks faces = classify_faces(noded, subdivision, bare, table);
-    const auto counts = [&](std::size_t half_edge) {
-        const std::int32_t block = faces.block[subdivision.face[half_edge]];
+    const auto counts = [&](HalfEdgeIndex half_edge) {
+        const FaceBlockIndex block = faces.block[subdivision.face[half_edge]];
         return block != FaceBlocks::outside && (region == nullptr || faces.material[block] == 1);
     };
     Int128 twice = 0;
-    for (std::size_t e = 0; e < noded.edges.size(); ++e)
+    for (const EdgeIndex e : noded.edges.indices())
         twice +=
             twice_area({0, 0}, noded.vertices[noded.edges[e].first], noded.vertices[noded.edges[e].second]) *
-            (int{counts(2 * e)} - int{counts(2 * e + 1)});
+            (int{counts(forward_half(e))} - int{counts(backward_half(e))});
     return static_cast<double>(twice) / 2 * noded.frame.step * noded.frame.step;
 }
 

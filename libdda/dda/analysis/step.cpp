@@ -253,11 +253,10 @@ TimeStepper::Step TimeStepper::prepare(const Stage& stage, const State& state, d
     step.springs =
         contact_springs(model_, rows_, step.mid, step.prescribed.displacement, step.contacts.contacts, pool_);
     step.bolts = bolt_springs(model_, rows_, step.mid, step.prescribed.displacement);
-    const double end = state.stage_time + dt;
-    step.fields = advance_fields(model_, stage, state.blocks, state.free_fields, end, step.newmark);
-    step.boundaries =
-        boundary_terms(model_, rows_, step.mid, stage, end, state.boundary_reactions, step.fields);
-    step.loads = {load_time(stage, state, dt), frame_acceleration_over_step(stage, dt, end)};
+    const StageInstant end{.stage = stage, .time = state.stage_time + dt};
+    step.fields = advance_fields(model_, end, state.blocks, state.free_fields, step.newmark);
+    step.boundaries = boundary_terms(model_, rows_, step.mid, end, state.boundary_reactions, step.fields);
+    step.loads = {load_time(stage, state, dt), frame_acceleration_over_step(stage, dt, end.time)};
     assemble_base(stage, state, step);
     end_of(Phase::preparation, times_);
     return step;

@@ -68,8 +68,8 @@ constexpr double straightness_tolerance = 2e-6;
 
 /// Indices of the vertices of a ring that become corners: all, or with StraightCorners::drop those at which
 /// the face turns or its joint changes. The others mark corners of blocks on the other side.
-std::vector<std::size_t> kept_corners(const blockgen::BlockMesh& mesh, std::size_t block, std::size_t ring,
-                                      StraightCorners straight) {
+std::vector<std::size_t> kept_corners(const blockgen::BlockMesh& mesh, blockgen::BlockIndex block,
+                                      std::size_t ring, StraightCorners straight) {
     const auto vertices = mesh.ring(block, ring);
     const auto marks = mesh.ring_marks(block, ring);
     const std::size_t count = vertices.size();
@@ -88,9 +88,11 @@ std::vector<std::size_t> kept_corners(const blockgen::BlockMesh& mesh, std::size
     return kept;
 }
 
-void add_blocks(const blockgen::BlockMesh& mesh, const std::vector<std::size_t>& block_materials,
-                const std::vector<std::size_t>& joint_materials, StraightCorners straight, Model& model) {
-    for (std::size_t block = 0; block < mesh.block_count(); ++block) {
+void add_blocks(const blockgen::BlockMesh& mesh,
+                const blockgen::PerBlockMaterial<std::size_t>& block_materials,
+                const blockgen::PerJointMaterial<std::size_t>& joint_materials, StraightCorners straight,
+                Model& model) {
+    for (const blockgen::BlockIndex block : mesh.blocks()) {
         std::vector<std::vector<std::size_t>> kept;
         std::vector<int> ring_sizes;
         for (std::size_t ring = 0; ring < mesh.ring_count(block); ++ring) {
@@ -101,12 +103,12 @@ void add_blocks(const blockgen::BlockMesh& mesh, const std::vector<std::size_t>&
         model.topology.add_block(ring_sizes);
         for (std::size_t ring = 0; ring < mesh.ring_count(block); ++ring) {
             for (const std::size_t k : kept[ring]) {
-                const auto vertex = mesh.ring(block, ring)[k];
+                const blockgen::VertexIndex vertex = mesh.ring(block, ring)[k];
                 model.vertices.push_back(vector_of(mesh.vertices[vertex]) - model.origin);
                 const blockgen::EdgeMark& mark = mesh.ring_marks(block, ring)[k];
                 const bool is_joint = mark.joint_material != blockgen::EdgeMark::no_joint;
                 if (is_joint) model.topology.joint_material[edge] = joint_materials[mark.joint_material];
-                model.topology.joint[edge] = mark.joint;
+                model.topology.joint[edge] = mark.joint.value();
                 ++edge;
             }
         }
@@ -132,10 +134,14 @@ void add_mesh(const blockgen::BlockMesh& mesh, const std::string& mesh_file,
     for (const blockgen::Joint& joint : mesh.joints) model.joint_sets.push_back(joint.set);
     for (const blockgen::MeasuredPoint& point : mesh.measured_points)
         model.measured_points.push_back(
-            {point.name, add_material_point(model, point.block, vector_of(point.position) - model.origin)});
+            {point.name,
+             add_material_point(model, point.block.value(), vector_of(point.position) - model.origin)});
 
-    for (const blockgen::ExcavatedBlocks& e : mesh.excavations)
-        model.excavations.push_back({e.name, e.stage, {e.blocks.begin(), e.blocks.end()}});
+    for (const blockgen::ExcavatedBlocks& e : mesh.excavations) {
+        model.excavations.push_back({e.name, e.stage, {}});
+        for (const blockgen::BlockIndex block : e.blocks)
+            model.excavations.back().blocks.push_back(block.value());
+    }
 
     std::vector<std::string> material_names;
     for (const blockgen::Bolt& bolt : mesh.bolts) material_names.push_back(bolt.material);
@@ -145,8 +151,9 @@ void add_mesh(const blockgen::BlockMesh& mesh, const std::string& mesh_file,
         const blockgen::Bolt& bolt = mesh.bolts[i];
         const BoltMaterial& material = bolt_materials[materials[i]];
         model.bolts.push_back(
-            {bolt.name, add_material_point(model, bolt.first_block, vector_of(bolt.first) - model.origin),
-             add_material_point(model, bolt.second_block, vector_of(bolt.second) - model.origin),
+            {bolt.name,
+             add_material_point(model, bolt.first_block.value(), vector_of(bolt.first) - model.origin),
+             add_material_point(model, bolt.second_block.value(), vector_of(bolt.second) - model.origin),
              material.axial_stiffness, material.pretension, material.yield_force});
     }
 }

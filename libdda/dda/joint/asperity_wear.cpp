@@ -53,13 +53,13 @@ Bound bound_at(const AsperitySurface& surface, double work, bool away, double no
 class AsperityShearPath {
   public:
     AsperityShearPath(const AsperitySurface& surface, const AsperityHistory& history, double normal_force,
-                      double length, double stiffness, double shear_force, bool dilates)
+                      double length, const ShearSpring& spring, bool dilates)
         : surface_(surface),
           history_(history),
           normal_force_(normal_force),
           length_(length),
-          stiffness_(stiffness),
-          force_(shear_force),
+          stiffness_(spring.stiffness),
+          force_(spring.force),
           dilates_(dilates) {}
 
     void displace(double displacement, double prescribed_slip) {
@@ -219,7 +219,8 @@ class AsperityShearPath {
 Strength asperity_strength(const AsperitySurface& surface, const AsperityHistory& history,
                            double normal_force, double length, const ShearTrial& trial) {
     if (!(normal_force > 0)) return {};
-    AsperityShearPath path(surface, history, normal_force, length, trial.stiffness, trial.shear_force, false);
+    AsperityShearPath path(surface, history, normal_force, length,
+                           {.stiffness = trial.stiffness, .force = trial.shear_force}, false);
     path.displace(trial.displacement, 0);
     Strength strength = {path.bound(1).value, path.bound(-1).value, 0};
     // A joint that slipped back to the origin has a smaller force than the strength beyond it.
@@ -256,8 +257,8 @@ double read_asperity_wear(const ParameterTable& table, const char* key) {
 AsperityHistory asperity_advance(const AsperitySurface& surface, const AsperityHistory& history,
                                  const ContactMotion& motion) {
     if (!(motion.normal_force > 0)) return history;
-    AsperityShearPath path(surface, history, motion.normal_force, motion.length, motion.stiffness,
-                           motion.shear_force, true);
+    AsperityShearPath path(surface, history, motion.normal_force, motion.length,
+                           {.stiffness = motion.stiffness, .force = motion.shear_force}, true);
     path.displace(motion.displacement, motion.slip);
     return path.history();
 }

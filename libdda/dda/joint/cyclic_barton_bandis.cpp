@@ -75,7 +75,8 @@ Strength CyclicBartonBandis::strength(const History& history, double normal_forc
         if (const auto found = closed_form_strength(*this, history, normal_force, length, trial))
             return *found;
     }
-    CyclicShearPath path(*this, history, normal_force, length, trial.stiffness, trial.shear_force,
+    CyclicShearPath path(*this, history, normal_force, length,
+                         {.stiffness = trial.stiffness, .force = trial.shear_force},
                          CyclicShearPath::Purpose::strength);
     if (trial.displacement == 0) return {path.bound(1), path.bound(-1), 0};
     if (trial.stiffness > 0)
@@ -95,8 +96,7 @@ Strength CyclicBartonBandis::strength(const History& history, double normal_forc
 Strength CyclicBartonBandis::strength_slope(const History& history, double normal_force,
                                             double length) const {
     if (!(normal_force > 0)) return {};
-    const CyclicShearPath path(*this, history, normal_force, length, 0, 0,
-                               CyclicShearPath::Purpose::strength);
+    const CyclicShearPath path(*this, history, normal_force, length, {}, CyclicShearPath::Purpose::strength);
     const auto slope = [&](int direction) {
         const double ratio = path.bound_ratio(direction);
         if (!(asymmetric && history.forward != 0 && direction != history.forward))
@@ -124,8 +124,9 @@ CyclicBartonBandis::History CyclicBartonBandis::advance(const History& history,
                                     {motion.displacement, motion.shear_force, motion.stiffness}))
             return *found;
     }
-    CyclicShearPath path(*this, loaded, motion.normal_force, motion.length, motion.stiffness,
-                         motion.shear_force, CyclicShearPath::Purpose::history);
+    CyclicShearPath path(*this, loaded, motion.normal_force, motion.length,
+                         {.stiffness = motion.stiffness, .force = motion.shear_force},
+                         CyclicShearPath::Purpose::history);
     if (motion.stiffness > 0)
         path.displace(motion.displacement);
     else

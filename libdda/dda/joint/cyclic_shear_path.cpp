@@ -73,15 +73,15 @@ double TangentCache::operator()(double angle) const {
 }
 
 CyclicShearPath::CyclicShearPath(const Law& law, const Law::History& history, double normal_force,
-                                 double length, double stiffness, double shear_force, Purpose purpose)
+                                 double length, const ShearSpring& spring, Purpose purpose)
     : law_(law),
       history_(history),
       mobilised_(law_, history_),
       normal_force_(normal_force),
-      stiffness_(stiffness),
+      stiffness_(spring.stiffness),
       damage_(purpose == Purpose::history ? law.damage : 0),
       roughness_(law.barton.roughness_angle(normal_force, law.stressed_length(length))),
-      force_(shear_force),
+      force_(spring.force),
       purpose_(purpose) {}
 
 void CyclicShearPath::displace(double displacement) {

@@ -32,10 +32,9 @@ class CyclicShearPath {
     /// values for the results; a history contains both.
     enum class Purpose { strength, history };
 
-    /// @param normal_force N per metre, positive; @param stiffness N/m per metre, of the shear spring.
+    /// @param normal_force N per metre, positive; @param length m.
     CyclicShearPath(const CyclicBartonBandis& law, const CyclicBartonBandis::History& history,
-                    double normal_force, double length, double stiffness, double shear_force,
-                    Purpose purpose);
+                    double normal_force, double length, const ShearSpring& spring, Purpose purpose);
     CyclicShearPath(const CyclicShearPath&) = delete;
     CyclicShearPath& operator=(const CyclicShearPath&) = delete;
 

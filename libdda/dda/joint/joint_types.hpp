@@ -47,6 +47,12 @@ struct CoulombEnvelope {
 template <class History>
 using NoCommonHistories = std::array<History, 0>;
 
+/// The shear spring of a contact at the start of a displacement.
+struct ShearSpring {
+    double stiffness = 0;  ///< N/m per metre; 0: unknown
+    double force = 0;      ///< N per metre
+};
+
 /// A trial tangential displacement. A law whose strength depends on the position evaluates it at the end of
 /// the displacement; other laws ignore it.
 struct ShearTrial {

@@ -162,8 +162,7 @@ std::vector<InputFile> hash_files(const std::vector<std::filesystem::path>& file
 }
 
 std::string summary_text(const Model& model, const std::vector<Stage>& stages, const State& state,
-                         const RunOutcome& outcome, const Results& results, const std::string& version,
-                         const std::vector<InputFile>& inputs) {
+                         const RunOutcome& outcome, const Results& results, const Provenance& provenance) {
     Json json;
     json["status"] = status_name(outcome.status);
     json["message"] = outcome.message;
@@ -186,9 +185,9 @@ std::string summary_text(const Model& model, const std::vector<Stage>& stages, c
     json["energy"] = energy_json(state.energy);
     if (!results.state().trials.empty()) json["factor_of_safety"] = factor_of_safety(results.state().trials);
     json["units"] = "SI, per metre of thickness";
-    json["version"] = version;
+    json["version"] = provenance.version;
     json["inputs"] = Json::array();
-    for (const InputFile& input : inputs)
+    for (const InputFile& input : provenance.inputs)
         json["inputs"].push_back({{"file", input.path}, {"sha256", input.sha256}});
     return json.dump(2) + "\n";
 }

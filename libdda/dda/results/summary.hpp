@@ -15,13 +15,18 @@ struct InputFile {
     std::string sha256;
 };
 
+/// What a run was made from.
+struct Provenance {
+    std::string version;  ///< of the program
+    std::vector<InputFile> inputs;
+};
+
 /// Reads and hashes files. @throws InputError for one that cannot be read.
 std::vector<InputFile> hash_files(const std::vector<std::filesystem::path>& files);
 
 /// The summary of a run as JSON text: outcome, stage, peaks, energies, contacts, wall time, version and
 /// inputs.
 std::string summary_text(const Model& model, const std::vector<Stage>& stages, const State& state,
-                         const RunOutcome& outcome, const Results& results, const std::string& version,
-                         const std::vector<InputFile>& inputs);
+                         const RunOutcome& outcome, const Results& results, const Provenance& provenance);
 
 }  // namespace rockslope::dda

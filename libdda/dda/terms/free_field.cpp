@@ -87,10 +87,10 @@ std::vector<double> chain_step(const Chain& chain, const ColumnMotion& motion, i
     return system.solution();
 }
 
-ColumnMotion advance_column(const Model& model, const Stage& stage, const BlockSystem& blocks,
-                            const FreeField& field, const ColumnMotion& before, double stage_time,
-                            const Newmark& newmark) {
-    const IncidentMotion wave = incident_motion(stage, field.base_boundary, stage_time);
+ColumnMotion advance_column(const Model& model, const StageInstant& end, const BlockSystem& blocks,
+                            const FreeField& field, const ColumnMotion& before, const Newmark& newmark) {
+    const Stage& stage = end.stage;
+    const IncidentMotion wave = incident_motion(end, field.base_boundary);
     ColumnMotion after = before;
     for (const int axis : {0, 1}) {
         const Chain chain = chain_of(model, field, blocks, axis, newmark.dt);
@@ -119,13 +119,13 @@ FreeFieldMotions fields_at_rest(const Model& model) {
     return motions;
 }
 
-FreeFieldMotions advance_fields(const Model& model, const Stage& stage, const BlockSystem& blocks,
-                                const FreeFieldMotions& before, double stage_time, const Newmark& newmark) {
+FreeFieldMotions advance_fields(const Model& model, const StageInstant& end, const BlockSystem& blocks,
+                                const FreeFieldMotions& before, const Newmark& newmark) {
     FreeFieldMotions after = fields_at_rest(model);
-    if (stage.kind != StageKind::dynamic) return after;
+    if (end.stage.kind != StageKind::dynamic) return after;
     for (std::size_t k = 0; k < model.viscous_boundaries.size(); ++k) {
         const auto& field = model.viscous_boundaries[k].free_field;
-        if (field) after[k] = advance_column(model, stage, blocks, *field, before[k], stage_time, newmark);
+        if (field) after[k] = advance_column(model, end, blocks, *field, before[k], newmark);
     }
     return after;
 }
@@ -142,12 +142,12 @@ FieldPoint field_at(const Model& model, const FreeField& field, const ColumnMoti
             {modulus(0, 1) * strain.y(), modulus(2, 2) * strain.x()}};
 }
 
-IncidentMotion incident_motion(const Stage& stage, const std::string& boundary, double stage_time) {
+IncidentMotion incident_motion(const StageInstant& instant, const std::string& boundary) {
     IncidentMotion sum;
-    for (const IncidentWave& wave : stage.incident_waves) {
+    for (const IncidentWave& wave : instant.stage.incident_waves) {
         if (!wave.boundary.empty() && wave.boundary != boundary) continue;
-        (wave.x_is_traction ? sum.traction : sum.velocity).x() += within_table(wave.x, stage_time);
-        (wave.y_is_traction ? sum.traction : sum.velocity).y() += within_table(wave.y, stage_time);
+        (wave.x_is_traction ? sum.traction : sum.velocity).x() += within_table(wave.x, instant.time);
+        (wave.y_is_traction ? sum.traction : sum.velocity).y() += within_table(wave.y, instant.time);
     }
     return sum;
 }

@@ -7,6 +7,12 @@
 
 namespace rockslope::dda {
 
+/// An instant of a stage.
+struct StageInstant {
+    const Stage& stage;
+    double time;  ///< s, since the start of the stage
+};
+
 /// The motion of a free-field column, per node from the base up.
 struct ColumnMotion {
     std::vector<Vec2> displacement;  ///< m, since the start of the dynamic stages
@@ -21,9 +27,9 @@ FreeFieldMotions fields_at_rest(const Model& model);
 /// Advances the free-field columns by one step, Eqs. (51) and (52): linear elements with the same Newmark
 /// integration and damping as the blocks beside them, and dashpots and incident wave at the base. The blocks
 /// do not act on the columns. Columns are at rest in static stages.
-/// @param blocks provide the damping; @param stage_time s, at the end of the step.
-FreeFieldMotions advance_fields(const Model& model, const Stage& stage, const BlockSystem& blocks,
-                                const FreeFieldMotions& before, double stage_time, const Newmark& newmark);
+/// @param end of the step; @param blocks provide the damping.
+FreeFieldMotions advance_fields(const Model& model, const StageInstant& end, const BlockSystem& blocks,
+                                const FreeFieldMotions& before, const Newmark& newmark);
 
 /// Velocity and traction of a column at a height.
 struct FieldPoint {
@@ -39,6 +45,6 @@ struct IncidentMotion {
     Vec2 traction = Vec2::Zero();  ///< Pa, traction of the wave on the rock
 };
 /// The sum of the stage's incident waves at the boundary named `boundary`.
-IncidentMotion incident_motion(const Stage& stage, const std::string& boundary, double stage_time);
+IncidentMotion incident_motion(const StageInstant& instant, const std::string& boundary);
 
 }  // namespace rockslope::dda

@@ -30,6 +30,13 @@ Eigen::Matrix2d restraint_stiffness(const Model& model, const ViscousBoundary& b
     return along_face(point, boundary.hold == Hold::none ? 0 : k, boundary.hold == Hold::both ? k : 0);
 }
 
+/// The dashpots of a face, and the motion of the rock beyond it.
+struct FaceDashpots {
+    Vec2 impedance;              ///< normal and shear, Pa s/m
+    const ColumnMotion& column;  ///< beside the face; empty without a free field
+    IncidentMotion wave;
+};
+
 /// The dashpots of a point: their force on the rock is drive - damping * velocity, N per metre.
 struct DashpotForce {
     Eigen::Matrix2d damping = Eigen::Matrix2d::Zero();  ///< N s/m per metre
@@ -37,16 +44,16 @@ struct DashpotForce {
 };
 
 /// Eq. (48) where waves come in, Eq. (53) beside a free field.
-DashpotForce dashpot_force(const Model& model, const ViscousBoundary& boundary, const FacePoint& point,
-                           const Vec2& z, const ColumnMotion& column, const IncidentMotion& wave,
-                           double height) {
+/// @param height of the point, m.
+DashpotForce dashpot_force(const Model& model, const ViscousBoundary& boundary, const FaceDashpots& dashpots,
+                           const FacePoint& point, double height) {
     DashpotForce force;
-    force.damping = point.weight * along_face(point, z[0], z[1]);
+    force.damping = point.weight * along_face(point, dashpots.impedance[0], dashpots.impedance[1]);
     if (!boundary.free_field) {
-        force.drive = 2 * (force.damping * wave.velocity + point.weight * wave.traction);
+        force.drive = 2 * (force.damping * dashpots.wave.velocity + point.weight * dashpots.wave.traction);
         return force;
     }
-    const FieldPoint field = field_at(model, *boundary.free_field, column, height);
+    const FieldPoint field = field_at(model, *boundary.free_field, dashpots.column, height);
     const double outward = point.normal.x() < 0 ? -1 : 1;
     force.drive = force.damping * field.velocity + point.weight * outward * field.traction;
     return force;
@@ -73,27 +80,27 @@ BoundaryReactions no_reactions(const Model& model) {
 }
 
 std::vector<BoundaryTerm> boundary_terms(const Model& model, const RowMap& rows, const MidStep& mid,
-                                         const Stage& stage, double stage_time,
-                                         const BoundaryReactions& reactions, const FreeFieldMotions& fields) {
-    const bool dynamic = stage.kind == StageKind::dynamic;
+                                         const StageInstant& end, const BoundaryReactions& reactions,
+                                         const FreeFieldMotions& fields) {
+    const bool dynamic = end.stage.kind == StageKind::dynamic;
     std::vector<BoundaryTerm> terms;
     for_faces(model, [&](const ViscousBoundary& boundary, const FacePart& face, std::size_t reaction) {
         const BlockIndex block = model.topology.block_of_edge(face.edge);
         BoundaryTerm term;
         term.row = rows.row_of[block];
         if (!term.row.exists()) return;
-        const Vec2 z = impedance(model, boundary, block);
-        const ColumnMotion& column = fields[&boundary - model.viscous_boundaries.data()];
-        const IncidentMotion wave = incident_motion(stage, boundary.name, stage_time);
+        const FaceDashpots dashpots{.impedance = impedance(model, boundary, block),
+                                    .column = fields[&boundary - model.viscous_boundaries.data()],
+                                    .wave = incident_motion(end, boundary.name)};
         for (const FacePoint& point : face_points(model, mid, face)) {
             const auto t = displacement_matrix(point.arm);
             Vec2 force = reactions[reaction++];
             if (dynamic) {
                 const double height = mid.centroid[block].y() + point.arm.y();
                 // The dashpots in the equations, Eq. (49).
-                const DashpotForce dashpots = dashpot_force(model, boundary, point, z, column, wave, height);
-                term.damping += t.transpose() * dashpots.damping * t;
-                force += dashpots.drive;
+                const DashpotForce at_point = dashpot_force(model, boundary, dashpots, point, height);
+                term.damping += t.transpose() * at_point.damping * t;
+                force += at_point.drive;
             } else {
                 term.stiffness += t.transpose() * restraint_stiffness(model, boundary, point) * t;
             }

@@ -23,10 +23,10 @@ using BoundaryReactions = std::vector<Vec2>;
 BoundaryReactions no_reactions(const Model& model);
 
 /// One term for each face of a free block. Dashpots act in dynamic stages, springs in static stages.
-/// @param stage_time s, at the end of the step; @param fields at the end of the step.
+/// @param end of the step; @param fields at the end of the step.
 std::vector<BoundaryTerm> boundary_terms(const Model& model, const RowMap& rows, const MidStep& mid,
-                                         const Stage& stage, double stage_time,
-                                         const BoundaryReactions& reactions, const FreeFieldMotions& fields);
+                                         const StageInstant& end, const BoundaryReactions& reactions,
+                                         const FreeFieldMotions& fields);
 
 void add_boundaries(std::span<const BoundaryTerm> terms, const RowMap& rows, const BlockSystem& blocks,
                     const Newmark& newmark, BaseSystem& base);

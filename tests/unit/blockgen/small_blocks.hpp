@@ -10,7 +10,7 @@ namespace rockslope::blockgen {
 /// Areas of all blocks, ascending.
 inline std::vector<double> areas(const BlockMesh& mesh) {
     std::vector<double> result;
-    for (std::size_t b = 0; b < mesh.block_count(); ++b) result.push_back(block_area(mesh, b));
+    for (const BlockIndex b : mesh.blocks()) result.push_back(block_area(mesh, b));
     std::sort(result.begin(), result.end());
     return result;
 }

@@ -68,8 +68,9 @@ TEST_F(Report, EvaluatesEachKind) {
     EXPECT_NONFATAL_FAILURE(c.expect_above("not above", "m", -2, 1), "V01");
     c.expect_outcome("mode", "slides", "slides");
     EXPECT_NONFATAL_FAILURE(c.expect_outcome("other mode", "slides", "topples"), "topples");
-    c.expect_miss("miss", "m", 2, 1, relative(.1), "why");
-    EXPECT_NONFATAL_FAILURE(c.expect_miss("healed", "m", 1, 1, relative(.1), "why"), "no longer a miss");
+    c.expect_miss("miss", "m", 2, 1, {.tolerance = relative(.1), .reason = "why"});
+    EXPECT_NONFATAL_FAILURE(c.expect_miss("healed", "m", 1, 1, {.tolerance = relative(.1), .reason = "why"}),
+                            "no longer a miss");
     c.inform("inform", "m", 7, 1);
     EXPECT_EQ(rows().size(), 13u);
 }

@@ -13,8 +13,8 @@ void expect_same(const NodedEdges& noded) {
     const Subdivision swept = arrange(noded), walked = walk_faces(noded);
     ASSERT_EQ(swept.face_count, walked.face_count);
     EXPECT_EQ(swept.next, walked.next);
-    std::map<std::int32_t, std::int32_t> number = {{0, 0}}, back = {{0, 0}};
-    for (std::size_t h = 0; h < swept.face.size(); ++h) {
+    std::map<FaceIndex, FaceIndex> number = {{0, 0}}, back = {{0, 0}};
+    for (const HalfEdgeIndex h : swept.face.indices()) {
         const auto to = number.emplace(swept.face[h], walked.face[h]).first;
         const auto from = back.emplace(walked.face[h], swept.face[h]).first;
         ASSERT_EQ(to->second, walked.face[h]) << h;
@@ -27,8 +27,7 @@ void expect_same(const NodedEdges& noded) {
 
 void add_ring(std::vector<SourceSegment>& segments, const std::vector<Point>& ring) {
     for (std::size_t k = 0; k < ring.size(); ++k)
-        segments.push_back(
-            {ring[k], ring[(k + 1) % ring.size()], static_cast<std::int32_t>(segments.size())});
+        segments.push_back({ring[k], ring[(k + 1) % ring.size()], segments.size()});
 }
 
 TEST(WalkFaces, NestedComponents) {

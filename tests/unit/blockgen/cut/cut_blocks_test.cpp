@@ -85,7 +85,7 @@ TEST(CutBlocks, InclinedSetsMakeParallelogramsWithoutRedundantVertices) {
     const CutResult result = cut(model);
     EXPECT_GT(result.mesh.block_count(), 250u);
     EXPECT_EQ(result.report.domain_area, 400);
-    for (std::size_t b = 0; b < result.mesh.block_count(); ++b) {
+    for (const BlockIndex b : result.mesh.blocks()) {
         EXPECT_EQ(result.mesh.ring_count(b), 1u);
         EXPECT_LE(result.mesh.ring(b, 0).size(), 6u);
     }

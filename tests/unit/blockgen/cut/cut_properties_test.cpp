@@ -42,7 +42,7 @@ SlopeModel mapped(SlopeModel model, const Map& map) {
 
 std::vector<double> sorted_areas(const BlockMesh& mesh) {
     std::vector<double> areas;
-    for (std::size_t b = 0; b < mesh.block_count(); ++b) areas.push_back(block_area(mesh, b));
+    for (const BlockIndex b : mesh.blocks()) areas.push_back(block_area(mesh, b));
     std::sort(areas.begin(), areas.end());
     return areas;
 }
@@ -77,7 +77,7 @@ TEST_P(CutProperties, AShiftByWholeCells) {
                                 return Point{p.x + shift.x, p.y + shift.y};
                             })).mesh;
     ASSERT_EQ(mesh_.vertices.size(), other.vertices.size());
-    for (std::size_t v = 0; v < mesh_.vertices.size(); ++v) {
+    for (const VertexIndex v : mesh_.vertices.indices()) {
         EXPECT_EQ(other.vertices[v].x - shift.x, mesh_.vertices[v].x);
         EXPECT_EQ(other.vertices[v].y - shift.y, mesh_.vertices[v].y);
     }

@@ -23,7 +23,7 @@ std::string excavation(const std::string& stage, const std::string& polygon,
 
 double area_of(const BlockMesh& mesh, const ExcavatedBlocks& blocks) {
     double sum = 0;
-    for (const std::int32_t b : blocks.blocks) sum += block_area(mesh, static_cast<std::size_t>(b));
+    for (const BlockIndex b : blocks.blocks) sum += block_area(mesh, b);
     return sum;
 }
 

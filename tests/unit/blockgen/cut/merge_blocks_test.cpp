@@ -111,7 +111,7 @@ TEST(Islands, AreConnectedToTheBoundaryByCuts) {
     EXPECT_EQ(result.report.joints.back().name, "island cut");
     EXPECT_EQ(result.report.joints.back().traces, 6u);
     EXPECT_TRUE(result.report.warnings.empty());
-    for (std::size_t b = 0; b < result.mesh.block_count(); ++b) EXPECT_EQ(result.mesh.ring_count(b), 1u);
+    for (const BlockIndex b : result.mesh.blocks()) EXPECT_EQ(result.mesh.ring_count(b), 1u);
 }
 
 TEST(Islands, ATunnelIsNotAnIsland) {

@@ -73,7 +73,7 @@ TEST(BlockFile, RoundTripKeepsEveryBitAndEveryName) {
     mesh.joint_materials = {"-", "ring"};
     mesh.joints = {{"Störung 1"}};
     mesh.provenance = {"blockgen 0.1.0", "seed 42"};
-    const std::int32_t ring[] = {0, 1, 2, 3};
+    const VertexIndex ring[] = {0, 1, 2, 3};
     const EdgeMark marks[] = {{}, {1, 0}, {0, EdgeMark::no_joint}, {}};
     mesh.begin_block(4, BlockMotion::prescribed, "the base");
     mesh.add_ring(ring, marks);
@@ -176,7 +176,7 @@ TEST(BlockFile, AHundredThousandBlocksReadFast) {
     for (std::int32_t i = 0; i < n; ++i)
         for (std::int32_t j = 0; j < n; ++j) {
             const std::int32_t v = i * (n + 1) + j;
-            const std::int32_t ring[] = {v, v + 1, v + n + 2, v + n + 1};
+            const VertexIndex ring[] = {v, v + 1, v + n + 2, v + n + 1};
             const EdgeMark marks[] = {{0, i}, {0, j}, {0, i}, {0, j}};
             mesh.begin_block(0);
             mesh.add_ring(ring, marks);

@@ -19,9 +19,9 @@ BlockMesh mesh_of(const std::vector<Ring>& rings) {
     mesh.block_materials = {"rock"};
     mesh.begin_block(0);
     for (const Ring& ring : rings) {
-        std::vector<std::int32_t> indices;
+        std::vector<VertexIndex> indices;
         for (const Point& p : ring) {
-            indices.push_back(static_cast<std::int32_t>(mesh.vertices.size()));
+            indices.push_back(mesh.vertices.size());
             mesh.vertices.push_back(p);
         }
         mesh.add_ring(indices, std::vector<EdgeMark>(ring.size()));

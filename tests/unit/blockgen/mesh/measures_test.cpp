@@ -12,9 +12,9 @@ namespace {
 BlockMesh block(const Ring& corners) {
     BlockMesh mesh;
     mesh.begin_block(0);
-    std::vector<std::int32_t> ring;
+    std::vector<VertexIndex> ring;
     for (const Point& p : corners) {
-        ring.push_back(static_cast<std::int32_t>(ring.size()));
+        ring.push_back(ring.size());
         mesh.vertices.push_back({466000 + 0.8 * p.x - 0.6 * p.y, 6691582 + 0.6 * p.x + 0.8 * p.y});
     }
     mesh.add_ring(ring, std::vector<EdgeMark>(corners.size()));
@@ -36,7 +36,7 @@ TEST(Measures, RoundnessAndAspectOfKnownShapes) {
 TEST(Measures, ShapesOfAllBlocks) {
     EXPECT_EQ(shape_summary(BlockMesh{}).mean_corners, 0);
     BlockMesh mesh = block({{0, 0}, {2, 0}, {2, 2}, {0, 2}});
-    const std::vector<std::int32_t> half = {0, 1, 2};
+    const std::vector<VertexIndex> half = {0, 1, 2};
     mesh.begin_block(0);
     mesh.add_ring(half, std::vector<EdgeMark>(3));
     const ShapeSummary shapes = shape_summary(mesh);

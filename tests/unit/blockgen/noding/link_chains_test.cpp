@@ -21,20 +21,18 @@ NodedEdges random_network(unsigned seed) {
     return node_joints(segments, cell);
 }
 
-std::vector<GridPoint> places(const SnappedChains& chains, std::size_t k) {
+std::vector<GridPoint> places(const SnappedChains& chains, SegmentIndex k) {
     std::vector<GridPoint> result;
-    for (const std::int32_t c : chains.chain(k)) result.push_back(chains.cells[c]);
+    for (const CellIndex c : chains.chain(k)) result.push_back(chains.cells[c]);
     return result;
 }
 
 /// Adds edges across a properly noded network, so that a round has edges to snap. @return flags of the added
 /// edges.
-std::vector<char> add_random_edges(NodedEdges& network, unsigned seed) {
+PerEdge<char> add_random_edges(NodedEdges& network, unsigned seed) {
     std::mt19937 random(seed);
-    std::vector<char> changed(network.edges.size(), 0);
-    const auto vertex = [&] {
-        return static_cast<std::int32_t>(random() % static_cast<unsigned>(network.vertices.size()));
-    };
+    PerEdge<char> changed(network.edges.size(), 0);
+    const auto vertex = [&] { return NodeIndex(random() % static_cast<unsigned>(network.vertices.size())); };
     for (int k = 0; k < 6; ++k) {
         const auto [a, b] = std::minmax({vertex(), vertex()});
         if (a == b) continue;
@@ -48,19 +46,20 @@ TEST(SnapRoundEdges, LocalRoundEqualsRoundOfAllEdges) {
     std::size_t spared = 0, bent = 0;
     for (unsigned seed = 1; seed <= 40; ++seed) {
         NodedEdges network = random_network(seed);
-        const std::vector<char> changed = add_random_edges(network, seed);
+        const PerEdge<char> changed = add_random_edges(network, seed);
         const SnapRoundingPass all = snap_round_edges(network.vertices, network.edges, {});
         const SnapRoundingPass local = snap_round_edges(network.vertices, network.edges, changed);
         ASSERT_EQ(all.edges.size(), network.edges.size());
-        std::size_t next = 0;
-        for (std::size_t e = 0; e < network.edges.size(); ++e) {
-            if (next < local.edges.size() && local.edges[next] == static_cast<std::int32_t>(e)) {
-                ASSERT_EQ(places(local.chains, next++), places(all.chains, e)) << seed << ' ' << e;
+        SegmentIndex next = 0;
+        for (const EdgeIndex e : network.edges.indices()) {
+            const SegmentIndex of_all = e.value();
+            if (next < local.edges.size() && local.edges[next] == e) {
+                ASSERT_EQ(places(local.chains, next++), places(all.chains, of_all)) << seed << ' ' << e;
             } else {
                 ++spared;
-                ASSERT_EQ(all.chains.chain(e).size(), 2u) << seed << ' ' << e;
+                ASSERT_EQ(all.chains.chain(of_all).size(), 2u) << seed << ' ' << e;
             }
-            bent += all.chains.chain(e).size() != 2;
+            bent += all.chains.chain(of_all).size() != 2;
         }
     }
     EXPECT_GT(spared, 1000u);  // otherwise nothing is compared
@@ -70,14 +69,14 @@ TEST(SnapRoundEdges, LocalRoundEqualsRoundOfAllEdges) {
 TEST(LinkChains, LocalRoundGivesTheNetworkOfARoundOfAllEdges) {
     for (unsigned seed = 1; seed <= 20; ++seed) {
         NodedEdges network = random_network(seed);
-        const std::vector<char> changed = add_random_edges(network, seed);
+        const PerEdge<char> changed = add_random_edges(network, seed);
         LineSources along;
-        for (std::size_t e = 0; e < network.edges.size(); ++e) {
-            along.sources.push_back({static_cast<std::int32_t>(e), false});
-            along.first.push_back(static_cast<std::int32_t>(e + 1));
+        for (const EdgeIndex e : network.edges.indices()) {
+            along.sources.push_back({e.value(), false});
+            along.first.push_back(e.value() + 1);
         }
         NodedEdges from_all, from_local;
-        const auto chains = [&](std::span<const char> marks) {
+        const auto chains = [&](EdgeSpan<const char> marks) {
             return chains_of_all_edges(snap_round_edges(network.vertices, network.edges, marks), network);
         };
         link_chains(chains({}), along, from_all);
@@ -95,11 +94,11 @@ TEST(LinkChains, EqualLinksBecomeOneEdgeAndCollapsedChainsAreDropped) {
     chains.items = {0, 1, 2, 2, 1, 3};
     chains.first = {0, 3, 5, 6};
     NodedEdges network;
-    const std::vector<char> changed =
+    const PerEdge<char> changed =
         link_chains(chains, {{0, 1, 2, 3}, {{7, false}, {8, false}, {9, false}}}, network);
-    EXPECT_EQ(network.vertices, (std::vector<GridPoint>{{0, 0}, {5, 0}, {9, 0}}));
-    EXPECT_EQ(network.edges, (std::vector<std::pair<std::int32_t, std::int32_t>>{{0, 1}, {1, 2}}));
-    EXPECT_EQ(changed, (std::vector<char>{1, 1}));
+    EXPECT_EQ(network.vertices, (PerNode<GridPoint>{{0, 0}, {5, 0}, {9, 0}}));
+    EXPECT_EQ(network.edges, (PerEdge<EdgeEnds>{{0, 1}, {1, 2}}));
+    EXPECT_EQ(changed, (PerEdge<char>{1, 1}));
     ASSERT_EQ(network.sources_of(1).size(), 2u);
     EXPECT_EQ(network.sources_of(1)[0], (EdgeSource{7, false}));
     EXPECT_EQ(network.sources_of(1)[1], (EdgeSource{8, true}));

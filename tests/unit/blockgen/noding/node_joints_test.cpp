@@ -58,12 +58,12 @@ TEST(NodeJoints, RejectsModelsTooLargeForTheGrid) {
 
 /// Expects the invariant of NodedEdges, by brute force over all pairs, in integers.
 void expect_clean(const NodedEdges& noded) {
-    const auto at = [&](std::int32_t v) { return noded.vertices[v]; };
-    for (std::size_t e = 0; e < noded.edges.size(); ++e) {
+    const auto at = [&](NodeIndex v) { return noded.vertices[v]; };
+    for (const EdgeIndex e : noded.edges.indices()) {
         const auto [a, b] = noded.edges[e];
         const GridPoint p = at(a), q = at(b);
-        for (std::size_t v = 0; v < noded.vertices.size(); ++v) {
-            if (static_cast<std::int32_t>(v) == a || static_cast<std::int32_t>(v) == b) continue;
+        for (const NodeIndex v : noded.vertices.indices()) {
+            if (v == a || v == b) continue;
             const GridPoint r = noded.vertices[v];
             const double length = std::hypot(static_cast<double>(q.x - p.x), static_cast<double>(q.y - p.y));
             const double along = (static_cast<double>(r.x - p.x) * static_cast<double>(q.x - p.x) +
@@ -72,7 +72,7 @@ void expect_clean(const NodedEdges& noded) {
             if (along < 0 || along > length) continue;
             EXPECT_GE(std::abs(static_cast<double>(twice_area(p, q, r))) / length, 0.4999) << e << ' ' << v;
         }
-        for (std::size_t f = 0; f < e; ++f) {
+        for (const EdgeIndex f : indices(e)) {
             const auto [c, d] = noded.edges[f];
             if (c == a || c == b || d == a || d == b) continue;
             const bool crosses = side_of(p, q, at(c)) * side_of(p, q, at(d)) < 0 &&
@@ -136,9 +136,8 @@ TEST(NodeJoints, OrderAndDirectionDoNotMatter) {
 
 TEST(ImproperlyNodedEdges, AreFound) {
     const std::vector<GridPoint> vertices = {{0, 0}, {10, 10}, {0, 10}, {10, 0}, {20, 20}};
-    EXPECT_EQ(improperly_noded_edges(
-                  vertices, std::vector<std::pair<std::int32_t, std::int32_t>>{{0, 1}, {2, 3}, {1, 4}}),
-              (std::vector<std::size_t>{0, 1}));
+    EXPECT_EQ(improperly_noded_edges(vertices, PerEdge<EdgeEnds>{{0, 1}, {2, 3}, {1, 4}}),
+              (std::vector<EdgeIndex>{0, 1}));
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ struct Search {
     Point steepest;
 };
 
-Search search(const BlockMesh& mesh, std::size_t block, double left_end, double right_end, double bottom) {
+Search search(const BlockMesh& mesh, BlockIndex block, double left_end, double right_end, double bottom) {
     std::vector<Point> inward;
     Search found;
     for (std::size_t r = 0; r < mesh.ring_count(block); ++r) {
@@ -68,7 +68,7 @@ TEST(Kinematics, ModesAgreeWithASearchOfAllDirections) {
         for (int k = 0; k < 3; ++k) add_trace(model, {{-1, 14 * uniform()}, {21, 14 * uniform()}});
         const CutResult result = cut(model, false);
         const KinematicReport& report = *result.report.kinematics;
-        for (std::size_t b = 0; b < result.mesh.block_count(); ++b) {
+        for (const BlockIndex b : result.mesh.blocks()) {
             const Search by_search = search(result.mesh, b, 0, 20, 0);
             const BlockMode mode = report.mode[b];
             // Skip blocks too near the limit for directions at steps of a tenth of a degree.
@@ -83,7 +83,7 @@ TEST(Kinematics, ModesAgreeWithASearchOfAllDirections) {
             } else if (by_search.descent > 5e-3) {
                 ASSERT_GE(mode, BlockMode::falling) << round << ' ' << b;
                 const auto key = std::find_if(report.blocks.begin(), report.blocks.end(),
-                                              [&](const KeyBlock& k) { return k.block == int(b); });
+                                              [&](const KeyBlock& k) { return k.block == b; });
                 ASSERT_NE(key, report.blocks.end());
                 EXPECT_EQ(key->mode, mode);
                 EXPECT_NEAR(-key->direction.y, by_search.descent, 2e-3) << round << ' ' << b;

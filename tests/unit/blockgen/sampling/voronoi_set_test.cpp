@@ -22,7 +22,7 @@ count = 1000
 
 double area_spread(const BlockMesh& mesh) {
     double sum = 0, squares = 0;
-    for (std::size_t b = 0; b < mesh.block_count(); ++b) {
+    for (const BlockIndex b : mesh.blocks()) {
         const double area = block_area(mesh, b);
         sum += area;
         squares += area * area;

@@ -33,10 +33,10 @@ TEST_F(ContinuedRun, EndsInTheSameBytes) {
 
 TEST_F(ContinuedRun, RestoresExcavatedBlocks) {
     blockgen::BlockMesh mesh = io_test::two_block_mesh();
-    const auto first = static_cast<std::int32_t>(mesh.vertices.size());
+    const blockgen::VertexIndex first = mesh.vertices.size();
     mesh.vertices.insert(mesh.vertices.end(), {{.1, 1}, {.9, 1}, {.9, 1.5}, {.1, 1.5}});
     mesh.begin_block(0);
-    mesh.add_ring(std::vector<std::int32_t>{first, first + 1, first + 2, first + 3},
+    mesh.add_ring(std::vector<blockgen::VertexIndex>{first, first + 1, first + 2, first + 3},
                   std::vector<blockgen::EdgeMark>(4));
     mesh.excavations = {{"bench", 2, {2}}};
     blockgen::write_block_file(folder / "two.blocks", mesh);

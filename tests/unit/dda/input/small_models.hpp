@@ -49,10 +49,10 @@ inline blockgen::BlockMesh two_block_mesh() {
     mesh.joints = {{"set"}};
     const blockgen::EdgeMark face, joint{0, 0};
     mesh.begin_block(0, blockgen::BlockMotion::prescribed, "base");
-    mesh.add_ring(std::vector<std::int32_t>{0, 1, 2, 3, 4, 5},
+    mesh.add_ring(std::vector<blockgen::VertexIndex>{0, 1, 2, 3, 4, 5},
                   std::vector<blockgen::EdgeMark>{face, face, face, joint, face, face});
     mesh.begin_block(0);
-    mesh.add_ring(std::vector<std::int32_t>{4, 3, 6, 7},
+    mesh.add_ring(std::vector<blockgen::VertexIndex>{4, 3, 6, 7},
                   std::vector<blockgen::EdgeMark>{joint, face, face, face});
     mesh.measured_points = {{"crest", 1, {2, 2}}};
     mesh.provenance = {"made by a test"};

@@ -25,7 +25,8 @@ constexpr double length = 0.1;
 
 Strength walked(const CyclicBartonBandis& law, const CyclicBartonBandis::History& history, double normal,
                 const dda::ShearTrial& trial) {
-    CyclicShearPath path(law, history, normal, length, trial.stiffness, trial.shear_force,
+    CyclicShearPath path(law, history, normal, length,
+                         {.stiffness = trial.stiffness, .force = trial.shear_force},
                          CyclicShearPath::Purpose::strength);
     path.displace(trial.displacement);
     Strength s = path.bounds_at_end();
@@ -66,7 +67,8 @@ void for_many_cases(const std::vector<CyclicBartonBandis>& laws, Check check) {
             const double stiffness = std::pow(10, random.between(7, 9.5));
             double force = 0;
             for (int k = random.index_below(6); k > 0; --k) {
-                CyclicShearPath path(law, history, random.between(2e4, 2e5), length, stiffness, force,
+                CyclicShearPath path(law, history, random.between(2e4, 2e5), length,
+                                     {.stiffness = stiffness, .force = force},
                                      CyclicShearPath::Purpose::history);
                 path.displace(law.peak_displacement * random.between(-6, 6));
                 history = path.history();
@@ -103,7 +105,8 @@ TEST(CyclicClosedForm, GivesTheHistoryOfTheIntegratedPath) {
     for_many_cases(stiff, [](const Case& c) {
         const auto closed = dda::closed_form_history(c.law, c.history, c.normal, length, c.trial);
         if (!closed) return false;
-        CyclicShearPath path(c.law, c.history, c.normal, length, c.trial.stiffness, c.trial.shear_force,
+        CyclicShearPath path(c.law, c.history, c.normal, length,
+                             {.stiffness = c.trial.stiffness, .force = c.trial.shear_force},
                              CyclicShearPath::Purpose::history);
         path.displace(c.trial.displacement);
         CyclicBartonBandis::History expected = path.history();

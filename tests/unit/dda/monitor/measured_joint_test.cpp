@@ -93,13 +93,13 @@ TEST_F(MeasuredJointTest, StraightCornersAreDroppedWhenAsked) {
     mesh.joints = {{"set"}, {"cross"}};
     const blockgen::EdgeMark face, bed{0, 0}, joint{0, 1};
     mesh.begin_block(0, blockgen::BlockMotion::prescribed, "base");
-    mesh.add_ring(std::vector<std::int32_t>{0, 1, 2, 3, 4},
+    mesh.add_ring(std::vector<blockgen::VertexIndex>{0, 1, 2, 3, 4},
                   std::vector<blockgen::EdgeMark>{face, face, bed, bed, face});
     mesh.begin_block(0);
-    mesh.add_ring(std::vector<std::int32_t>{3, 2, 5, 6},
+    mesh.add_ring(std::vector<blockgen::VertexIndex>{3, 2, 5, 6},
                   std::vector<blockgen::EdgeMark>{bed, face, face, joint});
     mesh.begin_block(0);
-    mesh.add_ring(std::vector<std::int32_t>{4, 3, 6, 8, 7},
+    mesh.add_ring(std::vector<blockgen::VertexIndex>{4, 3, 6, 8, 7},
                   std::vector<blockgen::EdgeMark>{bed, joint, face, face, face});
     blockgen::write_block_file(folder / "two.blocks", mesh);
     const std::string stage = "[[stage]]";

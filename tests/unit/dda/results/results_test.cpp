@@ -196,8 +196,8 @@ TEST_F(ResultsTest, TheSummaryReportsTheOutcome) {
                     {folder / "a", false, "", [](const Progress&) { return true; }});
     State state = initial_state(input.model);
     const RunOutcome outcome = run(input.model, input.stages, state, results);
-    const std::string text =
-        summary_text(input.model, input.stages, state, outcome, results, "9.9", hash_files(input.files));
+    const std::string text = summary_text(input.model, input.stages, state, outcome, results,
+                                          {.version = "9.9", .inputs = hash_files(input.files)});
     for (const char* part :
          {"\"status\": \"completed\"", "\"version\": \"9.9\"", "\"name\": \"crest\"", "\"sha256\": \"",
           "\"sliding\":", "\"fallbacks\": 0,", "\"largest_dilation_left\": 0.0"})

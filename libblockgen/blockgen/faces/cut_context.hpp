@@ -7,7 +7,8 @@
 
 namespace rockslope::blockgen {
 
-/// References to the data of a cut that a report needs. The cutter owns the data.
+/// The data of a cut: the noded lines and their subdivision, the block of each face, and the input.
+/// References; the cutter owns the data.
 struct CutContext {
     const NodedEdges& noded;
     const Subdivision& subdivision;
@@ -16,7 +17,9 @@ struct CutContext {
     const std::vector<Trace>& traces;
     const SourceTable& table;
 
-    std::int32_t block_of(std::size_t half_edge) const { return faces.block[subdivision.face[half_edge]]; }
+    FaceBlockIndex block_of(HalfEdgeIndex half_edge) const {
+        return faces.block[subdivision.face[half_edge]];
+    }
 };
 
 }  // namespace rockslope::blockgen
