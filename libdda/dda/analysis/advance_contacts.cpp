@@ -16,6 +16,7 @@ void advance_histories(const Model& model, const ContactStep& step, const Thread
         ContactMotion made = contact_motion(model, contacts[k], step.springs[k].shear_stiffness,
                                             evaluated.normal_force, evaluated.displacement, evaluated.slip);
         made.opened = evaluated.bond_broken;
+        made.closing = contacts[k].state == ContactState::open;
         made.duration = step.duration;
         return made;
     };

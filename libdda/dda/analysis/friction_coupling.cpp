@@ -69,8 +69,9 @@ void FrictionCoupling::linearize_bound(Sliding& sliding, std::span<const Vec6> d
     if (const auto line = bound_line(trials_.law_of(sliding.contact), contact.history)) {
         const double reduced = 1 / p_.model.strength_reduction;
         sliding.slope = reduced * line->friction;
-        sliding.cohesion = reduced * line->cohesion * contact.length;
-        sliding.lowest_normal_force = line->holds_in_tension ? -std::numeric_limits<double>::infinity() : 0;
+        const bool without_cohesion = !sliding.coheres && !sliding.bonded;
+        sliding.cohesion = without_cohesion ? 0 : reduced * line->cohesion * contact.length;
+        sliding.lowest_normal_force = sliding.bonded ? -std::numeric_limits<double>::infinity() : 0;
         return;
     }
     if (trials_.is_on_segment(sliding.contact)) {
@@ -80,7 +81,7 @@ void FrictionCoupling::linearize_bound(Sliding& sliding, std::span<const Vec6> d
         sliding.cohesion = line.cohesion;
         return;
     }
-    if (!(sliding.normal > 0) && !sliding.bonded) {
+    if (!(sliding.normal > 0) && !sliding.bonded && !sliding.coheres) {
         sliding.slope = trials_.bound_secant(sliding.contact);
         return;
     }
@@ -96,7 +97,8 @@ void FrictionCoupling::find_sliding(std::span<const Vec6> d) {
     sliding_.clear();
     sliding_.reserve(trials_.count());
     for (std::size_t k = 0; k < trials_.count(); ++k) {
-        if (!trials_.has_normal_spring(k) || trials_.has_shear_spring(k)) continue;
+        if (trials_.has_shear_spring(k)) continue;
+        if (!trials_.has_normal_spring(k) && !trials_.coheres(k)) continue;
         sliding_.emplace_back().contact = k;
     }
     pool_.parallel_for(sliding_.size(), [&](std::size_t begin, std::size_t end) {
@@ -106,6 +108,7 @@ void FrictionCoupling::find_sliding(std::span<const Vec6> d) {
             const ContactSprings& springs = p_.springs[k];
             sliding.sign = trials_.slides_forward(k) ? 1 : -1;
             sliding.bonded = trials_.is_bonded(k);
+            sliding.coheres = trials_.coheres(k);
             sliding.friction_force = trials_.friction_force(k);
             sliding.normal = trials_.linear_normal(k, springs.rows.measure(springs.normal, d));
             linearize_bound(sliding, d);

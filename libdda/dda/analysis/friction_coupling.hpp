@@ -36,13 +36,15 @@ class FrictionCoupling {
         double cohesion = 0;             ///< of the bound at zero normal force
         double lowest_normal_force = 0;  ///< the normal force below which the bound falls no further
         bool bonded = false;
+        bool coheres = false;       ///< its cohesion acts in this step, also without a normal force
         bool line_missing = false;  ///< its joint segment has to compute it first
         double friction_force = 0;  ///< shear force in the linear system
         double normal = 0;          ///< normal force in the linear system
         double residual = 0;        ///< bound minus friction force, with their sign
 
         double line() const { return slope * std::max(normal, lowest_normal_force) + cohesion; }
-        bool is_bounded() const { return (normal > 0 || bonded) && line() > 0; }
+        /// A contact that coheres keeps the strength of no normal force where it opens, Eq. (75).
+        bool is_bounded() const { return (normal > 0 || bonded || coheres) && line() > 0; }
         double bound() const { return is_bounded() ? sign * line() : 0; }
         double bound_slope() const { return is_bounded() && normal > lowest_normal_force ? sign * slope : 0; }
     };

@@ -29,6 +29,9 @@ constexpr double law_reuse_tolerance = 0.1;
 
 TrialContacts::TrialContacts(const StepProblem& problem, const ThreadPool& pool)
     : p_(problem), pool_(pool), segment_friction_(problem, pool), trials_(problem.contacts.size()) {
+    for (const JointMaterial& material : p_.model.joint_materials)
+        has_cohesion_.push_back(
+            strength(material.law, fresh_history(material.law, true), 0, 1).forward > 0 ? 1 : 0);
     for_contacts([&](ContactIndex k) { trials_[k] = initial_trial(k); });
     for (const Contact& contact : p_.contacts) groups_ = std::max(groups_, contact.group + 1);
     dilates_ = std::any_of(p_.model.joint_materials.begin(), p_.model.joint_materials.end(),
@@ -63,6 +66,7 @@ TrialContacts::Trial TrialContacts::initial_trial(ContactIndex k) const {
     trial.stress_free_gap = contact.stress_free_gap;
     trial.shear_origin = contact.shear_force;
     const bool was_closed = contact.state != ContactState::open;
+    trial.coheres = was_closed && has_cohesion(k);
     trial.active = trial.may_close && (was_closed || (contact.gap < 0 && contact.group < 0));
     trial.locked = trial.active && contact.state != ContactState::sliding;
     trial.friction_force = contact.shear_force;
@@ -93,6 +97,20 @@ Strength TrialContacts::bounds_of_single_contact(ContactIndex k, const ContactLo
                                         {motion.displacement, motion.shear_force, motion.stiffness});
     const double reduced = 1 / p_.model.strength_reduction;
     return {strengths.forward * reduced, strengths.backward * reduced, strengths.tensile * reduced};
+}
+
+/// The bounds of Eq. (75).
+Strength TrialContacts::current_bounds(ContactIndex k) const {
+    const ContactLoading here = current_loading(k);
+    if (is_bonded(k)) return bounds_of_single_contact(k, here);
+    if (!(here.normal > 0) && !trials_[k].coheres) return {};
+    Strength bounds = bounds_of_single_contact(k, {std::max(here.normal, 0.0), here.shearing});
+    if (has_cohesion(k) && !trials_[k].coheres) {
+        const Strength cohesion = bounds_of_single_contact(k, {0, here.shearing});
+        bounds.forward = std::max(bounds.forward - cohesion.forward, 0.0);
+        bounds.backward = std::max(bounds.backward - cohesion.backward, 0.0);
+    }
+    return bounds;
 }
 
 // --- the linear system
@@ -243,9 +261,7 @@ ContactLoading TrialContacts::current_loading(ContactIndex k) const {
 void TrialContacts::compute_bounds(double change_tolerance) {
     for_contacts([&](ContactIndex k) {
         if (is_on_segment(k)) return;
-        const ContactLoading here = current_loading(k);
-        const bool open = !trials_[k].may_close || (here.normal <= 0 && !is_bonded(k));
-        trials_[k].bounds = open ? Strength{} : bounds_of_single_contact(k, here);
+        trials_[k].bounds = trials_[k].may_close ? current_bounds(k) : Strength{};
     });
     segment_friction_.update(
         change_tolerance, [this](ContactIndex k) { return current_loading(k); },
@@ -407,6 +423,15 @@ void TrialContacts::evaluate(ContactSpan<EvaluatedContact> evaluated_contacts) c
     for_contacts([&](ContactIndex k) { evaluated_contacts[k] = evaluated(k); });
 }
 
+/// The opening of Eq. (76).
+bool TrialContacts::stays_closed(ContactIndex k) const {
+    const Trial& trial = trials_[k];
+    if (!trial.may_close) return false;
+    if (is_bonded(k) || current_forces(k).normal > 0) return true;
+    return trial.coheres &&
+           -law(k).normal(trial.opening) < std::min(trial.bounds.forward, trial.bounds.backward);
+}
+
 EvaluatedContact TrialContacts::evaluated(ContactIndex k) const {
     const Trial& trial = trials_[k];
     const Forces forces = current_forces(k);
@@ -418,7 +443,9 @@ EvaluatedContact TrialContacts::evaluated(ContactIndex k) const {
     evaluated.displacement = trial.shearing;
     evaluated.dilation_increment = trial.dilation_increment;
     evaluated.bond_broken = trial.bond_broken;
-    if (forces.normal > 0 || (is_bonded(k) && trial.may_close)) {
+    if (!stays_closed(k)) {
+        evaluated.shear_force = 0;
+    } else {
         const double elastic = elastic_shear(k, trial.shearing);
         evaluated.state = is_within(elastic, trial.bounds) ? ContactState::locked : ContactState::sliding;
         evaluated.slip = slip(k, elastic, forces.shear);

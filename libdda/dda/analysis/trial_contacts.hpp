@@ -109,6 +109,12 @@ class TrialContacts {
     const JointLaw& law_of(ContactIndex k) const {
         return p_.model.joint_material_at(p_.contacts[k].joint_material).law;
     }
+    /// Whether a contact's law gives it a shear strength without a normal force.
+    bool has_cohesion(ContactIndex k) const {
+        return has_cohesion_[p_.contacts[k].joint_material] != 0 && p_.contacts[k].length > 0;
+    }
+    /// Whether the cohesion of a contact acts in this step, Eq. (75): it was closed at the step's start.
+    bool coheres(ContactIndex k) const { return trials_[k].coheres; }
     bool is_bonded(ContactIndex k) const { return p_.contacts[k].bonded && !trials_[k].bond_broken; }
     /// The force of the normal spring in the linear system, N per metre, tension negative.
     double linear_normal(ContactIndex k, double opening) const;
@@ -178,6 +184,7 @@ class TrialContacts {
         bool forward = true;  ///< sliding direction
         bool bond_broken = false;
         bool may_close = true;
+        bool coheres = false;           ///< its cohesion acts in this step
         bool postponed = false;         ///< its dilation acts from the next step on
         double friction_force = 0;      ///< N per metre, shear force in the linear system when not locked
         Strength bounds;                ///< N per metre, shear bounds and tensile strength
@@ -206,6 +213,14 @@ class TrialContacts {
     }
     /// The shear bounds of a contact that is not on a segment.
     Strength bounds_of_single_contact(ContactIndex k, const ContactLoading& loading) const;
+    /// The shear bounds of a contact that is not on a segment, at the last evaluation, Eq. (75). The cohesion
+    /// of a contact that was closed at the step's start acts through the whole step, also where the contact
+    /// opens; that of a contact that closes acts from the next step on. The bounds are therefore continuous
+    /// functions of the displacement, and the step has a solution.
+    Strength current_bounds(ContactIndex k) const;
+    /// Whether a contact is closed at the step's end, Eq. (76): in compression, bonded, or held by its
+    /// cohesion and open by less than the extension at which its normal spring would pull with that cohesion.
+    bool stays_closed(ContactIndex k) const;
     /// Normal force and shear displacement of the initial guess; without one, those of the step's start.
     ContactLoading initial_loading(ContactIndex k) const;
     /// Normal force and shear displacement at the last evaluation.
@@ -245,8 +260,10 @@ class TrialContacts {
     std::vector<double> elongation_;   ///< per bolt, m, in the step
     std::vector<double> linear_bolt_;  ///< per bolt: force in the linear system, at its solution, N per metre
     bool evaluated_ = false;           ///< whether set_displacement() has been called
-    bool dilates_ = false;             ///< whether any joint law dilates
-    int groups_ = 0;                   ///< number of groups of entrance lines
+    /// Per joint material: whether it has a shear strength without a normal force.
+    IndexedVector<JointMaterialIndex, char> has_cohesion_;
+    bool dilates_ = false;                      ///< whether any joint law dilates
+    int groups_ = 0;                            ///< number of groups of entrance lines
     std::vector<ContactIndex> first_entrance_;  ///< per group, the line that may close
     double largest_force_ = 0;                  ///< N per metre, largest contact force by the laws
 };

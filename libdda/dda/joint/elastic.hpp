@@ -6,8 +6,9 @@ namespace rockslope::dda {
 
 /// A joint that neither opens nor slips, Eq. (45): only its springs deform. With the joint's own normal and
 /// shear stiffness it is the linear displacement discontinuity of wave studies [pyraknolte1990]; with stiff
-/// springs it glues blocks together. Faces that meet later in the run are not bonded: they open freely and do
-/// not slip while closed. Limit: the tensile strength is infinite, so the law cannot describe failure.
+/// springs it glues blocks together. Faces that meet later in the run are not bonded: they open freely, and
+/// have a friction coefficient of 20, 87 degrees. Limit: the tensile strength is infinite, so the law cannot
+/// describe failure.
 struct Elastic {
     static constexpr const char* name = "elastic";
     static constexpr HistoryScope history_scope = HistoryScope::contact;

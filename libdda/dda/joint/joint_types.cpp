@@ -17,6 +17,7 @@ ContactMotion combine(const ContactMotion& a, const ContactMotion& b, double wei
     combined.shear_force += b.shear_force;
     combined.stiffness += b.stiffness;
     combined.opened = a.opened || b.opened;
+    combined.closing = a.closing && b.closing;
     return combined;
 }
 

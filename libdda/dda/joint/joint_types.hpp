@@ -71,6 +71,7 @@ struct ContactMotion {
     double shear_force = 0;   ///< at the start of the step, N per metre
     double stiffness = 0;     ///< of the shear spring, N/m per metre; 0: unknown
     double duration = 0;      ///< of the step, s; 0: unknown, or a static step
+    bool closing = false;     ///< the contact was open at the start of the step; its cohesion did not act
 };
 
 /// Weight of the first of two contacts in their mean displacement, 0 to 1: the ratio of the shear

@@ -28,8 +28,9 @@ Strength MohrCoulomb::strength_slope(const History& history, double normal_force
     return {slope, slope, 0};
 }
 
+/// A closing contact slips below the peak strength, Eq. (75), and stays intact.
 MohrCoulomb::History MohrCoulomb::advance(const History& history, const ContactMotion& motion) const {
-    return {history.broken || motion.opened || motion.slip != 0};
+    return {history.broken || motion.opened || (motion.slip != 0 && !motion.closing)};
 }
 
 MohrCoulomb MohrCoulomb::read(const ParameterTable& table) {

@@ -15,13 +15,22 @@ using dda::JointMaterial;
 
 TEST(Elastic, NeverSlipsInCompressionOrTension) {
     const Elastic law;
-    for (const bool intact : {true, false}) {
-        for (const double normal : {-1e12, -1.0, -1e-12, 0.0, 1e-12, 1.0, 1e12}) {
-            const dda::Strength s = law.strength(law.fresh(intact), normal, 0.5);
-            EXPECT_TRUE(std::isinf(s.forward) && s.forward > 0) << normal;
-            EXPECT_EQ(s.backward, s.forward) << normal;
-            EXPECT_EQ(s.tensile, intact ? s.forward : 0) << normal;
-        }
+    for (const double normal : {-1e12, -1.0, -1e-12, 0.0, 1e-12, 1.0, 1e12}) {
+        const dda::Strength s = law.strength(law.fresh(true), normal, 0.5);
+        EXPECT_TRUE(std::isinf(s.forward) && s.forward > 0) << normal;
+        EXPECT_EQ(s.backward, s.forward) << normal;
+        EXPECT_EQ(s.tensile, s.forward) << normal;
+    }
+}
+
+// An infinite strength would jump to zero where such faces part.
+TEST(Elastic, FacesThatMeetLaterHaveFrictionOf87Degrees) {
+    const Elastic law;
+    for (const double normal : {-1e12, -1.0, 0.0, 1.0, 1e12}) {
+        const dda::Strength s = law.strength(law.fresh(false), normal, 0.5);
+        EXPECT_EQ(s.forward, 20 * std::max(normal, 0.0));
+        EXPECT_EQ(s.backward, s.forward);
+        EXPECT_EQ(s.tensile, 0);
     }
 }
 

@@ -75,4 +75,15 @@ TEST(JointMaterial, OwnPenaltyGoesBeforeTheAnalysis) {
     EXPECT_EQ(stiff.shear_spring(4e10, 2), 3e9);
 }
 
+// A closing contact slips below the peak strength, because its cohesion does not act yet.
+TEST(MohrCoulomb, SlipOfAClosingContactDoesNotBreakTheJoint) {
+    dda::ContactMotion motion;
+    motion.slip = 1e-3;
+    motion.normal_force = 1e3;
+    motion.closing = true;
+    EXPECT_FALSE(rough.advance(rough.fresh(true), motion).broken);
+    motion.closing = false;
+    EXPECT_TRUE(rough.advance(rough.fresh(true), motion).broken);
+}
+
 }  // namespace
