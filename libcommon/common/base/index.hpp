@@ -4,8 +4,8 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <iosfwd>
 #include <iterator>
-#include <ostream>
 #include <span>
 #include <type_traits>
 #include <utility>
