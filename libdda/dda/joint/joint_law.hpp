@@ -11,8 +11,8 @@
 
 namespace rockslope::dda {
 
-// JointLaw is the std::variant of all joint laws. A law is one file in this folder, which fulfils JointLawContract, and
-// one line in joint_laws.txt; CMake writes joint_law_list.hpp from it.
+// JointLaw is the std::variant of all joint laws. A law is one file in this folder, which fulfils
+// JointLawContract, and one line in joint_laws.txt; CMake writes joint_law_list.hpp from it.
 
 namespace detail {
 template <class... Laws>

@@ -14,12 +14,13 @@ struct MaterialPoint {
     Vec2 position = Vec2::Zero();  ///< m, in the initial configuration
 };
 
-// Load is the std::variant of all loads. A load is one file in model/loads and one line in loads/loads.txt; CMake writes
-// load_list.hpp from it. A load has four named members.
+// Load is the std::variant of all loads. A load is one file in model/loads and one line in loads/loads.txt;
+// CMake writes load_list.hpp from it. A load has four named members.
 // - key: the name of its array of tables in the model file.
 // - read(table): makes it from such a table, a LoadTable of input/read_loads.cpp.
 // - add_to(forces): adds its force to the blocks' unknowns, a LoadForces of terms/loads.cpp.
-// - max_acceleration(blocks): largest acceleration of a block by the load, m/s2; a LoadedBlocks of the same file.
+// - max_acceleration(blocks): largest acceleration of a block by the load, m/s2; a LoadedBlocks of the same
+// file.
 
 /// A material point tied to its initial position by springs in x and y (Shi's fixed point).
 struct FixedPoint {
