@@ -5,17 +5,17 @@
 namespace rockslope::blockgen {
 
 /// A block of a BlockMesh.
-using BlockIndex = Index<struct BlockKind>;
+using BlockIndex = Index<struct MeshBlockKind>;
 /// A ring among those of all blocks.
-using RingIndex = Index<struct RingKind>;
+using RingIndex = Index<struct MeshRingKind>;
 /// A corner of a ring, among the corners of all rings. The edge that begins there has the same index.
-using CornerIndex = Index<struct CornerKind>;
+using CornerIndex = Index<struct MeshCornerKind>;
 /// A vertex of a BlockMesh; blocks that touch share it.
-using VertexIndex = Index<struct VertexKind>;
-using BlockMaterialIndex = Index<struct BlockMaterialKind>;
-using JointMaterialIndex = Index<struct JointMaterialKind>;
+using VertexIndex = Index<struct MeshVertexKind>;
+using BlockMaterialIndex = Index<struct MeshBlockMaterialKind>;
+using JointMaterialIndex = Index<struct MeshJointMaterialKind>;
 /// A joint of a BlockMesh.
-using JointIndex = Index<struct JointKind>;
+using JointIndex = Index<struct MeshJointKind>;
 
 template <class T>
 using PerBlock = IndexedVector<BlockIndex, T>;
