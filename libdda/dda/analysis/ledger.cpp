@@ -114,10 +114,18 @@ void Ledger::record_contacts(const StepWork& step, Energy& energy) const {
         const double stored_normal = was_closed ? stored_by_normal(before.normal_force) : 0;
         const double stored_shear = was_closed ? stored_by_shear(before.shear_force) : 0;
         if (!is_closed) {
-            // The force of an opened contact is zero at the end of the step. Its normal energy is lost to the
-            // integration, or released if a bond broke. Its shear energy is released.
+            // The normal force of an opened contact is zero at the end of the step. Its normal energy is lost
+            // to the integration, or released if a bond broke. Its shear energy is released.
             (after.bond_broken ? energy.released : energy.numerical_loss) += stored_normal;
-            energy.released += stored_shear;
+            if (after.shear_force == 0) {
+                energy.released += stored_shear;
+                continue;
+            }
+            // Its cohesion acted to the end of the step, Eq. (75), and its shear spring is released there.
+            const double stored_at_end = stored_by_shear(after.shear_force);
+            energy.friction_loss += after.shear_force * after.displacement - (stored_at_end - stored_shear);
+            energy.released += stored_at_end;
+            energy.external_work += after.shear_force * s.shear.prescribed;
             continue;
         }
         const double opening = s.rows.measure(s.normal, step.result.displacement);

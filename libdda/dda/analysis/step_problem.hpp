@@ -18,7 +18,7 @@ struct EvaluatedContact {
     double gap = 0;                 ///< m
     double stress_free_gap = 0;     ///< m, see Contact
     double normal_force = 0;        ///< N per metre
-    double shear_force = 0;         ///< N per metre
+    double shear_force = 0;         ///< N per metre; also where cohesion acts in a contact that opens
     double displacement = 0;        ///< m, tangential displacement of the step
     double slip = 0;                ///< m, plastic part of the tangential displacement
     double dilation_increment = 0;  ///< m, opening of the joint by the shearing of the step

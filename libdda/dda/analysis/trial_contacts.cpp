@@ -29,9 +29,12 @@ constexpr double law_reuse_tolerance = 0.1;
 
 TrialContacts::TrialContacts(const StepProblem& problem, const ThreadPool& pool)
     : p_(problem), pool_(pool), segment_friction_(problem, pool), trials_(problem.contacts.size()) {
-    for (const JointMaterial& material : p_.model.joint_materials)
-        has_cohesion_.push_back(
-            strength(material.law, fresh_history(material.law, true), 0, 1).forward > 0 ? 1 : 0);
+    for (const JointMaterial& material : p_.model.joint_materials) {
+        const auto coheres = [&](bool intact) {
+            return strength(material.law, fresh_history(material.law, intact), 0, 1).forward > 0;
+        };
+        has_cohesion_.push_back(coheres(true) || coheres(false) ? 1 : 0);
+    }
     for_contacts([&](ContactIndex k) { trials_[k] = initial_trial(k); });
     for (const Contact& contact : p_.contacts) groups_ = std::max(groups_, contact.group + 1);
     dilates_ = std::any_of(p_.model.joint_materials.begin(), p_.model.joint_materials.end(),
@@ -103,9 +106,9 @@ Strength TrialContacts::bounds_of_single_contact(ContactIndex k, const ContactLo
 Strength TrialContacts::current_bounds(ContactIndex k) const {
     const ContactLoading here = current_loading(k);
     if (is_bonded(k)) return bounds_of_single_contact(k, here);
-    if (!(here.normal > 0) && !trials_[k].coheres) return {};
+    if (!(here.normal > 0) && !coheres(k)) return {};
     Strength bounds = bounds_of_single_contact(k, {std::max(here.normal, 0.0), here.shearing});
-    if (has_cohesion(k) && !trials_[k].coheres) {
+    if (has_cohesion(k) && !coheres(k)) {
         const Strength cohesion = bounds_of_single_contact(k, {0, here.shearing});
         bounds.forward = std::max(bounds.forward - cohesion.forward, 0.0);
         bounds.backward = std::max(bounds.backward - cohesion.backward, 0.0);
@@ -428,7 +431,7 @@ bool TrialContacts::stays_closed(ContactIndex k) const {
     const Trial& trial = trials_[k];
     if (!trial.may_close) return false;
     if (is_bonded(k) || current_forces(k).normal > 0) return true;
-    return trial.coheres &&
+    return coheres(k) &&
            -law(k).normal(trial.opening) < std::min(trial.bounds.forward, trial.bounds.backward);
 }
 
@@ -443,9 +446,7 @@ EvaluatedContact TrialContacts::evaluated(ContactIndex k) const {
     evaluated.displacement = trial.shearing;
     evaluated.dilation_increment = trial.dilation_increment;
     evaluated.bond_broken = trial.bond_broken;
-    if (!stays_closed(k)) {
-        evaluated.shear_force = 0;
-    } else {
+    if (stays_closed(k)) {
         const double elastic = elastic_shear(k, trial.shearing);
         evaluated.state = is_within(elastic, trial.bounds) ? ContactState::locked : ContactState::sliding;
         evaluated.slip = slip(k, elastic, forces.shear);

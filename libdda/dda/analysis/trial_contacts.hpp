@@ -113,8 +113,9 @@ class TrialContacts {
     bool has_cohesion(ContactIndex k) const {
         return has_cohesion_[p_.contacts[k].joint_material] != 0 && p_.contacts[k].length > 0;
     }
-    /// Whether the cohesion of a contact acts in this step, Eq. (75): it was closed at the step's start.
-    bool coheres(ContactIndex k) const { return trials_[k].coheres; }
+    /// Whether the cohesion of a contact acts in this step, Eq. (75): it was closed at the step's start, and
+    /// no bond of its has broken since.
+    bool coheres(ContactIndex k) const { return trials_[k].coheres && !trials_[k].bond_broken; }
     bool is_bonded(ContactIndex k) const { return p_.contacts[k].bonded && !trials_[k].bond_broken; }
     /// The force of the normal spring in the linear system, N per metre, tension negative.
     double linear_normal(ContactIndex k, double opening) const;
@@ -184,7 +185,7 @@ class TrialContacts {
         bool forward = true;  ///< sliding direction
         bool bond_broken = false;
         bool may_close = true;
-        bool coheres = false;           ///< its cohesion acts in this step
+        bool coheres = false;           ///< its cohesion acts in this step until a bond breaks
         bool postponed = false;         ///< its dilation acts from the next step on
         double friction_force = 0;      ///< N per metre, shear force in the linear system when not locked
         Strength bounds;                ///< N per metre, shear bounds and tensile strength
