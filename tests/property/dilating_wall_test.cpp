@@ -79,9 +79,14 @@ TEST(DilatingWall, LeavesLittleDilationToTheNextStep) {
     EXPECT_LT(rough.remaining_dilation, .15 * rough.largest_dilation) << "0.07 when this was written";
 }
 
-/// The mean displacement of the blocks in a quarter of a second, m.
+/// The mean displacement of the blocks in a quarter of a second, m, after they came to rest under vertical
+/// gravity.
 double mean_displacement(const Scene& scene, double step) {
-    Simulation sim(scene);
+    Scene level = scene;
+    level.model.gravity = Vec2(0, -g);
+    Simulation rest(level), sim(scene);
+    EXPECT_EQ(rest.settle(.005, 1e-6).status, dda::RunStatus::completed);
+    sim.state = rest.state;
     EXPECT_EQ(sim.shake(.25, step).status, dda::RunStatus::completed);
     double sum = 0;
     for (int block = 1; block < sim.model.block_count(); ++block) sum += sim.moved(block).norm();
@@ -93,19 +98,18 @@ double mean_displacement(const Scene& scene, double step) {
 // more of the waves that the sudden gravity causes and that larger steps damp. These waves move the wall with
 // and without dilation, and no order of convergence can be seen.
 TEST(DilatingWall, HasAnErrorOfFirstOrderInTheStep) {
-    for (const double degrees : {20., 30.}) {
+    for (const double degrees : {40., 45.}) {
         const Scene soft = tipped_wall(1, degrees, 5e7);
         std::vector<double> displacements;
         for (const double step : {.01, .005, .0025, .00125, .000625})
             displacements.push_back(mean_displacement(soft, step));
-        for (std::size_t k = 2; k < displacements.size(); ++k) {
-            const double ratio =
-                (displacements[k] - displacements[k - 1]) / (displacements[k - 1] - displacements[k - 2]);
-            EXPECT_GT(ratio, 1. / 3) << degrees << ", " << k;
-            EXPECT_LT(ratio, 2. / 3) << degrees << ", " << k;
-        }
+        // Steps of 10 and 2.5 ms against 0.625 ms: an error proportional to the step gives (16 - 1) / (4 -
+        // 1).
+        const double ratio = (displacements[0] - displacements[4]) / (displacements[2] - displacements[4]);
+        EXPECT_GT(ratio, 3) << degrees << ": order 0.7";
+        EXPECT_LT(ratio, 8) << degrees << ": order 1.4";
         EXPECT_NEAR(displacements[1], displacements.back(), .015 * displacements.back())
-            << "1.0 % at 5 ms when this was written";
+            << "0.8 % at 5 ms when this was written";
     }
 }
 

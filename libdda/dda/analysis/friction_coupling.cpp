@@ -110,7 +110,8 @@ void FrictionCoupling::find_sliding(std::span<const Vec6> d) {
             sliding.bonded = trials_.is_bonded(k);
             sliding.coheres = trials_.coheres(k);
             sliding.friction_force = trials_.friction_force(k);
-            sliding.normal = trials_.linear_normal(k, springs.rows.measure(springs.normal, d));
+            sliding.normal = trials_.linear_normal(k, springs.rows.measure(trials_.normal_measure(k), d));
+            sliding.tilt = trials_.tilt(k);
             linearize_bound(sliding, d);
         }
     });
@@ -171,7 +172,8 @@ void FrictionCoupling::apply_operator(Direction& direction, std::size_t rows) {
             const Sliding& sliding = sliding_[i];
             const ContactSprings& springs = p_.springs[sliding.contact];
             const double opening =
-                springs.normal.direction.dot(springs.rows.relative_displacement(direction.displacement));
+                trials_.normal_measure(sliding.contact)
+                    .direction.dot(springs.rows.relative_displacement(direction.displacement));
             direction.friction_force[i] = sliding.residual;
             direction.normal[i] = -trials_.normal_stiffness(sliding.contact) * opening;
         }
@@ -236,7 +238,7 @@ int FrictionCoupling::solve(std::span<Vec6> d) {
     });
     for (const Sliding& sliding : sliding_) {
         trials_.set_friction_force(sliding.contact, sliding.friction_force);
-        trials_.set_bound_to_friction_force(sliding.contact);
+        trials_.set_bound_to_friction_force(sliding.contact, sliding.normal);
     }
     return count;
 }

@@ -35,6 +35,7 @@ class FrictionCoupling {
         double slope = 0;                ///< of the bound over the normal force
         double cohesion = 0;             ///< of the bound at zero normal force
         double lowest_normal_force = 0;  ///< the normal force below which the bound falls no further
+        double tilt = 0;                 ///< of the normal spring, Eq. (83)
         bool bonded = false;
         bool coheres = false;       ///< its cohesion acts in this step, also without a normal force
         bool line_missing = false;  ///< its joint segment has to compute it first
@@ -45,8 +46,10 @@ class FrictionCoupling {
         double line() const { return slope * std::max(normal, lowest_normal_force) + cohesion; }
         /// A contact that coheres keeps the strength of no normal force where it opens, Eq. (75).
         bool is_bounded() const { return (normal > 0 || bonded || coheres) && line() > 0; }
-        double bound() const { return is_bounded() ? sign * line() : 0; }
-        double bound_slope() const { return is_bounded() && normal > lowest_normal_force ? sign * slope : 0; }
+        double bound() const { return is_bounded() ? sign * line() - tilt * normal : 0; }
+        double bound_slope() const {
+            return is_bounded() && normal > lowest_normal_force ? sign * slope - tilt : 0;
+        }
     };
     /// A change of the friction forces, and the changes that follow from it.
     struct Direction {

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "dda/contact/contact.hpp"
+#include "dda/contact/contact_stiffness.hpp"
 #include "dda/model/model.hpp"
 
 namespace rockslope::dda {
@@ -13,7 +14,8 @@ namespace rockslope::dda {
 /// stiffness are multiplied by the reduction factor, so that their ratio to the full strength is the same.
 /// The spring of an augmented contact counts as unknown, because augmentation removes its deformation.
 /// @param contact at the step's start; @param stiffness of its shear spring, N/m per metre; @param
-/// normal_force at the end, N per metre; @param displacement and slip in m.
+/// normal_force at the end, N per metre; @param displacement and slip in m. The shear force follows the
+/// normal force before the displacement.
 inline ContactMotion contact_motion(const Model& model, const Contact& contact, double stiffness,
                                     double normal_force, double displacement, double slip) {
     ContactMotion motion;
@@ -21,7 +23,10 @@ inline ContactMotion contact_motion(const Model& model, const Contact& contact, 
     motion.displacement = displacement;
     motion.normal_force = normal_force;
     motion.length = contact.length;
-    motion.shear_force = contact.shear_force * model.strength_reduction;
+    const double slope = locked_dilation(model, contact.joint_material, contact.history).slope;
+    const double by_dilation = (std::max(normal_force, 0.0) - contact.normal_force) * slope;
+    motion.shear_force = (contact.shear_force + by_dilation) * model.strength_reduction;
+    motion.spring_of_law = !model.joint_material_at(contact.joint_material).has_shear_spring();
     motion.stiffness = model.is_augmented(contact.joint_material) ? 0 : stiffness * model.strength_reduction;
     return motion;
 }

@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 
+#include "dda/analysis/joint_motion.hpp"
 #include "dda/contact/contact_stiffness.hpp"
 
 namespace rockslope::dda {
@@ -32,13 +33,22 @@ double spring_energy(double force, double stiffness) {
     return force * force / (2 * stiffness);
 }
 
+/// Energy of a contact's shear spring, and of the dilation of a joint that has not slipped, Eq. (78).
+double shear_energy(const Model& model, const Contact& contact, double stiffness) {
+    const LockedDilation dilating = locked_dilation(model, contact.joint_material, contact.history);
+    if (dilating.slope == 0) return spring_energy(contact.shear_force, stiffness);
+    const double force =
+        contact.shear_force - dilating.shear_force(contact.normal_force, contact.joint_share);
+    return dilating.stored_energy(force, stiffness, contact.dilation, contact.joint_share);
+}
+
 /// An augmented contact is rigid and stores no energy.
 double contact_energy(const Model& model, const std::vector<Contact>& contacts) {
     double sum = 0;
     for (const Contact& contact : contacts) {
         if (contact.state == ContactState::open || model.is_augmented(contact.joint_material)) continue;
         sum += normal_spring(model, contact).energy(contact.normal_force) +
-               spring_energy(contact.shear_force, shear_stiffness(model, contact));
+               shear_energy(model, contact, shear_stiffness(model, contact));
     }
     return sum;
 }
@@ -99,20 +109,19 @@ double Ledger::contact_energy_of(const std::vector<Contact>& contacts) const {
     return contact_energy(model_, contacts);
 }
 
-void Ledger::record_contacts(const StepWork& step, Energy& energy) const {
+void Ledger::record_contacts(const StepWork& step, const PerContact<Contact>& advanced,
+                             Energy& energy) const {
     for (const ContactIndex k : step.before.indices()) {
         const Contact& before = step.before[k];
         const EvaluatedContact& after = step.result.contacts[k];
         const ContactSprings& s = step.springs[k];
         const bool stores = !model_.is_augmented(before.joint_material);
         const auto stored_by_normal = [&](double force) { return stores ? s.normal_law.energy(force) : 0; };
-        const auto stored_by_shear = [&](double force) {
-            return stores ? spring_energy(force, s.shear_stiffness) : 0;
-        };
         const bool was_closed = before.state != ContactState::open;
         const bool is_closed = after.state != ContactState::open;
         const double stored_normal = was_closed ? stored_by_normal(before.normal_force) : 0;
-        const double stored_shear = was_closed ? stored_by_shear(before.shear_force) : 0;
+        const double stored_shear =
+            was_closed && stores ? shear_energy(model_, before, s.shear_stiffness) : 0;
         if (!is_closed) {
             // The normal force of an opened contact is zero at the end of the step. Its normal energy is lost
             // to the integration, or released if a bond broke. Its shear energy is released.
@@ -122,21 +131,46 @@ void Ledger::record_contacts(const StepWork& step, Energy& energy) const {
                 continue;
             }
             // Its cohesion acted to the end of the step, Eq. (75), and its shear spring is released there.
-            const double stored_at_end = stored_by_shear(after.shear_force);
+            const double stored_at_end = stores ? spring_energy(after.shear_force, s.shear_stiffness) : 0;
             energy.friction_loss += after.shear_force * after.displacement - (stored_at_end - stored_shear);
             energy.released += stored_at_end;
             energy.external_work += after.shear_force * s.shear.prescribed;
             continue;
         }
         const double opening = s.rows.measure(s.normal, step.result.displacement);
-        // Dilation does work against the normal force; that work is taken from the work of shearing.
-        record_spring(-after.normal_force * opening, -after.normal_force * after.dilation_increment,
-                      stored_normal, stored_by_normal(after.normal_force), energy);
-        record_spring(after.shear_force * after.displacement, after.shear_force * after.slip, stored_shear,
-                      stored_by_shear(after.shear_force), energy);
+        const double shear_work = after.shear_force * after.displacement;
+        const double dilation_work = -after.normal_force * after.dilation_increment;
+        energy.numerical_loss += -after.normal_force * opening - dilation_work -
+                                 (stored_by_normal(after.normal_force) - stored_normal);
+        if (dilates(model_.joint_material_at(before.joint_material).law) && stores) {
+            record_dilating_shear(advanced[k], after, s.shear_stiffness, shear_work + dilation_work,
+                                  stored_shear, energy);
+        } else {
+            const double stored = stores ? spring_energy(after.shear_force, s.shear_stiffness) : 0;
+            record_spring(shear_work, after.shear_force * after.slip, stored_shear, stored, energy);
+            energy.friction_loss += dilation_work;
+        }
         energy.external_work +=
             after.shear_force * s.shear.prescribed - after.normal_force * s.normal.prescribed;
     }
+}
+
+/// Splits the work of shearing and dilating a joint: what neither its spring and its dilation store, Eq.
+/// (78), nor the end-of-step evaluation of the spring loses, Eq. (42), is friction loss if the joint slips. A
+/// locked joint releases energy where its spring is found anew; its other difference is that of the
+/// evaluation.
+void Ledger::record_dilating_shear(const Contact& advanced, const EvaluatedContact& after, double stiffness,
+                                   double work, double stored_before, Energy& energy) const {
+    const double elastic = after.displacement - after.slip;
+    const double evaluation_loss = stiffness * elastic * elastic / 2;
+    const double rest = work - evaluation_loss - (shear_energy(model_, advanced, stiffness) - stored_before);
+    energy.numerical_loss += evaluation_loss;
+    if (after.slip != 0)
+        energy.friction_loss += rest;
+    else if (shear_stiffness(model_, advanced) != stiffness)
+        energy.released += rest;
+    else
+        energy.numerical_loss += rest;
 }
 
 void Ledger::record_spring_changes(const StepWork& step, const PerContact<Contact>& after,
@@ -146,8 +180,8 @@ void Ledger::record_spring_changes(const StepWork& step, const PerContact<Contac
         if (contact.state == ContactState::open || model_.is_augmented(contact.joint_material)) continue;
         const double stiffness = shear_stiffness(model_, contact);
         if (stiffness == step.springs[k].shear_stiffness) continue;
-        energy.released += spring_energy(contact.shear_force, step.springs[k].shear_stiffness) -
-                           spring_energy(contact.shear_force, stiffness);
+        energy.released += shear_energy(model_, contact, step.springs[k].shear_stiffness) -
+                           shear_energy(model_, contact, stiffness);
     }
 }
 

@@ -38,7 +38,8 @@ class Ledger {
     double contact_energy_of(const std::vector<Contact>& contacts) const;
 
     /// Adds the losses of contact springs and the work of prescribed blocks on them.
-    void record_contacts(const StepWork& step, Energy& energy) const;
+    /// @param advanced the contacts at the end of the step.
+    void record_contacts(const StepWork& step, const PerContact<Contact>& advanced, Energy& energy) const;
     /// Adds the energy difference of shear springs whose stiffness changed in the step at constant force,
     /// Eq. (58), to Energy::released. @param after the contacts at the end of the step.
     void record_spring_changes(const StepWork& step, const PerContact<Contact>& after, Energy& energy) const;
@@ -50,6 +51,9 @@ class Ledger {
     void record_boundaries(const StepWork& step, Energy& energy) const;
 
   private:
+    void record_dilating_shear(const Contact& advanced, const EvaluatedContact& after, double stiffness,
+                               double work, double stored_before, Energy& energy) const;
+
     const Model& model_;
     const RowMap& rows_;
     PerBlock<Vec2> datum_;  ///< per block, initial centroid, m

@@ -85,7 +85,8 @@ LineSearch::ContactLine LineSearch::line_of(ContactIndex contact, RowSpan<const 
     const Vec2 there = s.rows.relative_displacement(target);
     const Vec2 rate = s.rows.relative_displacement(search_direction_);
     ContactLine line;
-    line.opening = {s.normal.at(there), s.normal.direction.dot(rate)};
+    const RelativeMeasure normal = trials_.normal_measure(contact);
+    line.opening = {normal.at(there), normal.direction.dot(rate)};
     line.shearing = {s.shear.at(there), s.shear.direction.dot(rate)};
     line.linear = trials_.linear_forces(contact, line.opening.end, line.shearing.end);
     line.law = trials_.law(contact);

@@ -132,8 +132,9 @@ class OpenCloseIteration {
         pool_.parallel_for(force_.size(), [&](std::size_t begin, std::size_t end) {
             for (const ContactIndex k : indices<ContactIndex>(begin, end)) {
                 const ContactSprings& s = p_.springs[k];
-                const Forces forces = trials_.linear_forces(k, s.normal.prescribed, s.shear.prescribed);
-                force_[k] = forces.normal * s.normal.direction - forces.shear * s.shear.direction;
+                const RelativeMeasure normal = trials_.normal_measure(k);
+                const Forces forces = trials_.linear_forces(k, normal.prescribed, s.shear.prescribed);
+                force_[k] = forces.normal * normal.direction - forces.shear * s.shear.direction;
             }
         });
         load_ = p_.base.load;

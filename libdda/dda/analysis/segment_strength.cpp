@@ -19,9 +19,13 @@ SegmentStrength::SegmentStrength(const StepProblem& problem)
         // The normal force is arbitrary here: only the state at the step's start decides which contacts
         // count.
         const auto motion_of = [&](ContactIndex k) {
-            return contact_motion(p_.model, p_.contacts[k], p_.springs[k].shear_stiffness, 1, 0, 0);
+            ContactMotion motion =
+                contact_motion(p_.model, p_.contacts[k], p_.springs[k].shear_stiffness, 1, 0, 0);
+            motion.shear_force = p_.contacts[k].shear_force * p_.model.strength_reduction;
+            return motion;
         };
         const auto add_member = [&](ContactIndex k, const MemberWeight& weight) {
+            if (weight.counts) segment.normal_force += p_.contacts[k].normal_force;
             members_.push_back({k, weight});
         };
         const std::optional<SegmentMotion> combined =
@@ -29,6 +33,8 @@ SegmentStrength::SegmentStrength(const StepProblem& problem)
         segment.history = &**combined->history;
         segment.length = combined->motion.length;
         segment.shear_force = combined->motion.shear_force;
+        segment.locked_slope = locked_dilation(p_.model, first.joint_material, *segment.history).slope *
+                               p_.model.strength_reduction;
         segment.shear_stiffness = combined->motion.stiffness;
         for (const ContactIndex k : members) {
             segment_of_[k] = static_cast<int>(index);
@@ -39,8 +45,11 @@ SegmentStrength::SegmentStrength(const StepProblem& problem)
 
 Strength SegmentStrength::over_normal_force(std::size_t index, const SegmentLoading& loading) const {
     const Segment& segment = segments_[index];
-    Strength strengths = strength(*segment.law, *segment.history, loading.normal, segment.length,
-                                  {loading.displacement, segment.shear_force, segment.shear_stiffness});
+    Strength strengths =
+        strength(*segment.law, *segment.history, loading.normal, segment.length,
+                 {loading.displacement,
+                  segment.shear_force + (loading.normal - segment.normal_force) * segment.locked_slope,
+                  segment.shear_stiffness});
     const double factor = strength_factor_ / loading.normal;
     for (double* one : {&strengths.forward, &strengths.backward, &strengths.tensile}) *one *= factor;
     return strengths;

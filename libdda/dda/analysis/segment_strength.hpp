@@ -69,6 +69,8 @@ class SegmentStrength {
         const JointHistory* history = nullptr;
         double length = 0;           ///< m
         double shear_force = 0;      ///< argument of the law, see contact_motion, N per metre
+        double normal_force = 0;     ///< at the step's start, N per metre
+        double locked_slope = 0;     ///< t of Eq. (77), times the strength reduction
         double shear_stiffness = 0;  ///< argument of the law, see contact_motion, N/m per metre
         double stiffness = 0;        ///< sum over its springs, N/m per metre
     };

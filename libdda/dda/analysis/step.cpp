@@ -7,6 +7,7 @@
 
 #include "dda/analysis/advance_contacts.hpp"
 #include "dda/analysis/rotation_prediction.hpp"
+#include "dda/analysis/shear_sharing.hpp"
 #include "dda/contact/candidates.hpp"
 #include "dda/contact/find_contacts.hpp"
 #include "dda/terms/loads.hpp"
@@ -250,6 +251,7 @@ TimeStepper::Step TimeStepper::prepare(const Stage& stage, const State& state, d
                       pool_, times_);
     step.contacts = std::move(found.set);
     step.segments = std::move(found.segments);
+    share_shear_force(model_, step.segments, duration_of(stage, dt) == 0, step.contacts.contacts);
     step.springs =
         contact_springs(model_, rows_, step.mid, step.prescribed.displacement, step.contacts.contacts, pool_);
     step.bolts = bolt_springs(model_, rows_, step.mid, step.prescribed.displacement);
@@ -319,6 +321,7 @@ OpenCloseResult TimeStepper::solve(const Stage& stage, const State& state, const
         row_contacts_,
         step.bolts,
         state.bolt_force,
+        duration_of(stage, step.dt),
         coordinate_rounding_ * std::max(max_spring_stiffness(step.springs), model_.normal_penalty)};
     return iterate_open_close(problem, pattern_, *solver_, matrix_, pool_, times_);
 }
@@ -394,7 +397,7 @@ State TimeStepper::updated_state(const Stage& stage, const State& state, const S
     after.energy.released += ledger_.contact_energy_of(state.contacts.contacts) -
                              ledger_.contact_energy_of(step.contacts.contacts);
     after.energy.numerical_loss += straining_loss;
-    ledger_.record_contacts(work, after.energy);
+    ledger_.record_contacts(work, after.contacts.contacts, after.energy);
     ledger_.record_spring_changes(work, after.contacts.contacts, after.energy);
     ledger_.record_constraints(work, after.energy);
     ledger_.record_blocks(work, after.energy);

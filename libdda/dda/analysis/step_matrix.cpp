@@ -33,7 +33,8 @@ void StepMatrix::assemble(const TrialContacts& trials) {
 
 StepMatrix::Springs StepMatrix::springs_of(const TrialContacts& trials, ContactIndex contact) const {
     return {trials.has_normal_spring(contact) ? trials.normal_stiffness(contact) : 0,
-            trials.has_shear_spring(contact) ? p_.springs[contact].shear_stiffness : 0};
+            trials.has_shear_spring(contact) ? p_.springs[contact].shear_stiffness : 0,
+            trials.has_normal_spring(contact) ? trials.tilt(contact) : 0};
 }
 
 double StepMatrix::stiffness_of_bolt(const TrialContacts& trials, std::size_t bolt) const {
@@ -97,7 +98,7 @@ void StepMatrix::assemble_row(RowIndex row) {
             if (off_diagonal != nullptr)
                 off_diagonal->noalias() += force * s.rows.project_on_row(last_partner, direction).transpose();
         };
-        add(s.normal.direction, contacts_[k].normal);
+        add(s.normal.direction - contacts_[k].tilt * s.shear.direction, contacts_[k].normal);
         add(s.shear.direction, contacts_[k].shear);
     }
 }

@@ -30,6 +30,7 @@ class StepMatrix {
     struct Springs {
         double normal = 0;
         double shear = 0;
+        double tilt = 0;  ///< of the normal spring, Eq. (83)
         friend bool operator==(const Springs&, const Springs&) = default;
     };
     Springs springs_of(const TrialContacts& trials, ContactIndex contact) const;

@@ -41,6 +41,7 @@ struct StepProblem {
     const RowContacts& row_contacts;  ///< the contacts of each matrix row
     std::span<const BoltSpring> bolts;
     std::span<const double> bolt_force;  ///< at the start of the step, N per metre
+    double duration = 0;                 ///< s, physical time of the step; 0 in static stages
     double rounding_force = 0;           ///< N per metre; smaller force differences are rounding errors
 };
 

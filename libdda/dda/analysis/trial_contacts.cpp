@@ -21,6 +21,20 @@ bool is_within(double force, const Strength& bounds) {
 /// dilation acts in the next step.
 constexpr double dilation_tolerance = 10;
 
+/// Displacement over that of the step with which the slope of the dilation along further slip is found, and
+/// its least value, m.
+constexpr double slope_increment = 1e-3, least_slope_increment = 1e-9;
+
+/// The derivative of the dilation along further slip. @param total dilation after `combined`, m.
+double slope_of_further_slip(const JointLaw& law, const SegmentMotion& combined, double total) {
+    ContactMotion more = combined.motion;
+    const double further = std::copysign(
+        std::max(slope_increment * std::abs(more.displacement), least_slope_increment), more.slip);
+    more.displacement += further;
+    more.slip += further;
+    return (dilation(law, advance(law, *combined.history, more)) - total) / further;
+}
+
 /// Force change over the force tolerance below which the law of a rough joint segment is not evaluated again.
 /// The final convergence test evaluates all laws.
 constexpr double law_reuse_tolerance = 0.1;
@@ -74,13 +88,19 @@ TrialContacts::Trial TrialContacts::initial_trial(ContactIndex k) const {
     trial.locked = trial.active && contact.state != ContactState::sliding;
     trial.friction_force = contact.shear_force;
     trial.forward = contact.shear_force >= 0;
+    trial.held_normal = contact.normal_force;
+    trial.dilating = locked_dilation(p_.model, contact.joint_material, contact.history);
+    trial.shear_origin -= trial.dilating.shear_force(contact.normal_force, contact.joint_share);
+    trial.tilt = trial.sliding_slope = trial.dilating.slope;
     if (const EvaluatedContact* guess = p_.guess[k]; guess != nullptr && trial.may_close) {
         trial.active = guess->state != ContactState::open;
         trial.locked = guess->state == ContactState::locked;
         trial.friction_force = guess->shear_force;
         trial.forward = guess->shear_force >= 0;
         trial.dilation_increment = guess->dilation_increment;
+        trial.held_normal = std::max(guess->normal_force, 0.0);
     }
+    trial.friction_force -= trial.tilt * trial.held_normal;
     if (trial.active && !trial.locked && !is_on_segment(k))
         trial.bounds = bounds_of_single_contact(k, initial_loading(k));
     trial.tangent = tangent_at(k, trial.active ? initial_loading(k).normal : 0);
@@ -126,7 +146,9 @@ double TrialContacts::linear_bolt_force(std::size_t k, double elongation) const 
 // --- the laws
 
 Forces TrialContacts::current_forces(ContactIndex k) const {
-    return law_forces(k, trials_[k].opening, trials_[k].shearing);
+    Forces forces = law_forces(k, trials_[k].opening, trials_[k].shearing);
+    forces.shear += trials_[k].tilt * forces.normal;
+    return forces;
 }
 
 TrialContacts::Tangent TrialContacts::tangent_at(ContactIndex k, double force) const {
@@ -150,9 +172,11 @@ void TrialContacts::find_requested_lines() {
         [this](ContactIndex k) { return evaluated_ ? current_loading(k) : initial_loading(k); });
 }
 
-void TrialContacts::set_bound_to_friction_force(ContactIndex k) {
+void TrialContacts::set_bound_to_friction_force(ContactIndex k, double normal_force) {
     Trial& trial = trials_[k];
-    (trial.forward ? trial.bounds.forward : trial.bounds.backward) = std::abs(trial.friction_force);
+    trial.held_normal = std::max(normal_force, 0.0);
+    (trial.forward ? trial.bounds.forward : trial.bounds.backward) =
+        std::abs(trial.friction_force + trial.tilt * trial.held_normal);
 }
 
 double TrialContacts::bound_at(ContactIndex k, double normal, RowSpan<const Vec6> d) const {
@@ -179,15 +203,20 @@ void TrialContacts::set_displacement(RowSpan<const Vec6> d, RowSpan<const Vec6> 
         const ContactSprings& s = p_.springs[k];
         Trial& trial = trials_[k];
         const Vec2 relative_displacement = s.rows.relative_displacement(d);
-        trial.opening = s.normal.at(relative_displacement);
-        trial.shearing = s.shear.at(relative_displacement);
+        const RelativeMeasure normal = normal_measure(k);
         const Vec2 balanced = s.rows.relative_displacement(target);
-        trial.linear = linear_forces(k, s.normal.at(balanced), s.shear.at(balanced));
+        trial.linear = linear_forces(k, normal.at(balanced), s.shear.at(balanced));
+        trial.linear.shear += trial.tilt * trial.linear.normal;
+        // The linearised dilation continues to the new iterate.
+        const double shearing = s.shear.at(relative_displacement);
+        trial.dilation_increment += trial.tilt * (shearing - trial.shearing);
+        trial.opening = normal.at(relative_displacement);
+        trial.shearing = shearing;
         const CornerEdgeGeometry geometry =
             corner_edge_geometry(moved_vertices_[contact.corner], moved_vertices_[start_of(contact.edge)],
                                  moved_vertices_[topology.end_of(contact.edge)]);
         // The gap less its linear measure, Eq. (21).
-        trial.gap_offset = geometry.gap - contact.dilation - trial.opening;
+        trial.gap_offset = geometry.gap - contact.dilation - trial.opening - trial.tilt * trial.shearing;
     });
     for (std::size_t k = 0; k < elongation_.size(); ++k) {
         const BoltSpring& bolt = p_.bolts[k];
@@ -266,42 +295,79 @@ void TrialContacts::compute_bounds(double change_tolerance) {
         if (is_on_segment(k)) return;
         trials_[k].bounds = trials_[k].may_close ? current_bounds(k) : Strength{};
     });
+    for_contacts([&](ContactIndex k) {
+        if (trials_[k].may_close) trials_[k].held_normal = current_loading(k).normal;
+    });
     segment_friction_.update(
         change_tolerance, [this](ContactIndex k) { return current_loading(k); },
         [this](ContactIndex k, const Strength& bounds) { trials_[k].bounds = bounds; });
 }
 
+/// The elastic shear force of Eq. (23); it follows the normal force where the joint dilates, Eq. (77).
+double TrialContacts::elastic_shear(ContactIndex k) const {
+    const Trial& trial = trials_[k];
+    const double spring = trial.shear_origin + p_.springs[k].shear_stiffness * trial.shearing;
+    if (trial.dilating.slope == 0) return spring;
+    return spring +
+           trial.dilating.shear_force(std::max(current_forces(k).normal, 0.0), p_.contacts[k].joint_share);
+}
+
 ContactMotion TrialContacts::motion(ContactIndex k) const {
     const Forces forces = current_forces(k);
-    const double elastic = elastic_shear(k, trials_[k].shearing);
-    return contact_motion(p_.model, p_.contacts[k], p_.springs[k].shear_stiffness, forces.normal,
-                          trials_[k].shearing, slip(k, elastic, forces.shear));
+    const double elastic = elastic_shear(k);
+    ContactMotion motion = contact_motion(p_.model, p_.contacts[k], p_.springs[k].shear_stiffness,
+                                          forces.normal, trials_[k].shearing, slip(k, elastic, forces.shear));
+    motion.duration = p_.duration;
+    return motion;
 }
 
 /// A joint segment dilates as a whole, by the combined motion of its contacts.
 template <class Visit>
-void TrialContacts::visit_dilation_by_law(const Visit& visit) const {
+void TrialContacts::visit_dilating_segments(const Visit& visit) const {
     if (!dilates_) return;
     for (std::size_t segment = 0; segment < p_.segments.count(); ++segment) {
         const auto members = p_.segments.contacts_of(segment);
         const JointLaw& law = law_of(members[0]);
         if (!dilates(law)) continue;
         const auto combined = segment_motion(members, p_.contacts, [&](ContactIndex k) { return motion(k); });
-        const double total = combined ? dilation(law, advance(law, *combined->history, combined->motion)) : 0;
-        for (const ContactIndex k : members) visit(k, combined ? total - p_.contacts[k].dilation : 0);
+        visit(law, members, combined);
     }
 }
 
+/// The dilation of an open segment does not change.
 void TrialContacts::update_dilation() {
-    visit_dilation_by_law([&](ContactIndex k, double by_law) {
-        if (!trials_[k].postponed) trials_[k].dilation_increment = by_law;
+    visit_dilating_segments([&](const JointLaw& law, std::span<const ContactIndex> members,
+                                const std::optional<SegmentMotion>& combined) {
+        std::optional<JointHistory> after;
+        if (combined) after = advance(law, *combined->history, combined->motion);
+        const double total = after ? dilation(law, *after) : 0;
+        const bool slides = after && combined->motion.slip != 0;
+        const double slope = slides ? slope_of_further_slip(law, *combined, total) : 0;
+        for (const ContactIndex k : members) {
+            Trial& trial = trials_[k];
+            if (trial.postponed) continue;
+            trial.dilation_increment = after ? total - p_.contacts[k].dilation : 0;
+            if (p_.model.is_augmented(p_.contacts[k].joint_material)) continue;
+            trial.dilating = locked_dilation(law, p_.contacts[k].history);
+            if (after) trial.dilating = after_displacement(trial.dilating, locked_dilation(law, *after));
+            trial.sliding_slope = slides ? slope : trial.dilating.slope;
+        }
+    });
+}
+
+template <class Visit>
+void TrialContacts::visit_dilation_by_law(const Visit& visit) const {
+    visit_dilating_segments([&](const JointLaw& law, std::span<const ContactIndex> members,
+                                const std::optional<SegmentMotion>& combined) {
+        const double total = combined ? dilation(law, advance(law, *combined->history, combined->motion)) : 0;
+        for (const ContactIndex k : members) visit(k, combined ? total - p_.contacts[k].dilation : 0);
     });
 }
 
 bool TrialContacts::dilation_exceeds_tolerance() const {
     double largest = 0;
     visit_dilation_by_law([&](ContactIndex k, double by_law) {
-        if (trials_[k].postponed) return;
+        if (trials_[k].postponed || !(current_forces(k).normal > 0)) return;
         const double error = std::abs(by_law - trials_[k].dilation_increment);
         largest = std::max(largest, p_.springs[k].normal_stiffness * error);
     });
@@ -314,6 +380,8 @@ bool TrialContacts::postpone_dilation() {
         Trial& trial = trials_[k];
         if (trial.postponed || std::abs(by_law - trial.dilation_increment) <= std::abs(by_law)) return;
         trial.dilation_increment = 0;
+        trial.sliding_slope = 0;
+        set_tilt(k, 0);
         trial.postponed = true;
         any = true;
     });
@@ -361,7 +429,7 @@ bool TrialContacts::update_active_set() {
 bool TrialContacts::update_active_set_of(ContactIndex k) {
     Trial& trial = trials_[k];
     const Forces law = current_forces(k);
-    const double elastic = elastic_shear(k, trial.shearing);
+    const double elastic = elastic_shear(k);
     const bool active = trial.may_close && (law.normal > 0 || is_bonded(k));
     const bool locked = trial.may_close && is_within(elastic, trial.bounds);
     bool changed = active != trial.active || locked != trial.locked;
@@ -372,12 +440,17 @@ bool TrialContacts::update_active_set_of(ContactIndex k) {
     }
     trial.active = active;
     trial.locked = locked;
-    trial.friction_force = law.shear;
+    if (const double tilt = locked ? trial.dilating.slope : trial.sliding_slope; tilt != trial.tilt) {
+        set_tilt(k, tilt);
+        changed = changed || active;
+    }
+    trial.friction_force = law.shear - trial.tilt * law.normal;
     trial.forward = elastic >= 0;
     return changed;
 }
 
 double TrialContacts::slip(ContactIndex k, double elastic, double force) const {
+    if (is_within(elastic, trials_[k].bounds)) return 0;
     if (!p_.model.is_augmented(p_.contacts[k].joint_material))
         return (elastic - force) / p_.springs[k].shear_stiffness;
     if (elastic == force) return 0;
@@ -409,7 +482,7 @@ EvaluatedContact TrialContacts::evaluated(ContactIndex k) const {
     evaluated.dilation_increment = trial.dilation_increment;
     evaluated.bond_broken = trial.bond_broken;
     if (stays_closed(k)) {
-        const double elastic = elastic_shear(k, trial.shearing);
+        const double elastic = elastic_shear(k);
         evaluated.state = is_within(elastic, trial.bounds) ? ContactState::locked : ContactState::sliding;
         evaluated.slip = slip(k, elastic, forces.shear);
     }

@@ -16,13 +16,15 @@ struct Forces {
     double normal = 0;
     double shear = 0;
 };
+// A contact that dilates has its normal spring along a tilted direction, Eq. (83): then `shear` of the linear
+// system, of a ContactLaw and of the friction coupling is the shear force less tilt times normal force.
 
 /// The force laws of a contact with fixed shear bounds, Eq. (32), with all their parameters. The line search
 /// evaluates them at many displacements.
 struct ContactLaw {
     NormalClosure normal_law;
     double gap_offset = 0;          ///< m, gap less the linearised opening, Eq. (21)
-    double dilation_increment = 0;  ///< m
+    double dilation_increment = 0;  ///< m, at zero displacement
     double stress_free_gap = 0;     ///< m
     double shear_origin = 0;        ///< N per metre, shear force at zero displacement
     double shear_stiffness = 0;     ///< N/m per metre
@@ -59,6 +61,14 @@ class TrialContacts {
     std::size_t count() const { return trials_.size(); }
 
     // --- the linear system
+    /// The measure of the normal spring: the opening, less the tilt times the shear displacement, Eq. (83).
+    RelativeMeasure normal_measure(ContactIndex k) const {
+        const ContactSprings& s = p_.springs[k];
+        const double tilt = trials_[k].tilt;
+        return {s.normal.direction - tilt * s.shear.direction,
+                s.normal.prescribed - tilt * s.shear.prescribed};
+    }
+    double tilt(ContactIndex k) const { return trials_[k].tilt; }
     bool has_normal_spring(ContactIndex k) const { return trials_[k].active; }
     /// Tangent stiffness of the normal spring, N/m per metre.
     double normal_stiffness(ContactIndex k) const { return trials_[k].tangent.stiffness; }
@@ -81,7 +91,8 @@ class TrialContacts {
     double friction_force(ContactIndex k) const { return trials_[k].friction_force; }
     void set_friction_force(ContactIndex k, double force) { trials_[k].friction_force = force; }
     /// Sets the bound in the sliding direction to the friction force.
-    void set_bound_to_friction_force(ContactIndex k);
+    /// @param normal_force N per metre, of the linear system.
+    void set_bound_to_friction_force(ContactIndex k, double normal_force);
     /// Whether any contact is on a rough joint segment.
     bool has_segments() const { return !segment_friction_.empty(); }
     /// Whether a contact is on a rough joint segment, whose contacts have one friction law in common.
@@ -190,10 +201,14 @@ class TrialContacts {
         double friction_force = 0;      ///< N per metre, shear force in the linear system when not locked
         Strength bounds;                ///< N per metre, shear bounds and tensile strength
         double stress_free_gap = 0;     ///< m, gap at zero normal force
-        double shear_origin = 0;        ///< N per metre, at zero displacement; shifted by augmentation
+        double shear_origin = 0;        ///< N per metre, of the spring at the start; shifted by augmentation
         double gap_offset = 0;          ///< m, gap less the linearised opening, Eq. (21)
         double dilation_increment = 0;  ///< m, opening by dilation since the start of the step
-        double opening = 0;             ///< m, linearised normal displacement
+        double tilt = 0;                ///< derivative of the dilation in the linear system, Eq. (83)
+        LockedDilation dilating;        ///< how its shear force follows its normal force while locked
+        double sliding_slope = 0;       ///< derivative of the dilation while sliding
+        double held_normal = 0;         ///< N per metre, normal force at which the bounds were set
+        double opening = 0;             ///< m, linearised normal displacement, tilted
         double shearing = 0;            ///< m, linearised tangential displacement
         Forces linear;                  ///< forces of the linear system at its solution
         Tangent tangent;                ///< the normal spring in the linear system
@@ -235,15 +250,33 @@ class TrialContacts {
     /// contact of a segment whose law dilates.
     template <class Visit>
     void visit_dilation_by_law(const Visit& visit) const;
+    /// Calls visit(law, contacts, motion) for each segment whose law dilates, with its motion in the step;
+    /// none without a normal force.
+    template <class Visit>
+    void visit_dilating_segments(const Visit& visit) const;
     double gap(ContactIndex k) const {
-        return trials_[k].gap_offset + trials_[k].opening - trials_[k].dilation_increment;
+        return trials_[k].gap_offset + trials_[k].opening - dilation_at_zero(k);
+    }
+    /// The dilation of the step, linearised at the last evaluation, at zero shear displacement, m.
+    double dilation_at_zero(ContactIndex k) const {
+        return trials_[k].dilation_increment - trials_[k].tilt * trials_[k].shearing;
+    }
+    /// Changes the tilt; forces and gap at the last evaluation stay.
+    void set_tilt(ContactIndex k, double tilt);
+    /// The shear force of the linear system at zero shear displacement, N per metre.
+    double shear_origin(ContactIndex k) const {
+        const Trial& trial = trials_[k];
+        return trial.shear_origin +
+               trial.dilating.shear_force(trial.held_normal, p_.contacts[k].joint_share) -
+               trial.tilt * trial.held_normal;
     }
     /// The compression of the normal spring, m.
     double closure(ContactIndex k, double opening) const;
     /// The tangent of the normal law at a force; the law itself if it is linear.
     Tangent tangent_at(ContactIndex k, double force) const;
-    /// The elastic shear force, Eq. (23), before the law bounds it.
-    double elastic_shear(ContactIndex k, double shearing) const;
+    /// The elastic shear force, Eq. (77), at the last evaluation, before the law bounds it.
+    double elastic_shear(ContactIndex k) const;
+    /// The forces of the law at the last evaluation: the whole shear force.
     Forces current_forces(ContactIndex k) const;
     /// Whether an augmented contact violates the conditions of rigid contact by more than `tolerance`, m: it
     /// bears a force but does not touch, penetrates, moves though locked, or slides against its shear force.
@@ -271,29 +304,38 @@ class TrialContacts {
 
 inline double TrialContacts::closure(ContactIndex k, double opening) const {
     const Trial& trial = trials_[k];
-    return -(trial.gap_offset + opening - trial.dilation_increment - trial.stress_free_gap);
+    return -(trial.gap_offset + opening - dilation_at_zero(k) - trial.stress_free_gap);
 }
 
 inline double TrialContacts::linear_normal(ContactIndex k, double opening) const {
     return trials_[k].tangent.at(closure(k, opening));
 }
 
-inline double TrialContacts::elastic_shear(ContactIndex k, double shearing) const {
-    return trials_[k].shear_origin + p_.springs[k].shear_stiffness * shearing;
+inline void TrialContacts::set_tilt(ContactIndex k, double tilt) {
+    trials_[k].opening += (trials_[k].tilt - tilt) * trials_[k].shearing;
+    trials_[k].tilt = tilt;
 }
 
 inline Forces TrialContacts::linear_forces(ContactIndex k, double opening, double shearing) const {
     const Trial& trial = trials_[k];
     return {trial.active ? linear_normal(k, opening) : 0,
-            trial.locked ? elastic_shear(k, shearing) : trial.friction_force};
+            trial.locked ? shear_origin(k) + p_.springs[k].shear_stiffness * shearing : trial.friction_force};
 }
 
 inline ContactLaw TrialContacts::law(ContactIndex k) const {
     const Trial& trial = trials_[k];
     const ContactSprings& springs = p_.springs[k];
-    return {springs.normal_law, trial.gap_offset,        trial.dilation_increment, trial.stress_free_gap,
-            trial.shear_origin, springs.shear_stiffness, -trial.bounds.backward,   trial.bounds.forward,
-            is_bonded(k),       trial.may_close};
+    const double by_dilation = trial.tilt * trial.held_normal;
+    return {springs.normal_law,
+            trial.gap_offset,
+            dilation_at_zero(k),
+            trial.stress_free_gap,
+            shear_origin(k),
+            springs.shear_stiffness,
+            -trial.bounds.backward - by_dilation,
+            trial.bounds.forward - by_dilation,
+            is_bonded(k),
+            trial.may_close};
 }
 
 }  // namespace rockslope::dda

@@ -13,7 +13,7 @@ namespace rockslope::dda {
 
 namespace {
 
-constexpr std::int64_t checkpoint_version = 13;
+constexpr std::int64_t checkpoint_version = 14;
 constexpr std::size_t chunk = 1 << 16;  // elements
 
 template <class T>

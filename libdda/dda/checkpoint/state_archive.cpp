@@ -148,11 +148,11 @@ template <class Walker, class C>
 void contact(Walker& walker, C& value) {
     auto& [point, normal, tangent, corner, edge, corner_block, edge_block, joint_material, joint, group, line,
            kind, state, inhibited, bonded, inherited_penetration, length, gap, dilation, stress_free_gap,
-           normal_force, shear_force, slip, history] = value;
+           normal_force, shear_force, slip, joint_share, spring_share, history] = value;
     integers(walker, corner, edge, corner_block, edge_block, kind, joint_material, joint, group, line,
              inhibited, state, bonded);
     reals(walker, inherited_penetration, length, gap, dilation, stress_free_gap, normal_force, shear_force,
-          slip);
+          slip, joint_share, spring_share);
     components(walker, point);
     components(walker, normal);
     components(walker, tangent);

@@ -52,6 +52,9 @@ struct Contact {
     double shear_force = 0;      ///< N per metre, resists motion of the corner along `tangent`; positive
                                  ///< pushes corner_block along -tangent
     double slip = 0;             ///< m, accumulated plastic slip of the corner along `tangent`
+    double joint_share = 1;      ///< its part in the normal force of its joint segment, Eq. (81)
+    double spring_share =
+        1;  ///< its shear spring over that of the joint, or over its own if the model gives it
     SharedHistory history;
 
     /// Distance of the corner from the rock of the edge, m. It differs from `gap` by a positive dilation: a

@@ -76,6 +76,7 @@ struct AsperityLaw : Asperities {
         return {asperity_advance(this->surface(motion.normal_force, motion.length), history, motion)};
     }
     double shear_stiffness(const History&, double, double) const { return 0; }
+    LockedDilation locked_dilation(const History&) const { return {}; }
     /// The mobilised ratio is the remaining fraction of the asperity angle at zero normal stress.
     JointRecord record(const History& history) const {
         const AsperitySurface unstressed = this->surface(0, 1);

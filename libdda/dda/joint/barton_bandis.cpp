@@ -79,6 +79,30 @@ Strength BartonBandis::strength_slope(const History& history, double normal_forc
     return {slope, slope, 0};
 }
 
+double BartonBandis::dilation_rate(double distance, double roughness) const {
+    const double total = std::clamp(angle(distance, roughness), 0.0, BartonStrength::largest_angle);
+    return std::tan(std::max((total - barton.residual_friction_angle) / damage, 0.0));
+}
+
+double BartonBandis::dilation_between(double from, double to, double roughness, double climb) const {
+    const double friction = barton.residual_friction_angle;
+    const bool limited = climb < std::numeric_limits<double>::infinity();
+    double sum = 0, start = from;
+    visit_pieces(from, to, roughness, [&](const LinearAngle& piece) {
+        // The dilation angle, Eq. (60).
+        LinearAngle rest = {piece.length, (piece.first - friction) / damage,
+                            (piece.last - friction) / damage};
+        while (rest.length > 0) {  // no dilation while friction itself is still being mobilised
+            const LinearAngle part = clamp_leading_part(rest, 0, BartonStrength::largest_angle);
+            sum += limited ? dilation_before_slip(part, start, climb)
+                           : part.length * mean_tangent(part.first, part.last);
+            start += part.length;
+            rest = {rest.length - part.length, rest.angle_at(part.length), rest.last};
+        }
+    });
+    return sum;
+}
+
 BartonBandis::History BartonBandis::advance(const History& history, const ContactMotion& motion) const {
     if (!(motion.normal_force > 0)) return history;
     History after = history;
@@ -87,22 +111,60 @@ BartonBandis::History BartonBandis::advance(const History& history, const Contac
     if (motion.displacement == 0) return after;
     after.position += motion.displacement;
     after.furthest = std::max(history.furthest, std::abs(after.position));
+    if (motion.slip != 0) after.slipped = 1;
     const double roughness = barton.roughness_angle(motion.normal_force, motion.length);
-    const double friction = barton.residual_friction_angle;
-    if (roughness > 0) after.ratio = (angle(after.furthest, roughness) - friction) / roughness;
+    if (roughness > 0)
+        after.ratio = (angle(after.furthest, roughness) - barton.residual_friction_angle) / roughness;
     if (damage == 0) return after;
-    visit_pieces(history.furthest, after.furthest, roughness, [&](const LinearAngle& piece) {
-        // The dilation angle, Eq. (60).
-        const LinearAngle dilating = {piece.length, (piece.first - friction) / damage,
-                                      (piece.last - friction) / damage};
-        LinearAngle rest = dilating;
-        while (rest.length > 0) {  // no dilation while friction itself is still being mobilised
-            const LinearAngle part = clamp_leading_part(rest, 0, BartonStrength::largest_angle);
-            after.dilation += part.length * mean_tangent(part.first, part.last);
-            rest = {rest.length - part.length, rest.angle_at(part.length), rest.last};
-        }
-    });
+    const double outward = after.furthest - history.furthest;
+    const double inward = std::abs(motion.displacement) - outward;
+    const int side = after.position > 0 ? 1 : after.position < 0 ? -1 : 0;
+    if (!(after.spring.normal_stress > 0)) {  // without a peak displacement only slip dilates
+        const double slip = std::clamp(std::abs(motion.slip) - inward, 0.0, outward);
+        after.dilation += slip * dilation_rate(after.furthest, roughness);
+        return after;
+    }
+    const double rough = barton.roughness_angle(after.spring.normal_stress, 1);
+    const double rate = dilation_rate(after.furthest, rough);
+    if (history.slipped == 0) {
+        // The joint dilates and contracts on one curve.
+        const double climb = std::tan(barton.total_angle(rough, 1)) / peak_displacement;
+        after.dilation += dilation_between(0, std::abs(after.position), rough, climb) -
+                          dilation_between(0, std::abs(history.position), rough, climb);
+        after.locked_slope =
+            side * std::min(dilation_rate(std::abs(after.position), rough), climb * std::abs(after.position));
+        if (after.slipped != 0 && outward > 0) after.locked_slope = side * rate;
+        return after;
+    }
+    if (motion.slip == 0) {
+        after.dilation += history.locked_slope * motion.displacement;
+        return after;
+    }
+    // The locked joint dilates and contracts with its slope, and slip dilates it outside the largest
+    // distance. There the spring follows the strength.
+    const double sign = motion.displacement < 0 ? -1 : 1;
+    const auto locked_distance = [&](double slides_from) {
+        const double elastic = sign * (motion.displacement - motion.slip);
+        if (!(motion.stiffness > 0)) return elastic;
+        return elastic - (strength_at(after.furthest, motion.normal_force, motion.length) -
+                          strength_at(slides_from, motion.normal_force, motion.length)) /
+                             motion.stiffness;
+    };
+    double slides_from = history.furthest, locked = locked_distance(slides_from);
+    if (locked > inward) {
+        slides_from = std::min(history.furthest + locked - inward, after.furthest);
+        locked = locked_distance(slides_from);
+    }
+    after.dilation +=
+        dilation_between(slides_from, after.furthest, rough, std::numeric_limits<double>::infinity()) +
+        sign * locked * history.locked_slope;
+    if (outward > 0) after.locked_slope = side * rate;
     return after;
+}
+
+LockedDilation BartonBandis::locked_dilation(const History& history) const {
+    return {history.locked_slope,
+            history.slipped == 0 ? history.spring.normal_force(history.spring.length) : 0};
 }
 
 double BartonBandis::shear_stiffness(const History& history, double normal_force, double length) const {

@@ -9,8 +9,8 @@ namespace rockslope::dda {
 
 /// Barton-Bandis for shearing in one direction: Eq. (57) with the mobilised roughness of Eq. (59) at the
 /// largest distance from the origin so far. With a damage coefficient the joint dilates, Eq. (60). Source:
-/// Barton and Bandis (1982), Barton (1985). Limit: a joint that is sheared back keeps the strength and the
-/// dilation of the farthest point in both directions; use the cyclic law there.
+/// Barton and Bandis (1982), Barton (1985). Limit: a joint that is sheared back keeps the strength of the
+/// farthest point in both directions, and contracts with its spring only; use the cyclic law there.
 struct BartonBandis {
     static constexpr const char* name = "barton-bandis";
     static constexpr HistoryScope history_scope = HistoryScope::joint_segment;
@@ -22,10 +22,12 @@ struct BartonBandis {
     double damage = 0;             ///< M of Eq. (60), 1 to 2; 0: no dilation
 
     struct History {
-        double position = 0;  ///< m, displacement from the fresh joint's position
-        double furthest = 0;  ///< m, largest distance from there
-        double dilation = 0;  ///< m
-        double ratio = 0;     ///< mobilised over peak roughness
+        double position = 0;       ///< m, displacement from the fresh joint's position
+        double furthest = 0;       ///< m, largest distance from there
+        double dilation = 0;       ///< m
+        double ratio = 0;          ///< mobilised over peak roughness
+        double locked_slope = 0;   ///< derivative of the dilation while the joint is locked
+        std::int64_t slipped = 0;  ///< 1 after the first slip; an integer without padding, for checkpoints
         PeakSpring spring;
         friend bool operator==(const History&, const History&) = default;
     };
@@ -45,12 +47,18 @@ struct BartonBandis {
     /// Eq. (58), for a part of the joint with this length; 0 without a peak displacement. @param normal_force
     /// used only if the joint has not been loaded yet.
     double shear_stiffness(const History& history, double normal_force, double length) const;
+    LockedDilation locked_dilation(const History& history) const;
     JointRecord record(const History& history) const;
 
   private:
     double angle(double distance, double roughness) const;
     template <class Visit>
     void visit_pieces(double from, double to, double roughness, Visit visit) const;
+    /// The dilation between two distances from the origin, Eq. (60). @param climb the largest rate over the
+    /// distance, Eq. (79), 1/m.
+    double dilation_between(double from, double to, double roughness, double climb) const;
+    /// The dilation rate at a distance from the origin, not negative.
+    double dilation_rate(double distance, double roughness) const;
     double strength_at(double furthest, double normal_force, double length) const;
 };
 

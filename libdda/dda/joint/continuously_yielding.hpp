@@ -44,6 +44,7 @@ struct ContinuouslyYielding {
     std::optional<CoulombLine> bound_line(const History&) const { return std::nullopt; }
     History advance(const History& history, const ContactMotion& motion) const;
     double shear_stiffness(const History&, double, double) const { return 0; }
+    LockedDilation locked_dilation(const History&) const { return {}; }
     /// The mobilised ratio is the remaining fraction of friction_angle - residual_friction_angle.
     JointRecord record(const History& history) const;
 

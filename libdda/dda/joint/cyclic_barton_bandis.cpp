@@ -118,6 +118,19 @@ CyclicBartonBandis::History CyclicBartonBandis::advance(const History& history,
     loaded.spring = history.spring.loaded(
         {motion.normal_force, motion.length, stressed_length(motion.length), motion.duration == 0}, barton,
         peak_displacement);
+    History moved = displaced(loaded, motion);
+    if (moved.forward == 0 && moved.spring.stiffness != history.spring.stiffness && motion.spring_of_law &&
+        motion.stiffness > 0) {
+        // The new spring bears the same force at another displacement, Eq. (80).
+        moved.position =
+            (motion.shear_force + motion.stiffness * motion.displacement) / moved.spring.stiffness;
+        moved.furthest_forward = std::abs(moved.position);
+    }
+    return moved;
+}
+
+CyclicBartonBandis::History CyclicBartonBandis::displaced(const History& loaded,
+                                                          const ContactMotion& motion) const {
     if (motion.stiffness > 0 && motion.displacement != 0) {
         if (const auto found =
                 closed_form_history(*this, loaded, motion.normal_force, motion.length,
@@ -137,6 +150,12 @@ CyclicBartonBandis::History CyclicBartonBandis::advance(const History& history,
 double CyclicBartonBandis::shear_stiffness(const History& history, double normal_force, double length) const {
     if (history.spring.stiffness > 0) return history.spring.stiffness_of_part(length);
     return barton.shear_strength(normal_force, stressed_length(length), 1) / peak_displacement;
+}
+
+LockedDilation CyclicBartonBandis::locked_dilation(const History& history) const {
+    const bool fresh = history.forward == 0;
+    return {history.locked_slope,
+            fresh ? history.spring.normal_force(stressed_length(history.spring.length)) : 0};
 }
 
 JointRecord CyclicBartonBandis::record(const History& history) const {

@@ -15,9 +15,10 @@ namespace rockslope::dda {
 /// back, on the cycle and on the reversals so far. Source: Ma et al. (2017) after Jing et al. (1993); theory
 /// sec. 15 states what they leave open. Forward is the direction of the first slip.
 ///
-/// Limits: the position of an open joint does not change, wherever it closes again. During unloading the
-/// joint contracts at the rate of the reversal point, which differs from the rate of the dilation before: a
-/// joint that dilates and is shaken within its peak displacement sinks, unless `floor_dilation` is set.
+/// The dilation angle is that of the normal stress at which the spring was found, Eq. (58); the strength is
+/// that of the present one. Until the first slip the joint dilates and contracts on one curve. Limits: a
+/// joint that returns contracts more than it dilated before, unless `floor_dilation` is set; the position of
+/// an open joint does not change, wherever it closes again.
 struct CyclicBartonBandis {
     static constexpr const char* name = "cyclic-barton-bandis";
     static constexpr HistoryScope history_scope = HistoryScope::joint_segment;
@@ -51,9 +52,12 @@ struct CyclicBartonBandis {
         double unloading_ratio = 0;    ///< of the advance at the last reversal point
         double mobilised_ratio = 0;    ///< as in JointRecord
         double dilation = 0;           ///< m
+        double locked_slope = 0;       ///< derivative of the dilation while the joint is locked
         double reverse_slip = 0;       ///< m, against slip_direction, since the last slip along it
         PeakSpring spring;
-        double wear = 1;  ///< f of Eq. (63), by the reversals and cycles below
+        double wear = 1;           ///< f of Eq. (63), by the reversals and cycles below
+        std::int64_t crossed = 0;  ///< sign of the shear force with which the joint crossed its origin
+                                   ///< locked, and still stands there, Eq. (82); 0: it did not
         std::int32_t cycle = 1;
         std::int32_t reversals = 0;
         std::int32_t forward = 0;         ///< sign of the first slip; 0 before it
@@ -80,10 +84,15 @@ struct CyclicBartonBandis {
     /// Eq. (58), for a part of the joint with this length. @param normal_force used only if the joint has not
     /// been loaded yet.
     double shear_stiffness(const History& history, double normal_force, double length) const;
+    LockedDilation locked_dilation(const History& history) const;
     JointRecord record(const History& history) const;
 
     /// Length that the stress is computed with, m.
     double stressed_length(double length) const { return contact_length > 0 ? contact_length : length; }
+
+  private:
+    /// The history after a motion with the spring of `loaded`.
+    History displaced(const History& loaded, const ContactMotion& motion) const;
 };
 
 }  // namespace rockslope::dda

@@ -25,9 +25,10 @@ struct Stretch {
 std::optional<Stretch> closed_form_of(const CyclicBartonBandis& law,
                                       const CyclicBartonBandis::History& history, double normal_force,
                                       double length, const ShearTrial& trial) {
-    if (law.asymmetric) return std::nullopt;
+    if (law.asymmetric || history.crossed != 0) return std::nullopt;
     const CyclicRoughness at(law, history);
     const int direction = trial.displacement < 0 ? -1 : 1;
+    if (history.position == 0 && direction * trial.shear_force < 0) return std::nullopt;
     const double displacement = std::abs(trial.displacement);
     const CyclicRoughness::Place start = at.place(history.position, direction);
     const double distance = start.away ? start.distance + displacement : start.distance - displacement;

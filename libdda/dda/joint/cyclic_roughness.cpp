@@ -39,6 +39,10 @@ double CyclicRoughness::advance_ratio(const Place& place) const {
     return std::min(ratio, table.ratio(furthest(place.side) / law_.peak_displacement));
 }
 
+double CyclicRoughness::first_advance_ratio(double distance) const {
+    return law_.cycles.front().forward_advance.ratio(distance / law_.peak_displacement);
+}
+
 JointStage CyclicRoughness::stage(const Place& place, bool sliding) {
     const bool forward = place.side > 0;
     if (place.away) return forward ? JointStage::forward_advance : JointStage::backward_advance;

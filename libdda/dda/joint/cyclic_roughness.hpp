@@ -40,6 +40,8 @@ class CyclicRoughness {
     }
     /// Mobilised ratio of the advance at this distance, for either direction of motion.
     double advance_ratio(const Place& place) const;
+    /// Mobilised ratio of the first advance at a distance from the origin, without wear.
+    double first_advance_ratio(double distance) const;
     static JointStage stage(const Place& place, bool sliding);
     /// Mobilised ratio for the results. @param unloading_ratio of the advance at the last reversal point, or
     /// here if the joint advances.

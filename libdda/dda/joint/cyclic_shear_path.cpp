@@ -61,6 +61,10 @@ double distance_to_slip(double force, const LinearAngle& piece, double normal_fo
     return along;
 }
 
+/// The least stiffness of a fresh joint that contracts while its normal force is below the reference, over
+/// that of its spring.
+constexpr double least_stiffness = 1e-3;
+
 }  // namespace
 
 double TangentCache::operator()(double angle) const {
@@ -81,6 +85,9 @@ CyclicShearPath::CyclicShearPath(const Law& law, const Law::History& history, do
       stiffness_(spring.stiffness),
       damage_(purpose == Purpose::history ? law.damage : 0),
       roughness_(law.barton.roughness_angle(normal_force, law.stressed_length(length))),
+      dilation_roughness_(history.spring.normal_stress > 0
+                              ? law.barton.roughness_angle(history.spring.normal_stress, 1)
+                              : roughness_),
       force_(spring.force),
       purpose_(purpose) {}
 
@@ -88,6 +95,7 @@ void CyclicShearPath::displace(double displacement) {
     target_ = history_.position + displacement;
     if (displacement != 0) direction_ = displacement > 0 ? 1 : -1;
     while (history_.position != target_) {
+        if (history_.position == 0) cross_origin();
         const Place here = place(direction_);
         const bool stays = here.away || sign_of(target_) == sign_of(history_.position);
         const Piece next = piece(here, stays ? std::abs(target_) : 0);
@@ -110,11 +118,21 @@ void CyclicShearPath::prescribe_slip(double displacement, double slip) {
 // --- bounds
 
 double CyclicShearPath::bound_ratio(int direction) const {
-    return mobilised_.bound_ratio(place(direction));
+    return mobilised_.bound_ratio(history_.crossed == direction ? mobilised_.place(0, direction)
+                                                                : place(direction));
 }
 
+/// A joint that has crossed its origin locked keeps the strength it had there, less what its spring has lost
+/// since, Eq. (82).
 double CyclicShearPath::bound(int direction) const {
-    const double opposing = law_.barton.free_angle(roughness_, bound_ratio(direction));
+    const double here = bound_of_ratio(direction, mobilised_.bound_ratio(place(direction)));
+    if (history_.crossed != direction) return here;
+    const double at_origin = bound_of_ratio(direction, bound_ratio(direction));
+    return std::max(at_origin - stiffness_ * std::abs(history_.position), here);
+}
+
+double CyclicShearPath::bound_of_ratio(int direction, double ratio) const {
+    const double opposing = law_.barton.free_angle(roughness_, ratio);
     return normal_force_ *
            tan_(std::clamp(resisting_angle(direction, opposing), 0.0, BartonStrength::largest_angle));
 }
@@ -159,7 +177,7 @@ LinearAngle CyclicShearPath::bound_angles(const Place& place, double end) const 
 /// Dilation angle of a mobilised ratio, wear included: Eq. (60) within the limits of the total angle.
 double CyclicShearPath::dilation_angle(double ratio) const {
     const double friction = law_.barton.residual_friction_angle;
-    return (law_.barton.total_angle(roughness_, ratio) - friction) / damage_;
+    return (law_.barton.total_angle(dilation_roughness_, ratio) - friction) / law_.damage;
 }
 
 /// Dilation angle up to `end`, or up to where it stops being linear or changes its sign.
@@ -170,7 +188,7 @@ LinearAngle CyclicShearPath::dilation_angles(const Place& place, double end) con
     const RoughnessTable& table = mobilised_.roughness_table(place);
     const double towards = law_.unsigned_ratios && !place.away ? -1 : 1;
     const auto angle = [&](double distance) {
-        return law_.barton.free_angle(roughness_,
+        return law_.barton.free_angle(dilation_roughness_,
                                       towards * wear * table.ratio(distance / law_.peak_displacement));
     };
     double highest = BartonStrength::largest_angle;
@@ -193,8 +211,33 @@ CyclicShearPath::Piece CyclicShearPath::piece(const Place& place, double target)
     made.reaches_end = linear == length;
     made.bound = part_of(made.bound, 0, linear);
     made.dilation = part_of(made.dilation, 0, linear);
-    made.unloading = damage_ == 0 ? 0 : dilation_angle(history_.wear * history_.unloading_ratio);
     return made;
+}
+
+// --- the origin
+
+/// Marks a locked joint whose force is beyond the strength that it would return with, once it has passed the
+/// origin.
+void CyclicShearPath::cross_origin() {
+    history_.crossed = 0;
+    if (mobilised_.is_fresh() || !(direction_ * force_ < 0) || !(stiffness_ > 0)) return;
+    const Place behind = {0, mobilised_.place(0, direction_).side, false};
+    if (std::abs(force_) > bound_of_ratio(-direction_, mobilised_.bound_ratio(behind)))
+        history_.crossed = -direction_;
+}
+
+/// A joint that crossed its origin and comes back has a bound that grows with the spring's force, Eq. (82):
+/// it slips at once or not until the origin.
+double CyclicShearPath::come_back(const Place& place, const Piece& piece) {
+    const double held = bound(direction_), excess = direction_ * force_ - held;
+    if (excess > 0) {
+        force_ = direction_ * held;
+        if (count_slip(law_, direction_, excess / stiffness_, history_)) return 0;
+    }
+    const double length = piece.bound.length;
+    record_motion(place, piece, 0, length, excess > 0);
+    force_ += direction_ * stiffness_ * length;
+    return length;
 }
 
 // --- phases
@@ -208,17 +251,21 @@ double CyclicShearPath::traverse(const Place& place, const Piece& piece) {
         count_slip(law_, direction_, length * slip_ratio_, history_);
         return length;
     }
+    if (history_.crossed == direction_ &&
+        bound(direction_) > bound_of_ratio(direction_, mobilised_.bound_ratio(place)))
+        return come_back(place, piece);
     double along = 0;
     bool below = direction_ * force_ < normal_force_ * tan_(piece.bound.first);
     while (along < length) {
         const LinearAngle rest = part_of(piece.bound, along, length);
         if (below || spring_overtaken_at(rest, normal_force_, stiffness_) == 0) {
+            const double stiffness = locked_stiffness(place, along, length);
             const double met =
-                below ? distance_to_slip(direction_ * force_, rest, normal_force_, stiffness_, tan_)
+                below ? distance_to_slip(direction_ * force_, rest, normal_force_, stiffness, tan_)
                       : no_distance;
             const double locked = std::min(met, rest.length);
             record_motion(place, piece, along, along + locked, false);
-            force_ += direction_ * stiffness_ * locked;
+            force_ += direction_ * stiffness * locked;
             along = met < rest.length ? along + locked : length;
             below = false;
         } else {
@@ -268,11 +315,62 @@ void CyclicShearPath::record_motion(const Place& place, const Piece& piece, doub
     last_side_ = place.side;
     last_away_ = place.away;
     if (damage_ == 0) return;
-    const bool unloading = !place.away && !sliding;
-    const LinearAngle dilation = part_of(piece.dilation, from, to);
-    const double rate = unloading ? -std::tan(piece.unloading) : mean_tangent(dilation.first, dilation.last);
-    history_.dilation += (to - from) * rate;
+    const double end = place.away ? place.distance + to : place.distance - to;
+    const int side = place.away ? direction_ : -direction_;
+    if (mobilised_.is_fresh()) {
+        history_.dilation += fresh_dilation(place, from, to);
+        history_.locked_slope = side * fresh_slope(end);
+    } else if (!sliding) {
+        history_.dilation += direction_ * (to - from) * history_.locked_slope;
+    } else {
+        const LinearAngle dilation = part_of(piece.dilation, from, to);
+        history_.dilation += (to - from) * mean_tangent(dilation.first, dilation.last);
+        history_.locked_slope = side * dilation_tangent(mobilised_.advance_ratio({end, place.side, true}));
+    }
     if (law_.floor_dilation) history_.dilation = std::max(history_.dilation, 0.0);
+}
+
+double CyclicShearPath::dilation_tangent(double ratio) const {
+    return std::max(std::tan(dilation_angle(history_.wear * ratio)), 0.0);
+}
+
+// --- before the first slip
+
+/// The dilation angle of the first advance.
+double CyclicShearPath::fresh_angle(double distance) const {
+    return dilation_angle(mobilised_.first_advance_ratio(distance));
+}
+
+/// The largest dilation rate of a fresh joint over its distance from the origin, Eq. (79): its spring bears
+/// no more at the reference force.
+double CyclicShearPath::largest_climb() const {
+    return std::tan(law_.barton.total_angle(dilation_roughness_, 1)) / law_.peak_displacement;
+}
+
+/// The dilation rate of a joint that has not slipped, at a distance from its origin.
+double CyclicShearPath::fresh_slope(double distance) const {
+    return std::clamp(std::tan(fresh_angle(distance)), 0.0, largest_climb() * distance);
+}
+
+/// The dilation between two places of a piece, where the angle of the first advance is linear. It is the same
+/// on every way.
+double CyclicShearPath::fresh_dilation(const Place& place, double from, double to) const {
+    const double sign = place.away ? 1 : -1;
+    const double first = place.distance + sign * from, last = place.distance + sign * to;
+    const double low = std::min(first, last), high = std::max(first, last);
+    return sign *
+           dilation_before_slip({high - low, fresh_angle(low), fresh_angle(high)}, low, largest_climb());
+}
+
+/// The stiffness of the locked joint on a part of a piece, Eq. (77), N/m per metre.
+double CyclicShearPath::locked_stiffness(const Place& place, double from, double to) const {
+    if (law_.damage == 0 || !mobilised_.is_fresh() || !(to > from)) return stiffness_;
+    const double reference = history_.spring.normal_force(law_.stressed_length(history_.spring.length));
+    if (!(reference > 0)) return stiffness_;
+    const double sign = place.away ? 1 : -1;
+    const double change = fresh_slope(place.distance + sign * to) - fresh_slope(place.distance + sign * from);
+    const double stiffness = stiffness_ + (normal_force_ - reference) * change * sign / (to - from);
+    return std::max(stiffness, least_stiffness * stiffness_);
 }
 
 /// Sets the forward direction at the first slip. @return whether the origin has changed with it.
@@ -299,6 +397,11 @@ void CyclicShearPath::finish() {
         force_ = direction * bound(direction);
         count_slip(law_, direction, excess / stiffness_, history_);
         bounds_ = {bound(1), bound(-1), 0};
+    }
+    if (history_.crossed != 0) {
+        const int held = static_cast<int>(history_.crossed);
+        const double here = bound_of_ratio(held, mobilised_.bound_ratio(place(held)));
+        if (history_.position == 0 || !(bound(held) > here)) history_.crossed = 0;
     }
     if (last_side_ == 0 || purpose_ == Purpose::strength) return;
     set_ratios(mobilised_, {std::abs(history_.position), last_side_, last_away_}, history_);

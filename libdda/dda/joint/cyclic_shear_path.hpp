@@ -61,7 +61,6 @@ class CyclicShearPath {
         bool reaches_end;      ///< false if the piece ends before, where an angle meets a limit
         LinearAngle bound;     ///< total angle of the strength
         LinearAngle dilation;  ///< dilation angle while advancing or sliding back
-        double unloading;      ///< dilation angle while unloading
     };
 
     Place place(int direction) const { return mobilised_.place(history_.position, direction); }
@@ -74,6 +73,15 @@ class CyclicShearPath {
     double slide(const Place& place, const Piece& piece, double along, bool& interrupted);
     void record_motion(const Place& place, const Piece& piece, double from, double to, bool sliding);
     bool begin_slip(const Place& place, int direction);
+    double bound_of_ratio(int direction, double ratio) const;
+    void cross_origin();
+    double come_back(const Place& place, const Piece& piece);
+    double fresh_angle(double distance) const;
+    double largest_climb() const;
+    double fresh_slope(double distance) const;
+    double fresh_dilation(const Place& place, double from, double to) const;
+    double locked_stiffness(const Place& place, double from, double to) const;
+    double dilation_tangent(double ratio) const;
     void finish();
 
     const CyclicBartonBandis& law_;
@@ -81,11 +89,12 @@ class CyclicShearPath {
     CyclicRoughness mobilised_;  ///< where the history is
     double normal_force_;
     double stiffness_;
-    double damage_;      ///< M of Eq. (64); 0 if the dilation is not needed
-    double roughness_;   ///< rad, i of Eq. (57)
-    double force_;       ///< N per metre
-    double target_ = 0;  ///< m, position at the end
-    int direction_ = 1;  ///< of motion
+    double damage_;              ///< M of Eq. (64); 0 if the dilation is not needed
+    double roughness_;           ///< rad, i of Eq. (57)
+    double dilation_roughness_;  ///< rad, the same at the normal stress at which the spring was found
+    double force_;               ///< N per metre
+    double target_ = 0;          ///< m, position at the end
+    int direction_ = 1;          ///< of motion
     bool slipped_ = false;
     bool slip_prescribed_ = false;  ///< the slip is given, not computed
     double slip_ratio_ = 0;         ///< plastic slip over displacement if it is given

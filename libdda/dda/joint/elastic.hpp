@@ -30,6 +30,7 @@ struct Elastic {
     std::optional<CoulombLine> bound_line(const History&) const { return std::nullopt; }
     History advance(const History& history, const ContactMotion&) const { return history; }
     double shear_stiffness(const History&, double, double) const { return 0; }
+    LockedDilation locked_dilation(const History&) const { return {}; }
     JointRecord record(const History&) const { return {}; }
 };
 

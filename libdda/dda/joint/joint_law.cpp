@@ -52,6 +52,10 @@ double dilation(const JointLaw& law, const JointHistory& history) {
     return record(law, history).dilation;
 }
 
+LockedDilation locked_dilation(const JointLaw& law, const JointHistory& history) {
+    return visit_both(law, history, [](const auto& l, const auto& h) { return l.locked_dilation(h); });
+}
+
 double shear_stiffness(const JointLaw& law, const JointHistory& history, double normal_force, double length) {
     return visit_both(law, history, [&](const auto& l, const auto& h) {
         return l.shear_stiffness(h, normal_force, length);

@@ -43,6 +43,8 @@ std::optional<CoulombLine> bound_line(const JointLaw& law, const JointHistory& h
 std::optional<CoulombEnvelope> coulomb_envelope(const JointLaw& law);
 /// Opening of the joint by shearing, m: a change of the stress-free gap of the normal spring.
 double dilation(const JointLaw& law, const JointHistory& history);
+/// How the shear force of the locked joint follows its normal force, Eq. (77).
+LockedDilation locked_dilation(const JointLaw& law, const JointHistory& history);
 /// Stiffness of the shear spring that the law gives a contact, N/m per metre; 0: none.
 double shear_stiffness(const JointLaw& law, const JointHistory& history, double normal_force, double length);
 JointRecord record(const JointLaw& law, const JointHistory& history);
@@ -74,6 +76,8 @@ struct JointMaterial {
             return {normal_stiffness * std::max(length, corner_length), largest_closure};
         return {normal_penalty > 0 ? normal_penalty : analysis_value, 0};
     }
+    /// Whether the model gives the shear spring, which then takes the place of the law's.
+    bool has_shear_spring() const { return shear_stiffness > 0 || shear_penalty > 0; }
     /// Stiffness of a contact's shear spring, N/m per metre. The material's value takes precedence over the
     /// law's, and that over the analysis'. @param law_stiffness the value of `dda::shear_stiffness`.
     double shear_spring(double analysis_value, double length, double law_stiffness = 0) const {

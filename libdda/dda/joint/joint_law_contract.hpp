@@ -37,6 +37,8 @@ namespace rockslope::dda {
 /// - `advance(history, motion)`: the history after an accepted step;
 /// - `shear_stiffness(history, normal_force, length)`: N/m per metre, of the shear spring that the law gives
 ///   a contact, or 0;
+/// - `locked_dilation(history)`: how the shear force of the locked joint follows its normal force, Eq. (77);
+///   `{}` if only slip dilates it;
 /// - `record(history)`: the part of the history that the results contain.
 template <class Law>
 concept JointLawContract =
@@ -55,6 +57,7 @@ concept JointLawContract =
         { law.bound_line(history) } -> std::same_as<std::optional<CoulombLine>>;
         { law.advance(history, motion) } -> std::same_as<typename Law::History>;
         { law.shear_stiffness(history, normal_force, length) } -> std::same_as<double>;
+        { law.locked_dilation(history) } -> std::same_as<LockedDilation>;
         { law.record(history) } -> std::same_as<JointRecord>;
     } && std::is_trivially_copyable_v<typename Law::History> &&
     std::equality_comparable<typename Law::History>;

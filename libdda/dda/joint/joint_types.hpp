@@ -10,6 +10,31 @@ namespace rockslope::dda {
 
 class ParameterTable;
 
+/// How the shear force of a locked joint follows its normal force N, Eq. (77): S = f + (N - N_ref) t, with
+/// the force f of its spring, and t the derivative of its dilation with respect to its displacement.
+struct LockedDilation {
+    double slope = 0;            ///< t, positive where the joint opens in forward motion
+    double reference_force = 0;  ///< N_ref of the joint, N per metre; 0 once the joint has slipped
+
+    /// The second term of Eq. (77), N per metre. @param normal_force N per metre, on a part of the joint;
+    /// @param share of that part in the joint, 0 to 1.
+    double shear_force(double normal_force, double share) const {
+        return (normal_force - reference_force * share) * slope;
+    }
+    /// The energy that the spring stores, Eq. (78), J per metre. @param spring_force f, N per metre; @param
+    /// stiffness N/m per metre; @param dilation m.
+    double stored_energy(double spring_force, double stiffness, double dilation, double share) const {
+        return spring_force * spring_force / (2 * stiffness) - reference_force * share * dilation;
+    }
+};
+
+/// The locked dilation at the end of a displacement: only a joint that had not slipped before changes its
+/// slope while it is locked. @param before and after the displacement, by the law.
+inline LockedDilation after_displacement(const LockedDilation& before, const LockedDilation& after) {
+    if (after.reference_force > 0) return after;
+    return before.reference_force > 0 ? LockedDilation{after.slope, before.reference_force} : before;
+}
+
 /// Which contacts one history of a joint law covers.
 enum class HistoryScope : std::uint8_t {
     contact,       ///< each contact has its own history
@@ -63,15 +88,16 @@ struct ShearTrial {
 
 /// Motion of a contact during an accepted step.
 struct ContactMotion {
-    double slip = 0;          ///< plastic tangential slip of the step, m, positive forward
-    double displacement = 0;  ///< total tangential displacement of the step, m
-    double normal_force = 0;  ///< at the end of the step, N per metre, compression positive
-    double length = 0;        ///< the contact's share of the joint, m
-    bool opened = false;      ///< the contact was bonded and the bond broke
-    double shear_force = 0;   ///< at the start of the step, N per metre
-    double stiffness = 0;     ///< of the shear spring, N/m per metre; 0: unknown
-    double duration = 0;      ///< of the step, s; 0: unknown, or a static step
-    bool closing = false;     ///< the contact was open at the start of the step; its cohesion did not act
+    double slip = 0;             ///< plastic tangential slip of the step, m, positive forward
+    double displacement = 0;     ///< total tangential displacement of the step, m
+    double normal_force = 0;     ///< at the end of the step, N per metre, compression positive
+    double length = 0;           ///< the contact's share of the joint, m
+    bool opened = false;         ///< the contact was bonded and the bond broke
+    double shear_force = 0;      ///< at the start of the step, N per metre
+    double stiffness = 0;        ///< of the shear spring, N/m per metre; 0: unknown
+    double duration = 0;         ///< of the step, s; 0: unknown, or a static step
+    bool closing = false;        ///< the contact was open at the start of the step; its cohesion did not act
+    bool spring_of_law = false;  ///< the spring is that of the law, not one that the model gives
 };
 
 /// Weight of the first of two contacts in their mean displacement, 0 to 1: the ratio of the shear

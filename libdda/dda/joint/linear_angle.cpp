@@ -13,6 +13,27 @@ double mean_tangent(double first, double last) {
     return std::abs(half) < 1e-8 ? tangent : std::atanh(tangent * std::tan(half)) / half;
 }
 
+/// The dilation of Eq. (79).
+double dilation_before_slip(const LinearAngle& piece, double start, double climb) {
+    const auto is_limited = [&](double along) {
+        return std::tan(piece.angle_at(along)) > climb * (start + along);
+    };
+    const auto integral = [&](double from, double to) {
+        if (is_limited((from + to) / 2)) return climb * (to - from) * (start + (from + to) / 2);
+        const double first = piece.angle_at(from), last = piece.angle_at(to);
+        if (first <= 0 && last <= 0) return 0.0;
+        double length = to - from;
+        if (first < 0 || last < 0) length *= std::max(first, last) / std::abs(last - first);
+        return length * mean_tangent(std::max(first, 0.0), std::max(last, 0.0));
+    };
+    if (is_limited(0) == is_limited(piece.length)) return integral(0, piece.length);
+    // Where the limit begins or ends, to rounding.
+    double middle = 0;
+    for (double width = piece.length / 2; piece.length + width > piece.length; width /= 2)
+        if (is_limited(middle + width) == is_limited(0)) middle += width;
+    return integral(0, middle) + integral(middle, piece.length);
+}
+
 namespace {
 
 /// Shortest part of a piece, relative to its length; shorter ones are rounding. A piece that begins at a

@@ -17,6 +17,11 @@ struct LinearAngle {
 /// angles are close, Eq. (61).
 double mean_tangent(double first, double last);
 
+/// Integral of the dilation rate min(max(tan(angle), 0), climb x) over a piece that begins at the distance x
+/// = `start` from the joint's origin, m: the dilation of a joint that has not slipped, Eq. (79). @param climb
+/// 1/m.
+double dilation_before_slip(const LinearAngle& piece, double start, double climb);
+
 /// The leading part of a piece with the angle limited to [lowest, highest]. It ends where the free angle
 /// crosses a limit, so the limited angle is linear on it.
 LinearAngle clamp_leading_part(const LinearAngle& piece, double lowest, double highest);

@@ -12,7 +12,10 @@ PeakSpring PeakSpring::loaded(const NormalLoad& load, const BartonStrength& bart
     if (found_at_rest != 0 && !load.at_rest) return after;
     const double found = barton.shear_strength(load.normal_force, load.stressed_length, 1);
     // The spring to the peak, Eq. (58).
-    after.stiffness = std::max(stiffness, found / peak_displacement);
+    if (found / peak_displacement > stiffness) {
+        after.stiffness = found / peak_displacement;
+        after.normal_stress = load.stressed_length > 0 ? load.normal_force / load.stressed_length : 0;
+    }
     after.found_at_rest = load.at_rest ? 1 : 0;
     return after;
 }

@@ -13,6 +13,7 @@ namespace rockslope::dda {
 struct PeakSpring {
     double stiffness = 0;            ///< N/m per metre, of the whole joint; 0: not loaded yet
     double length = 0;               ///< m, of the joint at its last loading
+    double normal_stress = 0;        ///< Pa, at which the stiffness was found; also sets the dilation angle
     std::int64_t found_at_rest = 0;  ///< 1 if found at rest; an integer without padding, for checkpoints
 
     /// Normal force on a joint.
@@ -27,6 +28,8 @@ struct PeakSpring {
     PeakSpring loaded(const NormalLoad& load, const BartonStrength& barton, double peak_displacement) const;
     /// Stiffness of a part of the joint with this length (m), N/m per metre.
     double stiffness_of_part(double part) const;
+    /// The normal force at which the spring was found, N per metre. @param stressed_length m.
+    double normal_force(double stressed_length) const { return normal_stress * stressed_length; }
     friend bool operator==(const PeakSpring&, const PeakSpring&) = default;
 };
 

@@ -7,9 +7,10 @@ namespace rockslope::dda {
 /// State of a joint with a shear spring that is sheared without blocks.
 struct ShearedJoint {
     JointHistory history;
-    double shear_force = 0;  ///< N per metre, resists motion in the positive direction
-    double slip = 0;         ///< accumulated plastic slip, m
-    bool sliding = false;    ///< during the last displacement
+    double shear_force = 0;   ///< N per metre, resists motion in the positive direction
+    double normal_force = 0;  ///< N per metre, at the last displacement
+    double slip = 0;          ///< accumulated plastic slip, m
+    bool sliding = false;     ///< during the last displacement
 };
 
 /// Load of the joint during a displacement, and its shear spring.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "dda/joint/shear_step.hpp"
 
@@ -23,7 +24,7 @@ class Specimen {
   public:
     explicit Specimen(const ShearTest& test)
         : test_(test), stiffness_(shear_stiffness(test) * test.length), normal_stress_(test.normal_stress) {
-        joint_ = shear(law(), {fresh_history(law(), true)}, 0, load(normal_stress_));
+        joint_ = shear(law(), {fresh_history(law(), true)}, 0, load(normal_stress_, at_rest));
     }
 
     /// Shears it to a displacement from the start.
@@ -44,11 +45,13 @@ class Specimen {
 
   private:
     const JointLaw& law() const { return test_.material.law; }
-    JointLoad load(double normal_stress) const {
-        return {normal_stress * test_.length, test_.length, stiffness_};
+    /// The spring of a rough joint is that of its rest at the start; the test is slow, but it is not at rest.
+    static constexpr double at_rest = 0, slow = std::numeric_limits<double>::infinity();
+    JointLoad load(double normal_stress, double duration) const {
+        return {normal_stress * test_.length, test_.length, stiffness_, duration};
     }
     ShearedJoint after(double displacement, double normal_stress) const {
-        return shear(law(), joint_, displacement, load(normal_stress));
+        return shear(law(), joint_, displacement, load(normal_stress, slow));
     }
 
     /// Normal stress at which dilation and total closure are equal, Eq. (67), or 0 if the joint opens. Secant

@@ -38,6 +38,7 @@ struct VelocityWeakening {
     std::optional<CoulombLine> bound_line(const History&) const { return std::nullopt; }
     History advance(const History& history, const ContactMotion& motion) const;
     double shear_stiffness(const History&, double, double) const { return 0; }
+    LockedDilation locked_dilation(const History&) const { return {}; }
     /// The mobilised ratio is (tan phi - residual) / (static - residual).
     JointRecord record(const History& history) const;
 

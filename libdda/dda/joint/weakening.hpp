@@ -40,6 +40,7 @@ struct Weakening {
     std::optional<CoulombLine> bound_line(const History&) const { return std::nullopt; }
     History advance(const History& history, const ContactMotion& motion) const;
     double shear_stiffness(const History&, double, double) const { return 0; }
+    LockedDilation locked_dilation(const History&) const { return {}; }
     JointRecord record(const History&) const { return {}; }
 
   private:

@@ -127,11 +127,16 @@ TEST_F(ContinuedRun, RestoresFirstSlips) {
 TEST_F(ContinuedRun, RestoresTheLargestRemainingDilation) {
     CyclicBartonBandis law;
     law.barton = {8, 100e6, .3};
-    law.peak_displacement = 1e-3;
+    law.peak_displacement = 5e-3;
     law.damage = 1;
-    const RoughnessTable rough = {{{0, 1}}};
-    law.cycles = {{rough, rough, rough, rough}};
-    for (JointMaterial& material : input.model.joint_materials) material.law = law;
+    law.reversal_factor = .95;
+    const RoughnessTable wear = {{{0, 1}, {1, 1}, {2, .9}, {4, .7}}};
+    law.cycles = {{wear, wear, wear, wear}};
+    input.model.gravity = 9.81 * Vec2(std::sin(.6), -std::cos(.6));
+    for (JointMaterial& material : input.model.joint_materials) {
+        material.law = law;
+        material.shear_penalty = input.model.normal_penalty;
+    }
     int step = 0;
     ASSERT_EQ(simulate("a", [&](const Progress&) { return ++step < 80; }).status, RunStatus::stopped);
 

@@ -135,10 +135,10 @@ TEST(ShearTest, ConstantStiffnessConvergesWithTheIncrement) {
 TEST(ShearTest, AContractingJointUnloadsUnderAStiffBoundary) {
     ShearTest test = granite_test();
     test.boundary = NormalBoundary::constant_stiffness;
-    test.normal_stress = 1e4;  // lost after a micrometre
-    test.boundary_stiffness = 1e10;
-    test.path = {1e-4, 0, 1e-4, 0};
-    test.increment = 1e-6;
+    test.normal_stress = 2e5;  // lost after 50 um
+    test.boundary_stiffness = 4e9;
+    test.path = {15e-3, -15e-3, 15e-3, -15e-3, 0};
+    test.increment = 2e-5;
     bool opened = false;
     for (const auto& row : dda::run_shear_test(test)) {
         EXPECT_GE(row.normal_stress, 0);

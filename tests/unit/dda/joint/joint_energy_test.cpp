@@ -1,0 +1,198 @@
+// No joint creates energy: the work that goes into a joint along a path of displacement and normal force, by
+// every law of the list. The increments are finite, and the work is known to a thousandth of the normal force
+// times the displacement.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <random>
+#include <sstream>
+
+#include "dda/joint/shear_step.hpp"
+#include "specimens.hpp"
+#include "support/external_data.hpp"
+
+using namespace rockslope;
+
+namespace {
+
+using dda::JointLaw;
+using dda::ShearedJoint;
+
+constexpr double length = 1;  ///< m
+
+/// A joint of a metre that is sheared and loaded, and the work done on it since it was first loaded: W =
+/// integral of S du - N dd, J per metre, with the dilation d.
+class WorkedJoint {
+  public:
+    WorkedJoint(const JointLaw& law, double normal_force) : law_(law) {
+        joint_.history = dda::fresh_history(law, true);
+        const bool has_spring = dda::shear_stiffness(law, joint_.history, normal_force, length) > 0;
+        if (!has_spring) stiffness_ = 1e4 * normal_force;
+        load_to(normal_force, 0);
+    }
+    double work() const { return work_; }
+    double displacement() const { return displacement_; }
+    double normal_force() const { return joint_.normal_force; }
+    double stiffness() const { return spring(); }
+
+    /// Moves to a displacement and a normal force in a straight line, in steps of at most `increment` (m).
+    void move(double displacement, double normal_force, double increment) {
+        const double change = displacement - displacement_, load = normal_force - joint_.normal_force;
+        const double start = displacement_, from = joint_.normal_force;
+        const int steps =
+            1 + static_cast<int>(std::max(std::abs(change) / increment, load != 0 ? 20.0 : 0.0));
+        for (int k = 1; k <= steps; ++k)
+            step((k == steps ? displacement : start + change * k / steps) - displacement_,
+                 k == steps ? normal_force : from + load * k / steps);
+    }
+
+  private:
+    double spring() const {
+        if (stiffness_ > 0) return stiffness_;
+        return dda::shear_stiffness(law_, joint_.history, joint_.normal_force, length);
+    }
+    void load_to(double normal_force, double duration) {
+        joint_.normal_force = normal_force;
+        joint_ = dda::shear(law_, joint_, 0, {normal_force, length, spring(), duration});
+    }
+    void step(double displacement, double normal_force) {
+        const dda::JointLoad load{normal_force, length, spring(), 1e-3};
+        const ShearedJoint loaded = dda::shear(law_, joint_, 0, load);
+        const ShearedJoint moved = dda::shear(law_, loaded, displacement, load);
+        const double dilation = dda::dilation(law_, moved.history) - dda::dilation(law_, loaded.history);
+        work_ += (loaded.shear_force + moved.shear_force) / 2 * displacement - moved.normal_force * dilation;
+        displacement_ += displacement;
+        joint_ = moved;
+    }
+
+    const JointLaw& law_;
+    ShearedJoint joint_;
+    double stiffness_ = 0;
+    double displacement_ = 0;
+    double work_ = 0;
+};
+
+/// A displacement and a normal force on the way of a path.
+struct Target {
+    double displacement = 0, normal_force = 0;
+};
+
+/// The work at each target of a path; the first one is the virgin joint's.
+std::vector<double> work_along(const JointLaw& law, const std::vector<Target>& path, double increment) {
+    WorkedJoint joint(law, path.front().normal_force);
+    std::vector<double> work = {0};
+    for (std::size_t k = 1; k < path.size(); ++k) {
+        joint.move(path[k].displacement, path[k].normal_force, increment);
+        work.push_back(joint.work());
+    }
+    return work;
+}
+
+/// The largest fall of the work: below zero, and from one open instant to a later one, where nothing is
+/// stored.
+double largest_fall(const std::vector<Target>& path, const std::vector<double>& work) {
+    double fall = 0, highest = 0;
+    for (std::size_t k = 0; k < path.size(); ++k) {
+        fall = std::max(fall, -work[k]);
+        if (path[k].normal_force > 0) continue;
+        fall = std::max(fall, highest - work[k]);
+        highest = std::max(highest, work[k]);
+    }
+    return fall;
+}
+
+/// Random swings of a few millimetres at normal stresses of 0 to twice the first one.
+std::vector<Target> random_path(unsigned seed, double stress, double reach) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> any(0, 1);
+    std::vector<Target> path = {{0, stress}};
+    for (int k = 0; k < 40; ++k) {
+        Target next = path.back();
+        if (any(random) < 0.5) next.normal_force = any(random) < 0.2 ? 0 : 2 * stress * any(random);
+        if (any(random) < 0.8)
+            next.displacement = reach * (2 * any(random) - 1) * std::pow(10, -2 * any(random));
+        path.push_back(next);
+    }
+    path.push_back({path.back().displacement, 0});
+    return path;
+}
+
+dda::CyclicBartonBandis flat() {
+    dda::CyclicBartonBandis law;
+    law.barton = {2, 50e6, 18 * joint_tests::degree};
+    law.peak_displacement = 2e-3;
+    const dda::RoughnessTable wear = {{{0, 1}, {1, 1}}};
+    law.cycles = {{wear, wear, wear, wear}};
+    law.unsigned_ratios = true;
+    law.damage = 1;
+    return law;
+}
+
+TEST(JointEnergy, DoesNotFallOnTheRecordedPaths) {
+    const auto folder = external_data("reference/dilation");
+    if (!folder) GTEST_SKIP() << external_data_missing("reference/dilation");
+    struct Case {
+        std::string material;
+        std::vector<Target> path;
+    };
+    std::map<int, Case> cases;
+    std::ifstream file(*folder / "energy_paths.csv");
+    std::string line;
+    std::getline(file, line);
+    while (std::getline(file, line)) {
+        std::replace(line.begin(), line.end(), ',', ' ');
+        std::istringstream row(line);
+        int path = 0;
+        std::string material;
+        double time = 0;
+        Target target;
+        row >> path >> material >> time >> target.displacement >> target.normal_force;
+        cases[path].material = material;
+        cases[path].path.push_back(target);
+    }
+    ASSERT_EQ(cases.size(), 21U);
+    for (const auto& [index, one] : cases) {
+        const dda::CyclicBartonBandis law = one.material == "granite"  ? joint_tests::granite()
+                                            : one.material == "marble" ? joint_tests::marble()
+                                                                       : flat();
+        const double tolerance = 1e-3 * one.path.front().normal_force * law.peak_displacement;
+        const std::vector<double> work = work_along(law, one.path, law.peak_displacement / 250);
+        EXPECT_LT(largest_fall(one.path, work), tolerance) << index;
+        if (index % 4 != 2 || index > 10) continue;
+        for (std::size_t k = 10; k < work.size(); k += 4)
+            EXPECT_GT(work[k] - work[k - 4], -tolerance) << index << ' ' << k;
+    }
+}
+
+template <class Law>
+class EnergyOfLaw : public testing::Test {};
+template <class List>
+struct AsTypes;
+template <class... Laws>
+struct AsTypes<std::variant<Laws...>> {
+    using type = testing::Types<Laws...>;
+};
+struct NameOfLaw {
+    template <class Law>
+    static std::string GetName(int) {
+        return Law::name;
+    }
+};
+TYPED_TEST_SUITE(EnergyOfLaw, AsTypes<JointLaw>::type, NameOfLaw);
+
+TYPED_TEST(EnergyOfLaw, DoesNotFallOnRandomPaths) {
+    const double stress = 1e5, reach = 5e-3;
+    for (const TypeParam& specimen : joint_tests::specimens(std::type_identity<TypeParam>{})) {
+        const JointLaw law = specimen;
+        for (unsigned seed = 0; seed < 1000; ++seed) {
+            const std::vector<Target> path = random_path(seed, stress, reach);
+            EXPECT_LT(largest_fall(path, work_along(law, path, 5e-5)), 1e-3 * stress * reach) << seed;
+        }
+    }
+}
+
+}  // namespace
