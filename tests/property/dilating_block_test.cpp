@@ -90,6 +90,7 @@ struct Shaken {
         EXPECT_LE(open_steps, 0.01 * steps);
         EXPECT_GT(friction, 0);
         EXPECT_LT(largest_fall, 1e-5 * friction) << "friction returns energy";
+        EXPECT_LT(sim.state.energy.friction_returned, 1e-5 * friction);
         EXPECT_LT(std::abs(sim.state.energy.residual()), 1e-3 * friction);
     }
 };

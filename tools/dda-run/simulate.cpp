@@ -137,6 +137,17 @@ void print_factor_of_safety(const std::vector<dda::ReductionTrial>& trials) {
                      std::sqrt(stands * fails), stands, fails);
 }
 
+/// Says where joints created energy.
+void print_returned_friction(const dda::Energy& energy) {
+    const double taken = energy.friction_loss + energy.friction_returned;
+    if (energy.friction_returned <= 1e-3 * taken) return;
+    std::fprintf(
+        stderr,
+        "dda-run: friction took %.3g J/m and returned %.3g J/m, which it cannot; the motion may be wrong by "
+        "as much. Shorter steps help\n",
+        taken, energy.friction_returned);
+}
+
 void print_outcome(const dda::RunOutcome& outcome, const dda::State& state, double wall_time,
                    const fs::path& folder) {
     const char* where = folder.c_str();
@@ -213,6 +224,7 @@ ExitCode simulate(const CommandLine& line, const std::string& version) {
                                           {.version = version, .inputs = files}));
     std::fputs(dda::outcome_table(input.model, state, results, slips).c_str(), stdout);
     print_factor_of_safety(results.state().trials);
+    print_returned_friction(state.energy);
     print_outcome(outcome, state, results.wall_time(), line.output);
     return exit_code_of(outcome);
 }

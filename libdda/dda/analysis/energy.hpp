@@ -24,6 +24,9 @@ struct Energy {
     double external_work = 0;   ///< work of loads and of prescribed blocks
 
     double initial_stores = 0;  ///< stores() at the start of the run
+    /// Sum of the negative friction losses of single contacts in single steps, positive. Friction only takes
+    /// energy, so this is an error of the run; friction_loss contains it.
+    double friction_returned = 0;
 
     double stores() const { return kinetic + strain + contact + constraint + gravity; }
     double losses() const {

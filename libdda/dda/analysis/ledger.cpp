@@ -1,6 +1,7 @@
 #include "dda/analysis/ledger.hpp"
 
 #include <Eigen/LU>
+#include <algorithm>
 
 #include "dda/analysis/joint_motion.hpp"
 #include "dda/contact/contact_stiffness.hpp"
@@ -83,6 +84,12 @@ double gravity_energy(const Model& model, const RowMap& rows, const BlockSystem&
     return sum;
 }
 
+/// Adds what a contact's friction takes in a step.
+void record_friction(double loss, Energy& energy) {
+    energy.friction_loss += loss;
+    energy.friction_returned += std::max(-loss, 0.0);
+}
+
 /// Splits the work that the force at the end of the step does on an elastic-plastic spring. The slip's part
 /// is friction loss, the change of the stored energy stays, and the remainder is the loss of the end-of-step
 /// evaluation, Eq. (42). That loss is never negative where the stiffness is constant.
@@ -132,7 +139,7 @@ void Ledger::record_contacts(const StepWork& step, const PerContact<Contact>& ad
             }
             // Its cohesion acted to the end of the step, Eq. (75), and its shear spring is released there.
             const double stored_at_end = stores ? spring_energy(after.shear_force, s.shear_stiffness) : 0;
-            energy.friction_loss += after.shear_force * after.displacement - (stored_at_end - stored_shear);
+            record_friction(after.shear_force * after.displacement - (stored_at_end - stored_shear), energy);
             energy.released += stored_at_end;
             energy.external_work += after.shear_force * s.shear.prescribed;
             continue;
@@ -147,8 +154,9 @@ void Ledger::record_contacts(const StepWork& step, const PerContact<Contact>& ad
                                   stored_shear, energy);
         } else {
             const double stored = stores ? spring_energy(after.shear_force, s.shear_stiffness) : 0;
-            record_spring(shear_work, after.shear_force * after.slip, stored_shear, stored, energy);
-            energy.friction_loss += dilation_work;
+            const double slip_work = after.shear_force * after.slip;
+            record_friction(slip_work + dilation_work, energy);
+            energy.numerical_loss += shear_work - slip_work - (stored - stored_shear);
         }
         energy.external_work +=
             after.shear_force * s.shear.prescribed - after.normal_force * s.normal.prescribed;
@@ -166,7 +174,7 @@ void Ledger::record_dilating_shear(const Contact& advanced, const EvaluatedConta
     const double rest = work - evaluation_loss - (shear_energy(model_, advanced, stiffness) - stored_before);
     energy.numerical_loss += evaluation_loss;
     if (after.slip != 0)
-        energy.friction_loss += rest;
+        record_friction(rest, energy);
     else if (shear_stiffness(model_, advanced) != stiffness)
         energy.released += rest;
     else

@@ -181,9 +181,10 @@ void column(Walker& walker, C& value) {
 template <class Walker, class E>
 void energy(Walker& walker, E& value) {
     auto& [kinetic, strain, contact_energy, constraint, gravity, friction_loss, damping_loss, numerical_loss,
-           released, boundary_loss, excavated, external_work, initial_stores] = value;
+           released, boundary_loss, excavated, external_work, initial_stores, friction_returned] = value;
     reals(walker, kinetic, strain, contact_energy, constraint, gravity, friction_loss, damping_loss,
-          numerical_loss, released, boundary_loss, excavated, external_work, initial_stores);
+          numerical_loss, released, boundary_loss, excavated, external_work, initial_stores,
+          friction_returned);
 }
 
 template <class Walker, class S>

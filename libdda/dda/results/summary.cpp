@@ -121,7 +121,7 @@ Json energy_json(const Energy& e) {
             {"damping_loss", e.damping_loss}, {"numerical_loss", e.numerical_loss},
             {"released", e.released},         {"boundary_loss", e.boundary_loss},
             {"excavated", e.excavated},       {"external_work", e.external_work},
-            {"residual", e.residual()}};
+            {"residual", e.residual()},       {"friction_returned", e.friction_returned}};
 }
 
 /// The bracket of the factor of safety, null where no trial stood or none failed, and the trials.
