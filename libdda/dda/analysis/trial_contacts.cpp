@@ -17,24 +17,6 @@ bool is_within(double force, const Strength& bounds) {
     return force <= bounds.forward && force >= -bounds.backward && bounds.forward + bounds.backward > 0;
 }
 
-/// Largest error of a normal force by dilation at the end of a step, over the force tolerance. The remaining
-/// dilation acts in the next step.
-constexpr double dilation_tolerance = 10;
-
-/// Displacement over that of the step with which the slope of the dilation along further slip is found, and
-/// its least value, m.
-constexpr double slope_increment = 1e-3, least_slope_increment = 1e-9;
-
-/// The derivative of the dilation along further slip. @param total dilation after `combined`, m.
-double slope_of_further_slip(const JointLaw& law, const SegmentMotion& combined, double total) {
-    ContactMotion more = combined.motion;
-    const double further = std::copysign(
-        std::max(slope_increment * std::abs(more.displacement), least_slope_increment), more.slip);
-    more.displacement += further;
-    more.slip += further;
-    return (dilation(law, advance(law, *combined.history, more)) - total) / further;
-}
-
 /// Force change over the force tolerance below which the law of a rough joint segment is not evaluated again.
 /// The final convergence test evaluates all laws.
 constexpr double law_reuse_tolerance = 0.1;
@@ -310,82 +292,6 @@ double TrialContacts::elastic_shear(ContactIndex k) const {
     if (trial.dilating.slope == 0) return spring;
     return spring +
            trial.dilating.shear_force(std::max(current_forces(k).normal, 0.0), p_.contacts[k].joint_share);
-}
-
-ContactMotion TrialContacts::motion(ContactIndex k) const {
-    const Forces forces = current_forces(k);
-    const double elastic = elastic_shear(k);
-    ContactMotion motion = contact_motion(p_.model, p_.contacts[k], p_.springs[k].shear_stiffness,
-                                          forces.normal, trials_[k].shearing, slip(k, elastic, forces.shear));
-    motion.duration = p_.duration;
-    return motion;
-}
-
-/// A joint segment dilates as a whole, by the combined motion of its contacts.
-template <class Visit>
-void TrialContacts::visit_dilating_segments(const Visit& visit) const {
-    if (!dilates_) return;
-    for (std::size_t segment = 0; segment < p_.segments.count(); ++segment) {
-        const auto members = p_.segments.contacts_of(segment);
-        const JointLaw& law = law_of(members[0]);
-        if (!dilates(law)) continue;
-        const auto combined = segment_motion(members, p_.contacts, [&](ContactIndex k) { return motion(k); });
-        visit(law, members, combined);
-    }
-}
-
-/// The dilation of an open segment does not change.
-void TrialContacts::update_dilation() {
-    visit_dilating_segments([&](const JointLaw& law, std::span<const ContactIndex> members,
-                                const std::optional<SegmentMotion>& combined) {
-        std::optional<JointHistory> after;
-        if (combined) after = advance(law, *combined->history, combined->motion);
-        const double total = after ? dilation(law, *after) : 0;
-        const bool slides = after && combined->motion.slip != 0;
-        const double slope = slides ? slope_of_further_slip(law, *combined, total) : 0;
-        for (const ContactIndex k : members) {
-            Trial& trial = trials_[k];
-            if (trial.postponed) continue;
-            trial.dilation_increment = after ? total - p_.contacts[k].dilation : 0;
-            if (p_.model.is_augmented(p_.contacts[k].joint_material)) continue;
-            trial.dilating = locked_dilation(law, p_.contacts[k].history);
-            if (after) trial.dilating = after_displacement(trial.dilating, locked_dilation(law, *after));
-            trial.sliding_slope = slides ? slope : trial.dilating.slope;
-        }
-    });
-}
-
-template <class Visit>
-void TrialContacts::visit_dilation_by_law(const Visit& visit) const {
-    visit_dilating_segments([&](const JointLaw& law, std::span<const ContactIndex> members,
-                                const std::optional<SegmentMotion>& combined) {
-        const double total = combined ? dilation(law, advance(law, *combined->history, combined->motion)) : 0;
-        for (const ContactIndex k : members) visit(k, combined ? total - p_.contacts[k].dilation : 0);
-    });
-}
-
-bool TrialContacts::dilation_exceeds_tolerance() const {
-    double largest = 0;
-    visit_dilation_by_law([&](ContactIndex k, double by_law) {
-        if (trials_[k].postponed || !(current_forces(k).normal > 0)) return;
-        const double error = std::abs(by_law - trials_[k].dilation_increment);
-        largest = std::max(largest, p_.springs[k].normal_stiffness * error);
-    });
-    return largest > dilation_tolerance * tolerance();
-}
-
-bool TrialContacts::postpone_dilation() {
-    bool any = false;
-    visit_dilation_by_law([&](ContactIndex k, double by_law) {
-        Trial& trial = trials_[k];
-        if (trial.postponed || std::abs(by_law - trial.dilation_increment) <= std::abs(by_law)) return;
-        trial.dilation_increment = 0;
-        trial.sliding_slope = 0;
-        set_tilt(k, 0);
-        trial.postponed = true;
-        any = true;
-    });
-    return any;
 }
 
 Eigen::VectorXd TrialContacts::shear_bounds() const {
