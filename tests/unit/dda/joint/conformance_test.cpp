@@ -93,19 +93,7 @@ class JointLawConformance : public testing::Test {
     }
 };
 
-template <class List>
-struct AsTypes;
-template <class... Laws>
-struct AsTypes<std::variant<Laws...>> {
-    using type = testing::Types<Laws...>;
-};
-struct NameOfLaw {
-    template <class Law>
-    static std::string GetName(int) {
-        return Law::name;
-    }
-};
-TYPED_TEST_SUITE(JointLawConformance, AsTypes<JointLaw>::type, NameOfLaw);
+TYPED_TEST_SUITE(JointLawConformance, joint_tests::AsTypes<JointLaw>::type, joint_tests::NameOfLaw);
 
 TYPED_TEST(JointLawConformance, StrengthIsNeverNegativeAndGrowsWithTheNormalForce) {
     for (const JointLaw& law : this->laws()) {

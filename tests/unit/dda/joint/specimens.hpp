@@ -1,6 +1,10 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
+#include <string>
 #include <type_traits>
+#include <variant>
 #include <vector>
 
 #include "dda/joint/joint_law.hpp"
@@ -80,5 +84,19 @@ inline std::vector<dda::ContinuouslyYielding> specimens(std::type_identity<dda::
     return {
         {45 * degree, 30 * degree, 2e-3}, {40 * degree, 25 * degree, 2e-2}, {30 * degree, 30 * degree, 1e-3}};
 }
+
+/// The laws of a list as the types of a typed test suite, and their names in it.
+template <class List>
+struct AsTypes;
+template <class... Laws>
+struct AsTypes<std::variant<Laws...>> {
+    using type = testing::Types<Laws...>;
+};
+struct NameOfLaw {
+    template <class Law>
+    static std::string GetName(int) {
+        return Law::name;
+    }
+};
 
 }  // namespace rockslope::joint_tests
