@@ -148,6 +148,17 @@ void print_returned_friction(const dda::Energy& energy) {
         taken, energy.friction_returned);
 }
 
+/// Says how many reversals hang on `min_slip`.
+void print_close_reversals(const dda::CloseReversals& close) {
+    if (close.counted + close.not_counted == 0) return;
+    std::fprintf(
+        stderr,
+        "dda-run: %lld reversals of slip that counted and %lld that did not are within a factor of %g "
+        "of min_slip; the wear depends on it. See reversals_close_to_min_slip in summary.json\n",
+        static_cast<long long>(close.counted), static_cast<long long>(close.not_counted),
+        dda::CloseReversals::factor);
+}
+
 void print_outcome(const dda::RunOutcome& outcome, const dda::State& state, double wall_time,
                    const fs::path& folder) {
     const char* where = folder.c_str();
@@ -225,6 +236,7 @@ ExitCode simulate(const CommandLine& line, const std::string& version) {
     std::fputs(dda::outcome_table(input.model, state, results, slips).c_str(), stdout);
     print_factor_of_safety(results.state().trials);
     print_returned_friction(state.energy);
+    print_close_reversals(dda::with_present(results.state().close_reversals, input.model, state));
     print_outcome(outcome, state, results.wall_time(), line.output);
     return exit_code_of(outcome);
 }

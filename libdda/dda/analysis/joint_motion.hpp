@@ -49,6 +49,25 @@ inline bool any_closed(std::span<const ContactIndex> members, ContactSpan<const 
                        [&](ContactIndex k) { return contacts[k].state != ContactState::open; });
 }
 
+/// The history that a joint segment continues. Contacts that have just become one segment continue that of
+/// the one with the largest force, of the contacts that count in `segment_motion`.
+/// @param contacts at the step's start.
+inline const SharedHistory& continued_history(std::span<const ContactIndex> members,
+                                              ContactSpan<const Contact> contacts) {
+    const bool any_was_closed = any_closed(members, contacts);
+    const SharedHistory* history = &contacts[members.front()].history;
+    double largest_normal_force = -1;
+    for (const ContactIndex k : members) {
+        const Contact& contact = contacts[k];
+        if (any_was_closed && contact.state == ContactState::open) continue;
+        const double normal_force = std::max(contact.normal_force, 0.0);
+        if (!(normal_force > largest_normal_force)) continue;
+        history = &contact.history;
+        largest_normal_force = normal_force;
+    }
+    return *history;
+}
+
 /// Motion of the joint segment with the contacts `members`; nothing if no contact is in compression. Only
 /// contacts that were closed at the step's start count, or all if none was. Length and stiffness would
 /// otherwise jump where a contact opens or closes during the step, and the step might have no solution.
@@ -61,7 +80,7 @@ std::optional<SegmentMotion> segment_motion(std::span<const ContactIndex> member
     const auto at = [&](ContactIndex k) -> const Contact& { return contacts[k]; };
     const bool any_was_closed = any_closed(members, contacts);
     std::optional<SegmentMotion> combined;
-    double largest_normal_force = 0, total_normal_force = 0;
+    double total_normal_force = 0;
     for (const ContactIndex k : members) {
         const ContactMotion motion = motion_of(k);
         total_normal_force += std::max(motion.normal_force, 0.0);
@@ -70,16 +89,12 @@ std::optional<SegmentMotion> segment_motion(std::span<const ContactIndex> member
         on_member(k, weight);
         if (!weight.counts) continue;
         if (!combined)
-            combined = {motion, &at(k).history};
+            combined = {motion, nullptr};
         else
             combined->motion = combine(combined->motion, motion, weight.previous_weight);
-        // Contacts that have just become one segment continue the history of the one with the largest force.
-        if (at(k).normal_force > largest_normal_force) {
-            largest_normal_force = at(k).normal_force;
-            combined->history = &at(k).history;
-        }
     }
     if (!(total_normal_force > 0)) return std::nullopt;
+    combined->history = &continued_history(members, contacts);
     combined->motion.normal_force = total_normal_force;
     return combined;
 }

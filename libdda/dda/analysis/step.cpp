@@ -172,6 +172,8 @@ StepAttempt TimeStepper::attempt_with(const Stage& stage, const State& state, do
     attempt.report.largest_displacement = moved;
     attempt.report.remaining_dilation =
         remaining_dilation(step.contacts.contacts, result.contacts, attempt.state.contacts.contacts);
+    attempt.report.ended_counter_slips =
+        ended_counter_slips(model_, step.segments, step.contacts.contacts, attempt.state.contacts.contacts);
     return attempt;
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
+#include "dda/analysis/counter_slips.hpp"
 #include "dda/analysis/state.hpp"
 #include "dda/analysis/step_counts.hpp"
 #include "dda/analysis/step_problem.hpp"
@@ -21,6 +23,7 @@ struct StepReport : StepCounts {
     double largest_displacement = 0;        ///< m, of a vertex in this step
     double unbalanced_force = 0;            ///< largest acceleration of a block over gravity, see report_step
     double contact_frequency_step = 0;      ///< sqrt(k / m) * dt, stiffest spring and lightest block
+    std::vector<JointCounterSlip> ended_counter_slips;  ///< see ended_counter_slips()
 };
 
 /// Computes the report from the state after the step. The caller fills in the StepCounts. Where a load

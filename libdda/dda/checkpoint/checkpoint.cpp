@@ -13,7 +13,7 @@ namespace rockslope::dda {
 
 namespace {
 
-constexpr std::int64_t checkpoint_version = 14;
+constexpr std::int64_t checkpoint_version = 15;
 constexpr std::size_t chunk = 1 << 16;  // elements
 
 template <class T>
@@ -78,6 +78,30 @@ std::vector<BlockOnPlane> planes_of(const std::vector<double>& values) {
     return planes;
 }
 
+std::vector<double> reversal_values(const std::vector<CloseReversal>& reversals) {
+    std::vector<double> values;
+    for (const CloseReversal& r : reversals)
+        values.insert(
+            values.end(),
+            {r.time, static_cast<double>(r.joint.first.value()), static_cast<double>(r.joint.second.value()),
+             static_cast<double>(r.joint.joint_material.value()), r.joint.at.x(), r.joint.at.y(),
+             r.joint.slip.amount, r.joint.slip.least, r.joint.slip.counted ? 1.0 : 0.0});
+    return values;
+}
+
+/// All of them have ended: a checkpoint has no others.
+std::vector<CloseReversal> reversals_of(const std::vector<double>& values) {
+    std::vector<CloseReversal> reversals;
+    for (std::size_t i = 0; i + 9 <= values.size(); i += 9)
+        reversals.push_back({values[i],
+                             {static_cast<int>(values[i + 1]),
+                              static_cast<int>(values[i + 2]),
+                              static_cast<int>(values[i + 3]),
+                              {values[i + 4], values[i + 5]},
+                              {values[i + 6], values[i + 7], values[i + 8] != 0}}});
+    return reversals;
+}
+
 std::vector<double> trial_values(const std::vector<ReductionTrial>& trials) {
     std::vector<double> values;
     for (const ReductionTrial& t : trials)
@@ -95,8 +119,14 @@ std::vector<ReductionTrial> trials_of(const std::vector<double>& values) {
 }
 
 std::vector<std::int64_t> counts_of(const ResultsState& results) {
-    return {results.stage,           results.next_frame,        results.next_history,
-            results.last_frame_step, results.last_history_step, results.fallbacks};
+    return {results.stage,
+            results.next_frame,
+            results.next_history,
+            results.last_frame_step,
+            results.last_history_step,
+            results.fallbacks,
+            results.close_reversals.counted,
+            results.close_reversals.not_counted};
 }
 
 /// The scalar reals of the results.
@@ -122,6 +152,7 @@ std::string digest_of(const Checkpoint& checkpoint, const StateArchive& state) {
     append_bytes(text, trial_values(checkpoint.results.trials));
     append_bytes(text, slip_values(checkpoint.results.first_slips));
     append_bytes(text, plane_values(checkpoint.results.planes));
+    append_bytes(text, reversal_values(checkpoint.results.close_reversals.nearest));
     for (const auto& [name, position] : checkpoint.positions)
         text += name + " " + std::to_string(position) + "\n";
     return sha256(text);
@@ -134,10 +165,11 @@ void write_results_state(HdfFile& file, const ResultsState& results) {
     store(file, "/trials", trial_values(results.trials));
     store(file, "/first_slips", slip_values(results.first_slips));
     store(file, "/planes", plane_values(results.planes));
+    store(file, "/close_reversals", reversal_values(results.close_reversals.nearest));
 }
 
 ResultsState read_results_state(const HdfFile& file) {
-    const auto counts = file.read<std::int64_t>("/results", 0, 6);
+    const auto counts = file.read<std::int64_t>("/results", 0, 8);
     const auto figures = file.read<double>("/figures", 0, 2);
     ResultsState results;
     results.stage = static_cast<int>(counts[0]);
@@ -146,12 +178,15 @@ ResultsState read_results_state(const HdfFile& file) {
     results.last_frame_step = counts[3];
     results.last_history_step = counts[4];
     results.fallbacks = counts[5];
+    results.close_reversals.counted = counts[6];
+    results.close_reversals.not_counted = counts[7];
     results.wall_time = figures[0];
     results.remaining_dilation = figures[1];
     results.peaks = peaks_of(file.read_all<double>("/peaks"));
     results.trials = trials_of(file.read_all<double>("/trials"));
     results.first_slips = slips_of(file.read_all<double>("/first_slips"));
     results.planes = planes_of(file.read_all<double>("/planes"));
+    results.close_reversals.nearest = reversals_of(file.read_all<double>("/close_reversals"));
     return results;
 }
 

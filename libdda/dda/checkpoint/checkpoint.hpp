@@ -8,6 +8,7 @@
 #include "dda/analysis/run.hpp"
 #include "dda/analysis/state.hpp"
 #include "dda/monitor/blocks_on_planes.hpp"
+#include "dda/monitor/close_reversals.hpp"
 #include "dda/monitor/first_slips.hpp"
 
 namespace rockslope::dda {
@@ -35,6 +36,7 @@ struct ResultsState {
     std::vector<ReductionTrial> trials;   ///< of the strength reduction, in the order in which they were made
     PerBlock<FirstSlip> first_slips;      ///< per block
     std::vector<BlockOnPlane> planes;     ///< found after the first dynamic step
+    CloseReversals close_reversals;       ///< whose counter-slips have ended
 };
 
 /// Everything needed to resume a run.

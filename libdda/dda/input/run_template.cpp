@@ -50,7 +50,7 @@ friction_angle = "35 deg"
 # wear = [[0, 1], [1, 1], [2, 0.9], [20, 0.2]]   # fraction of jrc by displacement over peak displacement, both ways; or
 #                                  [[joint_material.worn.cycle]] with a table for each branch: see the formats
 # reversal_factor = 1              # on the ratios, for each change of the slip direction
-# min_slip = 1e-4                  # m, slip in the other direction that counts as a change
+# min_slip = 1e-4                  # m, slip in the other direction that counts as a change; choose it, see the guide
 # heal = false                     # true: roughness worn off in an excursion returns in the next
 # asymmetric = false               # true: roughness resists forward motion only
 # floor_dilation = false           # true: the dilation never becomes negative

@@ -159,8 +159,15 @@ LockedDilation CyclicBartonBandis::locked_dilation(const History& history) const
 }
 
 JointRecord CyclicBartonBandis::record(const History& history) const {
-    return {static_cast<JointStage>(history.stage), history.mobilised_ratio, history.dilation,
-            history.reversals, history.cycle};
+    const bool counted = history.reversal_slip > 0;
+    return {static_cast<JointStage>(history.stage),
+            history.mobilised_ratio,
+            history.dilation,
+            history.reversals,
+            history.cycle,
+            {.amount = counted ? history.reversal_slip : history.reverse_slip,
+             .least = reversal_factor < 1 ? min_slip : 0,
+             .counted = counted}};
 }
 
 }  // namespace rockslope::dda

@@ -54,6 +54,7 @@ struct CyclicBartonBandis {
         double dilation = 0;           ///< m
         double locked_slope = 0;       ///< derivative of the dilation while the joint is locked
         double reverse_slip = 0;       ///< m, against slip_direction, since the last slip along it
+        double reversal_slip = 0;      ///< m, of the last reversal, up to the first slip against it; then 0
         PeakSpring spring;
         double wear = 1;           ///< f of Eq. (63), by the reversals and cycles below
         std::int64_t crossed = 0;  ///< sign of the shear force with which the joint crossed its origin

@@ -41,8 +41,10 @@ bool count_slip(const CyclicBartonBandis& law, int direction, double amount,
     if (history.slip_direction == 0) history.slip_direction = direction;
     if (history.slip_direction == direction) {
         history.reverse_slip = 0;
+        if (history.reversal_slip > 0) history.reversal_slip += amount;
         return false;
     }
+    history.reversal_slip = 0;
     history.reverse_slip += amount;
     if (!(history.reverse_slip > law.min_slip)) return false;
     count_reversal(law, history);
@@ -52,6 +54,7 @@ bool count_slip(const CyclicBartonBandis& law, int direction, double amount,
 void count_reversal(const CyclicBartonBandis& law, CyclicBartonBandis::History& history) {
     ++history.reversals;
     history.slip_direction = -history.slip_direction;
+    history.reversal_slip = std::max(history.reverse_slip, law.min_slip);
     history.reverse_slip = 0;
     history.wear = wear_factor(law, history);
 }

@@ -126,6 +126,13 @@ enum class JointStage : std::uint8_t {
 /// Name of a stage in the result tables: "forward advance" and so on.
 const char* stage_name(JointStage stage);
 
+/// The slip of a joint since its direction last changed, without slip the other way in between.
+struct CounterSlip {
+    double amount = 0;     ///< m, so far; 0: there is none, or the joint has slipped the other way since
+    double least = 0;      ///< m, the amount above which it is a reversal; 0: reversals do not wear the joint
+    bool counted = false;  ///< it has become a reversal
+};
+
 /// The part of a joint's history that the results contain. A law leaves the entries that it does not have.
 struct JointRecord {
     JointStage stage = JointStage::none;
@@ -133,6 +140,8 @@ struct JointRecord {
     double dilation = 0;         ///< m, opening of the joint by shearing; negative: contraction
     int reversals = 0;           ///< changes of slip direction so far
     int cycle = 0;               ///< of shearing, from 1
+    CounterSlip counter_slip;    ///< against the direction that the next reversal is counted from, or of the
+                                 ///< last one
 };
 
 }  // namespace rockslope::dda

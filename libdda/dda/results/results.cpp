@@ -154,6 +154,8 @@ bool Results::step_done(const Model&, const State& state, const Stage& stage, co
     for (const NamedWriter& entry : writers_) entry.writer->step(state, stage, report);
     progress_.fallbacks += report.fallbacks;
     progress_.remaining_dilation = std::max(progress_.remaining_dilation, report.remaining_dilation);
+    for (const JointCounterSlip& ended : report.ended_counter_slips)
+        progress_.close_reversals.add({state.time, ended});
     if (output_.history_interval == 0 ||
         is_due(progress_.next_history, output_.history_interval, state.stage_time))
         write_history(state, stage);

@@ -124,6 +124,25 @@ Json energy_json(const Energy& e) {
             {"residual", e.residual()},       {"friction_returned", e.friction_returned}};
 }
 
+Json close_reversals_json(const Model& model, const CloseReversals& close) {
+    Json list = Json::array();
+    for (const CloseReversal& reversal : close.nearest) {
+        const JointCounterSlip& joint = reversal.joint;
+        list.push_back({{"time", reversal.time},
+                        {"blocks", {joint.first.value(), joint.second.value()}},
+                        {"at", pair(joint.at + model.origin)},
+                        {"joint_material", model.joint_material_at(joint.joint_material).name},
+                        {"min_slip", joint.slip.least},
+                        {"slip", joint.slip.amount},
+                        {"counted", joint.slip.counted},
+                        {"ended", reversal.ended}});
+    }
+    return {{"factor", CloseReversals::factor},
+            {"counted", close.counted},
+            {"not_counted", close.not_counted},
+            {"nearest", list}};
+}
+
 /// The bracket of the factor of safety, null where no trial stood or none failed, and the trials.
 Json factor_of_safety(const std::vector<ReductionTrial>& trials) {
     Json stands, fails;
@@ -182,6 +201,9 @@ std::string summary_text(const Model& model, const std::vector<Stage>& stages, c
         json["first_slip"] = slips_json(results.state().first_slips);
         json["blocks_on_planes"] = planes_json(plane_slips(model, stages, state, results));
     }
+    if (wears_by_reversals(model))
+        json["reversals_close_to_min_slip"] =
+            close_reversals_json(model, with_present(results.state().close_reversals, model, state));
     json["energy"] = energy_json(state.energy);
     if (!results.state().trials.empty()) json["factor_of_safety"] = factor_of_safety(results.state().trials);
     json["units"] = "SI, per metre of thickness";

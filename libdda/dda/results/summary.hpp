@@ -24,8 +24,8 @@ struct Provenance {
 /// Reads and hashes files. @throws InputError for one that cannot be read.
 std::vector<InputFile> hash_files(const std::vector<std::filesystem::path>& files);
 
-/// The summary of a run as JSON text: outcome, stage, peaks, energies, contacts, wall time, version and
-/// inputs.
+/// The summary of a run as JSON text: outcome, stage, peaks, energies, contacts, reversals that hang on
+/// `min_slip`, wall time, version and inputs.
 std::string summary_text(const Model& model, const std::vector<Stage>& stages, const State& state,
                          const RunOutcome& outcome, const Results& results, const Provenance& provenance);
 

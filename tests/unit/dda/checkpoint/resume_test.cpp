@@ -10,6 +10,7 @@
 #include "dda/analysis/step.hpp"
 #include "dda/checkpoint/state_archive.hpp"
 #include "dda/results/block_table.hpp"
+#include "dda/results/summary.hpp"
 #include "support/walls.hpp"
 #include "unit/dda/results/run_in_a_folder.hpp"
 
@@ -153,6 +154,52 @@ TEST_F(ContinuedRun, RestoresTheLargestRemainingDilation) {
     for (std::size_t k = 1; k < log.size(); ++k) largest = std::max(largest, std::stod(cell(log[k], column)));
     EXPECT_GT(largest, 0);
     EXPECT_EQ(read_checkpoint(folder / "a" / "checkpoint.h5").results.remaining_dilation, largest);
+}
+
+// The block of a joint that wears by reversals slides some millimetres to and fro. The summary has them,
+// wherever the run was stopped.
+TEST_F(ContinuedRun, RestoresReversalsCloseToMinSlip) {
+    CyclicBartonBandis law;
+    law.barton = {2, 100e6, .3};
+    law.peak_displacement = 5e-3;
+    law.reversal_factor = .95;
+    law.min_slip = 2e-3;
+    const RoughnessTable wear = {{{0, 1}, {1, 1}, {2, .9}, {4, .7}}};
+    law.cycles = {{wear, wear, wear, wear}};
+    law.unsigned_ratios = true;
+    for (JointMaterial& material : input.model.joint_materials) {
+        material.law = law;
+        material.shear_penalty = input.model.normal_penalty;
+    }
+    input.stages[1].base_motions = {
+        {"base", TimeTable({0, .05, .15, .25, .35, .45}, {0, 6, -6, 6, -6, 6}), TimeTable({0}, {0})}};
+    const auto list_of = [&](const std::string& name, int stop) {
+        fs::create_directories(folder / name);
+        int step = 0;
+        const ProgressFunction progress = [&](const Progress&) { return ++step < stop; };
+        State state = initial_state(input.model);
+        auto results = std::make_unique<Results>(input.model, input.stages, input.output,
+                                                 ResultsOptions{folder / name, false, "hash", progress});
+        RunOutcome outcome = run(input.model, input.stages, state, *results);
+        if (outcome.status == RunStatus::stopped) {
+            const Checkpoint checkpoint = read_checkpoint(folder / name / "checkpoint.h5");
+            results = std::make_unique<Results>(
+                input.model, input.stages, input.output,
+                ResultsOptions{folder / name, false, "hash", [](const Progress&) { return true; }},
+                &checkpoint);
+            state = checkpoint.state;
+            outcome = run(input.model, input.stages, state, *results, {1, checkpoint.results.stage, true});
+        }
+        const std::string text = summary_text(input.model, input.stages, state, outcome, *results, {});
+        const std::size_t from = text.find("\"reversals_close_to_min_slip\"");
+        return text.substr(from, text.find("\"energy\"", from) - from);
+    };
+    const std::string whole = list_of("whole", 1'000'000);
+    EXPECT_THAT(whole, HasSubstr("\"joint_material\": "));
+    EXPECT_THAT(whole, HasSubstr("\"ended\": true"));
+    const auto steps = static_cast<int>(lines_of(folder / "whole" / "steps.csv").size()) - 1;
+    for (const int stop : {steps / 2, steps - 30, steps - 1})
+        EXPECT_EQ(list_of("stopped" + std::to_string(stop), stop), whole) << stop;
 }
 
 // Data that a stepper keeps from step to step, such as its factor and work lists, must not affect the

@@ -113,12 +113,14 @@ TEST(CyclicClosedForm, GivesTheHistoryOfTheIntegratedPath) {
         // The two sum the same terms in another order; the slip contains differences of forces up to 1e7 N/m
         // over a stiffness of at least 1e7.
         EXPECT_NEAR(closed->reverse_slip, expected.reverse_slip, 1e-14);
+        EXPECT_NEAR(closed->reversal_slip, expected.reversal_slip, 1e-14);
         EXPECT_NEAR(closed->position, expected.position, 1e-15 * std::abs(c.trial.displacement));
         EXPECT_NEAR(closed->furthest_forward, expected.furthest_forward, 1e-17);
         EXPECT_NEAR(closed->furthest_backward, expected.furthest_backward, 1e-17);
         EXPECT_NEAR(closed->unloading_ratio, expected.unloading_ratio, 1e-14);
         EXPECT_NEAR(closed->mobilised_ratio, expected.mobilised_ratio, 1e-14);
         expected.reverse_slip = closed->reverse_slip;
+        expected.reversal_slip = closed->reversal_slip;
         expected.position = closed->position;
         expected.furthest_forward = closed->furthest_forward;
         expected.furthest_backward = closed->furthest_backward;

@@ -187,6 +187,29 @@ TEST_F(CyclicReversals, SmallerThanMinSlip) {
     EXPECT_EQ(more[3].record.reversals, 2);
 }
 
+// The slip back at -tau(-0.3) until it turns; a slip forward ends it. Once it has counted it goes on growing.
+TEST_F(CyclicReversals, TheCounterSlipIsThatSinceTheTurn) {
+    auto law = granite();
+    law.reversal_factor = 0.9;
+    const double turn = (tau(0.3) + tau(-0.3)) / k / mm;
+    const auto counter_slip = [&](const std::vector<double>& path) {
+        return end_of(law, path).record.counter_slip;
+    };
+    EXPECT_EQ(counter_slip({5}).amount, 0);
+    EXPECT_EQ(counter_slip({5}).least, 0.1 * mm);
+    EXPECT_EQ(counter_slip({5, 4.6}).amount, 0) << "locked";
+    EXPECT_NEAR(counter_slip({5, 5 - turn - 0.06}).amount, 0.06 * mm, 1e-15);
+    EXPECT_FALSE(counter_slip({5, 5 - turn - 0.06}).counted);
+    EXPECT_EQ(counter_slip({5, 5 - turn - 0.06, 6}).amount, 0);
+    // Counted after 0.1 mm: the bound becomes -tau(-0.27), and the spring needs a little to reach it.
+    const double step = (tau(-0.27) - tau(-0.3)) / k / mm;
+    const auto counted = counter_slip({5, 5 - turn - 0.1 - step - 0.2});
+    EXPECT_TRUE(counted.counted);
+    EXPECT_NEAR(counted.amount, 0.3 * mm, 1e-15);
+    EXPECT_FALSE(counter_slip({5, 5 - turn - 0.1 - step - 0.2, 6}).amount == counted.amount);
+    EXPECT_EQ(end_of(granite(), {5, 3}).record.counter_slip.least, 0) << "reversals do not wear it";
+}
+
 // Out again after a reversal: the wear is that of one until the slip forward counts, then that of two, and
 // the strength drops at that.
 TEST_F(CyclicReversals, TheSecondCountsOnItsOwnWay) {
