@@ -29,9 +29,11 @@ class CyclicRoughness {
     const RoughnessTable& roughness_table(const Place& place) const;
     /// The table that bounds the shear force.
     const RoughnessTable& bound_table(const Place& place) const;
-    /// In the first advance the joint is locked up to the peak displacement; the table applies beyond it.
+    /// In the first advance the joint is locked up to the peak displacement. The table applies beyond it, and
+    /// to every later advance.
     bool is_before_first_peak(const Place& place, double distance) const {
-        return history_.cycle == 1 && place.side > 0 && (place.away || is_fresh()) &&
+        const bool first = place.away && history_.furthest_forward < law_.peak_displacement;
+        return history_.cycle == 1 && place.side > 0 && (first || is_fresh()) &&
                distance < law_.peak_displacement;
     }
     /// Whether the roughness at this place was worn at a larger distance in this cycle. Healing restores it.

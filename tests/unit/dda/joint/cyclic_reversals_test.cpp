@@ -141,6 +141,27 @@ TEST_F(CyclicReversals, AcrossTheOriginAndBack) {
     EXPECT_EQ(turned[5].record.reversals, 1);
 }
 
+// Out to 6 mm, x = 4.8 and ratio 0.27, and behind the origin to -1 mm, too little for a cycle. The lock up to
+// the peak belongs to the first advance: this one has the table from the origin on, up to the worn 0.27 at
+// 0.3375 mm, in strength and in dilation. The spring comes from tau(-0.4) at the origin, where the joint does
+// not dilate, and has met the table before 0.305 mm; with the worn ratio alone it would bear 1.06 % of the
+// peak more there.
+TEST_F(CyclicReversals, OnlyTheFirstAdvanceIsLockedUpToThePeak) {
+    const double slope = 1 / 1.25;  // 1/mm, of the table
+    double met = 0;
+    for (int n = 0; n < 60; ++n) met = (tau(slope * met) - tau(-0.4)) / (k * mm);
+    ASSERT_LT(met, 0.305);
+    const auto turned = rows(granite(), {6, -1, 0, 0.305, 1});
+    expect_stress(turned[3], tau(-0.4));
+    expect_stress(turned[4], tau(slope * 0.305));
+    EXPECT_NEAR((tau(-0.4) + k * 0.305 * mm - tau(slope * 0.305)) / tau(1), 0.0106, 5e-5);
+    expect_opening(turned[3], turned[4], opening(slope * met, slope * 0.305, (0.305 - met) * mm));
+    expect_stress(turned[5], tau(0.27));
+    expect_opening(turned[4], turned[5],
+                   opening(slope * 0.305, 0.27, 0.0325 * mm) + 0.6625 * mm * rate(0.27));
+    EXPECT_EQ(turned[5].record.cycle, 1);
+}
+
 // Turns within the spring change nothing. Turns with slip add two reversals each, but no dilation: at
 // constant ratios, 0.3 in both directions, the path closes. The rest is the path without turns, times the
 // wear.
