@@ -29,6 +29,20 @@ stiff='shear_test.boundary="constant-stiffness"'
 awk -F, 'NR > 1 && ($3 - 1e6 - 1e9 * $4 > 1 || $3 - 1e6 - 1e9 * $4 < -1) && $3 > 0 { exit 1 }' stiff.csv ||
     fail "normal stress and dilation do not agree"
 
+# A prescribed normal stress, listed or from the table of the path. A locked loop takes no work.
+prescribed='shear_test.boundary="prescribed-stress"'
+"$program" test.toml -o loop.csv --set "$prescribed" \
+    --set 'shear_test.path=["5 mm", "4.8 mm", "4.8 mm", "4.9 mm", "4.9 mm", "4.8 mm"]' \
+    --set 'shear_test.path_stress=[1e6, 1e6, 1.5e6, 1.5e6, 1e6, 1e6]' >told.txt
+grep -q 'energy created 0 J/m2' told.txt || fail "$(cat told.txt)"
+awk -F, '$1 == 0.0048 && $3 == 1e6 && $7 == "forward unloading" { if (!n++) first = $11; last = $11 }
+    END { if (n < 2 || first < 1000 || last - first > 1e-6 || first - last > 1e-6) exit 1 }' loop.csv || fail "work of a loop"
+printf 'time (s),displacement (mm),normal stress (MPa)\n0,0,1\n1,5,2\n2,5,0.5\n' >history.csv
+"$program" test.toml -o history-rows.csv --set "$prescribed" --set 'shear_test.path={file="history.csv"}' \
+    --compare history.csv >told.txt
+grep -q '^misfit of normal stress: rms 0 MPa' told.txt || fail "$(cat told.txt)"
+tail -n 1 history-rows.csv | grep -q '^0.005,[0-9.]*,5e+05,' || fail "$(tail -n 1 history-rows.csv)"
+
 mkdir refused
 cp test.toml lab.csv refused
 cd refused
@@ -49,6 +63,9 @@ refused 'has no displacement other than 0' test.toml -o a.csv --set 'shear_test.
 refused 'more than 1e7 rows' test.toml -o a.csv --set shear_test.increment=1e-12
 refused 'cannot be compressed' test.toml -o a.csv --set 'shear_test.boundary="constant-volume"'
 refused 'boundary_stiffness' test.toml -o a.csv --set "$stiff"
+refused 'no stress is given' test.toml -o a.csv --set "$prescribed"
+refused 'has 1 stresses for 4 points' test.toml -o a.csv --set "$prescribed" --set 'shear_test.path_stress=[1e6]'
+refused "has no column 'normal stress'" test.toml -o a.csv --set "$prescribed" --set 'shear_test.path_stress=[1e6, 1e6, 0, 0]' --compare lab.csv
 refused 'no such file\|No such file' test.toml -o a.csv --compare no.csv
 refused 'is in .furlong' test.toml -o a.csv --compare /dev/stdin <<END
 displacement (furlong)

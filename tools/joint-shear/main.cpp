@@ -58,6 +58,8 @@ void print_summary(const dda::ShearTestInput& input, const std::vector<dda::Shea
         "%s: %zu rows; largest shear stress %.5g MPa at %.4g mm; at the end %.5g MPa, dilation %.4g mm\n",
         input.material.c_str(), rows.size(), std::abs(peak.shear_stress) / 1e6, peak.displacement * 1e3,
         rows.back().shear_stress / 1e6, rows.back().dilation * 1e3);
+    std::printf("work at the end %.6g J/m2; energy created %.3g J/m2\n", rows.back().work,
+                dda::created_energy(rows));
 }
 
 int run(const po::variables_map& values) {
@@ -80,6 +82,9 @@ int run(const po::variables_map& values) {
         measured = values.count("joint") ? dda::read_measured_joint(measured_file, text_of(values, "joint"))
                                          : dda::read_shear_table(measured_file);
         read.emplace_back(measured_file);
+        if (input.test.boundary == dda::NormalBoundary::prescribed_stress && measured->normal_stress.empty())
+            throw InputError({measured_file}, "has no column 'normal stress', but 'boundary' prescribes it",
+                             "the normal stress at each measured point");
     }
     for (const std::string& result : {output, picture})
         if (!result.empty()) check_output(result, read);

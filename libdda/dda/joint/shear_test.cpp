@@ -27,12 +27,21 @@ class Specimen {
         joint_ = shear(law(), {fresh_history(law(), true)}, 0, load(normal_stress_, at_rest));
     }
 
-    /// Shears it to a displacement from the start.
-    void shear_to(double displacement) {
-        const double increment = displacement - displacement_;
-        if (test_.boundary != NormalBoundary::constant_stress) normal_stress_ = equilibrium(increment);
+    /// Shears it to a displacement from the start. @param prescribed Pa, normal stress at the end, if it is
+    /// prescribed.
+    void shear_to(double displacement, double prescribed) {
+        const double increment = displacement - displacement_, stress_before = normal_stress_;
+        if (test_.boundary == NormalBoundary::prescribed_stress) {
+            if (prescribed != normal_stress_) joint_ = after(0, prescribed);
+            normal_stress_ = prescribed;
+        } else if (test_.boundary != NormalBoundary::constant_stress) {
+            normal_stress_ = equilibrium(increment);
+        }
+        const ShearedJoint before = joint_;
         joint_ = after(increment, normal_stress_);
         displacement_ += increment;
+        const bool changes_first = test_.boundary == NormalBoundary::prescribed_stress;
+        add_work(before, increment, changes_first ? normal_stress_ : (stress_before + normal_stress_) / 2);
     }
 
     ShearTestRow row() const {
@@ -40,7 +49,7 @@ class Specimen {
         return {displacement_,  joint_.shear_force / test_.length,
                 normal_stress_, joint_record.dilation,
                 joint_.slip,    joint_.sliding,
-                joint_record};
+                work_,          joint_record};
     }
 
   private:
@@ -77,10 +86,18 @@ class Specimen {
         return -below < above ? low : high;  // the dilation has a small jump at a reversal
     }
 
+    /// The work of an increment, Eq. (84). @param normal_stress Pa, mean of the increment.
+    void add_work(const ShearedJoint& before, double increment, double normal_stress) {
+        const double shear_stress = (before.shear_force + joint_.shear_force) / (2 * test_.length);
+        const double dilated = dilation(law(), joint_.history) - dilation(law(), before.history);
+        work_ += shear_stress * increment - normal_stress * dilated;
+    }
+
     const ShearTest& test_;
     double stiffness_;  ///< N/m per metre
     double normal_stress_;
     double displacement_ = 0;
+    double work_ = 0;  ///< J/m2
     ShearedJoint joint_;
 };
 
@@ -95,25 +112,45 @@ double shear_stiffness(const ShearTest& test) {
 
 namespace {
 
+/// Least number of increments on a part of the path along which the normal stress is prescribed to change:
+/// the joint passes through stresses that differ by a twentieth of the change.
+constexpr int least_stress_changes = 20;
+
 /// Shears the specimen along the path. Calls `each` with the specimen after every increment, and with whether
 /// it is at a point of the path.
 template <class Each>
 void shear_along_path(const ShearTest& test, Each each) {
     Specimen specimen(test);
-    double from = 0;
-    for (const double to : test.path) {
+    double from = 0, stress_from = test.normal_stress;
+    for (std::size_t k = 0; k < test.path.size(); ++k) {
+        const double to = test.path[k];
+        const double stress_to = test.path_stress.empty() ? test.normal_stress : test.path_stress[k];
         const auto parts =
-            std::max(static_cast<int>(std::ceil(std::abs(to - from) / test.increment * (1 - 1e-12))), 1);
+            std::max(static_cast<int>(std::ceil(std::abs(to - from) / test.increment * (1 - 1e-12))),
+                     stress_to != stress_from ? least_stress_changes : 1);
         for (int part = 1; part <= parts; ++part) {
             const double share = static_cast<double>(part) / parts;
-            specimen.shear_to(part == parts ? to : from + (to - from) * share);
+            specimen.shear_to(part == parts ? to : from + (to - from) * share,
+                              part == parts ? stress_to : stress_from + (stress_to - stress_from) * share);
             each(specimen, part == parts);
         }
         from = to;
+        stress_from = stress_to;
     }
 }
 
 }  // namespace
+
+double created_energy(const std::vector<ShearTestRow>& rows) {
+    double fall = 0, highest = 0;
+    for (const ShearTestRow& row : rows) {
+        fall = std::max(fall, -row.work);
+        if (row.normal_stress > 0) continue;
+        fall = std::max(fall, highest - row.work);
+        highest = std::max(highest, row.work);
+    }
+    return fall;
+}
 
 std::vector<ShearTestRow> run_shear_test(const ShearTest& test) {
     std::vector<ShearTestRow> rows = {Specimen(test).row()};

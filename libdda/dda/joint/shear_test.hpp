@@ -7,7 +7,7 @@
 namespace rockslope::dda {
 
 /// Normal boundary condition of a shear test.
-enum class NormalBoundary { constant_stress, constant_stiffness, constant_volume };
+enum class NormalBoundary { constant_stress, constant_stiffness, constant_volume, prescribed_stress };
 
 /// A direct shear test of one joint, without blocks, as in a laboratory.
 struct ShearTest {
@@ -17,7 +17,10 @@ struct ShearTest {
     NormalBoundary boundary = NormalBoundary::constant_stress;
     double boundary_stiffness = 0;  ///< Pa/m, for constant stiffness
     std::vector<double> path;       ///< m, displacements in the order of the test, which starts at 0
-    double increment = 0;           ///< m, longest displacement between two rows, positive
+    /// Pa, for prescribed stress: the normal stress at each point of the path, not negative; 0: the joint is
+    /// open. Linear between the points.
+    std::vector<double> path_stress;
+    double increment = 0;  ///< m, longest displacement between two rows, positive
 };
 
 struct ShearTestRow {
@@ -27,16 +30,24 @@ struct ShearTestRow {
     double dilation = 0;       ///< m
     double slip = 0;           ///< m, plastic
     bool sliding = false;
+    double work = 0;  ///< J/m2, done on the joint since the start, Eq. (84)
     JointRecord record;
 };
+
+/// The largest fall of the work in a test, J/m2: below zero, or from one instant at which the joint is open
+/// to a later one. It stores nothing then, so what falls is energy that the joint created. 0 for a joint that
+/// creates none.
+double created_energy(const std::vector<ShearTestRow>& rows);
 
 /// Stiffness of the shear spring in the test, Pa/m: the material's, or else the law's at the initial normal
 /// stress; 0 if neither has one.
 double shear_stiffness(const ShearTest& test);
 
 /// The rows of a test, from the start at zero displacement. Under constant stress they do not depend on the
-/// increment. Otherwise the normal stress of a row is in equilibrium with its dilation, Eq. (67), and acts
-/// during the increment before the row. @pre shear_stiffness(test) > 0, and a compressible joint if the
+/// increment, but for the work, which is that of a stress linear between the rows. Where a stress is
+/// prescribed, it changes before the displacement of an increment. Otherwise the normal stress of a row is in
+/// equilibrium with its dilation, Eq. (67), and acts during the increment before the row.
+/// @pre shear_stiffness(test) > 0, and a compressible joint if the
 /// volume is constant.
 std::vector<ShearTestRow> run_shear_test(const ShearTest& test);
 

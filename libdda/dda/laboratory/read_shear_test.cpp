@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "dda/input/read_materials.hpp"
 #include "dda/laboratory/shear_table.hpp"
@@ -20,19 +21,51 @@ const JointMaterial& read_joint_material(const ConfigTable& table,
     return materials[std::find(names.begin(), names.end(), name) - names.begin()];
 }
 
-std::vector<double> read_path(const ConfigTable& table, std::vector<std::filesystem::path>& files) {
-    std::vector<double> path;
+/// The path of a test, with the table that it was read from, if any.
+struct Path {
+    std::vector<double> displacement;  ///< m
+    std::optional<ShearTable> table;
+};
+
+Path read_path(const ConfigTable& table, std::vector<std::filesystem::path>& files) {
+    Path path;
     if (table.is_table("path")) {
         const ConfigTable source = table.table("path");
         files.push_back(source.file_path("file"));
-        path = read_shear_table(files.back()).displacement;
+        path.table = read_shear_table(files.back());
+        path.displacement = path.table->displacement;
     } else {
-        path = table.numbers("path", Dimension::length);
+        path.displacement = table.numbers("path", Dimension::length);
     }
-    if (std::all_of(path.begin(), path.end(), [](double d) { return d == 0; }))
+    if (std::all_of(path.displacement.begin(), path.displacement.end(), [](double d) { return d == 0; }))
         table.fail("path", "'path' in [" + table.path() + "] has no displacement other than 0",
                    "displacements to be reached in turn, such as [\"15 mm\", 0, \"-15 mm\"]");
     return path;
+}
+
+/// The normal stress at each point of the path, from `path_stress` or from the table of the path.
+std::vector<double> read_path_stress(const ConfigTable& table, const Path& path) {
+    const char* key = "path_stress";
+    std::vector<double> stress;
+    if (table.has(key))
+        stress = table.numbers(key, Dimension::stress);
+    else if (path.table)
+        stress = path.table->normal_stress;
+    if (stress.empty())
+        table.fail(key,
+                   "'boundary' in [" + table.path() + "] is \"prescribed-stress\", but no stress is given",
+                   path.table ? "a column 'normal stress' in the file of 'path', or 'path_stress'"
+                              : "'path_stress', such as [\"1 MPa\", \"0.5 MPa\"]");
+    if (stress.size() != path.displacement.size())
+        table.fail(key,
+                   "'" + std::string(key) + "' in [" + table.path() + "] has " +
+                       std::to_string(stress.size()) + " stresses for " +
+                       std::to_string(path.displacement.size()) + " points of 'path'",
+                   "one for each point");
+    if (std::any_of(stress.begin(), stress.end(), [](double s) { return s < 0; }))
+        table.fail(key, "a normal stress along the path in [" + table.path() + "] is negative",
+                   "zero, for an open joint, or a positive number");
+    return stress;
 }
 
 double largest_displacement(const std::vector<double>& path) {
@@ -50,10 +83,14 @@ double length_of(const std::vector<double>& path) {
     return length;
 }
 
-void read_boundary(const ConfigTable& table, ShearTest& test) {
+void read_boundary(const ConfigTable& table, const Path& path, ShearTest& test) {
     const std::string boundary = table.choice(
-        "boundary", {"constant-stress", "constant-stiffness", "constant-volume"}, "constant-stress");
-    if (boundary == "constant-stiffness") {
+        "boundary", {"constant-stress", "constant-stiffness", "constant-volume", "prescribed-stress"},
+        "constant-stress");
+    if (boundary == "prescribed-stress") {
+        test.boundary = NormalBoundary::prescribed_stress;
+        test.path_stress = read_path_stress(table, path);
+    } else if (boundary == "constant-stiffness") {
         test.boundary = NormalBoundary::constant_stiffness;
         test.boundary_stiffness = positive(table, "boundary_stiffness", Dimension::joint_stiffness);
     } else if (boundary == "constant-volume") {
@@ -79,8 +116,9 @@ ShearTestInput read_shear_test(const std::filesystem::path& file, const std::vec
     input.material = test.material.name;
     test.length = positive(table, "length", Dimension::length);
     test.normal_stress = positive(table, "normal_stress", Dimension::stress);
-    read_boundary(table, test);
-    test.path = read_path(table, input.files);
+    const Path path = read_path(table, input.files);
+    test.path = path.displacement;
+    read_boundary(table, path, test);
     test.increment = positive(table, "increment", Dimension::length, largest_displacement(test.path) / 500);
     if (length_of(test.path) / test.increment > max_rows)
         table.fail("increment", "'increment' in [" + table.path() + "] gives more than 1e7 rows",
@@ -119,9 +157,11 @@ backward_return = [[1, -0.4], [2, -0.4], [4, -0.3]]
 # joint_material = "granite"       # default: the first in this file
 length = 0.1                       # m, of the joint
 normal_stress = "1 MPa"            # at the start
-# boundary = "constant-stress"     # or "constant-stiffness", "constant-volume"
+# boundary = "constant-stress"     # or "constant-stiffness", "constant-volume", "prescribed-stress"
 # boundary_stiffness = "5 GPa/m"   # for constant-stiffness
 path = ["15 mm", 0, "-15 mm", 0]   # displacements to be reached in turn; or { file = "lab.csv" }
+# path_stress = ["1 MPa", 0, "2 MPa", 0]   # for prescribed-stress: normal stress at each point of the path;
+#                                  default: the column 'normal stress' of the path's file
 increment = "0.025 mm"             # largest between two rows; default: the largest displacement over 500
 # shear_stiffness = "10 GPa/m"     # required if neither law nor material has one
 )";

@@ -173,14 +173,15 @@ ShearTable read_measured_joint(const std::filesystem::path& file, const std::str
 std::string shear_rows_csv(const std::vector<ShearTestRow>& rows) {
     std::string text =
         "displacement (m),shear stress (Pa),normal stress (Pa),dilation (m),slip (m),state,stage,"
-        "mobilised ratio,reversals,cycle\n";
+        "mobilised ratio,reversals,cycle,work (J/m2)\n";
     for (const ShearTestRow& row : rows) {
         for (const double value :
              {row.displacement, row.shear_stress, row.normal_stress, row.dilation, row.slip})
             text += shortest_text(value) + ',';
         text += std::string(row.normal_stress > 0 ? row.sliding ? "sliding" : "locked" : "open") + ',' +
                 stage_name(row.record.stage) + ',' + shortest_text(row.record.mobilised_ratio) + ',' +
-                std::to_string(row.record.reversals) + ',' + std::to_string(row.record.cycle) + '\n';
+                std::to_string(row.record.reversals) + ',' + std::to_string(row.record.cycle) + ',' +
+                shortest_text(row.work) + '\n';
     }
     return text;
 }
@@ -188,6 +189,7 @@ std::string shear_rows_csv(const std::vector<ShearTestRow>& rows) {
 Comparison compare(ShearTest test, const ShearTable& measured) {
     Comparison comparison;
     test.path = measured.displacement;
+    if (test.boundary == NormalBoundary::prescribed_stress) test.path_stress = measured.normal_stress;
     comparison.rows = shear_test_at_path_points(test);
     comparison.shear_stress = misfit(comparison.rows, measured.shear_stress, &ShearTestRow::shear_stress);
     comparison.dilation = misfit(comparison.rows, measured.dilation, &ShearTestRow::dilation);

@@ -36,11 +36,13 @@ struct Misfit {
     double at = 0;       ///< m, displacement of the largest difference
 };
 
-/// A test run along the displacements of a table, and its misfit to each column of the table.
+/// A test run along the displacements of a table, and along its normal stresses where they are prescribed,
+/// and its misfit to each column of the table.
 struct Comparison {
     std::vector<ShearTestRow> rows;  ///< one per point of the table
     std::optional<Misfit> shear_stress, dilation, normal_stress;
 };
+/// @pre `measured` has normal stresses if `test` prescribes them.
 Comparison compare(ShearTest test, const ShearTable& measured);
 
 }  // namespace rockslope::dda

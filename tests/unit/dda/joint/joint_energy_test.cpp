@@ -6,12 +6,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <map>
 #include <random>
 #include <sstream>
 
 #include "dda/joint/shear_step.hpp"
+#include "dda/joint/shear_test.hpp"
 #include "specimens.hpp"
 #include "support/external_data.hpp"
 
@@ -135,15 +137,22 @@ dda::CyclicBartonBandis flat() {
     return law;
 }
 
-TEST(JointEnergy, DoesNotFallOnTheRecordedPaths) {
-    const auto folder = external_data("reference/dilation");
-    if (!folder) GTEST_SKIP() << external_data_missing("reference/dilation");
-    struct Case {
-        std::string material;
-        std::vector<Target> path;
-    };
-    std::map<int, Case> cases;
-    std::ifstream file(*folder / "energy_paths.csv");
+/// A recorded path of displacement and normal force.
+struct RecordedPath {
+    std::string material;
+    std::vector<Target> path;
+
+    dda::CyclicBartonBandis law() const {
+        if (material == "flat") return flat();
+        return material == "granite" ? joint_tests::granite() : joint_tests::marble();
+    }
+    /// J/m2, a thousandth of the normal stress times the peak displacement.
+    double tolerance() const { return 1e-3 * path.front().normal_force * law().peak_displacement; }
+};
+
+std::map<int, RecordedPath> recorded_paths(const std::filesystem::path& table) {
+    std::map<int, RecordedPath> paths;
+    std::ifstream file(table);
     std::string line;
     std::getline(file, line);
     while (std::getline(file, line)) {
@@ -154,21 +163,67 @@ TEST(JointEnergy, DoesNotFallOnTheRecordedPaths) {
         double time = 0;
         Target target;
         row >> path >> material >> time >> target.displacement >> target.normal_force;
-        cases[path].material = material;
-        cases[path].path.push_back(target);
+        paths[path].material = material;
+        paths[path].path.push_back(target);
     }
-    ASSERT_EQ(cases.size(), 21U);
-    for (const auto& [index, one] : cases) {
-        const dda::CyclicBartonBandis law = one.material == "granite"  ? joint_tests::granite()
-                                            : one.material == "marble" ? joint_tests::marble()
-                                                                       : flat();
-        const double tolerance = 1e-3 * one.path.front().normal_force * law.peak_displacement;
-        const std::vector<double> work = work_along(law, one.path, law.peak_displacement / 250);
-        EXPECT_LT(largest_fall(one.path, work), tolerance) << index;
-        if (index % 4 != 2 || index > 10) continue;
+    return paths;
+}
+
+/// Whether a recorded path repeats a cycle of four points from its seventh point on.
+bool is_closed(int path) {
+    return path % 4 == 2 && path <= 10;
+}
+
+TEST(JointEnergy, DoesNotFallOnTheRecordedPaths) {
+    const auto folder = external_data("reference/dilation");
+    if (!folder) GTEST_SKIP() << external_data_missing("reference/dilation");
+    const auto paths = recorded_paths(*folder / "energy_paths.csv");
+    ASSERT_EQ(paths.size(), 21U);
+    for (const auto& [index, one] : paths) {
+        const std::vector<double> work = work_along(one.law(), one.path, one.law().peak_displacement / 250);
+        EXPECT_LT(largest_fall(one.path, work), one.tolerance()) << index;
+        if (!is_closed(index)) continue;
         for (std::size_t k = 10; k < work.size(); k += 4)
-            EXPECT_GT(work[k] - work[k - 4], -tolerance) << index << ' ' << k;
+            EXPECT_GT(work[k] - work[k - 4], -one.tolerance()) << index << ' ' << k;
     }
+}
+
+/// The shear test of joint-shear along a path of displacement and normal stress.
+dda::ShearTest test_along(const dda::CyclicBartonBandis& law, const std::vector<Target>& path) {
+    dda::ShearTest test;
+    test.material.law = law;
+    test.length = length;
+    test.normal_stress = path.front().normal_force;
+    test.boundary = dda::NormalBoundary::prescribed_stress;
+    test.increment = law.peak_displacement / 250;
+    for (const Target& target : path) {
+        test.path.push_back(target.displacement);
+        test.path_stress.push_back(target.normal_force);
+    }
+    return test;
+}
+
+// The program's own answer to the question, by its work and its created energy.
+TEST(JointEnergy, OfAShearTestDoesNotFallOnTheRecordedPaths) {
+    const auto folder = external_data("reference/dilation");
+    if (!folder) GTEST_SKIP() << external_data_missing("reference/dilation");
+    for (const auto& [index, one] : recorded_paths(*folder / "energy_paths.csv")) {
+        const dda::ShearTest test = test_along(one.law(), one.path);
+        EXPECT_LT(created_energy(run_shear_test(test)), one.tolerance()) << index;
+        if (!is_closed(index)) continue;
+        const auto points = shear_test_at_path_points(test);
+        for (std::size_t k = 10; k < points.size(); k += 4)
+            EXPECT_GT(points[k].work - points[k - 4].work, -one.tolerance()) << index << ' ' << k;
+    }
+}
+
+TEST(JointEnergy, OfAShearTestDoesNotFallOnRandomPaths) {
+    const double stress = 1e6, reach = 5e-3;
+    for (const auto& law : {joint_tests::granite(), joint_tests::marble(), flat()})
+        for (unsigned seed = 0; seed < 100; ++seed) {
+            const auto rows = run_shear_test(test_along(law, random_path(seed, stress, reach)));
+            EXPECT_LT(created_energy(rows), 1e-3 * stress * law.peak_displacement) << seed;
+        }
 }
 
 template <class Law>

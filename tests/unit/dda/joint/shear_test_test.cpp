@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "support/cyclic_joints.hpp"
+#include "support/cyclic_reference.hpp"
 
 using namespace rockslope;
 
@@ -147,6 +148,87 @@ TEST(ShearTest, AContractingJointUnloadsUnderAStiffBoundary) {
         EXPECT_EQ(row.shear_stress, 0);
     }
     EXPECT_TRUE(opened);
+}
+
+// --- prescribed normal stress, and the work
+
+TEST(ShearTest, APrescribedStressThatDoesNotChangeIsAConstantOne) {
+    ShearTest test = granite_test();
+    test.increment = 1e-4;
+    const auto constant = dda::run_shear_test(test);
+    test.boundary = NormalBoundary::prescribed_stress;
+    test.path_stress = {1e6, 1e6, 1e6};
+    const auto prescribed = dda::run_shear_test(test);
+    ASSERT_EQ(prescribed.size(), constant.size());
+    for (std::size_t k = 0; k < constant.size(); ++k) {
+        EXPECT_EQ(prescribed[k].shear_stress, constant[k].shear_stress);
+        EXPECT_EQ(prescribed[k].dilation, constant[k].dilation);
+        EXPECT_EQ(prescribed[k].work, constant[k].work);
+    }
+}
+
+TEST(ShearTest, APrescribedStressIsLinearBetweenThePoints) {
+    ShearTest test = granite_test();
+    test.boundary = NormalBoundary::prescribed_stress;
+    test.path = {0, 2e-3, 2e-3, 3e-3};
+    test.path_stress = {1e6, 2e6, 0, 0.5e6};
+    test.increment = 1e-3;
+    const auto rows = dda::run_shear_test(test);
+    ASSERT_EQ(rows.size(), 1u + 1 + 20 + 20 + 20);
+    for (int k = 1; k <= 20; ++k) {
+        EXPECT_NEAR(rows[1 + k].normal_stress, (1 + k / 20.) * 1e6, 1e-9 * 1e6);
+        EXPECT_NEAR(rows[1 + k].displacement, k / 20. * 2e-3, 1e-18);
+        EXPECT_NEAR(rows[21 + k].normal_stress, (2 - k / 10.) * 1e6, 1e-9 * 1e6);
+        EXPECT_EQ(rows[21 + k].displacement, 2e-3);
+    }
+    EXPECT_EQ(rows[41].shear_stress, 0) << "open";
+    EXPECT_GT(rows[61].shear_stress, 0) << "closed again";
+}
+
+// From 10 mm on granite slides at 0.15: each metre of slip takes tau - sigma tan(d_t), Eqs. (57) and (60).
+TEST(ShearTest, TheWorkOfSlipIsThatOfFriction) {
+    ShearTest test = granite_test();
+    test.path = {10e-3, 15e-3};
+    const auto rows = dda::shear_test_at_path_points(test);
+    const auto reference = joint_tests::reference_granite();
+    EXPECT_NEAR(rows[1].work - rows[0].work, (reference.tau(0.15) - 1e6 * reference.rate(0.15)) * 5e-3,
+                1e-12 * rows[1].work);
+}
+
+// The locked joint swings by 0.1 mm under 1.5 MPa and back under 1 MPa. It opens and closes by 14.7 um, and
+// its shear stress follows the normal stress, Eq. (77): nothing is gained. A shear stress that did not follow
+// would give 7.4 J/m2 away in every loop.
+TEST(ShearTest, AnElasticLoopOfDisplacementAndNormalStressTakesNoWork) {
+    ShearTest test = granite_test();
+    test.boundary = NormalBoundary::prescribed_stress;
+    test.path = {5e-3, 4.8e-3, 4.8e-3, 4.9e-3, 4.9e-3, 4.8e-3};
+    test.path_stress = {1e6, 1e6, 1.5e6, 1.5e6, 1e6, 1e6};
+    const auto rows = dda::shear_test_at_path_points(test);
+    for (std::size_t k = 1; k < rows.size(); ++k) EXPECT_EQ(rows[k].slip, rows[0].slip) << "locked";
+    const double slope = joint_tests::reference_granite().rate(0.3);
+    EXPECT_NEAR(rows[3].dilation - rows[2].dilation, 0.1e-3 * slope, 1e-15);
+    const double stiffness = rows[3].shear_stress - rows[2].shear_stress;
+    EXPECT_NEAR(rows[3].shear_stress - rows[4].shear_stress, 0.5e6 * slope, 1e-6);
+    EXPECT_NEAR(rows[4].shear_stress - rows[5].shear_stress, stiffness, 1e-6);
+    EXPECT_NEAR(rows[5].work, rows[1].work, 1e-9) << "of 0.5e6 tan(8.37 deg) 0.1 mm = 7.4 J/m2";
+    EXPECT_NEAR(0.5e6 * slope * 0.1e-3, 7.4, 0.05);
+}
+
+// Below zero, and from one open instant to another; in between a joint gives back what it has stored.
+TEST(ShearTest, CreatedEnergyIsTheFallOfTheWork) {
+    const auto created = [](const std::vector<std::pair<double, double>>& work_and_stress) {
+        std::vector<dda::ShearTestRow> rows(1);
+        for (const auto& [work, stress] : work_and_stress) {
+            rows.emplace_back();
+            rows.back().work = work;
+            rows.back().normal_stress = stress;
+        }
+        return dda::created_energy(rows);
+    };
+    EXPECT_EQ(created({{1, 1}, {5, 1}, {2, 1}}), 0);
+    EXPECT_EQ(created({{1, 1}, {-3, 1}, {2, 1}}), 3);
+    EXPECT_EQ(created({{5, 1}, {4, 0}, {6, 1}, {4, 0}}), 0);
+    EXPECT_EQ(created({{5, 1}, {4, 0}, {6, 1}, {2, 0}, {3, 0}}), 2);
 }
 
 }  // namespace
