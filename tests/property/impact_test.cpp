@@ -69,6 +69,25 @@ TEST_P(Impact, NoBlockPenetratesAnotherUndetected) {
 }
 INSTANTIATE_TEST_SUITE_P(Fifties, Impact, testing::Range(0U, 20U), testing::PrintToStringParamName());
 
+class DampedImpact : public testing::TestWithParam<unsigned> {};
+
+// The same with dashpots from a twentieth to twice the critical: energy does not grow, and dashpots take
+// some.
+TEST_P(DampedImpact, NoBlockPenetratesAnotherUndetected) {
+    double damped = 0;
+    for (unsigned seed = 50 * GetParam() + 1; seed <= 50 * (GetParam() + 1); ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        FlightSetup thrown = random_throw(seed);
+        thrown.scene.model.joint_materials[0].contact_damping = RandomSource(seed).magnitude(0.05, 2);
+        FlightMonitor monitor(thrown);
+        monitor.run();
+        if (HasFatalFailure()) return;
+        damped += monitor.simulation().state.energy.contact_damping_loss;
+    }
+    EXPECT_GT(damped, 0);
+}
+INSTANTIATE_TEST_SUITE_P(Fifties, DampedImpact, testing::Range(0U, 20U), testing::PrintToStringParamName());
+
 /// Throws that once failed, named by the cause.
 class KnownThrow : public testing::TestWithParam<unsigned> {};
 

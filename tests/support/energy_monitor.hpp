@@ -18,13 +18,14 @@ class EnergyMonitor {
           exchanged_(1e-6 * (start.kinetic + start.strain + start.contact + start.constraint)) {}
 
     void observe(const dda::Energy& now) {
-        const std::array<double, 11> changes = {now.kinetic,
+        const std::array<double, 12> changes = {now.kinetic,
                                                 now.strain - start_.strain,
                                                 now.contact - start_.contact,
                                                 now.constraint - start_.constraint,
                                                 now.gravity - start_.gravity,
                                                 now.friction_loss - start_.friction_loss,
                                                 now.damping_loss - start_.damping_loss,
+                                                now.contact_damping_loss - start_.contact_damping_loss,
                                                 now.numerical_loss - start_.numerical_loss,
                                                 now.released - start_.released,
                                                 now.boundary_loss - start_.boundary_loss,

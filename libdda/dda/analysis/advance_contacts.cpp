@@ -60,6 +60,7 @@ void advance_contact(const JointLaw& law, CornerSpan<const Vec2> vertices, Corne
     contact.state = result.state;
     contact.stress_free_gap = result.stress_free_gap;
     contact.normal_force = result.normal_force;
+    contact.normal_spring_force = result.normal_spring_force;
     contact.shear_force = result.state == ContactState::open ? 0 : result.shear_force;
     contact.slip += result.slip;
     contact.bonded = contact.bonded && !result.bond_broken &&

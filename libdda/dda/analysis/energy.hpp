@@ -17,6 +17,9 @@ struct Energy {
     /// Dissipated by mass and strain damping, and by the dynamic coefficient of the stage, which is zero in
     /// static stages.
     double damping_loss = 0;
+    /// Dissipated by the dashpots of normal contacts, Eq. (85), with the part of the loss of the end-of-step
+    /// evaluation that belongs to them, Eq. (87); not negative.
+    double contact_damping_loss = 0;
     double numerical_loss = 0;  ///< dissipated by the end-of-step evaluation of forces, Eq. (42)
     double released = 0;        ///< spring energy lost when contacts open, break or are replaced
     double boundary_loss = 0;   ///< dissipated by the dashpots of viscous boundaries: outgoing waves
@@ -30,7 +33,8 @@ struct Energy {
 
     double stores() const { return kinetic + strain + contact + constraint + gravity; }
     double losses() const {
-        return friction_loss + damping_loss + numerical_loss + released + boundary_loss + excavated;
+        return friction_loss + damping_loss + contact_damping_loss + numerical_loss + released +
+               boundary_loss + excavated;
     }
     /// The error of the balance, J per metre.
     double residual() const { return stores() - initial_stores + losses() - external_work; }

@@ -43,13 +43,20 @@ double shear_energy(const Model& model, const Contact& contact, double stiffness
     return dilating.stored_energy(force, stiffness, contact.dilation, contact.joint_share);
 }
 
+/// Whether a closed contact bears nothing because its dashpot pulls. Its shear spring is released.
+template <class AnyContact>
+bool is_rebounding(const AnyContact& contact) {
+    return contact.normal_force == 0 && contact.shear_force == 0 && contact.normal_spring_force > 0;
+}
+
 /// An augmented contact is rigid and stores no energy.
 double contact_energy(const Model& model, const std::vector<Contact>& contacts) {
     double sum = 0;
     for (const Contact& contact : contacts) {
         if (contact.state == ContactState::open || model.is_augmented(contact.joint_material)) continue;
-        sum += normal_spring(model, contact).energy(contact.normal_force) +
-               shear_energy(model, contact, shear_stiffness(model, contact));
+        const double shear =
+            is_rebounding(contact) ? 0 : shear_energy(model, contact, shear_stiffness(model, contact));
+        sum += normal_spring(model, contact).energy(contact.normal_spring_force) + shear;
     }
     return sum;
 }
@@ -126,13 +133,16 @@ void Ledger::record_contacts(const StepWork& step, const PerContact<Contact>& ad
         const auto stored_by_normal = [&](double force) { return stores ? s.normal_law.energy(force) : 0; };
         const bool was_closed = before.state != ContactState::open;
         const bool is_closed = after.state != ContactState::open;
-        const double stored_normal = was_closed ? stored_by_normal(before.normal_force) : 0;
+        const double stored_normal = was_closed ? stored_by_normal(before.normal_spring_force) : 0;
         const double stored_shear =
             was_closed && stores ? shear_energy(model_, before, s.shear_stiffness) : 0;
         if (!is_closed) {
             // The normal force of an opened contact is zero at the end of the step. Its normal energy is lost
-            // to the integration, or released if a bond broke. Its shear energy is released.
-            (after.bond_broken ? energy.released : energy.numerical_loss) += stored_normal;
+            // to the integration and its dashpot, or released if a bond broke. Its shear energy is released.
+            if (after.bond_broken)
+                energy.released += stored_normal;
+            else
+                record_normal_loss(step, k, stored_normal, energy);
             if (after.shear_force == 0) {
                 energy.released += stored_shear;
                 continue;
@@ -147,8 +157,13 @@ void Ledger::record_contacts(const StepWork& step, const PerContact<Contact>& ad
         const double opening = s.rows.measure(s.normal, step.result.displacement);
         const double shear_work = after.shear_force * after.displacement;
         const double dilation_work = -after.normal_force * after.dilation_increment;
-        energy.numerical_loss += -after.normal_force * opening - dilation_work -
-                                 (stored_by_normal(after.normal_force) - stored_normal);
+        const double normal_loss = -after.normal_force * opening - dilation_work -
+                                   (stored_by_normal(after.normal_spring_force) - stored_normal);
+        record_normal_loss(step, k, normal_loss, energy);
+        if (is_rebounding(after)) {
+            energy.released += stored_shear;
+            continue;
+        }
         if (dilates(model_.joint_material_at(before.joint_material).law) && stores) {
             record_dilating_shear(advanced[k], after, s.shear_stiffness, shear_work + dilation_work,
                                   stored_shear, energy);
@@ -161,6 +176,26 @@ void Ledger::record_contacts(const StepWork& step, const PerContact<Contact>& ad
         energy.external_work +=
             after.shear_force * s.shear.prescribed - after.normal_force * s.normal.prescribed;
     }
+}
+
+/// Divides what a contact loses in its normal motion between its dashpot and the integration, Eq. (87).
+void Ledger::record_normal_loss(const StepWork& step, ContactIndex k, double loss, Energy& energy) const {
+    const double share = step.dashpots.empty() ? 0 : step.dashpots[k].share_of_loss;
+    if (share == 0) {
+        energy.numerical_loss += loss;
+        return;
+    }
+    const auto closure = [&](double spring_force) {
+        return std::max(step.springs[k].normal_law.closure(spring_force), 0.0);
+    };
+    // Inertia gains this part of the excess of Eq. (42) where gamma is below 1.
+    const double closed =
+        closure(step.result.contacts[k].normal_spring_force) - closure(step.before[k].normal_spring_force);
+    const double of_inertia =
+        std::max(1 - step.newmark.gamma, 0.0) * step.springs[k].normal_stiffness * closed * closed;
+    const double of_dashpot = share * std::max(loss - of_inertia, 0.0);
+    energy.contact_damping_loss += of_dashpot;
+    energy.numerical_loss += loss - of_dashpot;
 }
 
 /// Splits the work of shearing and dilating a joint: what neither its spring and its dilation store, Eq.

@@ -15,6 +15,7 @@ struct StepWork {
     const MidStep& mid;
     ContactSpan<const Contact> before;  ///< at the start of the step
     ContactSpan<const ContactSprings> springs;
+    ContactSpan<const NormalDashpot> dashpots;  ///< see StepProblem
     std::span<const BoltSpring> bolts;
     std::span<const double> bolt_force;  ///< at the start of the step
     std::span<const BoundaryTerm> boundaries;
@@ -51,6 +52,7 @@ class Ledger {
     void record_boundaries(const StepWork& step, Energy& energy) const;
 
   private:
+    void record_normal_loss(const StepWork& step, ContactIndex k, double loss, Energy& energy) const;
     void record_dilating_shear(const Contact& advanced, const EvaluatedContact& after, double stiffness,
                                double work, double stored_before, Energy& energy) const;
 

@@ -39,7 +39,7 @@ bool LineSearch::ContactLine::is_linear(const Piece& from, const Piece& to) cons
 }
 
 double LineSearch::ContactLine::rate(const Piece& piece) const {
-    return (piece.active ? law.normal_law.stiffness * opening.rate * opening.rate : 0) +
+    return (piece.active ? law.normal_stiffness() * opening.rate * opening.rate : 0) +
            (piece.locked ? law.shear_stiffness * shearing.rate * shearing.rate : 0);
 }
 

@@ -94,6 +94,7 @@ struct TimeStepper::Step {
     ContactSet contacts;
     JointSegments segments;
     PerContact<ContactSprings> springs;
+    PerContact<NormalDashpot> dashpots;
     std::vector<BoltSpring> bolts;
     FreeFieldMotions fields;
     std::vector<BoundaryTerm> boundaries;
@@ -256,6 +257,10 @@ TimeStepper::Step TimeStepper::prepare(const Stage& stage, const State& state, d
     share_shear_force(model_, step.segments, duration_of(stage, dt) == 0, step.contacts.contacts);
     step.springs =
         contact_springs(model_, rows_, step.mid, step.prescribed.displacement, step.contacts.contacts, pool_);
+    row_contacts_.find(rows_.count(), step.springs);
+    if (duration_of(stage, dt) > 0)
+        step.dashpots = contact_dashpots(model_, rows_, state.blocks, step.mid, step.newmark,
+                                         step.contacts.contacts, step.springs, row_contacts_, pool_);
     step.bolts = bolt_springs(model_, rows_, step.mid, step.prescribed.displacement);
     const StageInstant end{.stage = stage, .time = state.stage_time + dt};
     step.fields = advance_fields(model_, end, state.blocks, state.free_fields, step.newmark);
@@ -307,7 +312,6 @@ OpenCloseResult TimeStepper::solve(const Stage& stage, const State& state, const
     }
     analyze_pattern(step.contacts);
     end_of(Phase::analysis, times_);
-    row_contacts_.find(rows_.count(), step.springs);
     const PerContact<const EvaluatedContact*> initial_guess = guess.match(step.contacts.contacts);
     const StepProblem problem{
         model_,
@@ -324,7 +328,8 @@ OpenCloseResult TimeStepper::solve(const Stage& stage, const State& state, const
         step.bolts,
         state.bolt_force,
         duration_of(stage, step.dt),
-        coordinate_rounding_ * std::max(max_spring_stiffness(step.springs), model_.normal_penalty)};
+        coordinate_rounding_ * std::max(max_spring_stiffness(step.springs), model_.normal_penalty),
+        step.dashpots};
     return iterate_open_close(problem, pattern_, *solver_, matrix_, pool_, times_);
 }
 
@@ -393,9 +398,10 @@ State TimeStepper::updated_state(const Stage& stage, const State& state, const S
                       .springs = step.springs,
                       .duration = duration_of(stage, step.dt)},
                      pool_, after.contacts.contacts);
-    const StepWork work{
-        state.blocks,    step.mid, step.contacts.contacts, step.springs,       step.bolts, state.bolt_force,
-        step.boundaries, result,   step.newmark,           stage.mass_damping, factor,     step.loads};
+    const StepWork work{state.blocks,  step.mid,     step.contacts.contacts, step.springs,
+                        step.dashpots, step.bolts,   state.bolt_force,       step.boundaries,
+                        result,        step.newmark, stage.mass_damping,     factor,
+                        step.loads};
     after.energy.released += ledger_.contact_energy_of(state.contacts.contacts) -
                              ledger_.contact_energy_of(step.contacts.contacts);
     after.energy.numerical_loss += straining_loss;

@@ -6,6 +6,7 @@
 #include "dda/contact/joint_segments.hpp"
 #include "dda/model/model.hpp"
 #include "dda/model/stage.hpp"
+#include "dda/terms/contact_damping.hpp"
 #include "dda/terms/row_contacts.hpp"
 #include "dda/terms/springs.hpp"
 #include "dda/terms/system.hpp"
@@ -15,14 +16,15 @@ namespace rockslope::dda {
 /// The state and forces of a contact at the end of a step, evaluated by its joint law.
 struct EvaluatedContact {
     ContactState state = ContactState::open;
-    double gap = 0;                 ///< m
-    double stress_free_gap = 0;     ///< m, see Contact
-    double normal_force = 0;        ///< N per metre
-    double shear_force = 0;         ///< N per metre; also where cohesion acts in a contact that opens
-    double displacement = 0;        ///< m, tangential displacement of the step
-    double slip = 0;                ///< m, plastic part of the tangential displacement
-    double dilation_increment = 0;  ///< m, opening of the joint by the shearing of the step
-    bool bond_broken = false;       ///< bonded at the start of the step, broken in it
+    double gap = 0;                  ///< m
+    double stress_free_gap = 0;      ///< m, see Contact
+    double normal_force = 0;         ///< N per metre
+    double normal_spring_force = 0;  ///< N per metre, see Contact
+    double shear_force = 0;          ///< N per metre; also where cohesion acts in a contact that opens
+    double displacement = 0;         ///< m, tangential displacement of the step
+    double slip = 0;                 ///< m, plastic part of the tangential displacement
+    double dilation_increment = 0;   ///< m, opening of the joint by the shearing of the step
+    bool bond_broken = false;        ///< bonded at the start of the step, broken in it
 };
 
 /// The equations of one step: the constant input of the open-close iteration.
@@ -43,6 +45,7 @@ struct StepProblem {
     std::span<const double> bolt_force;  ///< at the start of the step, N per metre
     double duration = 0;                 ///< s, physical time of the step; 0 in static stages
     double rounding_force = 0;           ///< N per metre; smaller force differences are rounding errors
+    ContactSpan<const NormalDashpot> dashpots = {};  ///< per contact, beside its normal spring; empty: none
 };
 
 }  // namespace rockslope::dda

@@ -85,7 +85,7 @@ TrialContacts::Trial TrialContacts::initial_trial(ContactIndex k) const {
     trial.friction_force -= trial.tilt * trial.held_normal;
     if (trial.active && !trial.locked && !is_on_segment(k))
         trial.bounds = bounds_of_single_contact(k, initial_loading(k));
-    trial.tangent = tangent_at(k, trial.active ? initial_loading(k).normal : 0);
+    trial.tangent = tangent_at(k, trial.active ? initial_spring_force(k) : 0);
     return trial;
 }
 
@@ -93,6 +93,11 @@ ContactLoading TrialContacts::initial_loading(ContactIndex k) const {
     if (const EvaluatedContact* guess = p_.guess[k]; guess != nullptr)
         return {guess->normal_force, guess->displacement};
     return {p_.contacts[k].normal_force, 0};
+}
+
+double TrialContacts::initial_spring_force(ContactIndex k) const {
+    const EvaluatedContact* guess = p_.guess[k];
+    return guess != nullptr ? guess->normal_spring_force : p_.contacts[k].normal_spring_force;
 }
 
 Strength TrialContacts::bounds_of_single_contact(ContactIndex k, const ContactLoading& loading) const {
@@ -133,11 +138,18 @@ Forces TrialContacts::current_forces(ContactIndex k) const {
     return forces;
 }
 
-TrialContacts::Tangent TrialContacts::tangent_at(ContactIndex k, double force) const {
+TrialContacts::Tangent TrialContacts::tangent_at(ContactIndex k, double spring_force) const {
     const NormalClosure& spring = p_.springs[k].normal_law;
-    if (spring.is_linear()) return {0, 0, spring.stiffness};
-    const double compression = std::max(force, 0.0);
-    return {spring.closure(compression), compression, spring.tangent(compression)};
+    const NormalDashpot beside = dashpot(k);
+    const double compression = spring.is_linear() ? 0 : std::max(spring_force, 0.0);
+    Tangent tangent{0, 0, spring.stiffness};
+    if (!spring.is_linear())
+        tangent = {spring.closure(compression), compression, spring.tangent(compression)};
+    if (beside.stiffness > 0) {
+        tangent.force += beside.force(tangent.point);
+        tangent.stiffness += beside.stiffness;
+    }
+    return tangent;
 }
 
 /// The bolt's force, Eq. (38).
@@ -340,7 +352,7 @@ bool TrialContacts::update_active_set_of(ContactIndex k) {
     const bool locked = trial.may_close && is_within(elastic, trial.bounds);
     bool changed = active != trial.active || locked != trial.locked;
     if (active && std::abs(law.normal - trial.linear.normal) > tolerance()) {
-        const Tangent tangent = tangent_at(k, law.normal);
+        const Tangent tangent = tangent_at(k, spring_force(k));
         changed = changed || tangent.stiffness != trial.tangent.stiffness;
         trial.tangent = tangent;
     }
@@ -371,9 +383,8 @@ void TrialContacts::evaluate(ContactSpan<EvaluatedContact> evaluated_contacts) c
 bool TrialContacts::stays_closed(ContactIndex k) const {
     const Trial& trial = trials_[k];
     if (!trial.may_close) return false;
-    if (is_bonded(k) || current_forces(k).normal > 0) return true;
-    return coheres(k) &&
-           -law(k).normal(trial.opening) < std::min(trial.bounds.forward, trial.bounds.backward);
+    if (is_bonded(k) || current_forces(k).normal > 0 || is_rebounding(k)) return true;
+    return coheres(k) && -spring_force(k) < std::min(trial.bounds.forward, trial.bounds.backward);
 }
 
 EvaluatedContact TrialContacts::evaluated(ContactIndex k) const {
@@ -381,8 +392,11 @@ EvaluatedContact TrialContacts::evaluated(ContactIndex k) const {
     const Forces forces = current_forces(k);
     EvaluatedContact evaluated;
     evaluated.gap = gap(k);
-    evaluated.stress_free_gap = forces.normal > 0 ? trial.stress_free_gap : 0;
     evaluated.normal_force = forces.normal;
+    evaluated.normal_spring_force =
+        dashpot(k).stiffness > 0 && trial.may_close ? std::max(spring_force(k), 0.0) : forces.normal;
+    const bool is_pressed = forces.normal > 0 || evaluated.normal_spring_force > 0;
+    evaluated.stress_free_gap = is_pressed ? trial.stress_free_gap : 0;
     evaluated.shear_force = forces.shear;
     evaluated.displacement = trial.shearing;
     evaluated.dilation_increment = trial.dilation_increment;
@@ -390,7 +404,7 @@ EvaluatedContact TrialContacts::evaluated(ContactIndex k) const {
     if (stays_closed(k)) {
         const double elastic = elastic_shear(k);
         evaluated.state = is_within(elastic, trial.bounds) ? ContactState::locked : ContactState::sliding;
-        evaluated.slip = slip(k, elastic, forces.shear);
+        if (!is_rebounding(k) || coheres(k)) evaluated.slip = slip(k, elastic, forces.shear);
     }
     return evaluated;
 }

@@ -23,6 +23,7 @@ struct Forces {
 /// evaluates them at many displacements.
 struct ContactLaw {
     NormalClosure normal_law;
+    NormalDashpot dashpot;
     double gap_offset = 0;          ///< m, gap less the linearised opening, Eq. (21)
     double dilation_increment = 0;  ///< m, at zero displacement
     double stress_free_gap = 0;     ///< m
@@ -33,11 +34,22 @@ struct ContactLaw {
     bool bonded = false;            ///< bears tension
     bool may_close = true;          ///< false: no force at all
 
-    /// The elastic normal force, Eq. (22), N per metre.
-    double normal(double opening) const {
-        const double closure = -(gap_offset + opening - dilation_increment - stress_free_gap);
-        return normal_law.is_linear() ? normal_law.stiffness * closure : normal_law.force(closure);
+    /// The compression of the normal spring, m.
+    double closure(double opening) const {
+        return -(gap_offset + opening - dilation_increment - stress_free_gap);
     }
+    /// The force of the normal spring, Eq. (22), N per metre.
+    double spring_force(double opening) const {
+        const double closed = closure(opening);
+        return normal_law.is_linear() ? normal_law.stiffness * closed : normal_law.force(closed);
+    }
+    /// The force of the normal spring and its dashpot, Eq. (85), N per metre.
+    double normal(double opening) const {
+        if (dashpot.stiffness == 0) return spring_force(opening);
+        return spring_force(opening) + dashpot.force(closure(opening));
+    }
+    /// Stiffness of a linear normal spring in compression, with its dashpot, N/m per metre.
+    double normal_stiffness() const { return normal_law.stiffness + dashpot.stiffness; }
     /// The forces at the fixed bounds, Eq. (32).
     Forces forces(double opening, double shearing) const {
         if (!may_close) return {};
@@ -221,6 +233,9 @@ class TrialContacts {
     template <class Predicate>
     bool for_any_contact(const Predicate& predicate) const;
     Trial initial_trial(ContactIndex k) const;
+    NormalDashpot dashpot(ContactIndex k) const {
+        return p_.dashpots.empty() ? NormalDashpot() : p_.dashpots[k];
+    }
     /// Sets the shear bounds by the laws, at the forces and displacements of the last evaluation.
     /// @param change_tolerance see `tolerance` of SegmentFriction::update.
     void compute_bounds(double change_tolerance);
@@ -235,10 +250,14 @@ class TrialContacts {
     /// functions of the displacement, and the step has a solution.
     Strength current_bounds(ContactIndex k) const;
     /// Whether a contact is closed at the step's end, Eq. (76): in compression, bonded, or held by its
-    /// cohesion and open by less than the extension at which its normal spring would pull with that cohesion.
+    /// cohesion and open by less than the extension at which its normal spring would pull with that cohesion,
+    /// or left by a spring that is compressed still.
     bool stays_closed(ContactIndex k) const;
     /// Normal force and shear displacement of the initial guess; without one, those of the step's start.
     ContactLoading initial_loading(ContactIndex k) const;
+    /// The force of the normal spring of the initial guess, N per metre; without one, that of the step's
+    /// start.
+    double initial_spring_force(ContactIndex k) const;
     /// Normal force and shear displacement at the last evaluation.
     ContactLoading current_loading(ContactIndex k) const;
     /// @return whether the matrix changes.
@@ -272,8 +291,15 @@ class TrialContacts {
     }
     /// The compression of the normal spring, m.
     double closure(ContactIndex k, double opening) const;
-    /// The tangent of the normal law at a force; the law itself if it is linear.
-    Tangent tangent_at(ContactIndex k, double force) const;
+    /// The tangent of the normal law at a force of its spring; the law itself if it is linear.
+    Tangent tangent_at(ContactIndex k, double spring_force) const;
+    /// The force of the normal spring at the last evaluation, without its dashpot, N per metre.
+    double spring_force(ContactIndex k) const { return law(k).spring_force(trials_[k].opening); }
+    /// Whether a contact at the last evaluation bears nothing, since its dashpot would pull by as much as its
+    /// compressed spring presses.
+    bool is_rebounding(ContactIndex k) const {
+        return dashpot(k).stiffness > 0 && spring_force(k) > 0 && !(current_forces(k).normal > 0);
+    }
     /// The elastic shear force, Eq. (77), at the last evaluation, before the law bounds it.
     double elastic_shear(ContactIndex k) const;
     /// The forces of the law at the last evaluation: the whole shear force.
@@ -327,6 +353,7 @@ inline ContactLaw TrialContacts::law(ContactIndex k) const {
     const ContactSprings& springs = p_.springs[k];
     const double by_dilation = trial.tilt * trial.held_normal;
     return {springs.normal_law,
+            dashpot(k),
             trial.gap_offset,
             dilation_at_zero(k),
             trial.stress_free_gap,

@@ -148,11 +148,11 @@ template <class Walker, class C>
 void contact(Walker& walker, C& value) {
     auto& [point, normal, tangent, corner, edge, corner_block, edge_block, joint_material, joint, group, line,
            kind, state, inhibited, bonded, inherited_penetration, length, gap, dilation, stress_free_gap,
-           normal_force, shear_force, slip, joint_share, spring_share, history] = value;
+           normal_force, normal_spring_force, shear_force, slip, joint_share, spring_share, history] = value;
     integers(walker, corner, edge, corner_block, edge_block, kind, joint_material, joint, group, line,
              inhibited, state, bonded);
-    reals(walker, inherited_penetration, length, gap, dilation, stress_free_gap, normal_force, shear_force,
-          slip, joint_share, spring_share);
+    reals(walker, inherited_penetration, length, gap, dilation, stress_free_gap, normal_force,
+          normal_spring_force, shear_force, slip, joint_share, spring_share);
     components(walker, point);
     components(walker, normal);
     components(walker, tangent);
@@ -180,11 +180,12 @@ void column(Walker& walker, C& value) {
 
 template <class Walker, class E>
 void energy(Walker& walker, E& value) {
-    auto& [kinetic, strain, contact_energy, constraint, gravity, friction_loss, damping_loss, numerical_loss,
-           released, boundary_loss, excavated, external_work, initial_stores, friction_returned] = value;
+    auto& [kinetic, strain, contact_energy, constraint, gravity, friction_loss, damping_loss,
+           contact_damping_loss, numerical_loss, released, boundary_loss, excavated, external_work,
+           initial_stores, friction_returned] = value;
     reals(walker, kinetic, strain, contact_energy, constraint, gravity, friction_loss, damping_loss,
-          numerical_loss, released, boundary_loss, excavated, external_work, initial_stores,
-          friction_returned);
+          contact_damping_loss, numerical_loss, released, boundary_loss, excavated, external_work,
+          initial_stores, friction_returned);
 }
 
 template <class Walker, class S>

@@ -49,10 +49,12 @@ struct Contact {
                                  ///< below 0 if the corner was inside before it had a contact, of either sign
                                  ///< if the contact continues another at another gap
     double normal_force = 0;     ///< N per metre, compression positive: pushes corner_block along `normal`
-    double shear_force = 0;      ///< N per metre, resists motion of the corner along `tangent`; positive
-                                 ///< pushes corner_block along -tangent
-    double slip = 0;             ///< m, accumulated plastic slip of the corner along `tangent`
-    double joint_share = 1;      ///< its part in the normal force of its joint segment, Eq. (81)
+    double normal_spring_force = 0;  ///< N per metre, the part of it that the normal spring bears; the rest
+                                     ///< is that of the dashpot, Eq. (85)
+    double shear_force = 0;          ///< N per metre, resists motion of the corner along `tangent`; positive
+                                     ///< pushes corner_block along -tangent
+    double slip = 0;                 ///< m, accumulated plastic slip of the corner along `tangent`
+    double joint_share = 1;          ///< its part in the normal force of its joint segment, Eq. (81)
     double spring_share =
         1;  ///< its shear spring over that of the joint, or over its own if the model gives it
     SharedHistory history;

@@ -49,9 +49,9 @@ ContactSet find_or_keep_candidates(const Model& model, const ContactSet& last, c
     return set;
 }
 
-/// Sets the stress-free gap of a contact and its normal force at the start of the step. Where the normal
-/// force differs from that at the last step's end, because the dilation was left to this step or the gap
-/// decays, the shear force follows it, Eq. (77).
+/// Sets the stress-free gap of a contact and its normal force at the start of the step, that of its spring
+/// alone. Where the normal force differs from that at the last step's end, because the dilation was left to
+/// this step, the gap decays or the dashpot bore a part, the shear force follows it, Eq. (77).
 void initialise_spring(const Model& model, double stress_free_gap_decay, Contact& contact) {
     // An open contact inside the rock is stress-free at its present gap, so that its spring stores no energy.
     if (contact.state == ContactState::open)
@@ -61,6 +61,7 @@ void initialise_spring(const Model& model, double stress_free_gap_decay, Contact
     const double force = normal_spring(model, contact).force(contact.stress_free_gap - contact.gap);
     const double before = contact.normal_force;
     contact.normal_force = contact.state != ContactState::open && (force > 0 || contact.bonded) ? force : 0;
+    contact.normal_spring_force = contact.normal_force;
     if (contact.state == ContactState::open || contact.normal_force == before) return;
     contact.shear_force += (contact.normal_force - before) *
                            locked_dilation(model, contact.joint_material, contact.history).slope;

@@ -20,6 +20,7 @@ constexpr double depth_tolerance_ratio = 1e-8;
 void copy_state(const Contact& from, Contact& to) {
     to.state = from.state;
     to.normal_force = from.normal_force;
+    to.normal_spring_force = from.normal_spring_force;
     to.stress_free_gap = from.stress_free_gap;
     to.shear_force = from.shear_force;
     to.slip = from.slip;
@@ -32,7 +33,8 @@ void copy_state(const Contact& from, Contact& to) {
 /// energy.
 void preserve_force(const Model& model, Contact& contact) {
     if (contact.state == ContactState::open || model.is_augmented(contact.joint_material)) return;
-    contact.stress_free_gap = contact.gap + normal_spring(model, contact).closure(contact.normal_force);
+    contact.stress_free_gap =
+        contact.gap + normal_spring(model, contact).closure(contact.normal_spring_force);
 }
 
 /// Whether an old contact lay on the line of a new one: it has the same blocks, or the same blocks with
@@ -248,8 +250,9 @@ JointSegments transfer_contacts(const Model& model, ContactSpan<const Contact> o
         Contact* other = nearest_closed(*predecessor, contacts, max_displacement);
         if (other == nullptr || model.is_augmented(other->joint_material)) continue;
         const NormalClosure spring = normal_spring(model, *other);
-        const double added_closure = spring.closure(other->normal_force + predecessor->normal_force) -
-                                     spring.closure(other->normal_force);
+        const double added_closure =
+            spring.closure(other->normal_spring_force + predecessor->normal_spring_force) -
+            spring.closure(other->normal_spring_force);
         other->stress_free_gap =
             std::max(other->stress_free_gap, std::min(other->stress_free_gap + added_closure, 0.0));
     }

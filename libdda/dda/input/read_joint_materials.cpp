@@ -51,6 +51,7 @@ JointMaterial read_joint_material(const std::string& name, const ConfigTable& ta
     material.name = name;
     for (const LawReader& reader : law_readers)
         if (law == reader.name) material.law = reader.read(table);
+    material.contact_damping = not_negative(table, "contact_damping", Dimension::none, 0);
     if (table.has("normal_stiffness")) {
         read_stiffness(table, material);
         return material;

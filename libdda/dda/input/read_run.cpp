@@ -39,6 +39,19 @@ StraightCorners read_straight_corners(const ConfigTable& analysis) {
                                                                                    : StraightCorners::drop;
 }
 
+/// @throws InputError if contacts that do not give way are to be damped.
+void check_contact_damping(const ConfigTable& analysis, const Model& model) {
+    for (const JointMaterialIndex k : model.joint_materials.indices()) {
+        const JointMaterial& material = model.joint_material_at(k);
+        if (material.contact_damping > 0 && model.is_augmented(k))
+            analysis.fail("penetration_tolerance",
+                          "'penetration_tolerance' makes contacts rigid, and 'contact_damping' of "
+                          "[joint_material." +
+                              material.name + "] damps contacts that give way",
+                          "one of them, or 'normal_stiffness' in the joint material");
+    }
+}
+
 void read_analysis(const ConfigTable& analysis, Model& model) {
     model.plane =
         analysis.choice("plane", {"strain", "stress"}, "strain") == "strain" ? Plane::strain : Plane::stress;
@@ -49,6 +62,7 @@ void read_analysis(const ConfigTable& analysis, Model& model) {
     model.normal_penalty = positive(analysis, "normal_penalty", Dimension::stiffness,
                                     penalty_over_modulus * largest_modulus(model));
     model.penetration_tolerance = not_negative(analysis, "penetration_tolerance", Dimension::length, 0);
+    check_contact_damping(analysis, model);
     model.shear_penalty = positive(analysis, "shear_penalty", Dimension::stiffness, model.normal_penalty);
     model.fixed_point_penalty =
         positive(analysis, "fixed_point_penalty", Dimension::stiffness, model.normal_penalty);

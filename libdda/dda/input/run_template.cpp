@@ -24,6 +24,7 @@ friction_angle = "35 deg"
 # residual_cohesion = 0            # Pa
 # normal_penalty = 0               # N/m per metre per contact; 0: the value of [analysis]
 # shear_penalty = 0
+# contact_damping = 0              # of the normal motion of contacts, fraction of critical: 0.2 gives a restitution of 0.57
 
 # [joint_material.weld]            # a joint that neither opens nor slips
 # law = "elastic"

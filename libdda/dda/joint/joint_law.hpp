@@ -68,6 +68,9 @@ struct JointMaterial {
     double corner_length = 0.01;
     /// m, limit of the closure of a joint with its own stiffness, Eq. (44); 0: no limit, linear.
     double largest_closure = 0;
+    /// Damping ratio of a dashpot beside the normal spring in dynamic stages, Eq. (85), a fraction of
+    /// critical; 0: none. It sets the restitution of an impact, Eq. (88).
+    double contact_damping = 0;
 
     /// A contact's normal spring, with its stiffness in N/m per metre. @param analysis_value the penalty of
     /// the analysis; @param length m, of the contact.

@@ -115,13 +115,21 @@ Json planes_json(const std::vector<PlaneSlip>& slips) {
 }
 
 Json energy_json(const Energy& e) {
-    return {{"kinetic", e.kinetic},           {"strain", e.strain},
-            {"contact", e.contact},           {"constraint", e.constraint},
-            {"gravity", e.gravity},           {"friction_loss", e.friction_loss},
-            {"damping_loss", e.damping_loss}, {"numerical_loss", e.numerical_loss},
-            {"released", e.released},         {"boundary_loss", e.boundary_loss},
-            {"excavated", e.excavated},       {"external_work", e.external_work},
-            {"residual", e.residual()},       {"friction_returned", e.friction_returned}};
+    return {{"kinetic", e.kinetic},
+            {"strain", e.strain},
+            {"contact", e.contact},
+            {"constraint", e.constraint},
+            {"gravity", e.gravity},
+            {"friction_loss", e.friction_loss},
+            {"damping_loss", e.damping_loss},
+            {"contact_damping_loss", e.contact_damping_loss},
+            {"numerical_loss", e.numerical_loss},
+            {"released", e.released},
+            {"boundary_loss", e.boundary_loss},
+            {"excavated", e.excavated},
+            {"external_work", e.external_work},
+            {"residual", e.residual()},
+            {"friction_returned", e.friction_returned}};
 }
 
 Json close_reversals_json(const Model& model, const CloseReversals& close) {

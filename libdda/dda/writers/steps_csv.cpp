@@ -27,6 +27,7 @@ constexpr const char* headings[] = {"time (s)",
                                     "gravity (J/m)",
                                     "friction loss (J/m)",
                                     "damping loss (J/m)",
+                                    "contact damping loss (J/m)",
                                     "numerical loss (J/m)",
                                     "released (J/m)",
                                     "boundary loss (J/m)",
@@ -55,9 +56,9 @@ class StepsCsv : public ResultWriter {
              {report.largest_penetration, report.remaining_dilation, report.largest_displacement,
               report.unbalanced_force, report.contact_frequency_step})
             row.number(value, "a figure of the step");
-        for (const double value :
-             {e.kinetic, e.strain, e.contact, e.constraint, e.gravity, e.friction_loss, e.damping_loss,
-              e.numerical_loss, e.released, e.boundary_loss, e.excavated, e.external_work, e.residual()})
+        for (const double value : {e.kinetic, e.strain, e.contact, e.constraint, e.gravity, e.friction_loss,
+                                   e.damping_loss, e.contact_damping_loss, e.numerical_loss, e.released,
+                                   e.boundary_loss, e.excavated, e.external_work, e.residual()})
             row.number(value, "an energy");
         file_.append(row.line());
     }

@@ -16,11 +16,19 @@ using namespace scene;
 /// The first step of a wall at a random displacement, from which the line search starts.
 struct MovingWall {
     FirstStep step;
+    dda::PerContact<dda::NormalDashpot> dashpots;
     dda::StepProblem problem = step.problem();
     dda::TrialContacts trials{problem, step.pool};
     std::vector<Vec6> from;
 
-    explicit MovingWall(RandomSource& random) : from(moved(random, step.rows.count(), 2)) {
+    /// @param damping stiffness of the dashpots over that of the springs.
+    explicit MovingWall(RandomSource& random, double damping = 0)
+        : from(moved(random, step.rows.count(), 2)) {
+        if (damping > 0) {
+            for (const dda::ContactSprings& s : step.springs)
+                dashpots.push_back({damping * s.normal_stiffness, 3e-5, 1});
+            problem.dashpots = dashpots;
+        }
         trials.set_displacement(from, from);
         trials.select_first_entrances();
         trials.update_bounds();
@@ -53,11 +61,12 @@ struct MovingWall {
     }
 };
 
-TEST(LineSearch, FindsTheZeroOfTheSlope) {
+/// @param damping see MovingWall.
+void expect_zero_of_the_slope(double damping) {
     RandomSource random(7);
     int inside = 0;
     for (int round = 0; round < 40; ++round) {
-        const MovingWall wall(random);
+        const MovingWall wall(random, damping);
         std::vector<Vec6> target = moved(random, wall.step.rows.count(), 1 + random.index_below(3));
         for (Vec6& of_row : target) of_row *= std::pow(10, random.index_below(4)) / 10;
         dda::LineSearch search(wall.problem, wall.trials, wall.step.pool);
@@ -73,6 +82,16 @@ TEST(LineSearch, FindsTheZeroOfTheSlope) {
         EXPECT_LE(wall.slope(target, std::max(step_length - 1.1e-6, 0.0)), 0) << "round " << round;
     }
     EXPECT_GT(inside, 10);
+}
+
+TEST(LineSearch, FindsTheZeroOfTheSlope) {
+    expect_zero_of_the_slope(0);
+}
+
+// Dashpots add to the stiffness of compressed springs, and pull where they expand.
+TEST(LineSearch, FindsTheZeroOfTheSlopeWithDashpots) {
+    expect_zero_of_the_slope(0.3);
+    expect_zero_of_the_slope(3);
 }
 
 TEST(LineSearch, IsBitwiseTheSameForAnyNumberOfThreads) {

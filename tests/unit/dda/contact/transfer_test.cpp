@@ -28,7 +28,7 @@ Contact contact(int corner_block, int edge_block, int corner, int edge, const Ve
 
 Contact loaded(Contact c) {
     c.state = ContactState::sliding;
-    c.normal_force = 100;
+    c.normal_force = c.normal_spring_force = 100;
     c.shear_force = -30;
     c.slip = .25;
     c.history = dda::JointHistory(dda::MohrCoulomb::History{true});

@@ -106,6 +106,29 @@ TEST_F(ReadBoundaries, BadInputIsOneLineWithItsPlace) {
                 HasSubstr("unknown key 'cohesion'"));
 }
 
+TEST_F(ReadBoundaries, ContactsThatGiveWayMayBeDamped) {
+    EXPECT_EQ(read(model_text).model.joint_materials[0].contact_damping, 0);
+    const std::string law = "law = \"elastic\"\n";
+    const RunInput damped = read(changed(law, law + "contact_damping = 0.2\n"));
+    EXPECT_EQ(damped.model.joint_materials[0].contact_damping, 0.2);
+    EXPECT_EQ(read(damped.effective).model.joint_materials[0].contact_damping, 0.2);
+    EXPECT_EQ(error_with(law, law + "contact_damping = -0.1\n"),
+              "run.toml:8:19: 'contact_damping' in [joint_material.bedding] is -0.1; expected zero or a "
+              "positive number");
+    for (const char* value : {"inf", "nan", "1e31"})
+        EXPECT_THAT(error_with(law, law + "contact_damping = " + value + "\n"), HasSubstr("run.toml:8:19: "));
+    // A joint with a stiffness of its own gives way whatever the tolerance.
+    const std::string augmented = "[analysis]\npenetration_tolerance = 1e-6\n";
+    const std::string own =
+        "normal_stiffness = \"20 GPa/m\"\nshear_stiffness = \"5 GPa/m\"\n"
+        "corner_length = \"5 cm\"\n";
+    EXPECT_EQ(read(changed(own, own + "contact_damping = 0.2\n" + augmented)).model.penetration_tolerance,
+              1e-6);
+    EXPECT_THAT(error_with(own, "contact_damping = 0.2\n" + augmented),
+                HasSubstr("'penetration_tolerance' makes contacts rigid, and 'contact_damping' of "
+                          "[joint_material.bedding] damps contacts that give way; expected one of them"));
+}
+
 TEST_F(ReadBoundaries, AFreeFieldNeedsAnUprightSide) {
     const std::string side = "along = [[3, 1], [3, 2]]";
     const RunInput input = read(changed(side, side + "\nfree_field = \"top\"\nfree_field_layer = \"40 cm\""));

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <algorithm>
+
+#include "dda/block/block_system.hpp"
+#include "dda/terms/row_contacts.hpp"
+#include "dda/terms/system.hpp"
+
+namespace rockslope::dda {
+
+/// A dashpot beside the normal spring of a contact in one step, Eq. (85). Contact and dashpot together never
+/// pull.
+struct NormalDashpot {
+    double stiffness = 0;  ///< N/m per metre, its force over the closure of the step
+    double closure = 0;    ///< m, compression of the spring at the step's start, not negative
+    /// The part of the contact's loss of energy that is that of the dashpot asked for, 0 to 1; the rest is
+    /// the damping of the time integration, Eq. (87).
+    double share_of_loss = 0;
+
+    /// Its force, N per metre, negative while the spring expands. @param closed m, compression of the spring
+    /// at the step's end; negative: the faces are apart.
+    double force(double closed) const { return stiffness * (std::max(closed, 0.0) - closure); }
+};
+
+/// The dashpots of all contacts for a step of a dynamic stage; empty if no joint material has a
+/// contact_damping. Bonded and augmented contacts have none: the first do not land, and the second are rigid.
+/// @param row_contacts the contacts of each row.
+PerContact<NormalDashpot> contact_dashpots(const Model& model, const RowMap& rows, const BlockSystem& blocks,
+                                           const MidStep& mid, const Newmark& newmark,
+                                           ContactSpan<const Contact> contacts,
+                                           ContactSpan<const ContactSprings> springs,
+                                           const RowContacts& row_contacts, const ThreadPool& pool);
+
+}  // namespace rockslope::dda
