@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
+#include <string>
+
+#include "dda/analysis/moving_block.hpp"
 
 namespace rockslope::dda {
 
@@ -42,12 +46,22 @@ std::string describe(const Model& model, const StepAttempt& attempt) {
     return text;
 }
 
-/// Adapts the step, Eq. (41): cut after a rejection, grown after steps that needed none.
+/// Most iterations of a step after which a static stage may lengthen its step.
+constexpr int easy_iterations = 20;
+/// Largest step of a static stage over the step of its control.
+constexpr double static_step_ratio = 50;
+
+/// Adapts the step, Eq. (41): cut after a rejection, grown after steps that needed none. A static stage has
+/// no time to resolve: its step grows as long as no vertex moves farther in it than a body falls from rest in
+/// the step of the stage's control.
 class StepSize {
   public:
-    StepSize(const StepControl& control, double resume)
-        : control_(control), size_(resume > 0 ? resume : control.step) {
-        size_ = std::min(size_, control.step);
+    StepSize(const Stage& stage, double gravity, double resume)
+        : control_(stage.control),
+          is_static_(stage.kind == StageKind::static_equilibrium),
+          free_fall_(gravity * control_.step * control_.step / 2),
+          size_(resume > 0 ? resume : control_.step) {
+        size_ = std::min(size_, is_static_ ? static_step_ratio * control_.step : control_.step);
     }
     /// The size of the next step, s. `remaining` is the time to an instant at which a step must end. If less
     /// than two steps remain, the remaining time is halved, so that no very small step is left.
@@ -56,14 +70,26 @@ class StepSize {
         return size_ * 2 > remaining ? remaining / 2 : size_;
     }
     void cut(double tried) { size_ = tried * control_.cut; }
-    void accept(bool without_cuts) {
-        if (without_cuts) size_ = std::min(control_.step, size_ * control_.growth);
+    /// @param report of the accepted step, whose `cuts` are those before it.
+    void accept(const StepReport& report) {
+        const double largest = largest_after(report);
+        size_ = std::min(report.cuts == 0 ? size_ * control_.growth : size_, largest);
     }
     double size() const { return size_; }
     bool too_small() const { return size_ < control_.smallest_step; }
 
   private:
+    /// The largest step after an accepted one, s. A displacement grows with the square of a static step at
+    /// most.
+    double largest_after(const StepReport& report) const {
+        if (!is_static_ || report.iterations > easy_iterations) return control_.step;
+        const double longer = report.step * std::sqrt(free_fall_ / report.largest_displacement);
+        return std::clamp(longer, control_.step, static_step_ratio * control_.step);
+    }
+
     const StepControl& control_;
+    bool is_static_;
+    double free_fall_;  ///< m, what a body falls from rest in the control's step
     double size_;
 };
 
@@ -79,6 +105,17 @@ void set_velocities_to_zero(State& state) {
     for (Vec6& a : state.blocks.acceleration) a.setZero();
 }
 
+/// Why a static stage will not settle, in one line: a block moves too far, or too many steps were needed.
+std::optional<std::string> settling_failure(const Model& model, const Stage& stage, const State& state) {
+    const std::string beginning = "stage '" + stage.name + "' does not settle: ";
+    if (const auto moving = block_moved_beyond(model, state, stage.displacement_limit))
+        return beginning + describe(model, state, *moving);
+    if (state.stage_steps < stage.step_limit) return {};
+    const auto moving = least_balanced_block(model, state);
+    return beginning + "after " + std::to_string(stage.step_limit) + " steps " +
+           (moving ? describe(model, state, *moving) : "it is not in balance");
+}
+
 }  // namespace
 
 void begin_stage(State& state) {
@@ -90,7 +127,7 @@ void begin_stage(State& state) {
 RunOutcome run_stage(const Model& model, const Stage& stage, TimeStepper& stepper, State& state,
                      RunObserver& observer) {
     const bool is_static = stage.kind == StageKind::static_equilibrium;
-    StepSize step(stage.control, state.next_step);
+    StepSize step(stage, model.gravity.norm(), state.next_step);
     int cuts = 0;
     StepCounts counts;  // since the last accepted step
     while (is_static || state.stage_time < stage.duration * (1 - 1e-12)) {
@@ -107,11 +144,11 @@ RunOutcome run_stage(const Model& model, const Stage& stage, TimeStepper& steppe
                           state.time, stage.control.smallest_step);
             return {RunStatus::not_converged, text + describe(model, attempt), attempt.worst_contact};
         }
-        step.accept(cuts == 0);
+        attempt.report.cuts = cuts;
+        static_cast<StepCounts&>(attempt.report) = counts;
+        step.accept(attempt.report);
         state = std::move(attempt.state);
         state.next_step = step.size();
-        static_cast<StepCounts&>(attempt.report) = counts;
-        attempt.report.cuts = cuts;
         cuts = 0;
         counts = {};
         ++state.stage_steps;
@@ -120,14 +157,9 @@ RunOutcome run_stage(const Model& model, const Stage& stage, TimeStepper& steppe
         if (!observer.step_done(model, state, stage, attempt.report))
             return {RunStatus::stopped, "stopped as asked", {}};
         if (settled) break;
-        if (is_static && state.stage_steps >= stage.step_limit) {
-            char text[160];
-            std::snprintf(
-                text, sizeof text,
-                "stage '%s' does not settle: after %d steps the unbalanced force is %.3g of the weight",
-                stage.name.c_str(), stage.step_limit, attempt.report.unbalanced_force);
-            return {RunStatus::not_settled, text, {}};
-        }
+        if (is_static)
+            if (const auto failure = settling_failure(model, stage, state))
+                return {RunStatus::not_settled, *failure, {}};
     }
     return {};
 }

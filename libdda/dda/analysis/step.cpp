@@ -221,10 +221,12 @@ double TimeStepper::initial_search_radius(const Stage& stage, const State& state
         if (c.state != ContactState::open) largest_penetration = std::max(largest_penetration, -c.gap);
         largest_dilation = std::max(largest_dilation, std::abs(c.dilation));
     }
+    // A static step is longer than the control's where its displacements stay as small, Eq. (41).
+    const double fall = std::min(dt, stage.control.step);
     // A larger approach is not needed: a step beyond the displacement limit is rejected anyway.
     const double approach_limit = 2 * displacement_limit(stage.control);
     const double approach =
-        3 * largest_displacement(state, predicted_displacement) + 2 * model_.gravity.norm() * dt * dt;
+        3 * largest_displacement(state, predicted_displacement) + 2 * model_.gravity.norm() * fall * fall;
     return std::min(approach, approach_limit) + 4 * largest_penetration + 2 * largest_dilation +
            1e-4 * edge_length_;
 }

@@ -11,13 +11,6 @@ namespace rockslope::dda {
 
 namespace {
 
-/// The acceleration that scales unbalanced forces, m/s2: gravity, or the largest acceleration by a load where
-/// that is larger, or 1 where both are zero.
-double reference_acceleration(const Model& model, const BlockSystem& blocks) {
-    const double largest = std::max(model.gravity.norm(), max_load_acceleration(model, blocks));
-    return largest > 0 ? largest : 1.0;
-}
-
 void count_contacts(const Topology& topology, const State& after, StepReport& report) {
     for (const Contact& contact : after.contacts.contacts) {
         ++(contact.state == ContactState::open      ? report.open
@@ -30,6 +23,19 @@ void count_contacts(const Topology& topology, const State& after, StepReport& re
 
 }  // namespace
 
+double reference_acceleration(const Model& model, const BlockSystem& blocks) {
+    const double largest = std::max(model.gravity.norm(), max_load_acceleration(model, blocks));
+    return largest > 0 ? largest : 1.0;
+}
+
+double unbalanced_force(const BlockSystem& blocks, BlockIndex block, double reference) {
+    const Vec6& acceleration = blocks.acceleration[block];
+    const AreaMoments& moments = blocks.moments[block];
+    const double gyration = std::sqrt((moments.xx + moments.yy) / moments.area);
+    const double deforming = acceleration.tail<4>().cwiseAbs().maxCoeff() * gyration;
+    return std::max(acceleration.head<2>().norm(), deforming) / reference;
+}
+
 StepReport report_step(const Model& model, const RowMap& rows, const State& after, double step,
                        double max_stiffness) {
     StepReport report;
@@ -39,12 +45,7 @@ StepReport report_step(const Model& model, const RowMap& rows, const State& afte
     const double g = reference_acceleration(model, after.blocks);
     double lightest = std::numeric_limits<double>::infinity();
     for (const BlockIndex b : rows.block_of) {
-        const Vec6& a = after.blocks.acceleration[b];
-        const AreaMoments& m = after.blocks.moments[b];
-        const double gyration = std::sqrt((m.xx + m.yy) / m.area);
-        // Rotation and strains count as the accelerations that they cause at the radius of gyration.
-        const double deforming = a.tail<4>().cwiseAbs().maxCoeff() * gyration;
-        report.unbalanced_force = std::max({report.unbalanced_force, a.head<2>().norm() / g, deforming / g});
+        report.unbalanced_force = std::max(report.unbalanced_force, unbalanced_force(after.blocks, b, g));
         lightest = std::min(lightest, after.blocks.mass[b]);
     }
     if (rows.count() > 0) report.contact_frequency_step = std::sqrt(max_stiffness / lightest) * step;

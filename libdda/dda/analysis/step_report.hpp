@@ -26,6 +26,14 @@ struct StepReport : StepCounts {
     std::vector<JointCounterSlip> ended_counter_slips;  ///< see ended_counter_slips()
 };
 
+/// The acceleration that scales unbalanced forces, m/s2: gravity, or the largest acceleration by a load where
+/// that is larger, or 1 where both are zero.
+double reference_acceleration(const Model& model, const BlockSystem& blocks);
+
+/// The unbalanced force of a block over its weight: its acceleration over `reference`, m/s2. Rotation and
+/// strains count as the accelerations that they cause at the radius of gyration.
+double unbalanced_force(const BlockSystem& blocks, BlockIndex block, double reference);
+
 /// Computes the report from the state after the step. The caller fills in the StepCounts. Where a load
 /// accelerates a block by more than gravity, the unbalanced force is over that acceleration.
 /// @param step s, size of the step; @param max_stiffness N/m per metre, largest stiffness of a contact

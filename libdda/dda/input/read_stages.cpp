@@ -53,8 +53,12 @@ double height_of(const Model& model) {
     return high - low;
 }
 
+/// Default displacement limits of static stages and of the trials of a strength reduction, over the model's
+/// height.
+constexpr double settling_displacement_ratio = 0.05;
+constexpr double failure_displacement_ratio = 0.01;
+
 StrengthReduction read_strength_reduction(const ConfigTable& table, const Model& model) {
-    constexpr double failure_displacement_ratio = 0.01;  // of the model's height
     StrengthReduction search;
     search.lowest = in_range(table, "lowest_factor", search.lowest, 1e-3, 1, "a factor from 0.001 to 1");
     search.highest = in_range(table, "highest_factor", search.highest, 1, 1e3, "a factor from 1 to 1000");
@@ -79,6 +83,8 @@ Stage read_stage(const ConfigTable& table, std::size_t index, const Model& model
             stage.reset_displacements = false;
             return stage;
         }
+        stage.displacement_limit = positive(table, "displacement_limit", Dimension::length,
+                                            settling_displacement_ratio * height_of(model));
         stage.reset_displacements = table.boolean("reset_displacements", stage.reset_displacements);
         stage.reset_joint_history = table.boolean("reset_joint_history", stage.reset_joint_history);
         return stage;

@@ -133,6 +133,63 @@ TEST(Run, ReportsThatAFallingBlockDoesNotSettle) {
     const dda::RunOutcome outcome = sim.run(stage);
     EXPECT_EQ(outcome.status, dda::RunStatus::not_settled);
     EXPECT_EQ(sim.reports.size(), 20u);
+    EXPECT_NE(outcome.message.find("after 20 steps block 0 at"), std::string::npos) << outcome.message;
+    EXPECT_NE(outcome.message.find("in free fall"), std::string::npos) << outcome.message;
+}
+
+/// A block on a plane of 30 degrees with a friction angle of 20 degrees, which does not hold it.
+struct Slide {
+    Scene s;
+    Slide() {
+        s.friction(20);
+        s.model.joint_materials[0].name = "bedding";
+        const double angle = -M_PI / 6;
+        const Vec2 along(std::cos(angle), std::sin(angle));
+        s.box(-dda::perpendicular(along) - 10 * along, 30, 1, dda::Motion::fixed, angle);
+        s.box({0, 0}, 2, 1, dda::Motion::free, angle);
+    }
+};
+
+// Each static step starts from rest, so a block that slides moves by a dt^2 / 2 in it. The step grows until
+// that is what a body falls from rest in the step of the control: here by the factor sqrt(g/a) = 1.64 for
+// a = g (sin 30 - cos 30 tan 20). The way to the limit takes as many steps as it is long, whatever the time.
+TEST(Run, TellsWhichBlockDoesNotStopAndAlongWhichJoint) {
+    const Slide slide;
+    Simulation sim(slide.s);
+    dda::Stage stage;
+    stage.name = "settle";
+    stage.kind = dda::StageKind::static_equilibrium;
+    stage.control.step = .02;
+    stage.displacement_limit = .5;
+    const dda::RunOutcome outcome = sim.run(stage);
+    EXPECT_EQ(outcome.status, dda::RunStatus::not_settled);
+    EXPECT_NE(outcome.message.find("stage 'settle' does not settle: block 1 at ("), std::string::npos)
+        << outcome.message;
+    EXPECT_NE(outcome.message.find("has moved 0.50"), std::string::npos) << outcome.message;
+    EXPECT_NE(outcome.message.find("along 'bedding'"), std::string::npos) << outcome.message;
+    const double g = 9.81;
+    const double a = g * (std::sin(M_PI / 6) - std::cos(M_PI / 6) * std::tan(M_PI / 9));
+    EXPECT_NEAR(sim.reports.back().step, .02 * std::sqrt(g / a), .02 * .02) << "2 %: strain and contacts";
+    EXPECT_NEAR(static_cast<double>(sim.reports.size()), .5 / (g * .02 * .02 / 2), 15)
+        << "the first steps are shorter";
+}
+
+// Near the equilibrium the displacements of a step vanish, and a static step may be fifty times the
+// control's. The unbalanced force then falls by its square in each step instead of by a constant factor.
+TEST(Run, AStaticStepGrowsWhereNothingMoves) {
+    const Scene s = running_bond_wall(3, 6, 10);
+    Simulation sim(s);
+    dda::Stage stage;
+    stage.kind = dda::StageKind::static_equilibrium;
+    stage.control.step = .002;
+    stage.tolerance = 1e-9;
+    ASSERT_EQ(sim.run(stage).status, dda::RunStatus::completed);
+    EXPECT_LT(sim.reports.size(), 60u) << "570 with a constant step";
+    for (const dda::StepReport& report : sim.reports) {
+        EXPECT_LE(report.step, 50 * .002 * (1 + 1e-12));
+        EXPECT_LT(report.largest_displacement, 1.3 * 1.3 * 9.81 * .002 * .002 / 2 * (1 + 1e-9))
+            << "the growth of one step at most";
+    }
 }
 
 TEST(Run, EndsAtTheDurationOfTheStageForAnyStep) {
