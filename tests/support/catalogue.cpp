@@ -6,7 +6,7 @@
 
 namespace rockslope::verification {
 
-const std::array<CatalogueCase, 54> catalogue = {{
+const std::array<CatalogueCase, 68> catalogue = {{
     {"V01", "Free fall", "y = -g t²/2, v = -g t"},
     {"V02", "Block at rest", "penetration W / (2 k_n)", false},
     {"V03", "Stress of self-weight", "virial: σ_y = -ρ g h/2, σ_x = 0", false},
@@ -61,6 +61,22 @@ const std::array<CatalogueCase, 54> catalogue = {{
     {"V52", "Readers of records", "number of samples, interval and peak", false},
     {"V53", "Excavation between stages", "weight of the column left; free fall without support", false},
     {"V54", "Normal closure of a joint", "hyperbola of Bandis; energy stored", false},
+    {"P02", "Tilted arch", "limit state of rigid stones: linear inequalities of statics"},
+    {"P03", "Least semicircular arch", "limit state of rigid stones: linear inequalities of statics"},
+    {"P04", "Overhang of stacked bricks", "statics: L/2 (1 + 1/2 + ... + 1/n)"},
+    {"P05", "Toppling of sixteen blocks under a horizontal acceleration",
+     "limit equilibrium of Goodman and Bray 1976"},
+    {"P06", "Incline 11.37°, φ = 16°, 2.66 Hz along the plane", "sliding block, its equation integrated"},
+    {"P07", "Plane slide with a tension crack and water", "limit equilibrium of Hoek and Bray 1974", false},
+    {"P09", "Voussoir beam", "iteration of Beer and Meek 1982, Diederichs and Kaiser 1999", false},
+    {"P10", "Rolling polygon", "inelastic impact of corner after corner"},
+    {"P11", "Two blocks on a bilinear plane", "two force polygons with one interface force", false},
+    {"P12", "Semicircular arch on spreading abutments", "Heyman: three hinges, the least thrust"},
+    {"P13", "Stack of five under a rising acceleration", "k = b/h, k = μ"},
+    {"P14", "Shaking in both directions; slip at every level of a stack",
+     "sliding blocks, their equations integrated"},
+    {"P15", "Wave speed in a jointed column", "c² = E_eff/ρ, 1/E_eff = 1/E + 1/(k h)"},
+    {"P16", "Impacts at speed", "conservation of momentum; no gain of energy"},
 }};
 
 const CatalogueCase& catalogue_case(std::string_view id) {

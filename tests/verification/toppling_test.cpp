@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "support/case_name.hpp"
 #include "support/energy_balance.hpp"
 #include "support/penalty_series.hpp"
 #include "support/record.hpp"
@@ -29,10 +30,13 @@ double height(int n) {
 }
 
 /// The forces between block n and the one below it, N, and the modes, computed from the uppermost block down.
+/// A horizontal acceleration of k g acts out of the slope.
 struct LimitEquilibrium {
     std::array<double, count + 1> force{};  ///< force[n] on the lower side of block n; [0] unused
-    explicit LimitEquilibrium(double mu) {
+    explicit LimitEquilibrium(double mu, double k = 0) {
         const double psi = radians(dip);
+        const double down = std::sin(psi) + k * std::cos(psi);  // of a unit weight, along the bases
+        const double onto = std::cos(psi) - k * std::sin(psi);  // and normal to them
         double above = 0;
         for (int n = count; n >= 1; --n) {
             const double y = height(n);
@@ -40,11 +44,8 @@ struct LimitEquilibrium {
             const double upper = n < 10 ? y : y - 5;   // height of the force of the block above
             const double lower = n <= 10 ? y - 5 : y;  // height of the force on the block below
             const double topples =
-                lower > 0
-                    ? (above * (upper - width * mu) + w / 2 * (y * std::sin(psi) - width * std::cos(psi))) /
-                          lower
-                    : -1;
-            const double slides = above - w * (std::cos(psi) * mu - std::sin(psi)) / (1 - mu * mu);
+                lower > 0 ? (above * (upper - width * mu) + w / 2 * (y * down - width * onto)) / lower : -1;
+            const double slides = above - w * (onto * mu - down) / (1 - mu * mu);
             above = std::max({topples, slides, 0.0});
             force[n] = above;
         }
@@ -52,16 +53,17 @@ struct LimitEquilibrium {
 };
 
 /// The friction angle at which the toe block needs no support.
-double critical_friction() {
-    const double mu = threshold(.7, .9, 40, [](double m) { return LimitEquilibrium(m).force[1] == 0; });
+double critical_friction(double k = 0) {
+    const double mu = threshold(.7, .97, 40, [k](double m) { return LimitEquilibrium(m, k).force[1] == 0; });
     return std::atan(mu) * 180 / std::numbers::pi;
 }
 
 class Slope {
   public:
     /// @param tension N, constant, of a horizontal bolt from the middle of block 1 into the slope.
-    explicit Slope(double tension = 0, const ContactSetting& setting = {.5})
-        : tension_(tension), setting_(setting) {
+    /// @param k horizontal acceleration out of the slope, over g, to which a run rises in a second.
+    explicit Slope(double tension = 0, const ContactSetting& setting = {.5}, double k = 0)
+        : tension_(tension), setting_(setting), k_(k) {
         Simulation sim(scene(70));
         EXPECT_EQ(sim.settle().status, dda::RunStatus::completed);
         settled_ = sim.state;
@@ -76,10 +78,10 @@ class Slope {
         run(phi, 6);
         return speed < 1e-3;
     }
-    void run(double phi, double duration) {
+    void run(double phi, double duration, double step = 2.5e-4) {
         Simulation sim(scene(phi));
         sim.state = settled_;
-        EXPECT_EQ(sim.shake(duration, 2.5e-4).status, dda::RunStatus::completed);
+        EXPECT_EQ(sim.shake(duration, step).status, dda::RunStatus::completed);
         frequency_step = sim.contact_frequency_step();
         energy = sim.energy;
         moved = speed = 0;
@@ -114,6 +116,9 @@ class Slope {
         s.model.block_materials[0].density = weight / g;
         s.model.block_materials[0].youngs_modulus = 1e11;  // the limit equilibrium's blocks are rigid
         setting_.apply(s);
+        if (k_ > 0)
+            s.model.loads.push_back(
+                dda::BodyLoad{dda::BlockIndex::none(), {-k_ * g, 0}, dda::TimeTable({0, 1, 100}, {0, 1, 1})});
         const double psi = radians(dip);
         const Vec2 up(std::cos(psi), std::sin(psi));
         const Vec2 out = dda::perpendicular(up);
@@ -132,6 +137,7 @@ class Slope {
     }
     double tension_;
     ContactSetting setting_;
+    double k_;
     dda::State settled_;
 };
 
@@ -229,6 +235,38 @@ TEST(LongToppling, FailsAtTheSameFrictionForAnyPenalty) {
                                    found + .1);
     }
 }
+
+class PushedToppling : public testing::TestWithParam<std::pair<double, double>> {};
+
+// P05. The recursion of V21 with the weight inclined by atan k. The acceleration grows within a second at the
+// friction of the test: a static limit says nothing of a slope that is released at once. Above the limit
+// blocks come to rest within the three seconds that follow, after up to a decimetre; below it they are faster
+// than 0.1 m/s by then. Steps of 1 ms suffice for that.
+TEST_P(PushedToppling, FailsAtTheFrictionOfLimitEquilibrium) {
+    const auto [k, expected] = GetParam();
+    const double critical = critical_friction(k);
+    EXPECT_NEAR(critical, expected, 5e-3);
+    Slope slope(0, {.5}, k);
+    std::optional<EnergyMonitor> energy;  // of the last run that failed
+    const auto rests = [&](double phi) {
+        slope.run(phi, 4, 1e-3);
+        if (slope.speed >= .03) energy = slope.energy;
+        return slope.speed < .03;
+    };
+    ASSERT_FALSE(rests(critical - .7));
+    ASSERT_TRUE(rests(critical + .7));
+    const double found = threshold(critical - .7, critical + .7, 3, rests);
+    const std::string set_up = "k = " + to_text(k);
+    expect_energy_balance("P05", set_up, *energy, slope.frequency_step);
+    Case limit("P05", set_up, "required; found by halving to 0.18°");
+    limit.contact_frequency_step(slope.frequency_step);
+    limit.expect("φ at the limit", "°", found, critical, absolute(.7));
+}
+
+INSTANTIATE_TEST_SUITE_P(Catalogue, PushedToppling,
+                         testing::Values(std::pair(0., 38.15), std::pair(.05, 39.925), std::pair(.1, 41.381),
+                                         std::pair(.15, 42.619)),
+                         [](const auto& p) { return case_name("k_" + case_number(p.param.first)); });
 
 // V21. At tan(phi) = 0.65 the slope needs support. Block 1 slides. A horizontal bolt in it has the tension T
 // given by T (cos psi + mu sin psi) = P (1 - mu^2) + W (sin psi - mu cos psi), with P the force from block 2
