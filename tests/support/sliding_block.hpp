@@ -16,6 +16,18 @@ namespace rockslope::scene {
 /// Acceleration as a function of time, m/s2.
 using Acceleration = std::function<double(double)>;
 
+/// The acceleration times `sign`, in samples every 0.5 ms: the error for a sine of 2 Hz is 5e-6.
+inline dda::TimeTable sampled(const Acceleration& acceleration, double duration, double sign = 1) {
+    std::vector<double> times;
+    std::vector<double> values;
+    const int samples = static_cast<int>(std::lround(duration / 5e-4));
+    for (int k = 0; k <= samples; ++k) {
+        times.push_back(k * 5e-4);
+        values.push_back(sign * acceleration(times.back()));
+    }
+    return {times, values};
+}
+
 /// Position along the slope against time.
 struct Track {
     std::vector<double> time;  ///< s
@@ -33,11 +45,12 @@ struct Track {
 };
 
 /// Newmark's sliding block, integrated to convergence. In the frame of the base a unit mass has the driving
-/// force g sin(psi) - a cos(psi) downhill and the friction tan(phi) (g cos(psi) + a sin(psi)) against its
-/// velocity, with a the horizontal acceleration of the base, positive downhill. Explicit steps of 1e-5 s with
-/// the acceleration at mid-step; a velocity that would change sign in a step becomes zero.
+/// force w sin(psi) - a cos(psi) downhill and the friction tan(phi) (w cos(psi) + a sin(psi)) against its
+/// velocity, with a the horizontal acceleration of the base, positive downhill, and w = g plus its upward
+/// acceleration `vertical`, if it has one. Explicit steps of 1e-5 s with the acceleration at mid-step; a
+/// velocity that would change sign in a step becomes zero.
 inline Track sliding_reference(double psi_degrees, double phi_degrees, const Acceleration& base,
-                               double duration) {
+                               double duration, const Acceleration& vertical = {}) {
     const double psi = radians(psi_degrees);
     const double mu = std::tan(radians(phi_degrees));
     const double dt = 1e-5;
@@ -48,8 +61,9 @@ inline Track sliding_reference(double psi_degrees, double phi_degrees, const Acc
     const int steps = static_cast<int>(std::lround(duration / dt));
     for (int k = 1; k <= steps; ++k) {
         const double a = base((k - .5) * dt);
-        const double drive = g * std::sin(psi) - a * std::cos(psi);
-        const double strength = mu * (g * std::cos(psi) + a * std::sin(psi));
+        const double w = vertical ? g + vertical((k - .5) * dt) : g;
+        const double drive = w * std::sin(psi) - a * std::cos(psi);
+        const double strength = mu * (w * std::cos(psi) + a * std::sin(psi));
         double next = 0;
         if (v != 0) {
             next = v + dt * (drive - std::copysign(strength, v));
@@ -79,6 +93,8 @@ struct SlidingBlock {
     Shaking shaking = Shaking::moving_base;
     double damping_ratio = 0.1;  ///< of the block's strain modes
 
+    Acceleration vertical{};  ///< of the base, positive up; none: it moves horizontally
+
     double base_speed = 0;  ///< m/s, of the base at the start, positive downhill and horizontal
 
     Track track{};
@@ -92,7 +108,6 @@ struct SlidingBlock {
 
   private:
     Scene scene(double friction_degrees) const;
-    dda::TimeTable table(double duration, double sign) const;
 };
 
 inline Scene SlidingBlock::scene(double friction_degrees) const {
@@ -104,18 +119,6 @@ inline Scene SlidingBlock::scene(double friction_degrees) const {
     s.box(-dda::perpendicular(along) - 10 * along, 30, 1, dda::Motion::prescribed, angle, "base");
     s.box({0, 0}, 2, 1, dda::Motion::free, angle);
     return s;
-}
-
-/// The acceleration of the base times `sign`, in samples every 0.5 ms: the error for a sine of 2 Hz is 5e-6.
-inline dda::TimeTable SlidingBlock::table(double duration, double sign) const {
-    std::vector<double> times;
-    std::vector<double> values;
-    const int samples = static_cast<int>(std::lround(duration / 5e-4));
-    for (int k = 0; k <= samples; ++k) {
-        times.push_back(k * 5e-4);
-        values.push_back(sign * base(times.back()));
-    }
-    return {times, values};
 }
 
 inline void SlidingBlock::run(const std::string& id, const std::string& set_up, double duration,
@@ -130,11 +133,12 @@ inline void SlidingBlock::run(const std::string& id, const std::string& set_up, 
     stage.duration = duration;
     stage.control.step = step;
     if (shaking == Shaking::moving_base) {
-        stage.base_motions.push_back({"base", table(duration, 1), {}});
+        stage.base_motions.push_back({"base", sampled(base, duration), {}});
+        if (vertical) stage.base_motions.back().y = sampled(vertical, duration);
     } else if (shaking == Shaking::frame) {
-        stage.frame_motions.push_back({"", table(duration, 1), {}});
+        stage.frame_motions.push_back({"", sampled(base, duration), {}});
     } else {
-        s.model.loads.push_back(dda::BodyLoad{1, {1, 0}, table(duration, -1)});
+        s.model.loads.push_back(dda::BodyLoad{1, {1, 0}, sampled(base, duration, -1)});
     }
     Simulation sim(s);
     sim.state = settled.state;

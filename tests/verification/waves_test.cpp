@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "support/bar.hpp"
+#include "support/case_name.hpp"
 #include "support/energy_balance.hpp"
 #include "support/record.hpp"
 
@@ -54,6 +55,33 @@ INSTANTIATE_TEST_SUITE_P(Catalogue, WaveSpeed,
                                          SpeedCase{"confined", dda::Plane::strain, Sides::confined, 2190.9},
                                          SpeedCase{"shear", dda::Plane::strain, Sides::sheared, 1264.9}),
                          [](const auto& param_info) { return std::string(param_info.param.name); });
+
+class JointedColumn : public testing::TestWithParam<double> {};
+
+// P15. Waves much longer than a block see the joints as compliance: 1/E_eff = 1/E + 1/(k h). The chain
+// disperses by at most (2 pi/ 80)^2/24 = 0.03 % of blocks to the length, and the integration by (2
+// pi/100)^2/12 = 0.03 %.
+TEST_P(JointedColumn, CarriesWavesAtTheSpeedOfItsJointsAndRock) {
+    const double stiffness = GetParam();  // k h/E
+    Bar column(420, 0.1, dda::Plane::stress);
+    const double unit = 10e9 / column.block_length;
+    column.s.model.joint_materials[0] = elastic_joint(stiffness * unit, Bar::free * unit);
+    const double speed = std::sqrt(10e9 / (1 + 1 / stiffness) / column.density());
+    const double pulse = 80 * column.block_length / speed;
+    column.push({1e6, 0}, raised_cosine(pulse));
+    Simulation sim(column.s);
+    const Seismogram record(sim, {99, 299}, 0);
+    ASSERT_EQ(sim.run(wave_stage(39 / speed, 0.01 * pulse)).status, dda::RunStatus::completed);
+    const std::string set_up = "k h/E = " + to_text(stiffness);
+    expect_energy_balance("P15", set_up, sim);
+    Case("P15", set_up, "required")
+        .contact_frequency_step(sim.contact_frequency_step())
+        .expect("speed", "m/s", 200 * column.block_length / (record.arrival(1) - record.arrival(0)), speed,
+                relative(.003));
+}
+
+INSTANTIATE_TEST_SUITE_P(Catalogue, JointedColumn, testing::Values(.25, 1., 4., 10., 50.),
+                         [](const auto& p) { return case_name(case_number(p.param)); });
 
 /// A pulse of 20 blocks at the end of a bar.
 struct Reflection {
