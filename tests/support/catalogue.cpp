@@ -66,7 +66,7 @@ const std::array<CatalogueCase, 68> catalogue = {{
     {"P04", "Overhang of stacked bricks", "statics: L/2 (1 + 1/2 + ... + 1/n)"},
     {"P05", "Toppling of sixteen blocks under a horizontal acceleration",
      "limit equilibrium of Goodman and Bray 1976"},
-    {"P06", "Incline 11.37°, φ = 16°, 2.66 Hz along the plane", "sliding block, its equation integrated"},
+    {"P06", "Incline 11.37°, φ = 16°, table at 2.66 Hz", "sliding block, its equation integrated"},
     {"P07", "Plane slide with a tension crack and water", "limit equilibrium of Hoek and Bray 1974", false},
     {"P09", "Voussoir beam", "iteration of Beer and Meek 1982, Diederichs and Kaiser 1999", false},
     {"P10", "Rolling polygon", "inelastic impact of corner after corner"},
