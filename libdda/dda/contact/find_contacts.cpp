@@ -8,6 +8,7 @@
 #include "dda/contact/candidates.hpp"
 #include "dda/contact/contact_stiffness.hpp"
 #include "dda/contact/detect.hpp"
+#include "dda/contact/glued_points.hpp"
 #include "dda/contact/transfer.hpp"
 
 namespace rockslope::dda {
@@ -45,6 +46,7 @@ ContactSet find_or_keep_candidates(const Model& model, const ContactSet& last, c
         set.candidate_distance = std::max(skin_ratio * search.edge_length, 2 * search.search_radius);
         set.candidates = find_candidates(model, search.vertices, set.candidate_distance);
         set.reference.assign(search.vertices.begin(), search.vertices.end());
+        GluedPoints(model, last.contacts).remove_from(set.candidates);
     }
     return set;
 }
@@ -72,13 +74,21 @@ void initialise_spring(const Model& model, double stress_free_gap_decay, Contact
 FoundContacts find_contacts(const Model& model, const ContactSet& last, const ContactSearch& search,
                             const ThreadPool& pool, PhaseTimes* times) {
     ContactSet set = find_or_keep_candidates(model, last, search);
-    set.contacts = detect_contacts(model,
-                                   {search.vertices, search.mid_step_vertices, search.search_radius,
-                                    search.depth_tolerance, last.contacts, search.forced},
-                                   set.candidates, pool);
-    end_of(Phase::detection, times);
-    JointSegments segments =
-        transfer_contacts(model, last.contacts, search.search_radius, search.first_step, set.contacts);
+    const auto detect = [&] {
+        set.contacts = detect_contacts(model,
+                                       {search.vertices, search.mid_step_vertices, search.search_radius,
+                                        search.depth_tolerance, last.contacts, search.forced},
+                                       set.candidates, pool);
+        end_of(Phase::detection, times);
+        return transfer_contacts(model, last.contacts, search.search_radius, search.first_step, set.contacts);
+    };
+    JointSegments segments = detect();
+    if (search.first_step) {
+        // Only now it is known what is glued.
+        const GluedPoints glued(model, set.contacts);
+        glued.remove_from(set.candidates);
+        if (!glued.empty()) segments = detect();
+    }
     // Decay of the stress-free gap, Eq. (29).
     const double stress_free_gap_decay =
         search.duration > 0 ? std::exp(-search.duration / stress_free_gap_time) : 0;
