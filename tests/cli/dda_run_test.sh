@@ -124,6 +124,28 @@ for file in history.csv steps.csv run.vtkhdf run.joints.vtkhdf; do
     cmp "long/$file" "stopped/$file" || fail "the resumed run gives another $file"
 done
 
+# Blocks of four corners that are glued together are told of, once.
+sed 's/prescribed base/free/' two.blocks >glued.blocks
+cat >glued.toml <<'MODEL'
+blocks = "glued.blocks"
+[analysis]
+gravity = [0, 0]
+[block_material.rock]
+density = 2500
+youngs_modulus = "10 GPa"
+poissons_ratio = 0.25
+[joint_material.bedding]
+law = "elastic"
+[[stage]]
+kind = "dynamic"
+duration = 0.01
+MODEL
+"$run" glued.toml -o glued 2>err.txt
+[ "$(grep -c '2 blocks of more than three corners are glued, the first is block 0 .*joint material bedding' err.txt)" -eq 1 ] ||
+    fail "not told of glued rectangles: $(cat err.txt)"
+"$run" run.toml -o loose 2>err.txt
+grep -q 'are glued' err.txt && fail "told of glue where there is none"
+
 # Pictures.
 "$plot" whole
 for file in frame-0000 frame-0006 frame-0011 history; do [ -s "whole/run.$file.png" ] || fail "no picture $file"; done

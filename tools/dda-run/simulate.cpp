@@ -13,6 +13,7 @@
 #include "common/base/sha256.hpp"
 #include "dda/checkpoint/resume_check.hpp"
 #include "dda/input/read_run.hpp"
+#include "dda/model/glue.hpp"
 #include "dda/results/block_table.hpp"
 #include "dda/results/results.hpp"
 #include "dda/results/summary.hpp"
@@ -103,6 +104,20 @@ void print_unreached_excavations(const dda::RunInput& input) {
             std::fprintf(stderr,
                          "dda-run: excavation '%s' is not removed: its stage is %d, the run has %zu stages\n",
                          e.name.c_str(), e.stage, input.stages.size());
+}
+
+/// Tells of blocks that cannot bend with the body that they are glued to.
+void print_glued_polygons(const dda::Model& model) {
+    const std::optional<dda::GluedPolygons> glued = dda::glued_polygons(model);
+    if (!glued) return;
+    const dda::Vec2 at = model.vertices[model.topology.block_corners[glued->first]] + model.origin;
+    std::fprintf(
+        stderr,
+        "dda-run: %d blocks of more than three corners are glued, the first is block %d with a corner "
+        "at (%g, %g), joint material %s: a body of them is many times too stiff in bending; cut it "
+        "into triangles\n",
+        glued->blocks, glued->first.value(), at.x(), at.y(),
+        model.joint_material_at(glued->joint_material).name.c_str());
 }
 
 ExitCode exit_code_of(const dda::RunOutcome& outcome) {
@@ -213,6 +228,7 @@ ExitCode simulate(const CommandLine& line, const std::string& version) {
         write_file_atomically(*line.depfile, depfile_text(line.output / "summary.json", input.files));
     print_plan(input, line.output);
     print_unreached_excavations(input);
+    print_glued_polygons(input.model);
 
     ProgressLine progress;
     const fs::path stop_file = line.output / "stop";
