@@ -140,7 +140,7 @@ struct JointRecord {
     double dilation = 0;         ///< m, opening of the joint by shearing; negative: contraction
     int reversals = 0;           ///< changes of slip direction so far
     int cycle = 0;               ///< of shearing, from 1
-    CounterSlip counter_slip;    ///< against the direction that the next reversal is counted from, or of the
+    CounterSlip counter_slip{};  ///< against the direction that the next reversal is counted from, or of the
                                  ///< last one
 };
 
