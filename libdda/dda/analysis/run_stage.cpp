@@ -50,6 +50,9 @@ std::string describe(const Model& model, const StepAttempt& attempt) {
 constexpr int easy_iterations = 20;
 /// Largest step of a static stage over the step of its control.
 constexpr double static_step_ratio = 50;
+/// First step of a static stage over the step of its control. Blocks that fall far in the first steps
+/// strike each other, and the slope loosens.
+constexpr double first_static_step_ratio = 0.1;
 
 /// Adapts the step, Eq. (41): cut after a rejection, grown after steps that needed none. A static stage has
 /// no time to resolve: its step grows as long as no vertex moves farther in it than a body falls from rest in
@@ -60,7 +63,7 @@ class StepSize {
         : control_(stage.control),
           is_static_(stage.kind == StageKind::static_equilibrium),
           free_fall_(gravity * control_.step * control_.step / 2),
-          size_(resume > 0 ? resume : control_.step) {
+          size_(resume > 0 ? resume : first_step()) {
         size_ = std::min(size_, is_static_ ? static_step_ratio * control_.step : control_.step);
     }
     /// The size of the next step, s. `remaining` is the time to an instant at which a step must end. If less
@@ -79,6 +82,10 @@ class StepSize {
     bool too_small() const { return size_ < control_.smallest_step; }
 
   private:
+    double first_step() const {
+        if (!is_static_) return control_.step;
+        return std::max(first_static_step_ratio * control_.step, control_.smallest_step);
+    }
     /// The largest step after an accepted one, s. A displacement grows with the square of a static step at
     /// most.
     double largest_after(const StepReport& report) const {
