@@ -102,8 +102,8 @@ TEST(StrengthReduction, ReducesRoughnessLikeFriction) {
 
 TEST(StrengthReduction, ReducesCohesionLikeFriction) {
     const double cohesion = 4000;
-    Searched sim(on_incline(35, 20, cohesion));
-    sim.settle(.005, 1e-6);
+    Searched sim(
+        on_incline(35, 20, cohesion));  // it does not stand: a settling stage would let it slide away
     ASSERT_EQ(sim.search(.005).status, dda::RunStatus::completed);
     const double a = radians(35);
     const double weight = 2 * 2500 * 9.81;
