@@ -1,8 +1,8 @@
-// Impacts on contacts with a dashpot, Eqs. (85) to (88): restitution, bounces of a dropped block, energy.
+// Impacts on contacts with a dashpot, Eqs. (86) to (89): restitution, bounces of a dropped block, energy.
 //
 // A stiff block on springs of which each bears a part of its mass m is an oscillator of frequency omega. With
 // a dashpot of the ratio zeta that never pulls it leaves the springs with the fraction e of its speed, Eq.
-// (88).
+// (89).
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ namespace {
 
 using namespace scene;
 
-/// The coefficient of restitution of a damped spring that never pulls, Eq. (88).
+/// The coefficient of restitution of a damped spring that never pulls, Eq. (89).
 double restitution(double ratio) {
     if (ratio == 1) return std::exp(-2);
     const double root = std::sqrt(std::abs(1 - ratio * ratio));

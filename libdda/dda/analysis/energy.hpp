@@ -17,8 +17,8 @@ struct Energy {
     /// Dissipated by mass and strain damping, and by the dynamic coefficient of the stage, which is zero in
     /// static stages.
     double damping_loss = 0;
-    /// Dissipated by the dashpots of normal contacts, Eq. (85), with the part of the loss of the end-of-step
-    /// evaluation that belongs to them, Eq. (87); not negative.
+    /// Dissipated by the dashpots of normal contacts, Eq. (86), with the part of the loss of the end-of-step
+    /// evaluation that belongs to them, Eq. (88); not negative.
     double contact_damping_loss = 0;
     double numerical_loss = 0;  ///< dissipated by the end-of-step evaluation of forces, Eq. (42)
     double released = 0;        ///< spring energy lost when contacts open, break or are replaced

@@ -116,6 +116,27 @@ void FrictionCoupling::find_sliding(std::span<const Vec6> d) {
         }
     });
     complete_lines(d);
+    find_dilating(d);
+}
+
+void FrictionCoupling::find_dilating(std::span<const Vec6> d) {
+    const auto dilations = trials_.dilations_by_force();
+    for (std::size_t i = 0; i < dilations.size(); ++i) {
+        Sliding segment;
+        segment.contact = ContactIndex::none();
+        segment.dilation = i;
+        for (const ContactIndex k : dilations[i].contacts) {
+            if (!trials_.has_normal_spring(k)) continue;
+            const double opening = p_.springs[k].rows.measure(trials_.normal_measure(k), d);
+            segment.spring += trials_.normal_stiffness(k);
+            segment.normal += trials_.linear_normal(k, opening);
+        }
+        if (!(segment.spring > 0)) continue;
+        segment.slope = segment.spring * dilations[i].slope;
+        segment.cohesion = -segment.slope * dilations[i].normal_force;
+        segment.friction_force = segment.spring * dilations[i].change;
+        sliding_.push_back(segment);
+    }
 }
 
 /// Most lines exist already: a joint segment keeps its line for the step.
@@ -144,14 +165,26 @@ double FrictionCoupling::residual_norm() const {
 
 void FrictionCoupling::set_load(std::span<Vec6> load) {
     force_change_.assign(trials_.count(), 0);
-    for (const Sliding& sliding : sliding_) force_change_[sliding.contact] = sliding.residual;
+    normal_change_.assign(trials_.count(), 0);
+    for (const Sliding& sliding : sliding_) {
+        if (!sliding.dilates()) {
+            force_change_[sliding.contact] = sliding.residual;
+            continue;
+        }
+        for (const ContactIndex k : trials_.dilations_by_force()[sliding.dilation].contacts) {
+            if (trials_.has_normal_spring(k))
+                normal_change_[k] = trials_.normal_stiffness(k) * sliding.residual / sliding.spring;
+        }
+    }
     pool_.parallel_for(load.size(), [&](std::size_t begin, std::size_t end) {
         for (const RowIndex row : indices<RowIndex>(begin, end)) {
             load[row].setZero();
             for (const ContactIndex k : p_.row_contacts.of(row)) {
-                if (force_change_[k] == 0) continue;
+                if (force_change_[k] == 0 && normal_change_[k] == 0) continue;
                 const ContactSprings& springs = p_.springs[k];
-                load[row] += springs.rows.project_on_row(row, -force_change_[k] * springs.shear.direction);
+                const Vec2 force = normal_change_[k] * trials_.normal_measure(k).direction -
+                                   force_change_[k] * springs.shear.direction;
+                load[row] += springs.rows.project_on_row(row, force);
             }
         }
     });
@@ -167,15 +200,19 @@ void FrictionCoupling::apply_operator(Direction& direction, std::size_t rows) {
     direction.displacement.resize(rows);
     set_load(direction.displacement);
     solver_.apply_factor(direction.displacement);
+    const auto change_of_normal = [&](ContactIndex k) {
+        const double opening = trials_.normal_measure(k).direction.dot(
+            p_.springs[k].rows.relative_displacement(direction.displacement));
+        return normal_change_[k] - trials_.normal_stiffness(k) * opening;
+    };
     pool_.parallel_for(sliding_.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const Sliding& sliding = sliding_[i];
-            const ContactSprings& springs = p_.springs[sliding.contact];
-            const double opening =
-                trials_.normal_measure(sliding.contact)
-                    .direction.dot(springs.rows.relative_displacement(direction.displacement));
             direction.friction_force[i] = sliding.residual;
-            direction.normal[i] = -trials_.normal_stiffness(sliding.contact) * opening;
+            direction.normal[i] = sliding.dilates() ? 0 : change_of_normal(sliding.contact);
+            if (!sliding.dilates()) continue;
+            for (const ContactIndex k : trials_.dilations_by_force()[sliding.dilation].contacts)
+                if (trials_.has_normal_spring(k)) direction.normal[i] += change_of_normal(k);
         }
     });
 }
@@ -237,6 +274,10 @@ int FrictionCoupling::solve(std::span<Vec6> d) {
         }
     });
     for (const Sliding& sliding : sliding_) {
+        if (sliding.dilates()) {
+            trials_.set_dilation_change(sliding.dilation, sliding.friction_force / sliding.spring);
+            continue;
+        }
         trials_.set_friction_force(sliding.contact, sliding.friction_force);
         trials_.set_bound_to_friction_force(sliding.contact, sliding.normal);
     }

@@ -14,7 +14,8 @@ namespace rockslope::dda {
 /// unsymmetric. Instead of an unsymmetric factor, each iteration computes by one back-substitution how the
 /// normal forces change with the friction forces, and combines all directions so far such that the residual
 /// is smallest. For bounds linear in the normal force this is GMRES [Saad & Schultz 1986]; where a bound is
-/// cut off at zero it is Newton's method in the space of these directions.
+/// cut off at zero it is Newton's method in the space of these directions. The dilation of joint segments
+/// that dilate with slip follows their normal forces in the same way.
 class FrictionCoupling {
   public:
     FrictionCoupling(const StepProblem& problem, TrialContacts& trials, LinearSolver& solver,
@@ -28,9 +29,13 @@ class FrictionCoupling {
     int solve(std::span<Vec6> d);
 
   private:
-    /// A sliding contact, and its shear bound as a line over the normal force; forces in N per metre.
+    /// A sliding contact, and its shear bound as a line over the normal force; forces in N per metre. Or a
+    /// joint segment whose dilation follows its normal force: then the bound is the force that the normal
+    /// springs exert by that dilation, the friction force the one they exert by the dilation so far.
     struct Sliding {
-        ContactIndex contact;
+        ContactIndex contact;            ///< none: a dilating segment
+        std::size_t dilation = 0;        ///< its index in TrialContacts::dilations_by_force()
+        double spring = 0;               ///< of a dilating segment: sum of its normal springs, N/m per metre
         double sign = 1;                 ///< of its shear force
         double slope = 0;                ///< of the bound over the normal force
         double cohesion = 0;             ///< of the bound at zero normal force
@@ -46,8 +51,13 @@ class FrictionCoupling {
         double line() const { return slope * std::max(normal, lowest_normal_force) + cohesion; }
         /// A contact that coheres keeps the strength of no normal force where it opens, Eq. (75).
         bool is_bounded() const { return (normal > 0 || bonded || coheres) && line() > 0; }
-        double bound() const { return is_bounded() ? sign * line() - tilt * normal : 0; }
+        bool dilates() const { return !contact.exists(); }
+        double bound() const {
+            if (dilates()) return slope * normal + cohesion;
+            return is_bounded() ? sign * line() - tilt * normal : 0;
+        }
         double bound_slope() const {
+            if (dilates()) return slope;
             return is_bounded() && normal > lowest_normal_force ? sign * slope - tilt : 0;
         }
     };
@@ -61,6 +71,8 @@ class FrictionCoupling {
     };
 
     void find_sliding(std::span<const Vec6> d);
+    /// Adds the segments whose dilation follows their normal force.
+    void find_dilating(std::span<const Vec6> d);
     /// Sets the bound line of a contact: the law's own where it has one; on a joint segment the tangent at
     /// the last evaluation; otherwise the secant between the normal force of the first solution and half of
     /// it. An unbonded contact without a normal force there gets the secant from zero to the last evaluation.
@@ -83,7 +95,8 @@ class FrictionCoupling {
     LinearSolver& solver_;
     const ThreadPool& pool_;
     std::vector<Sliding> sliding_;
-    PerContact<double> force_change_;  ///< per contact, of the friction force, N per metre
+    PerContact<double> force_change_;   ///< per contact, of the friction force, N per metre
+    PerContact<double> normal_change_;  ///< per contact, of the normal force by dilation, N per metre
     std::vector<Direction> directions_;
 };
 

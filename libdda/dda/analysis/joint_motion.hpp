@@ -68,15 +68,14 @@ inline const SharedHistory& continued_history(std::span<const ContactIndex> memb
     return *history;
 }
 
-/// Motion of the joint segment with the contacts `members`; nothing if no contact is in compression. Only
+/// Motion of the joint segment with the contacts `members`, with its normal force, 0 if it is open. Only
 /// contacts that were closed at the step's start count, or all if none was. Length and stiffness would
 /// otherwise jump where a contact opens or closes during the step, and the step might have no solution.
 /// @param contacts at the step's start; @param motion_of gives the motion of one contact; @param on_member is
 /// called with each contact's index and MemberWeight.
 template <class MotionOf, class OnMember>
-std::optional<SegmentMotion> segment_motion(std::span<const ContactIndex> members,
-                                            ContactSpan<const Contact> contacts, const MotionOf& motion_of,
-                                            const OnMember& on_member) {
+SegmentMotion segment_motion(std::span<const ContactIndex> members, ContactSpan<const Contact> contacts,
+                             const MotionOf& motion_of, const OnMember& on_member) {
     const auto at = [&](ContactIndex k) -> const Contact& { return contacts[k]; };
     const bool any_was_closed = any_closed(members, contacts);
     std::optional<SegmentMotion> combined;
@@ -93,15 +92,18 @@ std::optional<SegmentMotion> segment_motion(std::span<const ContactIndex> member
         else
             combined->motion = combine(combined->motion, motion, weight.previous_weight);
     }
-    if (!(total_normal_force > 0)) return std::nullopt;
     combined->history = &continued_history(members, contacts);
     combined->motion.normal_force = total_normal_force;
-    return combined;
+    return *combined;
 }
+/// As above; nothing if the segment is open, unless its law dilates with slip.
 template <class MotionOf>
-std::optional<SegmentMotion> segment_motion(std::span<const ContactIndex> members,
+std::optional<SegmentMotion> segment_motion(const JointLaw& law, std::span<const ContactIndex> members,
                                             ContactSpan<const Contact> contacts, const MotionOf& motion_of) {
-    return segment_motion(members, contacts, motion_of, [](auto, const MemberWeight&) {});
+    const SegmentMotion combined =
+        segment_motion(members, contacts, motion_of, [](auto, const MemberWeight&) {});
+    if (!(combined.motion.normal_force > 0) && !dilates_with_slip(law)) return std::nullopt;
+    return combined;
 }
 
 }  // namespace rockslope::dda

@@ -178,7 +178,7 @@ void Ledger::record_contacts(const StepWork& step, const PerContact<Contact>& ad
     }
 }
 
-/// Divides what a contact loses in its normal motion between its dashpot and the integration, Eq. (87).
+/// Divides what a contact loses in its normal motion between its dashpot and the integration, Eq. (88).
 void Ledger::record_normal_loss(const StepWork& step, ContactIndex k, double loss, Energy& energy) const {
     const double share = step.dashpots.empty() ? 0 : step.dashpots[k].share_of_loss;
     if (share == 0) {

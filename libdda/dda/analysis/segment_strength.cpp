@@ -28,14 +28,13 @@ SegmentStrength::SegmentStrength(const StepProblem& problem)
             if (weight.counts) segment.normal_force += p_.contacts[k].normal_force;
             members_.push_back({k, weight});
         };
-        const std::optional<SegmentMotion> combined =
-            segment_motion(members, p_.contacts, motion_of, add_member);
-        segment.history = &**combined->history;
-        segment.length = combined->motion.length;
-        segment.shear_force = combined->motion.shear_force;
+        const SegmentMotion combined = segment_motion(members, p_.contacts, motion_of, add_member);
+        segment.history = &**combined.history;
+        segment.length = combined.motion.length;
+        segment.shear_force = combined.motion.shear_force;
         segment.locked_slope = locked_dilation(p_.model, first.joint_material, *segment.history).slope *
                                p_.model.strength_reduction;
-        segment.shear_stiffness = combined->motion.stiffness;
+        segment.shear_stiffness = combined.motion.stiffness;
         for (const ContactIndex k : members) {
             segment_of_[k] = static_cast<int>(index);
             segment.stiffness += p_.springs[k].shear_stiffness;

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "dda/analysis/joint_motion.hpp"
 #include "dda/analysis/segment_friction.hpp"
 #include "dda/analysis/step_problem.hpp"
 #include "dda/linear/anderson.hpp"
@@ -43,7 +44,7 @@ struct ContactLaw {
         const double closed = closure(opening);
         return normal_law.is_linear() ? normal_law.stiffness * closed : normal_law.force(closed);
     }
-    /// The force of the normal spring and its dashpot, Eq. (85), N per metre.
+    /// The force of the normal spring and its dashpot, Eq. (86), N per metre.
     double normal(double opening) const {
         if (dashpot.stiffness == 0) return spring_force(opening);
         return spring_force(opening) + dashpot.force(closure(opening));
@@ -140,6 +141,19 @@ class TrialContacts {
     /// no bond of its has broken since.
     bool coheres(ContactIndex k) const { return trials_[k].coheres && !trials_[k].bond_broken; }
     bool is_bonded(ContactIndex k) const { return p_.contacts[k].bonded && !trials_[k].bond_broken; }
+    // --- dilation that follows the normal force
+    /// How the dilation of a joint segment follows its normal force while its displacement is held: where the
+    /// joint slips, a smaller normal force lets its shear spring slip on.
+    struct DilationByForce {
+        std::span<const ContactIndex> contacts;
+        double slope =
+            0;  ///< derivative of the dilation by the normal force, Eq. (85), m per N per metre, negative
+        double normal_force = 0;  ///< N per metre, of the segment at its last evaluation
+        double change = 0;        ///< m, of the dilation since then by the normal force
+    };
+    std::span<const DilationByForce> dilations_by_force() const { return dilations_by_force_; }
+    /// Sets the change of a dilation by the normal force, m. @param index in dilations_by_force().
+    void set_dilation_change(std::size_t index, double change);
     /// The force of the normal spring in the linear system, N per metre, tension negative.
     double linear_normal(ContactIndex k, double opening) const;
 
@@ -269,6 +283,10 @@ class TrialContacts {
     /// contact of a segment whose law dilates.
     template <class Visit>
     void visit_dilation_by_law(const Visit& visit) const;
+    /// Sets the dilation of a segment that dilates with slip to that under the normal force which it causes
+    /// itself, at the present displacement. @return the motion of the segment with that force.
+    SegmentMotion find_dilation(const JointLaw& law, std::span<const ContactIndex> members,
+                                const SegmentMotion& present);
     /// Calls visit(law, contacts, motion) for each segment whose law dilates, with its motion in the step;
     /// none without a normal force.
     template <class Visit>
@@ -322,10 +340,11 @@ class TrialContacts {
     bool evaluated_ = false;           ///< whether set_displacement() has been called
     /// Per joint material: whether it has a shear strength without a normal force.
     IndexedVector<JointMaterialIndex, char> has_cohesion_;
-    bool dilates_ = false;                      ///< whether any joint law dilates
-    int groups_ = 0;                            ///< number of groups of entrance lines
-    std::vector<ContactIndex> first_entrance_;  ///< per group, the line that may close
-    double largest_force_ = 0;                  ///< N per metre, largest contact force by the laws
+    bool dilates_ = false;                             ///< whether any joint law dilates
+    std::vector<DilationByForce> dilations_by_force_;  ///< of the slipping segments where it matters
+    int groups_ = 0;                                   ///< number of groups of entrance lines
+    std::vector<ContactIndex> first_entrance_;         ///< per group, the line that may close
+    double largest_force_ = 0;                         ///< N per metre, largest contact force by the laws
 };
 
 inline double TrialContacts::closure(ContactIndex k, double opening) const {

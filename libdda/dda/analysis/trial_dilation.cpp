@@ -18,6 +18,11 @@ constexpr double dilation_tolerance = 10;
 /// Displacement over that of the step with which the slope of the dilation along further slip is found, and
 /// its least value, m.
 constexpr double slope_increment = 1e-3, least_slope_increment = 1e-9;
+/// Largest number of evaluations of the law with which the dilation under its own normal force is found.
+constexpr int dilation_evaluations = 40;
+/// Increase of the normal force, over the normal or the elastic shear force, with which the change of the
+/// dilation with the normal force is found.
+constexpr double force_increment = 1e-4;
 
 /// The derivative of the dilation along further slip. @param total dilation after `combined`, m.
 double slope_of_further_slip(const JointLaw& law, const SegmentMotion& combined, double total) {
@@ -27,6 +32,18 @@ double slope_of_further_slip(const JointLaw& law, const SegmentMotion& combined,
     more.displacement += further;
     more.slip += further;
     return (dilation(law, advance(law, *combined.history, more)) - total) / further;
+}
+
+/// The derivative of the dilation by the normal force at a held displacement, Eq. (85), m per N per metre. A
+/// dilation that grows with the normal force has no solution where the normal springs are stiff: then it is
+/// 0.
+double slope_by_normal_force(const JointLaw& law, const SegmentMotion& combined, double total) {
+    ContactMotion more = combined.motion;
+    const double elastic_force = std::abs(more.shear_force + more.stiffness * more.displacement);
+    const double increase = force_increment * std::max(more.normal_force, elastic_force);
+    if (!(increase > 0)) return 0;
+    more.normal_force += increase;
+    return std::min((dilation(law, advance(law, *combined.history, more)) - total) / increase, 0.0);
 }
 
 }  // namespace
@@ -48,20 +65,29 @@ void TrialContacts::visit_dilating_segments(const Visit& visit) const {
         const auto members = p_.segments.contacts_of(segment);
         const JointLaw& law = law_of(members[0]);
         if (!dilates(law)) continue;
-        const auto combined = segment_motion(members, p_.contacts, [&](ContactIndex k) { return motion(k); });
+        const auto combined =
+            segment_motion(law, members, p_.contacts, [&](ContactIndex k) { return motion(k); });
         visit(law, members, combined);
     }
 }
 
-/// The dilation of an open segment does not change.
+/// The dilation of an open segment changes only if its law dilates with slip.
 void TrialContacts::update_dilation() {
+    dilations_by_force_.clear();
     visit_dilating_segments([&](const JointLaw& law, std::span<const ContactIndex> members,
-                                const std::optional<SegmentMotion>& combined) {
+                                std::optional<SegmentMotion> combined) {
+        const bool with_slip = dilates_with_slip(law) && !trials_[members[0]].postponed;
+        if (with_slip) combined = find_dilation(law, members, *combined);
         std::optional<JointHistory> after;
         if (combined) after = advance(law, *combined->history, combined->motion);
         const double total = after ? dilation(law, *after) : 0;
         const bool slides = after && combined->motion.slip != 0;
         const double slope = slides ? slope_of_further_slip(law, *combined, total) : 0;
+        if (slides && with_slip) {
+            const double by_force = slope_by_normal_force(law, *combined, total);
+            if (by_force < 0)
+                dilations_by_force_.push_back({members, by_force, combined->motion.normal_force, 0});
+        }
         for (const ContactIndex k : members) {
             Trial& trial = trials_[k];
             if (trial.postponed) continue;
@@ -72,6 +98,39 @@ void TrialContacts::update_dilation() {
             trial.sliding_slope = slides ? slope : trial.dilating.slope;
         }
     });
+}
+
+SegmentMotion TrialContacts::find_dilation(const JointLaw& law, std::span<const ContactIndex> members,
+                                           const SegmentMotion& present) {
+    SegmentMotion combined = present;
+    double stiffness = 0;
+    for (const ContactIndex k : members) stiffness += p_.springs[k].normal_stiffness;
+    // What the law gives under the normal force of a dilation, less that dilation, m.
+    const auto excess = [&](double total) {
+        for (const ContactIndex k : members) trials_[k].dilation_increment = total - p_.contacts[k].dilation;
+        combined = *segment_motion(law, members, p_.contacts, [&](ContactIndex k) { return motion(k); });
+        return dilation(law, advance(law, *combined.history, combined.motion)) - total;
+    };
+    const double tolerated = stiffness > 0 ? tolerance() / stiffness : 0;
+    double low = p_.contacts[members[0]].dilation + trials_[members[0]].dilation_increment;
+    double at_low = excess(low);
+    if (std::abs(at_low) <= tolerated) return combined;
+    double high = low + at_low, at_high = excess(high);
+    // Illinois' method. Without a change of sign the dilation grows with its normal force.
+    for (int k = 0; k < dilation_evaluations && at_low * at_high < 0; ++k) {
+        const double middle = high - at_high * (high - low) / (at_high - at_low);
+        const double at_middle = excess(middle);
+        if (std::abs(at_middle) <= tolerated) break;
+        if (at_middle * at_high < 0) {
+            low = high;
+            at_low = at_high;
+        } else {
+            at_low /= 2;
+        }
+        high = middle;
+        at_high = at_middle;
+    }
+    return combined;
 }
 
 template <class Visit>
@@ -93,6 +152,12 @@ bool TrialContacts::dilation_exceeds_tolerance() const {
     return largest > dilation_tolerance * tolerance();
 }
 
+void TrialContacts::set_dilation_change(std::size_t index, double change) {
+    DilationByForce& dilation = dilations_by_force_[index];
+    for (const ContactIndex k : dilation.contacts) trials_[k].dilation_increment += change - dilation.change;
+    dilation.change = change;
+}
+
 bool TrialContacts::postpone_dilation() {
     bool any = false;
     visit_dilation_by_law([&](ContactIndex k, double by_law) {
@@ -104,6 +169,7 @@ bool TrialContacts::postpone_dilation() {
         trial.postponed = true;
         any = true;
     });
+    if (any) dilations_by_force_.clear();
     return any;
 }
 

@@ -50,7 +50,7 @@ struct Contact {
                                  ///< if the contact continues another at another gap
     double normal_force = 0;     ///< N per metre, compression positive: pushes corner_block along `normal`
     double normal_spring_force = 0;  ///< N per metre, the part of it that the normal spring bears; the rest
-                                     ///< is that of the dashpot, Eq. (85)
+                                     ///< is that of the dashpot, Eq. (86)
     double shear_force = 0;          ///< N per metre, resists motion of the corner along `tangent`; positive
                                      ///< pushes corner_block along -tangent
     double slip = 0;                 ///< m, accumulated plastic slip of the corner along `tangent`

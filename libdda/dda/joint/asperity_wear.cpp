@@ -22,6 +22,10 @@ constexpr double initial_wear_per_step = 5e-3;
 /// Pa, upper limit of the stress, for contacts with a length near zero.
 constexpr double largest_stress = 1e30;
 
+/// Force beyond the strength of the return, over the strength away from the origin, that is more than
+/// rounding.
+constexpr double crossing_tolerance = 1e-9;
+
 /// What the joint can bear, and what a slip changes, Eq. (70).
 struct Bound {
     double value = 0;      ///< N per metre
@@ -66,6 +70,7 @@ class AsperityShearPath {
         const double target = history_.position + displacement;
         direction_ = displacement < 0 ? -1 : 1;
         while (history_.position != target) {
+            if (history_.position == 0) cross_origin();
             const bool away = history_.position * direction_ >= 0;
             const double end = !away && target * direction_ > 0 ? 0 : target;
             traverse(std::abs(end - history_.position), away, prescribed_slip != 0);
@@ -73,10 +78,22 @@ class AsperityShearPath {
         }
         if (!(stiffness_ > 0)) return;
         if (force_ != 0) relax_to_bound(force_ > 0 ? 1 : -1);
+        const int held = static_cast<int>(history_.crossed);
+        if (held != 0 && !(bound(held).value > bound_of(history_.work, false).value)) history_.crossed = 0;
     }
 
     /// The strength against slip in a direction, where the joint is now.
-    Bound bound(int direction) const { return bound_of(history_.work, history_.position * direction >= 0); }
+    Bound bound(int direction) const {
+        const bool away = history_.position * direction >= 0;
+        Bound here = bound_of(history_.work, away);
+        if (away || history_.crossed != direction) return here;
+        // What is left of the strength at the origin, Eq. (82).
+        Bound held = bound_of(history_.work, true);
+        held.value -= stiffness_ * std::abs(history_.position);
+        if (!(held.value > here.value)) return here;
+        held.work_rate = length_ > 0 ? std::min(held.value / length_, largest_stress) : 0;
+        return held;
+    }
     const AsperityHistory& history() const { return history_; }
     double shear_force() const { return force_; }
     bool slipped() const { return slipped_; }
@@ -89,6 +106,15 @@ class AsperityShearPath {
 
     Bound bound_of(double work, bool away) const {
         return bound_at(surface_, work, away, normal_force_, length_);
+    }
+
+    /// Marks a locked joint whose force is beyond the strength that it would return with, once it has passed
+    /// the origin.
+    void cross_origin() {
+        history_.crossed = 0;
+        if (!(direction_ * force_ < 0) || !(stiffness_ > 0)) return;
+        const double excess = std::abs(force_) - bound_of(history_.work, false).value;
+        if (excess > crossing_tolerance * bound_of(history_.work, true).value) history_.crossed = -direction_;
     }
 
     /// Slips until the force equals a strength that has fallen below it.
@@ -126,6 +152,13 @@ class AsperityShearPath {
             return;
         }
         const Bound bound = bound_of(history_.work, away);
+        if (!away && history_.crossed == direction_ && this->bound(direction_).value > bound.value) {
+            // The strength grows with the spring's force, Eq. (82): the joint slips at once or not until the
+            // origin.
+            relax_to_bound(direction_);
+            force_ += direction_ * stiffness_ * displacement;
+            return;
+        }
         const double force = direction_ * force_;
         const double locked = std::clamp((bound.value - force) / stiffness_, 0.0, displacement);
         if (locked == displacement && force + stiffness_ * displacement <= bound.value) {
@@ -235,7 +268,7 @@ Strength asperity_strength_slope(const AsperitySurface& surface, const AsperityH
                                  double normal_force) {
     if (!(normal_force > 0)) return {};
     const auto slope = [&](int direction) {
-        const bool away = history.position * direction >= 0;
+        const bool away = history.position * direction >= 0 || history.crossed == direction;
         const Bound bound = bound_at(surface, history.work, away, 1, 1);  // per N of normal force
         const double turn = (away ? bound.asperity : -bound.asperity) * surface.slope * normal_force;
         return bound.value > 0 ? bound.value + (1 + bound.value * bound.value) * turn : 0;
@@ -256,10 +289,11 @@ double read_asperity_wear(const ParameterTable& table, const char* key) {
 
 AsperityHistory asperity_advance(const AsperitySurface& surface, const AsperityHistory& history,
                                  const ContactMotion& motion) {
-    if (!(motion.normal_force > 0)) return history;
-    AsperityShearPath path(surface, history, motion.normal_force, motion.length,
+    if (!std::isfinite(motion.displacement)) return history;  // of an iteration that diverges
+    const bool is_open = !(motion.normal_force > 0);
+    AsperityShearPath path(surface, history, std::max(motion.normal_force, 0.0), motion.length,
                            {.stiffness = motion.stiffness, .force = motion.shear_force}, true);
-    path.displace(motion.displacement, motion.slip);
+    path.displace(motion.displacement, is_open ? motion.displacement : motion.slip);
     return path.history();
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "dda/joint/joint_types.hpp"
@@ -29,6 +30,9 @@ struct AsperityHistory {
     double position = 0;  ///< m, from where it was fresh
     double work = 0;      ///< W, J/m2
     double dilation = 0;  ///< m
+    /// The direction in which the joint keeps the strength that it had before it crossed its origin locked,
+    /// Eq. (82); 0: none.
+    double crossed = 0;
     friend bool operator==(const AsperityHistory&, const AsperityHistory&) = default;
 };
 
@@ -38,7 +42,7 @@ Strength asperity_strength(const AsperitySurface& surface, const AsperityHistory
 /// Derivative of the strength at rest with respect to the normal force.
 Strength asperity_strength_slope(const AsperitySurface& surface, const AsperityHistory& history,
                                  double normal_force);
-/// The history after a step; unchanged while the joint is open.
+/// The history after a step. The displacement of an open joint is slip, which does no work.
 AsperityHistory asperity_advance(const AsperitySurface& surface, const AsperityHistory& history,
                                  const ContactMotion& motion);
 
@@ -61,7 +65,7 @@ struct AsperityLaw : Asperities {
     static constexpr NoCommonHistories<History> common_histories() { return {}; }
 
     static AsperityLaw read(const ParameterTable& table) { return {Asperities::read(table)}; }
-    bool dilates() const { return true; }
+    Dilates dilates() const { return Dilates::with_slip; }
     std::optional<CoulombEnvelope> coulomb_envelope() const { return std::nullopt; }
     History fresh(bool) const { return {}; }
     Strength strength(const History& history, double normal_force, double length,
@@ -73,7 +77,8 @@ struct AsperityLaw : Asperities {
     }
     std::optional<CoulombLine> bound_line(const History&) const { return std::nullopt; }
     History advance(const History& history, const ContactMotion& motion) const {
-        return {asperity_advance(this->surface(motion.normal_force, motion.length), history, motion)};
+        const double compression = std::max(motion.normal_force, 0.0);
+        return {asperity_advance(this->surface(compression, motion.length), history, motion)};
     }
     double shear_stiffness(const History&, double, double) const { return 0; }
     LockedDilation locked_dilation(const History&) const { return {}; }

@@ -35,7 +35,7 @@ struct BartonBandis {
     static constexpr NoCommonHistories<History> common_histories() { return {}; }
 
     static BartonBandis read(const ParameterTable& table);
-    bool dilates() const { return damage > 0; }
+    Dilates dilates() const { return damage > 0 ? Dilates::with_displacement : Dilates::never; }
     std::optional<CoulombEnvelope> coulomb_envelope() const { return std::nullopt; }
     History fresh(bool) const { return {}; }
     Strength strength(const History& history, double normal_force, double length,

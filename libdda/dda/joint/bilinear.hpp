@@ -29,7 +29,7 @@ struct Bilinear {
     static constexpr std::array<History, 2> common_histories() { return {{{false}, {true}}}; }
 
     static Bilinear read(const ParameterTable& table);
-    bool dilates() const { return false; }
+    Dilates dilates() const { return Dilates::never; }
     std::optional<CoulombEnvelope> coulomb_envelope() const { return std::nullopt; }
     /// @param intact false for faces that met later: their teeth do not match.
     History fresh(bool intact) const { return {!intact}; }

@@ -34,7 +34,7 @@ struct ContinuouslyYielding {
     static constexpr NoCommonHistories<History> common_histories() { return {}; }
 
     static ContinuouslyYielding read(const ParameterTable& table);
-    bool dilates() const { return false; }
+    Dilates dilates() const { return Dilates::never; }
     std::optional<CoulombEnvelope> coulomb_envelope() const { return std::nullopt; }
     History fresh(bool) const { return {}; }
     /// @param trial with stiffness 0, the result is the bounding strength at the end of the displacement.

@@ -71,7 +71,7 @@ struct CyclicBartonBandis {
     static constexpr NoCommonHistories<History> common_histories() { return {}; }
 
     static CyclicBartonBandis read(const ParameterTable& table);
-    bool dilates() const { return damage > 0; }
+    Dilates dilates() const { return damage > 0 ? Dilates::with_displacement : Dilates::never; }
     std::optional<CoulombEnvelope> coulomb_envelope() const { return std::nullopt; }
     History fresh(bool) const { return {}; }
     /// @param trial with stiffness 0, only the strengths at the end of the displacement are exact.

@@ -325,7 +325,11 @@ void CyclicShearPath::record_motion(const Place& place, const Piece& piece, doub
     } else {
         const LinearAngle dilation = part_of(piece.dilation, from, to);
         history_.dilation += (to - from) * mean_tangent(dilation.first, dilation.last);
-        history_.locked_slope = side * dilation_tangent(mobilised_.advance_ratio({end, place.side, true}));
+        double slope = dilation_tangent(mobilised_.advance_ratio({end, place.side, true}));
+        // Roughness heals for the next advance. In the return a steeper slope would store energy that nobody
+        // gives.
+        if (law_.heal && !place.away) slope = std::min(slope, std::abs(history_.locked_slope));
+        history_.locked_slope = side * slope;
     }
     if (law_.floor_dilation) history_.dilation = std::max(history_.dilation, 0.0);
 }

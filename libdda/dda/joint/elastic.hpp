@@ -21,7 +21,7 @@ struct Elastic {
     static constexpr std::array<History, 2> common_histories() { return {{{false}, {true}}}; }
 
     static Elastic read(const ParameterTable&) { return {}; }
-    bool dilates() const { return false; }
+    Dilates dilates() const { return Dilates::never; }
     std::optional<CoulombEnvelope> coulomb_envelope() const { return std::nullopt; }
     History fresh(bool intact) const { return {intact}; }
     Strength strength(const History& history, double normal_force, double length,

@@ -71,7 +71,11 @@ bool has_segment_history(const JointLaw& law) {
 }
 
 bool dilates(const JointLaw& law) {
-    return std::visit([](const auto& l) { return l.dilates(); }, law);
+    return std::visit([](const auto& l) { return l.dilates() != Dilates::never; }, law);
+}
+
+bool dilates_with_slip(const JointLaw& law) {
+    return std::visit([](const auto& l) { return l.dilates() == Dilates::with_slip; }, law);
 }
 
 }  // namespace rockslope::dda

@@ -52,6 +52,9 @@ JointRecord record(const JointLaw& law, const JointHistory& history);
 bool has_segment_history(const JointLaw& law);
 /// Whether shearing may open or close the joint.
 bool dilates(const JointLaw& law);
+/// Whether plastic slip alone opens or closes the joint. The position and the dilation of such a joint follow
+/// its displacement while it is open.
+bool dilates_with_slip(const JointLaw& law);
 
 /// A joint material of the model file: its law and its springs.
 struct JointMaterial {
@@ -68,8 +71,8 @@ struct JointMaterial {
     double corner_length = 0.01;
     /// m, limit of the closure of a joint with its own stiffness, Eq. (44); 0: no limit, linear.
     double largest_closure = 0;
-    /// Damping ratio of a dashpot beside the normal spring in dynamic stages, Eq. (85), a fraction of
-    /// critical; 0: none. It sets the restitution of an impact, Eq. (88).
+    /// Damping ratio of a dashpot beside the normal spring in dynamic stages, Eq. (86), a fraction of
+    /// critical; 0: none. It sets the restitution of an impact, Eq. (89).
     double contact_damping = 0;
 
     /// A contact's normal spring, with its stiffness in N/m per metre. @param analysis_value the penalty of

@@ -23,7 +23,8 @@ namespace rockslope::dda {
 ///
 /// Functions of the law alone:
 /// - `read(table)`: the law of a table of the model file. @throws InputError;
-/// - `dilates()`: whether shearing may open the joint. If false, `record(history).dilation` is always 0;
+/// - `dilates()`: whether and how shearing may open the joint. If never, `record(history).dilation` is always
+///   0. If with slip, `advance` follows the displacement also without a normal force;
 /// - `coulomb_envelope()`: the peak and the residual line of a law with Coulomb strength, else nullopt.
 ///
 /// Functions of the history:
@@ -49,7 +50,7 @@ concept JointLawContract =
         typename std::integral_constant<std::size_t, Law::common_histories().size()>;
         { Law::common_histories()[std::size_t{0}] } -> std::convertible_to<typename Law::History>;
         { Law::read(table) } -> std::same_as<Law>;
-        { law.dilates() } -> std::same_as<bool>;
+        { law.dilates() } -> std::same_as<Dilates>;
         { law.coulomb_envelope() } -> std::same_as<std::optional<CoulombEnvelope>>;
         { law.fresh(intact) } -> std::same_as<typename Law::History>;
         { law.strength(history, normal_force, length, trial) } -> std::same_as<Strength>;

@@ -35,6 +35,13 @@ inline LockedDilation after_displacement(const LockedDilation& before, const Loc
     return before.reference_force > 0 ? LockedDilation{after.slope, before.reference_force} : before;
 }
 
+/// How shearing opens or closes a joint.
+enum class Dilates : std::uint8_t {
+    never,
+    with_displacement,  ///< also while the joint is locked; an open joint keeps its position and dilation
+    with_slip           ///< only with plastic slip; the whole displacement of an open joint is slip
+};
+
 /// Which contacts one history of a joint law covers.
 enum class HistoryScope : std::uint8_t {
     contact,       ///< each contact has its own history

@@ -24,7 +24,7 @@ struct MohrCoulomb {
     static constexpr std::array<History, 2> common_histories() { return {{{false}, {true}}}; }
 
     static MohrCoulomb read(const ParameterTable& table);
-    bool dilates() const { return false; }
+    Dilates dilates() const { return Dilates::never; }
     std::optional<CoulombEnvelope> coulomb_envelope() const {
         return CoulombEnvelope{line(false), line(true)};
     }

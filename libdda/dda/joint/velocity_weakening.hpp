@@ -28,7 +28,7 @@ struct VelocityWeakening {
     static constexpr NoCommonHistories<History> common_histories() { return {}; }
 
     static VelocityWeakening read(const ParameterTable& table);
-    bool dilates() const { return false; }
+    Dilates dilates() const { return Dilates::never; }
     std::optional<CoulombEnvelope> coulomb_envelope() const { return std::nullopt; }
     History fresh(bool) const { return {}; }
     Strength strength(const History& history, double normal_force, double length,

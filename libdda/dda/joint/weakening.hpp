@@ -29,7 +29,7 @@ struct Weakening {
     static constexpr NoCommonHistories<History> common_histories() { return {}; }
 
     static Weakening read(const ParameterTable& table);
-    bool dilates() const { return false; }
+    Dilates dilates() const { return Dilates::never; }
     std::optional<CoulombEnvelope> coulomb_envelope() const { return std::nullopt; }
     /// @param intact false for faces that met later: they have their residual strength.
     History fresh(bool intact) const;

@@ -20,7 +20,7 @@ bool is_expected_to_bear(const Model& model, const MidStep& mid, const Contact& 
     return gap_at_end < contact.stress_free_gap;
 }
 
-/// The squared frequency of the normal motion of contacts, Eq. (86).
+/// The squared frequency of the normal motion of contacts, Eq. (87).
 class ContactFrequency {
   public:
     ContactFrequency(const RowMap& rows, const BlockSystem& blocks, ContactSpan<const ContactSprings> springs,
@@ -75,7 +75,7 @@ class ContactFrequency {
 
 }  // namespace
 
-/// The dashpots of Eq. (85), less the damping of the time integration, Eq. (87).
+/// The dashpots of Eq. (86), less the damping of the time integration, Eq. (88).
 PerContact<NormalDashpot> contact_dashpots(const Model& model, const RowMap& rows, const BlockSystem& blocks,
                                            const MidStep& mid, const Newmark& newmark,
                                            ContactSpan<const Contact> contacts,

@@ -8,13 +8,13 @@
 
 namespace rockslope::dda {
 
-/// A dashpot beside the normal spring of a contact in one step, Eq. (85). Contact and dashpot together never
+/// A dashpot beside the normal spring of a contact in one step, Eq. (86). Contact and dashpot together never
 /// pull.
 struct NormalDashpot {
     double stiffness = 0;  ///< N/m per metre, its force over the closure of the step
     double closure = 0;    ///< m, compression of the spring at the step's start, not negative
     /// The part of the contact's loss of energy that is that of the dashpot asked for, 0 to 1; the rest is
-    /// the damping of the time integration, Eq. (87).
+    /// the damping of the time integration, Eq. (88).
     double share_of_loss = 0;
 
     /// Its force, N per metre, negative while the spring expands. @param closed m, compression of the spring

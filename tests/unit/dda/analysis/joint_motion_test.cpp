@@ -24,7 +24,7 @@ Contact contact(ContactState state, double normal_force) {
 std::optional<dda::SegmentMotion> moved(const std::vector<Contact>& contacts, double first, double second) {
     const std::vector<dda::ContactIndex> members = {0, 1};
     const std::array<double, 2> normal = {first, second};
-    return dda::segment_motion(members, contacts, [&](dda::ContactIndex k) {
+    return dda::segment_motion(dda::MohrCoulomb{}, members, contacts, [&](dda::ContactIndex k) {
         ContactMotion motion;
         motion.displacement = k == 0 ? 1e-3 : 3e-3;
         motion.normal_force = normal[k];

@@ -32,8 +32,9 @@ TEST(SegmentStrength, MatchesTheSegmentMotion) {
                 strengths.loading(segment, [&](std::size_t contact) { return loading[contact]; });
             const dda::Strength found =
                 combined.normal > 0 ? strengths.over_normal_force(segment, combined) : dda::Strength{};
-            const auto combined_motion =
-                dda::segment_motion(members, step.contacts, [&](dda::ContactIndex k) {
+            const auto combined_motion = dda::segment_motion(
+                step.model.joint_material_at(step.contacts[members[0]].joint_material).law, members,
+                step.contacts, [&](dda::ContactIndex k) {
                     const auto c = static_cast<std::size_t>(k);
                     return dda::contact_motion(step.model, step.contacts[c], step.springs[c].shear_stiffness,
                                                loading[c].normal, loading[c].shearing, 0);

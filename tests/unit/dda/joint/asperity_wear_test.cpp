@@ -40,6 +40,46 @@ TEST(Plesha, WithoutWearTheTeethAreRiddenUpAndDown) {
     EXPECT_NEAR(behind.shear_force, -up, 1e-8) << "up the other side";
 }
 
+// The whole displacement of an open joint is slip: it rises and falls with its teeth and wears nothing. What
+// its spring had stored is slip, too.
+TEST(Plesha, AnOpenJointFollowsItsDisplacement) {
+    const Plesha law{30 * degree, 15 * degree, 5e-4};
+    const JointLaw teeth = law;
+    const ShearedJoint out = sheared(teeth, {0.01});
+    const auto& before = std::get<Plesha::History>(out.history);
+    const auto moved = [&](double displacement) {
+        const ShearedJoint open = dda::shear(teeth, out, displacement, {0, length, stiffness});
+        return std::get<Plesha::History>(open.history);
+    };
+    const double slope = std::tan(15 * degree * std::exp(-5e-4 * before.work));
+    const double stored = out.shear_force / stiffness;
+    EXPECT_NEAR(moved(0.004).dilation - before.dilation, slope * (0.004 + stored), 1e-15);
+    EXPECT_NEAR(moved(-0.004).dilation - before.dilation, -slope * (0.004 - stored), 1e-15);
+    EXPECT_EQ(moved(0.004).work, before.work);
+    EXPECT_NEAR(moved(0.004).position, 0.014, 1e-17);
+    EXPECT_EQ(moved(std::nan("")).position, before.position) << "an iteration that diverges ends";
+}
+
+// A locked joint that passes its origin bears more than the strength it would return with. It keeps the
+// strength it had, less what its spring has lost, Eq. (82): neither force nor strength jumps.
+TEST(Plesha, KeepsItsStrengthBehindTheOrigin) {
+    const JointLaw teeth = Plesha{30 * degree, 15 * degree, 0};
+    const double up = force * std::tan(45 * degree);
+    ShearedJoint joint{dda::fresh_history(teeth, true)};
+    joint.shear_force = 0.9 * up;
+    joint = dda::shear(teeth, joint, 1e-5, {force, length, stiffness});
+    const double before = joint.shear_force;
+    for (int k = 1; k <= 60; ++k) {
+        const double moved = -1e-6 * k;
+        const ShearedJoint next = dda::shear(teeth, joint, moved, {force, length, stiffness});
+        EXPECT_NEAR(next.shear_force, before + stiffness * moved, 1e-9 * force) << k;
+        const double behind = std::max(-(1e-5 + moved), 0.0);
+        EXPECT_NEAR(dda::strength(teeth, joint.history, force, length, {moved, before, stiffness}).forward,
+                    up - stiffness * behind, 1e-9 * force)
+            << k;
+    }
+}
+
 // Without friction all the work of shear lifts the normal load: dilation = W / sigma, whatever the wear.
 TEST(Plesha, WithoutFrictionTheWorkIsThatOfTheNormalStress) {
     const Plesha smooth{0, 20 * degree, 5e-4};

@@ -235,6 +235,7 @@ TYPED_TEST(JointLawConformance, DilatesSaysWhetherTheRecordHasDilation) {
             for (const ShearedJoint& joint : sheared(law, random_path(seed)))
                 largest = std::max(largest, std::abs(dda::dilation(law, joint.history)));
         EXPECT_EQ(dda::dilates(law), largest > 0);
+        EXPECT_TRUE(!dda::dilates_with_slip(law) || dda::dilates(law));
     }
 }
 
