@@ -38,7 +38,7 @@ class LinearSolver {
     // A caller that changes b during the solution calls three functions: solve_coarsely for a first iterate,
     // apply_factor for each direction that is added to it, refine to remove the rounding error of the sum.
     // By default solve_coarsely is already exact and refine does nothing.
-    /// Improves x until |b - A x| <= 1e-5 |b|, starting from the x passed. @return number of substitutions.
+    /// Improves x until |b - A x| <= 1e-7 |b|, starting from the x passed. @return number of substitutions.
     virtual int solve_coarsely(std::vector<Vec6>& x, const std::vector<Vec6>& b) {
         x = b;
         solve(x);
