@@ -14,7 +14,7 @@ bool is_free(const Model& model, const State& state, BlockIndex block) {
 }
 
 double displacement_of(const State& state, BlockIndex block) {
-    return (state.blocks.moments[block].centroid - state.centroid_origin[block]).norm();
+    return (state.blocks.moments[block].centroid - state.stage_origin[block]).norm();
 }
 
 /// The sliding contact of a block with the largest slip.

@@ -11,7 +11,7 @@ namespace rockslope::dda {
 /// A block that does not come to rest, and the joint that it moves along.
 struct MovingBlock {
     BlockIndex block;
-    double displacement = 0;    ///< m, of the centroid, since displacements were last set to zero
+    double displacement = 0;    ///< m, of the centroid, in the stage
     double unbalanced = 0;      ///< unbalanced force over the weight
     std::optional<Contact> on;  ///< the sliding contact with the largest slip; none in free fall
 };

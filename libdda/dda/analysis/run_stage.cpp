@@ -59,10 +59,12 @@ constexpr double first_static_step_ratio = 0.1;
 /// the step of the stage's control.
 class StepSize {
   public:
-    StepSize(const Stage& stage, double gravity, double resume)
+    /// @param acceleration m/s2, of a body that nothing holds; @param resume s, the size to begin with; 0:
+    /// none.
+    StepSize(const Stage& stage, double acceleration, double resume)
         : control_(stage.control),
           is_static_(stage.kind == StageKind::static_equilibrium),
-          free_fall_(gravity * control_.step * control_.step / 2),
+          free_fall_(acceleration * control_.step * control_.step / 2),
           size_(resume > 0 ? resume : first_step()) {
         size_ = std::min(size_, is_static_ ? static_step_ratio * control_.step : control_.step);
     }
@@ -129,12 +131,14 @@ void begin_stage(State& state) {
     state.stage_time = 0;
     state.next_step = 0;
     state.stage_steps = 0;
+    state.stage_origin.clear();
+    for (const AreaMoments& moments : state.blocks.moments) state.stage_origin.push_back(moments.centroid);
 }
 
 RunOutcome run_stage(const Model& model, const Stage& stage, TimeStepper& stepper, State& state,
                      RunObserver& observer) {
     const bool is_static = stage.kind == StageKind::static_equilibrium;
-    StepSize step(stage, model.gravity.norm(), state.next_step);
+    StepSize step(stage, reference_acceleration(model, state.blocks), state.next_step);
     int cuts = 0;
     StepCounts counts;  // since the last accepted step
     while (is_static || state.stage_time < stage.duration * (1 - 1e-12)) {

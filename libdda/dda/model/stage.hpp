@@ -61,7 +61,7 @@ struct Stage {
         1;                    ///< fraction of the velocity that passes to the next step; static stages: 0
     double tolerance = 1e-6;  ///< static: unbalanced force over weight at which the stage ends
     int step_limit = 20000;   ///< static: the stage has failed to settle after this many steps
-    /// m, static: the stage has failed to settle when a block has moved farther
+    /// m, static: the stage has failed to settle when a block has moved farther in it
     double displacement_limit = std::numeric_limits<double>::infinity();
     double newmark_beta = 0.5;  ///< Newmark's parameters; (1/2, 1) is Shi's integration
     double newmark_gamma = 1.0;

@@ -174,6 +174,22 @@ TEST(Run, TellsWhichBlockDoesNotStopAndAlongWhichJoint) {
         << "the first steps are shorter";
 }
 
+// The block slides by v^2/2g mu = 0.66 m in the dynamic stage, and is at rest in the static one.
+TEST(Run, WhatABlockMovedBeforeAStaticStageDoesNotCount) {
+    Scene s;
+    s.friction(35);
+    s.box({0, -1}, 10, 1, dda::Motion::fixed);
+    s.box({1, 0}, 2, 1);
+    s.model.initial_velocity = {Vec6::Zero(), (Vec6() << 3, 0, 0, 0, 0, 0).finished()};
+    Simulation sim(s);
+    ASSERT_EQ(sim.shake(1, .002).status, dda::RunStatus::completed);
+    ASSERT_GT(sim.moved(1).x(), .5);
+    dda::Stage rest;
+    rest.kind = dda::StageKind::static_equilibrium;
+    rest.displacement_limit = .1;
+    EXPECT_EQ(sim.run(rest).status, dda::RunStatus::completed);
+}
+
 // Near the equilibrium the displacements of a step vanish, and a static step may be fifty times the
 // control's. The unbalanced force then falls by its square in each step instead of by a constant factor.
 TEST(Run, AStaticStepGrowsWhereNothingMoves) {
