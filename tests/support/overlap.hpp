@@ -123,4 +123,12 @@ inline double perimeter(const dda::Topology& topology, std::span<const dda::Vec2
     return sum;
 }
 
+/// The largest overlap of two blocks, as its area over the perimeter of the second, m.
+inline double largest_overlap_depth(const dda::Topology& topology, std::span<const dda::Vec2> vertices) {
+    double deepest = 0;
+    for (const Overlap& o : overlaps(topology, vertices))
+        deepest = std::max(deepest, o.area / perimeter(topology, vertices, o.second));
+    return deepest;
+}
+
 }  // namespace rockslope::scene

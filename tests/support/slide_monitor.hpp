@@ -4,6 +4,7 @@
 
 #include <cstdio>
 
+#include "support/momentum_balance.hpp"
 #include "support/overlap.hpp"
 #include "support/scene.hpp"
 
@@ -14,7 +15,7 @@ namespace rockslope::scene {
 class SlideMonitor {
   public:
     SlideMonitor(const Scene& scene, int threads, int overlaps_every)
-        : sim_(scene, threads), overlaps_every_(overlaps_every), momentum_(momentum(sim_.state)) {
+        : sim_(scene, threads), overlaps_every_(overlaps_every), momentum_(sim_.state) {
         first_area_ = unstrained_area(sim_.state);
         sim_.on_step = [this](const dda::State& state, const dda::StepReport& report) {
             observe(state, report);
@@ -28,12 +29,14 @@ class SlideMonitor {
         check_overlaps(sim_.state);
     }
 
-    double deepest() const { return deepest_; }             ///< m, largest penetration
-    double deepest_overlap() const { return overlap_; }     ///< m, overlap beyond it over perimeter
-    double turned_away() const { return turned_away_; }     ///< largest back_face_sine()
-    double area_change() const { return area_change_; }     ///< largest relative change of the total area
-    double momentum_change() const { return unbalanced_; }  ///< kg m/s, largest change without a force
-    double momentum_moved() const { return moved_; }        ///< kg m/s, largest total momentum
+    double deepest() const { return deepest_; }          ///< m, largest penetration
+    double deepest_overlap() const { return overlap_; }  ///< m, overlap beyond it over perimeter
+    double turned_away() const { return turned_away_; }  ///< largest back_face_sine()
+    double area_change() const { return area_change_; }  ///< largest relative change of the total area
+    double momentum_change() const {
+        return momentum_.unexplained();
+    }                                                              ///< kg m/s, largest change without a force
+    double momentum_moved() const { return momentum_.largest(); }  ///< kg m/s, largest total momentum
     double lowest() const {
         double lowest = 1e9;
         for (std::size_t b = 1; b < sim_.state.blocks.moments.size(); ++b)
@@ -47,13 +50,6 @@ class SlideMonitor {
     }
 
   private:
-    static Vec2 momentum(const dda::State& state) {
-        Vec2 sum = Vec2::Zero();
-        for (std::size_t b = 1; b < state.blocks.mass.size(); ++b)
-            sum += state.blocks.mass[b] * state.blocks.velocity[b].head<2>();
-        return sum;
-    }
-
     /// Total area of the blocks less that of their elastic strain, m2, Eq. (9).
     double unstrained_area(const dda::State& state) const {
         double sum = 0;
@@ -71,18 +67,7 @@ class SlideMonitor {
         deepest_ = std::max(deepest_, report.largest_penetration);
         for (const dda::Contact& c : state.contacts.contacts)
             turned_away_ = std::max(turned_away_, back_face_sine(c));
-        Vec2 force = Vec2::Zero();
-        for (std::size_t b = 1; b < state.blocks.mass.size(); ++b)
-            force += state.blocks.mass[b] * sim_.model.gravity;
-        for (const dda::Contact& c : state.contacts.contacts) {
-            if (c.edge_block == 0) force += c.normal_force * c.normal - c.shear_force * c.tangent;
-            if (c.corner_block == 0) force -= c.normal_force * c.normal - c.shear_force * c.tangent;
-        }
-        const Vec2 now = momentum(state);
-        unexplained_ += now - momentum_ - report.step * force;
-        unbalanced_ = std::max(unbalanced_, unexplained_.norm());
-        moved_ = std::max(moved_, now.norm());
-        momentum_ = now;
+        momentum_.add_step(sim_.model, state, report.step);
         area_change_ = std::max(area_change_, std::abs(unstrained_area(state) / first_area_ - 1));
         if (++steps_ % overlaps_every_ == 0) check_overlaps(state);
         iterations_ += report.iterations;
@@ -107,25 +92,22 @@ class SlideMonitor {
         std::printf(
             "%5.2f s: %d steps, %.1f iterations each, %d cuts, penetration %.3g m, overlap %.3g m, "
             "momentum %.2g of %.3g, area %.2g; kinetic %.3g J, friction %.4g J, residual %.2g J\n",
-            state.time, steps_, double(iterations_) / steps_, cuts_, deepest_, overlap_, unbalanced_, moved_,
-            area_change_, energy.kinetic, energy.friction_loss, energy.residual());
+            state.time, steps_, double(iterations_) / steps_, cuts_, deepest_, overlap_,
+            momentum_.unexplained(), momentum_.largest(), area_change_, energy.kinetic, energy.friction_loss,
+            energy.residual());
         std::fflush(stdout);
         next_ += period_;
     }
 
     void check_overlaps(const dda::State& state) {
-        for (const Overlap& o : overlaps(sim_.model.topology, state.blocks.vertices)) {
-            const double rim = perimeter(sim_.model.topology, state.blocks.vertices, o.second);
-            overlap_ = std::max(overlap_, o.area / rim);
-        }
+        overlap_ = std::max(overlap_, largest_overlap_depth(sim_.model.topology, state.blocks.vertices));
     }
 
     Simulation sim_;
     int overlaps_every_;
-    Vec2 momentum_;
-    Vec2 unexplained_{0, 0};  ///< kg m/s, change of momentum without a force, so far
+    MomentumBalance momentum_;
     double first_area_ = 0;
-    double deepest_ = 0, overlap_ = 0, turned_away_ = 0, area_change_ = 0, unbalanced_ = 0, moved_ = 0;
+    double deepest_ = 0, overlap_ = 0, turned_away_ = 0, area_change_ = 0;
     int steps_ = 0, cuts_ = 0;
     long iterations_ = 0;
     double period_ = 0, next_ = 1e9;  ///< s, interval and next time of progress lines

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "support/energy_balance.hpp"
+#include "support/momentum_balance.hpp"
 #include "support/overlap.hpp"
 #include "support/random_shapes.hpp"
 #include "support/record.hpp"
@@ -19,13 +20,12 @@ using namespace verification;
 class Flight {
   public:
     /// @param height m, of the blocks above the ground: their initial energy includes that of this fall.
-    Flight(const Scene& scene, const std::vector<Vec6>& velocity, double height) : sim_(scene) {
-        for (std::size_t b = 0; b < velocity.size(); ++b) sim_.velocity(static_cast<int>(b)) = velocity[b];
+    Flight(const Scene& scene, const std::vector<Vec6>& velocity, double height)
+        : sim_(thrown(scene, velocity)), momentum_(sim_.state) {
         sim_.restart_ledger();
         energy_ = initial_ = sim_.state.energy.stores();
         for (std::size_t b = 1; b < velocity.size(); ++b)
             initial_ -= sim_.state.blocks.mass[b] * sim_.model.gravity.y() * height;
-        momentum_ = momentum(sim_.state);
         sim_.on_step = [this](const dda::State& state, const dda::StepReport& report) {
             observe(state, report);
         };
@@ -43,47 +43,35 @@ class Flight {
         row.expect_below("deepest contact", "m", deepest_, 1e-3);
         row.expect_below("largest overlap of two polygons over the perimeter of one", "m", overlap_, 1e-3);
         row.expect_below("change of momentum in free flight but by gravity, over the largest", "",
-                         unexplained_in_flight_ / largest_, 1e-9);
+                         unexplained_in_flight_ / momentum_.largest(), 1e-9);
         row.expect_below("change of momentum without a force on a block, over the largest", "",
-                         unexplained_ / largest_, 1e-6);
+                         momentum_.unexplained() / momentum_.largest(), 1e-6);
     }
 
   private:
-    static Vec2 momentum(const dda::State& state) {
-        Vec2 sum = Vec2::Zero();
-        for (std::size_t b = 1; b < state.blocks.mass.size(); ++b)
-            sum += state.blocks.mass[b] * state.blocks.velocity[b].head<2>();
-        return sum;
+    static Simulation thrown(const Scene& scene, const std::vector<Vec6>& velocity) {
+        Simulation sim(scene);
+        for (std::size_t b = 0; b < velocity.size(); ++b) sim.velocity(static_cast<int>(b)) = velocity[b];
+        return sim;
     }
     void observe(const dda::State& state, const dda::StepReport& report) {
         gain_ = std::max(gain_, state.energy.stores() - energy_);
         energy_ = state.energy.stores();
         deepest_ = std::max(deepest_, report.largest_penetration);
         if (sim_.reports.size() % 5 == 0) check_overlaps(state);
-        Vec2 force = Vec2::Zero();
-        for (std::size_t b = 1; b < state.blocks.mass.size(); ++b)
-            force += state.blocks.mass[b] * sim_.model.gravity;
-        for (const dda::Contact& c : state.contacts.contacts) {
-            if (c.edge_block != 0 && c.corner_block != 0) continue;
-            const Vec2 on_corner = c.normal_force * c.normal - c.shear_force * c.tangent;
-            force += c.edge_block == 0 ? on_corner : Vec2(-on_corner);
-            if (c.state != dda::ContactState::open && free_) {
-                free_ = false;
-                energy_at_first_ = energy_;
-            }
+        const auto touches_ground = [](const dda::Contact& c) {
+            return (c.edge_block == 0 || c.corner_block == 0) && c.state != dda::ContactState::open;
+        };
+        const dda::PerContact<dda::Contact>& contacts = state.contacts.contacts;
+        if (free_ && std::any_of(contacts.begin(), contacts.end(), touches_ground)) {
+            free_ = false;
+            energy_at_first_ = energy_;
         }
-        const Vec2 now = momentum(state);
-        lost_ += now - momentum_ - report.step * force;
-        unexplained_ = std::max(unexplained_, lost_.norm());
-        if (free_) unexplained_in_flight_ = unexplained_;
-        largest_ = std::max(largest_, now.norm());
-        momentum_ = now;
+        momentum_.add_step(sim_.model, state, report.step);
+        if (free_) unexplained_in_flight_ = momentum_.unexplained();
     }
     void check_overlaps(const dda::State& state) {
-        for (const Overlap& o : overlaps(sim_.model.topology, state.blocks.vertices)) {
-            const double rim = perimeter(sim_.model.topology, state.blocks.vertices, o.second);
-            overlap_ = std::max(overlap_, o.area / rim);
-        }
+        overlap_ = std::max(overlap_, largest_overlap_depth(sim_.model.topology, state.blocks.vertices));
     }
 
     Simulation sim_;
@@ -93,11 +81,8 @@ class Flight {
     double gain_ = 0;             ///< J, largest in a step
     double deepest_ = 0;          ///< m
     double overlap_ = 0;          ///< m
-    Vec2 momentum_{0, 0};
-    Vec2 lost_{0, 0};                   ///< kg m/s, change without a force so far
-    double unexplained_ = 0;            ///< kg m/s, its largest magnitude
-    double unexplained_in_flight_ = 0;  ///< the same before the first contact with the fixed block
-    double largest_ = 0;                ///< kg m/s, largest total momentum
+    MomentumBalance momentum_;
+    double unexplained_in_flight_ = 0;  ///< kg m/s, before the first contact with the fixed block
     bool free_ = true;                  ///< no block has touched the fixed one yet
 };
 

@@ -204,6 +204,18 @@ Arch semicircle(double thickness_over_radius, int stones = 12) {
     return {10, 10 * thickness_over_radius, std::numbers::pi, stones};
 }
 
+/// Finds the least value at which the arch stands, by halving. `stands(engine, value)` tries one.
+template <class Stands>
+void expect_least(const char* quantity, double expected, const std::string& set_up, const Stands& stands) {
+    Engine engine;
+    const double found =
+        threshold(.96, 1.04, 4, [&](double share) { return stands(engine, share * expected); });
+    Case least("P03", set_up, halved);
+    least.contact_frequency_step(engine.frequency_step);
+    least.expect(quantity, "", found * expected, expected, relative(.02));
+    expect_energy_balance("P03", set_up, *engine.energy, engine.frequency_step);
+}
+
 // P03. A symmetric arch is in equilibrium under a horizontal acceleration to the right if it is under one to
 // the left, and the states of equilibrium are a convex set. So the least thickness and friction are those at
 // which the largest acceleration is 0 and below which there is no equilibrium.
@@ -211,28 +223,16 @@ TEST(LeastArch, StandsFromTheThicknessOfTheThrustLine) {
     constexpr double expected = .10486;
     EXPECT_FALSE(largest_acceleration(semicircle(expected - 2e-5), 10));
     EXPECT_TRUE(largest_acceleration(semicircle(expected + 2e-5), 10));
-    Engine engine;
-    const double found = threshold(
-        .96, 1.04, 4, [&](double share) { return engine.stands(semicircle(share * expected), 10, 0, 3); });
-    const std::string set_up = "semicircle of twelve stones, no slip";
-    Case least("P03", set_up, halved);
-    least.contact_frequency_step(engine.frequency_step);
-    least.expect("least t/R", "", found * expected, expected, relative(.02));
-    expect_energy_balance("P03", set_up, *engine.energy, engine.frequency_step);
+    expect_least("least t/R", expected, "semicircle of twelve stones, no slip",
+                 [](Engine& engine, double value) { return engine.stands(semicircle(value), 10, 0, 3); });
 }
 
 TEST(LeastArch, StandsFromTheFrictionOfTheThrustLine) {
     constexpr double expected = .38278;
     EXPECT_FALSE(largest_acceleration(semicircle(.12), expected - 1e-4));
     EXPECT_TRUE(largest_acceleration(semicircle(.12), expected + 1e-4));
-    Engine engine;
-    const double found = threshold(
-        .96, 1.04, 4, [&](double share) { return engine.stands(semicircle(.12), share * expected, 0, 3); });
-    const std::string set_up = "semicircle of twelve stones, t/R = 0.12";
-    Case least("P03", set_up, halved);
-    least.contact_frequency_step(engine.frequency_step);
-    least.expect("least friction coefficient", "", found * expected, expected, relative(.02));
-    expect_energy_balance("P03", set_up, *engine.energy, engine.frequency_step);
+    expect_least("least friction coefficient", expected, "semicircle of twelve stones, t/R = 0.12",
+                 [](Engine& engine, double value) { return engine.stands(semicircle(.12), value, 0, 3); });
 }
 
 // P12. When its abutments spread, the arch opens hinges, outside at the crown and inside at joint k of each

@@ -19,7 +19,35 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
 
-using ContinuedRun = RunInAFolder;
+class ContinuedRun : public RunInAFolder {
+  protected:
+    /// What a run leaves in memory.
+    struct Ended {
+        State state;
+        std::unique_ptr<Results> results;
+        RunOutcome outcome;
+    };
+    /// Runs the input into the folder `name`. A run that is stopped after `stop` steps is resumed.
+    Ended ended(const std::string& name, int stop) const {
+        fs::create_directories(folder / name);
+        int step = 0;
+        const ProgressFunction progress = [&](const Progress&) { return ++step < stop; };
+        Ended end{initial_state(input.model),
+                  std::make_unique<Results>(input.model, input.stages, input.output,
+                                            ResultsOptions{folder / name, false, "hash", progress}),
+                  {}};
+        end.outcome = run(input.model, input.stages, end.state, *end.results);
+        if (end.outcome.status != RunStatus::stopped) return end;
+        const Checkpoint checkpoint = read_checkpoint(folder / name / "checkpoint.h5");
+        end.results = std::make_unique<Results>(
+            input.model, input.stages, input.output,
+            ResultsOptions{folder / name, false, "hash", [](const Progress&) { return true; }}, &checkpoint);
+        end.state = checkpoint.state;
+        end.outcome =
+            run(input.model, input.stages, end.state, *end.results, {1, checkpoint.results.stage, true});
+        return end;
+    }
+};
 
 TEST_F(ContinuedRun, EndsInTheSameBytes) {
     simulate("whole");
@@ -101,23 +129,9 @@ TEST_F(ContinuedRun, ListsEveryFrameOnceForOlderParaView) {
 
 TEST_F(ContinuedRun, RestoresFirstSlips) {
     const auto table_of = [&](const std::string& name, int stop) {
-        fs::create_directories(folder / name);
-        int step = 0;
-        const ProgressFunction progress = [&](const Progress&) { return ++step < stop; };
-        State state = initial_state(input.model);
-        auto results = std::make_unique<Results>(input.model, input.stages, input.output,
-                                                 ResultsOptions{folder / name, false, "hash", progress});
-        if (run(input.model, input.stages, state, *results).status == RunStatus::stopped) {
-            const Checkpoint checkpoint = read_checkpoint(folder / name / "checkpoint.h5");
-            results = std::make_unique<Results>(
-                input.model, input.stages, input.output,
-                ResultsOptions{folder / name, false, "hash", [](const Progress&) { return true; }},
-                &checkpoint);
-            state = checkpoint.state;
-            run(input.model, input.stages, state, *results, {1, checkpoint.results.stage, true});
-        }
-        return block_table(input.model, state, *results,
-                           plane_slips(input.model, input.stages, state, *results), "blocks.csv");
+        const Ended end = ended(name, stop);
+        return block_table(input.model, end.state, *end.results,
+                           plane_slips(input.model, input.stages, end.state, *end.results), "blocks.csv");
     };
     const std::string whole = table_of("whole", 1'000'000);
     const auto steps = static_cast<int>(lines_of(folder / "whole" / "steps.csv").size()) - 1;
@@ -174,23 +188,9 @@ TEST_F(ContinuedRun, RestoresReversalsCloseToMinSlip) {
     input.stages[1].base_motions = {
         {"base", TimeTable({0, .05, .15, .25, .35, .45}, {0, 6, -6, 6, -6, 6}), TimeTable({0}, {0})}};
     const auto list_of = [&](const std::string& name, int stop) {
-        fs::create_directories(folder / name);
-        int step = 0;
-        const ProgressFunction progress = [&](const Progress&) { return ++step < stop; };
-        State state = initial_state(input.model);
-        auto results = std::make_unique<Results>(input.model, input.stages, input.output,
-                                                 ResultsOptions{folder / name, false, "hash", progress});
-        RunOutcome outcome = run(input.model, input.stages, state, *results);
-        if (outcome.status == RunStatus::stopped) {
-            const Checkpoint checkpoint = read_checkpoint(folder / name / "checkpoint.h5");
-            results = std::make_unique<Results>(
-                input.model, input.stages, input.output,
-                ResultsOptions{folder / name, false, "hash", [](const Progress&) { return true; }},
-                &checkpoint);
-            state = checkpoint.state;
-            outcome = run(input.model, input.stages, state, *results, {1, checkpoint.results.stage, true});
-        }
-        const std::string text = summary_text(input.model, input.stages, state, outcome, *results, {});
+        const Ended end = ended(name, stop);
+        const std::string text =
+            summary_text(input.model, input.stages, end.state, end.outcome, *end.results, {});
         const std::size_t from = text.find("\"reversals_close_to_min_slip\"");
         return text.substr(from, text.find("\"energy\"", from) - from);
     };
