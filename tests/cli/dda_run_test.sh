@@ -146,6 +146,14 @@ MODEL
 "$run" run.toml -o loose 2>err.txt
 grep -q 'are glued' err.txt && fail "told of glue where there is none"
 
+# So is a contact damping that the steps are too long for: with the default penalty omega dt is above 1 here.
+"$run" run.toml -o damped --set joint_material.bedding.contact_damping=0.05 2>err.txt
+[ "$(grep -c "contact_damping 0.05 of joint material 'bedding' has no effect" err.txt)" -eq 1 ] ||
+    fail "not told of a damping without effect: $(cat err.txt)"
+"$run" run.toml -o damped --set joint_material.bedding.contact_damping=0.05 --set 'stage[1].step=1e-5' \
+    --set 'stage[1].duration=1e-4' 2>err.txt
+grep -q 'has no effect' err.txt && fail "told of a damping that has an effect"
+
 # Pictures.
 "$plot" whole
 for file in frame-0000 frame-0006 frame-0011 history; do [ -s "whole/run.$file.png" ] || fail "no picture $file"; done

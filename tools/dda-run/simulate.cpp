@@ -17,6 +17,7 @@
 #include "dda/results/block_table.hpp"
 #include "dda/results/results.hpp"
 #include "dda/results/summary.hpp"
+#include "dda/terms/contact_damping.hpp"
 #include "progress_line.hpp"
 #include "stop_request.hpp"
 
@@ -118,6 +119,20 @@ void print_glued_polygons(const dda::Model& model) {
         "into triangles\n",
         glued->blocks, glued->first.value(), at.x(), at.y(),
         model.joint_material_at(glued->joint_material).name.c_str());
+}
+
+/// Tells of a contact_damping that the steps are too long for.
+void print_ineffective_damping(const dda::RunInput& input) {
+    const auto found = dda::ineffective_damping(input.model, input.stages);
+    if (!found) return;
+    const dda::JointMaterial& material = input.model.joint_material_at(found->joint_material);
+    const dda::Stage& stage = input.stages[found->stage];
+    std::fprintf(
+        stderr,
+        "dda-run: contact_damping %g of joint material '%s' has no effect in stage '%s': steps of %g s "
+        "damp impacts more (omega dt is %.3g for a block of median mass); see docs/guide/impacts.md\n",
+        material.contact_damping, material.name.c_str(), stage.name.c_str(), stage.control.step,
+        found->frequency_step);
 }
 
 ExitCode exit_code_of(const dda::RunOutcome& outcome) {
@@ -229,6 +244,7 @@ ExitCode simulate(const CommandLine& line, const std::string& version) {
     print_plan(input, line.output);
     print_unreached_excavations(input);
     print_glued_polygons(input.model);
+    print_ineffective_damping(input);
 
     ProgressLine progress;
     const fs::path stop_file = line.output / "stop";

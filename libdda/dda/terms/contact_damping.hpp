@@ -1,6 +1,8 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
+#include <span>
 
 #include "dda/block/block_system.hpp"
 #include "dda/terms/row_contacts.hpp"
@@ -30,5 +32,16 @@ PerContact<NormalDashpot> contact_dashpots(const Model& model, const RowMap& row
                                            ContactSpan<const Contact> contacts,
                                            ContactSpan<const ContactSprings> springs,
                                            const RowContacts& row_contacts, const ThreadPool& pool);
+
+/// A contact_damping that is without effect in a stage: the time integration damps an impact more.
+struct IneffectiveDamping {
+    std::size_t stage = 0;  ///< index
+    JointMaterialIndex joint_material;
+    double frequency_step = 0;  ///< omega dt of one contact of a block of median mass
+};
+
+/// The first contact_damping without effect in a dynamic stage, by Eq. (88) for a free block of median mass
+/// on one contact of the median length of the edges.
+std::optional<IneffectiveDamping> ineffective_damping(const Model& model, std::span<const Stage> stages);
 
 }  // namespace rockslope::dda
