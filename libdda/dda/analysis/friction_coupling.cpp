@@ -2,7 +2,6 @@
 
 #include <Eigen/Cholesky>
 #include <cmath>
-#include <limits>
 
 namespace rockslope::dda {
 
@@ -64,35 +63,6 @@ FrictionCoupling::FrictionCoupling(const StepProblem& problem, TrialContacts& tr
     directions_.reserve(max_directions);
 }
 
-void FrictionCoupling::linearize_bound(Sliding& sliding, std::span<const Vec6> d) const {
-    const Contact& contact = p_.contacts[sliding.contact];
-    if (const auto line = bound_line(trials_.law_of(sliding.contact), contact.history)) {
-        const double reduced = 1 / p_.model.strength_reduction;
-        sliding.slope = reduced * line->friction;
-        const bool without_cohesion = !sliding.coheres && !sliding.bonded;
-        sliding.cohesion = without_cohesion ? 0 : reduced * line->cohesion * contact.length;
-        sliding.lowest_normal_force = sliding.bonded ? -std::numeric_limits<double>::infinity() : 0;
-        return;
-    }
-    if (trials_.is_on_segment(sliding.contact)) {
-        sliding.line_missing = !trials_.has_line(sliding.contact);
-        const BoundLine line = trials_.bound_tangent(sliding.contact);
-        sliding.slope = line.slope;
-        sliding.cohesion = line.cohesion;
-        return;
-    }
-    if (!(sliding.normal > 0) && !sliding.bonded && !sliding.coheres) {
-        sliding.slope = trials_.bound_secant(sliding.contact);
-        return;
-    }
-    const auto bound_at = [&](double normal) { return trials_.bound_at(sliding.contact, normal, d); };
-    sliding.cohesion = bound_at(sliding.normal);
-    if (!(sliding.normal > 0)) return;
-    const double half = sliding.normal / 2;
-    sliding.slope = (sliding.cohesion - bound_at(half)) / half;
-    sliding.cohesion -= sliding.slope * sliding.normal;
-}
-
 void FrictionCoupling::find_sliding(std::span<const Vec6> d) {
     sliding_.clear();
     sliding_.reserve(trials_.count());
@@ -112,7 +82,7 @@ void FrictionCoupling::find_sliding(std::span<const Vec6> d) {
             sliding.friction_force = trials_.friction_force(k);
             sliding.normal = trials_.linear_normal(k, springs.rows.measure(trials_.normal_measure(k), d));
             sliding.tilt = trials_.tilt(k);
-            linearize_bound(sliding, d);
+            sliding.line = shear_line(p_, trials_, sliding.contact, sliding.normal, d);
         }
     });
     complete_lines(d);
@@ -132,8 +102,8 @@ void FrictionCoupling::find_dilating(std::span<const Vec6> d) {
             segment.normal += trials_.linear_normal(k, opening);
         }
         if (!(segment.spring > 0)) continue;
-        segment.slope = segment.spring * dilations[i].slope;
-        segment.cohesion = -segment.slope * dilations[i].normal_force;
+        segment.line.slope = segment.spring * dilations[i].slope;
+        segment.line.cohesion = -segment.line.slope * dilations[i].normal_force;
         segment.friction_force = segment.spring * dilations[i].change;
         sliding_.push_back(segment);
     }
@@ -142,10 +112,11 @@ void FrictionCoupling::find_dilating(std::span<const Vec6> d) {
 /// Most lines exist already: a joint segment keeps its line for the step.
 void FrictionCoupling::complete_lines(std::span<const Vec6> d) {
     for (const Sliding& sliding : sliding_)
-        if (sliding.line_missing) trials_.request_line(sliding.contact);
+        if (sliding.line.is_missing) trials_.request_line(sliding.contact);
     trials_.find_requested_lines();
     for (Sliding& sliding : sliding_)
-        if (sliding.line_missing) linearize_bound(sliding, d);
+        if (sliding.line.is_missing)
+            sliding.line = shear_line(p_, trials_, sliding.contact, sliding.normal, d);
 }
 
 double FrictionCoupling::update_residuals() {

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "dda/analysis/shear_line.hpp"
 #include "dda/analysis/trial_contacts.hpp"
 #include "dda/linear/linear_solver.hpp"
 
@@ -33,32 +34,28 @@ class FrictionCoupling {
     /// joint segment whose dilation follows its normal force: then the bound is the force that the normal
     /// springs exert by that dilation, the friction force the one they exert by the dilation so far.
     struct Sliding {
-        ContactIndex contact;            ///< none: a dilating segment
-        std::size_t dilation = 0;        ///< its index in TrialContacts::dilations_by_force()
-        double spring = 0;               ///< of a dilating segment: sum of its normal springs, N/m per metre
-        double sign = 1;                 ///< of its shear force
-        double slope = 0;                ///< of the bound over the normal force
-        double cohesion = 0;             ///< of the bound at zero normal force
-        double lowest_normal_force = 0;  ///< the normal force below which the bound falls no further
-        double tilt = 0;                 ///< of the normal spring, Eq. (83)
+        ContactIndex contact;      ///< none: a dilating segment
+        std::size_t dilation = 0;  ///< its index in TrialContacts::dilations_by_force()
+        double spring = 0;         ///< of a dilating segment: sum of its normal springs, N/m per metre
+        double sign = 1;           ///< of its shear force
+        ShearLine line;            ///< its shear bound
+        double tilt = 0;           ///< of the normal spring, Eq. (83)
         bool bonded = false;
         bool coheres = false;       ///< its cohesion acts in this step, also without a normal force
-        bool line_missing = false;  ///< its joint segment has to compute it first
         double friction_force = 0;  ///< shear force in the linear system
         double normal = 0;          ///< normal force in the linear system
         double residual = 0;        ///< bound minus friction force, with their sign
 
-        double line() const { return slope * std::max(normal, lowest_normal_force) + cohesion; }
         /// A contact that coheres keeps the strength of no normal force where it opens, Eq. (75).
-        bool is_bounded() const { return (normal > 0 || bonded || coheres) && line() > 0; }
+        bool is_bounded() const { return (normal > 0 || bonded || coheres) && line.at(normal) > 0; }
         bool dilates() const { return !contact.exists(); }
         double bound() const {
-            if (dilates()) return slope * normal + cohesion;
-            return is_bounded() ? sign * line() - tilt * normal : 0;
+            if (dilates()) return line.slope * normal + line.cohesion;
+            return is_bounded() ? sign * line.at(normal) - tilt * normal : 0;
         }
         double bound_slope() const {
-            if (dilates()) return slope;
-            return is_bounded() && normal > lowest_normal_force ? sign * slope - tilt : 0;
+            if (dilates()) return line.slope;
+            return is_bounded() && normal > line.lowest_normal_force ? sign * line.slope - tilt : 0;
         }
     };
     /// A change of the friction forces, and the changes that follow from it.
@@ -73,11 +70,8 @@ class FrictionCoupling {
     void find_sliding(std::span<const Vec6> d);
     /// Adds the segments whose dilation follows their normal force.
     void find_dilating(std::span<const Vec6> d);
-    /// Sets the bound line of a contact: the law's own where it has one; on a joint segment the tangent at
-    /// the last evaluation; otherwise the secant between the normal force of the first solution and half of
-    /// it. An unbonded contact without a normal force there gets the secant from zero to the last evaluation.
-    /// The line is kept, because a new evaluation of the bound costs more than a back-substitution.
-    void linearize_bound(Sliding& sliding, std::span<const Vec6> d) const;
+    /// Computes the shear lines that a joint segment has to compute first. A line is kept, because a new
+    /// evaluation of the bound costs more than a back-substitution.
     void complete_lines(std::span<const Vec6> d);
     /// @return the largest magnitude.
     double update_residuals();
