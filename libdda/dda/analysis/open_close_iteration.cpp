@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "dda/analysis/friction_coupling.hpp"
+#include "dda/analysis/interior_point.hpp"
 #include "dda/analysis/line_search.hpp"
 #include "dda/analysis/step_matrix.hpp"
 #include "dda/analysis/trial_contacts.hpp"
@@ -14,8 +15,9 @@ namespace rockslope::dda {
 
 namespace {
 
-/// Number of iterations in which the shear bounds are updated at every iterate. After these the bounds are
-/// updated only at a minimum of the potential, as a fixed-point iteration from minimum to minimum.
+/// Number of iterations in which the shear bounds are updated at every iterate. Then the interior-point
+/// method takes over. Where it fails, the bounds are updated only at a minimum of the potential, as a
+/// fixed-point iteration from minimum to minimum.
 constexpr int bound_update_iterations = 16;
 /// Number of earlier minima that the Anderson mixing of the bounds uses.
 constexpr int bound_memory = 6;
@@ -40,6 +42,8 @@ constexpr double residual_over_tolerance = 1e-3;
 /// Largest relative residual of the linear solutions of the iteration.
 constexpr double largest_iteration_residual = 1e-9;
 
+/// Largest number of rounds of the interior-point method.
+constexpr int interior_round_limit = 8;
 class OpenCloseIteration {
   public:
     OpenCloseIteration(const StepProblem& problem, const BlockPattern& pattern, LinearSolver& solver,
@@ -74,6 +78,11 @@ class OpenCloseIteration {
             if (bounds_follow || is_at_minimum()) update_bounds_and_test(bounds_follow);
             if (result_.converged) break;
             matrix_changed = trials_.update_active_set();
+            if (is_stalled()) {
+                end_of(Phase::evaluation, times_);
+                if (solve_from_inside()) break;
+                matrix_changed = true;
+            }
             end_of(Phase::evaluation, times_);
             if (matrix_changed) augmentation_mixing_ = AndersonMixing(augmentation_memory);
         }
@@ -97,6 +106,53 @@ class OpenCloseIteration {
         if (definite) return true;
         result_.singular = true;
         result_.fallbacks = solver_.fallbacks() - fallbacks_before_;
+        return false;
+    }
+
+    /// Whether the active set does not settle. Only in static stages: in a step of a dynamic one few contacts
+    /// change, and the iteration needs no more solutions. The lines of rough joint segments do not represent
+    /// their laws well enough for the interior-point method.
+    bool is_stalled() const {
+        const bool is_static = p_.duration == 0;
+        return is_static && !interior_point_failed_ && !trials_.has_segments() &&
+               iterations_since_restart() >= bound_update_iterations;
+    }
+
+    /// Solves by the interior-point method, in rounds: bonds that break, and bounds that were held, need
+    /// another one. Where its path folds back, the bounds of all contacts are held for a round: that problem
+    /// is convex. @return whether the result has converged.
+    bool solve_from_inside() {
+        InteriorPoint interior(p_, trials_, matrix_, solver_, pool_);
+        PathStart start;
+        bool failed = false;
+        bool restarted = false;
+        for (int round = 0; round < interior_round_limit && !failed && !restarted; ++round) {
+            const InteriorPointResult found = interior.solve(displacement_, start);
+            result_.iterations += found.iterations;
+            result_.factorizations += found.iterations;
+            substitutions_ += found.substitutions;
+            target_ = displacement_;
+            is_at_target_ = true;
+            trials_.set_displacement(displacement_, target_);
+            trials_.update_all_bounds();
+            if (!found.converged) {
+                failed = start.hold_bounds;
+                start = {.hold_bounds = true};
+                continue;
+            }
+            interior.set_linear_forces();
+            const bool at_minimum = is_at_minimum();
+            start = {.force_change = result_.force_change};
+            if (!at_minimum || trials_.break_bonds()) continue;
+            accept_or_restart();
+            if (result_.converged) return true;
+            restarted = true;
+        }
+        interior_point_failed_ = !restarted;
+        iterations_at_restart_ = result_.iterations;
+        trials_.select_first_entrances();
+        trials_.update_bounds();
+        trials_.update_active_set();
         return false;
     }
 
@@ -173,7 +229,8 @@ class OpenCloseIteration {
     /// search; the first iteration takes the full step.
     void advance_to_target() {
         const bool is_first = result_.iterations == 1;
-        const double remaining = is_first ? 0 : 1 - line_search_.step_length(displacement_, target_);
+        const double step = is_first ? 1 : line_search_.step_length(displacement_, target_);
+        const double remaining = 1 - step;
         remaining_displacement_.resize(target_.size());
         for (const RowIndex r : target_.indices())
             remaining_displacement_[r] = remaining * (target_[r] - displacement_[r]);
@@ -270,6 +327,7 @@ class OpenCloseIteration {
     int substitutions_ = 0;
     int iterations_at_restart_ = 0;
     int augmentations_ = 0;
+    bool interior_point_failed_ = false;
     int minima_ = 0;  ///< minima of the potential since the last augmentation
     AndersonMixing bound_mixing_;
     AndersonMixing augmentation_mixing_;

@@ -18,6 +18,18 @@ StepMatrix::StepMatrix(const StepProblem& problem, const BlockPattern& pattern, 
 void StepMatrix::assemble(const TrialContacts& trials) {
     update_springs(trials);
     update_bolts(trials);
+    assemble_changed_rows();
+}
+
+void StepMatrix::assemble(const TrialContacts& trials, const PerContact<Springs>& springs) {
+    assembled_ = false;
+    changed_.clear();
+    contacts_ = springs;
+    update_bolts(trials);
+    assemble_changed_rows();
+}
+
+void StepMatrix::assemble_changed_rows() {
     matrix_.diagonal.resize(p_.base.stiffness.size());
     matrix_.upper.resize(pattern_.columns.size());
     pool_.parallel_for(p_.base.stiffness.size(), [&](std::size_t begin, std::size_t end) {

@@ -15,17 +15,6 @@ namespace rockslope::dda {
 /// the same bits.
 class StepMatrix {
   public:
-    /// @param work receives the matrix; the caller keeps its memory from step to step.
-    StepMatrix(const StepProblem& problem, const BlockPattern& pattern, BlockMatrix& work,
-               const ThreadPool& pool);
-
-    /// Assembles the rows whose springs have changed, and all rows the first time.
-    void assemble(const TrialContacts& trials);
-    const BlockMatrix& matrix() const { return matrix_; }
-    /// Per row, whether the last assembly changed it; empty after the first one, which assembles all rows.
-    std::span<const char> changed() const { return changed_; }
-
-  private:
     /// Stiffnesses of a contact's springs in the matrix, N/m per metre; 0 for a spring that is not active.
     struct Springs {
         double normal = 0;
@@ -33,11 +22,27 @@ class StepMatrix {
         double tilt = 0;  ///< of the normal spring, Eq. (83)
         friend bool operator==(const Springs&, const Springs&) = default;
     };
+
+    /// @param work receives the matrix; the caller keeps its memory from step to step.
+    StepMatrix(const StepProblem& problem, const BlockPattern& pattern, BlockMatrix& work,
+               const ThreadPool& pool);
+
+    /// Assembles the rows whose springs have changed, and all rows the first time.
+    void assemble(const TrialContacts& trials);
+    /// Assembles all rows with given springs of the contacts; the bolts are those of `trials`.
+    /// @param springs per contact.
+    void assemble(const TrialContacts& trials, const PerContact<Springs>& springs);
+    const BlockMatrix& matrix() const { return matrix_; }
+    /// Per row, whether the last assembly changed it; empty after the first one, which assembles all rows.
+    std::span<const char> changed() const { return changed_; }
+
+  private:
     Springs springs_of(const TrialContacts& trials, ContactIndex contact) const;
     double stiffness_of_bolt(const TrialContacts& trials, std::size_t bolt) const;
     bool is_changed(RowIndex row) const { return row.exists() && (changed_.empty() || changed_[row] != 0); }
     /// Stores the present stiffnesses of contact springs and marks the rows of those that have changed.
     void update_springs(const TrialContacts& trials);
+    void assemble_changed_rows();
     /// Does the same for bolts.
     void update_bolts(const TrialContacts& trials);
     /// Assembles the diagonal and upper blocks of a row, without bolts.

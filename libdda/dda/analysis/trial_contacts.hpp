@@ -82,6 +82,8 @@ class TrialContacts {
                 s.normal.prescribed - tilt * s.shear.prescribed};
     }
     double tilt(ContactIndex k) const { return trials_[k].tilt; }
+    /// Whether a contact may bear a force; false for a line that is not entered first.
+    bool may_close(ContactIndex k) const { return trials_[k].may_close; }
     bool has_normal_spring(ContactIndex k) const { return trials_[k].active; }
     /// Tangent stiffness of the normal spring, N/m per metre.
     double normal_stiffness(ContactIndex k) const { return trials_[k].tangent.stiffness; }
@@ -98,6 +100,16 @@ class TrialContacts {
         return law(k).forces(opening, shearing);
     }
     double law_bolt_force(std::size_t k, double elongation) const;
+    /// The tangent of the normal law at a force of its spring, N per metre: the force that it has at an
+    /// opening, N per metre, and its stiffness, N/m per metre.
+    struct SpringForce {
+        double force = 0;
+        double stiffness = 0;
+    };
+    SpringForce normal_tangent(ContactIndex k, double spring_force, double opening) const {
+        const Tangent tangent = tangent_at(k, spring_force);
+        return {tangent.at(closure(k, opening)), tangent.stiffness};
+    }
 
     // --- friction of sliding contacts, whose shear force is a load in the linear system
     bool slides_forward(ContactIndex k) const { return trials_[k].forward; }
@@ -158,6 +170,11 @@ class TrialContacts {
     double linear_normal(ContactIndex k, double opening) const;
 
     // --- evaluation
+    /// Sets the forces of the linear system at its solution, N per metre.
+    void set_linear_forces(ContactIndex k, const Forces& forces) {
+        trials_[k].linear = forces;
+        trials_[k].linear.shear += trials_[k].tilt * forces.normal;
+    }
     /// Computes gaps and displacements of all contacts at an iterate. Gaps are exact there; Eq. (21) shifts
     /// their linearisation.
     /// @param d the iterate, per row; @param target the solution of the linear system, whose forces balance.
