@@ -25,7 +25,8 @@ struct OpenCloseResult : StepCounts {
 /// With fixed shear bounds the step is the minimum of a convex, piecewise quadratic potential, Eq. (33). Each
 /// iteration solves the linear system of the present active set, and an exact line search, Eq. (34), makes
 /// this Newton method converge from any start. The shear bounds depend on the normal forces, Eq. (35). They
-/// are updated in every iteration at first. If that does not converge, they are updated only at minima of the
+/// are updated in every iteration at first. If that does not converge, a static step is solved by the
+/// interior-point method; in other steps, and where that fails, the bounds are updated only at minima of the
 /// potential, with Anderson mixing. Penetration beyond the tolerance of the model is removed by augmented
 /// Lagrangian updates, Eq. (37). Converged means that no contact force changes by more than the tolerance,
 /// Eq. (36); the states open, sliding and locked are not compared.
