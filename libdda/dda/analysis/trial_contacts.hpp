@@ -199,7 +199,8 @@ class TrialContacts {
     void update_all_bounds();
     /// Sets the dilation to that of the present forces and displacements, except where it is postponed.
     void update_dilation();
-    /// Whether update_dilation() would change a normal force by more than ten times the tolerance.
+    /// Whether update_dilation() would change a normal force by more than ten times the tolerance, also one
+    /// that it would close.
     bool dilation_exceeds_tolerance() const;
     /// Sets the dilation of the step to zero where it is farther from the law's value than zero is. The
     /// dilation of the joint history then acts from the next step on. @return whether any was changed.

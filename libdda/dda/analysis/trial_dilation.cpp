@@ -145,9 +145,11 @@ void TrialContacts::visit_dilation_by_law(const Visit& visit) const {
 bool TrialContacts::dilation_exceeds_tolerance() const {
     double largest = 0;
     visit_dilation_by_law([&](ContactIndex k, double by_law) {
-        if (trials_[k].postponed || !(current_forces(k).normal > 0)) return;
-        const double error = std::abs(by_law - trials_[k].dilation_increment);
-        largest = std::max(largest, p_.springs[k].normal_stiffness * error);
+        const Trial& trial = trials_[k];
+        if (trial.postponed || !trial.may_close) return;
+        const double change = p_.springs[k].normal_stiffness * (by_law - trial.dilation_increment);
+        const double normal = law(k).normal(trial.opening);
+        largest = std::max(largest, normal > 0 ? std::abs(change) : normal + change);
     });
     return largest > dilation_tolerance * tolerance();
 }
