@@ -46,7 +46,8 @@ std::string describe(const Model& model, const StepAttempt& attempt) {
     return text;
 }
 
-/// Most iterations of a step after which a static stage may lengthen its step.
+/// Most iterations of a step after which a static stage may lengthen its step, if none of them was of the
+/// interior-point method.
 constexpr int easy_iterations = 20;
 /// Largest step of a static stage over the step of its control.
 constexpr double static_step_ratio = 50;
@@ -91,7 +92,8 @@ class StepSize {
     /// The largest step after an accepted one, s. A displacement grows with the square of a static step at
     /// most.
     double largest_after(const StepReport& report) const {
-        if (!is_static_ || report.iterations > easy_iterations) return control_.step;
+        const bool is_easy = report.iterations <= easy_iterations && report.interior_iterations == 0;
+        if (!is_static_ || !is_easy) return control_.step;
         const double longer = report.step * std::sqrt(free_fall_ / report.largest_displacement);
         return std::clamp(longer, control_.step, static_step_ratio * control_.step);
     }
