@@ -136,8 +136,12 @@ TEST(DilatingBlock, LandsOnItsAsperitiesWhileItSlidesBack) {
     for (const double up : {0.02, 0.1, 0.3}) {
         for (const double back : {0.3, 1., 2.}) {
             SCOPED_TRACE(testing::Message() << up << " m/s up, " << back << " m/s back");
-            Simulation sim(
-                Shaken{.psi = 0, .law = even(6, 18), .width = 2, .height = 1, .density = 2500}.scene());
+            Shaken block;
+            block.law = even(6, 18);
+            block.width = 2;
+            block.height = 1;
+            block.density = 2500;
+            Simulation sim(block.scene());
             ASSERT_EQ(sim.settle().status, dda::RunStatus::completed);
             sim.velocity(1)[0] = 0.5;
             ASSERT_EQ(sim.shake(0.1, 1e-3).status, dda::RunStatus::completed);

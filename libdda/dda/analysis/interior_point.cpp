@@ -36,8 +36,6 @@ constexpr double blocking_reach = 3;
 /// N per metre; a joint with more cohesion has no bound.
 constexpr double unbounded_cohesion = 1e15;
 
-constexpr std::size_t no_path = std::numeric_limits<std::size_t>::max();
-
 double square(double x) {
     return x * x;
 }
@@ -45,8 +43,8 @@ double square(double x) {
 }  // namespace
 
 InteriorPoint::InteriorPoint(const StepProblem& problem, TrialContacts& trials, StepMatrix& matrix,
-                             LinearSolver& solver, const ThreadPool& pool)
-    : p_(problem), trials_(trials), matrix_(matrix), solver_(solver), pool_(pool) {}
+                             LinearSolver& solver, const ThreadPool& pool, PhaseTimes* times)
+    : p_(problem), trials_(trials), matrix_(matrix), solver_(solver), pool_(pool), times_(times) {}
 
 InteriorPointResult InteriorPoint::solve(PerRow<Vec6>& d, const PathStart& from) {
     InteriorPointResult result;
@@ -56,9 +54,9 @@ InteriorPointResult InteriorPoint::solve(PerRow<Vec6>& d, const PathStart& from)
     if (from.hold_bounds) for_contacts([](PathContact& c) { c.hold_bounds(); });
     const double scale = scale_of_forces();
     if (!(scale > 0)) return result;
-    const bool is_first = std::isinf(from.force_change);
+    const bool is_first = !from.force_change;
     const double root =
-        is_first ? scale : std::min(later_root_ratio * scale, root_over_change * from.force_change);
+        is_first ? scale : std::min(later_root_ratio * scale, root_over_change * *from.force_change);
     for_contacts([&](PathContact& c) { c.place_on_path(square(root)); });
     std::size_t selections = is_first && !from.hold_bounds ? 0 : selection_ratios.size();
     int short_steps = 0;
@@ -253,6 +251,7 @@ double InteriorPoint::evaluate_balance() {
 // --- an iteration
 
 bool InteriorPoint::factorize() {
+    end_of(Phase::evaluation, times_);
     springs_.assign(trials_.count(), {});
     for (PathContact& c : contacts_) {
         c.set_fractions();
@@ -260,7 +259,10 @@ bool InteriorPoint::factorize() {
                                trials_.tilt(c.contact)};
     }
     matrix_.assemble(trials_, springs_);
-    return solver_.refactorize(matrix_.matrix(), matrix_.changed());
+    end_of(Phase::assembly, times_);
+    const bool definite = solver_.refactorize(matrix_.matrix(), matrix_.changed());
+    end_of(Phase::factorisation, times_);
+    return definite;
 }
 
 /// The change of Eq. (93).
@@ -273,7 +275,9 @@ void InteriorPoint::find_change(Change kind) {
                (c.shear_constant + c.coupling * c.normal_constant) * p_.springs[c.contact].shear.direction;
     };
     add_forces(force_of, change_);
+    end_of(Phase::evaluation, times_);
     solve_coupled(change_, kind);
+    end_of(Phase::solution, times_);
     for_contacts([&](PathContact& c) {
         const ContactSprings& s = p_.springs[c.contact];
         const Vec2 relative = s.rows.relative_displacement(change_);

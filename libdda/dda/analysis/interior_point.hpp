@@ -1,10 +1,13 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <limits>
+#include <optional>
 
 #include "dda/analysis/path_contact.hpp"
 #include "dda/analysis/step_matrix.hpp"
 #include "dda/analysis/trial_contacts.hpp"
+#include "dda/base/phase_times.hpp"
 #include "dda/linear/linear_solver.hpp"
 
 namespace rockslope::dda {
@@ -18,8 +21,9 @@ struct InteriorPointResult {
 
 /// Where an interior-point solution begins.
 struct PathStart {
-    /// N per metre, the largest error of the contact forces at the first iterate; infinite: not known.
-    double force_change = std::numeric_limits<double>::infinity();
+    /// N per metre, the largest error of the contact forces at the first iterate; nothing if they are far
+    /// from the laws.
+    std::optional<double> force_change = {};
     bool hold_bounds = false;  ///< hold the shear bounds at those of the present forces
 };
 
@@ -33,7 +37,7 @@ struct PathStart {
 class InteriorPoint {
   public:
     InteriorPoint(const StepProblem& problem, TrialContacts& trials, StepMatrix& matrix, LinearSolver& solver,
-                  const ThreadPool& pool);
+                  const ThreadPool& pool, PhaseTimes* times = nullptr);
 
     /// @param d per row, m: the iterate to begin with on entry, the last one on return; unchanged where no
     /// force acts or an iterate is not finite.
@@ -42,6 +46,8 @@ class InteriorPoint {
     void set_linear_forces();
 
   private:
+    static constexpr std::size_t no_path = std::numeric_limits<std::size_t>::max();
+
     /// The errors of an iterate.
     struct Errors {
         double balance = 0;        ///< N per metre, the largest of a block
@@ -75,8 +81,9 @@ class InteriorPoint {
     /// Solves the coupled system of Eq. (93) with the factor of its symmetric part.
     void solve_coupled(PerRow<Vec6>& x, Change kind);
     /// The shear forces that follow from the normal forces of a displacement, N per metre, per path contact.
-    void coupled_shear(RowSpan<const Vec6> displacement, std::vector<double>& shear) const;
-    double product(const std::vector<double>& a, const std::vector<double>& b) const;
+    Eigen::VectorXd coupled_shear(RowSpan<const Vec6> displacement) const;
+    /// The displacement that shear forces cause, per row, m.
+    PerRow<Vec6> displacement_by_shear(const Eigen::VectorXd& shear);
     void apply_factor(PerRow<Vec6>& load);
     /// Adds contact forces to the load. @param force_of gives the force on the corner's block of each path
     /// contact, by its index.
@@ -92,26 +99,24 @@ class InteriorPoint {
     StepMatrix& matrix_;
     LinearSolver& solver_;
     const ThreadPool& pool_;
+    PhaseTimes* times_;
     std::vector<PathContact> contacts_;
-    PerContact<std::size_t> path_of_;              ///< per contact: its index in contacts_, or none
-    PerContact<StepMatrix::Springs> springs_;      ///< per contact, in the matrix
-    PerRow<Vec6> displacement_;                    ///< per row: the iterate, m
-    PerRow<Vec6> residual_;                        ///< per row: forces that do not balance
-    PerRow<Vec6> change_;                          ///< per row: change of the displacement, m
-    std::vector<std::vector<double>> directions_;  ///< of the minimal residuals, per path contact
-    std::vector<PerRow<Vec6>> displacements_;      ///< that these directions cause
-    std::vector<double> predicted_shear_;          ///< per path contact: the coupled part, N per metre
-    PerRow<Vec6> predicted_displacement_;          ///< per row: that it causes, m
+    PerContact<std::size_t> path_of_;          ///< per contact: its index in contacts_, or no_path
+    PerContact<StepMatrix::Springs> springs_;  ///< per contact, in the matrix
+    PerRow<Vec6> displacement_;                ///< per row: the iterate, m
+    PerRow<Vec6> residual_;                    ///< per row: forces that do not balance
+    PerRow<Vec6> change_;                      ///< per row: change of the displacement, m
+    Eigen::VectorXd predicted_shear_;          ///< per path contact: the coupled part, N per metre
+    PerRow<Vec6> predicted_displacement_;      ///< per row: that it causes, m
     int substitutions_ = 0;
 };
 
 template <class ForceOf>
 void InteriorPoint::add_forces(const ForceOf& force_of, RowSpan<Vec6> load) const {
-    constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
     pool_.parallel_for(load.size(), [&](std::size_t begin, std::size_t end) {
         for (const RowIndex row : indices<RowIndex>(begin, end)) {
             for (const ContactIndex k : p_.row_contacts.of(row)) {
-                if (path_of_[k] == none) continue;
+                if (path_of_[k] == no_path) continue;
                 load[row] += p_.springs[k].rows.project_on_row(row, Vec2(force_of(path_of_[k])));
             }
         }

@@ -48,6 +48,7 @@ constexpr double largest_iteration_residual = 1e-9;
 
 /// Largest number of rounds of the interior-point method.
 constexpr int interior_round_limit = 8;
+
 class OpenCloseIteration {
   public:
     OpenCloseIteration(const StepProblem& problem, const BlockPattern& pattern, LinearSolver& solver,
@@ -83,7 +84,6 @@ class OpenCloseIteration {
             if (result_.converged) break;
             matrix_changed = trials_.update_active_set();
             if (is_stalled()) {
-                end_of(Phase::evaluation, times_);
                 if (solve_from_inside()) break;
                 matrix_changed = true;
             }
@@ -126,7 +126,7 @@ class OpenCloseIteration {
     /// another one. Where its path folds back, the bounds of all contacts are held for a round: that problem
     /// is convex. @return whether the result has converged.
     bool solve_from_inside() {
-        InteriorPoint interior(p_, trials_, matrix_, solver_, pool_);
+        InteriorPoint interior(p_, trials_, matrix_, solver_, pool_, times_);
         PathStart start;
         bool failed = false;
         bool restarted = false;
@@ -141,7 +141,7 @@ class OpenCloseIteration {
             trials_.set_displacement(displacement_, target_);
             trials_.update_all_bounds();
             if (!found.converged) {
-                failed = start.hold_bounds;
+                failed = start.hold_bounds || found.iterations == 0;
                 start = {.hold_bounds = true};
                 continue;
             }

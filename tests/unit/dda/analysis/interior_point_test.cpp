@@ -49,63 +49,61 @@ struct LoadedWall {
     }
 };
 
+/// The interior-point method at the start of that step.
+struct WallFromInside {
+    LoadedWall wall;
+    dda::StepProblem problem = wall.step.problem();
+    dda::TrialContacts trials = wall.trials(problem);
+    dda::StepMatrix matrix{problem, wall.step.pattern, wall.work, wall.step.pool};
+    dda::InteriorPoint interior{problem, trials, matrix, *wall.solver, wall.step.pool};
+    dda::PerRow<Vec6> d{wall.start};
+
+    WallFromInside(unsigned seed, double friction_angle) : wall(seed, friction_angle) {}
+};
+
 class InteriorPointOfWalls : public testing::TestWithParam<unsigned> {};
 
 // The solution obeys the laws as the open-close iteration's does: contact forces that balance the blocks
 // differ from those of the laws by less than the tolerance.
 TEST_P(InteriorPointOfWalls, ObeysTheLaws) {
-    LoadedWall wall(GetParam(), .6);
-    const dda::StepProblem problem = wall.step.problem();
-    dda::TrialContacts trials = wall.trials(problem);
-    dda::StepMatrix matrix(problem, wall.step.pattern, wall.work, wall.step.pool);
-    dda::InteriorPoint interior(problem, trials, matrix, *wall.solver, wall.step.pool);
-    dda::PerRow<Vec6> d = wall.start;
+    WallFromInside at(GetParam(), .6);
     dda::PathStart from;
     // Each round linearises the gaps at the last one's end; the loads move the blocks by 0.1 mm.
     for (int round = 0; round < 3; ++round) {
-        const dda::InteriorPointResult result = interior.solve(d, from);
+        const dda::InteriorPointResult result = at.interior.solve(at.d, from);
         ASSERT_TRUE(result.converged);
         EXPECT_LE(result.iterations, 25);
-        trials.set_displacement(d, d);
-        interior.set_linear_forces();
-        trials.update_all_bounds();
-        from.force_change = trials.force_change().largest;
+        at.trials.set_displacement(at.d, at.d);
+        at.interior.set_linear_forces();
+        at.trials.update_all_bounds();
+        from.force_change = at.trials.force_change().largest;
     }
-    ASSERT_GT(trials.tolerance(), 0);
-    EXPECT_LE(from.force_change, trials.tolerance());
+    ASSERT_GT(at.trials.tolerance(), 0);
+    EXPECT_LE(*from.force_change, at.trials.tolerance());
 }
 
-// Without friction the potential is convex and the solution unique: both methods must find it. Forces agree
-// to the tolerance, displacements therefore to some times the tolerance over the inertia.
+// Without friction the potential is convex and the solution unique: both methods must find it. Each method's
+// blocks are out of balance by less than the tolerance, and their inertia of 1e8 N/m holds them.
 TEST_P(InteriorPointOfWalls, FindsTheMinimumThatTheActiveSetFinds) {
-    LoadedWall wall(GetParam(), 0);
-    const dda::StepProblem problem = wall.step.problem();
-    dda::TrialContacts trials = wall.trials(problem);
-    dda::StepMatrix matrix(problem, wall.step.pattern, wall.work, wall.step.pool);
-    dda::InteriorPoint interior(problem, trials, matrix, *wall.solver, wall.step.pool);
-    dda::PerRow<Vec6> d = wall.start;
-    ASSERT_TRUE(interior.solve(d, {}).converged);
-    trials.set_displacement(d, d);
-    trials.update_all_bounds();
-    trials.force_change();
+    WallFromInside at(GetParam(), 0);
+    ASSERT_TRUE(at.interior.solve(at.d, {}).converged);
+    at.trials.set_displacement(at.d, at.d);
+    at.trials.update_all_bounds();
+    at.trials.force_change();
+    const LoadedWall& wall = at.wall;
     const dda::OpenCloseResult other =
-        dda::iterate_open_close(problem, wall.step.pattern, *wall.solver, wall.work, wall.step.pool);
+        dda::iterate_open_close(at.problem, wall.step.pattern, *wall.solver, at.wall.work, wall.step.pool);
     ASSERT_TRUE(other.converged);
     double largest = 0;
-    for (const dda::RowIndex row : d.indices())
-        largest = std::max(largest, (d[row] - other.displacement[row]).head<2>().norm());
-    EXPECT_LE(largest, 100 * trials.tolerance() / 1e8);
+    for (const dda::RowIndex row : at.d.indices())
+        largest = std::max(largest, (at.d[row] - other.displacement[row]).head<2>().norm());
+    EXPECT_LE(largest, at.trials.tolerance() / 1e8) << "0.15 times when this was written";
 }
 
 // With held bounds the problem is convex, whatever the friction.
 TEST_P(InteriorPointOfWalls, SolvesTheProblemWithHeldBounds) {
-    LoadedWall wall(GetParam(), 1.2);
-    const dda::StepProblem problem = wall.step.problem();
-    dda::TrialContacts trials = wall.trials(problem);
-    dda::StepMatrix matrix(problem, wall.step.pattern, wall.work, wall.step.pool);
-    dda::InteriorPoint interior(problem, trials, matrix, *wall.solver, wall.step.pool);
-    dda::PerRow<Vec6> d = wall.start;
-    EXPECT_TRUE(interior.solve(d, {.hold_bounds = true}).converged);
+    WallFromInside at(GetParam(), 1.2);
+    EXPECT_TRUE(at.interior.solve(at.d, {.hold_bounds = true}).converged);
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, InteriorPointOfWalls, testing::Range(1U, 9U));
