@@ -22,7 +22,7 @@ void MinimalResidual::add(Eigen::VectorXd image) {
     hessenberg_(count, count - 1) = length;
     const Eigen::VectorXd aim = first_residual_ * Eigen::VectorXd::Unit(count + 1, 0);
     coefficients_ = hessenberg_.householderQr().solve(aim);
-    residual_ = length > 0 ? (hessenberg_ * coefficients_ - aim).norm() : 0;
+    residual_ = (hessenberg_ * coefficients_ - aim).norm();
     if (length > 0) image /= length;
     directions_.push_back(std::move(image));
 }

@@ -5,8 +5,8 @@
 
 namespace rockslope::dda {
 
-/// GMRES for A x = r [saadschultz1986]: the solution with the least residual in the space of r, A r, A^2 r,
-/// ... The caller applies A to one direction after the other:
+/// GMRES for A x = r with a regular A [saadschultz1986]: the solution with the least residual in the space of
+/// r, A r, A^2 r, ... The caller applies A to one direction after the other:
 ///
 ///     MinimalResidual solution(r);
 ///     while (solution.residual() > aim) solution.add(A * solution.direction());
