@@ -6,7 +6,7 @@ tests=$(cd "$(dirname "$0")" && pwd)
 # shellcheck source=tests/cli/common.sh
 . "$tests/../cli/common.sh"
 cp "$tests/planted/faults.md" page.md
-"$tests/run_page.sh" "$1" "$2" "$folder/page.md" write >found && fail "no fault is found"
+"$tests/run_page.sh" "$1" "$2" "$folder/page.md" write >found
 grep -q "the page has 'peak acceleration 0.3510 g" found || fail "the fault is not the wrong figure: $(cat found)"
 sed '23s/0.3510/0.3500/; 24a\
 at the end: velocity -3.0e-09 m/s, displacement -4.4e-08 m' "$tests/planted/faults.md" >expected.md
