@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "dda/analysis/base_motion.hpp"
+#include "dda/terms/loads.hpp"
 
 namespace rockslope::dda {
 
@@ -89,17 +90,21 @@ bool find_plane(const Model& model, const State& state, const std::vector<Suppor
     return true;
 }
 
-/// Body acceleration of a rigid block in the frame of its base, m/s2.
-Vec2 body_acceleration_at(const Model& model, const Stage& stage, const BlockOnPlane& plane,
-                          double stage_time, double dynamic_time) {
-    Vec2 field = model.gravity - frame_acceleration(stage, stage_time) -
-                 base_acceleration(model, stage, plane.base, stage_time);
-    for (const Load& load : model.loads) {
-        const auto* body = std::get_if<BodyLoad>(&load);
-        if (body != nullptr && (body->block < 0 || body->block == plane.block))
-            field += body->history.at(dynamic_time) * body->acceleration;
-    }
-    return field;
+TimeTable history_of(const Load& load) {
+    return std::visit([](const auto& l) { return l.history; }, load);
+}
+
+Vec2 load_acceleration(const std::vector<LoadOnBlock>& loads, double dynamic_time) {
+    Vec2 sum = Vec2::Zero();
+    for (const LoadOnBlock& load : loads) sum += load.history.at(dynamic_time) * load.acceleration;
+    return sum;
+}
+
+/// Acceleration of a rigid block by gravity and the motions of its base, in the frame of the base, m/s2.
+Vec2 gravity_and_motion_at(const Model& model, const Stage& stage, const BlockOnPlane& plane,
+                           double stage_time) {
+    return model.gravity - frame_acceleration(stage, stage_time) -
+           base_acceleration(model, stage, plane.base, stage_time);
 }
 
 Vec2 plane_inward_normal(const BlockOnPlane& plane, const Vec2& gravity) {
@@ -122,16 +127,37 @@ std::vector<BlockOnPlane> find_blocks_on_planes(const Model& model, const State&
     return planes;
 }
 
-/// At yield under the acceleration k g: g sin + k g cos = mu (g cos - k g sin) + adhesion.
-double yield_coefficient(const BlockOnPlane& plane, double gravity) {
-    const double sine = std::sin(plane.dip), cosine = std::cos(plane.dip);
-    return (plane.peak.friction * cosine - sine + plane.peak.adhesion / gravity) /
-           (cosine + plane.peak.friction * sine);
+std::vector<LoadOnBlock> loads_on(const Model& model, const BlockOnPlane& plane) {
+    std::vector<LoadOnBlock> loads;
+    if (model.loads.empty()) return loads;
+    const RowMap rows(model.motion);
+    const BlockSystem blocks = initial_block_system(model);
+    const std::vector<Vec6> still(blocks.velocity.size(), Vec6::Zero());
+    const MidStep mid = predict_mid_step(model, blocks, still, ThreadPool(1));
+    for (const Load& load : model.loads) {
+        const PerRow<Vec6> forces = unit_load_forces(model, rows, blocks, mid, load);
+        const Vec2 force = forces[rows.row_of[plane.block]].head<2>();
+        if (!force.isZero(0)) loads.push_back({force / blocks.mass[plane.block], history_of(load)});
+    }
+    return loads;
+}
+
+/// At yield under the acceleration k g, with the accelerations a_t downhill and a_n into the plane by loads:
+/// g sin + a_t + k g cos = mu (g cos + a_n - k g sin) + adhesion.
+double yield_coefficient(const Model& model, const BlockOnPlane& plane) {
+    const double gravity = model.gravity.norm();
+    const Vec2 loads = load_acceleration(loads_on(model, plane), 0) / gravity;
+    const double drive = std::sin(plane.dip) + loads.dot(plane.downhill);
+    const double pressure = std::cos(plane.dip) + loads.dot(plane_inward_normal(plane, model.gravity));
+    const double friction = plane.peak.friction;
+    return (friction * pressure - drive + plane.peak.adhesion / gravity) /
+           (std::cos(plane.dip) + friction * std::sin(plane.dip));
 }
 
 double rigid_slip(const Model& model, std::span<const Stage> stages, const BlockOnPlane& plane,
                   double dynamic_time) {
     record::RigidSlider block(plane.peak, plane.residual);
+    const std::vector<LoadOnBlock> loads = loads_on(model, plane);
     const Vec2 down = plane_inward_normal(plane, model.gravity);
     double stage_start = 0;  // s of dynamic time
     for (const Stage& stage : stages) {
@@ -142,12 +168,33 @@ double rigid_slip(const Model& model, std::span<const Stage> stages, const Block
         const double dt = length / static_cast<double>(steps);
         for (std::int64_t k = 0; k < steps; ++k) {
             const double time = (static_cast<double>(k) + 0.5) * dt;
-            const Vec2 field = body_acceleration_at(model, stage, plane, time, stage_start + time);
+            const Vec2 field = gravity_and_motion_at(model, stage, plane, time) +
+                               load_acceleration(loads, stage_start + time);
             block.advance(field.dot(plane.downhill), field.dot(down), dt);
         }
         stage_start += stage.duration;
     }
     return block.slip();
+}
+
+std::vector<std::string> ignored_by_estimate(const Model& model, const BlockOnPlane& plane) {
+    std::vector<std::string> ignored;
+    const auto holds = [&](PointIndex point) { return model.material_points[point].block == plane.block; };
+    const auto add_if_any = [&](const char* what, const auto& all, const auto& acts_on_block) {
+        if (std::any_of(all.begin(), all.end(), acts_on_block)) ignored.emplace_back(what);
+    };
+    add_if_any("bolts", model.bolts,
+               [&](const BoltSpec& bolt) { return holds(bolt.first) || holds(bolt.second); });
+    add_if_any("fixed points", model.fixed_points,
+               [&](const FixedPoint& fixed) { return holds(fixed.point); });
+    add_if_any("viscous boundaries", model.viscous_boundaries, [&](const ViscousBoundary& boundary) {
+        return std::any_of(boundary.faces.begin(), boundary.faces.end(), [&](const FacePart& face) {
+            return model.topology.block_of_edge(face.edge) == plane.block;
+        });
+    });
+    if (!model.initial_velocity.empty() && !model.initial_velocity[plane.block].isZero(0))
+        ignored.emplace_back("initial velocities");
+    return ignored;
 }
 
 double simulated_slip(const State& state, const BlockOnPlane& plane) {

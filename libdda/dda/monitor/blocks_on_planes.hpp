@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "dda/analysis/state.hpp"
@@ -23,14 +24,29 @@ struct BlockOnPlane {
 /// there. Mohr-Coulomb contacts have cohesion times their length; other laws give their present strength.
 std::vector<BlockOnPlane> find_blocks_on_planes(const Model& model, const State& state);
 
+/// The acceleration of a block by one load with its history at 1, m/s2.
+struct LoadOnBlock {
+    Vec2 acceleration = Vec2::Zero();
+    TimeTable history;
+};
+
+/// The loads that act on the block of a plane, each with the resultant of its forces at the blocks' initial
+/// positions, Eqs. (54) and (55). Water in the plane itself carries a part of the block's weight.
+std::vector<LoadOnBlock> loads_on(const Model& model, const BlockOnPlane& plane);
+
 /// Newmark's yield coefficient: horizontal ground acceleration over g at which the block begins to slide
-/// downhill, with adhesion. @param gravity m/s2.
-double yield_coefficient(const BlockOnPlane& plane, double gravity);
+/// downhill, with adhesion, under gravity and the loads at the start of the shaking.
+double yield_coefficient(const Model& model, const BlockOnPlane& plane);
 
 /// Newmark's estimate of the slip, m downhill: slip of the rigid block alone in the dynamic stages up to
-/// `dynamic_time`, s, under gravity, body loads and the motion of its base.
+/// `dynamic_time`, s, under gravity, all loads and the motion of its base. It begins at rest, does not
+/// rotate, and keeps its plane and its loads' directions.
 double rigid_slip(const Model& model, std::span<const Stage> stages, const BlockOnPlane& plane,
                   double dynamic_time);
+
+/// What holds or moves the block in the run but not in the estimate: "bolts", "fixed points", "viscous
+/// boundaries", "initial velocities".
+std::vector<std::string> ignored_by_estimate(const Model& model, const BlockOnPlane& plane);
 
 /// Slip of the block in the run, m: its displacement down the plane relative to its base, from the state at
 /// which displacements were last zeroed.

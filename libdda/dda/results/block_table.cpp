@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdio>
 #include <numbers>
+#include <set>
 
 #include "dda/writers/csv_file.hpp"
 
@@ -97,6 +98,15 @@ std::string first_slip_summary(const Results& results) {
                      slips[first].dynamic_time);
 }
 
+/// One line that says what the estimates leave out; empty if they leave out nothing.
+std::string ignored_text(const std::vector<PlaneSlip>& slips) {
+    std::set<std::string> ignored;
+    for (const PlaneSlip& slip : slips) ignored.insert(slip.ignored.begin(), slip.ignored.end());
+    std::string list;
+    for (const std::string& what : ignored) list += (list.empty() ? "" : ", ") + what;
+    return list.empty() ? "" : "Newmark's rigid block ignores: " + list + "\n";
+}
+
 std::string planes_text(std::vector<PlaneSlip> slips) {
     if (slips.empty()) return {};
     std::stable_sort(slips.begin(), slips.end(), [](const PlaneSlip& a, const PlaneSlip& b) {
@@ -108,7 +118,7 @@ std::string planes_text(std::vector<PlaneSlip> slips) {
                           slips[k].plane.dip / degree, slips[k].yield, slips[k].simulated, slips[k].newmark);
     if (slips.size() > max_printed)
         text += formatted("and %zu more in blocks.csv\n", slips.size() - max_printed);
-    return text;
+    return text + ignored_text(slips);
 }
 
 }  // namespace
@@ -118,9 +128,9 @@ std::vector<PlaneSlip> plane_slips(const Model& model, const std::vector<Stage>&
     std::vector<PlaneSlip> slips;
     for (const BlockOnPlane& plane : results.state().planes)
         if (state.is_present(plane.block))
-            slips.push_back({plane, yield_coefficient(plane, model.gravity.norm()),
+            slips.push_back({plane, yield_coefficient(model, plane),
                              rigid_slip(model, stages, plane, state.dynamic_time),
-                             simulated_slip(state, plane)});
+                             simulated_slip(state, plane), ignored_by_estimate(model, plane)});
     return slips;
 }
 

@@ -11,9 +11,10 @@ namespace rockslope::dda {
 /// Slip of a block on a plane: Newmark's estimate and the run.
 struct PlaneSlip {
     BlockOnPlane plane;
-    double yield = 0;      ///< Newmark's yield coefficient, see yield_coefficient
-    double newmark = 0;    ///< m downhill, of the rigid block
-    double simulated = 0;  ///< m downhill, in the run
+    double yield = 0;                  ///< Newmark's yield coefficient, see yield_coefficient
+    double newmark = 0;                ///< m downhill, of the rigid block
+    double simulated = 0;              ///< m downhill, in the run
+    std::vector<std::string> ignored;  ///< see ignored_by_estimate
 };
 std::vector<PlaneSlip> plane_slips(const Model& model, const std::vector<Stage>& stages, const State& state,
                                    const Results& results);

@@ -104,13 +104,15 @@ Json slips_json(const std::vector<FirstSlip>& slips) {
 
 Json planes_json(const std::vector<PlaneSlip>& slips) {
     Json planes = Json::array();
-    for (const PlaneSlip& slip : slips)
+    for (const PlaneSlip& slip : slips) {
         planes.push_back({{"block", slip.plane.block.value()},
                           {"base", slip.plane.base.value()},
                           {"dip", slip.plane.dip},
                           {"yield_coefficient", slip.yield},
                           {"newmark_slip", slip.newmark},
                           {"slip", slip.simulated}});
+        if (!slip.ignored.empty()) planes.back()["newmark_ignores"] = slip.ignored;
+    }
     return planes;
 }
 

@@ -2,17 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace rockslope::dda {
 
 namespace {
 
-/// Sums the generalised forces of loads on the free blocks at one instant.
+/// Sums the generalised forces of loads on the free blocks at one instant, or with their histories at 1.
 class LoadForces {
   public:
+    /// @param time s, of the load histories; none: all histories are 1.
     LoadForces(const Model& model, const RowMap& rows, const BlockSystem& blocks, const MidStep& mid,
-               double time)
+               std::optional<double> time)
         : model_(model),
           rows_(rows),
           blocks_(blocks),
@@ -20,7 +22,7 @@ class LoadForces {
           time_(time),
           forces_(rows.count(), Vec6::Zero()) {}
 
-    double factor(const TimeTable& history) const { return history.at(time_); }
+    double factor(const TimeTable& history) const { return time_ ? history.at(*time_) : 1; }
     /// Adds a generalised force on the six unknowns of a block.
     void add(BlockIndex block, const Vec6& force) {
         const RowIndex row = rows_.row_of[block];
@@ -57,7 +59,7 @@ class LoadForces {
     const RowMap& rows_;
     const BlockSystem& blocks_;
     const MidStep& mid_;
-    double time_;
+    std::optional<double> time_;
     PerRow<Vec6> forces_;
 };
 
@@ -91,6 +93,13 @@ class LoadedBlocks {
 };
 
 }  // namespace
+
+PerRow<Vec6> unit_load_forces(const Model& model, const RowMap& rows, const BlockSystem& blocks,
+                              const MidStep& mid, const Load& load) {
+    LoadForces forces(model, rows, blocks, mid, {});
+    std::visit([&](const auto& l) { l.add_to(forces); }, load);
+    return std::move(forces).result();
+}
 
 PerRow<Vec6> load_forces(const Model& model, const RowMap& rows, const BlockSystem& blocks,
                          const MidStep& mid, const LoadInstant& instant) {

@@ -18,6 +18,10 @@ struct LoadInstant {
 PerRow<Vec6> load_forces(const Model& model, const RowMap& rows, const BlockSystem& blocks,
                          const MidStep& mid, const LoadInstant& instant);
 
+/// The generalised forces of one load with its history at 1, per row, N (and N m) per metre.
+PerRow<Vec6> unit_load_forces(const Model& model, const RowMap& rows, const BlockSystem& blocks,
+                              const MidStep& mid, const Load& load);
+
 /// Adds gravity and all loads.
 void add_loads(const Model& model, const RowMap& rows, const BlockSystem& blocks, const MidStep& mid,
                const LoadInstant& instant, BaseSystem& base);
