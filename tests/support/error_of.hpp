@@ -6,12 +6,12 @@
 
 namespace rockslope {
 
-/// The text of the InputError that an action throws; "no error" if it throws none.
-template <class Action>
+/// The text of the error that an action throws; "no error" if it throws none.
+template <class Error = InputError, class Action>
 std::string error_of(const Action& action) {
     try {
         action();
-    } catch (const InputError& error) {
+    } catch (const Error& error) {
         return error.what();
     }
     return "no error";

@@ -9,6 +9,7 @@
 #include "record/record_format.hpp"
 #include "small_records.hpp"
 #include "support/error_of.hpp"
+#include "support/replaced.hpp"
 
 namespace rockslope::record {
 namespace {
@@ -20,10 +21,6 @@ using ::testing::StartsWith;
 
 std::string error_in(const std::string& text, const RecordDeclaration& declaration = {}) {
     return error_of([&] { parse_record(text, "r", declaration); });
-}
-
-std::string replaced(std::string text, const std::string& what, const std::string& by) {
-    return text.replace(text.find(what), what.size(), by);
 }
 
 /// The SAC format needs a declaration of quantity and unit; the others state them.

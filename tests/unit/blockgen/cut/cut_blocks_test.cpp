@@ -11,6 +11,7 @@
 #include "blockgen/input/geometry_file.hpp"
 #include "blockgen/mesh/block_file.hpp"
 #include "common/base/input_error.hpp"
+#include "support/error_of.hpp"
 #include "support/external_data.hpp"
 #include "unit/blockgen/small_blocks.hpp"
 
@@ -20,12 +21,7 @@ namespace {
 using testing::HasSubstr;
 
 std::string error_of(const SlopeModel& model, const CutOptions& options = {}) {
-    try {
-        cut_blocks(model, all_traces(model), options);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "no error";
+    return rockslope::error_of([&] { cut_blocks(model, all_traces(model), options); });
 }
 
 TEST(CutBlocks, WithoutJointsTheDomainIsOneBlock) {

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "common/base/input_error.hpp"
+#include "support/error_of.hpp"
 #include "unit/blockgen/slopes.hpp"
 
 namespace rockslope::blockgen {
@@ -241,16 +242,8 @@ TEST(DegenerateGeometry, NodesAndDensities) {
 TEST(DegenerateGeometry, AHoleOrTunnelOutsideTheRockIsReported) {
     const std::string domain =
         "[domain]\noutline = [[0, 0], [2, 0], [2, 1], [0, 1]]\nblock_material = \"rock\"\n";
-    EXPECT_THROW(
-        {
-            try {
-                slope(domain + "holes = [[[3, 0], [4, 0], [4, 1]]]\n");
-            } catch (const InputError& error) {
-                EXPECT_THAT(error.what(), HasSubstr("slope.toml:4:9: hole 1 lies outside the outline"));
-                throw;
-            }
-        },
-        InputError);
+    EXPECT_THAT(error_of([&] { slope(domain + "holes = [[[3, 0], [4, 0], [4, 1]]]\n"); }),
+                HasSubstr("slope.toml:4:9: hole 1 lies outside the outline"));
     const SlopeModel model =
         slope(domain + "[[tunnel]]\nname = \"far\"\nshape = \"circle\"\ncentre = [9, 9]\nradius = 1\n");
     EXPECT_THAT(cut(model).report.warnings, ElementsAre(HasSubstr("tunnel 'far' lies outside the outline")));

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "support/error_of.hpp"
 #include "unit/blockgen/slopes.hpp"
 
 namespace rockslope::blockgen {
@@ -69,17 +70,12 @@ p21 = 1.5
 }
 
 std::string error_of(const std::string& domain) {
-    try {
-        slope("[domain]\nblock_material = \"rock\"\n" + domain);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "none";
+    return rockslope::error_of([&] { slope("[domain]\nblock_material = \"rock\"\n" + domain); });
 }
 
 TEST(Domain, InvalidPartsAreReported) {
     const std::string square = "[[0, 0], [2, 0], [2, 2], [0, 2]]";
-    EXPECT_EQ(error_of("outlines = [" + square + ", [[2, 0], [4, 0], [4, 2]]]"), "none");
+    EXPECT_EQ(error_of("outlines = [" + square + ", [[2, 0], [4, 0], [4, 2]]]"), "no error");
     EXPECT_THAT(error_of("outlines = [" + square + ", [[1, 0], [4, 0], [4, 2]]]"),
                 HasSubstr("outline 2 overlaps an earlier part"));
     EXPECT_THAT(error_of("outlines = [" + square + ", " + square + "]"), HasSubstr("outline 2 overlaps"));

@@ -11,6 +11,7 @@
 
 #include "blockgen/input/geometry_file.hpp"
 #include "common/base/input_error.hpp"
+#include "support/error_of.hpp"
 
 namespace rockslope::blockgen {
 namespace {
@@ -40,12 +41,8 @@ const char* drawing =
 
 TEST(GdalFile, IsRefusedWithoutGdal) {
     if (has_gdal()) GTEST_SKIP() << "this build has GDAL";
-    try {
-        read_trace_file(written("drawing.dxf", drawing), "map", "joint");
-        FAIL();
-    } catch (const InputError& error) {
-        EXPECT_THAT(error.what(), HasSubstr("without GDAL"));
-    }
+    EXPECT_THAT(error_of([] { read_trace_file(written("drawing.dxf", drawing), "map", "joint"); }),
+                HasSubstr("without GDAL"));
 }
 
 TEST(GdalFile, LinesOfADrawing) {

@@ -9,6 +9,7 @@
 #include "blockgen/input/gdal_file.hpp"
 #include "blockgen/input/geometry_file.hpp"
 #include "common/base/input_error.hpp"
+#include "support/error_of.hpp"
 
 #ifdef HAS_GDAL
 #include <cpl_error.h>
@@ -170,15 +171,12 @@ TEST(GdalFormats, ClosedLinesOfADrawingAreParts) {
 }
 
 std::string error_of(const fs::path& path, bool outline) {
-    try {
+    return rockslope::error_of([&] {
         if (outline)
             read_outline_file(path);
         else
             read_trace_file(path, "map", "joint");
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "none";
+    });
 }
 
 TEST(GdalFormats, DegreesAndOpenOutlinesAreRefused) {

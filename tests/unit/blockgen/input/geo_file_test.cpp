@@ -10,6 +10,8 @@
 #include "blockgen/cut/apply_block_selectors.hpp"
 #include "blockgen/faces/enclosed_area.hpp"
 #include "common/base/input_error.hpp"
+#include "support/error_of.hpp"
+#include "support/replaced.hpp"
 #include "unit/blockgen/slopes.hpp"
 
 namespace rockslope::blockgen {
@@ -67,14 +69,8 @@ TEST(GeoFile, ReadsTheCountedRecords) {
     EXPECT_EQ(geo.hole_points.at(0), (Point{3.5, 2.5}));
 }
 
-std::string error_of(std::string text, const std::string& from, const std::string& to) {
-    text.replace(text.find(from), from.size(), to);
-    try {
-        read_geo_file(written(text));
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "no error";
+std::string error_of(const std::string& text, const std::string& from, const std::string& to) {
+    return rockslope::error_of([&] { read_geo_file(written(replaced(text, from, to))); });
 }
 
 TEST(GeoFile, ErrorsHaveTheirLocation) {

@@ -8,6 +8,8 @@
 
 #include "blockgen/input/geometry_file.hpp"
 #include "support/case_name.hpp"
+#include "support/error_of.hpp"
+#include "support/replaced.hpp"
 #include "unit/blockgen/slopes.hpp"
 
 namespace rockslope::blockgen {
@@ -46,19 +48,9 @@ at = [5, 4.5]
 )";
 
 std::string error_of(const std::string& text) {
-    try {
-        slope(text);
-    } catch (const InputError& error) {
-        EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
-        return error.what();
-    }
-    return "no error";
-}
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-    const std::size_t at = text.find(from);
-    EXPECT_NE(at, std::string::npos) << from;
-    return text.replace(at, from.size(), to);
+    const std::string error = rockslope::error_of([&] { slope(text); });
+    EXPECT_EQ(error.find('\n'), std::string::npos);
+    return error;
 }
 
 TEST(ReadSlopeModel, ReadsEveryTable) {
@@ -163,12 +155,7 @@ class GeometryFile : public testing::Test {
         return path;
     }
     std::string error_of(const std::filesystem::path& path) {
-        try {
-            read_trace_file(path, "t", "");
-        } catch (const InputError& error) {
-            return error.what();
-        }
-        return "no error";
+        return rockslope::error_of([&] { read_trace_file(path, "t", ""); });
     }
 };
 

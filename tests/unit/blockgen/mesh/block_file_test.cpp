@@ -9,6 +9,8 @@
 #include "blockgen/mesh/check_mesh.hpp"
 #include "common/base/input_error.hpp"
 #include "support/case_name.hpp"
+#include "support/error_of.hpp"
+#include "support/replaced.hpp"
 
 namespace rockslope::blockgen {
 namespace {
@@ -38,20 +40,10 @@ measured_point crest 1 0.5 0.9
 end
 )";
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-    const std::size_t at = text.find(from);
-    EXPECT_NE(at, std::string::npos) << from;
-    return text.replace(at, from.size(), to);
-}
-
 std::string error_of(const std::string& text) {
-    try {
-        parse_block_file(text, "slope.blocks");
-    } catch (const InputError& error) {
-        EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
-        return error.what();
-    }
-    return "no error";
+    const std::string error = rockslope::error_of([&] { parse_block_file(text, "slope.blocks"); });
+    EXPECT_EQ(error.find('\n'), std::string::npos);
+    return error;
 }
 
 TEST(BlockFile, ReadsItsExample) {
@@ -156,12 +148,8 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& tested) { return case_name(std::to_string(tested.index) + " " + tested.param.message); });
 
 TEST(BlockFile, MissingFileIsAnErrorThatNamesIt) {
-    try {
-        read_block_file("no/such/file.blocks");
-        FAIL();
-    } catch (const InputError& error) {
-        EXPECT_THAT(error.what(), HasSubstr("no/such/file.blocks"));
-    }
+    EXPECT_THAT(rockslope::error_of([] { read_block_file("no/such/file.blocks"); }),
+                HasSubstr("no/such/file.blocks"));
     EXPECT_THROW(read_block_file("/"), InputError);
 }
 

@@ -8,6 +8,7 @@
 #include "blockgen/mesh/measures.hpp"
 #include "common/base/input_error.hpp"
 #include "common/geometry/orientation.hpp"
+#include "support/error_of.hpp"
 
 namespace rockslope::blockgen {
 namespace {
@@ -30,12 +31,7 @@ BlockMesh mesh_of(const std::vector<Ring>& rings) {
 }
 
 std::string error_of(const BlockMesh& mesh) {
-    try {
-        check_mesh(mesh, "slope.blocks");
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "no error";
+    return rockslope::error_of([&] { check_mesh(mesh, "slope.blocks"); });
 }
 
 const Ring square = {{0, 0}, {4, 0}, {4, 4}, {0, 4}};

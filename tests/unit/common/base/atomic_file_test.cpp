@@ -9,6 +9,7 @@
 #include "common/base/input_error.hpp"
 #include "common/base/output_error.hpp"
 #include "common/base/read_file.hpp"
+#include "support/error_of.hpp"
 
 namespace rockslope {
 namespace {
@@ -47,24 +48,15 @@ TEST_F(AtomicFile, FailureKeepsTheOldFile) {
 }
 
 TEST_F(AtomicFile, ReportsAFullDevice) {
-    try {
-        write_file_atomically("/dev/full", "x");
-        FAIL();
-    } catch (const OutputError& error) {
-        EXPECT_STREQ(error.what(), "/dev/full: cannot be written: No space left on device");
-    }
+    EXPECT_EQ(error_of<OutputError>([] { write_file_atomically("/dev/full", "x"); }),
+              "/dev/full: cannot be written: No space left on device");
 }
 
 TEST_F(AtomicFile, UnreadablePathsAreInputErrors) {
     EXPECT_THROW(read_text_file(folder), InputError);
-    try {
-        read_text_file(folder / "none");
-        FAIL();
-    } catch (const InputError& error) {
-        EXPECT_EQ(std::string(error.what()),
-                  (folder / "none").string() +
-                      ": cannot be read: No such file or directory; expected a readable file");
-    }
+    EXPECT_EQ(
+        error_of([&] { read_text_file(folder / "none"); }),
+        (folder / "none").string() + ": cannot be read: No such file or directory; expected a readable file");
 }
 
 }  // namespace

@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cstdio>
+#include <cstdlib>
 #include <fstream>
 
-#include "common/base/input_error.hpp"
+#include "support/error_of.hpp"
 
 namespace rockslope {
 namespace {
@@ -14,14 +16,14 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
+constexpr ::uid_t nobody = 65534;
+
+/// Ends the process after it has written the error of an action for a user without the rights of root.
 template <class Action>
-std::string error_of(const Action& action) {
-    try {
-        action();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "no error";
+[[noreturn]] void print_error_without_root(const Action& action) {
+    if (::getuid() == 0 && ::setuid(nobody) != 0) std::_Exit(2);
+    std::fputs(error_of(action).c_str(), stderr);
+    std::_Exit(0);
 }
 
 class OutputCheck : public testing::Test {
@@ -59,11 +61,19 @@ TEST_F(OutputCheck, RejectsUnwritablePaths) {
     EXPECT_THAT(error_of([&] { check_output_folder(folder / "model.toml"); }), HasSubstr("Not a directory"));
     EXPECT_THAT(error_of([&] { check_output_folder(folder / "model.toml" / "out"); }),
                 HasSubstr("expected a folder for the results"));
-    if (::geteuid() == 0) return;  // root may write everywhere
-    fs::permissions(folder / "sub", fs::perms::owner_write, fs::perm_options::remove);
-    EXPECT_THAT(error_for("sub/new.blocks"), HasSubstr("Permission denied"));
-    EXPECT_THAT(error_of([&] { check_output_folder(folder / "sub" / "out"); }),
-                HasSubstr("Permission denied"));
+}
+
+// The rights of a folder bind everybody but root, so root tries as another user.
+TEST_F(OutputCheck, RejectsAFolderWithoutTheRightToWrite) {
+    const fs::perms readable = fs::perms::owner_read | fs::perms::group_read | fs::perms::others_read |
+                               fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec;
+    fs::permissions(folder, readable | fs::perms::owner_write);
+    fs::permissions(folder / "sub", readable);
+    const testing::ExitedWithCode rejected(0);
+    EXPECT_EXIT(print_error_without_root([&] { check_output(folder / "sub" / "new.blocks", {}); }), rejected,
+                "sub/new.blocks.*Permission denied");
+    EXPECT_EXIT(print_error_without_root([&] { check_output_folder(folder / "sub" / "out"); }), rejected,
+                "sub/out.*Permission denied");
 }
 
 TEST_F(OutputCheck, RejectsAnInputUnderAnySpelling) {

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <string>
 
+#include "support/error_of.hpp"
+
 namespace rockslope {
 namespace {
 
@@ -13,14 +15,11 @@ using Reader = std::function<void(const ConfigTable&)>;
 
 std::string error_of(const std::string& text, const Reader& read,
                      const std::vector<std::string>& overrides = {}) {
-    try {
+    return rockslope::error_of([&] {
         const ConfigTable table = ConfigTable::from_text(text, "m.toml", overrides);
         read(table);
         table.finish();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "no error";
+    });
 }
 
 Reader number(Dimension dimension = Dimension::none) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "dda/input/read_run.hpp"
+#include "support/replaced.hpp"
 #include "unit/dda/input/small_models.hpp"
 
 namespace rockslope::io_test {
@@ -20,10 +21,7 @@ class ModelTextTest : public ::testing::Test {
     }
     /// The text with `before`, which it must contain, replaced by `after`.
     std::string changed(const std::string& before, const std::string& after) const {
-        std::string text = text_;
-        const std::size_t at = text.find(before);
-        EXPECT_NE(at, std::string::npos) << before;
-        return at == std::string::npos ? text : text.replace(at, before.size(), after);
+        return replaced(text_, before, after);
     }
     /// The error text for the changed text, without the folder's path.
     std::string error_with(const std::string& before, const std::string& after) const {
