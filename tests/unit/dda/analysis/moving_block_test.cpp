@@ -1,0 +1,99 @@
+#include "dda/analysis/moving_block.hpp"
+
+#include <gtest/gtest.h>
+
+#include "dda/analysis/run_stage.hpp"
+#include "support/scene.hpp"
+
+using namespace rockslope;
+
+namespace {
+
+using namespace scene;
+
+/// A fixed block and three free ones, at the start of a stage.
+struct FourBlocks {
+    Scene s;
+    dda::State state;
+    FourBlocks() {
+        s.model.joint_materials[0].name = "bedding";
+        s.model.origin = {1000, 2000};
+        s.box({0, 0}, 1, 1, dda::Motion::fixed);
+        for (const double x : {10.0, 20.0, 30.0}) s.box({x, 0}, 1, 1);
+        state = dda::initial_state(s.model);
+        dda::begin_stage(state);
+    }
+    void move(int block, const Vec2& by) { state.blocks.moments[block].centroid += by; }
+    void accelerate(int block, double by) { state.blocks.acceleration[block][1] = by; }
+    void add_contact(int corner_block, int edge_block, dda::ContactState contact_state, double slip) {
+        dda::Contact& contact = state.contacts.contacts.emplace_back();
+        contact.corner_block = corner_block;
+        contact.edge_block = edge_block;
+        contact.joint_material = 0;
+        contact.state = contact_state;
+        contact.slip = slip;
+    }
+};
+
+TEST(MovingBlock, IsTheFreeBlockThatMovedFarthest) {
+    FourBlocks blocks;
+    blocks.move(0, {9, 9});  // fixed
+    blocks.move(1, {0.3, 0.4});
+    blocks.move(2, {0, -0.2});
+    blocks.accelerate(1, -0.25 * g);
+    EXPECT_FALSE(dda::block_moved_beyond(blocks.s.model, blocks.state, 0.51));
+    const auto moving = dda::block_moved_beyond(blocks.s.model, blocks.state, 0.1);
+    ASSERT_TRUE(moving);
+    EXPECT_EQ(moving->block, 1);
+    EXPECT_DOUBLE_EQ(moving->displacement, 0.5);
+    EXPECT_DOUBLE_EQ(moving->unbalanced, 0.25);
+    EXPECT_FALSE(moving->on) << "in free fall";
+}
+
+TEST(MovingBlock, IsNotOneThatHasBeenExcavated) {
+    FourBlocks blocks;
+    blocks.move(1, {3, 0});
+    blocks.move(2, {1, 0});
+    blocks.state.removed = {0, 1, 0, 0};
+    EXPECT_EQ(dda::block_moved_beyond(blocks.s.model, blocks.state, 0.1)->block, 2);
+}
+
+TEST(MovingBlock, IsTheLeastBalancedOne) {
+    FourBlocks blocks;
+    EXPECT_FALSE(dda::least_balanced_block(blocks.s.model, blocks.state)) << "all are in balance";
+    blocks.accelerate(0, 100);
+    blocks.accelerate(2, -1);
+    blocks.accelerate(3, 2);
+    const auto moving = dda::least_balanced_block(blocks.s.model, blocks.state);
+    ASSERT_TRUE(moving);
+    EXPECT_EQ(moving->block, 3);
+    EXPECT_DOUBLE_EQ(moving->unbalanced, 2 / g);
+}
+
+TEST(MovingBlock, MovesAlongItsSlidingContactWithTheLargestSlip) {
+    FourBlocks blocks;
+    blocks.move(1, {1, 0});
+    blocks.add_contact(1, 0, dda::ContactState::sliding, 0.1);
+    blocks.add_contact(0, 1, dda::ContactState::sliding, -0.3);
+    blocks.add_contact(1, 2, dda::ContactState::locked, 0.7);
+    blocks.add_contact(2, 3, dda::ContactState::sliding, 0.9);
+    const auto moving = dda::block_moved_beyond(blocks.s.model, blocks.state, 0.1);
+    ASSERT_TRUE(moving->on);
+    EXPECT_EQ(moving->on->slip, -0.3);
+}
+
+TEST(MovingBlock, IsDescribedInTheUsersCoordinates) {
+    FourBlocks blocks;
+    blocks.move(1, {0.25, -0.5});
+    blocks.accelerate(1, -0.5 * g);
+    const auto fall = dda::block_moved_beyond(blocks.s.model, blocks.state, 0.1);
+    EXPECT_EQ(dda::describe(blocks.s.model, blocks.state, *fall),
+              "block 1 at (1010.75, 2000) has moved 0.559 m in free fall and does not stop; its unbalanced "
+              "force is 0.5 of the weight");
+    blocks.add_contact(1, 0, dda::ContactState::sliding, 0.1);
+    const auto slide = dda::block_moved_beyond(blocks.s.model, blocks.state, 0.1);
+    EXPECT_NE(dda::describe(blocks.s.model, blocks.state, *slide).find(" m along 'bedding' and does"),
+              std::string::npos);
+}
+
+}  // namespace

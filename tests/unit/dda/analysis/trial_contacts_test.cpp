@@ -1,0 +1,194 @@
+// A block on a floor: what its two contacts bear at a displacement, and what that makes of the active set.
+
+#include "dda/analysis/trial_contacts.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/resting_block.hpp"
+
+using namespace rockslope;
+
+namespace {
+
+using namespace scene;
+using dda::ContactState;
+
+const double tan30 = std::tan(radians(30));
+
+TEST(TrialContacts, BearTheForceOfTheirSprings) {
+    RestingContacts block(Scene::mohr_coulomb(30));
+    ASSERT_EQ(block.trials.count(), 2u);
+    block.move(2e-6, 1e-5);
+    block.trials.update_bounds();
+    for (const dda::EvaluatedContact& contact : block.evaluated()) {
+        EXPECT_EQ(contact.state, ContactState::locked);
+        EXPECT_NEAR(contact.gap, -1e-5, 1e-15);
+        EXPECT_NEAR(contact.normal_force, 1e4, 1e-5);
+        EXPECT_NEAR(contact.shear_force, 2e3, 1e-5);
+        EXPECT_NEAR(contact.displacement, 2e-6, 1e-18);
+        EXPECT_EQ(contact.slip, 0);
+    }
+}
+
+TEST(TrialContacts, SlideAtTheBoundOfTheirLaw) {
+    for (const double direction : {1.0, -1.0}) {
+        RestingContacts block(Scene::mohr_coulomb(30));
+        block.move(direction * 2e-5, 1e-5);
+        block.trials.update_bounds();
+        for (const dda::EvaluatedContact& contact : block.evaluated()) {
+            EXPECT_EQ(contact.state, ContactState::sliding);
+            EXPECT_NEAR(contact.shear_force, direction * 1e4 * tan30, 1e-5);
+            EXPECT_NEAR(contact.slip, direction * (2e-5 - 1e4 * tan30 / block.spring), 1e-14);
+        }
+    }
+}
+
+TEST(TrialContacts, BearNothingWhereTheyAreOpen) {
+    RestingContacts block(Scene::mohr_coulomb(30));
+    block.move(2e-5, -1e-5);
+    block.trials.update_bounds();
+    for (const dda::EvaluatedContact& contact : block.evaluated()) {
+        EXPECT_EQ(contact.state, ContactState::open);
+        EXPECT_EQ(contact.normal_force, 0);
+        EXPECT_EQ(contact.shear_force, 0);
+        EXPECT_EQ(contact.slip, 0);
+    }
+}
+
+TEST(TrialContacts, HaveReducedStrengths) {
+    Scene s = resting_block(Scene::mohr_coulomb(30));
+    s.model.strength_reduction = 1.25;
+    RestingContacts block(s);
+    block.move(2e-5, 1e-5);
+    block.trials.update_bounds();
+    EXPECT_NEAR(block.evaluated()[0].shear_force, 1e4 * tan30 / 1.25, 1e-5);
+}
+
+// Eq. (75): cohesion, here 2e4 Pa over 0.5 m, acts in a step at whose start the contact was closed.
+TEST(TrialContacts, HaveCohesionOnlyIfTheyWereClosed) {
+    for (const bool was_closed : {true, false}) {
+        RestingContacts block(dda::MohrCoulomb{radians(30), 2e4, 0, radians(30), 2e4});
+        for (dda::Contact& contact : block.step.found.set.contacts)
+            contact.state = was_closed ? ContactState::locked : ContactState::open;
+        dda::TrialContacts trials(block.problem, block.step.pool);
+        const std::vector<Vec6> d{RestingContacts::displacement(1e-4, 1e-5)};
+        trials.set_displacement(d, d);
+        trials.update_bounds();
+        std::vector<dda::EvaluatedContact> evaluated(2);
+        trials.evaluate(evaluated);
+        EXPECT_NEAR(evaluated[0].shear_force, 1e4 * tan30 + (was_closed ? 1e4 : 0), 1e-5) << was_closed;
+    }
+}
+
+// A contact that was open has no springs in the linear system before the first update, so all of the law's
+// force is a change. With springs its forces are those of the law.
+TEST(TrialContacts, ForceChangeIsTheDifferenceOfLawAndLinearSystem) {
+    RestingContacts block(Scene::mohr_coulomb(30));
+    for (dda::Contact& contact : block.step.found.set.contacts) contact.state = ContactState::open;
+    dda::TrialContacts trials(block.problem, block.step.pool);
+    ASSERT_FALSE(trials.has_normal_spring(0));
+    const std::vector<Vec6> d{RestingContacts::displacement(2e-6, 1e-5)};
+    trials.set_displacement(d, d);
+    trials.update_bounds();
+    const auto before = trials.force_change();
+    EXPECT_NEAR(before.largest, 1e4, 1e-5);
+    EXPECT_TRUE(before.contact.exists());
+    EXPECT_NEAR(trials.tolerance(), block.step.control.force_tolerance * 1e4, 1e-9);
+    EXPECT_TRUE(trials.update_active_set());
+    EXPECT_TRUE(trials.has_normal_spring(0));
+    EXPECT_TRUE(trials.has_shear_spring(0));
+    trials.set_displacement(d, d);
+    EXPECT_NEAR(trials.force_change().largest, 0, 1e-9);
+    EXPECT_FALSE(trials.update_active_set());
+}
+
+TEST(TrialContacts, ASlidingContactHasItsFrictionForceAsALoad) {
+    RestingContacts block(Scene::mohr_coulomb(30));
+    block.move(-2e-5, 1e-5);
+    block.trials.update_bounds();
+    block.trials.force_change();
+    block.trials.update_active_set();
+    EXPECT_FALSE(block.trials.has_shear_spring(0));
+    EXPECT_FALSE(block.trials.slides_forward(0));
+    EXPECT_NEAR(block.trials.friction_force(0), -1e4 * tan30, 1e-5);
+    const dda::Forces linear = block.trials.linear_forces(0, -3e-5, 7e-5);
+    EXPECT_NEAR(linear.normal, 3e4, 1e-5) << "follows the opening";
+    EXPECT_NEAR(linear.shear, -1e4 * tan30, 1e-5) << "does not follow the shear displacement";
+}
+
+// A bond bears 5e4 Pa over 0.5 m: 25 kN of tension.
+TEST(TrialContacts, BreakBondsBeyondTheTensileStrength) {
+    RestingContacts block(dda::MohrCoulomb{radians(30), 1e5, 5e4, radians(30), 0});
+    ASSERT_TRUE(block.trials.is_bonded(0));
+    block.move(0, -2.4e-5);
+    block.trials.update_bounds();
+    EXPECT_FALSE(block.trials.break_bonds());
+    EXPECT_NEAR(block.evaluated()[0].normal_force, -2.4e4, 1e-5);
+    EXPECT_EQ(block.evaluated()[0].state, ContactState::locked);
+    block.move(0, -2.6e-5);
+    block.trials.update_bounds();
+    EXPECT_TRUE(block.trials.break_bonds());
+    block.trials.update_bounds();
+    EXPECT_TRUE(block.evaluated()[0].bond_broken);
+    EXPECT_EQ(block.evaluated()[0].normal_force, 0);
+    EXPECT_EQ(block.evaluated()[0].state, ContactState::open);
+    EXPECT_FALSE(block.trials.break_bonds()) << "broken already";
+}
+
+// Two corners meet. The upper block moves by (1, 2) mm into the other one's corner: the gaps are -1 mm along
+// x and -2 mm along y, and the line along x is crossed last.
+TEST(TrialContacts, OnlyTheFirstEntranceMayClose) {
+    Scene s;
+    s.box({-1, -1}, 1, 1, dda::Motion::fixed);
+    s.box({0, 0}, 1, 1);
+    for (const double inherited : {0.0, 1e-3}) {
+        FirstStep step(s.model);
+        ASSERT_EQ(step.set.contacts.size(), 2u);
+        const int along_x = std::abs(step.set.contacts[0].normal.x()) > 0.5 ? 0 : 1;
+        // Twice the inherited penetration counts as gap: now the line along y is crossed last.
+        step.found.set.contacts[1 - along_x].inherited_penetration = inherited;
+        const dda::StepProblem problem = step.problem();
+        dda::TrialContacts trials(problem, step.pool);
+        const std::vector<Vec6> d{(Vec6() << -1e-3, -2e-3, 0, 0, 0, 0).finished()};
+        trials.set_displacement(d, d);
+        trials.select_first_entrances();
+        EXPECT_EQ(trials.may_close(along_x), inherited == 0);
+        EXPECT_EQ(trials.may_close(1 - along_x), inherited > 0);
+    }
+}
+
+TEST(TrialContacts, ABoltYieldsAtItsYieldForce) {
+    Scene s = resting_block(Scene::mohr_coulomb(30));
+    const int anchor = s.material_point(0, {0.5, -0.5}), head = s.material_point(1, {0.5, 0.5});
+    s.model.bolts.push_back({"bolt", anchor, head, 1e7, 1e3, 3e3});
+    RestingContacts block(s);
+    for (const auto& [raised, force, elastic] :
+         {std::tuple{1e-4, 2e3, true}, {5e-4, 3e3, false}, {-9e-4, -3e3, false}}) {
+        block.move(0, -raised);
+        EXPECT_NEAR(block.trials.bolt_force(0), force, 1e-6);
+        block.trials.update_active_set();
+        EXPECT_EQ(block.trials.is_elastic(0), elastic) << raised;
+    }
+    EXPECT_NEAR(block.trials.linear_bolt_force(0, 1), -3e3, 1e-9) << "a yielding bolt is a load";
+}
+
+TEST(TrialContacts, BoundsCanBeReadAndSet) {
+    RestingContacts block(Scene::mohr_coulomb(30));
+    block.move(2e-5, 1e-5);
+    block.trials.update_bounds();
+    Eigen::VectorXd bounds = block.trials.shear_bounds();
+    ASSERT_EQ(bounds.size(), 4);
+    for (const double bound : bounds) EXPECT_NEAR(bound, 1e4 * tan30, 1e-5);
+    bounds << 100, 200, -300, 400;
+    block.trials.set_shear_bounds(bounds);
+    EXPECT_EQ(block.trials.shear_bounds()[2], 0) << "negative bounds are none";
+    EXPECT_EQ(block.evaluated()[0].shear_force, 100);
+    EXPECT_EQ(block.evaluated()[1].shear_force, 0);
+    block.move(-2e-5, 1e-5);
+    EXPECT_EQ(block.evaluated()[0].shear_force, -200);
+    EXPECT_EQ(block.evaluated()[1].shear_force, -400);
+}
+
+}  // namespace

@@ -1,0 +1,105 @@
+// The dilation of a block on a floor whose asperities do not wear. Its joint slips by U with the total normal
+// force N and the shear force S of both contacts, whose springs are 2 k each way:
+//     U = u - S / 2k,   S = N tan(phi + a),   N = 2k (c + delta),   delta = U tan(a),
+// with the displacement u along the joint and c into it. Hence delta = t (u - c T) / (1 + t T), t = tan(a),
+// T = tan(phi + a).
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/resting_block.hpp"
+
+using namespace rockslope;
+
+namespace {
+
+using namespace scene;
+
+constexpr double along = 1e-4, into = 2e-5;  // u and c, m
+
+class TrialDilation : public testing::Test {
+  protected:
+    static constexpr double spring = RestingContacts::spring;
+    const double t = std::tan(radians(10)), T = std::tan(radians(30 + 10));
+    const double dilation = t * (along - into * T) / (1 + t * T);
+    RestingContacts block{dda::Plesha{{radians(30), radians(10), 0}}};
+
+    void solve(double u) {
+        block.move(u, into);
+        block.trials.select_first_entrances();
+        block.trials.update_bounds();
+        block.trials.force_change();  // the largest force scales the tolerance
+        block.trials.update_dilation();
+        block.trials.update_bounds();
+    }
+};
+
+TEST_F(TrialDilation, IsThatOfTheSlipUnderItsOwnNormalForce) {
+    for (const double direction : {1.0, -1.0}) {
+        solve(direction * along);
+        for (const dda::EvaluatedContact& contact : block.evaluated()) {
+            EXPECT_NEAR(contact.dilation_increment, dilation, 2e-6 * dilation) << direction;
+            EXPECT_NEAR(contact.normal_force, spring * (into + dilation), 1e-5 * spring * into);
+            EXPECT_NEAR(contact.shear_force, direction * contact.normal_force * T, 1e-5 * spring * into);
+        }
+    }
+}
+
+TEST_F(TrialDilation, IsNoneWhereTheJointIsLocked) {
+    solve(0.5 * into * std::tan(radians(30)));
+    for (const dda::EvaluatedContact& contact : block.evaluated()) {
+        EXPECT_EQ(contact.state, dda::ContactState::locked);
+        EXPECT_EQ(contact.dilation_increment, 0);
+    }
+    EXPECT_TRUE(block.trials.dilations_by_force().empty());
+}
+
+// Eq. (83): further slip opens the joint by tan(a), so the normal spring is tilted by it.
+TEST_F(TrialDilation, TiltsTheNormalSpringOfASlidingContact) {
+    for (const double direction : {1.0, -1.0}) {
+        solve(direction * along);
+        block.trials.update_active_set();
+        EXPECT_NEAR(block.trials.tilt(0), direction * t, 1e-5 * t);
+        EXPECT_NEAR(block.trials.tilt(1), direction * t, 1e-5 * t);
+    }
+}
+
+// Eq. (85): at a held displacement dU / dN = -T / 2k.
+TEST_F(TrialDilation, FollowsTheNormalForceAtAHeldDisplacement) {
+    solve(along);
+    const auto by_force = block.trials.dilations_by_force();
+    ASSERT_EQ(by_force.size(), 1u);
+    EXPECT_EQ(by_force[0].contacts.size(), 2u);
+    EXPECT_NEAR(by_force[0].slope, -t * T / (2 * spring), 1e-4 * t * T / (2 * spring));
+    EXPECT_NEAR(by_force[0].normal_force, 2 * spring * (into + dilation), 1e-5 * spring * into);
+    block.trials.set_dilation_change(0, 3e-6);
+    EXPECT_NEAR(block.evaluated()[0].dilation_increment, dilation + 3e-6, 1e-10);
+    block.trials.set_dilation_change(0, 1e-6);
+    EXPECT_NEAR(block.evaluated()[1].dilation_increment, dilation + 1e-6, 1e-10) << "not added to the last";
+}
+
+TEST_F(TrialDilation, ExceedsTheToleranceUntilItIsUpdated) {
+    block.move(along, into);
+    block.trials.update_bounds();
+    block.trials.force_change();
+    EXPECT_TRUE(block.trials.dilation_exceeds_tolerance());
+    solve(along);
+    EXPECT_FALSE(block.trials.dilation_exceeds_tolerance());
+}
+
+// Zero is nearer to the law's value than three times that value is: then it acts in the next step.
+TEST_F(TrialDilation, IsPostponedWhereItIsFartherFromTheLawThanZero) {
+    solve(along);
+    EXPECT_FALSE(block.trials.postpone_dilation()) << "it is that of the law";
+    block.trials.set_dilation_change(0, 4 * dilation);
+    EXPECT_TRUE(block.trials.postpone_dilation());
+    EXPECT_EQ(block.evaluated()[0].dilation_increment, 0);
+    EXPECT_EQ(block.trials.tilt(0), 0);
+    EXPECT_TRUE(block.trials.dilations_by_force().empty());
+    solve(along);
+    EXPECT_EQ(block.evaluated()[0].dilation_increment, 0) << "for the rest of the step";
+    EXPECT_FALSE(block.trials.postpone_dilation());
+}
+
+}  // namespace
