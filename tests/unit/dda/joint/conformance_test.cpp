@@ -1,5 +1,6 @@
 // Properties that every law of the list must have. The laws are taken from the list itself.
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -49,6 +50,16 @@ void expect_equal(const Strength& a, const Strength& b) {
     EXPECT_EQ(a.forward, b.forward);
     EXPECT_EQ(a.backward, b.backward);
     EXPECT_EQ(a.tensile, b.tensile);
+}
+
+/// The tolerance is the rounding of an elastic force of 1e5 N less a strength of 1 N.
+void expect_ratio(const Strength& a, const Strength& b, double ratio) {
+    for (const double Strength::*part : {&Strength::forward, &Strength::backward, &Strength::tensile}) {
+        if (std::isinf(b.*part))
+            EXPECT_EQ(a.*part, b.*part);
+        else
+            EXPECT_NEAR(a.*part, ratio * b.*part, 1e-10 * ratio * b.*part);
+    }
 }
 
 /// Whether the strength drops at the first slip, however small. Then the force at the end of the step with
@@ -132,19 +143,62 @@ TYPED_TEST(JointLawConformance, DegenerateContactsHaveAStrengthToo) {
     }
 }
 
-TYPED_TEST(JointLawConformance, FrictionDoesNoWork) {
+// Stresses decide, not forces: a joint c times as long under c times the forces, with a spring c times as
+// stiff, has c times the strength and dilates as before.
+TYPED_TEST(JointLawConformance, ALongerJointUnderTheSameStressIsAsManyTimesAsStrong) {
+    for (const JointLaw& law : this->laws()) {
+        for (const ShearedJoint& joint : sheared(law, random_path(8))) {
+            for (const double c : {1e-3, 0.5, 7.0, 1e3}) {
+                for (const double normal : {1.0, 1e4, 1e6}) {
+                    const dda::ShearTrial trial{1e-4, joint.shear_force, usual.stiffness};
+                    const dda::ShearTrial longer{1e-4, c * joint.shear_force, c * usual.stiffness};
+                    const Strength one = dda::strength(law, joint.history, normal, 0.1, trial);
+                    const Strength many = dda::strength(law, joint.history, c * normal, c * 0.1, longer);
+                    expect_ratio(many, one, c);
+                    const JointHistory after = dda::advance(
+                        law, joint.history,
+                        {1e-4, 1e-4, normal, 0.1, false, joint.shear_force, usual.stiffness, 0.01});
+                    const JointHistory longer_after =
+                        dda::advance(law, joint.history,
+                                     {1e-4, 1e-4, c * normal, c * 0.1, false, c * joint.shear_force,
+                                      c * usual.stiffness, 0.01});
+                    EXPECT_NEAR(dda::dilation(law, longer_after), dda::dilation(law, after), 1e-15);
+                }
+            }
+        }
+    }
+}
+
+// The faces of a broken joint that are pulled apart have the shear strength of no normal force; a vertex has
+// that of a very short contact.
+TYPED_TEST(JointLawConformance, DegenerateContactsHaveTheStrengthOfTheirLimit) {
+    for (const JointLaw& law : this->laws()) {
+        const JointHistory broken = dda::fresh_history(law, false);
+        for (const double normal : {-1e12, -10.0, -1e-12})
+            expect_ratio(dda::strength(law, broken, normal, 0.1), dda::strength(law, broken, 0, 0.1), 1);
+        for (const double normal : {10.0, 1e5, 1e7})
+            expect_ratio(dda::strength(law, broken, normal, 0), dda::strength(law, broken, normal, 1e-15), 1);
+    }
+}
+
+// Friction takes energy in every displacement, and all joints slip that can.
+TYPED_TEST(JointLawConformance, FrictionNeverDrives) {
     for (const JointLaw& law : this->laws()) {
         for (unsigned seed = 1; seed <= 5; ++seed) {
             std::mt19937 random(seed);
             std::uniform_real_distribution<double> share(-0.2, 2);
             ShearedJoint joint{dda::fresh_history(law, true)};
+            double work = 0;
             for (const double displacement : random_path(seed)) {
                 const JointLoad load{usual.normal_force * share(random), usual.length, usual.stiffness};
                 const ShearedJoint next = dda::shear(law, joint, displacement, load);
                 ASSERT_GE(next.shear_force * (next.slip - joint.slip), 0);
                 ASSERT_TRUE(std::isfinite(next.shear_force));
+                work += next.shear_force * (next.slip - joint.slip);
                 joint = next;
             }
+            const double bound = dda::strength(law, joint.history, 1e5, 0.1).forward;
+            EXPECT_EQ(work > 0, bound > 0 && std::isfinite(bound));
         }
     }
 }
@@ -310,6 +364,34 @@ TYPED_TEST(JointLawConformance, CommonHistoriesOccur) {
                     occurs = occurs || std::get<typename TypeParam::History>(found) == history;
         EXPECT_TRUE(occurs);
     }
+}
+
+// Laws may leave these questions open; these laws must not, or the tests of their answers test nothing.
+TEST(JointLaws, AnswerWhatTheyCan) {
+    const auto answers = [](const auto& answer_of) {
+        std::set<std::string> names;
+        const auto ask = [&]<class Law>(std::type_identity<Law>) {
+            for (const Law& law : joint_tests::specimens(std::type_identity<Law>{}))
+                if (answer_of(JointLaw(law), dda::fresh_history(law, true))) names.insert(Law::name);
+        };
+        [&]<class... Laws>(std::type_identity<std::variant<Laws...>>) {
+            (ask(std::type_identity<Laws>{}), ...);
+        }(std::type_identity<JointLaw>{});
+        return names;
+    };
+    const auto lines = answers([](const auto& law, const auto& h) { return dda::bound_line(law, h); });
+    const auto envelopes = answers([](const auto& law, const auto&) { return dda::coulomb_envelope(law); });
+    const auto slopes =
+        answers([](const auto& law, const auto& h) { return dda::strength_slope(law, h, 1e5, 0.1); });
+    const auto stiffnesses =
+        answers([](const auto& law, const auto& h) { return dda::shear_stiffness(law, h, 1e5, 0.1) > 0; });
+    using testing::IsSupersetOf;
+    EXPECT_THAT(lines, IsSupersetOf({"mohr-coulomb"}));
+    EXPECT_THAT(envelopes, IsSupersetOf({"mohr-coulomb"}));
+    EXPECT_THAT(slopes, IsSupersetOf({"mohr-coulomb", "barton-bandis", "cyclic-barton-bandis", "weakening",
+                                      "bilinear", "plesha", "two-order-asperities", "stressed-asperities",
+                                      "velocity-weakening"}));
+    EXPECT_THAT(stiffnesses, IsSupersetOf({"barton-bandis", "cyclic-barton-bandis"}));
 }
 
 // Names are the values of `law = "..."`, so no two laws have the same.
