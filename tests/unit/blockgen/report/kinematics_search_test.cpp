@@ -57,6 +57,7 @@ TEST(Kinematics, ModesAgreeWithASearchOfAllDirections) {
     std::mt19937 random(3);
     const auto uniform = [&] { return static_cast<double>(random()) * 0x1p-32; };
     int count[6] = {};
+    int safeties = 0;
     for (int round = 0; round < 80; ++round) {
         SlopeModel model = rectangle(1, 1);
         model.outline = {{0, 0}, {20, 0}, {20, 5}, {10, 15}, {0, 15}};
@@ -93,11 +94,13 @@ TEST(Kinematics, ModesAgreeWithASearchOfAllDirections) {
                 const double safety = std::tan(35 * degree) * std::abs(key->direction.x) / -key->direction.y;
                 if (key->factor_of_safety > 0) {
                     EXPECT_NEAR(key->factor_of_safety, safety, 1e-6 * safety);
+                    ++safeties;
                 }
             }
         }
     }
     for (const int mode : {0, 1, 2, 3, 4}) EXPECT_GT(count[mode], 5) << mode;
+    EXPECT_GT(safeties, 5);
 }
 
 // A wedge at the foot of a face on a plane of dip beta, with a joint of dip delta behind it: the factor of

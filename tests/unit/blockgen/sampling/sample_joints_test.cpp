@@ -209,8 +209,13 @@ TEST(SampleJoints, ARegionLimitsItsSet) {
     model.regions = {{"left", "rock", "", {{-1, -1}, {5, -1}, {5, 11}, {-1, 11}}, {}}};
     JointSet set = parallel(0, 1);
     set.region = "left";
-    for (const Trace& t : sample_joint_set(set, model))
-        for (const Point& p : t.points) EXPECT_LE(p.x, 5);
+    const auto traces = sample_joint_set(set, model);
+    EXPECT_NEAR(static_cast<double>(traces.size()), 10, 1) << "one for each metre of the height";
+    for (const Trace& t : traces) {
+        const auto [low, high] = std::minmax(t.points.front().x, t.points.back().x);
+        EXPECT_EQ(low, 0);
+        EXPECT_EQ(high, 5);
+    }
 }
 
 const char* two_sets = R"(

@@ -58,7 +58,9 @@ TEST(Detect, NormalPointsOutOfTheEdgesBlock) {
     Scene s;
     const int lower = s.box({0, 0}, 1, 1);
     s.box({.25, 1.005}, 1, 1);
-    for (const Contact& c : detect(s)) {
+    const auto contacts = detect(s);
+    ASSERT_EQ(contacts.size(), 2u) << "one at each end of the overlap";
+    for (const Contact& c : contacts) {
         EXPECT_NEAR(c.normal.y(), c.edge_block == lower ? 1 : -1, 1e-15);
         EXPECT_NEAR(dda::cross(c.tangent, c.normal), -1, 1e-15) << "rock on the tangent's left";
         EXPECT_NEAR(c.gap, .005, 1e-15);
@@ -103,11 +105,12 @@ TEST(Detect, AStraightCornerDoesNotTouchTheFarFaceOfAThinPlate) {
     Scene s;
     s.block({{{0, -1}, {2, -1}, {2, 0}, {1, 0}, {0, 0}}});
     const int plate = s.box({0, 0}, 2, .005);
-    for (const Contact& c : detect(s, .02)) {
+    const auto contacts = detect(s, .02);
+    ASSERT_EQ(contacts.size(), 3u) << "both ends and the straight corner";
+    for (const Contact& c : contacts) {
         EXPECT_NEAR(c.gap, 0, 1e-15) << "corner " << c.corner << " edge " << c.edge;
-        if (c.edge_block == plate) {
-            EXPECT_NEAR(c.normal.y(), -1, 1e-15) << "only the lower face of the plate has contacts";
-        }
+        EXPECT_NEAR(c.normal.y(), c.edge_block == plate ? -1 : 1, 1e-15)
+            << "only the lower face of the plate has contacts";
     }
 }
 
