@@ -128,6 +128,7 @@ TEST_P(Detector, FindsTheCandidatesOfABruteForceSearch) {
 TEST_P(Detector, FindsTheSameContactsAmongAllPairs) {
     const auto all = detected(geometry.pairs());
     const auto near = detected(dda::find_candidates(model, model.vertices, search_radius));
+    ASSERT_GT(all.size(), 0U);
     ASSERT_EQ(all.size(), near.size());
     for (std::size_t k = 0; k < all.size(); ++k) {
         EXPECT_EQ(all[k].corner, near[k].corner);

@@ -30,6 +30,7 @@ class FlightMonitor {
         energy_ = sim_.state.energy.stores();
         kinetic_ = sim_.state.energy.kinetic;
         momentum_ = momentum(sim_.state, 0);
+        remember_rotation(sim_.state);
         for (std::size_t b = 0; b < thrown.velocity.size(); ++b) {
             scale_ += sim_.state.blocks.mass[b] * thrown.velocity[b].head<2>().norm();
             isolated_ = isolated_ && sim_.model.motion[b] == dda::Motion::free;
@@ -45,12 +46,23 @@ class FlightMonitor {
     }
     /// Closed contacts, summed over the steps.
     int closed_contacts() const { return closed_contacts_; }
+    /// Closed contacts of a corner with a corner, summed over the steps.
+    int closed_corners() const { return closed_corners_; }
+    /// m, the largest displacement of a vertex in a step.
+    double largest_displacement() const { return largest_displacement_; }
+    /// rad2, the largest product of a block's rotation in a step and its error by the velocity at the step's
+    /// start, see rotation_prediction_failed.
+    double largest_rotation_error() const { return largest_rotation_error_; }
     const Simulation& simulation() const { return sim_; }
 
   private:
     void observe(const dda::State& state, const dda::StepReport& report) {
-        for (const dda::Contact& c : state.contacts.contacts)
-            closed_contacts_ += c.state != dda::ContactState::open;
+        for (const dda::Contact& c : state.contacts.contacts) {
+            if (c.state == dda::ContactState::open) continue;
+            ++closed_contacts_;
+            closed_corners_ += c.kind == dda::ContactKind::vertex_vertex;
+        }
+        observe_motion(state, report);
         check_overlaps(state, report);
         // The equations are solved to the rounding of stiffness times displacement, a few 1e-16.
         rounding_ += 1e-15 * sim_.model.normal_penalty * report.largest_displacement * report.step;
@@ -61,6 +73,21 @@ class FlightMonitor {
         kinetic_ = std::max(kinetic_, state.energy.kinetic);
         ASSERT_LE(state.energy.stores(), energy_ + 1e-9 * kinetic_) << "t = " << state.time;
         ASSERT_LE(std::abs(state.energy.residual()), max_residual_ * kinetic_) << "t = " << state.time;
+    }
+
+    void observe_motion(const dda::State& state, const dda::StepReport& report) {
+        largest_displacement_ = std::max(largest_displacement_, report.largest_displacement);
+        for (std::size_t b = 0; b < spin_before_.size(); ++b) {
+            const double rotation = state.blocks.rotation[b] - rotation_before_[b];
+            largest_rotation_error_ = std::max(
+                largest_rotation_error_, std::abs(rotation * (rotation - report.step * spin_before_[b])));
+        }
+        remember_rotation(state);
+    }
+    void remember_rotation(const dda::State& state) {
+        rotation_before_ = state.blocks.rotation;
+        spin_before_.clear();
+        for (const Vec6& velocity : state.blocks.velocity) spin_before_.push_back(velocity[2]);
     }
 
     void check_overlaps(const dda::State& state, const dda::StepReport& report) {
@@ -82,12 +109,17 @@ class FlightMonitor {
     double max_residual_;
     bool isolated_ = true;
     int closed_contacts_ = 0;
-    double energy_ = 0;        ///< J, at the start
-    double kinetic_ = 0;       ///< J, largest so far
-    Vec2 momentum_{0, 0};      ///< kg m/s, at the start
-    double scale_ = 0;         ///< kg m/s, sum of the magnitudes of the blocks' momenta
-    double rounding_ = 0;      ///< kg m/s, possible error of the solutions so far
-    double depth_before_ = 0;  ///< m, largest penetration a step ago
+    int closed_corners_ = 0;
+    double largest_displacement_ = 0;
+    double largest_rotation_error_ = 0;
+    std::vector<double> rotation_before_;  ///< rad, per block, a step ago
+    std::vector<double> spin_before_;      ///< rad/s, per block, a step ago
+    double energy_ = 0;                    ///< J, at the start
+    double kinetic_ = 0;                   ///< J, largest so far
+    Vec2 momentum_{0, 0};                  ///< kg m/s, at the start
+    double scale_ = 0;                     ///< kg m/s, sum of the magnitudes of the blocks' momenta
+    double rounding_ = 0;                  ///< kg m/s, possible error of the solutions so far
+    double depth_before_ = 0;              ///< m, largest penetration a step ago
 };
 
 }  // namespace rockslope::scene
