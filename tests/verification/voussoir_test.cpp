@@ -53,20 +53,42 @@ Weight weight_of(const std::vector<Vec2>& ring) {
     return w;
 }
 
-/// The largest horizontal acceleration, over gravity, under which an arch of rigid stones is in equilibrium
-/// without tension and within the friction `mu`; none if there is no such equilibrium at all. By the static
-/// theorem an arch whose stones do not slip stands up to this acceleration. Unknowns: the force (X, Y) and
-/// the moment about the origin that the right skewback exerts, and the acceleration. Every joint gives four
-/// linear inequalities: the force crosses it between its two corners and within the friction. The maximum
-/// lies where four of them are equations; all foursomes are tried.
-std::optional<double> largest_acceleration(const Arch& arch, double mu) {
+/// Linear inequalities between four unknowns: row . unknowns >= bound.
+struct Inequalities {
     using Row = Eigen::Vector4d;
-    std::vector<Row> rows;  // row . unknowns >= bound
+    std::vector<Row> rows;
     std::vector<double> bounds;
-    const auto require = [&](const Row& row, double at_least) {
+
+    void require(const Row& row, double at_least) {
         rows.push_back(row / row.norm());
         bounds.push_back(at_least / row.norm());
-    };
+    }
+
+    bool hold_at(const Row& unknowns, double tolerance) const {
+        for (std::size_t k = 0; k < rows.size(); ++k)
+            if (rows[k].dot(unknowns) < bounds[k] - tolerance) return false;
+        return true;
+    }
+
+    /// Where four of them are equations; none if these depend on each other.
+    std::optional<Row> corner(std::size_t a, std::size_t b, std::size_t c, std::size_t d) const {
+        Eigen::Matrix4d m;
+        m << rows[a].transpose(), rows[b].transpose(), rows[c].transpose(), rows[d].transpose();
+        bool invertible = false;
+        Eigen::Matrix4d inverse;
+        m.computeInverseWithCheck(inverse, invertible, 1e-10);
+        if (!invertible) return std::nullopt;
+        return inverse * Row(bounds[a], bounds[b], bounds[c], bounds[d]);
+    }
+};
+
+/// The conditions of an arch of rigid stones in equilibrium without tension and within the friction `mu`.
+/// Unknowns: the force (X, Y) and the moment about the origin that the right skewback exerts, and the
+/// horizontal acceleration over gravity. Every joint gives four inequalities: the force crosses it between
+/// its two corners and within the friction.
+Inequalities equilibrium_of(const Arch& arch, double mu) {
+    using Row = Inequalities::Row;
+    Inequalities conditions;
     double area = 0;
     Vec2 moment(0, 0);  // of the areas
     for (int k = 0; k <= arch.count; ++k) {
@@ -85,37 +107,36 @@ std::optional<double> largest_acceleration(const Arch& arch, double mu) {
         // Compression between the corners: it turns stones inwards about the outer corner and outwards about
         // the inner one.
         const auto [outer, outer_bound] = about(out);
-        require(-outer, -outer_bound);
+        conditions.require(-outer, -outer_bound);
         const auto [inner, inner_bound] = about(arch.corner(k, -1));
-        require(inner, inner_bound);
+        conditions.require(inner, inner_bound);
         for (const double sign : {1., -1.}) {
             const Vec2 direction = mu * normal + sign * along;
-            require(direction.x() * force_x + direction.y() * force_y, direction.y() * area);
+            conditions.require(direction.x() * force_x + direction.y() * force_y, direction.y() * area);
         }
         if (k == arch.count) break;
         const Weight stone = weight_of(arch.ring(k));
         area += stone.area;
         moment += stone.area * stone.centroid;
     }
+    return conditions;
+}
+
+/// The largest horizontal acceleration, over gravity, under which an arch of rigid stones is in equilibrium
+/// without tension and within the friction `mu`; none if there is no such equilibrium at all. By the static
+/// theorem an arch whose stones do not slip stands up to this acceleration. The maximum lies where four of
+/// the conditions are equations; all foursomes are tried.
+std::optional<double> largest_acceleration(const Arch& arch, double mu) {
+    const Inequalities conditions = equilibrium_of(arch, mu);
     std::optional<double> largest;
-    const int n = static_cast<int>(rows.size());
-    const auto allowed = [&](const Row& x) {
-        for (int k = 0; k < n; ++k)
-            if (rows[k].dot(x) < bounds[k] - 1e-9 * arch.radius) return false;
-        return true;
-    };
-    for (int a = 0; a < n; ++a) {
-        for (int b = a + 1; b < n; ++b) {
-            for (int c = b + 1; c < n; ++c) {
-                for (int d = c + 1; d < n; ++d) {
-                    Eigen::Matrix4d m;
-                    m << rows[a].transpose(), rows[b].transpose(), rows[c].transpose(), rows[d].transpose();
-                    bool invertible = false;
-                    Eigen::Matrix4d inverse;
-                    m.computeInverseWithCheck(inverse, invertible, 1e-10);
-                    if (!invertible) continue;
-                    const Row x = inverse * Row(bounds[a], bounds[b], bounds[c], bounds[d]);
-                    if ((!largest || x[3] > *largest) && allowed(x)) largest = x[3];
+    const std::size_t n = conditions.rows.size();
+    for (std::size_t a = 0; a < n; ++a) {
+        for (std::size_t b = a + 1; b < n; ++b) {
+            for (std::size_t c = b + 1; c < n; ++c) {
+                for (std::size_t d = c + 1; d < n; ++d) {
+                    const auto x = conditions.corner(a, b, c, d);
+                    if (x && (!largest || (*x)[3] > *largest) && conditions.hold_at(*x, 1e-9 * arch.radius))
+                        largest = (*x)[3];
                 }
             }
         }

@@ -4,22 +4,10 @@
 
 namespace rockslope::blockgen {
 
-SlopeModel read_slope_model(const ConfigTable& root, const EnclosedAreaFunction& enclosed_area) {
-    SlopeModel model;
-    const std::int64_t seed = root.integer("seed", 0);
-    if (seed < 0) root.fail("seed", "a negative seed", "an integer of zero or more");
-    model.seed = static_cast<std::uint64_t>(seed);
-    read_domain(root, enclosed_area, model);
-    read_regions(root, model);
-    read_tunnels(root, model);
-    read_joints(root, model);
-    read_block_assignments(root, model);
-    root.finish();
-    return model;
-}
+namespace {
 
-std::string slope_model_template() {
-    return R"(# A slope for blockgen. Lengths in metres, or with a unit: "5 mm", "2 km". Angles need a unit: "35 deg".
+constexpr const char* template_text =
+    R"(# A slope for blockgen. Lengths in metres, or with a unit: "5 mm", "2 km". Angles need a unit: "35 deg".
 # They are measured from the x axis, counter-clockwise positive. Lines that start with '#' show optional keys.
 
 seed = 42                                  # seed of all random draws; the same seed gives the same blocks
@@ -131,6 +119,25 @@ at = [59, 69]
 # from = [80, 56]
 # to = [70, 50]
 )";
+
+}  // namespace
+
+SlopeModel read_slope_model(const ConfigTable& root, const EnclosedAreaFunction& enclosed_area) {
+    SlopeModel model;
+    const std::int64_t seed = root.integer("seed", 0);
+    if (seed < 0) root.fail("seed", "a negative seed", "an integer of zero or more");
+    model.seed = static_cast<std::uint64_t>(seed);
+    read_domain(root, enclosed_area, model);
+    read_regions(root, model);
+    read_tunnels(root, model);
+    read_joints(root, model);
+    read_block_assignments(root, model);
+    root.finish();
+    return model;
+}
+
+std::string slope_model_template() {
+    return template_text;
 }
 
 }  // namespace rockslope::blockgen

@@ -61,12 +61,10 @@ nlohmann::ordered_json changes_json(const std::vector<Change>& changes) {
     return rows;
 }
 
-}  // namespace
-
-std::string report_text(const CutReport& report) {
+nlohmann::ordered_json joints_json(const std::vector<JointBalance>& balances) {
     using Json = nlohmann::ordered_json;
     Json joints = Json::array();
-    for (const JointBalance& b : report.joints) {
+    for (const JointBalance& b : balances) {
         Json asked = Json::object();
         if (b.p10_target > 0) asked["p10_per_m"] = b.p10_target;
         if (b.p20_target > 0) asked["p20_per_m2"] = b.p20_target;
@@ -84,6 +82,20 @@ std::string report_text(const CutReport& report) {
                           {"p21_m_per_m2", b.p21},
                           {"asked", asked}});
     }
+    return joints;
+}
+
+nlohmann::ordered_json excavations_json(const std::vector<ExcavationReport>& excavations) {
+    nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+    for (const ExcavationReport& e : excavations)
+        rows.push_back({{"name", e.name}, {"stage", e.stage}, {"blocks", e.blocks}, {"area_m2", e.area}});
+    return rows;
+}
+
+}  // namespace
+
+std::string report_text(const CutReport& report) {
+    using Json = nlohmann::ordered_json;
     const SizeSummary& s = report.sizes;
     Json root = {
         {"blocks", report.blocks},
@@ -116,15 +128,12 @@ std::string report_text(const CutReport& report) {
         {"mean_corners", report.shapes.mean_corners},
         {"smallest_edge_m", s.smallest_edge},
         {"smallest_angle_deg", s.smallest_angle * 180 / std::numbers::pi},
-        {"joints", joints},
+        {"joints", joints_json(report.joints)},
         {"nodes",
          {{"i", report.nodes.i}, {"y", report.nodes.y}, {"x", report.nodes.x}, {"edge", report.nodes.edge}}},
-        {"excavations", Json::array()},
+        {"excavations", excavations_json(report.excavations)},
         {"changes", changes_json(report.changes)},
         {"warnings", report.warnings}};
-    for (const ExcavationReport& e : report.excavations)
-        root["excavations"].push_back(
-            {{"name", e.name}, {"stage", e.stage}, {"blocks", e.blocks}, {"area_m2", e.area}});
     if (report.kinematics) root["kinematics"] = kinematics_json(*report.kinematics);
     return root.dump(2) + "\n";
 }

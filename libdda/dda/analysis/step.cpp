@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "dda/analysis/advance_contacts.hpp"
+#include "dda/analysis/base_motion.hpp"
 #include "dda/analysis/rotation_prediction.hpp"
 #include "dda/analysis/shear_sharing.hpp"
 #include "dda/contact/candidates.hpp"
@@ -261,8 +262,8 @@ TimeStepper::Step TimeStepper::prepare(const Stage& stage, const State& state, d
         contact_springs(model_, rows_, step.mid, step.prescribed.displacement, step.contacts.contacts, pool_);
     row_contacts_.find(rows_.count(), step.springs);
     if (duration_of(stage, dt) > 0)
-        step.dashpots = contact_dashpots(model_, rows_, state.blocks, step.mid, step.newmark,
-                                         step.contacts.contacts, step.springs, row_contacts_, pool_);
+        step.dashpots = contact_dashpots(model_, {rows_, state.blocks, step.mid}, step.newmark,
+                                         {step.contacts.contacts, step.springs, row_contacts_}, pool_);
     step.bolts = bolt_springs(model_, rows_, step.mid, step.prescribed.displacement);
     const StageInstant end{.stage = stage, .time = state.stage_time + dt};
     step.fields = advance_fields(model_, end, state.blocks, state.free_fields, step.newmark);

@@ -201,82 +201,122 @@ void share_segment_history(const JointSegments& segments, std::span<char> has_hi
     }
 }
 
+/// Carries the contacts of one step over to those of the next, in the order of the functions.
+class Transfer {
+  public:
+    Transfer(const Model& model, ContactSpan<const Contact> old, double max_displacement,
+             std::vector<Contact>& contacts)
+        : model_(model),
+          old_(old),
+          max_displacement_(max_displacement),
+          contacts_(contacts),
+          has_history_(contacts.size(), 0) {
+        successors_.reserve(contacts.size());
+    }
+
+    /// Matches by corner and edge.
+    void match_pairs(bool first_step) {
+        auto from = old_.begin();
+        for (std::size_t k = 0; k < contacts_.size(); ++k) {
+            while (from != old_.end() && comes_before(*from, contacts_[k])) predecessors_.push_back(&*from++);
+            if (from != old_.end() && !comes_before(contacts_[k], *from)) {
+                copy_state(*from, contacts_[k]);
+                has_history_[k] = 1;
+                if (from->state == ContactState::open) successors_.push_back(k);
+                ++from;
+            } else {
+                initialise_new(model_, first_step, contacts_[k]);
+                successors_.push_back(k);
+            }
+        }
+        while (from != old_.end()) predecessors_.push_back(&*from++);
+    }
+
+    /// Matches by line: predecessors with the same corner first, then those of the same blocks. An open
+    /// predecessor does not replace the history of a contact that existed.
+    void match_lines() {
+        const PredecessorIndex predecessor_index(predecessors_, max_displacement_);
+        for (const MatchLevel level : {MatchLevel::same_corner, MatchLevel::same_blocks}) {
+            for (const std::size_t k : successors_) {
+                if (contacts_[k].state != ContactState::open) continue;
+                const Contact* predecessor = predecessor_index.nearest(contacts_[k], level, matched_);
+                if (predecessor == nullptr ||
+                    (has_history_[k] != 0 && predecessor->state == ContactState::open))
+                    continue;
+                copy_state(*predecessor, contacts_[k]);
+                has_history_[k] = 1;
+                preserve_force(model_, contacts_[k]);
+                matched_.push_back(predecessor);
+            }
+        }
+    }
+
+    /// A predecessor without successor leaves its normal force to the nearest closed contact of the same
+    /// blocks: the stress-free gap of that contact rises, at most to zero.
+    void leave_normal_forces() {
+        for (const Contact* predecessor : predecessors_) {
+            if (predecessor->state == ContactState::open ||
+                std::find(matched_.begin(), matched_.end(), predecessor) != matched_.end())
+                continue;
+            Contact* other = nearest_closed(*predecessor, contacts_, max_displacement_);
+            if (other == nullptr || model_.is_augmented(other->joint_material)) continue;
+            const NormalClosure spring = normal_spring(model_, *other);
+            const double added_closure =
+                spring.closure(other->normal_spring_force + predecessor->normal_spring_force) -
+                spring.closure(other->normal_spring_force);
+            other->stress_free_gap =
+                std::max(other->stress_free_gap, std::min(other->stress_free_gap + added_closure, 0.0));
+        }
+    }
+
+    /// One contact becomes two where a corner slides onto a neighbour's face and the end of the overlap that
+    /// it leaves has a corner. The second contact inherits the history of the joint, and bears no force until
+    /// it gets deeper. Until then it follows the history of the loaded contacts beside it. A contact of a
+    /// rough joint that has a history keeps the one of its segment.
+    JointSegments inherit_histories() {
+        JointSegments segments(model_, contacts_);
+        share_segment_history(segments, has_history_, contacts_);
+        std::optional<LoadedContacts> loaded_contacts;
+        for (const std::size_t k : successors_) {
+            Contact& contact = contacts_[k];
+            if (!is_passive(contact)) continue;
+            if (has_history_[k] != 0 &&
+                has_segment_history(model_.joint_material_at(contact.joint_material).law))
+                continue;
+            if (!loaded_contacts) loaded_contacts.emplace(model_.block_count(), old_);
+            const Contact* loaded = loaded_contacts->nearest(contact, max_displacement_);
+            if (loaded == nullptr) continue;
+            contact.inherit_history(loaded->history, loaded->dilation);
+            has_history_[k] = 1;
+        }
+        share_segment_history(segments, has_history_, contacts_);
+        return segments;
+    }
+
+  private:
+    static bool is_passive(const Contact& contact) {
+        return contact.state == ContactState::open && contact.inherited_penetration > 0 && contact.slip == 0;
+    }
+
+    const Model& model_;
+    ContactSpan<const Contact> old_;
+    double max_displacement_;
+    std::vector<Contact>& contacts_;
+    std::vector<char> has_history_;             ///< per contact, whether its history is set
+    std::vector<std::size_t> successors_;       ///< new and open contacts: may continue another
+    std::vector<const Contact*> predecessors_;  ///< old contacts whose pair is gone
+    std::vector<const Contact*> matched_;       ///< predecessors that a contact continues
+};
+
 }  // namespace
 
 JointSegments transfer_contacts(const Model& model, ContactSpan<const Contact> old, double max_displacement,
                                 bool first_step, std::vector<Contact>& contacts) {
-    // Match by (corner, edge).
-    std::vector<char> has_history(contacts.size(), 0);  // per contact, whether its history is set
-    std::vector<std::size_t> successors;                // new and open ones: may continue another
-    successors.reserve(contacts.size());
-    std::vector<const Contact*> predecessors;  // old contacts whose pair is gone
-    auto from = old.begin();
-    for (std::size_t k = 0; k < contacts.size(); ++k) {
-        while (from != old.end() && comes_before(*from, contacts[k])) predecessors.push_back(&*from++);
-        if (from != old.end() && !comes_before(contacts[k], *from)) {
-            copy_state(*from, contacts[k]);
-            has_history[k] = 1;
-            if (from->state == ContactState::open) successors.push_back(k);
-            ++from;
-        } else {
-            initialise_new(model, first_step, contacts[k]);
-            successors.push_back(k);
-        }
-    }
-    while (from != old.end()) predecessors.push_back(&*from++);
-
-    const PredecessorIndex predecessor_index(predecessors, max_displacement);
-    std::vector<const Contact*> matched;
-    // Match by line: predecessors with the same corner first, then those of the same blocks. An open
-    // predecessor does not replace the history of a contact that existed.
-    for (const MatchLevel level : {MatchLevel::same_corner, MatchLevel::same_blocks}) {
-        for (const std::size_t k : successors) {
-            if (contacts[k].state != ContactState::open) continue;
-            const Contact* predecessor = predecessor_index.nearest(contacts[k], level, matched);
-            if (predecessor == nullptr || (has_history[k] != 0 && predecessor->state == ContactState::open))
-                continue;
-            copy_state(*predecessor, contacts[k]);
-            has_history[k] = 1;
-            preserve_force(model, contacts[k]);
-            matched.push_back(predecessor);
-        }
-    }
-    // A predecessor without successor leaves its normal force to the nearest closed contact of the same
-    // blocks: the stress-free gap of that contact rises, at most to zero.
-    for (const Contact* predecessor : predecessors) {
-        if (predecessor->state == ContactState::open ||
-            std::find(matched.begin(), matched.end(), predecessor) != matched.end())
-            continue;
-        Contact* other = nearest_closed(*predecessor, contacts, max_displacement);
-        if (other == nullptr || model.is_augmented(other->joint_material)) continue;
-        const NormalClosure spring = normal_spring(model, *other);
-        const double added_closure =
-            spring.closure(other->normal_spring_force + predecessor->normal_spring_force) -
-            spring.closure(other->normal_spring_force);
-        other->stress_free_gap =
-            std::max(other->stress_free_gap, std::min(other->stress_free_gap + added_closure, 0.0));
-    }
-    // One contact becomes two where a corner slides onto a neighbour's face and the end of the overlap that
-    // it leaves has a corner. The second contact inherits the history of the joint, and bears no force until
-    // it gets deeper. Until then it follows the history of the loaded contacts beside it. A contact of a
-    // rough joint that has a history keeps the one of its segment.
-    JointSegments segments(model, contacts);
-    share_segment_history(segments, has_history, contacts);
-    std::optional<LoadedContacts> loaded_contacts;
-    for (const std::size_t k : successors) {
-        Contact& contact = contacts[k];
-        const bool is_passive = contact.inherited_penetration > 0 && contact.slip == 0;
-        if (contact.state != ContactState::open || !is_passive) continue;
-        if (has_history[k] != 0 && has_segment_history(model.joint_material_at(contact.joint_material).law))
-            continue;
-        if (!loaded_contacts) loaded_contacts.emplace(model.block_count(), old);
-        const Contact* loaded = loaded_contacts->nearest(contact, max_displacement);
-        if (loaded == nullptr) continue;
-        contact.inherit_history(loaded->history, loaded->dilation);
-        has_history[k] = 1;
-    }
-    share_segment_history(segments, has_history, contacts);
-    return segments;
+    Transfer transfer(model, old, max_displacement, contacts);
+    transfer.match_pairs(first_step);
+    transfer.match_lines();
+    transfer.leave_normal_forces();
+    return transfer.inherit_histories();
 }
 
 }  // namespace rockslope::dda

@@ -2,8 +2,10 @@
 
 namespace rockslope::dda {
 
-std::string run_template() {
-    return R"(# A run of dda-run. SI units; a number may carry a unit in quotes: "35 deg", "5 GPa", "0.3 g".
+namespace {
+
+constexpr const char* template_text =
+    R"(# A run of dda-run. SI units; a number may carry a unit in quotes: "35 deg", "5 GPa", "0.3 g".
 # Keys that are commented out show their default.
 
 blocks = "slope.blocks"            # made by blockgen; --blocks overrides
@@ -205,6 +207,11 @@ step = 0.005
 # slip_threshold = "0.1 mm"        # slip of a contact above which its blocks have slipped
 # checkpoint_interval = 60         # s of wall time
 )";
+
+}  // namespace
+
+std::string run_template() {
+    return template_text;
 }
 
 }  // namespace rockslope::dda

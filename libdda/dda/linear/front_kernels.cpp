@@ -15,15 +15,24 @@ struct Kernels : Strips<Scalar, Bytes> {
     using Vector = typename S::Vector;
     using S::lanes, S::per_strip, S::row_at, S::unknowns, S::vector_at, S::w;
 
-    /// sum -= A B^T over `count` columns. A: R vectors of rows from `first_vector` on; B: six rows from
-    /// `b_row`.
+    /// Rows of a panel from `first` on, which is the index of a row or of a vector of rows.
+    struct PanelRows {
+        const Scalar* strips;
+        int first;
+    };
+    struct VectorRange {
+        int begin;
+        int end;
+    };
+
+    /// sum -= A B^T over `count` columns. A: R vectors of rows; B: six rows. @param columns of the panels.
     template <int R>
-    DDA_KERNEL static void subtract_product(Vector (&sum)[R][unknowns], const Scalar* a, int first_vector,
-                                            const Scalar* b, int b_row, int columns, int count) {
+    DDA_KERNEL static void subtract_product(Vector (&sum)[R][unknowns], const PanelRows& a,
+                                            const PanelRows& b, int columns, int count) {
         const Scalar* rows[R];
-        for (int r = 0; r < R; ++r) rows[r] = a + vector_at(first_vector + r, columns);
+        for (int r = 0; r < R; ++r) rows[r] = a.strips + vector_at(a.first + r, columns);
         const Scalar* factors[unknowns];
-        for (int q = 0; q < unknowns; ++q) factors[q] = b + row_at(b_row + q, columns);
+        for (int q = 0; q < unknowns; ++q) factors[q] = b.strips + row_at(b.first + q, columns);
         for (long p = 0; p < static_cast<long>(count) * w; p += w) {
             Vector row[R];
 #pragma GCC unroll 4
@@ -79,22 +88,25 @@ struct Kernels : Strips<Scalar, Bytes> {
                                            int first_vector, int column, int columns) {
         Vector sum[R][unknowns];
         load<R>(sum, rows, first_vector, column, columns);
-        if (Update) subtract_product<R>(sum, rows, first_vector, pivots, column, columns, column);
+        if (Update)
+            subtract_product<R>(sum, PanelRows{rows, first_vector}, PanelRows{pivots, column}, columns,
+                                column);
         if (Solve) solve_diagonal_block<R>(sum, square);
         store<R>(sum, rows, first_vector, column, columns);
     }
 
     template <bool Update, bool Solve>
     DDA_KERNEL static void columns_of_all_rows(Scalar* rows, const Scalar* pivots, const Scalar* square,
-                                               int begin, int end, int column, int columns) {
-        int v = begin;
-        for (; v + Rows <= end; v += Rows)
+                                               VectorRange range, int column, int columns) {
+        int v = range.begin;
+        for (; v + Rows <= range.end; v += Rows)
             columns_of_rows<Rows, Update, Solve>(rows, pivots, square, v, column, columns);
-        if (Rows > 2 && v + 2 <= end) {
+        if (Rows > 2 && v + 2 <= range.end) {
             columns_of_rows<2, Update, Solve>(rows, pivots, square, v, column, columns);
             v += 2;
         }
-        for (; v < end; ++v) columns_of_rows<1, Update, Solve>(rows, pivots, square, v, column, columns);
+        for (; v < range.end; ++v)
+            columns_of_rows<1, Update, Solve>(rows, pivots, square, v, column, columns);
     }
 
     /// Factorises a 6x6 diagonal block into `square`.
@@ -126,11 +138,12 @@ struct Kernels : Strips<Scalar, Bytes> {
         const int vectors = (columns + w - 1) / w * per_strip;
         Scalar* strips = panel + diagonal_blocks_size<Scalar>(pivots);
         for (int column = 0; column < columns; column += unknowns) {
-            columns_of_all_rows<true, false>(strips, strips, panel, column / lanes, vectors, column, columns);
+            columns_of_all_rows<true, false>(strips, strips, panel, VectorRange{column / lanes, vectors},
+                                             column, columns);
             Scalar* square = panel + column * unknowns;
             if (!factor_diagonal_block(strips, column, columns, square)) return false;
-            columns_of_all_rows<false, true>(strips, strips, square, (column + unknowns) / lanes, vectors,
-                                             column, columns);
+            columns_of_all_rows<false, true>(
+                strips, strips, square, VectorRange{(column + unknowns) / lanes, vectors}, column, columns);
             for (int row = column / lanes * lanes; row < column; ++row) {
                 for (int p = 0; p < unknowns; ++p)
                     strips[row_at(row, columns) + static_cast<long>(column + p) * w] = 0;
@@ -148,8 +161,8 @@ struct Kernels : Strips<Scalar, Bytes> {
         for (int v = begin * per_strip; v < end * per_strip; v += vectors_per_pass) {
             const int last = v + vectors_per_pass < end * per_strip ? v + vectors_per_pass : end * per_strip;
             for (int column = 0; column < columns; column += unknowns)
-                columns_of_all_rows<true, true>(rows, strips, panel + column * unknowns, v, last, column,
-                                                columns);
+                columns_of_all_rows<true, true>(rows, strips, panel + column * unknowns, VectorRange{v, last},
+                                                column, columns);
         }
     }
 
@@ -157,7 +170,7 @@ struct Kernels : Strips<Scalar, Bytes> {
     DDA_KERNEL static void form_tile(const Scalar* rows, int first_vector, int column, int columns,
                                      Scalar* update, long stride) {
         Vector sum[R][unknowns] = {};
-        subtract_product<R>(sum, rows, first_vector, rows, column, columns, columns);
+        subtract_product<R>(sum, PanelRows{rows, first_vector}, PanelRows{rows, column}, columns, columns);
         const auto j = static_cast<std::size_t>(column / unknowns);
         const int first_row = first_update_row(j, w);
         Scalar* block_column = update + update_column_offset(j, static_cast<std::size_t>(stride), w);
@@ -172,8 +185,8 @@ struct Kernels : Strips<Scalar, Bytes> {
         }
     }
 
-    DDA_KERNEL static void form_update(const Scalar* panel, int pivots, int row_strips, Scalar* update,
-                                       long stride, int begin, int end) {
+    DDA_KERNEL static void form_update(const Scalar* panel, int pivots, int row_strips,
+                                       const FrontUpdate<Scalar>& update, int begin, int end) {
         const int columns = pivots * unknowns;
         const Scalar* rows = panel + diagonal_blocks_size<Scalar>(pivots) +
                              static_cast<long>((columns + w - 1) / w) * w * columns;
@@ -186,11 +199,11 @@ struct Kernels : Strips<Scalar, Bytes> {
         int v = begin * unknowns / lanes;
         for (; v + Rows <= vectors; v += Rows) {
             for (int j = begin; j < column_end(v, Rows); ++j)
-                form_tile<Rows>(rows, v, j * unknowns, columns, update, stride);
+                form_tile<Rows>(rows, v, j * unknowns, columns, update.scalars, update.stride);
         }
         for (; v < vectors; ++v) {
             for (int j = begin; j < column_end(v, 1); ++j)
-                form_tile<1>(rows, v, j * unknowns, columns, update, stride);
+                form_tile<1>(rows, v, j * unknowns, columns, update.scalars, update.stride);
         }
     }
 };
@@ -204,8 +217,9 @@ struct Kernels : Strips<Scalar, Bytes> {
         using S = Substitution<Scalar, bytes>;                                                              \
         attribute static bool factor_pivots(Scalar* p, int k) { return K::factor_pivots(p, k); }            \
         attribute static void solve_rows(Scalar* p, int k, int b, int e) { K::solve_rows(p, k, b, e); }     \
-        attribute static void form_update(const Scalar* p, int k, int s, Scalar* u, long d, int b, int e) { \
-            K::form_update(p, k, s, u, d, b, e);                                                            \
+        attribute static void form_update(const Scalar* p, int k, int s, const FrontUpdate<Scalar>& u,      \
+                                          int b, int e) {                                                   \
+            K::form_update(p, k, s, u, b, e);                                                               \
         }                                                                                                   \
         attribute static void invert_groups(Scalar* p, int k) { S::invert_groups(p, k); }                   \
         attribute static void forward(const Scalar* p, int k, int s, Scalar* x) { S::forward(p, k, s, x); } \

@@ -4,6 +4,13 @@
 
 namespace rockslope::dda {
 
+/// Where the update of a front is written, by block columns.
+template <class Scalar>
+struct FrontUpdate {
+    Scalar* scalars;
+    long stride;  ///< scalars from one column of the first block column to the next
+};
+
 /// The dense kernels of a front. The rows of a panel are stored in strips: scalar (r, c) of a panel of k
 /// block columns is at ((r / w) * 6 k + c) * w + r % w, w = strip_rows<Scalar>, so that work on a few rows
 /// reads memory sequentially. The panel is zero above its diagonal blocks. The factors of the diagonal
@@ -18,7 +25,7 @@ struct FrontKernels {
     /// L21 = A21 L11^-T in strips [begin, end) of the rows below the pivots.
     void (*solve_rows)(Scalar* panel, int pivots, int begin, int end);
     /// Sets block columns [begin, end) of the update to -L21 L21^T, on and below the diagonal.
-    void (*form_update)(const Scalar* panel, int pivots, int row_strips, Scalar* update, long stride,
+    void (*form_update)(const Scalar* panel, int pivots, int row_strips, const FrontUpdate<Scalar>& update,
                         int begin, int end);
     /// Inverts the diagonal blocks of L11 in groups of block columns, for the substitutions. Comes after
     /// solve_rows.

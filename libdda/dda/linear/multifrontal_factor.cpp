@@ -157,8 +157,8 @@ bool MultifrontalFactor<Scalar>::eliminate(std::size_t f, Scalar* space, const T
         kernels_.solve_rows(panel(front), front.pivots, begin, end);
     };
     const auto form_update_columns = [&](int begin, int end) {
-        kernels_.form_update(panel(front), front.pivots, front.row_strips, update(front, space),
-                             static_cast<long>(front.stride), begin, end);
+        kernels_.form_update(panel(front), front.pivots, front.row_strips,
+                             {update(front, space), static_cast<long>(front.stride)}, begin, end);
     };
     parallel_for_chunks(pool, front.cost, front.row_strips, solve_strips);
     kernels_.invert_groups(panel(front), front.pivots);

@@ -68,18 +68,31 @@ struct Substitution : Strips<Scalar, Bytes> {
         }
     }
 
-    /// sum = A y for R vectors of rows and `count` columns, an even number.
+    /// `count` columns of a panel from `first` on.
+    struct PanelColumns {
+        const Scalar* strips;
+        int columns;  ///< of the panel
+        int first;
+        int count;
+
+        /// The first of these columns in a vector of rows.
+        DDA_KERNEL const Scalar* in_vector(int vector) const {
+            return strips + vector_at(vector, columns) + static_cast<long>(first) * w;
+        }
+    };
+
+    /// sum = A y for R vectors of rows; the number of columns is even.
     template <int R>
-    DDA_KERNEL static void multiply(Vector (&sum)[R], const Scalar* strips, int columns, int column,
-                                    int count, int first_vector, const Scalar* y) {
+    DDA_KERNEL static void multiply(Vector (&sum)[R], const PanelColumns& a, int first_vector,
+                                    const Scalar* y) {
         const Scalar* rows[R];
         Vector odd[R];
         for (int r = 0; r < R; ++r) {
-            rows[r] = strips + vector_at(first_vector + r, columns) + static_cast<long>(column) * w;
+            rows[r] = a.in_vector(first_vector + r);
             sum[r] = load(rows[r]) * y[0];
             odd[r] = load(rows[r] + w) * y[1];
         }
-        for (int c = 2; c < count; c += 2) {
+        for (int c = 2; c < a.count; c += 2) {
             const long p = static_cast<long>(c) * w;
             const Scalar y0 = y[c];
             const Scalar y1 = y[c + 1];
@@ -93,10 +106,10 @@ struct Substitution : Strips<Scalar, Bytes> {
     }
     /// x -= A y for the same rows and columns.
     template <int R>
-    DDA_KERNEL static void subtract_products(const Scalar* strips, int columns, int column, int count,
-                                             int first_vector, const Scalar* y, Scalar* x) {
+    DDA_KERNEL static void subtract_products(const PanelColumns& a, int first_vector, const Scalar* y,
+                                             Scalar* x) {
         Vector sum[R];
-        multiply<R>(sum, strips, columns, column, count, first_vector, y);
+        multiply<R>(sum, a, first_vector, y);
         for (int r = 0; r < R; ++r) {
             Scalar* at = x + static_cast<long>(first_vector + r) * lanes;
             store(load(at) - sum[r], at);
@@ -109,21 +122,21 @@ struct Substitution : Strips<Scalar, Bytes> {
         for (int first = 0; first < columns; first += group_columns) {
             const int last = first + group_columns < columns ? first + group_columns : columns;
             const int begin = first / lanes;
+            const PanelColumns group_of_columns{below, columns, first, last - first};
             alignas(Vector) Scalar own[group_vectors * lanes] = {};
             for (int v = begin; v < vectors_up_to(last); ++v) {
                 Vector sum[1];
-                multiply<1>(sum, below, columns, first, last - first, v, x + first);
+                multiply<1>(sum, group_of_columns, v, x + first);
                 store(sum[0], own + (v - begin) * lanes);
             }
             const Scalar* y = own + first - begin * lanes;
             int v = last < columns ? last / lanes : vectors_up_to(last);
-            for (; v + 4 <= strips * per_strip; v += 4)
-                subtract_products<4>(below, columns, first, last - first, v, y, x);
+            for (; v + 4 <= strips * per_strip; v += 4) subtract_products<4>(group_of_columns, v, y, x);
             if (v + 2 <= strips * per_strip) {
-                subtract_products<2>(below, columns, first, last - first, v, y, x);
+                subtract_products<2>(group_of_columns, v, y, x);
                 v += 2;
             }
-            if (v < strips * per_strip) subtract_products<1>(below, columns, first, last - first, v, y, x);
+            if (v < strips * per_strip) subtract_products<1>(group_of_columns, v, y, x);
             for (int c = first; c < last; ++c) x[c] = y[c - first];
         }
     }
@@ -131,10 +144,10 @@ struct Substitution : Strips<Scalar, Bytes> {
     /// sum += L^T x for N columns and vectors [begin, end) of rows, before the lanes are summed.
     /// @param x begins with the vector of rows `origin`.
     template <int N>
-    DDA_KERNEL static void add_products(Vector (&sum)[N], const Scalar* strips, int columns, int column,
-                                        int begin, int end, const Scalar* x, int origin) {
+    DDA_KERNEL static void add_products(Vector (&sum)[N], const PanelColumns& l, int begin, int end,
+                                        const Scalar* x, int origin) {
         for (int v = begin; v < end; ++v) {
-            const Scalar* at = strips + vector_at(v, columns) + static_cast<long>(column) * w;
+            const Scalar* at = l.in_vector(v);
             const Vector factor = load(x + static_cast<long>(v - origin) * lanes);
 #pragma GCC unroll 18
             for (int q = 0; q < N; ++q) sum[q] += load(at + q * w) * factor;
@@ -178,14 +191,15 @@ struct Substitution : Strips<Scalar, Bytes> {
         if (last < columns) {
             for (int c = 0; c < count; ++c) x[first + c] = 0;
         }
+        const PanelColumns group_of_columns{strips, columns, first, count};
         alignas(Vector) Scalar sums[(count + lanes - 1) / lanes * lanes];
         Vector below[count] = {};
-        add_products<count>(below, strips, columns, first,
-                            last < columns ? last / lanes : vectors_up_to(last), vectors, x, 0);
+        add_products<count>(below, group_of_columns, last < columns ? last / lanes : vectors_up_to(last),
+                            vectors, x, 0);
         sum_lanes<count>(below, sums);
         for (int c = 0; c < count; ++c) own[c] -= sums[c];
         Vector inverse[count] = {};
-        add_products<count>(inverse, strips, columns, first, begin, vectors_up_to(last), y, begin);
+        add_products<count>(inverse, group_of_columns, begin, vectors_up_to(last), y, begin);
         sum_lanes<count>(inverse, sums);
         for (int c = 0; c < count; ++c) x[first + c] = sums[c];
     }

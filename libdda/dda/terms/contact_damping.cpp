@@ -24,9 +24,9 @@ bool is_expected_to_bear(const Model& model, const MidStep& mid, const Contact& 
 /// The squared frequency of the normal motion of contacts, Eq. (87).
 class ContactFrequency {
   public:
-    ContactFrequency(const RowMap& rows, const BlockSystem& blocks, ContactSpan<const ContactSprings> springs,
-                     const RowContacts& row_contacts, ContactSpan<const char> bears)
-        : springs_(springs), row_contacts_(row_contacts), bears_(bears) {
+    ContactFrequency(const RowMap& rows, const BlockSystem& blocks, const SpringsOfContacts& contacts,
+                     ContactSpan<const char> bears)
+        : springs_(contacts.springs), row_contacts_(contacts.row_contacts), bears_(bears) {
         for (const BlockIndex b : rows.block_of) {
             const AreaMoments& moments = blocks.moments[b];
             const double mass = blocks.mass[b];
@@ -77,30 +77,30 @@ class ContactFrequency {
 }  // namespace
 
 /// The dashpots of Eq. (86), less the damping of the time integration, Eq. (88).
-PerContact<NormalDashpot> contact_dashpots(const Model& model, const RowMap& rows, const BlockSystem& blocks,
-                                           const MidStep& mid, const Newmark& newmark,
-                                           ContactSpan<const Contact> contacts,
-                                           ContactSpan<const ContactSprings> springs,
-                                           const RowContacts& row_contacts, const ThreadPool& pool) {
+PerContact<NormalDashpot> contact_dashpots(const Model& model, const BlocksAtMidStep& blocks,
+                                           const Newmark& newmark, const SpringsOfContacts& contacts,
+                                           const ThreadPool& pool) {
     if (std::none_of(model.joint_materials.begin(), model.joint_materials.end(),
                      [](const JointMaterial& material) { return material.contact_damping > 0; }))
         return {};
     const auto for_contacts = [&](const auto& body) {
-        pool.parallel_for(contacts.size(), [&](std::size_t begin, std::size_t end) {
+        pool.parallel_for(contacts.contacts.size(), [&](std::size_t begin, std::size_t end) {
             for (const ContactIndex k : indices<ContactIndex>(begin, end)) body(k);
         });
     };
-    PerContact<char> bears(contacts.size());
-    for_contacts([&](ContactIndex k) { bears[k] = is_expected_to_bear(model, mid, contacts[k]) ? 1 : 0; });
-    const ContactFrequency frequency(rows, blocks, springs, row_contacts, bears);
-    PerContact<NormalDashpot> dashpots(contacts.size());
+    PerContact<char> bears(contacts.contacts.size());
     for_contacts([&](ContactIndex k) {
-        const Contact& contact = contacts[k];
+        bears[k] = is_expected_to_bear(model, blocks.mid, contacts.contacts[k]) ? 1 : 0;
+    });
+    const ContactFrequency frequency(blocks.rows, blocks.blocks, contacts, bears);
+    PerContact<NormalDashpot> dashpots(contacts.contacts.size());
+    for_contacts([&](ContactIndex k) {
+        const Contact& contact = contacts.contacts[k];
         const double ratio = model.joint_material_at(contact.joint_material).contact_damping;
         if (!(ratio > 0) || contact.bonded || model.is_augmented(contact.joint_material)) return;
         const double squared = frequency.squared(k);
         if (!(squared > 0)) return;
-        const double stiffness = springs[k].normal_stiffness;
+        const double stiffness = contacts.springs[k].normal_stiffness;
         const double asked = 2 * ratio * stiffness / std::sqrt(squared) / newmark.dt;
         const double of_integration = std::max(newmark.gamma - 0.5, 0.0) * stiffness;
         dashpots[k] = {std::max(asked - of_integration, 0.0),

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "dda/block/block_system.hpp"
+#include "dda/model/stage.hpp"
 #include "dda/terms/row_contacts.hpp"
 #include "dda/terms/system.hpp"
 
@@ -24,14 +25,25 @@ struct NormalDashpot {
     double force(double closed) const { return stiffness * (std::max(closed, 0.0) - closure); }
 };
 
+/// The blocks of a step: their rows in the equations, their state at its start, their positions half-way.
+struct BlocksAtMidStep {
+    const RowMap& rows;
+    const BlockSystem& blocks;
+    const MidStep& mid;
+};
+
+/// The contacts of a step, the spring of each and the contacts of each row.
+struct SpringsOfContacts {
+    ContactSpan<const Contact> contacts;
+    ContactSpan<const ContactSprings> springs;
+    const RowContacts& row_contacts;
+};
+
 /// The dashpots of all contacts for a step of a dynamic stage; empty if no joint material has a
 /// contact_damping. Bonded and augmented contacts have none: the first do not land, and the second are rigid.
-/// @param row_contacts the contacts of each row.
-PerContact<NormalDashpot> contact_dashpots(const Model& model, const RowMap& rows, const BlockSystem& blocks,
-                                           const MidStep& mid, const Newmark& newmark,
-                                           ContactSpan<const Contact> contacts,
-                                           ContactSpan<const ContactSprings> springs,
-                                           const RowContacts& row_contacts, const ThreadPool& pool);
+PerContact<NormalDashpot> contact_dashpots(const Model& model, const BlocksAtMidStep& blocks,
+                                           const Newmark& newmark, const SpringsOfContacts& contacts,
+                                           const ThreadPool& pool);
 
 /// A contact_damping that is without effect in a stage: the time integration damps an impact more.
 struct IneffectiveDamping {

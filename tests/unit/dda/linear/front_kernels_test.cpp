@@ -116,7 +116,7 @@ TYPED_TEST(FrontKernels, FactoriseAFront) {
         const int stride = front.row_strips() * DenseFront<Scalar>::w;
         dda::AlignedBuffer<Scalar> update;
         update.resize(static_cast<std::size_t>(stride * m + 1));
-        kernels.form_update(front.panel(), front.pivots, front.row_strips(), update.data(), stride, 0,
+        kernels.form_update(front.panel(), front.pivots, front.row_strips(), {update.data(), stride}, 0,
                             front.rows);
         const Matrix product = -below * below.transpose();
         worst = 0;
@@ -181,11 +181,11 @@ TYPED_TEST(FrontKernels, GiveTheSameBytesInChunks) {
             for (int r = c / 6 * 6 + 6; r < front.columns + 6 * front.rows; ++r)
                 ASSERT_EQ(front.at(r, c), other.at(r, c));
         }
-        kernels.form_update(front.panel(), front.pivots, front.row_strips(), whole.data(),
-                            static_cast<long>(stride), 0, front.rows);
+        kernels.form_update(front.panel(), front.pivots, front.row_strips(),
+                            {whole.data(), static_cast<long>(stride)}, 0, front.rows);
         for (int j = front.rows; j > 0; j -= 2)
-            kernels.form_update(front.panel(), front.pivots, front.row_strips(), parts.data(),
-                                static_cast<long>(stride), std::max(j - 2, 0), j);
+            kernels.form_update(front.panel(), front.pivots, front.row_strips(),
+                                {parts.data(), static_cast<long>(stride)}, std::max(j - 2, 0), j);
         for (std::size_t c = 0; c < columns; ++c) {
             for (std::size_t r = c; r < columns; ++r)
                 ASSERT_EQ(at_update(whole.data(), int(r), int(c), int(stride)),
