@@ -8,7 +8,7 @@ namespace rockslope::record {
 
 namespace {
 
-constexpr std::size_t header_lines = 64;
+constexpr std::size_t esm_header_lines = 64;
 
 struct HeaderValue {
     std::size_t line = 0;
@@ -16,7 +16,7 @@ struct HeaderValue {
 };
 
 std::optional<HeaderValue> find_value(const RecordLines& lines, std::string_view key) {
-    for (std::size_t i = 0; i < std::min(header_lines, lines.size()); ++i)
+    for (std::size_t i = 0; i < std::min(esm_header_lines, lines.size()); ++i)
         if (lines[i].starts_with(key) && lines[i].substr(key.size()).starts_with(':'))
             return HeaderValue{i, trimmed(lines[i].substr(key.size() + 1))};
     return std::nullopt;
@@ -52,8 +52,8 @@ Record read_esm(const RecordLines& lines, const RecordDeclaration& declaration) 
     const HeaderValue unit = header_value(lines, "UNITS");
 
     const FieldLayout one_a_line{1, 32};
-    Record record{*dt, fixed_fields(lines, header_lines, *count, one_a_line, "record"), {}};
-    expect_block_end(lines, header_lines + *count, *count);
+    Record record{*dt, fixed_fields(lines, esm_header_lines, *count, one_a_line, "record"), {}};
+    expect_block_end(lines, esm_header_lines + *count, *count);
     resolve_units(record, quantity, std::string(unit.text), declaration, lines, unit.line);
     return record;
 }

@@ -11,8 +11,8 @@ namespace rockslope::record {
 namespace {
 
 constexpr FieldLayout layout{10, 8};
-constexpr std::size_t text_lines = 16, integers_count = 40, reals_count = 60;
-constexpr std::size_t header_lines = text_lines + 4 + 6;
+constexpr std::size_t geonet_text_lines = 16, geonet_integers_count = 40, geonet_reals_count = 60;
+constexpr std::size_t header_lines = geonet_text_lines + 4 + 6;
 
 /// Numbers of the header entries, from 1: sample count of the first time history, and time step. In a
 /// corrected record the counts of the second and third time history follow.
@@ -36,7 +36,7 @@ std::optional<std::size_t> points_in_words(std::string_view line) {
 
 std::size_t header_count(const std::vector<double>& integers, std::size_t number, const RecordLines& lines,
                          std::size_t start) {
-    const std::size_t line = start + text_lines + (number - 1) / layout.per_line;
+    const std::size_t line = start + geonet_text_lines + (number - 1) / layout.per_line;
     const auto count = field_count(shortest_text(integers[number - 1]));
     if (!count) lines.fail(line, "the header has no number of points", "a whole number");
     check_count(*count, lines, line);
@@ -46,9 +46,9 @@ std::size_t header_count(const std::vector<double>& integers, std::size_t number
 /// Appends the time histories of the component that begins at line `start`. @return the first line after it.
 std::size_t append_component(std::vector<TimeHistory>& histories, const RecordLines& lines,
                              std::size_t start) {
-    const std::size_t integers_line = start + text_lines;
-    const auto integers = fixed_fields(lines, integers_line, integers_count, layout, "integer header");
-    const auto reals = fixed_fields(lines, integers_line + 4, reals_count, layout, "real header");
+    const std::size_t integers_line = start + geonet_text_lines;
+    const auto integers = fixed_fields(lines, integers_line, geonet_integers_count, layout, "integer header");
+    const auto reals = fixed_fields(lines, integers_line + 4, geonet_reals_count, layout, "real header");
     const bool raw = lower_case(lines[start]).starts_with("uncorrected");
     const double dt = reals[(raw ? raw_step : corrected_step) - 1];
     std::size_t line = start + header_lines;
@@ -58,7 +58,7 @@ std::size_t append_component(std::vector<TimeHistory>& histories, const RecordLi
         if (!raw && in_words && *in_words != count)
             lines.fail(start + 9, "the text states " + std::to_string(*in_words) + " points",
                        std::to_string(count) + ", as the integer header says");
-        check_sampling(dt, count, lines, start + text_lines + 6);
+        check_sampling(dt, count, lines, start + geonet_text_lines + 6);
         histories.push_back({{start, static_cast<Quantity>(k)}, line, count, dt});
         line += layout.lines_of(count);
     }
@@ -77,8 +77,8 @@ std::vector<TimeHistory> histories_of(const RecordLines& lines) {
 bool is_geonet(const RecordLines& lines) {
     if (lines.size() < header_lines || lower_case(lines[0]).find("accelerogram") == std::string::npos)
         return false;
-    return has_fixed_fields(lines, text_lines, integers_count, layout) &&
-           has_fixed_fields(lines, text_lines + 4, reals_count, layout);
+    return has_fixed_fields(lines, geonet_text_lines, geonet_integers_count, layout) &&
+           has_fixed_fields(lines, geonet_text_lines + 4, geonet_reals_count, layout);
 }
 
 Record read_geonet(const RecordLines& lines, const RecordDeclaration& declaration) {

@@ -12,7 +12,7 @@ namespace rockslope::record {
 
 namespace {
 
-constexpr std::size_t header_lines = 17;
+constexpr std::size_t knet_header_lines = 17;
 constexpr std::size_t value_column = 18;
 constexpr FieldLayout counts_layout{8, 9};
 
@@ -22,7 +22,7 @@ struct HeaderValue {
 };
 
 HeaderValue header_value(const RecordLines& lines, std::string_view key) {
-    for (std::size_t i = 0; i < std::min(header_lines, lines.size()); ++i)
+    for (std::size_t i = 0; i < std::min(knet_header_lines, lines.size()); ++i)
         if (lines[i].starts_with(key) && lines[i].size() > value_column)
             return {i, trimmed(lines[i].substr(value_column))};
     lines.fail(0, "the header has no '" + std::string(key) + "'", "a K-NET header of 17 lines");
@@ -55,8 +55,8 @@ double scale_factor(const RecordLines& lines) {
 }
 
 bool is_knet(const RecordLines& lines) {
-    if (lines.size() < header_lines || !lines[0].starts_with("Origin Time")) return false;
-    for (std::size_t i = 1; i < header_lines; ++i)
+    if (lines.size() < knet_header_lines || !lines[0].starts_with("Origin Time")) return false;
+    for (std::size_t i = 1; i < knet_header_lines; ++i)
         if (lines[i].starts_with("Scale Factor")) return true;
     return false;
 }
@@ -71,9 +71,9 @@ Record read_knet(const RecordLines& lines, const RecordDeclaration& declaration)
                    "at least 2 samples and fewer than 1e9");
     const std::size_t count = samples;
     const double scale = scale_factor(lines);
-    Record record{1 / frequency, fixed_fields(lines, header_lines, count, counts_layout, "record"), {}};
+    Record record{1 / frequency, fixed_fields(lines, knet_header_lines, count, counts_layout, "record"), {}};
     check_sampling(record.dt, count, lines, line);
-    expect_block_end(lines, header_lines + counts_layout.lines_of(count), count);
+    expect_block_end(lines, knet_header_lines + counts_layout.lines_of(count), count);
 
     // The counts contain the offset of the digitiser. Max. Acc. in the header is without it.
     const double mean =

@@ -8,7 +8,7 @@ namespace rockslope::record {
 
 namespace {
 
-constexpr std::size_t header_lines = 4;
+constexpr std::size_t peer_header_lines = 4;
 constexpr std::size_t kind_line = 2;   // "ACCELERATION TIME SERIES IN UNITS OF G"
 constexpr std::size_t count_line = 3;  // NPTS and DT, in three spellings
 
@@ -51,7 +51,7 @@ std::string unit_of(std::string_view line) {
 /// The free-format numbers after the header; text after the last of them is ignored.
 std::vector<double> numbers_of(const RecordLines& lines, std::size_t count) {
     std::vector<double> values;
-    for (std::size_t i = header_lines; i < lines.size(); ++i) {
+    for (std::size_t i = peer_header_lines; i < lines.size(); ++i) {
         for (const std::string_view word : words_of(lines[i])) {
             const auto value = sample_number(word);
             if (!value && values.size() == count) return values;
@@ -72,7 +72,7 @@ std::vector<double> numbers_of(const RecordLines& lines, std::size_t count) {
 }
 
 bool is_peer(const RecordLines& lines) {
-    if (lines.size() < header_lines) return false;
+    if (lines.size() < peer_header_lines) return false;
     const auto words = words_of(lines[kind_line]);
     return !words.empty() && quantity_of_name(words.front()) && !unit_of(lines[kind_line]).empty();
 }

@@ -11,10 +11,10 @@ namespace rockslope::record {
 
 namespace {
 
-constexpr std::size_t text_lines = 11;
+constexpr std::size_t smc_text_lines = 11;
 constexpr FieldLayout integers_layout{8, 10}, reals_layout{5, 15}, samples_layout{8, 10};
-constexpr std::size_t integers_count = 48, reals_count = 50;
-constexpr std::size_t reals_line = text_lines + 6, comments_line = reals_line + 10;
+constexpr std::size_t smc_integers_count = 48, smc_reals_count = 50;
+constexpr std::size_t reals_line = smc_text_lines + 6, comments_line = reals_line + 10;
 constexpr std::size_t comments_number = 16, points_number = 17;  // among the integers, from 1
 constexpr std::size_t frequency_number = 2;                      // among the reals, from 1: samples per s
 constexpr double largest_frequency = 1e6;                        // Hz; larger values mean "not known"
@@ -34,7 +34,7 @@ std::size_t header_count(const std::vector<double>& integers, std::size_t number
                          const char* what) {
     const auto count = field_count(shortest_text(integers[number - 1]));
     if (!count)
-        lines.fail(text_lines + (number - 1) / integers_layout.per_line,
+        lines.fail(smc_text_lines + (number - 1) / integers_layout.per_line,
                    std::string("the header has no number of ") + what, "a whole number");
     return *count;
 }
@@ -50,18 +50,19 @@ std::size_t samples_line(const RecordLines& lines, std::size_t comments) {
 
 bool is_smc(const RecordLines& lines) {
     return lines.size() > comments_line && quantity_of_title(lines[0]) &&
-           has_fixed_fields(lines, text_lines, integers_count, integers_layout) &&
-           has_fixed_fields(lines, reals_line, reals_count, reals_layout);
+           has_fixed_fields(lines, smc_text_lines, smc_integers_count, integers_layout) &&
+           has_fixed_fields(lines, reals_line, smc_reals_count, reals_layout);
 }
 
 Record read_smc(const RecordLines& lines, const RecordDeclaration& declaration) {
-    const auto integers = fixed_fields(lines, text_lines, integers_count, integers_layout, "integer header");
-    const auto reals = fixed_fields(lines, reals_line, reals_count, reals_layout, "real header");
+    const auto integers =
+        fixed_fields(lines, smc_text_lines, smc_integers_count, integers_layout, "integer header");
+    const auto reals = fixed_fields(lines, reals_line, smc_reals_count, reals_layout, "real header");
     const auto quantity = quantity_of_title(lines[0]);
     if (!quantity)
         lines.fail(0, "'" + std::string(trimmed(lines[0])) + "' is not a time history",
                    "an accelerogram, a velocity or a displacement");
-    const std::size_t points_line = text_lines + (points_number - 1) / integers_layout.per_line;
+    const std::size_t points_line = smc_text_lines + (points_number - 1) / integers_layout.per_line;
     const std::size_t count = header_count(integers, points_number, lines, "points");
     check_count(count, lines, points_line);
     const double frequency = reals[frequency_number - 1];

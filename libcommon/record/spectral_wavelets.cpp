@@ -13,7 +13,7 @@ namespace rockslope::record {
 
 namespace {
 
-constexpr double regularisation = 1e-4;  // of the mean diagonal; 1e-2 corrects only half of a misfit
+constexpr double wavelet_regularisation = 1e-4;  // of the mean diagonal; 1e-2 corrects only half of a misfit
 constexpr double samples_per_period = 20;
 constexpr double candidate_fraction = 0.85;  // of the target; a smaller extreme cannot become the largest
 constexpr double width_factor = 3;
@@ -149,7 +149,7 @@ Eigen::VectorXd minimum_norm_amplitudes(const Eigen::MatrixXd& full_matrix, cons
         missing[static_cast<Eigen::Index>(i)] = std::copysign(1, value) - value;
     }
     Eigen::MatrixXd normal = matrix * matrix.transpose();
-    normal.diagonal().array() += regularisation * normal.diagonal().mean();
+    normal.diagonal().array() += wavelet_regularisation * normal.diagonal().mean();
     return matrix.transpose() * normal.ldlt().solve(missing);
 }
 

@@ -12,8 +12,8 @@ namespace rockslope {
 
 namespace {
 
-constexpr double page_width = 640, panel_height = 170, panel_gap = 22;
-constexpr double left = 64, top = 30, legend_width = 150;
+constexpr double page_width = 640, joint_panel_height = 170, panel_gap = 22;
+constexpr double left = 64, top = 30, joint_legend_width = 150;
 /// Fraction of the displacement below which dilation is not drawn: it is the compliance of the springs.
 constexpr double min_drawn_dilation = 1e-3;
 
@@ -130,7 +130,7 @@ void draw_panel(Canvas& canvas, const Panel& panel, const Range& times, double u
         low = std::min(low, *std::min_element(line.values.begin(), line.values.end()));
         high = std::max(high, *std::max_element(line.values.begin(), line.values.end()));
     }
-    const Axes axes({left, upper}, {page_width - legend_width, upper + panel_height}, times,
+    const Axes axes({left, upper}, {page_width - joint_legend_width, upper + joint_panel_height}, times,
                     padded(low, high));
     axes.draw(canvas, is_last ? "time since the reset of displacements (s)" : "", panel.title, true);
     canvas.clip(axes.upper_left(), axes.lower_right());
@@ -149,17 +149,17 @@ Canvas draw_joint_histories(const std::string& joint, std::span<const JointHisto
     const std::vector<Panel> panels = panels_of(runs, references);
     const Range times = times_of(panels);
     const auto count = static_cast<double>(panels.size());
-    Canvas canvas(page_width, top + count * panel_height + (count - 1) * panel_gap + 44);
+    Canvas canvas(page_width, top + count * joint_panel_height + (count - 1) * panel_gap + 44);
     canvas.text({left, top - 12}, "Joint '" + joint + "'", {11, black, Anchor::start, Anchor::start, true});
     for (std::size_t k = 0; k < panels.size(); ++k)
-        draw_panel(canvas, panels[k], times, top + static_cast<double>(k) * (panel_height + panel_gap),
+        draw_panel(canvas, panels[k], times, top + static_cast<double>(k) * (joint_panel_height + panel_gap),
                    k + 1 == panels.size());
     std::vector<LegendEntry> entries;
     for (std::size_t k = 0; k < runs.size(); ++k)
         entries.push_back({runs[k].label, std::nullopt, stroke_of(k, false), true});
     for (std::size_t k = 0; k < references.size(); ++k)
         entries.push_back({references[k].label + " (dashed)", std::nullopt, stroke_of(k, true), true});
-    draw_legend(canvas, {page_width - legend_width + 12, top - 12}, "", entries);
+    draw_legend(canvas, {page_width - joint_legend_width + 12, top - 12}, "", entries);
     return canvas;
 }
 

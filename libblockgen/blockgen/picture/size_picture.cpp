@@ -11,7 +11,7 @@ namespace rockslope::blockgen {
 
 namespace {
 
-constexpr double page_width = 560, page_height = 380;
+constexpr double chart_width = 560, page_height = 380;
 constexpr Point upper_left{62, 24}, lower_right{536, 318};
 
 std::vector<double> sorted_areas(const BlockMesh& mesh) {
@@ -73,7 +73,7 @@ void draw_fraction_axis(Canvas& canvas, const Axes& axes, const Range& range) {
 }  // namespace
 
 Canvas draw_sizes(const BlockMesh& mesh) {
-    Canvas canvas(page_width, page_height);
+    Canvas canvas(chart_width, page_height);
     if (mesh.block_count() == 0) return canvas;
     const std::vector<double> areas = sorted_areas(mesh);
     const Range range = decades(areas);

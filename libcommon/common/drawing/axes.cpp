@@ -43,14 +43,14 @@ std::string tick_text(double value, double step) {
 }
 
 TickLabels tick_labels(const Range& range, int most) {
-    constexpr std::size_t longest_text = 7;
+    constexpr std::size_t longest_tick = 7;
     TickLabels labels{round_ticks(range, most), {}, 0};
     if (labels.values.empty()) return labels;
     const double step = tick_step(range, most);
     const double largest = std::max(std::abs(range.low), std::abs(range.high));
     const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
     const int digits = 1 + std::max(0, static_cast<int>(std::floor(std::log10(largest))));
-    if (digits + decimals + (decimals > 0 ? 1 : 0) > static_cast<int>(longest_text)) {
+    if (digits + decimals + (decimals > 0 ? 1 : 0) > static_cast<int>(longest_tick)) {
         const double power = std::pow(10.0, std::ceil(std::log10(range.high - range.low) - 1e-9));
         labels.offset = std::floor(labels.values.front() / power) * power + 0.0;
         // A range that contains zero has no common offset, however long its labels are.

@@ -30,7 +30,7 @@ constexpr double centering_power = 3;
 constexpr double smallest_root_ratio = 1e-2;
 /// A step below this is short: the path folds back there. So many of them are the last.
 constexpr double short_step = 0.1;
-constexpr int short_step_limit = 8;
+constexpr int interior_short_step_limit = 8;
 /// The contacts that block a short step are those that allow less than this many times it.
 constexpr double blocking_reach = 3;
 /// N per metre; a joint with more cohesion has no bound.
@@ -60,7 +60,8 @@ InteriorPointResult InteriorPoint::solve(PerRow<Vec6>& d, const PathStart& from)
     for_contacts([&](PathContact& c) { c.place_on_path(square(root)); });
     std::size_t selections = is_first && !from.hold_bounds ? 0 : selection_ratios.size();
     int short_steps = 0;
-    for (; result.iterations < iteration_limit && short_steps < short_step_limit; ++result.iterations) {
+    for (; result.iterations < iteration_limit && short_steps < interior_short_step_limit;
+         ++result.iterations) {
         Errors errors = evaluate();
         const double tolerance =
             std::max(p_.control.force_tolerance * errors.largest_force, p_.rounding_force);

@@ -14,12 +14,12 @@ namespace rockslope::dda {
 namespace {
 
 constexpr std::int64_t checkpoint_version = 15;
-constexpr std::size_t chunk = 1 << 16;  // elements
+constexpr std::size_t chunk_elements = 1 << 16;  // elements
 
 template <class T>
 void store(HdfFile& file, const std::string& name, const std::vector<T>& values) {
-    file.add_dataset(name, hdf_type_of<T>(), 1, std::min(std::max<std::size_t>(values.size(), 1), chunk),
-                     false);
+    file.add_dataset(name, hdf_type_of<T>(), 1,
+                     std::min(std::max<std::size_t>(values.size(), 1), chunk_elements), false);
     file.append(name, values);
 }
 

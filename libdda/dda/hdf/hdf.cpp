@@ -200,9 +200,9 @@ std::string HdfFile::string_attribute(const std::string& object, const std::stri
               "has no attribute " + name),
         H5Aclose);
     const HdfHandle type(H5Aget_type(attribute.id()), H5Tclose);
-    constexpr std::size_t longest = 1 << 16;
+    constexpr std::size_t longest_text_bytes = 1 << 16;
     if (H5Tget_class(type.id()) != H5T_STRING || H5Tis_variable_str(type.id()) != 0 ||
-        H5Tget_size(type.id()) > longest)
+        H5Tget_size(type.id()) > longest_text_bytes)
         fail("attribute " + name + " is not a fixed-length string of at most 65536 bytes");
     std::string text(H5Tget_size(type.id()), '\0');
     check(H5Aread(attribute.id(), type.id(), text.data()), "attribute " + name);
