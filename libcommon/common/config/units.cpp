@@ -86,9 +86,4 @@ std::string describe(Dimension dimension) {
     return text;
 }
 
-std::string_view si_unit(Dimension dimension) {
-    const Row entry = row(dimension);
-    return entry.units.empty() ? std::string_view{} : entry.units.front().name;
-}
-
 }  // namespace rockslope

@@ -14,7 +14,4 @@ std::optional<double> unit_factor(Dimension dimension, std::string_view unit);
 /// Description of a value of the dimension for messages: "an angle such as "35 deg" (deg, rad)".
 std::string describe(Dimension dimension);
 
-/// Unit of a bare number of the dimension, for headings and comments. Empty for a pure number.
-std::string_view si_unit(Dimension dimension);
-
 }  // namespace rockslope

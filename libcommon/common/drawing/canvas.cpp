@@ -218,18 +218,6 @@ void Canvas::circle(const Point& centre, double radius, const std::optional<Colo
     });
 }
 
-void Canvas::arrow(const Point& from, const Point& to, const Stroke& stroke, double head) {
-    const double length = std::hypot(to.x - from.x, to.y - from.y);
-    if (!(length > 0)) return;
-    const double ux = (to.x - from.x) / length, uy = (to.y - from.y) / length;
-    const Point base{to.x - head * ux, to.y - head * uy};
-    const double half = 0.35 * head;
-    const Ring triangle = {
-        to, {base.x - half * uy, base.y + half * ux}, {base.x + half * uy, base.y - half * ux}};
-    if (length > head) polyline(std::vector<Point>{from, base}, stroke);
-    polygon(std::vector<Ring>{triangle}, stroke.colour, std::nullopt);
-}
-
 double Canvas::text_width(const std::string& line, const TextStyle& style) const {
     set_font(impl_->ruler.get(), style);
     cairo_text_extents_t extents;

@@ -60,8 +60,6 @@ class Canvas {
     void polyline(std::span<const Point> points, const Stroke& stroke);
     void circle(const Point& centre, double radius, const std::optional<Colour>& fill,
                 const std::optional<Stroke>& stroke);
-    /// A line with a filled head at its end. @param head length of the head, pt.
-    void arrow(const Point& from, const Point& to, const Stroke& stroke, double head = 5);
     void text(const Point& place, const std::string& line, const TextStyle& style = {});
     double text_width(const std::string& line, const TextStyle& style = {}) const;
 

@@ -21,7 +21,7 @@ Canvas drawing() {
     const std::vector<Ring> rings = {axes.to_page(square), axes.to_page(hole)};
     canvas.polygon(rings, rock_colour(0), Stroke{});
     canvas.hatch(rings, {grey, 0.5}, 4, 0.8);
-    canvas.arrow(axes.to_page({5, 1}), axes.to_page({8, 3}), {line_colour(1), 1});
+    canvas.polyline(std::vector<Point>{axes.to_page({5, 1}), axes.to_page({8, 3})}, {line_colour(1), 1});
     canvas.text(axes.to_page({6, 4}), "Überhang", {9, black, Anchor::middle});
     axes.draw(canvas, "x (m)", "y (m)", true);
     draw_scale_bar(canvas, {60, 190}, axes.scale(), 80);
