@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "dda/joint/barton_bandis.hpp"
+#include "dda/joint/barton_bandis.hpp"  // IWYU pragma: export
 #include "dda/joint/cyclic_barton_bandis.hpp"
 #include "dda/joint/shear_test.hpp"
 

@@ -3,7 +3,7 @@
 #include "dda/analysis/shear_sharing.hpp"
 #include "dda/analysis/step_problem.hpp"
 #include "support/random_shapes.hpp"
-#include "support/step_system.hpp"
+#include "support/step_system.hpp"  // IWYU pragma: export
 #include "support/walls.hpp"
 
 namespace rockslope::scene {

@@ -5,7 +5,7 @@
 #include "dda/analysis/step_problem.hpp"
 #include "support/cyclic_joints.hpp"
 #include "support/random_shapes.hpp"
-#include "support/scene.hpp"
+#include "support/scene.hpp"  // IWYU pragma: export
 
 namespace rockslope::scene {
 

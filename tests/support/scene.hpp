@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "dda/analysis/run.hpp"
-#include "dda/analysis/step.hpp"
+#include "dda/analysis/step.hpp"  // IWYU pragma: export
 #include "support/energy_monitor.hpp"
 
 namespace rockslope::scene {

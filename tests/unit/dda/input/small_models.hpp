@@ -7,7 +7,7 @@
 #include <fstream>
 #include <string>
 
-#include "blockgen/mesh/block_file.hpp"
+#include "blockgen/mesh/block_file.hpp"  // IWYU pragma: export
 #include "support/error_of.hpp"
 
 namespace rockslope::io_test {

@@ -5,9 +5,10 @@
 #include <sstream>
 
 #include "common/base/read_file.hpp"
+#include "dda/analysis/run.hpp"
 #include "dda/input/read_run.hpp"
 #include "dda/results/results.hpp"
-#include "dda/writers/frame_data.hpp"
+#include "dda/writers/frame_data.hpp"  // IWYU pragma: export
 #include "unit/dda/input/small_models.hpp"
 
 namespace rockslope::dda {
