@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "dda/analysis/run.hpp"
+#include "dda/analysis/run_observer.hpp"
 
 namespace rockslope::bench {
 

@@ -11,6 +11,7 @@
 #include "common/base/output_check.hpp"
 #include "common/base/output_error.hpp"
 #include "common/base/sha256.hpp"
+#include "dda/analysis/run.hpp"
 #include "dda/checkpoint/resume_check.hpp"
 #include "dda/input/read_run.hpp"
 #include "dda/model/glue.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dda/analysis/run.hpp"
+#include "dda/analysis/run_observer.hpp"
 #include "dda/analysis/step.hpp"
 
 namespace rockslope::dda {

@@ -4,12 +4,11 @@
 #include <optional>
 
 #include "common/base/thread_pool.hpp"
-#include "dda/analysis/base_motion.hpp"
 #include "dda/analysis/ledger.hpp"
 #include "dda/analysis/open_close_iteration.hpp"
 #include "dda/analysis/prediction.hpp"
-#include "dda/analysis/run.hpp"
 #include "dda/analysis/state.hpp"
+#include "dda/analysis/step_report.hpp"
 #include "dda/base/phase_times.hpp"
 #include "dda/contact/undetected_penetration.hpp"
 #include "dda/linear/linear_solver.hpp"

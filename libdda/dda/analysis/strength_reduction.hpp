@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dda/analysis/run.hpp"
+#include "dda/analysis/run_observer.hpp"
 
 namespace rockslope::dda {
 

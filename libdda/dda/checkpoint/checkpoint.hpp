@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "dda/analysis/run.hpp"
+#include "dda/analysis/run_observer.hpp"
 #include "dda/analysis/state.hpp"
 #include "dda/monitor/blocks_on_planes.hpp"
 #include "dda/monitor/close_reversals.hpp"

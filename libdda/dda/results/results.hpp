@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "dda/analysis/run.hpp"
+#include "dda/analysis/run_observer.hpp"
 #include "dda/checkpoint/checkpoint.hpp"
 #include "dda/model/output_spec.hpp"
 #include "dda/monitor/point_motion.hpp"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "dda/analysis/run.hpp"
+#include "dda/analysis/run_observer.hpp"
 #include "dda/results/results.hpp"
 
 namespace rockslope::dda {
