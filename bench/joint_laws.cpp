@@ -4,6 +4,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include "dda/joint/barton_bandis.hpp"
 #include "dda/joint/shear_step.hpp"
 #include "support/cyclic_joints.hpp"
 

@@ -1,6 +1,7 @@
 #include "record/butterworth.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <numbers>

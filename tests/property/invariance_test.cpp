@@ -9,6 +9,7 @@
 #include "dda/contact/candidates.hpp"
 #include "dda/contact/detect.hpp"
 #include "support/random_shapes.hpp"
+#include "support/scene.hpp"
 
 using namespace rockslope;
 

@@ -2,8 +2,10 @@
 // the model, except for the amplified rounding errors.
 
 #include <gtest/gtest.h>
+#include <algorithm>
 
 #include "support/random_shapes.hpp"
+#include "support/scene.hpp"
 
 using namespace rockslope;
 

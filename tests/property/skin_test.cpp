@@ -6,6 +6,7 @@
 #include "dda/contact/candidates.hpp"
 #include "dda/contact/find_contacts.hpp"
 #include "support/random_shapes.hpp"
+#include "support/scene.hpp"
 
 using namespace rockslope;
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "support/random_shapes.hpp"
+#include "support/scene.hpp"
 
 using namespace rockslope;
 

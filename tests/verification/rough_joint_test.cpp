@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "dda/joint/barton_bandis.hpp"
 #include "dda/joint/shear_test.hpp"
 #include "support/case_name.hpp"
 #include "support/cyclic_joints.hpp"

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "common/drawing/canvas.hpp"
+#include "common/geometry/point.hpp"
 #include "dda/hdf/vtkhdf_file.hpp"
 
 namespace rockslope {

@@ -12,6 +12,7 @@
 #include "measures_text.hpp"
 #include "record/amplification.hpp"
 #include "record/measures.hpp"
+#include "record/records.hpp"
 #include "record_file.hpp"
 #include "record_picture.hpp"
 

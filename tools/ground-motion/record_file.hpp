@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "record/accelerogram.hpp"
-#include "record/records.hpp"
 
 namespace rockslope {
 

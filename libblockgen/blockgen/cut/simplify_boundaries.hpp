@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "blockgen/faces/block_rings.hpp"
 #include "blockgen/mesh/block_mesh.hpp"
 

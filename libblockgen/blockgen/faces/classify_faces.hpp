@@ -1,8 +1,5 @@
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
 #include "blockgen/arrangement/arrange.hpp"
 #include "blockgen/faces/source_table.hpp"
 

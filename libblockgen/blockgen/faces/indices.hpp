@@ -1,6 +1,6 @@
 #pragma once
 
-#include "blockgen/arrangement/indices.hpp"
+#include "common/base/index.hpp"
 
 namespace rockslope::blockgen {
 

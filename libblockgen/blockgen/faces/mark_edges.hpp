@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "blockgen/faces/block_rings.hpp"
 #include "blockgen/faces/cut_context.hpp"

@@ -1,6 +1,7 @@
 #include "blockgen/input/geo_file.hpp"
 
 #include <cmath>
+#include <cstddef>
 #include <string>
 
 #include "common/base/input_error.hpp"

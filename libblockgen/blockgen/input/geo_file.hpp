@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "common/geometry/polygon.hpp"
+#include "common/geometry/point.hpp"
 
 namespace rockslope::blockgen {
 

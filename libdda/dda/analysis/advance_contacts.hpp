@@ -1,7 +1,5 @@
 #pragma once
 
-#include <span>
-
 #include "dda/analysis/step_problem.hpp"
 
 namespace rockslope::dda {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "dda/block/block_system.hpp"
 #include "dda/model/stage.hpp"
 

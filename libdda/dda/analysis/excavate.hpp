@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "dda/analysis/state.hpp"
 #include "dda/model/model.hpp"

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "dda/contact/contact.hpp"
 #include "dda/terms/springs.hpp"
 
 namespace rockslope::dda {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <span>
-
 #include "dda/analysis/open_close_iteration.hpp"
 
 namespace rockslope::dda {

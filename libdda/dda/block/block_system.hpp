@@ -1,8 +1,5 @@
 #pragma once
 
-#include <span>
-#include <vector>
-
 #include "common/base/thread_pool.hpp"
 #include "dda/base/types.hpp"
 #include "dda/geometry/simplex.hpp"

@@ -1,6 +1,7 @@
 #include "dda/checkpoint/state_archive.hpp"
 
 #include <cstring>
+#include <stdexcept>
 #include <type_traits>
 #include <utility>
 

@@ -4,7 +4,6 @@
 
 #include "common/config/config_table.hpp"
 #include "dda/input/read_mesh.hpp"
-#include "dda/model/model.hpp"
 
 namespace rockslope::dda {
 

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "dda/base/types.hpp"
 #include "dda/model/time_table.hpp"
 
 namespace rockslope::dda {

@@ -1,10 +1,7 @@
 #pragma once
 
-#include <vector>
-
 #include "dda/analysis/state.hpp"
 #include "dda/analysis/step_report.hpp"
-#include "dda/model/stage.hpp"
 
 namespace rockslope::dda {
 

@@ -5,6 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "dda/model/time_table.hpp"
+
 namespace rockslope::dda {
 
 namespace {

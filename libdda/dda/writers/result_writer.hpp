@@ -7,7 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "dda/analysis/run.hpp"
+#include "dda/analysis/state.hpp"
+#include "dda/analysis/step_report.hpp"
+#include "dda/model/model.hpp"
+#include "dda/model/stage.hpp"
 
 namespace rockslope::dda {
 

@@ -7,8 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "record/records.hpp"
-
 /// Small files in every format, laid out as by their providers.
 namespace rockslope::small_records {
 

@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "dda/base/indices.hpp"
-#include "dda/base/types.hpp"
 #include "dda/model/time_table.hpp"
 
 namespace rockslope::dda {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "dda/analysis/run.hpp"
+#include "dda/analysis/step.hpp"
 #include "support/walls.hpp"
 
 using namespace rockslope;

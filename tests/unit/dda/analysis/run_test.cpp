@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "dda/analysis/step.hpp"
 #include "support/walls.hpp"
 
 using namespace rockslope;

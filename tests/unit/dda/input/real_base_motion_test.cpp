@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "blockgen/mesh/block_file.hpp"
 #include "dda/analysis/run.hpp"
 #include "dda/input/read_run.hpp"
 #include "support/case_name.hpp"
