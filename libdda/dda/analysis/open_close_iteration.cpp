@@ -187,8 +187,8 @@ class OpenCloseIteration {
         bound_mixing_ = AndersonMixing(bound_memory);
     }
 
-    /// Sets the right-hand side: the load and the spring forces at zero unknowns. RelativeMeasure::prescribed
-    /// contains the displacement of blocks without unknowns.
+    /// Sets the right-hand side: the load and the spring forces at zero unknowns, Eq. (24).
+    /// RelativeMeasure::prescribed contains the displacement of blocks without unknowns.
     void set_right_hand_side() {
         pool_.parallel_for(force_.size(), [&](std::size_t begin, std::size_t end) {
             for (const ContactIndex k : indices<ContactIndex>(begin, end)) {

@@ -4,6 +4,29 @@
 
 namespace rockslope::dda {
 
+namespace {
+
+/// The blocks of one row of the matrix that the springs to one other row change.
+struct RowBlocks {
+    RowIndex row;
+    RowIndex partner;
+    Mat6& diagonal;
+    Mat6* off_diagonal;  ///< null where the symmetric block is stored, or where it does not change
+};
+
+/// Adds the submatrices of a spring along `direction`, Eq. (24), to a row. Its forces are part of the
+/// right-hand side.
+void add_spring(const BlockPair& pair, const Vec2& direction, double stiffness, const RowBlocks& blocks) {
+    if (stiffness == 0) return;
+    const Vec6 gradient = pair.project_on_row(blocks.row, direction);
+    const Vec6 force = stiffness * gradient;
+    blocks.diagonal.noalias() += force * gradient.transpose();
+    if (blocks.off_diagonal != nullptr)
+        blocks.off_diagonal->noalias() += force * pair.project_on_row(blocks.partner, direction).transpose();
+}
+
+}  // namespace
+
 StepMatrix::StepMatrix(const StepProblem& problem, const BlockPattern& pattern, BlockMatrix& work,
                        const ThreadPool& pool)
     : p_(problem),
@@ -101,17 +124,10 @@ void StepMatrix::assemble_row(RowIndex row) {
                                ? &matrix_.upper[pattern_.position(row, last_partner)]
                                : nullptr;
         }
-        const auto add = [&](const Vec2& direction, double stiffness) {
-            if (stiffness == 0) return;
-            const Vec6 gradient = s.rows.project_on_row(row, direction);
-            const Vec6 force = stiffness * gradient;
-            // A spring's submatrices, Eq. (24).
-            matrix_.diagonal[row].noalias() += force * gradient.transpose();
-            if (off_diagonal != nullptr)
-                off_diagonal->noalias() += force * s.rows.project_on_row(last_partner, direction).transpose();
-        };
-        add(s.normal.direction - contacts_[k].tilt * s.shear.direction, contacts_[k].normal);
-        add(s.shear.direction, contacts_[k].shear);
+        const RowBlocks blocks{row, last_partner, matrix_.diagonal[row], off_diagonal};
+        add_spring(s.rows, s.normal.direction - contacts_[k].tilt * s.shear.direction, contacts_[k].normal,
+                   blocks);
+        add_spring(s.rows, s.shear.direction, contacts_[k].shear, blocks);
     }
 }
 

@@ -34,6 +34,8 @@ struct Bound {
     double work_rate = 0;  ///< J/m2 per m of slip
 };
 
+/// The strength of Eq. (70) on the side of the asperities that slip climbs (`away` from the origin) or
+/// descends.
 Bound bound_at(const AsperitySurface& surface, double work, bool away, double normal_force, double length) {
     Bound bound;
     double decay = 0;

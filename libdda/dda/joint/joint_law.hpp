@@ -75,8 +75,8 @@ struct JointMaterial {
     /// critical; 0: none. It sets the restitution of an impact, Eq. (89).
     double contact_damping = 0;
 
-    /// A contact's normal spring, with its stiffness in N/m per metre. @param analysis_value the penalty of
-    /// the analysis; @param length m, of the contact.
+    /// A contact's normal spring, Eqs. (43) and (44), with its stiffness in N/m per metre. @param
+    /// analysis_value the penalty of the analysis; @param length m, of the contact.
     NormalClosure normal_spring(double analysis_value, double length) const {
         if (normal_stiffness > 0)
             return {normal_stiffness * std::max(length, corner_length), largest_closure};

@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
 #include <cstdint>
-#include <optional>
+#include <optional>  // IWYU pragma: export
 
 namespace rockslope::dda {
 
@@ -61,7 +60,8 @@ struct CoulombLine {
     double cohesion = 0;            ///< c, Pa
     bool holds_in_tension = false;  ///< the line continues below zero normal force, down to zero strength
 
-    /// Shear strength, N per metre. @param normal_force N per metre, compression positive; @param length m.
+    /// Shear strength by Eq. (31), N per metre. @param normal_force N per metre, compression positive; @param
+    /// length m.
     double strength(double normal_force, double length) const {
         const double effective_force = holds_in_tension ? normal_force : std::max(normal_force, 0.0);
         return std::max(effective_force * friction + cohesion * length, 0.0);

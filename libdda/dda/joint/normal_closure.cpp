@@ -25,6 +25,7 @@ double hyperbola_energy(double share) {
 
 }  // namespace
 
+/// Eq. (44).
 double NormalClosure::force(double closed) const {
     if (is_linear() || closed <= 0) return stiffness * closed;
     const double share = closed / largest_closure;

@@ -1,6 +1,7 @@
 #include "dda/joint/roughness_table.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -8,6 +9,14 @@
 #include "dda/joint/parameter_table.hpp"
 
 namespace rockslope::dda {
+
+namespace {
+
+/// Barton's curve: displacements over peak displacement, and the mobilised ratios there.
+constexpr std::array<double, 7> barton_displacements = {0.3, 0.6, 1, 2, 4, 10, 100};
+constexpr std::array<double, 7> barton_ratios = {0, 0.75, 1, 0.85, 0.7, 0.5, 0};
+
+}  // namespace
 
 /// The mobilised ratio, Eq. (59).
 double RoughnessTable::ratio(double x) const {
@@ -23,13 +32,6 @@ double RoughnessTable::next_above(double x) const {
     for (const Entry& entry : entries)
         if (entry.x > x) return entry.x;
     return std::numeric_limits<double>::infinity();
-}
-
-double RoughnessTable::next_below(double x) const {
-    double nearest = -std::numeric_limits<double>::infinity();
-    for (const Entry& entry : entries)
-        if (entry.x < x) nearest = entry.x;
-    return nearest;
 }
 
 RoughnessTable RoughnessTable::read(const ParameterTable& table, std::string_view key) {
@@ -49,7 +51,10 @@ RoughnessTable RoughnessTable::read(const ParameterTable& table, std::string_vie
 }
 
 RoughnessTable barton_1985() {
-    return {{{0, 0}, {0.3, 0}, {0.6, 0.75}, {1, 1}, {2, 0.85}, {4, 0.7}, {10, 0.5}, {100, 0}}};
+    RoughnessTable table{{{0, 0}}};
+    for (std::size_t k = 0; k < barton_displacements.size(); ++k)
+        table.entries.push_back({barton_displacements[k], barton_ratios[k]});
+    return table;
 }
 
 }  // namespace rockslope::dda

@@ -20,8 +20,6 @@ struct RoughnessTable {
     double ratio(double x) const;
     /// The nearest entry's x above `x`, or infinity.
     double next_above(double x) const;
-    /// The nearest entry's x below `x`, or minus infinity.
-    double next_below(double x) const;
 
     /// The pairs [x, ratio] of a key. @throws InputError unless x starts at 0 or above and grows, and every
     /// ratio is from -1 to 1.

@@ -31,6 +31,8 @@ struct StressedAsperitiesSurface {
         law.exponent = table.positive("exponent", Quantity::number, 1);
         return law;
     }
+    /// The asperities under a normal force, Eq. (71). @param normal_force N per metre; @param length m, of
+    /// the contact.
     AsperitySurface surface(double normal_force, double length) const {
         // A bare vertex has no length and an infinite stress: its asperities are crushed.
         const double crushing_force = wall_strength * length;

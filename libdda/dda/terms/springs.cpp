@@ -15,8 +15,8 @@ BlockPair attach(const RowMap& rows, const MidStep& mid, BlockIndex a, const Vec
     return {rows.row_of[a], rows.row_of[b], point_on_a - mid.centroid[a], point_on_b - mid.centroid[b]};
 }
 
-/// The displacement of the point of block `a` along `direction`, less that of the point of block `b`,
-/// Eq. (20).
+/// The measure of Eq. (20) along `direction`, with the part of it that the prescribed motion of blocks
+/// without unknowns gives.
 RelativeMeasure relative_measure(const BlockPair& pair, BlockSpan<const Vec6> prescribed,
                                  const Vec2& direction, BlockIndex a, BlockIndex b) {
     RelativeMeasure relative{direction, 0};

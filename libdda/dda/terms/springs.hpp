@@ -1,6 +1,5 @@
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "common/base/thread_pool.hpp"
@@ -52,6 +51,7 @@ struct BlockPair {
         if (second.exists()) sum -= displacement_at(second_arm, d[second]);
         return sum;
     }
+    /// The opening or the shear displacement, Eq. (20), m, with the part that is prescribed.
     double measure(const RelativeMeasure& relative, RowSpan<const Vec6> d) const {
         return relative.at(relative_displacement(d));
     }

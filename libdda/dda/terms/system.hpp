@@ -1,9 +1,6 @@
 #pragma once
 
-#include <vector>
-
 #include "dda/block/mid_step.hpp"
-#include "dda/model/stage.hpp"
 
 namespace rockslope::dda {
 
@@ -25,14 +22,15 @@ struct BaseSystem {
 };
 
 /// Newmark's relations for one step, Eqs. (14)-(16): with a displacement d over dt
-///   a1 = d / (beta dt^2) - v0 / (beta dt) - (1/2 - beta)/beta a0,   v1 = v0 + dt ((1 - gamma) a0 + gamma
-///   a1).
+///   a1 = d / (beta dt^2) - v0 / (beta dt) - (1/2 - beta)/beta a0,
+///   v1 = v0 + dt ((1 - gamma) a0 + gamma a1).
 /// (beta, gamma) = (1/2, 1) is Shi's integration: a1 constant over the step, v1 = 2 d / dt - v0.
 struct Newmark {
     double beta = 0.5;
     double gamma = 1;
     double dt = 0;
 
+    /// The acceleration a1 at the end of the step, Eq. (15).
     template <class Vector>
     Vector acceleration(const Vector& d, const Vector& v0, const Vector& a0) const {
         return (d / dt - v0) / (beta * dt) - (0.5 - beta) / beta * a0;
@@ -44,6 +42,7 @@ struct Newmark {
     Vector velocity_at_zero_displacement(const Vector& v0, const Vector& a0) const {
         return (1 - gamma / beta) * v0 + dt * ((1 - gamma) - gamma * (0.5 - beta) / beta) * a0;
     }
+    /// The velocity v1 at the end of the step, Eq. (16).
     template <class Vector>
     Vector velocity(const Vector& v0, const Vector& a0, const Vector& a1) const {
         return v0 + dt * ((1 - gamma) * a0 + gamma * a1);
