@@ -18,12 +18,10 @@ struct RecordFormat {
     Record (*read)(const RecordLines& lines, const RecordDeclaration& declaration);
 };
 
-/// The formats. A new one is defined in its own file, declared here and listed in the table of records.cpp.
-extern const RecordFormat peer_format, knet_format, cosmos_format, csmip_format, esm_format, geonet_format,
-    smc_format, sac_format, run_history_format, two_columns_format;
-/// miniSEED contains raw counts without the instrument response. Its reader always throws and says what to
-/// do.
-extern const RecordFormat miniseed_format;
+// The formats of record_formats.def. A new one is defined in its own file and has one line there.
+#define RECORD_FORMAT(name) extern const RecordFormat name##_format;
+#include "record/record_formats.def"
+#undef RECORD_FORMAT
 
 /// All formats, in the order in which they are tried.
 std::span<const RecordFormat* const> record_formats();

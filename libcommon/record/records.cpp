@@ -1,7 +1,5 @@
 #include "record/records.hpp"
 
-#include <array>
-
 #include "common/base/magnitude.hpp"
 #include "common/base/read_file.hpp"
 #include "common/base/text.hpp"
@@ -75,9 +73,11 @@ const RecordFormat& recognised_format(const RecordLines& lines) {
 }  // namespace
 
 std::span<const RecordFormat* const> record_formats() {
-    static const std::array table = {&peer_format,     &knet_format,        &cosmos_format,     &csmip_format,
-                                     &esm_format,      &geonet_format,      &smc_format,        &sac_format,
-                                     &miniseed_format, &run_history_format, &two_columns_format};
+    static const RecordFormat* const table[] = {
+#define RECORD_FORMAT(name) &name##_format,
+#include "record/record_formats.def"
+#undef RECORD_FORMAT
+    };
     return table;
 }
 
