@@ -99,7 +99,7 @@ class JointLawConformance : public testing::Test {
   protected:
     std::vector<JointLaw> laws() const {
         std::vector<JointLaw> all;
-        for (const Law& law : joint_tests::specimens(std::type_identity<Law>{})) all.emplace_back(law);
+        for (const Law& law : joint_tests::specimens<Law>()) all.emplace_back(law);
         return all;
     }
 };

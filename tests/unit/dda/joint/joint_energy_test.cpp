@@ -234,7 +234,7 @@ TYPED_TEST_SUITE(EnergyOfLaw, joint_tests::AsTypes<JointLaw>::type, joint_tests:
 
 TYPED_TEST(EnergyOfLaw, DoesNotFallOnRandomPaths) {
     const double stress = 1e5, reach = 5e-3;
-    for (const TypeParam& specimen : joint_tests::specimens(std::type_identity<TypeParam>{})) {
+    for (const TypeParam& specimen : joint_tests::specimens<TypeParam>()) {
         const JointLaw law = specimen;
         for (unsigned seed = 0; seed < 1000; ++seed) {
             const std::vector<Target> path = random_path(seed, stress, reach);
@@ -248,7 +248,7 @@ TYPED_TEST(EnergyOfLaw, DoesNotFallOnRandomPaths) {
 // forces say would give some away in each turn.
 TYPED_TEST(EnergyOfLaw, IsNotGainedInClosedLoops) {
     const double stress = 1e5, reach = 5e-3;
-    for (const TypeParam& specimen : joint_tests::specimens(std::type_identity<TypeParam>{})) {
+    for (const TypeParam& specimen : joint_tests::specimens<TypeParam>()) {
         const JointLaw law = specimen;
         for (unsigned seed = 0; seed < 100; ++seed) {
             std::mt19937 random(seed);
