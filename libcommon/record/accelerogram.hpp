@@ -9,6 +9,7 @@ struct Accelerogram {
     double step = 0;             ///< s, positive
     std::vector<double> values;  ///< m/s2
 
+    /// Time from the first sample to the last, s.
     double duration() const { return values.empty() ? 0 : step * static_cast<double>(values.size() - 1); }
 };
 

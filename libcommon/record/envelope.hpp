@@ -9,6 +9,7 @@ struct Envelope {
     double strong = 6;   ///< s
     double decay = 0.5;  ///< 1/s
 
+    /// The factor at a time, s.
     double at(double time) const;
 };
 

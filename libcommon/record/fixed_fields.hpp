@@ -16,6 +16,7 @@ struct FieldLayout {
     std::size_t per_line = 0;
     std::size_t width = 0;
 
+    /// Number of lines that so many fields take.
     std::size_t lines_of(std::size_t count) const { return (count + per_line - 1) / per_line; }
 };
 

@@ -15,11 +15,14 @@ class RecordLines {
   public:
     RecordLines(std::string_view text, std::string file_name);
 
+    /// Number of lines.
     std::size_t size() const { return lines_.size(); }
     std::string_view operator[](std::size_t index) const { return lines_[index]; }
+    /// The place of a line in the file, for messages. @param index from 0.
     SourceLocation place(std::size_t index) const { return {file_name_, static_cast<int>(index) + 1}; }
     /// The whole text unchanged, for binary formats.
     std::string_view bytes() const { return bytes_; }
+    /// The name of the file, for messages.
     const std::string& file_name() const { return file_name_; }
     /// @throws InputError at a line, and at a column counted from 1 if one is given. `expected` completes
     /// "expected ...".
@@ -45,6 +48,7 @@ std::string_view trimmed(std::string_view text);
 /// Nothing if the text is anything else.
 std::optional<double> sample_number(std::string_view text);
 
+/// The text in lower case (ASCII).
 std::string lower_case(std::string_view text);
 
 }  // namespace rockslope::record

@@ -33,6 +33,7 @@ struct RecordDeclaration {
 /// @throws InputError with file and line: unreadable, unknown format, truncated, uneven steps, wrong count,
 /// not a finite number, no such channel, quantity or unit stated neither by the file nor by the declaration.
 Record read_record(const std::filesystem::path& path, const RecordDeclaration& declaration = {});
+/// As read_record(), of a text. @param file_name for messages.
 Record parse_record(std::string_view text, const std::string& file_name,
                     const RecordDeclaration& declaration = {});
 
@@ -41,6 +42,7 @@ std::vector<std::string> record_format_keys();
 
 /// The name of a quantity in model files and headings: "acceleration", "velocity", "displacement".
 std::string quantity_name(Quantity quantity);
+/// The quantity of such a name, in upper or lower case.
 std::optional<Quantity> quantity_of_name(std::string_view name);
 
 /// Factor from a unit to SI. Nothing if it is no unit of that quantity. Known: g, m/s2, cm/s2, mm/s2, gal;

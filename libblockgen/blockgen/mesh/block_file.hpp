@@ -20,7 +20,9 @@ std::string block_file_text(const BlockMesh& mesh);
 /// newer version, an index is out of range, a number is not finite, or a record is otherwise malformed.
 BlockMesh parse_block_file(std::string_view text, const std::string& file_name);
 
+/// As parse_block_file(), of a file.
 BlockMesh read_block_file(const std::filesystem::path& path);
+/// Writes the block file of a mesh.
 void write_block_file(const std::filesystem::path& path, const BlockMesh& mesh);
 
 }  // namespace rockslope::blockgen

@@ -83,9 +83,11 @@ struct BlockMesh {
 
     std::vector<std::string> provenance;  ///< free text lines: program version, seed, hash of the input
 
+    /// Number of blocks.
     std::size_t block_count() const { return block_rings.size() - 1; }
     /// The indices of all blocks.
     IndexRange<BlockIndex> blocks() const { return indices<BlockIndex>(block_count()); }
+    /// Number of rings of all blocks.
     std::size_t ring_count(BlockIndex block) const { return block_rings[block + 1] - block_rings[block]; }
     /// The vertices of a block's ring; ring 0 of a block is the outer one.
     std::span<const VertexIndex> ring(BlockIndex block, std::size_t ring) const;

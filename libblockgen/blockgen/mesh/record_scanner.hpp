@@ -32,6 +32,7 @@ class RecordScanner {
 
     /// The location of the last word read.
     SourceLocation place() const;
+    /// @throws InputError at the present line, always.
     [[noreturn]] void fail(const std::string& what, const std::string& expected) const;
     std::size_t size() const { return text_.size(); }
 

@@ -18,7 +18,9 @@ class BucketGrid {
     BucketGrid(SegmentSpan<const FineSegment> segments, std::int64_t margin,
                SegmentSpan<const char> listed = {});
 
+    /// Number of buckets.
     std::size_t bucket_count() const { return first_.size() - 1; }
+    /// The segments that pass through a bucket.
     std::span<const SegmentIndex> segments_of(std::size_t bucket) const {
         return std::span(items_).subspan(first_[bucket], first_[bucket + 1] - first_[bucket]);
     }

@@ -15,7 +15,9 @@ class SetSampler {
     /// The box is the bounding box of the domain, or of the set's region.
     SetSampler(const JointSet& set, const SlopeModel& model, std::size_t max_draws);
 
+    /// The joint set that is sampled.
     const JointSet& set() const { return set_; }
+    /// The random numbers of the set.
     const RandomStream& draws() const { return draws_; }
     const Bounds& bounds() const { return bounds_; }
     const Point& centre() const { return centre_; }
@@ -33,7 +35,9 @@ class SetSampler {
     void add_traces(std::int64_t line, const Point& middle, const Point& u, double low, double high,
                     std::vector<Trace>& traces);
 
+    /// The limit of lines and traces.
     std::size_t max_draws() const { return max_draws_; }
+    /// Number of lines and traces so far.
     std::size_t draw_count() const { return draw_count_; }
     /// Counts a line or trace. @throws InputError beyond the limit.
     void count_draw();

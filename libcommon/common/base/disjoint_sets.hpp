@@ -14,6 +14,7 @@ class DisjointSets {
         std::iota(parent_.begin(), parent_.end(), std::size_t{0});
     }
 
+    /// The member that represents the set of `k`.
     std::size_t root(std::size_t i) {
         while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
         return i;

@@ -27,8 +27,10 @@ class Index {
 
     /// The index of nothing, -1.
     static constexpr Index none() { return -1; }
+    /// Whether this is the index of a thing; none() is not.
     constexpr bool exists() const { return value_ >= 0; }
 
+    /// The number of the thing.
     constexpr std::int32_t value() const { return value_; }
     /// The subscript. A template converts into this type only: not into any number, nor on into another kind.
     template <std::same_as<std::size_t> Subscript>
@@ -112,6 +114,7 @@ class IndexRange {
     constexpr IndexRange(Key begin, Key end) : begin_(begin), end_(end) {}
     constexpr Iterator begin() const { return Iterator(begin_); }
     constexpr Iterator end() const { return Iterator(end_); }
+    /// Number of indices.
     constexpr std::size_t size() const { return static_cast<std::size_t>(end_ - begin_); }
 
   private:

@@ -22,6 +22,7 @@ class InputError : public std::runtime_error {
   public:
     InputError(const SourceLocation& place, const std::string& what, const std::string& expected);
 
+    /// Where the fault is.
     const SourceLocation& place() const { return place_; }
 
   private:

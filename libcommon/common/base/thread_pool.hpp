@@ -23,6 +23,7 @@ class ThreadPool {
     ThreadPool(const ThreadPool&) = delete;
     ThreadPool& operator=(const ThreadPool&) = delete;
 
+    /// Number of threads.
     int size() const { return threads_; }
     /// Calls body(begin, end) for ranges that cover [0, count), one per thread. Short loops stay in the
     /// calling thread.

@@ -46,20 +46,27 @@ class ConfigTable {
     /// syntax errors.
     static ConfigTable from_file(const std::filesystem::path& path,
                                  const std::vector<std::string>& overrides = {});
+    /// As from_file(), of a text. @param file_name for messages.
     static ConfigTable from_text(std::string_view text, const std::string& file_name,
                                  const std::vector<std::string>& overrides = {});
 
+    /// Whether the key is there.
     bool has(std::string_view key) const;
     /// Location of the value of a key, or of the table when the key is absent.
     SourceLocation place(std::string_view key = {}) const;
     /// Dotted path of this table in its file ("stage[1].base_motion"), for messages.
     const std::string& path() const;
 
+    /// A number in SI units. @throws InputError for another type, a unit of another dimension, or a missing
+    /// key.
     double number(std::string_view key, Dimension dimension = Dimension::none) const;
     double number(std::string_view key, Dimension dimension, double fallback) const;
+    /// A whole number. @throws InputError for another type or a missing key.
     std::int64_t integer(std::string_view key) const;
     std::int64_t integer(std::string_view key, std::int64_t fallback) const;
+    /// true or false, or the fallback if the key is missing. @throws InputError for another type.
     bool boolean(std::string_view key, bool fallback) const;
+    /// A text. @throws InputError for another type or a missing key.
     std::string string(std::string_view key) const;
     std::string string(std::string_view key, std::string_view fallback) const;
     /// A string that must be one of `choices`. The error suggests the nearest one.
@@ -73,15 +80,19 @@ class ConfigTable {
     /// [[x, y], ...]
     std::vector<std::array<double, 2>> pairs(std::string_view key,
                                              Dimension dimension = Dimension::none) const;
+    /// An array of numbers in SI units. @throws InputError for another type or a missing key.
     std::vector<double> numbers(std::string_view key, Dimension dimension = Dimension::none) const;
+    /// An array of texts. @throws InputError for another type or a missing key.
     std::vector<std::string> strings(std::string_view key) const;
     /// A list of rings, [[[x, y], ...], ...]; empty when the key is absent.
     std::vector<std::vector<std::array<double, 2>>> rings(std::string_view key) const;
 
     /// Whether the key holds a table, not a number, string or array.
     bool is_table(std::string_view key) const;
+    /// Whether the key holds a text.
     bool is_string(std::string_view key) const;
     ConfigTable table(std::string_view key) const;  ///< error when absent
+    /// The table of this key, if there is one. @throws InputError for another type.
     std::optional<ConfigTable> optional_table(std::string_view key) const;
     ConfigTable table_or_empty(std::string_view key) const;  ///< a table without keys when absent
     std::vector<ConfigTable> array_of_tables(std::string_view key) const;  ///< empty when absent

@@ -42,11 +42,14 @@ class Axes {
     /// centred in the other.
     static Axes of_equal_scale(Point upper_left, Point lower_right, Range x, Range y);
 
+    /// Place on the page, pt, of a point of the drawing.
     Point to_page(const Point& p) const;
     Ring to_page(const Ring& ring) const;
     /// Points of the page for one unit of x.
     double scale() const { return (lower_right_.x - upper_left_.x) / (x_.high - x_.low); }
+    /// The upper left corner of the box on the page, pt.
     const Point& upper_left() const { return upper_left_; }
+    /// The lower right corner of the box on the page, pt.
     const Point& lower_right() const { return lower_right_; }
 
     /// Draws the frame, ticks, tick labels, titles and optional grid lines.

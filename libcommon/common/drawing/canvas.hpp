@@ -49,7 +49,9 @@ class Canvas {
     Canvas(Canvas&&) noexcept;
     Canvas& operator=(Canvas&&) noexcept;
 
+    /// Width of the page, pt.
     double width() const;
+    /// Height of the page, pt.
     double height() const;
 
     /// Fills the rings by the even-odd rule, so that inner rings are holes, and strokes them.
@@ -57,14 +59,19 @@ class Canvas {
                  const std::optional<Stroke>& stroke);
     /// Parallel lines inside the rings. @param spacing pt; @param angle rad, counter-clockwise.
     void hatch(std::span<const Ring> rings, const Stroke& stroke, double spacing, double angle);
+    /// An open chain of lines. @param points on the page, pt.
     void polyline(std::span<const Point> points, const Stroke& stroke);
+    /// A circle, filled and outlined if asked. @param radius pt.
     void circle(const Point& centre, double radius, const std::optional<Colour>& fill,
                 const std::optional<Stroke>& stroke);
+    /// One line of text at a place, anchored as the style says.
     void text(const Point& place, const std::string& line, const TextStyle& style = {});
+    /// Width of a line of text, pt.
     double text_width(const std::string& line, const TextStyle& style = {}) const;
 
     /// Clips all drawing to the box until the matching unclip().
     void clip(const Point& upper_left, const Point& lower_right);
+    /// Ends the last clip().
     void unclip();
 
     /// The bytes of the picture. @throws std::runtime_error when Cairo fails.

@@ -13,8 +13,11 @@ namespace rockslope {
 struct Bounds {
     Point low, high;
 
+    /// The smallest box around a ring.
     static Bounds of(const Ring& ring);
+    /// The four corners.
     std::array<Point, 4> corners() const;
+    /// The box with a margin on each side.
     Bounds expanded(double margin) const;
     /// The point of the box nearest to p.
     Point nearest(const Point& p) const;

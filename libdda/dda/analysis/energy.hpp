@@ -31,7 +31,9 @@ struct Energy {
     /// energy, so this is an error of the run; friction_loss contains it.
     double friction_returned = 0;
 
+    /// Sum of the stored energies, J per metre.
     double stores() const { return kinetic + strain + contact + constraint + gravity; }
+    /// Sum of the losses, J per metre.
     double losses() const {
         return friction_loss + damping_loss + contact_damping_loss + numerical_loss + released +
                boundary_loss + excavated;

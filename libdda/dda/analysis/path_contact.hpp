@@ -29,6 +29,7 @@ struct PathContact {
         double normal = 0;
         double forward = 0;
         double backward = 0;
+        /// The sum of the three products.
         double sum() const { return normal + forward + backward; }
     };
 
@@ -70,6 +71,7 @@ struct PathContact {
     Products products(double step) const;
     /// The largest fraction of the change that keeps all unknowns positive; may be infinite.
     double largest_step() const;
+    /// Moves the unknowns by a fraction of their change. @param step 0 to 1.
     void advance(double step);
     /// The largest difference of the forces from those of the laws at the iterate.
     double law_error() const;

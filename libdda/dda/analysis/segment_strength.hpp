@@ -35,6 +35,7 @@ class SegmentStrength {
 
     explicit SegmentStrength(const StepProblem& problem);
 
+    /// Number of joint segments.
     std::size_t count() const { return segments_.size(); }
     /// The joint segment of a contact, or -1.
     int segment_of(ContactIndex contact) const { return segment_of_[contact]; }

@@ -41,12 +41,14 @@ struct StepAttempt {
 /// arguments alone.
 class TimeStepper {
   public:
+    /// Prepares the work space of a model. @param threads number of threads that a step uses.
     TimeStepper(const Model& model, int threads);
 
     /// Tries a step of size dt, s. `state` is not changed; the result holds the new state or the reason for
     /// the rejection.
     StepAttempt advance(const Stage& stage, const State& state, double dt);
 
+    /// The energies of the run so far.
     const Ledger& ledger() const { return ledger_; }
     /// Adds the run times of all further steps to `times`; null: no timing.
     void time_phases(PhaseTimes* times) { times_ = times; }

@@ -32,6 +32,7 @@ class StepMatrix {
     /// Assembles all rows with given springs of the contacts; the bolts are those of `trials`.
     /// @param springs per contact.
     void assemble(const TrialContacts& trials, const PerContact<Springs>& springs);
+    /// The matrix of the last assembly.
     const BlockMatrix& matrix() const { return matrix_; }
     /// Per row, whether the last assembly changed it; empty after the first one, which assembles all rows.
     std::span<const char> changed() const { return changed_; }

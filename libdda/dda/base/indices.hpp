@@ -17,6 +17,7 @@ using JointIndex = Index<struct JointKind>;
 using BlockMaterialIndex = Index<struct BlockMaterialKind>;
 using JointMaterialIndex = Index<struct JointMaterialKind>;
 
+/// The corner at which an edge starts; both have the same number.
 constexpr CornerIndex start_of(EdgeIndex edge) {
     return edge.value();
 }

@@ -34,7 +34,9 @@ class PhaseTimes {
         seconds_[static_cast<std::size_t>(phase)] += now - last_;
         last_ = now;
     }
+    /// The time spent in a phase, s.
     double seconds(Phase phase) const { return seconds_[static_cast<std::size_t>(phase)]; }
+    /// Sets all times to zero.
     void clear() { seconds_ = {}; }
 
   private:

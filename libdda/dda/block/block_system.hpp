@@ -18,6 +18,7 @@ struct BlockSystem {
     PerBlock<Vec6> velocity;        ///< rates of the six unknowns
     PerBlock<Vec6> acceleration;
 
+    /// The centroid of a block, m.
     const Vec2& centroid(BlockIndex block) const { return moments[block].centroid; }
 };
 

@@ -16,6 +16,7 @@ class JointSegments {
     JointSegments() = default;
     JointSegments(const Model& model, ContactSpan<const Contact> contacts);
 
+    /// Number of joint segments.
     std::size_t count() const { return offsets_.size() - 1; }
     /// Number of members of all segments before this one; of all segments, for `count()`.
     std::size_t first_member(std::size_t segment) const { return offsets_[segment]; }

@@ -12,6 +12,7 @@ namespace rockslope::dda {
 /// Element types of datasets: float, double, 64-bit integer, byte.
 enum class HdfType { f4, f8, i8, u1 };
 
+/// The type of the file for elements of type T.
 template <class T>
 constexpr HdfType hdf_type_of();
 template <>
@@ -36,12 +37,15 @@ constexpr HdfType hdf_type_of<std::uint8_t>() {
 /// OutputError that names the file.
 class HdfFile {
   public:
+    /// A new, empty file.
     static HdfFile create(const std::filesystem::path& path);
+    /// An existing file, which must be of HDF5.
     static HdfFile open_to_read(const std::filesystem::path& path);
     ~HdfFile();
     HdfFile(HdfFile&&) noexcept;
     HdfFile& operator=(HdfFile&&) noexcept;
 
+    /// The path that the file was opened with.
     const std::filesystem::path& path() const { return path_; }
 
     void add_group(const std::string& name);
@@ -49,6 +53,7 @@ class HdfFile {
                        const std::vector<std::int64_t>& values);
     void set_attribute(const std::string& object, const std::string& name, std::int64_t value);
     void set_attribute(const std::string& object, const std::string& name, const std::string& ascii);
+    /// Whether an object of the file has the attribute.
     bool has_attribute(const std::string& object, const std::string& name) const;
     std::int64_t integer_attribute(const std::string& object, const std::string& name) const;
     std::string string_attribute(const std::string& object, const std::string& name) const;
@@ -56,9 +61,12 @@ class HdfFile {
     /// Adds an empty dataset with rows of `width` elements (1: one-dimensional). HDF5 stores `chunk` rows
     /// together, deflated if `compressed`.
     void add_dataset(const std::string& name, HdfType type, int width, std::size_t chunk, bool compressed);
+    /// Whether the file has an object of this name.
     bool has(const std::string& name) const;
+    /// Number of rows of a dataset.
     std::size_t row_count(const std::string& name) const { return shape_of(name).first; }
 
+    /// Adds rows at the end of a dataset. @param values row after row.
     template <class T>
     void append(const std::string& name, const std::vector<T>& values) {
         append_bytes(name, hdf_type_of<T>(), values.data(), values.size());
@@ -71,6 +79,7 @@ class HdfFile {
         read_bytes(name, hdf_type_of<T>(), first, count, values.data());
         return values;
     }
+    /// All rows of a dataset, one after the other.
     template <class T>
     std::vector<T> read_all(const std::string& name) const {
         return read<T>(name, 0, row_count(name));

@@ -48,7 +48,9 @@ class VtkHdfFile {
     /// @throws OutputError if a value is not finite (nothing is written), or if the disk is full (earlier
     /// frames stay intact).
     void append(const GridFrame& frame);
+    /// Number of frames in the file.
     std::int64_t frame_count() const { return frame_count_; }
+    /// The path that the file was opened with.
     const std::filesystem::path& path() const { return file_.path(); }
     void rename_to(const std::filesystem::path& path) { file_.rename_to(path); }
 
@@ -74,8 +76,11 @@ class VtkHdfReader {
   public:
     explicit VtkHdfReader(const std::filesystem::path& path);
 
+    /// Number of frames in the file.
     std::int64_t frame_count() const { return static_cast<std::int64_t>(times_.size()); }
+    /// The times of the frames, s.
     const std::vector<double>& times() const { return times_; }
+    /// The names of the data of a frame.
     const std::vector<std::string>& column_names() const { return names_; }
     /// A frame with the given columns, in their order. @throws OutputError if a column is missing.
     GridFrame frame(std::int64_t index, const std::vector<std::string>& columns) const;

@@ -47,6 +47,7 @@ double dilation(const JointLaw& law, const JointHistory& history);
 LockedDilation locked_dilation(const JointLaw& law, const JointHistory& history);
 /// Stiffness of the shear spring that the law gives a contact, N/m per metre; 0: none.
 double shear_stiffness(const JointLaw& law, const JointHistory& history, double normal_force, double length);
+/// What the results contain of a history: stage, mobilised roughness, dilation and reversals.
 JointRecord record(const JointLaw& law, const JointHistory& history);
 /// Whether the contacts of a joint segment share one history; otherwise each contact has its own.
 bool has_segment_history(const JointLaw& law);

@@ -8,6 +8,7 @@ struct LinearAngle {
     double first = 0;   ///< rad
     double last = 0;    ///< rad
 
+    /// The angle at a distance from the start, rad. @param distance m, from 0 to the length.
     double angle_at(double along) const {
         return length > 0 ? first + (last - first) * (along / length) : last;
     }

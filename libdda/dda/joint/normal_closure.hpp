@@ -13,6 +13,7 @@ struct NormalClosure {
     double stiffness = 0;        ///< k, at zero force; positive
     double largest_closure = 0;  ///< V, m; 0: linear
 
+    /// Normal force at a closure, Eq. (44), N per metre; proportional to a negative closure. @param closed m.
     double force(double closure) const;
     /// m
     double closure(double force) const;
@@ -20,6 +21,7 @@ struct NormalClosure {
     double tangent(double force) const;
     /// Energy stored at a force: J per metre, or J per square metre.
     double energy(double force) const;
+    /// Whether the closure has no limit.
     bool is_linear() const { return largest_closure == 0; }
     friend bool operator==(const NormalClosure&, const NormalClosure&) = default;
 };

@@ -22,15 +22,21 @@ class ParameterTable {
     ParameterTable& operator=(const ParameterTable&) = delete;
     virtual ~ParameterTable() = default;
 
+    /// Whether the table has the key.
     virtual bool has(std::string_view key) const = 0;
+    /// Whether the key holds a text.
     virtual bool is_string(std::string_view key) const = 0;
     virtual const std::string& path() const = 0;  ///< of the table in its file, for messages
 
+    /// A number in SI units, or the fallback if the key is missing. @throws InputError otherwise.
     virtual double number(std::string_view key, Quantity quantity) const = 0;
     virtual double number(std::string_view key, Quantity quantity, double fallback) const = 0;
+    /// A number above zero in SI units. @throws InputError otherwise.
     virtual double positive(std::string_view key, Quantity quantity) const = 0;
     virtual double positive(std::string_view key, Quantity quantity, double fallback) const = 0;
+    /// A number of zero or more in SI units. @throws InputError otherwise.
     virtual double not_negative(std::string_view key, Quantity quantity, double fallback) const = 0;
+    /// true or false, or the fallback if the key is missing.
     virtual bool boolean(std::string_view key, bool fallback) const = 0;
     /// One of several words; the first of `choices` if the key is absent.
     virtual std::string choice(std::string_view key, const std::vector<std::string>& choices) const = 0;
@@ -41,6 +47,7 @@ class ParameterTable {
     /// Returns `value`, or throws when `accepted` refuses it. @param expected completes "expected ...".
     virtual double checked(std::string_view key, double value, const std::function<bool(double)>& accepted,
                            const std::string& expected) const = 0;
+    /// @throws InputError about a key, always.
     [[noreturn]] virtual void fail(std::string_view key, const std::string& what,
                                    const std::string& expected) const = 0;
 

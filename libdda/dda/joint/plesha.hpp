@@ -22,6 +22,7 @@ struct PleshaSurface {
         law.wear = read_asperity_wear(table, "wear");
         return law;
     }
+    /// The asperities, the same at each normal force.
     AsperitySurface surface(double, double) const { return {friction_angle, {{{asperity_angle, wear}, {}}}}; }
 };
 

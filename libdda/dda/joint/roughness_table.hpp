@@ -17,6 +17,7 @@ struct RoughnessTable {
     };
     std::vector<Entry> entries;  ///< at least one
 
+    /// The mobilised ratio at x, Eq. (59).
     double ratio(double x) const;
     /// The nearest entry's x above `x`, or infinity.
     double next_above(double x) const;

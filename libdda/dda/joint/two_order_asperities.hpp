@@ -27,6 +27,7 @@ struct TwoOrderAsperitiesSurface {
         law.unevenness_wear = read_asperity_wear(table, "unevenness_wear");
         return law;
     }
+    /// The asperities of both orders, the same at each normal force.
     AsperitySurface surface(double, double) const {
         return {friction_angle, {{{waviness_angle, waviness_wear}, {unevenness_angle, unevenness_wear}}}};
     }

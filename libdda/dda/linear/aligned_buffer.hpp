@@ -11,16 +11,19 @@ namespace rockslope::dda {
 template <class Scalar>
 class AlignedBuffer {
   public:
+    /// Makes room for at least `size` elements; the values are lost when it grows.
     void resize(std::size_t size) {
         if (size <= size_) return;
         data_.reset();
         data_.reset(static_cast<Scalar*>(::operator new(size * sizeof(Scalar), line)));
         size_ = size;
     }
+    /// Gives the memory back.
     void release() {
         data_.reset();
         size_ = 0;
     }
+    /// The first element.
     Scalar* data() { return data_.get(); }
     const Scalar* data() const { return data_.get(); }
 

@@ -20,6 +20,7 @@ class TaskForest {
     /// @param cost per task, in any unit.
     TaskForest(const std::vector<int>& parent, const std::vector<double>& cost);
 
+    /// Number of tasks.
     std::size_t count() const { return up_.critical_path.size(); }
     /// Calls body(task, thread) once for each task, after its children.
     void run_leaves_first(const ThreadPool& pool, const Body& body) const;

@@ -29,15 +29,23 @@ struct Topology {
     PerEdge<JointMaterialIndex> joint_material;  ///< none on a free face
     PerEdge<JointIndex> joint;                   ///< the joint's id in the block file; none on a free face
 
+    /// Number of blocks.
     int block_count() const { return static_cast<int>(block_corners.size()) - 1; }
+    /// Number of corners of all blocks, which is that of the edges.
     int corner_count() const { return static_cast<int>(next.size()); }
+    /// The indices of all blocks.
     IndexRange<BlockIndex> blocks() const { return {0, block_count()}; }
+    /// The indices of all corners.
     IndexRange<CornerIndex> corners() const { return next.indices(); }
+    /// The indices of all edges.
     IndexRange<EdgeIndex> edges() const { return joint.indices(); }
+    /// The corners of a block.
     IndexRange<CornerIndex> corners_of(BlockIndex block) const {
         return {block_corners[block], block_corners[block + 1]};
     }
+    /// The corner at which an edge ends; it starts at start_of().
     CornerIndex end_of(EdgeIndex edge) const { return next[start_of(edge)]; }
+    /// The block that an edge bounds.
     BlockIndex block_of_edge(EdgeIndex edge) const { return block_of[start_of(edge)]; }
 
     /// Appends a block with rings of the given sizes and free faces.
@@ -103,14 +111,18 @@ struct Model {
     std::vector<Excavation> excavations;
     PerBlock<Vec6> initial_velocity;  ///< or empty
 
+    /// Number of blocks.
     int block_count() const { return topology.block_count(); }
+    /// The indices of all blocks.
     IndexRange<BlockIndex> blocks() const { return topology.blocks(); }
+    /// The joint material of an index.
     const JointMaterial& joint_material_at(JointMaterialIndex index) const { return joint_materials[index]; }
     /// Whether the contacts of a joint material are augmented: their springs are penalties, not a stiffness
     /// of the joint.
     bool is_augmented(JointMaterialIndex material) const {
         return penetration_tolerance > 0 && joint_material_at(material).normal_stiffness == 0;
     }
+    /// The material of a block.
     const BlockMaterial& material_of(BlockIndex block) const {
         return block_materials[block_material[block]];
     }

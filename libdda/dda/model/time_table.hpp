@@ -12,9 +12,13 @@ class TimeTable {
     /// @param times in s, strictly increasing; @param values one for each.
     TimeTable(std::vector<double> times, std::vector<double> values);
 
+    /// The value at a time, s.
     double at(double time) const;
+    /// Whether the table has no entries.
     bool empty() const { return times_.empty(); }
+    /// The times of the entries, s.
     const std::vector<double>& times() const { return times_; }
+    /// The values of the entries.
     const std::vector<double>& values() const { return values_; }
 
   private:

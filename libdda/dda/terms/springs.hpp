@@ -82,6 +82,8 @@ struct BoltSpring {
     double stiffness = 0;  ///< N/m per metre
 };
 
+/// The springs of all bolts, along the bolt at mid-step. @param prescribed displacement of the step, per
+/// block.
 std::vector<BoltSpring> bolt_springs(const Model& model, const RowMap& rows, const MidStep& mid,
                                      BlockSpan<const Vec6> prescribed);
 
