@@ -6,6 +6,29 @@ set(storeys_of_dda "base" "geometry linear joint hdf" "model" "block" "contact" 
     "laboratory writers" "checkpoint" "results")
 set(storeys_of_record "record")
 
+# The files of dda/analysis from the ground up, each with its header; files on one line do not see each other.
+set(levels_of_analysis
+    "base_motion energy joint_motion path_contact shear_sharing step_counts step_problem"
+    "advance_contacts counter_slips prediction segment_strength state"
+    "segment_friction step_report"
+    "moving_block run_observer trial_contacts"
+    "augmentation line_search shear_line step_matrix trial_dilation"
+    "friction_coupling interior_point"
+    "interior_coupling open_close_iteration"
+    "ledger rotation_prediction"
+    "excavate step"
+    "run_stage"
+    "strength_reduction"
+    "run")
+set(rank 0)
+foreach(level IN LISTS levels_of_analysis)
+    string(REPLACE " " ";" stems "${level}")
+    foreach(stem IN LISTS stems)
+        set(level_of_analysis_${stem} ${rank})
+    endforeach()
+    math(EXPR rank "${rank} + 1")
+endforeach()
+
 foreach(library IN ITEMS common blockgen dda record)
     set(rank 0)
     foreach(storey IN LISTS storeys_of_${library})

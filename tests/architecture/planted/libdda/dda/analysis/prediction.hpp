@@ -1,0 +1,2 @@
+#include "dda/analysis/state.hpp"
+#include "dda/analysis/step.hpp"

@@ -1,0 +1,1 @@
+#include "dda/analysis/step.hpp"

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "dda/other.hpp"
+#include "dda/types.hpp"
+
+namespace rockslope::dda {
+
+/// A law.
+class Law {
+  public:
+    /// Nothing calls it.
+    std::vector<Scalar> dead() const;
+    double undocumented() const { return undocumented(); }
+    double listed() const { return round_limit_of_law(); }
+    /// Documented.
+    double listed_and_documented() const { return listed(); }
+
+  private:
+    double private_one() const { return private_one(); }
+};
+
+}  // namespace rockslope::dda

@@ -1,0 +1,7 @@
+#pragma once
+
+namespace rockslope::dda {
+
+struct Other {};
+
+}  // namespace rockslope::dda

@@ -1,0 +1,48 @@
+#include <map>
+#include <set>
+
+#include "checks.hpp"
+
+namespace rockslope::sources {
+
+namespace {
+
+/// Names that a range-based loop, a structured binding or the standard library calls.
+const std::set<std::string> called_by_language = {"begin", "end", "size", "get", "what"};
+/// Functions by which tests see what no program asks for: whether GDAL is in the build, and how many lines a
+/// joint set drew.
+const std::set<std::string> called_by_tests = {"has_gdal", "draw_count"};
+
+/// Adds the names of a file that are uses: all but those where a function or type is declared.
+void add_uses(const SourceFile& file, std::set<std::string>& used) {
+    std::set<std::size_t> declared;
+    for (const Declaration& one : file.declarations) declared.insert(one.place);
+    const std::vector<Token>& all = file.tokens.all;
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        if (all[k].kind == Token::Kind::name && !declared.contains(k)) used.insert(all[k].text);
+    }
+    for (const std::string& directive : file.tokens.directive_text) {
+        for (const Token& token : tokenize(directive.substr(1)).all) used.insert(token.text);
+    }
+}
+
+}  // namespace
+
+Faults check_dead_functions(const std::vector<SourceFile>& files) {
+    std::set<std::string> used = called_by_language;
+    used.insert(called_by_tests.begin(), called_by_tests.end());
+    for (const SourceFile& file : files)
+        if (!file.path.starts_with("tests/")) add_uses(file, used);
+    Faults faults;
+    for (const SourceFile& file : files) {
+        if (!file.is_in_library() || !file.is_header()) continue;
+        for (const Declaration& one : file.declarations) {
+            const bool is_function = one.kind == Declaration::Kind::function && !one.needs_no_text;
+            if (is_function && one.name != one.owner && !used.contains(one.name))
+                faults.push_back(file.path + ": nothing calls " + one.name);
+        }
+    }
+    return faults;
+}
+
+}  // namespace rockslope::sources
