@@ -371,7 +371,7 @@ TEST(JointLaws, AnswerWhatTheyCan) {
     const auto answers = [](const auto& answer_of) {
         std::set<std::string> names;
         const auto ask = [&]<class Law>(std::type_identity<Law>) {
-            for (const Law& law : joint_tests::specimens(std::type_identity<Law>{}))
+            for (const Law& law : joint_tests::specimens<Law>())
                 if (answer_of(JointLaw(law), dda::fresh_history(law, true))) names.insert(Law::name);
         };
         [&]<class... Laws>(std::type_identity<std::variant<Laws...>>) {
