@@ -34,15 +34,8 @@ void advance_histories(const Model& model, const ContactStep& step, const Thread
             const auto members = segments.contacts_of(segment);
             const JointMaterialIndex material = contacts[members[0]].joint_material;
             const JointLaw& law = model.joint_material_at(material).law;
-            const std::optional<SegmentMotion> combined = segment_motion(law, members, contacts, motion);
-            if (!combined) {  // copied: an old one would keep the memory of its whole batch
-                for (const ContactIndex k : members) {
-                    SharedHistory& history = contacts[k].history;
-                    history = batch.add(history);
-                }
-                continue;
-            }
-            const SharedHistory moved = batch.add(advance(law, *combined->history, combined->motion));
+            const SegmentMotion combined = segment_motion(members, contacts, motion);
+            const SharedHistory moved = batch.add(advance(law, *combined.history, combined.motion));
             for (const ContactIndex k : members) contacts[k].inherit_history(moved, dilation(law, moved));
         }
     });

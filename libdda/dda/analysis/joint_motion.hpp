@@ -96,14 +96,11 @@ SegmentMotion segment_motion(std::span<const ContactIndex> members, ContactSpan<
     combined->motion.normal_force = total_normal_force;
     return *combined;
 }
-/// As above; nothing if the segment is open, unless its law dilates with slip.
+/// As above, of the segment as a whole.
 template <class MotionOf>
-std::optional<SegmentMotion> segment_motion(const JointLaw& law, std::span<const ContactIndex> members,
-                                            ContactSpan<const Contact> contacts, const MotionOf& motion_of) {
-    const SegmentMotion combined =
-        segment_motion(members, contacts, motion_of, [](auto, const MemberWeight&) {});
-    if (!(combined.motion.normal_force > 0) && !dilates_with_slip(law)) return std::nullopt;
-    return combined;
+SegmentMotion segment_motion(std::span<const ContactIndex> members, ContactSpan<const Contact> contacts,
+                             const MotionOf& motion_of) {
+    return segment_motion(members, contacts, motion_of, [](auto, const MemberWeight&) {});
 }
 
 }  // namespace rockslope::dda

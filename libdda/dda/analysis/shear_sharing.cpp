@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <span>
 
+#include "dda/analysis/joint_motion.hpp"
 #include "dda/contact/contact_stiffness.hpp"
 
 namespace rockslope::dda {
@@ -41,6 +42,9 @@ void share_shear_force(const Model& model, const JointSegments& segments, bool i
         const auto members = segments.contacts_of(segment);
         const JointMaterialIndex joint_material = contacts[members[0]].joint_material;
         const JointMaterial& material = model.joint_material_at(joint_material);
+        const SharedHistory history = continued_history(members, contacts);
+        for (const ContactIndex k : members)
+            contacts[k].inherit_history(history, dilation(material.law, history));
         const Totals total = totals_of(model, material, members, contacts);
         const bool by_force = total.normal_force > 0 && !model.is_augmented(joint_material);
         for (const ContactIndex k : members) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "dda/analysis/joint_motion.hpp"
 #include "dda/analysis/trial_contacts.hpp"
@@ -65,36 +64,32 @@ void TrialContacts::visit_dilating_segments(const Visit& visit) const {
         const auto members = p_.segments.contacts_of(segment);
         const JointLaw& law = law_of(members[0]);
         if (!dilates(law)) continue;
-        const auto combined =
-            segment_motion(law, members, p_.contacts, [&](ContactIndex k) { return motion(k); });
-        visit(law, members, combined);
+        visit(law, members, segment_motion(members, p_.contacts, [&](ContactIndex k) { return motion(k); }));
     }
 }
 
-/// The dilation of an open segment changes only if its law dilates with slip.
 void TrialContacts::update_dilation() {
     dilations_by_force_.clear();
     visit_dilating_segments([&](const JointLaw& law, std::span<const ContactIndex> members,
-                                std::optional<SegmentMotion> combined) {
+                                SegmentMotion combined) {
         const bool with_slip = dilates_with_slip(law) && !trials_[members[0]].postponed;
-        if (with_slip) combined = find_dilation(law, members, *combined);
-        std::optional<JointHistory> after;
-        if (combined) after = advance(law, *combined->history, combined->motion);
-        const double total = after ? dilation(law, *after) : 0;
-        const bool slides = after && combined->motion.slip != 0;
-        const double slope = slides ? slope_of_further_slip(law, *combined, total) : 0;
+        if (with_slip) combined = find_dilation(law, members, combined);
+        const JointHistory after = advance(law, *combined.history, combined.motion);
+        const double total = dilation(law, after);
+        const bool slides = combined.motion.slip != 0;
+        const double slope = slides ? slope_of_further_slip(law, combined, total) : 0;
         if (slides && with_slip) {
-            const double by_force = slope_by_normal_force(law, *combined, total);
+            const double by_force = slope_by_normal_force(law, combined, total);
             if (by_force < 0)
-                dilations_by_force_.push_back({members, by_force, combined->motion.normal_force, 0});
+                dilations_by_force_.push_back({members, by_force, combined.motion.normal_force, 0});
         }
         for (const ContactIndex k : members) {
             Trial& trial = trials_[k];
             if (trial.postponed) continue;
-            trial.dilation_increment = after ? total - p_.contacts[k].dilation : 0;
+            trial.dilation_increment = total - p_.contacts[k].dilation;
             if (p_.model.is_augmented(p_.contacts[k].joint_material)) continue;
-            trial.dilating = locked_dilation(law, p_.contacts[k].history);
-            if (after) trial.dilating = after_displacement(trial.dilating, locked_dilation(law, *after));
+            trial.dilating =
+                after_displacement(locked_dilation(law, p_.contacts[k].history), locked_dilation(law, after));
             trial.sliding_slope = slides ? slope : trial.dilating.slope;
         }
     });
@@ -108,7 +103,7 @@ SegmentMotion TrialContacts::find_dilation(const JointLaw& law, std::span<const 
     // What the law gives under the normal force of a dilation, less that dilation, m.
     const auto excess = [&](double total) {
         for (const ContactIndex k : members) trials_[k].dilation_increment = total - p_.contacts[k].dilation;
-        combined = *segment_motion(law, members, p_.contacts, [&](ContactIndex k) { return motion(k); });
+        combined = segment_motion(members, p_.contacts, [&](ContactIndex k) { return motion(k); });
         return dilation(law, advance(law, *combined.history, combined.motion)) - total;
     };
     const double tolerated = stiffness > 0 ? tolerance() / stiffness : 0;
@@ -135,11 +130,11 @@ SegmentMotion TrialContacts::find_dilation(const JointLaw& law, std::span<const 
 
 template <class Visit>
 void TrialContacts::visit_dilation_by_law(const Visit& visit) const {
-    visit_dilating_segments([&](const JointLaw& law, std::span<const ContactIndex> members,
-                                const std::optional<SegmentMotion>& combined) {
-        const double total = combined ? dilation(law, advance(law, *combined->history, combined->motion)) : 0;
-        for (const ContactIndex k : members) visit(k, combined ? total - p_.contacts[k].dilation : 0);
-    });
+    visit_dilating_segments(
+        [&](const JointLaw& law, std::span<const ContactIndex> members, const SegmentMotion& combined) {
+            const double total = dilation(law, advance(law, *combined.history, combined.motion));
+            for (const ContactIndex k : members) visit(k, total - p_.contacts[k].dilation);
+        });
 }
 
 bool TrialContacts::dilation_exceeds_tolerance() const {

@@ -292,11 +292,27 @@ double read_asperity_wear(const ParameterTable& table, const char* key) {
 AsperityHistory asperity_advance(const AsperitySurface& surface, const AsperityHistory& history,
                                  const ContactMotion& motion) {
     if (!std::isfinite(motion.displacement)) return history;  // of an iteration that diverges
-    const bool is_open = !(motion.normal_force > 0);
-    AsperityShearPath path(surface, history, std::max(motion.normal_force, 0.0), motion.length,
+    AsperityShearPath path(surface, history, motion.normal_force, motion.length,
                            {.stiffness = motion.stiffness, .force = motion.shear_force}, true);
-    path.displace(motion.displacement, is_open ? motion.displacement : motion.slip);
+    path.displace(motion.displacement, motion.slip);
     return path.history();
+}
+
+AsperityHistory asperity_flight(const AsperitySurface& surface, const AsperityHistory& history,
+                                const ContactMotion& motion) {
+    if (!std::isfinite(motion.displacement)) return history;  // of an iteration that diverges
+    const auto flown = [&](const AsperityHistory& before, double displacement, double shear_force) {
+        AsperityShearPath path(surface, before, 0, motion.length,
+                               {.stiffness = motion.stiffness, .force = shear_force}, true);
+        path.displace(displacement, displacement);
+        AsperityHistory after = path.history();
+        after.dilation = std::max(after.dilation, std::min(before.dilation, 0.0));
+        return after;
+    };
+    const double beyond = history.position + motion.displacement;
+    if (!(history.position * beyond < 0)) return flown(history, motion.displacement, motion.shear_force);
+    // Back to the origin the asperities lower the wall, beyond it they lift it.
+    return flown(flown(history, -history.position, motion.shear_force), beyond, 0);
 }
 
 }  // namespace rockslope::dda

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 
 #include "dda/joint/joint_types.hpp"
@@ -42,9 +41,13 @@ Strength asperity_strength(const AsperitySurface& surface, const AsperityHistory
 /// Derivative of the strength at rest with respect to the normal force.
 Strength asperity_strength_slope(const AsperitySurface& surface, const AsperityHistory& history,
                                  double normal_force);
-/// The history after a step. The displacement of an open joint is slip, which does no work.
+/// The history after a step.
 AsperityHistory asperity_advance(const AsperitySurface& surface, const AsperityHistory& history,
                                  const ContactMotion& motion);
+/// The history of an open joint after a motion of its walls. All of its displacement is slip, which does no
+/// work. @param surface under no normal stress.
+AsperityHistory asperity_flight(const AsperitySurface& surface, const AsperityHistory& history,
+                                const ContactMotion& motion);
 
 /// An asperity angle in [0, pi/2 - below), rad. @param below sum of the friction angle and the asperity
 /// angles of lower orders, rad.
@@ -77,8 +80,10 @@ struct AsperityLaw : Asperities {
     }
     std::optional<CoulombLine> bound_line(const History&) const { return std::nullopt; }
     History advance(const History& history, const ContactMotion& motion) const {
-        const double compression = std::max(motion.normal_force, 0.0);
-        return {asperity_advance(this->surface(compression, motion.length), history, motion)};
+        return {asperity_advance(this->surface(motion.normal_force, motion.length), history, motion)};
+    }
+    History fly(const History& history, const ContactMotion& motion) const {
+        return {asperity_flight(this->surface(0, motion.length), history, motion)};
     }
     double shear_stiffness(const History&, double, double) const { return 0; }
     LockedDilation locked_dilation(const History&) const { return {}; }

@@ -5,9 +5,17 @@
 #include <limits>
 
 #include "dda/joint/linear_angle.hpp"
+#include "dda/joint/mated.hpp"
 #include "dda/joint/parameter_table.hpp"
 
 namespace rockslope::dda {
+
+namespace {
+
+/// Slip over the peak displacement that is rounding: up to it a joint has not slipped.
+constexpr double slip_rounding = 1e-6;
+
+}  // namespace
 
 /// phi_r + ratio * i, rad, before the limits.
 double BartonBandis::angle(double distance, double roughness) const {
@@ -50,15 +58,14 @@ Strength BartonBandis::strength(const History& history, double normal_force, dou
     const double displacement = std::abs(trial.displacement);
     const double sign = trial.displacement < 0 ? -1 : 1;
     const double end = sign * history.position + displacement;  // positive in its direction
-    const double furthest = std::max(history.furthest, std::abs(end));
+    const double before = outline(history), furthest = std::max(before, std::abs(end));
     const double at_end = strength_at(furthest, normal_force, length);
-    if (!(normal_force > 0) || furthest == history.furthest || trial.stiffness == 0)
-        return {at_end, at_end, 0};
-    const double inside = std::max(history.furthest - sign * history.position, 0.0);
+    if (!(normal_force > 0) || furthest == before || trial.stiffness == 0) return {at_end, at_end, 0};
+    const double inside = std::max(before - sign * history.position, 0.0);
     const double roughness = barton.roughness_angle(normal_force, length);
     double remaining = displacement - inside;
     double end_force = at_end;
-    visit_pieces(history.furthest, furthest, roughness, [&](const LinearAngle& piece) {
+    visit_pieces(before, furthest, roughness, [&](const LinearAngle& piece) {
         end_force = std::min(end_force, end_force_bound(piece, normal_force, trial.stiffness, remaining));
         remaining -= piece.length;
     });
@@ -67,13 +74,14 @@ Strength BartonBandis::strength(const History& history, double normal_force, dou
 
 Strength BartonBandis::strength_slope(const History& history, double normal_force, double length) const {
     if (!(normal_force > 0)) return {};
+    const double furthest = outline(history);
     const double roughness = barton.roughness_angle(normal_force, length);
-    const double free_angle = angle(history.furthest, roughness);
+    const double free_angle = angle(furthest, roughness);
     const double tangent = std::tan(std::clamp(free_angle, 0.0, BartonStrength::largest_angle));
     if (free_angle < 0 || free_angle > BartonStrength::largest_angle || roughness == 0)
         return {tangent, tangent, 0};
     // The angle is linear in i, and N di/dN = -JRC / ln 10.
-    const double per_roughness = angle(history.furthest, 1) - angle(history.furthest, 0);
+    const double per_roughness = angle(furthest, 1) - angle(furthest, 0);
     const double slope =
         tangent + per_roughness * barton.roughness_angle_log_slope() * (1 + tangent * tangent);
     return {slope, slope, 0};
@@ -103,68 +111,119 @@ double BartonBandis::dilation_between(double from, double to, double roughness, 
     return sum;
 }
 
+bool BartonBandis::is_fresh(const History& history) const {
+    return history.slipped <= slip_rounding * peak_displacement;
+}
+
+double BartonBandis::fresh_dilation(double distance, double roughness) const {
+    return dilation_between(0, distance, roughness, largest_climb(roughness));
+}
+
+double BartonBandis::fresh_rate(double distance, double roughness) const {
+    return std::min(dilation_rate(distance, roughness), largest_climb(roughness) * distance);
+}
+
+/// The largest rate of a fresh joint over its distance, Eq. (79), 1/m.
+double BartonBandis::largest_climb(double roughness) const {
+    return std::tan(barton.total_angle(roughness, 1)) / peak_displacement;
+}
+
 BartonBandis::History BartonBandis::advance(const History& history, const ContactMotion& motion) const {
-    if (!(motion.normal_force > 0)) return history;
     History after = history;
     after.spring = history.spring.loaded(
         {motion.normal_force, motion.length, motion.length, motion.duration == 0}, barton, peak_displacement);
     if (motion.displacement == 0) return after;
     after.position += motion.displacement;
-    after.furthest = std::max(history.furthest, std::abs(after.position));
-    if (motion.slip != 0) after.slipped = 1;
+    after.furthest = std::max(outline(history), std::abs(after.position));
+    // The strength is zero at the origin: there a joint slips when it is first loaded.
+    if (!is_mated(after.furthest, peak_displacement)) after.slipped += std::abs(motion.slip);
     const double roughness = barton.roughness_angle(motion.normal_force, motion.length);
     if (roughness > 0)
         after.ratio = (angle(after.furthest, roughness) - barton.residual_friction_angle) / roughness;
-    if (damage == 0) return after;
-    const double outward = after.furthest - history.furthest;
+    if (damage > 0) dilate(history, motion, after);
+    return after;
+}
+
+/// Adds the dilation of a motion under a normal force to the history after it.
+void BartonBandis::dilate(const History& history, const ContactMotion& motion, History& after) const {
+    const double outward = after.furthest - outline(history);
     const double inward = std::abs(motion.displacement) - outward;
     const int side = after.position > 0 ? 1 : after.position < 0 ? -1 : 0;
-    if (!(after.spring.normal_stress > 0)) {  // without a peak displacement only slip dilates
+    if (peak_displacement == 0) {  // only slip dilates
+        const double roughness = barton.roughness_angle(motion.normal_force, motion.length);
         const double slip = std::clamp(std::abs(motion.slip) - inward, 0.0, outward);
         after.dilation += slip * dilation_rate(after.furthest, roughness);
-        return after;
+        return;
     }
-    const double rough = barton.roughness_angle(after.spring.normal_stress, 1);
+    const double rough = reference_roughness(after);
     const double rate = dilation_rate(after.furthest, rough);
-    if (history.slipped == 0) {
+    if (is_fresh(history)) {
         // The joint dilates and contracts on one curve.
-        const double climb = std::tan(barton.total_angle(rough, 1)) / peak_displacement;
-        after.dilation += dilation_between(0, std::abs(after.position), rough, climb) -
-                          dilation_between(0, std::abs(history.position), rough, climb);
-        after.locked_slope =
-            side * std::min(dilation_rate(std::abs(after.position), rough), climb * std::abs(after.position));
-        if (after.slipped != 0 && outward > 0) after.locked_slope = side * rate;
-        return after;
+        after.dilation += fresh_dilation(std::abs(after.position), rough) -
+                          fresh_dilation(std::abs(history.position), rough);
+        after.locked_slope = side * fresh_rate(std::abs(after.position), rough);
+        if (!is_fresh(after) && outward > 0) after.locked_slope = side * rate;
+        return;
     }
     if (motion.slip == 0) {
         after.dilation += history.locked_slope * motion.displacement;
-        return after;
+        return;
     }
     // The locked joint dilates and contracts with its slope, and slip dilates it outside the largest
-    // distance. There the spring follows the strength.
+    // distance. There the spring follows the strength. A strength that has fallen leaves the spring an
+    // excess, which goes as slip: it is no locked motion backwards.
     const double sign = motion.displacement < 0 ? -1 : 1;
     const auto locked_distance = [&](double slides_from) {
         const double elastic = sign * (motion.displacement - motion.slip);
-        if (!(motion.stiffness > 0)) return elastic;
-        return elastic - (strength_at(after.furthest, motion.normal_force, motion.length) -
-                          strength_at(slides_from, motion.normal_force, motion.length)) /
-                             motion.stiffness;
+        if (!(motion.stiffness > 0)) return std::max(elastic, 0.0);
+        const double softening = (strength_at(after.furthest, motion.normal_force, motion.length) -
+                                  strength_at(slides_from, motion.normal_force, motion.length)) /
+                                 motion.stiffness;
+        return std::max(elastic - softening, 0.0);
     };
-    double slides_from = history.furthest, locked = locked_distance(slides_from);
+    double slides_from = outline(history), locked = locked_distance(slides_from);
     if (locked > inward) {
-        slides_from = std::min(history.furthest + locked - inward, after.furthest);
+        slides_from = std::min(outline(history) + locked - inward, after.furthest);
         locked = locked_distance(slides_from);
     }
     after.dilation +=
         dilation_between(slides_from, after.furthest, rough, std::numeric_limits<double>::infinity()) +
         sign * locked * history.locked_slope;
     if (outward > 0) after.locked_slope = side * rate;
+}
+
+double BartonBandis::reference_roughness(const History& history) const {
+    return history.spring.normal_stress > 0 ? barton.roughness_angle(history.spring.normal_stress, 1) : 0;
+}
+
+BartonBandis::History BartonBandis::fly(const History& history, const ContactMotion& motion) const {
+    History after = history;
+    after.spring.leave_rest();
+    after.position += motion.displacement;
+    // The spring is released: what it had lengthened is slip.
+    if (history.spring.stiffness > 0 && !is_mated(after.position, peak_displacement))
+        after.slipped = std::max(history.slipped, peak_displacement);
+    if (damage == 0 || !std::isfinite(after.position)) return after;
+    // Between where the joint has worn and where it flies to, on either side, the walls part and meet.
+    const double rough = reference_roughness(after);
+    const auto height = [&](double position) {
+        return dilation_between(history.furthest, std::max(std::abs(position), history.furthest), rough,
+                                std::numeric_limits<double>::infinity());
+    };
+    const double lowest = std::min(history.dilation, 0.0);
+    const bool crosses = history.position * after.position < 0;
+    const double at_origin = std::max(history.dilation - (crosses ? height(history.position) : 0), lowest);
+    after.dilation = std::max(at_origin + height(after.position) - (crosses ? 0 : height(history.position)),
+                              std::min(at_origin, 0.0));
+    const int side = after.position > 0 ? 1 : after.position < 0 ? -1 : 0;
+    if (std::abs(after.position) > history.furthest)
+        after.locked_slope = side * dilation_rate(std::abs(after.position), rough);
     return after;
 }
 
 LockedDilation BartonBandis::locked_dilation(const History& history) const {
     return {history.locked_slope,
-            history.slipped == 0 ? history.spring.normal_force(history.spring.length) : 0};
+            peak_displacement > 0 && is_fresh(history) ? history.spring.normal_force : 0};
 }
 
 double BartonBandis::shear_stiffness(const History& history, double normal_force, double length) const {

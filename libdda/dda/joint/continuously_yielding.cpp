@@ -165,7 +165,7 @@ Strength ContinuouslyYielding::strength(const History& history, double normal_fo
 ContinuouslyYielding::History ContinuouslyYielding::advance(const History& history,
                                                             const ContactMotion& motion) const {
     const int direction = sign_of(motion.displacement);
-    if (direction == 0 || !(motion.normal_force > 0)) return history;
+    if (direction == 0) return history;
     const double force = direction * motion.shear_force;
     const double bound = motion.normal_force * bounding_tangent(history.plastic);
     const double unloading = unloading_for(history, direction, force, bound);

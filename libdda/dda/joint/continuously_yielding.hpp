@@ -43,6 +43,8 @@ struct ContinuouslyYielding {
     std::optional<Strength> strength_slope(const History&, double, double) const { return std::nullopt; }
     std::optional<CoulombLine> bound_line(const History&) const { return std::nullopt; }
     History advance(const History& history, const ContactMotion& motion) const;
+    /// The law has no position, and nothing wears in the air.
+    History fly(const History& history, const ContactMotion&) const { return history; }
     double shear_stiffness(const History&, double, double) const { return 0; }
     LockedDilation locked_dilation(const History&) const { return {}; }
     /// The mobilised ratio is the remaining fraction of friction_angle - residual_friction_angle.

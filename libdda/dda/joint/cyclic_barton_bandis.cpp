@@ -6,6 +6,7 @@
 
 #include "dda/joint/cyclic_closed_form.hpp"
 #include "dda/joint/cyclic_shear_path.hpp"
+#include "dda/joint/mated.hpp"
 #include "dda/joint/parameter_table.hpp"
 
 namespace rockslope::dda {
@@ -113,14 +114,13 @@ Strength CyclicBartonBandis::strength_slope(const History& history, double norma
 
 CyclicBartonBandis::History CyclicBartonBandis::advance(const History& history,
                                                         const ContactMotion& motion) const {
-    if (!(motion.normal_force > 0)) return history;
     History loaded = history;
     loaded.spring = history.spring.loaded(
         {motion.normal_force, motion.length, stressed_length(motion.length), motion.duration == 0}, barton,
         peak_displacement);
     History moved = displaced(loaded, motion);
-    if (moved.forward == 0 && moved.spring.stiffness != history.spring.stiffness && motion.spring_of_law &&
-        motion.stiffness > 0) {
+    if (moved.forward == 0 && moved.opened == 0 && moved.spring.stiffness != history.spring.stiffness &&
+        motion.spring_of_law && motion.stiffness > 0) {
         // The new spring bears the same force at another displacement, Eq. (80).
         moved.position =
             (motion.shear_force + motion.stiffness * motion.displacement) / moved.spring.stiffness;
@@ -147,15 +147,27 @@ CyclicBartonBandis::History CyclicBartonBandis::displaced(const History& loaded,
     return path.history();
 }
 
+CyclicBartonBandis::History CyclicBartonBandis::fly(const History& history,
+                                                    const ContactMotion& motion) const {
+    History after = history;
+    if (motion.displacement != 0 && std::isfinite(motion.displacement)) {
+        CyclicShearPath path(*this, history, 0, 0, {}, CyclicShearPath::Purpose::history);
+        path.fly(motion.displacement);
+        after = path.history();
+    }
+    if (history.spring.stiffness > 0 && !is_mated(after.position, peak_displacement)) after.opened = 1;
+    after.spring.leave_rest();
+    return after;
+}
+
 double CyclicBartonBandis::shear_stiffness(const History& history, double normal_force, double length) const {
     if (history.spring.stiffness > 0) return history.spring.stiffness_of_part(length);
     return barton.shear_strength(normal_force, stressed_length(length), 1) / peak_displacement;
 }
 
 LockedDilation CyclicBartonBandis::locked_dilation(const History& history) const {
-    const bool fresh = history.forward == 0;
-    return {history.locked_slope,
-            fresh ? history.spring.normal_force(stressed_length(history.spring.length)) : 0};
+    const bool intact = history.forward == 0 && history.opened == 0;
+    return {history.locked_slope, intact ? history.spring.normal_force : 0};
 }
 
 JointRecord CyclicBartonBandis::record(const History& history) const {

@@ -17,8 +17,7 @@ namespace rockslope::dda {
 ///
 /// The dilation angle is that of the normal stress at which the spring was found, Eq. (58); the strength is
 /// that of the present one. Until the first slip the joint dilates and contracts on one curve. Limits: a
-/// joint that returns contracts more than it dilated before, unless `floor_dilation` is set; the position of
-/// an open joint does not change, wherever it closes again.
+/// joint that returns contracts more than it dilated before, unless `floor_dilation` is set.
 struct CyclicBartonBandis {
     static constexpr const char* name = "cyclic-barton-bandis";
     static constexpr HistoryScope history_scope = HistoryScope::joint_segment;
@@ -59,6 +58,8 @@ struct CyclicBartonBandis {
         double wear = 1;           ///< f of Eq. (63), by the reversals and cycles below
         std::int64_t crossed = 0;  ///< sign of the shear force with which the joint crossed its origin
                                    ///< locked, and still stands there, Eq. (82); 0: it did not
+        std::int64_t opened = 0;   ///< 1 once the joint has been open after bearing a force: its spring is
+                                   ///< released, and it no longer dilates and contracts on one curve
         std::int32_t cycle = 1;
         std::int32_t reversals = 0;
         std::int32_t forward = 0;         ///< sign of the first slip; 0 before it
@@ -79,9 +80,10 @@ struct CyclicBartonBandis {
                       const ShearTrial& trial) const;
     Strength strength_slope(const History& history, double normal_force, double length) const;
     std::optional<CoulombLine> bound_line(const History&) const { return std::nullopt; }
-    /// An open joint's history does not change. @param motion with stiffness 0, the whole displacement counts
-    /// as sliding if there was slip.
+    /// @param motion with stiffness 0, the whole displacement counts as sliding if there was slip.
     History advance(const History& history, const ContactMotion& motion) const;
+    /// A joint that has not slipped stays so up to its peak displacement: its asperities still match.
+    History fly(const History& history, const ContactMotion& motion) const;
     /// Eq. (58), for a part of the joint with this length. @param normal_force used only if the joint has not
     /// been loaded yet.
     double shear_stiffness(const History& history, double normal_force, double length) const;

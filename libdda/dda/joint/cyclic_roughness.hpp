@@ -20,6 +20,8 @@ class CyclicRoughness {
 
     /// Whether the joint has not slipped yet.
     bool is_fresh() const { return history_.forward == 0; }
+    /// Whether the joint has neither slipped nor opened: locked, it dilates and contracts on one curve.
+    bool is_intact() const { return is_fresh() && history_.opened == 0; }
     /// @param position in the contact's direction of slip, m; @param direction of motion, +1 or -1.
     Place place(double position, int direction) const;
     /// Largest distance from the origin on a side in this cycle, m.

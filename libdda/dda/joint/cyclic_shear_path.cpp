@@ -115,6 +115,34 @@ void CyclicShearPath::prescribe_slip(double displacement, double slip) {
     displace(displacement);
 }
 
+void CyclicShearPath::fly(double displacement) {
+    flying_ = true;
+    const double target = history_.position + displacement;
+    direction_ = displacement > 0 ? 1 : -1;
+    history_.crossed = 0;
+    // The asperities of an unslipped joint match up to its peak displacement.
+    const auto leave_match = [this] {
+        if (mobilised_.is_fresh() && std::abs(history_.position) >= law_.peak_displacement)
+            history_.forward = history_.position > 0 ? 1 : -1;
+    };
+    leave_match();
+    while (history_.position != target) {
+        const Place here = place(direction_);
+        const bool stays = here.away || sign_of(target) == sign_of(history_.position);
+        const Piece next = piece(here, stays ? std::abs(target) : 0);
+        const double length = next.bound.length;
+        const double lowest = std::min(history_.dilation, 0.0);
+        record_motion(here, next, 0, length, true);
+        history_.dilation = std::max(history_.dilation, lowest);
+        const double distance = next.reaches_end ? next.end : here.distance + (here.away ? length : -length);
+        // A part too short to change the position would repeat for ever.
+        const double end = distance == here.distance ? next.end : distance;
+        history_.position = (here.away ? direction_ : -direction_) * end;
+        leave_match();
+    }
+    set_ratios(mobilised_, {std::abs(history_.position), last_side_, last_away_}, history_);
+}
+
 // --- bounds
 
 double CyclicShearPath::bound_ratio(int direction) const {
@@ -317,7 +345,7 @@ void CyclicShearPath::record_motion(const Place& place, const Piece& piece, doub
     if (damage_ == 0) return;
     const double end = place.away ? place.distance + to : place.distance - to;
     const int side = place.away ? direction_ : -direction_;
-    if (mobilised_.is_fresh()) {
+    if (flying_ ? mobilised_.is_fresh() : mobilised_.is_intact()) {
         history_.dilation += fresh_dilation(place, from, to);
         history_.locked_slope = side * fresh_slope(end);
     } else if (!sliding) {
@@ -325,13 +353,21 @@ void CyclicShearPath::record_motion(const Place& place, const Piece& piece, doub
     } else {
         const LinearAngle dilation = part_of(piece.dilation, from, to);
         history_.dilation += (to - from) * mean_tangent(dilation.first, dilation.last);
-        double slope = dilation_tangent(mobilised_.advance_ratio({end, place.side, true}));
-        // Roughness heals for the next advance. In the return a steeper slope would store energy that nobody
-        // gives.
-        if (law_.heal && !place.away) slope = std::min(slope, std::abs(history_.locked_slope));
-        history_.locked_slope = side * slope;
+        const double here = side * dilation_tangent(mobilised_.advance_ratio({end, place.side, true}));
+        history_.locked_slope = flying_ ? here : slope_after_slip(here, piece.bound, from, to);
     }
     if (law_.floor_dilation) history_.dilation = std::max(history_.dilation, 0.0);
+}
+
+/// The locked slope after sliding along a part of a piece. It follows that of the place no faster than the
+/// slip pays for, theory sec. 18: a change of the slope at the same shear force changes the spring's force,
+/// and stores energy.
+double CyclicShearPath::slope_after_slip(double slope_of_place, const LinearAngle& bound, double from,
+                                         double to) const {
+    if (!(stiffness_ > 0)) return slope_of_place;
+    const double rise = tan_(bound.angle_at(to)) - tan_(bound.angle_at(from));
+    const double most = std::max(stiffness_ * (to - from) / normal_force_ - rise, 0.0);
+    return direction_ * std::max(direction_ * slope_of_place, direction_ * history_.locked_slope - most);
 }
 
 double CyclicShearPath::dilation_tangent(double ratio) const {
@@ -368,8 +404,8 @@ double CyclicShearPath::fresh_dilation(const Place& place, double from, double t
 
 /// The stiffness of the locked joint on a part of a piece, Eq. (77), N/m per metre.
 double CyclicShearPath::locked_stiffness(const Place& place, double from, double to) const {
-    if (law_.damage == 0 || !mobilised_.is_fresh() || !(to > from)) return stiffness_;
-    const double reference = history_.spring.normal_force(law_.stressed_length(history_.spring.length));
+    if (law_.damage == 0 || !mobilised_.is_intact() || !(to > from)) return stiffness_;
+    const double reference = history_.spring.normal_force;
     if (!(reference > 0)) return stiffness_;
     const double sign = place.away ? 1 : -1;
     const double change = fresh_slope(place.distance + sign * to) - fresh_slope(place.distance + sign * from);

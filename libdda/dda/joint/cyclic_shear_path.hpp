@@ -43,6 +43,10 @@ class CyclicShearPath {
     /// Displaces the joint without a spring, m; @param slip its plastic part, m.
     void prescribe_slip(double displacement, double slip);
 
+    /// Moves the walls of the open joint, m: neither its furthest distances nor its cycle nor its reversals
+    /// change, and its dilation not below the mated position.
+    void fly(double displacement);
+
     const CyclicBartonBandis::History& history() const { return history_; }
     double shear_force() const { return force_; }
     bool slipped() const { return slipped_; }
@@ -82,6 +86,7 @@ class CyclicShearPath {
     double fresh_dilation(const Place& place, double from, double to) const;
     double locked_stiffness(const Place& place, double from, double to) const;
     double dilation_tangent(double ratio) const;
+    double slope_after_slip(double slope_of_place, const LinearAngle& bound, double from, double to) const;
     void finish();
 
     const CyclicBartonBandis& law_;
@@ -95,6 +100,7 @@ class CyclicShearPath {
     double force_;               ///< N per metre
     double target_ = 0;          ///< m, position at the end
     int direction_ = 1;          ///< of motion
+    bool flying_ = false;        ///< the joint is open
     bool slipped_ = false;
     bool slip_prescribed_ = false;  ///< the slip is given, not computed
     double slip_ratio_ = 0;         ///< plastic slip over displacement if it is given

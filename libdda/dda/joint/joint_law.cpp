@@ -29,8 +29,11 @@ Strength strength(const JointLaw& law, const JointHistory& history, double norma
 }
 
 JointHistory advance(const JointLaw& law, const JointHistory& history, const ContactMotion& motion) {
-    return visit_both(law, history,
-                      [&](const auto& l, const auto& h) { return JointHistory(l.advance(h, motion)); });
+    return visit_both(law, history, [&]<class Law>(const Law& l, const auto& h) {
+        if constexpr (Law::history_scope == HistoryScope::joint_segment)
+            if (!(motion.normal_force > 0)) return JointHistory(l.fly(h, motion));
+        return JointHistory(l.advance(h, motion));
+    });
 }
 
 std::optional<Strength> strength_slope(const JointLaw& law, const JointHistory& history, double normal_force,

@@ -30,7 +30,7 @@ JointHistory fresh_history(const JointLaw& law, bool intact);
 /// @param length m.
 Strength strength(const JointLaw& law, const JointHistory& history, double normal_force, double length,
                   const ShearTrial& trial = {});
-/// History after an accepted step.
+/// History after an accepted step. A joint segment without a normal force is open, and flies.
 JointHistory advance(const JointLaw& law, const JointHistory& history, const ContactMotion& motion);
 
 /// Derivative of the strengths of a joint at rest with respect to the normal force, dimensionless, if the law
@@ -53,8 +53,7 @@ JointRecord record(const JointLaw& law, const JointHistory& history);
 bool has_segment_history(const JointLaw& law);
 /// Whether shearing may open or close the joint.
 bool dilates(const JointLaw& law);
-/// Whether plastic slip alone opens or closes the joint. The position and the dilation of such a joint follow
-/// its displacement while it is open.
+/// Whether plastic slip alone opens or closes the joint.
 bool dilates_with_slip(const JointLaw& law);
 
 /// A joint material of the model file: its law and its springs.

@@ -9,6 +9,15 @@
 
 namespace rockslope::dda {
 
+/// A law of joint segments gives the flight of an open joint, see `fly` of JointLawContract. A law of single
+/// contacts has neither a position nor a dilation.
+template <class Law>
+concept FollowsItsWalls = Law::history_scope == HistoryScope::contact ||
+                          requires(const Law law, const typename Law::History history,
+                                   const ContactMotion& motion) {
+    { law.fly(history, motion) } -> std::same_as<typename Law::History>;
+};
+
 // clang-format off
 /// The contract of a joint law. Every member below is required; a law without an answer says so (`nullopt`,
 /// 0, an empty record). Forces are N per metre of thickness, compression positive; lengths are in m.
@@ -24,7 +33,7 @@ namespace rockslope::dda {
 /// Functions of the law alone:
 /// - `read(table)`: the law of a table of the model file. @throws InputError;
 /// - `dilates()`: whether and how shearing may open the joint. If never, `record(history).dilation` is always
-///   0. If with slip, `advance` follows the displacement also without a normal force;
+///   0;
 /// - `coulomb_envelope()`: the peak and the residual line of a law with Coulomb strength, else nullopt.
 ///
 /// Functions of the history:
@@ -35,14 +44,20 @@ namespace rockslope::dda {
 ///   the normal force, dimensionless, or nullopt;
 /// - `bound_line(history)`: the shear strength as a straight line over the normal force, if it is one
 ///   whatever the trial, else nullopt: then the friction coupling linearises the strength numerically;
-/// - `advance(history, motion)`: the history after an accepted step;
+/// - `advance(history, motion)`: the history after an accepted step. The normal force of a joint segment is
+///   positive; an open one flies;
+/// - `fly(history, motion)`, for laws of joint segments: the history after a motion of the walls of an open
+///   joint. The position of the joint follows its walls, and its dilation is what sliding under a vanishing
+///   normal force would give, so that the joint lands where it is. The slip is the displacement and what the
+///   shear spring has been released by. No work is done, so nothing wears: the strength of each place stays
+///   the same. A dilation that was not negative does not become so;
 /// - `shear_stiffness(history, normal_force, length)`: N/m per metre, of the shear spring that the law gives
 ///   a contact, or 0;
 /// - `locked_dilation(history)`: how the shear force of the locked joint follows its normal force, Eq. (77);
 ///   `{}` if only slip dilates it;
 /// - `record(history)`: the part of the history that the results contain.
 template <class Law>
-concept JointLawContract =
+concept JointLawContract = FollowsItsWalls<Law> &&
     requires(const Law law, const typename Law::History history, double normal_force, double length,
              bool intact, const ShearTrial& trial, const ContactMotion& motion, const ParameterTable& table) {
         { Law::name } -> std::convertible_to<const char*>;

@@ -37,8 +37,8 @@ inline LockedDilation after_displacement(const LockedDilation& before, const Loc
 /// How shearing opens or closes a joint.
 enum class Dilates : std::uint8_t {
     never,
-    with_displacement,  ///< also while the joint is locked; an open joint keeps its position and dilation
-    with_slip           ///< only with plastic slip; the whole displacement of an open joint is slip
+    with_displacement,  ///< also while the joint is locked
+    with_slip           ///< only with plastic slip
 };
 
 /// Which contacts one history of a joint law covers.

@@ -37,6 +37,8 @@ struct VelocityWeakening {
     /// None: a joint segment's strength is linearised with its other contacts.
     std::optional<CoulombLine> bound_line(const History&) const { return std::nullopt; }
     History advance(const History& history, const ContactMotion& motion) const;
+    /// An open joint rests.
+    History fly(const History&, const ContactMotion&) const { return {}; }
     double shear_stiffness(const History&, double, double) const { return 0; }
     LockedDilation locked_dilation(const History&) const { return {}; }
     /// The mobilised ratio is (tan phi - residual) / (static - residual).

@@ -32,19 +32,18 @@ TEST(SegmentStrength, MatchesTheSegmentMotion) {
                 strengths.loading(segment, [&](std::size_t contact) { return loading[contact]; });
             const dda::Strength found =
                 combined.normal > 0 ? strengths.over_normal_force(segment, combined) : dda::Strength{};
-            const auto combined_motion = dda::segment_motion(
-                step.model.joint_material_at(step.contacts[members[0]].joint_material).law, members,
-                step.contacts, [&](dda::ContactIndex k) {
+            const dda::SegmentMotion combined_motion =
+                dda::segment_motion(members, step.contacts, [&](dda::ContactIndex k) {
                     const auto c = static_cast<std::size_t>(k);
                     return dda::contact_motion(step.model, step.contacts[c], step.springs[c].shear_stiffness,
                                                loading[c].normal, loading[c].shearing, 0);
                 });
             dda::Strength expected;
-            if (combined_motion) {
+            if (combined_motion.motion.normal_force > 0) {
                 const auto& first = step.contacts[members[0]];
-                const dda::ContactMotion& m = combined_motion->motion;
+                const dda::ContactMotion& m = combined_motion.motion;
                 expected = dda::strength(step.model.joint_material_at(first.joint_material).law,
-                                         *combined_motion->history, m.normal_force, m.length,
+                                         *combined_motion.history, m.normal_force, m.length,
                                          {m.displacement, m.shear_force, m.stiffness});
                 const double factor = 1 / step.model.strength_reduction / m.normal_force;
                 expected = {expected.forward * factor, expected.backward * factor, 0};

@@ -92,12 +92,30 @@ TEST(BartonBandis, DilatesByTheMobilisedRoughness) {
     EXPECT_NEAR(after(barton_1985_granite(2), granite_peak).dilation, half, 1e-9) << "M = 2";
 }
 
-TEST(BartonBandis, AnOpenJointKeepsItsHistory) {
+dda::ContactMotion flight(double displacement) {
+    dda::ContactMotion motion;
+    motion.displacement = displacement;
+    return motion;
+}
+
+// The walls part beyond the distance at which they have worn, meet again on the way back, and wear nowhere.
+TEST(BartonBandis, AnOpenJointFollowsItsWalls) {
     const BartonBandis law = barton_1985_granite();
-    const auto there = after(law, granite_peak);
-    EXPECT_TRUE(law.advance(there, {0, 1, 0, length, false, 0, 0}) == there);
-    EXPECT_TRUE(law.advance(there, {0, 1, -1e5, length, false, 0, 0}) == there);
+    const auto there = after(law, 2 * granite_peak), further = after(law, 3 * granite_peak);
+    const auto flown = law.fly(there, flight(granite_peak));
+    EXPECT_EQ(flown.position, there.position + granite_peak);
+    EXPECT_EQ(flown.furthest, there.furthest);
+    EXPECT_NEAR(flown.dilation, further.dilation, 1e-9) << "as under a force, without an elastic part";
+    EXPECT_GT(flown.dilation, there.dilation + 1e-5);
+    EXPECT_NEAR(law.fly(flown, flight(-granite_peak)).dilation, there.dilation, 1e-12);
     EXPECT_EQ(law.strength(there, -1e5, length, {}).forward, 0);
+}
+
+TEST(BartonBandis, LandsOnThePlaceItFlewTo) {
+    const BartonBandis law = barton_1985_granite();
+    const auto flown = law.fly(after(law, 2 * granite_peak), flight(granite_peak));
+    const double there = law.strength(after(law, 3 * granite_peak), 1e5, length, {}).forward;
+    EXPECT_NEAR(law.strength(flown, 1e5, length, {}).forward, there, 1e-9 * there);
 }
 
 }  // namespace

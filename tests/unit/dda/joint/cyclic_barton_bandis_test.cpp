@@ -21,6 +21,7 @@ using dda::CyclicBartonBandis;
 using dda::JointStage;
 using dda::ShearTestRow;
 using joint_tests::granite;
+using joint_tests::granite_peak;
 using joint_tests::marble;
 using joint_tests::sheared;
 using joint_tests::sliding_plane;
@@ -285,13 +286,82 @@ TEST(CyclicJoint, DilationIsOfTheDamageAndMayBeFloored) {
     for (const auto& row : sheared(floored, 1e6, two_cycles, 1e-5)) EXPECT_GE(row.dilation, 0);
 }
 
-TEST(CyclicJoint, AnOpenJointKeepsItsHistory) {
+dda::ContactMotion flight(double displacement) {
+    dda::ContactMotion motion;
+    motion.displacement = displacement;
+    return motion;
+}
+
+TEST(CyclicJoint, AnOpenJointFollowsItsWalls) {
     const auto law = granite();
-    const auto there = law.advance(law.fresh(true), {0.01, 0.01, 1e5, length, false, 0, 1.5e8});
-    EXPECT_TRUE(law.advance(there, {0, 1, 0, length, false, 0, 1.5e8}) == there);
-    EXPECT_TRUE(law.advance(there, {0, 1, -1e5, length, false, 0, 1.5e8}) == there);
+    const auto there = law.advance(law.fresh(true), {5 * mm, 5 * mm, 1e5, length, false, 0, 1.5e8});
+    const auto advanced = law.advance(there, {2 * mm, 2 * mm, 1e5, length, false, 8e4, 1.5e8});
+    const auto flown = law.fly(there, flight(2 * mm));
+    EXPECT_EQ(flown.position, there.position + 2 * mm);
+    // The spring of the sliding joint unloads at its falling strength, 0.06 micrometres of its way.
+    EXPECT_NEAR(flown.dilation, advanced.dilation, 1e-7) << "as if it slid";
+    EXPECT_EQ(flown.furthest_forward, there.furthest_forward) << "nothing wears in the air";
     const auto s = law.strength(there, -1e5, length, {});
     EXPECT_EQ(s.forward + s.backward + s.tensile, 0);
+}
+
+// A block in the air that crossed the origin would else meet its peak again.
+TEST(CyclicJoint, AFlightThroughTheOriginBeginsNoCycle) {
+    const auto law = granite();
+    auto joint = law.advance(law.fresh(true), {5 * mm, 5 * mm, 1e5, length, false, 0, 1.5e8});
+    joint = law.advance(joint, {-10 * mm, -10 * mm, 1e5, length, false, 0, 1.5e8});
+    ASSERT_GE(joint.furthest_backward, law.peak_displacement);
+    const auto flown = law.fly(joint, flight(8 * mm));
+    EXPECT_GT(flown.position, 0);
+    EXPECT_EQ(flown.cycle, joint.cycle);
+    EXPECT_EQ(flown.reversals, joint.reversals);
+    EXPECT_EQ(flown.wear, joint.wear);
+}
+
+// The return tables contract more than the advance has dilated; in the air the walls stop where they mate.
+TEST(CyclicJoint, FliesNoDeeperThanMated) {
+    const auto law = granite();
+    auto joint = law.advance(law.fresh(true), {5 * mm, 5 * mm, 1e5, length, false, 0, 1.5e8});
+    for (int k = 0; k < 5; ++k) {
+        joint = law.fly(joint, flight(-4 * mm));
+        joint = law.fly(joint, flight(4 * mm));
+        EXPECT_GE(joint.dilation, 0) << k;
+    }
+}
+
+// An unslipped joint that opens and is displaced by less than its peak displacement still has its peak.
+TEST(CyclicJoint, AShortFlightDoesNotSpendThePeak) {
+    const auto law = granite();
+    const auto touched = law.advance(law.fresh(true), {0, 1e-5, 1e5, length, false, 0, 1.5e8});
+    const double peak = law.strength(touched, 1e5, length, {}).forward;
+    const auto hopped = law.fly(touched, flight(-0.5 * granite_peak));
+    EXPECT_EQ(law.strength(hopped, 1e5, length, {}).forward, peak);
+    EXPECT_EQ(law.strength(hopped, 1e5, length, {}).backward, peak);
+    const auto flown = law.fly(touched, flight(4 * granite_peak));
+    EXPECT_LT(law.strength(flown, 1e5, length, {}).forward, 0.8 * peak) << "it landed beyond";
+    EXPECT_EQ(flown.forward, 1);
+}
+
+// The locked slope may fall along a slip only as fast as the slip pays for the energy that its spring gains:
+// by k ds / N. A joint that landed near its origin and slips 4 mm farther, where its roughness is half as
+// steep, got 5 % of its work from nowhere.
+TEST(CyclicJoint, TheLockedSlopeFollowsTheSlip) {
+    auto law = granite();
+    law.heal = true;
+    const double force = 1e5, stiffness = 1e8;
+    auto joint = law.advance(law.fresh(true), {0, 1e-6, force, length, false, 0, stiffness});
+    joint = law.fly(joint, flight(2 * granite_peak));
+    const double before = joint.locked_slope;
+    double shear = 0, slid = 0;
+    while (slid == 0) {
+        const auto next = law.advance(joint, {0, 1e-5, force, length, false, shear, stiffness});
+        const double bound = law.strength(joint, force, length, {1e-5, shear, stiffness}).forward;
+        slid = std::max(shear + stiffness * 1e-5 - bound, 0.0) / stiffness;
+        shear = std::min(shear + stiffness * 1e-5, bound);
+        joint = next;
+    }
+    EXPECT_GT(slid, 0);
+    EXPECT_GE(joint.locked_slope, before - stiffness * slid / force - 1e-9);
 }
 
 // A loaded joint may be displaced in one direction before its first slip, and slip in the other direction

@@ -52,6 +52,21 @@ TEST(PeakSpring, OfAJointThatWasAtRestStaysWhenItIsShaken) {
     EXPECT_EQ(after(fresh, 1e6, 10).stiffness_of_part(10), fresh.stiffness_of_part(10)) << "it comes to rest";
 }
 
+// A landing strikes harder than the joint bore at rest.
+TEST(PeakSpring, IsFoundAnewWhereAnOpenJointLands) {
+    PeakSpring landed = after({}, 1e6, 10);
+    landed.leave_rest();
+    EXPECT_EQ(shaken(landed, 5e5, 10).stiffness_of_part(10), landed.stiffness_of_part(10)) << "softly";
+    EXPECT_EQ(shaken(landed, 3e6, 10).stiffness_of_part(10), after({}, 3e6, 10).stiffness_of_part(10));
+}
+
+// The overlap of two faces shrinks; what the spring was found at does not.
+TEST(PeakSpring, KeepsTheForceThatItWasFoundAt) {
+    const PeakSpring slid_off = after(after({}, 1e6, 10), 5e5, 2);
+    EXPECT_EQ(slid_off.normal_force, 1e6);
+    EXPECT_EQ(slid_off.normal_stress, 1e5);
+}
+
 // Faces that met with a sliver of their length: a spring kept per length would be a billion times as stiff
 // on the whole length.
 TEST(PeakSpring, BelongsToTheJointWhateverItsLength) {
@@ -70,7 +85,9 @@ TEST(PeakSpring, BelongsToTheJointWhateverItsLength) {
 TEST(PeakSpring, IsZeroWithoutForceLengthOrPeak) {
     EXPECT_EQ(after({}, 0, 10), PeakSpring{});
     EXPECT_EQ(after({}, 1e6, 0), PeakSpring{}) << "a bare corner";
-    EXPECT_EQ(PeakSpring{}.loaded({1e6, 10, 10, true}, rough(), 0), PeakSpring{}) << "strength at once";
+    const PeakSpring without_peak = PeakSpring{}.loaded({1e6, 10, 10, true}, rough(), 0);
+    EXPECT_EQ(without_peak.stiffness_of_part(10), 0) << "strength at once";
+    EXPECT_EQ(without_peak.normal_stress, 1e5) << "for the dilation in flight";
     EXPECT_EQ(PeakSpring{}.stiffness_of_part(1), 0);
 }
 
