@@ -358,7 +358,8 @@ bool TrialContacts::update_active_set_of(ContactIndex k) {
     }
     trial.active = active;
     trial.locked = locked;
-    if (const double tilt = locked ? trial.dilating.slope : trial.sliding_slope; tilt != trial.tilt) {
+    const double slope = locked ? trial.dilating.slope : trial.sliding_slope;
+    if (const double tilt = trial.postponed ? 0 : slope; tilt != trial.tilt) {
         set_tilt(k, tilt);
         changed = changed || active;
     }

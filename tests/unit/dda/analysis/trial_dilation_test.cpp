@@ -102,4 +102,37 @@ TEST_F(TrialDilation, IsPostponedWhereItIsFartherFromTheLawThanZero) {
     EXPECT_FALSE(block.trials.postpone_dilation());
 }
 
+// A locked joint of even roughness dilates with its displacement, however it goes. What is postponed stays so
+// when the active set is updated: a tilt that came back would let the dilation grow from where it was
+// postponed.
+TEST(TrialDilationOfALockedJoint, KeepsNoTiltWhereItIsPostponed) {
+    dda::CyclicBartonBandis law;
+    law.barton = {2, 50e6, radians(18)};
+    law.peak_displacement = 2e-3;
+    law.damage = 1;
+    const dda::RoughnessTable even = {{{0, 1}, {1, 1}}};
+    law.cycles = {{even, even, even, even}};
+    law.unsigned_ratios = true;
+    RestingContacts block{dda::JointLaw(law)};
+    const double elastic = 5e-6;  // m, a quarter of what the strength under 20 kN bears
+    const auto update = [&](double u) {
+        block.move(u, into);
+        block.trials.select_first_entrances();
+        block.trials.update_bounds();
+        block.trials.force_change();
+    };
+    update(elastic);
+    block.trials.update_dilation();
+    block.trials.update_bounds();
+    block.trials.update_active_set();
+    ASSERT_EQ(block.evaluated()[0].state, dda::ContactState::locked);
+    ASSERT_GT(std::abs(block.trials.tilt(0)), 1e-4);
+    update(-elastic);  // the tilt continues to three times the law's value, with the other sign
+    ASSERT_TRUE(block.trials.postpone_dilation());
+    block.trials.update_active_set();
+    EXPECT_EQ(block.trials.tilt(0), 0);
+    update(elastic);
+    EXPECT_EQ(block.evaluated()[0].dilation_increment, 0);
+}
+
 }  // namespace
