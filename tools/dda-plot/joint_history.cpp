@@ -41,8 +41,8 @@ std::vector<Column> columns_of(JointHistory& history, const std::vector<std::str
         throw InputError(place, "there is no column '" + prefix + "displacement (m)'",
                          prefix.empty() ? "a table of time and displacement" : "a [[measured_joint]]'s name");
     find("dilation (m)", history.dilation);
-    find("shear stress (Pa)", history.shear_stress);
-    find("normal stress (Pa)", history.normal_stress);
+    find("shear stress over bearing length (Pa)", history.shear_stress);
+    find("normal stress over bearing length (Pa)", history.normal_stress);
     find("strength (Pa)", history.strength);
     find("reversals", history.reversals);
     return columns;

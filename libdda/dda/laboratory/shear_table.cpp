@@ -49,6 +49,13 @@ constexpr std::array<Quantity, 4> quantities = {{
     {"normal stress", Dimension::stress, &ShearTable::normal_stress},
 }};
 
+/// The stresses of a measured joint are compared over the length that bears them, as in a laboratory.
+std::string_view without_length(std::string_view name) {
+    constexpr std::string_view ending = " over bearing length";
+    if (name.ends_with(ending)) name.remove_suffix(ending.size());
+    return name;
+}
+
 /// Reads the heading of a table. @param prefix columns whose names do not begin with it are skipped.
 std::vector<Column> read_heading(std::string_view line, const SourceLocation& place, std::string_view prefix,
                                  ShearTable& table) {
@@ -59,7 +66,7 @@ std::vector<Column> read_heading(std::string_view line, const SourceLocation& pl
         if (!fields[k].starts_with(prefix)) continue;
         const std::string_view field = fields[k].substr(prefix.size());
         const std::size_t bracket = field.find('(');
-        const std::string_view name = trimmed(field.substr(0, bracket));
+        const std::string_view name = without_length(trimmed(field.substr(0, bracket)));
         for (const Quantity& quantity : quantities) {
             if (name != quantity.name) continue;
             const std::size_t close = field.find(')');

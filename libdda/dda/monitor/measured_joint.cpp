@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "dda/contact/detect.hpp"
 
@@ -32,11 +33,53 @@ struct ContactSums {
     }
 };
 
+/// The length of an edge and of the edges of its block before and after it that continue it straight, m.
+double face_length(const Model& model, EdgeIndex edge) {
+    const Topology& topology = model.topology;
+    const auto along = [&](CornerIndex from) {
+        return Vec2(model.vertices[topology.next[from]] - model.vertices[from]);
+    };
+    const Vec2 direction = along(start_of(edge)).normalized();
+    const auto is_straight = [&](CornerIndex from) {
+        const Vec2 other = along(from);
+        return std::abs(cross(direction, other)) < parallel_tolerance * other.norm() &&
+               direction.dot(other) > 0;
+    };
+    double length = along(start_of(edge)).norm();
+    for (CornerIndex k = topology.next[start_of(edge)]; is_straight(k); k = topology.next[k])
+        length += along(k).norm();
+    for (CornerIndex k = topology.previous[start_of(edge)]; is_straight(k); k = topology.previous[k])
+        length += along(k).norm();
+    return length;
+}
+
+/// The edge of a block that is nearest to a point before any block moves.
+EdgeIndex nearest_edge(const Model& model, BlockIndex block, const Vec2& point) {
+    EdgeIndex nearest;
+    double distance = std::numeric_limits<double>::infinity();
+    for (const CornerIndex from : model.topology.corners_of(block)) {
+        const Vec2& start = model.vertices[from];
+        const Vec2 edge = model.vertices[model.topology.next[from]] - start;
+        const double fraction = std::clamp((point - start).dot(edge) / edge.squaredNorm(), 0.0, 1.0);
+        const double here = (start + fraction * edge - point).norm();
+        if (!(here < distance)) continue;
+        distance = here;
+        nearest = edge_from(from);
+    }
+    return nearest;
+}
+
 double smaller(const Strength& strength) {
     return std::min(strength.forward, strength.backward);
 }
 
 }  // namespace
+
+double joint_length(const Model& model, const MeasuredJoint& joint) {
+    const MaterialPoint& other = model.material_points[joint.other_point];
+    return std::min(face_length(model, joint.edge),
+                    face_length(model, nearest_edge(model, other.block, other.position)));
+}
 
 JointReading read_joint(const Model& model, const State& state, const MeasuredJoint& joint) {
     const auto& vertices = state.blocks.vertices;
@@ -67,6 +110,9 @@ JointReading read_joint(const Model& model, const State& state, const MeasuredJo
     const double per_length = sums.length > 0 ? 1 / sums.length : 0;
     reading.shear_stress = -sums.shear_force * per_length;
     reading.normal_stress = sums.normal_force * per_length;
+    const double whole = joint_length(model, joint);
+    reading.shear_stress_over_joint = -sums.shear_force / whole;
+    reading.normal_stress_over_joint = sums.normal_force / whole;
     reading.strength = sums.strength / model.strength_reduction * per_length;
     reading.slip = -sums.slip / sums.closed;
     reading.state = sums.slides ? ContactState::sliding : ContactState::locked;

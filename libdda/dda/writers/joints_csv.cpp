@@ -8,15 +8,17 @@ namespace {
 
 constexpr const char* headings[] = {"displacement (m)",
                                     "dilation (m)",
-                                    "shear stress (Pa)",
-                                    "normal stress (Pa)",
+                                    "shear stress over bearing length (Pa)",
+                                    "normal stress over bearing length (Pa)",
                                     "strength (Pa)",
                                     "slip (m)",
                                     "state",
                                     "stage",
                                     "mobilised ratio",
                                     "reversals",
-                                    "cycle"};
+                                    "cycle",
+                                    "shear stress over whole joint (Pa)",
+                                    "normal stress over whole joint (Pa)"};
 
 const char* state_name(ContactState state) {
     switch (state) {
@@ -49,6 +51,7 @@ class JointsCsv : public ResultWriter {
             row.text(state_name(reading.state)).text(stage_name(reading.record.stage));
             row.number(reading.record.mobilised_ratio, what);
             row.integer(reading.record.reversals).integer(reading.record.cycle);
+            row.number(reading.shear_stress_over_joint, what).number(reading.normal_stress_over_joint, what);
         }
         file_.append(row.line());
     }

@@ -68,11 +68,12 @@ TEST_F(ShearTableTest, RowsReadBackAsATable) {
 }
 
 TEST_F(ShearTableTest, AMeasuredJointIsReadFromWhereDisplacementsAreZeroed) {
-    const fs::path file = folder.write("joints.csv",
-                                       "time (s),stage,bed displacement (m),bed shear stress (Pa),bed state,"
-                                       "fault displacement (m)\n"
-                                       "0,settle,0,0,locked,0\n0.5,settle,7,8,locked,9\n"
-                                       "0.5,shake,0,8,locked,0\n0.6,shake,0.001,9,sliding,0.002\n");
+    const fs::path file = folder.write(
+        "joints.csv",
+        "time (s),stage,bed displacement (m),bed shear stress over bearing length (Pa),bed state,"
+        "fault displacement (m)\n"
+        "0,settle,0,0,locked,0\n0.5,settle,7,8,locked,9\n"
+        "0.5,shake,0,8,locked,0\n0.6,shake,0.001,9,sliding,0.002\n");
     const ShearTable bed = read_measured_joint(file, "bed"), fault = read_measured_joint(file, "fault");
     EXPECT_THAT(bed.displacement, ElementsAre(0, 0.001));
     EXPECT_THAT(bed.shear_stress, ElementsAre(8, 9));

@@ -71,6 +71,34 @@ TEST_F(MeasuredJointTest, ReportsStressesAndDisplacementsOfTheJoint) {
     EXPECT_EQ(open.normal_stress, 0);
 }
 
+/// Half of the block's face of 2 m is beyond the end of its base. Its weight, over the other half, bears
+/// there.
+TEST_F(MeasuredJointTest, StressesOverTheBearingLengthAndOverTheWholeJoint) {
+    blockgen::BlockMesh mesh;
+    mesh.vertices = {{0, 0}, {2, 0}, {2, 1}, {0, 1}, {1, 1}, {3, 1}, {3, 1.2}, {2, 2}, {1, 2}};
+    mesh.block_materials = {"rock"};
+    mesh.joint_materials = {"bedding"};
+    mesh.joints = {{"set"}};
+    const blockgen::EdgeMark face, bed{0, 0};
+    mesh.begin_block(0, blockgen::BlockMotion::prescribed, "base");
+    mesh.add_ring(std::vector<blockgen::VertexIndex>{0, 1, 2, 4, 3},
+                  std::vector<blockgen::EdgeMark>{face, face, bed, bed, face});
+    mesh.begin_block(0);
+    mesh.add_ring(std::vector<blockgen::VertexIndex>{4, 2, 5, 6, 7, 8},
+                  std::vector<blockgen::EdgeMark>{bed, face, face, face, face, face});
+    blockgen::write_block_file(folder / "two.blocks", mesh);
+    const RunInput input = read(changed("", ""));
+    State state = initial_state(input.model);
+    Silent nothing;
+    ASSERT_EQ(run(input.model, input.stages, state, nothing).status, RunStatus::completed);
+    const double weight = 2500 * 9.81 * 1.6;  // N/m
+    const JointReading bed_reading = read_joint(input.model, state, input.model.measured_joints[0]);
+    EXPECT_NEAR(joint_length(input.model, input.model.measured_joints[0]), 2, 1e-12);
+    EXPECT_NEAR(bed_reading.normal_stress, weight / 1, 1e-3 * weight);
+    EXPECT_NEAR(bed_reading.normal_stress_over_joint, weight / 2, 1e-3 * weight);
+    EXPECT_NEAR(bed_reading.strength, weight + 3000, 1e-3 * weight) << "of the length that bears";
+}
+
 TEST_F(MeasuredJointTest, PointsOffAJointAreRefused) {
     const std::string at = "at = [1.5, 1]";
     EXPECT_THAT(error_with(at, "at = [1.5, 1.1]"),
