@@ -71,6 +71,13 @@ InheritedPenetrations::Found InheritedPenetrations::find(const Topology& topolog
         const double stress_free_gap = contact.state == ContactState::open ? 0 : contact.stress_free_gap;
         const double spring_depth = depth + stress_free_gap;
         add(contact.corner, {k, contact.edge_block, depth, spring_depth});
+        // A neighbour so near that the penetration turns their edge beyond the slack of Eq. (27) has no
+        // contact.
+        for (const CornerIndex neighbour :
+             {topology.previous[contact.corner], topology.next[contact.corner]}) {
+            if (parallel_tolerance * (vertices[neighbour] - vertices[contact.corner]).norm() <= depth)
+                add(neighbour, {k, contact.edge_block, depth, spring_depth});
+        }
         for (const CornerIndex other : {start_of(contact.edge), topology.end_of(contact.edge)}) {
             if ((vertices[other] - vertices[contact.corner]).norm() <= search_radius)
                 add(other, {k, contact.corner_block, depth, spring_depth});

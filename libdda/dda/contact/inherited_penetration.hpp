@@ -19,7 +19,9 @@ std::optional<double> penetration_accounted_for(const Topology& topology, Corner
 
 /// The penetration of each corner that contacts account for. It is not evidence that a corner entered through
 /// another edge. A contact accounts for its corner, and for the ends of its edge within the search radius of
-/// the corner: where two corners meet, only one of them has a contact.
+/// the corner: where two corners meet, only one of them has a contact. It also accounts for the corners next
+/// to its own on a block's edge shorter than the depth over the slack of Eq. (27): the penetration turns so
+/// short an edge that its other corner fails the entrance-angle test.
 class InheritedPenetrations {
   public:
     /// @param vertices per corner, m. @param contacts at the same time; they must outlive this object.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "dda/contact/candidates.hpp"
+#include "dda/contact/detect.hpp"
 #include "support/scene.hpp"
 
 using namespace rockslope;
@@ -79,6 +80,20 @@ TEST_F(UndetectedPenetrations, AContactAccountsForNoOtherCorner) {
     const auto found = after({{0, -.001}, {.2, -.001}, {0, .2}}, {contact(.001)});
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found[0].pair.corner, 5);
+}
+
+// A chip on a joint in a shaken slope: its contact was 28 um deep, which turned an edge of 0.26 mm by 6
+// degrees. The other corner of that edge fails the entrance-angle test, and no step was short enough for it.
+TEST_F(UndetectedPenetrations, AContactAccountsForANeighbourOnAnEdgeThatItsPenetrationTurns) {
+    const double depth = 28e-6;
+    const auto chip = [&](double edge) {
+        return after({{0, -depth}, {edge, -2e-9}, {0, 1e-3}}, {contact(depth)});
+    };
+    EXPECT_TRUE(chip(.26e-3).empty());
+    const double longest = depth / dda::parallel_tolerance;
+    EXPECT_TRUE(chip(.99 * longest).empty());
+    ASSERT_EQ(chip(1.01 * longest).size(), 1U) << "this corner passes the angle test and gets a contact";
+    EXPECT_EQ(chip(1.01 * longest)[0].pair.corner, 5);
 }
 
 TEST_F(UndetectedPenetrations, ACornerOutsideAgainPassedThroughTheBlock) {
