@@ -84,6 +84,10 @@ int run(const Options& options) {
         std::fprintf(stderr, "warning: %s\n", warning.c_str());
     write_results(options, model, result);
 
+    if (const MergeReport& merges = result.report.merges; merges.merged_blocks > 0)
+        std::printf("%zu small blocks merged with their neighbours, %.3g m2 in all, the largest %.3g m2\n",
+                    merges.merged_blocks, merges.merged_area, merges.largest_merged);
+
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     std::printf("%s: %zu blocks, D50 %.3g m2, %.3g s%s\n", options.output.c_str(), result.report.blocks,
                 result.report.sizes.d50, seconds.count(), options.verify ? ", verified" : "");

@@ -159,6 +159,8 @@ class SmallBlockMerger {
           cell_(cut.noded.frame.step * cut.noded.frame.step) {}
 
     FaceBlocks run(MergeReport& report) {
+        below_area_ =
+            std::max(model_.small_blocks.below_area, model_.small_blocks.below_share * median_area());
         std::set<std::pair<Int128, FaceBlockIndex>> small;
         for (const FaceBlockIndex b : faces_.material.indices())
             if (is_small(b)) small.emplace(graph_.twice_area_of(b), b);
@@ -176,7 +178,8 @@ class SmallBlockMerger {
             report.changes.push_back(change_of(b, targets));
             for (const FaceBlockIndex target : targets.blocks) graph_.unite(b, target);
             report.merged_blocks += targets.blocks.size();
-            report.merged_area += static_cast<double>(twice_area) / 2 * cell_;
+            report.merged_area += area_of(twice_area);
+            report.largest_merged = std::max(report.largest_merged, area_of(twice_area));
             const FaceBlockIndex merged = graph_.root(b);
             if (is_small(merged)) small.emplace(graph_.twice_area_of(merged), merged);
         }
@@ -184,10 +187,21 @@ class SmallBlockMerger {
     }
 
   private:
+    double area_of(Int128 twice_area) const { return static_cast<double>(twice_area) / 2 * cell_; }  ///< m2
+    /// The median area of the blocks before merging, m2.
+    double median_area() const {
+        std::vector<Int128> areas;
+        for (const FaceBlockIndex b : faces_.material.indices()) areas.push_back(graph_.twice_area_of(b));
+        const auto middle = areas.begin() + static_cast<std::ptrdiff_t>(areas.size() / 2);
+        std::nth_element(areas.begin(), middle, areas.end());
+        return area_of(*middle);
+    }
+
     bool is_small(FaceBlockIndex b) {
         const SmallBlocks& limits = model_.small_blocks;
-        return static_cast<double>(graph_.twice_area_of(b)) / 2 * cell_ < limits.below_area ||
-               (limits.below_roundness > 0 && graph_.roundness(b) < limits.below_roundness);
+        return area_of(graph_.twice_area_of(b)) < below_area_ ||
+               (limits.merges_slivers && limits.below_roundness > 0 &&
+                graph_.roundness(b) < limits.below_roundness);
     }
 
     bool may_merge(const Side& side, FaceBlockIndex b) {
@@ -247,7 +261,8 @@ class SmallBlockMerger {
     const std::vector<Trace>& traces_;
     BlockGraph graph_;
     GridFrame frame_;
-    double cell_;  ///< area of a grid cell, m2
+    double cell_;            ///< area of a grid cell, m2
+    double below_area_ = 0;  ///< m2, a block with less is small
 };
 
 /// The change for a filled hole. Its ring is clockwise. The area includes holes of the islands.

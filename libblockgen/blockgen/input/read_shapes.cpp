@@ -183,6 +183,19 @@ IslandPolicy read_island_policy(const ConfigTable& domain) {
     return word == "keep" ? IslandPolicy::keep : IslandPolicy::error;
 }
 
+/// Default of `below_share`: chips between joints that nearly meet in one point. Thousands of them weigh less
+/// than one block, and a run cannot end while one of them still moves.
+constexpr double chip_share = 1e-4;
+
+/// What a model file without the table asks for: chips are merged, slender blocks are kept.
+SmallBlocks default_small_blocks() {
+    SmallBlocks small;
+    small.policy = SmallBlockPolicy::merge;
+    small.below_share = chip_share;
+    small.merges_slivers = false;
+    return small;
+}
+
 SmallBlocks read_small_blocks(const ConfigTable& table) {
     SmallBlocks small;
     const std::string word = table.choice("policy", {"keep", "merge", "drop"});
@@ -191,6 +204,9 @@ SmallBlocks read_small_blocks(const ConfigTable& table) {
     small.below_area = table.checked(
         "below_area", table.number("below_area", Dimension::none, small.below_area),
         [](double a) { return a >= 0; }, "an area in m2 of zero or more");
+    small.below_share = table.checked(
+        "below_share", table.number("below_share", Dimension::none, chip_share),
+        [](double s) { return s >= 0 && s < 1; }, "a share of the median area from 0 to below 1");
     small.below_roundness = table.checked(
         "below_roundness", table.number("below_roundness", Dimension::none, small.below_roundness),
         [](double r) { return r >= 0 && r < 0.6; }, "a number from 0 to below 0.6: a square has 0.785");
@@ -259,8 +275,8 @@ void read_domain(const ConfigTable& root, const EnclosedAreaFunction& enclosed_a
     model.block_material = read_name(domain, "block_material");
     model.islands = read_island_policy(domain);
     check_extent(domain, model);
-    if (const auto small = root.optional_table("small_blocks"))
-        model.small_blocks = read_small_blocks(*small);
+    const auto small = root.optional_table("small_blocks");
+    model.small_blocks = small ? read_small_blocks(*small) : default_small_blocks();
 }
 
 void read_regions(const ConfigTable& root, SlopeModel& model) {

@@ -22,9 +22,10 @@ block_material = "sandstone"
 # grid = 9.5367431640625e-7                # m, a power of two: joints nearer to each other than this are joined
 # islands = "keep"                         # blocks enclosed by one block; or "cut" to its boundary, "fill", "error"
 
-# [small_blocks]
+# [small_blocks]                           # absent: blocks below 1e-4 of the median area are merged
 # policy = "merge"                         # across the longest boundary; or "drop" a piece of the shortest joint; "keep"
 # below_area = 0.01                        # m2
+# below_share = 1e-4                       # of the median area of the blocks
 # below_roundness = 0.02                   # 4 pi area / perimeter^2
 
 # [[region]]                               # overrides what lies below it, inside its polygon

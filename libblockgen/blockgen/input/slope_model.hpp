@@ -130,6 +130,8 @@ struct SmallBlocks {
     SmallBlockPolicy policy = SmallBlockPolicy::keep;
     double below_area = 0;          ///< m2
     double below_roundness = 0.02;  ///< 4 pi area / perimeter^2, in [0, 1); a block below it is a sliver
+    double below_share = 0;         ///< of the median area of all blocks
+    bool merges_slivers = true;     ///< whether slivers count as small
 };
 
 /// Settings of the kinematic screen.

@@ -40,6 +40,7 @@ struct MergeReport {
     std::size_t small_blocks = 0;    ///< blocks below the minimum area or roundness, before merging
     std::size_t merged_blocks = 0;   ///< decrease of the number of blocks by merging them
     double merged_area = 0;          ///< m2, of the small blocks that were merged
+    double largest_merged = 0;       ///< m2, area of the largest of these
     std::size_t kept_small = 0;      ///< small blocks without a neighbour of the same rock
     std::size_t filled_islands = 0;  ///< blocks merged with the block that encloses them
     std::vector<Change> changes;     ///< one for each small block and each filled hole, in order of merging

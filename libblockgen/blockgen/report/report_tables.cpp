@@ -65,6 +65,7 @@ void changes_table(Page& page, const CutReport& r) {
     page.line("  straight vertices removed     %zu", r.merged_vertices);
     page.line("  small blocks found, merged    %zu, %zu (%.4g m2)", r.merges.small_blocks,
               r.merges.merged_blocks, r.merges.merged_area);
+    page.line("  largest small block merged    %s m2", target_text(r.merges.largest_merged).c_str());
     page.line("  small blocks kept             %zu", r.merges.kept_small);
     page.line("  islands kept, cuts, filled    %zu, %zu, %zu", r.islands, r.island_cuts,
               r.merges.filled_islands);

@@ -107,6 +107,7 @@ std::string report_text(const CutReport& report) {
          {{"found", report.merges.small_blocks},
           {"merged", report.merges.merged_blocks},
           {"merged_area_m2", report.merges.merged_area},
+          {"largest_merged_m2", report.merges.largest_merged},
           {"kept", report.merges.kept_small}}},
         {"interior_edges", report.interior_edges},
         {"boundary_edges", report.boundary_edges},

@@ -177,6 +177,41 @@ TEST(Islands, ATunnelWithABlockAtItsWall) {
     EXPECT_EQ(cut(model).mesh.block_count(), 1u);
 }
 
+/// A square of 8 m with a cross of joints, and a third joint that cuts a chip with two sides of the given
+/// length off one of the four blocks of 16 m2.
+std::string slope_with_chip(double side, const std::string& small_blocks = "") {
+    const std::string a = std::to_string(4 + side);
+    return "[domain]\noutline = [[0, 0], [8, 0], [8, 8], [0, 8]]\nblock_material = \"rock\"\n" +
+           small_blocks +
+           "[[traces]]\njoint_material = \"joint\"\npoints = [[0, 4], [8, 4]]\n"
+           "[[traces]]\njoint_material = \"joint\"\npoints = [[4, 0], [4, 8]]\n"
+           "[[traces]]\njoint_material = \"joint\"\npoints = [[4, " +
+           a + "], [" + a + ", 4]]\n";
+}
+
+TEST(SmallBlocks, ChipsAreMergedWithoutTheTable) {
+    const CutResult chip = cut(slope(slope_with_chip(.03125)));
+    EXPECT_EQ(chip.mesh.block_count(), 4U) << "4.9 cm2, of a limit of 16 cm2";
+    EXPECT_TRUE(chip.report.area_proved);
+    EXPECT_EQ(chip.report.merges.merged_blocks, 1U);
+    EXPECT_EQ(chip.report.merges.largest_merged, .03125 * .03125 / 2);
+    EXPECT_EQ(cut(slope(slope_with_chip(.0625))).mesh.block_count(), 5U) << "20 cm2";
+    const std::string keep = "[small_blocks]\npolicy = \"keep\"\n";
+    EXPECT_EQ(cut(slope(slope_with_chip(.03125, keep))).mesh.block_count(), 5U);
+    const std::string larger = "[small_blocks]\npolicy = \"merge\"\nbelow_share = 2e-4\n";
+    EXPECT_EQ(cut(slope(slope_with_chip(.0625, larger))).mesh.block_count(), 4U);
+}
+
+// A layer of 8 m x 2 cm has a roundness of 0.008.
+TEST(SmallBlocks, ThinLayersStayWithoutTheTable) {
+    const CutResult result =
+        cut(slope("[domain]\noutline = [[0, 0], [8, 0], [8, 8], [0, 8]]\nblock_material = \"rock\"\n"
+                  "[[traces]]\njoint_material = \"joint\"\npoints = [[0, 4], [8, 4]]\n"
+                  "[[traces]]\njoint_material = \"joint\"\npoints = [[0, 4.02], [8, 4.02]]\n"));
+    EXPECT_EQ(result.mesh.block_count(), 3U);
+    EXPECT_EQ(result.report.slivers, 1U);
+}
+
 TEST(SmallBlocks, KeysOfTheModelFile) {
     const std::string domain =
         "[domain]\noutline = [[0, 0], [2, 0], [2, 1], [0, 1]]\nblock_material = \"rock\"\nislands = "
