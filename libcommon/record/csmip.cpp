@@ -13,14 +13,14 @@ namespace {
 
 constexpr FieldLayout usual_layout{8, 10};
 
-struct Announcement {
+struct CsmipAnnouncement {
     std::size_t count = 0;
     Quantity quantity = Quantity::acceleration;
     double dt = 0;     // s
     std::string unit;  // lower case
 };
 
-std::optional<Announcement> announcement_of(std::string_view line) {
+std::optional<CsmipAnnouncement> csmip_announcement(std::string_view line) {
     const std::string plain = lower_case(line.substr(0, 120));
     const auto words = words_of(plain, " \t():,");
     // "3251 points of accel data equally spaced at .020 sec. units cm/sec/sec"
@@ -32,27 +32,27 @@ std::optional<Announcement> announcement_of(std::string_view line) {
     const auto dt = field_number(words[8]);
     if (!count || !quantity || !dt) return std::nullopt;
     for (std::size_t k = 9; k + 1 < words.size(); ++k)
-        if (words[k] == "units") return Announcement{*count, *quantity, *dt, std::string(words[k + 1])};
+        if (words[k] == "units") return CsmipAnnouncement{*count, *quantity, *dt, std::string(words[k + 1])};
     return std::nullopt;
 }
 
-std::vector<StackedBlock> blocks_of(const RecordLines& lines) {
+std::vector<StackedBlock> csmip_blocks(const RecordLines& lines) {
     std::vector<StackedBlock> blocks;
     for (std::size_t i = 0; i < lines.size(); ++i)
-        if (const auto announced = announcement_of(lines[i])) blocks.push_back({i, announced->quantity});
+        if (const auto announced = csmip_announcement(lines[i])) blocks.push_back({i, announced->quantity});
     return blocks;
 }
 
 bool is_csmip(const RecordLines& lines) {
     constexpr std::size_t longest_header = 100;
     for (std::size_t i = 0; i < std::min(longest_header, lines.size()); ++i)
-        if (announcement_of(lines[i])) return true;
+        if (csmip_announcement(lines[i])) return true;
     return false;
 }
 
 Record read_csmip(const RecordLines& lines, const RecordDeclaration& declaration) {
-    const std::size_t line = choose_block(blocks_of(lines), declaration, lines).line;
-    const Announcement announced = *announcement_of(lines[line]);
+    const std::size_t line = choose_block(csmip_blocks(lines), declaration, lines).line;
+    const CsmipAnnouncement announced = *csmip_announcement(lines[line]);
     check_count(announced.count, lines, line);
     check_sampling(announced.dt, announced.count, lines, line);
     const FieldLayout layout = stated_layout(lines[line]).value_or(usual_layout);

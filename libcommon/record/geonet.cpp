@@ -12,13 +12,13 @@ namespace {
 
 constexpr FieldLayout layout{10, 8};
 constexpr std::size_t geonet_text_lines = 16, geonet_integers_count = 40, geonet_reals_count = 60;
-constexpr std::size_t header_lines = geonet_text_lines + 4 + 6;
+constexpr std::size_t geonet_header_lines = geonet_text_lines + 4 + 6;
 
 /// Numbers of the header entries, from 1: sample count of the first time history, and time step. In a
 /// corrected record the counts of the second and third time history follow.
 constexpr std::size_t raw_count = 31, corrected_count = 34, raw_step = 25, corrected_step = 26;
 
-constexpr const char* units[] = {"mm/s2", "mm/s", "mm"};  // in the order of Quantity
+constexpr const char* geonet_units[] = {"mm/s2", "mm/s", "mm"};  // in the order of Quantity
 
 struct TimeHistory {
     StackedBlock block;     // its line is the first line of the component
@@ -51,7 +51,7 @@ std::size_t append_component(std::vector<TimeHistory>& histories, const RecordLi
     const auto reals = fixed_fields(lines, integers_line + 4, geonet_reals_count, layout, "real header");
     const bool raw = lower_case(lines[start]).starts_with("uncorrected");
     const double dt = reals[(raw ? raw_step : corrected_step) - 1];
-    std::size_t line = start + header_lines;
+    std::size_t line = start + geonet_header_lines;
     for (std::size_t k = 0; k < (raw ? 1u : 3u); ++k) {
         const std::size_t count = header_count(integers, raw ? raw_count : corrected_count + k, lines, start);
         const auto in_words = points_in_words(lines[start + 9]);
@@ -75,7 +75,7 @@ std::vector<TimeHistory> histories_of(const RecordLines& lines) {
 }
 
 bool is_geonet(const RecordLines& lines) {
-    if (lines.size() < header_lines || lower_case(lines[0]).find("accelerogram") == std::string::npos)
+    if (lines.size() < geonet_header_lines || lower_case(lines[0]).find("accelerogram") == std::string::npos)
         return false;
     return has_fixed_fields(lines, geonet_text_lines, geonet_integers_count, layout) &&
            has_fixed_fields(lines, geonet_text_lines + 4, geonet_reals_count, layout);
@@ -92,7 +92,7 @@ Record read_geonet(const RecordLines& lines, const RecordDeclaration& declaratio
         history.dt,
         fixed_fields(lines, history.first, history.count, layout, quantity_name(history.block.quantity)),
         {}};
-    resolve_units(record, history.block.quantity, units[static_cast<int>(history.block.quantity)],
+    resolve_units(record, history.block.quantity, geonet_units[static_cast<int>(history.block.quantity)],
                   declaration, lines, history.block.line);
     return record;
 }

@@ -16,12 +16,12 @@ constexpr std::size_t knet_header_lines = 17;
 constexpr std::size_t value_column = 18;
 constexpr FieldLayout counts_layout{8, 9};
 
-struct HeaderValue {
+struct KnetHeaderValue {
     std::size_t line = 0;
     std::string_view text;
 };
 
-HeaderValue header_value(const RecordLines& lines, std::string_view key) {
+KnetHeaderValue knet_header_value(const RecordLines& lines, std::string_view key) {
     for (std::size_t i = 0; i < std::min(knet_header_lines, lines.size()); ++i)
         if (lines[i].starts_with(key) && lines[i].size() > value_column)
             return {i, trimmed(lines[i].substr(value_column))};
@@ -30,7 +30,7 @@ HeaderValue header_value(const RecordLines& lines, std::string_view key) {
 
 /// A positive header value, with or without `unit` after it.
 double positive_value(const RecordLines& lines, std::string_view key, std::string_view unit) {
-    const HeaderValue value = header_value(lines, key);
+    const KnetHeaderValue value = knet_header_value(lines, key);
     std::string_view text = value.text;
     if (text.ends_with(unit)) text.remove_suffix(unit.size());
     const auto number = field_number(text);
@@ -43,7 +43,7 @@ double positive_value(const RecordLines& lines, std::string_view key, std::strin
 /// The acceleration of one count, gal, from "3920(gal)/6182761".
 double scale_factor(const RecordLines& lines) {
     constexpr std::string_view unit = "(gal)/";
-    const HeaderValue value = header_value(lines, "Scale Factor");
+    const KnetHeaderValue value = knet_header_value(lines, "Scale Factor");
     const std::size_t at = value.text.find(unit);
     if (at != std::string_view::npos) {
         const auto above = field_number(value.text.substr(0, at));
@@ -64,7 +64,7 @@ bool is_knet(const RecordLines& lines) {
 Record read_knet(const RecordLines& lines, const RecordDeclaration& declaration) {
     const double frequency = positive_value(lines, "Sampling Freq", "Hz");
     const double duration = positive_value(lines, "Duration Time", "s");
-    const std::size_t line = header_value(lines, "Duration Time").line;
+    const std::size_t line = knet_header_value(lines, "Duration Time").line;
     const double samples = std::round(frequency * duration);
     if (!(samples >= 2 && samples < 1e9))
         lines.fail(line, "a duration of " + shortest_text(duration) + " s gives too few or too many samples",
@@ -80,7 +80,7 @@ Record read_knet(const RecordLines& lines, const RecordDeclaration& declaration)
         std::accumulate(record.values.begin(), record.values.end(), 0.0) / static_cast<double>(count);
     for (double& value : record.values) value = (value - mean) * scale;
     resolve_units(record, Quantity::acceleration, "gal", declaration, lines,
-                  header_value(lines, "Scale Factor").line);
+                  knet_header_value(lines, "Scale Factor").line);
     return record;
 }
 

@@ -7,8 +7,6 @@ namespace rockslope::record {
 
 namespace {
 
-constexpr double standard_gravity = 9.80665;  // m/s2
-
 /// The integral of a^2 up to each sample, exact for a linear acceleration between samples, m2/s3.
 std::vector<double> squared_integral(const Accelerogram& record) {
     std::vector<double> integral(record.values.size(), 0.0);

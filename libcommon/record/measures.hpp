@@ -4,6 +4,8 @@
 
 namespace rockslope::record {
 
+inline constexpr double standard_gravity = 9.80665;  // m/s2
+
 /// Intensity measures of a record.
 struct RecordMeasures {
     double peak_acceleration = 0;     ///< m/s2

@@ -4,12 +4,11 @@
 #include <cstdio>
 
 #include "common/base/text.hpp"
+#include "record/measures.hpp"
 
 namespace rockslope::record {
 
 namespace {
-
-constexpr double standard_gravity = 9.80665;  // m/s2
 
 template <class... Values>
 std::string formatted(const char* format, Values... values) {

@@ -19,7 +19,7 @@ constexpr std::size_t comments_number = 16, points_number = 17;  // among the in
 constexpr std::size_t frequency_number = 2;                      // among the reals, from 1: samples per s
 constexpr double largest_frequency = 1e6;                        // Hz; larger values mean "not known"
 
-constexpr const char* units[] = {"cm/s2", "cm/s", "cm"};  // in the order of Quantity
+constexpr const char* smc_units[] = {"cm/s2", "cm/s", "cm"};  // in the order of Quantity
 
 /// The quantity in the title "2 CORRECTED ACCELEROGRAM", "3 VELOCITY" or "4 DISPLACEMENT".
 std::optional<Quantity> quantity_of_title(std::string_view title) {
@@ -74,7 +74,7 @@ Record read_smc(const RecordLines& lines, const RecordDeclaration& declaration) 
         samples_line(lines, header_count(integers, comments_number, lines, "comment lines"));
     Record record{1 / frequency, fixed_fields(lines, first, count, samples_layout, "record"), {}};
     expect_block_end(lines, first + samples_layout.lines_of(count), count);
-    resolve_units(record, quantity, units[static_cast<int>(*quantity)], declaration, lines, 0);
+    resolve_units(record, quantity, smc_units[static_cast<int>(*quantity)], declaration, lines, 0);
     return record;
 }
 

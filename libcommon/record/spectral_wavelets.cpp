@@ -17,7 +17,8 @@ constexpr double wavelet_regularisation = 1e-4;  // of the mean diagonal; 1e-2 c
 constexpr double samples_per_period = 20;
 constexpr double candidate_fraction = 0.85;  // of the target; a smaller extreme cannot become the largest
 constexpr double width_factor = 3;
-constexpr double reach = 4.5;  // half length of a wavelet in widths; beyond it is below 2e-9 of its peak
+constexpr double half_length =
+    4.5;  // half length of a wavelet in widths; beyond it is below 2e-9 of its peak
 constexpr int max_active_set_rounds = 4;
 
 /// An oscillator and its response at substeps between the samples.
@@ -102,8 +103,8 @@ Wavelet wavelet(const Accelerogram& record, const TargetOrdinate& target, double
     const double width = width_factor * 1.178 * std::pow(target.period, 0.93);
     const double centre = time - std::atan(frequency_ratio / damping) / damped;
     const double last = static_cast<double>(record.values.size()) - 2;
-    const double from = std::max(1.0, std::ceil((centre - reach * width) / record.step));
-    const double to = std::min(last, std::floor((centre + reach * width) / record.step));
+    const double from = std::max(1.0, std::ceil((centre - half_length * width) / record.step));
+    const double to = std::min(last, std::floor((centre + half_length * width) / record.step));
     Wavelet shape{static_cast<std::size_t>(from), {}};
     for (auto k = static_cast<std::int64_t>(from); k <= static_cast<std::int64_t>(to); ++k) {
         const double t = static_cast<double>(k) * record.step - centre;

@@ -1,14 +1,13 @@
 #include "record_commands.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <iostream>
 #include <stdexcept>
 
 #include "common/base/atomic_file.hpp"
 #include "common/base/output_check.hpp"
+#include "formatted.hpp"
 #include "measures_text.hpp"
 #include "record/amplification.hpp"
 #include "record/measures.hpp"
@@ -23,9 +22,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double standard_gravity = 9.80665;  // m/s2
-
-struct Request {
+struct Comparison {
     std::vector<std::string> files;
     RecordSource source;
     fs::path output, picture;
@@ -35,7 +32,7 @@ struct Request {
     bool wants_help = false;
 };
 
-void parse(const std::vector<std::string>& arguments, po::options_description& options, Request& request) {
+void parse(const std::vector<std::string>& arguments, po::options_description& options, Comparison& request) {
     options.add_options()("help,h", "print this text and stop");
     po::options_description all;
     all.add(options).add_options()("file", po::value(&request.files));
@@ -50,14 +47,14 @@ void parse(const std::vector<std::string>& arguments, po::options_description& o
     if (request.wants_help) std::cout << options;
 }
 
-void check_outputs(const Request& request) {
+void check_outputs(const Comparison& request) {
     const std::vector<fs::path> read(request.files.begin(), request.files.end());
     for (const fs::path& path : {request.output, request.picture})
         if (!path.empty()) check_output(path, read);
     check_distinct({request.output, request.picture});
 }
 
-std::vector<NamedRecord> read_all(const Request& request) {
+std::vector<NamedRecord> read_all(const Comparison& request) {
     std::vector<NamedRecord> records;
     for (const std::string& file : request.files) {
         const std::size_t place = records.size();
@@ -67,13 +64,6 @@ std::vector<NamedRecord> read_all(const Request& request) {
         records.push_back({name, read_accelerogram(file, request.source, place)});
     }
     return records;
-}
-
-template <class... Values>
-std::string formatted(const char* format, Values... values) {
-    std::array<char, 200> buffer{};
-    std::snprintf(buffer.data(), buffer.size(), format, values...);
-    return buffer.data();
 }
 
 /// 61 periods from 0.02 to 6.3 s, except those longer than a third of the record, s.
@@ -135,7 +125,7 @@ std::string table_text(const std::vector<record::Amplification>& table) {
         "ratio\n";
     for (const record::Amplification& a : table)
         text += formatted("%.4f,%.4f,%.5f,%.5f,%.4f,%.4f\n", a.period, 1 / a.period,
-                          a.response / standard_gravity, a.base_response / standard_gravity,
+                          a.response / record::standard_gravity, a.base_response / record::standard_gravity,
                           a.response_ratio(), a.fourier_ratio);
     return text;
 }
@@ -158,7 +148,7 @@ Canvas ratio_picture(const std::vector<record::Amplification>& table, const std:
 }  // namespace
 
 int run_plot(const std::vector<std::string>& arguments) {
-    Request request;
+    Comparison request;
     po::options_description options(
         "ground-motion plot FILE [FILE ...] -o PICTURE [options]\n"
         "Draws accelerations, velocities, displacements and 5 % spectra into one picture");
@@ -179,7 +169,7 @@ int run_plot(const std::vector<std::string>& arguments) {
 }
 
 int run_compare(const std::vector<std::string>& arguments) {
-    Request request;
+    Comparison request;
     po::options_description options(
         "ground-motion compare RELATIVE.csv [RELATIVE.csv ...] --point NAME [options]\n"
         "Compares the displacement of a measured point in the last stage of several runs, from the "
@@ -218,7 +208,7 @@ int run_compare(const std::vector<std::string>& arguments) {
 }
 
 int run_amplification(const std::vector<std::string>& arguments) {
-    Request request;
+    Comparison request;
     po::options_description options(
         "ground-motion amplification POINT BASE [-o TABLE.csv] [options]\n"
         "Computes the ratios of two records: peaks, response spectra, Fourier spectra");
@@ -248,11 +238,12 @@ int run_amplification(const std::vector<std::string>& arguments) {
     const auto largest = std::max_element(table.begin(), table.end(), [](const auto& x, const auto& y) {
         return x.response_ratio() < y.response_ratio();
     });
-    std::fputs(
-        formatted("peak acceleration %.4f g over %.4f g: %.3f\n", m.peak_acceleration / standard_gravity,
-                  b.peak_acceleration / standard_gravity, ratio(m.peak_acceleration, b.peak_acceleration))
-            .c_str(),
-        stdout);
+    std::fputs(formatted("peak acceleration %.4f g over %.4f g: %.3f\n",
+                         m.peak_acceleration / record::standard_gravity,
+                         b.peak_acceleration / record::standard_gravity,
+                         ratio(m.peak_acceleration, b.peak_acceleration))
+                   .c_str(),
+               stdout);
     std::fputs(formatted("peak velocity %.4f m/s over %.4f m/s: %.3f\n", m.peak_velocity, b.peak_velocity,
                          ratio(m.peak_velocity, b.peak_velocity))
                    .c_str(),

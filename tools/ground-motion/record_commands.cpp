@@ -14,6 +14,7 @@
 #include "measures_text.hpp"
 #include "record/correct.hpp"
 #include "record/match_spectrum.hpp"
+#include "record/measures.hpp"
 #include "record/newmark_block.hpp"
 #include "record/resample.hpp"
 #include "record/rotate.hpp"
@@ -28,8 +29,6 @@ namespace po = boost::program_options;
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr double standard_gravity = 9.80665;  // m/s2
 
 /// The options that all subcommands share.
 struct Request {
@@ -158,11 +157,11 @@ int run_scale(const std::vector<std::string>& arguments) {
                 "scale needs exactly one of --peak, --arias, --ordinate and --factor");
         if (has_ordinate != request.has("period"))
             throw std::invalid_argument("--ordinate and --period go together");
-        if (request.has("peak")) return record::scaled_to_peak(records[0], peak * standard_gravity);
+        if (request.has("peak")) return record::scaled_to_peak(records[0], peak * record::standard_gravity);
         if (request.has("arias")) return record::scaled_to_arias(records[0], arias);
         if (has_ordinate)
             return record::scaled_to_ordinate(records[0], period, request.damping,
-                                              ordinate * standard_gravity);
+                                              ordinate * record::standard_gravity);
         return record::scaled(records[0], factor);
     };
     return perform(change, arguments);

@@ -5,13 +5,12 @@
 #include <vector>
 
 #include "common/drawing/axes.hpp"
+#include "record/measures.hpp"
 #include "record/response_spectrum.hpp"
 
 namespace rockslope {
 
 namespace {
-
-constexpr double standard_gravity = 9.80665;  // m/s2
 
 /// Upper end of an axis for the largest magnitude of the curves, with a margin of 10 %.
 double axis_end(const std::vector<PictureCurve>& curves) {
@@ -73,7 +72,7 @@ PictureCurve spectrum_curve(const NamedRecord& record) {
     PictureCurve curve{record.name, {}, {}};
     for (int k = 1; k <= 200; ++k) curve.x.push_back(0.02 * k);
     for (const record::SpectralOrdinate& ordinate : record::response_spectrum(record.record, curve.x, 0.05))
-        curve.y.push_back(ordinate.absolute_acceleration / standard_gravity);
+        curve.y.push_back(ordinate.absolute_acceleration / record::standard_gravity);
     return curve;
 }
 
@@ -85,7 +84,7 @@ Canvas record_picture(const std::vector<NamedRecord>& records, const std::string
     double duration = 0;
     for (const NamedRecord& record : records) {
         const record::GroundMotion motion = record::integrate(record.record);
-        histories[0].push_back(over_time(record, record.record.values, 1 / standard_gravity));
+        histories[0].push_back(over_time(record, record.record.values, 1 / record::standard_gravity));
         histories[1].push_back(over_time(record, motion.velocity, 1));
         histories[2].push_back(over_time(record, motion.displacement, 1));
         spectra.push_back(spectrum_curve(record));

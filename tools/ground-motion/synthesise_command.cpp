@@ -11,6 +11,7 @@
 #include "common/base/output_check.hpp"
 #include "common/base/text.hpp"
 #include "measures_text.hpp"
+#include "record/measures.hpp"
 #include "record/synthesise.hpp"
 #include "record/wavelets.hpp"
 #include "record_file.hpp"
@@ -22,9 +23,7 @@ namespace po = boost::program_options;
 
 namespace {
 
-constexpr double standard_gravity = 9.80665;  // m/s2
-
-struct Request {
+struct SynthesisRequest {
     record::SyntheticMotion recipe;
     std::int64_t seed = 1;
     double peak_in_g = 0.35;
@@ -43,7 +42,7 @@ po::typed_value<Value>* option(Value& value) {
     return po::value(&value)->default_value(value, shortest_text(static_cast<double>(value)));
 }
 
-po::options_description described(Request& request) {
+po::options_description described(SynthesisRequest& request) {
     record::SyntheticMotion& recipe = request.recipe;
     po::options_description options(
         "ground-motion synthesise -o FILE.at2|FILE.csv [options]\n"
@@ -77,7 +76,7 @@ po::options_description described(Request& request) {
     return options;
 }
 
-std::string title(const Request& request) {
+std::string title(const SynthesisRequest& request) {
     std::array<char, 160> text{};
     if (request.kind != "random") {
         std::snprintf(text.data(), text.size(), "%s of %g Hz", request.kind.c_str(), request.frequency);
@@ -89,8 +88,8 @@ std::string title(const Request& request) {
     return text.data();
 }
 
-record::Accelerogram synthesised_record(Request& request) {
-    const double peak = request.peak_in_g * standard_gravity;
+record::Accelerogram synthesised_record(SynthesisRequest& request) {
+    const double peak = request.peak_in_g * record::standard_gravity;
     if (request.kind == "sine")
         return record::sine_burst(peak, request.frequency, request.cycles, request.recipe.step);
     if (request.kind == "ricker") return record::ricker(peak, request.frequency, request.recipe.step);
@@ -104,7 +103,7 @@ record::Accelerogram synthesised_record(Request& request) {
 }  // namespace
 
 int run_synthesise(const std::vector<std::string>& arguments) {
-    Request request;
+    SynthesisRequest request;
     const po::options_description options = described(request);
     po::variables_map values;
     po::store(po::command_line_parser(arguments).options(options).positional({}).run(), values);
