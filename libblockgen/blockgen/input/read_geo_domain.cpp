@@ -6,10 +6,6 @@ namespace rockslope::blockgen {
 
 namespace {
 
-std::string text_of(const Point& p) {
-    return "(" + shortest_text(p.x) + ", " + shortest_text(p.y) + ")";
-}
-
 std::string numbered(const std::string& word, std::size_t k) {
     return word + " " + std::to_string(k + 1);
 }

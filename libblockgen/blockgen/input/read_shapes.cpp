@@ -10,11 +10,11 @@
 
 namespace rockslope::blockgen {
 
-namespace {
-
 std::string text_of(const Point& p) {
     return "(" + shortest_text(p.x) + ", " + shortest_text(p.y) + ")";
 }
+
+namespace {
 
 std::string text_of_edge(const Ring& ring, std::size_t edge) {
     return "edge " + std::to_string(edge + 1) + " from " + text_of(ring[edge]) + " to " +

@@ -18,10 +18,6 @@ constexpr double fine_step = 0.02;
 /// Roughness length over approach length above which the approach is integrated in closed form.
 constexpr double stiff_ratio = 200;
 
-int sign_of(double value) {
-    return value > 0 ? 1 : value < 0 ? -1 : 0;
-}
-
 /// Integrates a displacement of the joint in one direction under a constant normal force. Shear forces are
 /// positive if they resist that direction.
 class YieldingShearPath {

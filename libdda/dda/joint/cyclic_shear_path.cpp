@@ -14,10 +14,6 @@ using Law = CyclicBartonBandis;
 
 constexpr double no_distance = std::numeric_limits<double>::infinity();
 
-int sign_of(double value) {
-    return value > 0 ? 1 : value < 0 ? -1 : 0;
-}
-
 LinearAngle part_of(const LinearAngle& piece, double from, double to) {
     if (from == 0 && to == piece.length && to > 0) return piece;
     return {to - from, piece.angle_at(from), to == piece.length ? piece.last : piece.angle_at(to)};

@@ -9,6 +9,11 @@ namespace rockslope::dda {
 
 class ParameterTable;
 
+/// -1, 0 or 1.
+inline int sign_of(double value) {
+    return value > 0 ? 1 : value < 0 ? -1 : 0;
+}
+
 /// How the shear force of a locked joint follows its normal force N, Eq. (77): S = f + (N - N_ref) t, with
 /// the force f of its spring, and t the derivative of its dilation with respect to its displacement.
 struct LockedDilation {

@@ -10,6 +10,9 @@
 
 namespace rockslope::dda {
 
+/// Unknowns of a block: rows and columns of a submatrix.
+inline constexpr int block_unknowns = 6;
+
 /// Pattern of the 6x6 submatrices of a symmetric block matrix that may be non-zero, Eq. (3): the diagonal,
 /// and in row i the columns columns[start[i]] ... columns[start[i + 1] - 1], all greater than i and
 /// ascending.

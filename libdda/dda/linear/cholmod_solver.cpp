@@ -12,8 +12,6 @@ namespace rockslope::dda {
 
 namespace {
 
-constexpr int unknowns = 6;
-
 /// Makes CHOLMOD and the BLAS single-threaded. Their threads wait for each other longer than a supernode of a
 /// few blocks takes (four threads on two cores take five times as long), and the sums would depend on the
 /// number of threads.
@@ -69,7 +67,7 @@ class CholmodSolver final : public LinearSolver {
         permuted_.resize(order_.size());
         for (std::size_t k = 0; k < order_.size(); ++k) permuted_[k] = right_hand_side[order_[k]];
         cholmod_dense b{};
-        b.nrow = order_.size() * unknowns;
+        b.nrow = order_.size() * block_unknowns;
         b.ncol = 1;
         b.nzmax = b.nrow;
         b.d = b.nrow;
@@ -83,7 +81,7 @@ class CholmodSolver final : public LinearSolver {
         const auto* solved = static_cast<const double*>(solution_->x);
         for (const int block : order_) {
             right_hand_side[block] = Eigen::Map<const Vec6>(solved);
-            solved += unknowns;
+            solved += block_unknowns;
         }
     }
 
@@ -120,7 +118,7 @@ class CholmodSolver final : public LinearSolver {
 
     /// Allocates the lower triangle in compressed columns and sets its pattern.
     void allocate_scalar_matrix() {
-        const std::size_t size = order_.size() * unknowns;
+        const std::size_t size = order_.size() * block_unknowns;
         matrix_ = cholmod_allocate_sparse(size, size, entry_count_, 1, 1, -1, CHOLMOD_REAL, &common_);
         if (matrix_ == nullptr) throw std::bad_alloc();
         auto* column_start = static_cast<int*>(matrix_->p);
@@ -128,14 +126,14 @@ class CholmodSolver final : public LinearSolver {
         int filled = 0;
         int first = 0;  // row of the diagonal submatrix
         for (const auto& column : lower_blocks_) {
-            for (int k = 0; k < unknowns; ++k) {
+            for (int k = 0; k < block_unknowns; ++k) {
                 *column_start++ = filled;
-                for (int m = k; m < unknowns; ++m) row[filled++] = first + m;
+                for (int m = k; m < block_unknowns; ++m) row[filled++] = first + m;
                 for (const LowerBlock& entry : column) {
-                    for (int m = 0; m < unknowns; ++m) row[filled++] = entry.row * unknowns + m;
+                    for (int m = 0; m < block_unknowns; ++m) row[filled++] = entry.row * block_unknowns + m;
                 }
             }
-            first += unknowns;
+            first += block_unknowns;
         }
         *column_start = filled;
     }
@@ -144,11 +142,11 @@ class CholmodSolver final : public LinearSolver {
         auto* value = static_cast<double*>(matrix_->x);
         for (std::size_t i = 0; i < order_.size(); ++i) {
             const Mat6& diagonal = matrix.diagonal[order_[i]];
-            for (int k = 0; k < unknowns; ++k) {
-                for (int m = k; m < unknowns; ++m) *value++ = diagonal(m, k);
+            for (int k = 0; k < block_unknowns; ++k) {
+                for (int m = k; m < block_unknowns; ++m) *value++ = diagonal(m, k);
                 for (const LowerBlock& entry : lower_blocks_[i]) {
                     const Mat6& upper = matrix.upper[entry.source];
-                    for (int m = 0; m < unknowns; ++m)
+                    for (int m = 0; m < block_unknowns; ++m)
                         *value++ = entry.transposed ? upper(k, m) : upper(m, k);
                 }
             }

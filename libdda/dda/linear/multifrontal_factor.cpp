@@ -10,18 +10,16 @@ namespace rockslope::dda {
 
 namespace {
 
-constexpr int unknowns = 6;
-
 /// Adds a 6x6 submatrix to the strips of a panel. @param source source(r, c) is its entry.
 template <class Scalar, class Source>
 void add_to_strips(Scalar* strips, int row, int block_column, int columns, const Source& source) {
     constexpr int w = strip_rows<Scalar>;
-    for (int r = 0; r < unknowns;) {
+    for (int r = 0; r < block_unknowns;) {
         const int in_strip = (row + r) % w;
-        const int count = std::min(unknowns - r, w - in_strip);
+        const int count = std::min(block_unknowns - r, w - in_strip);
         Scalar* at = strips + static_cast<std::ptrdiff_t>((row + r) / w) * w * columns +
-                     static_cast<std::ptrdiff_t>(block_column) * unknowns * w + in_strip;
-        for (int c = 0; c < unknowns; ++c, at += w) {
+                     static_cast<std::ptrdiff_t>(block_column) * block_unknowns * w + in_strip;
+        for (int c = 0; c < block_unknowns; ++c, at += w) {
             for (int k = 0; k < count; ++k) at[k] += source(r + k, c);
         }
         r += count;
@@ -67,7 +65,7 @@ void MultifrontalFactor<Scalar>::analyze(const BlockPattern& pattern, const Supe
 template <class Scalar>
 void MultifrontalFactor<Scalar>::assemble_panel(const BlockMatrix& matrix, std::size_t f) {
     const Front& front = symbolic_.fronts[f];
-    const int columns = front.pivots * unknowns;
+    const int columns = front.pivots * block_unknowns;
     Scalar* strips = panel(front) + diagonal_blocks_size<Scalar>(front.pivots);
     std::fill_n(
         strips,
@@ -77,7 +75,7 @@ void MultifrontalFactor<Scalar>::assemble_panel(const BlockMatrix& matrix, std::
         const int column = front.first + k;
         const int block = symbolic_.order[column];
         const Mat6& diagonal = matrix.diagonal[block];
-        add_to_strips(strips, k * unknowns, k, columns,
+        add_to_strips(strips, k * block_unknowns, k, columns,
                       [&](int r, int c) { return static_cast<Scalar>(diagonal(r, c)); });
     }
     for (const FrontEntry& entry : symbolic_.entries_of(f)) {
@@ -95,7 +93,7 @@ template <class Scalar>
 void MultifrontalFactor<Scalar>::add_updates_to_panel(std::size_t f, Scalar* space) {
     constexpr std::size_t w = strip_rows<Scalar>;
     const Front& front = symbolic_.fronts[f];
-    const int columns = front.pivots * unknowns;
+    const int columns = front.pivots * block_unknowns;
     Scalar* strips = panel(front) + diagonal_blocks_size<Scalar>(front.pivots);
     for (const int c : symbolic_.children_of(f)) {
         const Front& child = symbolic_.fronts[c];
@@ -105,10 +103,10 @@ void MultifrontalFactor<Scalar>::add_updates_to_panel(std::size_t f, Scalar* spa
             const std::size_t stride = update_column_stride(j, child.stride, w);
             for (std::size_t i = j; i < relative_indices.size(); ++i) {
                 const int row = relative_indices[i] < front.pivots
-                                    ? relative_indices[i] * unknowns
+                                    ? relative_indices[i] * block_unknowns
                                     : front.pivot_strips * strip_rows<Scalar> +
-                                          (relative_indices[i] - front.pivots) * unknowns;
-                const Scalar* source = column + i * unknowns;
+                                          (relative_indices[i] - front.pivots) * block_unknowns;
+                const Scalar* source = column + i * block_unknowns;
                 add_to_strips(strips, row, relative_indices[j], columns,
                               [&](int r, int q) { return source[q * stride + r]; });
             }
@@ -137,10 +135,10 @@ void MultifrontalFactor<Scalar>::add_updates_to_update(std::size_t f, Scalar* sp
                 while (end < relative_indices.size() &&
                        relative_indices[end] == relative_indices[end - 1] + 1)
                     ++end;
-                const Scalar* source = from + i * unknowns;
-                Scalar* target = to + (relative_indices[i] - front.pivots) * unknowns;
-                const std::size_t count = (end - i) * unknowns;
-                for (int q = 0; q < unknowns; ++q, source += from_stride, target += to_stride) {
+                const Scalar* source = from + i * block_unknowns;
+                Scalar* target = to + (relative_indices[i] - front.pivots) * block_unknowns;
+                const std::size_t count = (end - i) * block_unknowns;
+                for (int q = 0; q < block_unknowns; ++q, source += from_stride, target += to_stride) {
                     for (std::size_t k = 0; k < count; ++k) target[k] += source[k];
                 }
                 i = end;
@@ -236,14 +234,14 @@ void MultifrontalFactor<Scalar>::solve_forward(std::size_t f, std::span<const Ve
     Scalar* x = vector(f);
     for (int k = 0; k < front.pivots; ++k) block(x, k) = b[row_of_pivot(front, k)].template cast<Scalar>();
     Scalar* rows = x + padded;
-    std::fill(x + front.pivots * unknowns, rows + front.row_strips * strip_rows<Scalar>, Scalar(0));
+    std::fill(x + front.pivots * block_unknowns, rows + front.row_strips * strip_rows<Scalar>, Scalar(0));
     for (const int c : symbolic_.children_of(f)) {
         const Scalar* from = vector(c) + symbolic_.fronts[c].pivot_strips * strip_rows<Scalar>;
         for (const int target : symbolic_.relative_indices_of(c)) {
-            Scalar* to =
-                target < front.pivots ? x + target * unknowns : rows + (target - front.pivots) * unknowns;
-            for (int q = 0; q < unknowns; ++q) to[q] += from[q];
-            from += unknowns;
+            Scalar* to = target < front.pivots ? x + target * block_unknowns
+                                               : rows + (target - front.pivots) * block_unknowns;
+            for (int q = 0; q < block_unknowns; ++q) to[q] += from[q];
+            from += block_unknowns;
         }
     }
     kernels_.forward(panel(front), front.pivots, front.pivot_strips + front.row_strips, x);
@@ -259,10 +257,10 @@ void MultifrontalFactor<Scalar>::solve_backward(std::size_t f, std::span<Vec6> s
         const Scalar* rows = pivots + parent.pivot_strips * strip_rows<Scalar>;
         Scalar* to = x + front.pivot_strips * strip_rows<Scalar>;
         for (const int target : symbolic_.relative_indices_of(f)) {
-            std::copy_n(target < parent.pivots ? pivots + target * unknowns
-                                               : rows + (target - parent.pivots) * unknowns,
-                        unknowns, to);
-            to += unknowns;
+            std::copy_n(target < parent.pivots ? pivots + target * block_unknowns
+                                               : rows + (target - parent.pivots) * block_unknowns,
+                        block_unknowns, to);
+            to += block_unknowns;
         }
     }
     kernels_.backward(panel(front), front.pivots, front.pivot_strips + front.row_strips, x);

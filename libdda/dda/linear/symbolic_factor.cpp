@@ -9,7 +9,6 @@ namespace rockslope::dda {
 
 namespace {
 
-constexpr int unknowns = 6;
 /// A subtree that costs more than this fraction of the factorisation is divided further. That gives enough
 /// subtrees for two to four threads to finish at about the same time.
 constexpr double max_subtree_fraction = 1.0 / 12;
@@ -87,7 +86,7 @@ class SymbolicAnalysis {
 
   private:
     std::size_t strips(std::size_t blocks) const {
-        return (blocks * unknowns + rows_per_strip_ - 1) / rows_per_strip_;
+        return (blocks * block_unknowns + rows_per_strip_ - 1) / rows_per_strip_;
     }
 
     void create_fronts() {
@@ -112,7 +111,7 @@ class SymbolicAnalysis {
             front.cost = front_cost(front.pivots, front.rows);
             symbolic_.factor_size += diagonal_blocks_size(front.pivots, rows_per_strip_);
             symbolic_.factor_size +=
-                (strips(front.pivots) + strips(front.rows)) * rows_per_strip_ * front.pivots * unknowns;
+                (strips(front.pivots) + strips(front.rows)) * rows_per_strip_ * front.pivots * block_unknowns;
             symbolic_.rows.insert(symbolic_.rows.end(), node.rows.begin(), node.rows.end());
             symbolic_.children.insert(symbolic_.children.end(), children[f].begin(), children[f].end());
             symbolic_.fronts.push_back(front);
@@ -141,8 +140,9 @@ class SymbolicAnalysis {
     }
 
     int scalar_row(const Front& front, int index) const {
-        if (index < front.pivots) return index * unknowns;
-        return front.pivot_strips * static_cast<int>(rows_per_strip_) + (index - front.pivots) * unknowns;
+        if (index < front.pivots) return index * block_unknowns;
+        return front.pivot_strips * static_cast<int>(rows_per_strip_) +
+               (index - front.pivots) * block_unknowns;
     }
 
     void find_entries() {
@@ -285,7 +285,7 @@ class SymbolicAnalysis {
 
     std::size_t size_of_update(const Front& front) const {
         const std::size_t rows = front.rows;
-        return unknowns * (rows * front.stride - omitted_rows_before(rows, rows_per_strip_));
+        return block_unknowns * (rows * front.stride - omitted_rows_before(rows, rows_per_strip_));
     }
 
     const BlockPattern& pattern_;
