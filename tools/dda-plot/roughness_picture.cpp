@@ -14,7 +14,7 @@ namespace {
 
 // Columns of the frames that the picture reads, and a value in them.
 const std::vector<std::string> columns = {"state", "mobilised_ratio"};
-constexpr float state_open = 0;
+constexpr float open_state = 0;
 
 const Colour rock_colour{0.95, 0.94, 0.92}, smooth_colour{0.62, 0.62, 0.62};
 constexpr double joint_width = 2.6, smooth_width = 0.8;
@@ -50,7 +50,7 @@ void draw_joints(Canvas& canvas, const Axes& axes, const dda::GridFrame& contact
         if (points.size() < 2) continue;
         for (Point& point : points) point = axes.to_page(point);
         const double ratio = contacts.columns[1][cell];
-        if (ratio == 0 || contacts.columns[0][cell] == state_open)
+        if (ratio == 0 || contacts.columns[0][cell] == open_state)
             canvas.polyline(points, {smooth_colour, smooth_width});
         else
             canvas.polyline(points, {class_colour(class_of(ratio)), joint_width});

@@ -21,8 +21,8 @@ namespace {
 constexpr int bound_update_iterations = 16;
 /// The interior-point method takes over earlier after so many short step lengths, which show that too many
 /// contacts change their state at once.
-constexpr int short_step_limit = 3;
-constexpr double short_step = 0.1;
+constexpr int short_length_limit = 3;
+constexpr double short_length = 0.1;
 /// Number of earlier minima that the Anderson mixing of the bounds uses.
 constexpr int bound_memory = 6;
 
@@ -119,7 +119,7 @@ class OpenCloseIteration {
     bool is_stalled() const {
         const bool is_static = p_.duration == 0;
         return is_static && !interior_point_failed_ && !trials_.has_segments() &&
-               (iterations_since_restart() >= bound_update_iterations || short_steps_ >= short_step_limit);
+               (iterations_since_restart() >= bound_update_iterations || short_steps_ >= short_length_limit);
     }
 
     /// Solves by the interior-point method, in rounds: bonds that break, and bounds that were held, need
@@ -235,7 +235,7 @@ class OpenCloseIteration {
     void advance_to_target() {
         const bool is_first = result_.iterations == 1;
         const double step = is_first ? 1 : line_search_.step_length(displacement_, target_);
-        if (step < short_step) ++short_steps_;
+        if (step < short_length) ++short_steps_;
         const double remaining = 1 - step;
         remaining_displacement_.resize(target_.size());
         for (const RowIndex r : target_.indices())
@@ -333,7 +333,7 @@ class OpenCloseIteration {
     int substitutions_ = 0;
     int iterations_at_restart_ = 0;
     int augmentations_ = 0;
-    int short_steps_ = 0;  ///< step lengths below short_step
+    int short_steps_ = 0;  ///< step lengths below short_length
     bool interior_point_failed_ = false;
     int minima_ = 0;  ///< minima of the potential since the last augmentation
     AndersonMixing bound_mixing_;

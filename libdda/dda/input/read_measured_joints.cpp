@@ -11,7 +11,7 @@ namespace rockslope::dda {
 
 namespace {
 
-constexpr double default_tolerance = 1e-3;  // m, as in find_faces.cpp
+constexpr double default_joint_tolerance = 1e-3;  // m, as in find_faces.cpp
 
 const Vec2& start_point(const Model& model, EdgeIndex edge) {
     return model.vertices[start_of(edge)];
@@ -66,7 +66,7 @@ MeasuredJoint read_measured_joint(const ConfigTable& table, Model& model) {
             table.fail("name", "there are two measured joints '" + joint.name + "'", "names that differ");
     const std::array<double, 2> at = table.pair("at", Dimension::length);
     const Vec2 point = Vec2(at[0], at[1]) - model.origin;
-    const double tolerance = positive(table, "tolerance", Dimension::length, default_tolerance);
+    const double tolerance = positive(table, "tolerance", Dimension::length, default_joint_tolerance);
     std::vector<EdgeIndex> faces = faces_at(model, point, tolerance);
     if (faces.size() != 2 || !face_each_other(model, faces[0], faces[1]))
         table.fail("at",

@@ -6,19 +6,19 @@ namespace rockslope::dda {
 
 namespace {
 
-constexpr const char* headings[] = {"displacement (m)",
-                                    "dilation (m)",
-                                    "shear stress over bearing length (Pa)",
-                                    "normal stress over bearing length (Pa)",
-                                    "strength (Pa)",
-                                    "slip (m)",
-                                    "state",
-                                    "stage",
-                                    "mobilised ratio",
-                                    "reversals",
-                                    "cycle",
-                                    "shear stress over whole joint (Pa)",
-                                    "normal stress over whole joint (Pa)"};
+constexpr const char* joint_quantities[] = {"displacement (m)",
+                                            "dilation (m)",
+                                            "shear stress over bearing length (Pa)",
+                                            "normal stress over bearing length (Pa)",
+                                            "strength (Pa)",
+                                            "slip (m)",
+                                            "state",
+                                            "stage",
+                                            "mobilised ratio",
+                                            "reversals",
+                                            "cycle",
+                                            "shear stress over whole joint (Pa)",
+                                            "normal stress over whole joint (Pa)"};
 
 const char* state_name(ContactState state) {
     switch (state) {
@@ -62,7 +62,7 @@ class JointsCsv : public ResultWriter {
         CsvRow row = file_.row();
         row.text("time (s)").text("stage");
         for (const MeasuredJoint& joint : model_.measured_joints)
-            for (const char* quantity : headings) row.text(joint.name + " " + quantity);
+            for (const char* quantity : joint_quantities) row.text(joint.name + " " + quantity);
         return row.line();
     }
 
