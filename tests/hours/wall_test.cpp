@@ -6,8 +6,7 @@
 
 #include "support/walls.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::wall_test {
 namespace {
 
 using namespace scene;
@@ -31,3 +30,4 @@ TEST(Wall, ComesToRestInFewIterationsWithoutCuts) {
 }
 
 }  // namespace
+}  // namespace rockslope::wall_test

@@ -11,7 +11,7 @@
 #include "peer/joint_families.hpp"
 #include "support/external_data.hpp"
 
-namespace rockslope::peer {
+namespace rockslope::peer::count_test {
 namespace {
 
 using Case = std::pair<Family, double>;
@@ -73,4 +73,4 @@ TEST(Maps, HaveAsManyBlocksAsWithGeos) {
 }
 
 }  // namespace
-}  // namespace rockslope::peer
+}  // namespace rockslope::peer::count_test

@@ -4,8 +4,7 @@
 
 #include "support/walls.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::cohesion_test {
 namespace {
 
 using namespace scene;
@@ -117,3 +116,4 @@ TEST(CohesiveWall, BalancesTheEnergyOfContactsThatOpen) {
 }
 
 }  // namespace
+}  // namespace rockslope::cohesion_test

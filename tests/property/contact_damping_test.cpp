@@ -13,8 +13,7 @@
 
 #include "support/scene.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::contact_damping_test {
 namespace {
 
 using namespace scene;
@@ -392,3 +391,4 @@ TEST(ContactDamping, ABlockOnADilatingJointLandsAndStays) {
 }
 
 }  // namespace
+}  // namespace rockslope::contact_damping_test

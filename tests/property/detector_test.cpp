@@ -9,8 +9,7 @@
 #include "support/random_shapes.hpp"
 #include "support/scene.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::detector_test {
 namespace {
 
 using namespace scene;
@@ -189,3 +188,4 @@ TEST_P(Detector, FindsExactlyThePairsThatCanTouch) {
 INSTANTIATE_TEST_SUITE_P(Seeds, Detector, testing::Range(1U, 31U), testing::PrintToStringParamName());
 
 }  // namespace
+}  // namespace rockslope::detector_test

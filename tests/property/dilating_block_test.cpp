@@ -13,8 +13,7 @@
 #include "support/cyclic_joints.hpp"
 #include "support/scene.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::dilating_block_test {
 namespace {
 
 using namespace scene;
@@ -392,3 +391,4 @@ TEST(DilatingBlock, OnTeethOnASlopeUnderHarmonicMotion) {
 }
 
 }  // namespace
+}  // namespace rockslope::dilating_block_test

@@ -9,8 +9,7 @@
 #include "support/cyclic_joints.hpp"
 #include "support/walls.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::dilating_wall_test {
 namespace {
 
 using namespace scene;
@@ -114,3 +113,4 @@ TEST(DilatingWall, HasAnErrorOfFirstOrderInTheStep) {
 }
 
 }  // namespace
+}  // namespace rockslope::dilating_wall_test

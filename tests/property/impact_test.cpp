@@ -9,8 +9,7 @@
 #include "support/flight_monitor.hpp"
 #include "support/random_shapes.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::impact_test {
 namespace {
 
 using namespace scene;
@@ -185,3 +184,4 @@ TEST(ThinPlate, IsNotPassedThrough) {
 }
 
 }  // namespace
+}  // namespace rockslope::impact_test

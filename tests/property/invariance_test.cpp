@@ -11,8 +11,7 @@
 #include "support/random_shapes.hpp"
 #include "support/scene.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::invariance_test {
 namespace {
 
 using namespace scene;
@@ -218,3 +217,4 @@ TEST_P(DetectionInput, DoesNotDependOnThePositionOfTheModel) {
 INSTANTIATE_TEST_SUITE_P(Seeds, DetectionInput, testing::Range(1U, 21U), testing::PrintToStringParamName());
 
 }  // namespace
+}  // namespace rockslope::invariance_test

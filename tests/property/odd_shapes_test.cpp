@@ -5,8 +5,7 @@
 #include "support/flight_monitor.hpp"
 #include "support/random_shapes.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::odd_shapes_test {
 namespace {
 
 using namespace scene;
@@ -159,3 +158,4 @@ TEST(Pebbles, CarryABlockAHundredTimesTheirSize) {
 }
 
 }  // namespace
+}  // namespace rockslope::odd_shapes_test

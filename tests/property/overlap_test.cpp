@@ -6,8 +6,7 @@
 
 #include "support/scene.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::overlap_test {
 namespace {
 
 using namespace scene;
@@ -77,3 +76,4 @@ TEST(Overlap, FindsAllOverlappingPairs) {
 }
 
 }  // namespace
+}  // namespace rockslope::overlap_test

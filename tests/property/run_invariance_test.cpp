@@ -7,8 +7,7 @@
 #include "support/random_shapes.hpp"
 #include "support/scene.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::run_invariance_test {
 namespace {
 
 using namespace scene;
@@ -222,3 +221,4 @@ TEST_P(PileRun, DoesNotDependOnThePositionOfTheModel) {
 INSTANTIATE_TEST_SUITE_P(Seeds, PileRun, testing::Range(1U, 9U), testing::PrintToStringParamName());
 
 }  // namespace
+}  // namespace rockslope::run_invariance_test

@@ -8,8 +8,7 @@
 #include "support/random_shapes.hpp"
 #include "support/scene.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::skin_test {
 namespace {
 
 using namespace scene;
@@ -92,3 +91,4 @@ TEST_P(Skin, FindsTheContactsOfAFreshSearch) {
 INSTANTIATE_TEST_SUITE_P(Heaps, Skin, ::testing::Range(1u, 13u));
 
 }  // namespace
+}  // namespace rockslope::skin_test

@@ -9,8 +9,7 @@
 #include "support/random_shapes.hpp"
 #include "support/scene.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::slide_over_joints_test {
 namespace {
 
 using namespace scene;
@@ -165,3 +164,4 @@ TEST_P(SlideOverJoints, InheritsItsSlip) {
 INSTANTIATE_TEST_SUITE_P(Seeds, SlideOverJoints, testing::Range(1U, 21U), testing::PrintToStringParamName());
 
 }  // namespace
+}  // namespace rockslope::slide_over_joints_test

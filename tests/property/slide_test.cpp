@@ -5,8 +5,7 @@
 #include "support/collapsing_slope.hpp"
 #include "support/slide_monitor.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::slide_test {
 namespace {
 
 using namespace scene;
@@ -20,3 +19,4 @@ TEST(LongSlide, LosesNoBlockAndBalancesItsEnergy) {
 }
 
 }  // namespace
+}  // namespace rockslope::slide_test

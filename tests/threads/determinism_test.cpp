@@ -7,8 +7,7 @@
 #include "dda/contact/joint_segments.hpp"
 #include "support/walls.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::determinism_test {
 namespace {
 
 using namespace scene;
@@ -74,3 +73,4 @@ TEST(Determinism, OneAndTwoThreadsGiveTheSameBitsForRoughJoints) {
 }
 
 }  // namespace
+}  // namespace rockslope::determinism_test

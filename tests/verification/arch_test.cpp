@@ -8,8 +8,7 @@
 #include "support/scene.hpp"
 #include "support/threshold.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::arch_test {
 namespace {
 
 using namespace scene;
@@ -155,3 +154,4 @@ TEST(LongArch, StandsFromMilankovitchsThickness) {
 }
 
 }  // namespace
+}  // namespace rockslope::arch_test

@@ -8,8 +8,7 @@
 #include "support/scene.hpp"
 #include "support/threshold.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::bolt_test {
 namespace {
 
 using namespace scene;
@@ -122,3 +121,4 @@ TEST(BoltedBlock, NeedsTheSameTensionForAnyPenalty) {
 }
 
 }  // namespace
+}  // namespace rockslope::bolt_test

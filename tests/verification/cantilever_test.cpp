@@ -5,8 +5,7 @@
 #include "support/record.hpp"
 #include "support/scene.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::cantilever_test {
 namespace {
 
 using namespace scene;
@@ -110,3 +109,4 @@ TEST(Cantilever, OfCrossedTrianglesBends) {
 }
 
 }  // namespace
+}  // namespace rockslope::cantilever_test

@@ -8,8 +8,7 @@
 #include "support/record.hpp"
 #include "support/scene.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::closure_test {
 namespace {
 
 using namespace scene;
@@ -101,3 +100,4 @@ TEST(NormalClosure, OscillatesBetweenTheClosuresOfEqualEnergy) {
 }
 
 }  // namespace
+}  // namespace rockslope::closure_test

@@ -6,8 +6,7 @@
 #include "support/record.hpp"
 #include "support/shear_box.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::cyclic_shear_test {
 namespace {
 
 using namespace scene;
@@ -85,3 +84,4 @@ TEST(CyclicShearBlocks, Marble) {
 }
 
 }  // namespace
+}  // namespace rockslope::cyclic_shear_test

@@ -6,8 +6,7 @@
 #include "support/record.hpp"
 #include "support/scene.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::excavation_test {
 namespace {
 
 using namespace scene;
@@ -56,3 +55,4 @@ TEST(Excavation, ABlockWithoutItsSupportFalls) {
 }
 
 }  // namespace
+}  // namespace rockslope::excavation_test

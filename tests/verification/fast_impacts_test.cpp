@@ -9,8 +9,7 @@
 #include "support/record.hpp"
 #include "support/scene.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::fast_impacts_test {
 namespace {
 
 using namespace scene;
@@ -135,3 +134,4 @@ TEST(FastImpacts, BelowACliffCreateNoEnergy) {
 }
 
 }  // namespace
+}  // namespace rockslope::fast_impacts_test

@@ -6,8 +6,7 @@
 #include "support/record.hpp"
 #include "support/rock_mesh.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::free_field_test {
 namespace {
 
 using namespace scene;
@@ -93,3 +92,4 @@ TEST(FreeField, TransmitsPlaneWavesUndistorted) {
 }
 
 }  // namespace
+}  // namespace rockslope::free_field_test

@@ -8,8 +8,7 @@
 #include "support/record.hpp"
 #include "support/scene.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::friction_test {
 namespace {
 
 using namespace scene;
@@ -246,3 +245,4 @@ TEST(DirectShear, ReachesPeakAndResidualStrength) {
 }
 
 }  // namespace
+}  // namespace rockslope::friction_test

@@ -6,8 +6,7 @@
 #include "support/record.hpp"
 #include "support/scene.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::impact_test {
 namespace {
 
 using namespace scene;
@@ -112,3 +111,4 @@ INSTANTIATE_TEST_SUITE_P(Catalogue, Restitution,
                                          ImpactCase{1, .25, .5, 1, .11}));
 
 }  // namespace
+}  // namespace rockslope::impact_test

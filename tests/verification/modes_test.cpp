@@ -7,8 +7,7 @@
 #include "support/record.hpp"
 #include "support/scene.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::modes_test {
 namespace {
 
 using namespace scene;
@@ -146,3 +145,4 @@ INSTANTIATE_TEST_SUITE_P(Catalogue, ToeFriction,
                                          BoundaryCase{20, .2, 13.498}));
 
 }  // namespace
+}  // namespace rockslope::modes_test

@@ -9,8 +9,7 @@
 #include "support/record.hpp"
 #include "support/scene.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::motion_test {
 namespace {
 
 using namespace scene;
@@ -236,3 +235,4 @@ TEST(PointLoad, FollowsItsHistory) {
 }
 
 }  // namespace
+}  // namespace rockslope::motion_test

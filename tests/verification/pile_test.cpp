@@ -6,8 +6,7 @@
 #include "support/record.hpp"
 #include "support/scene.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::pile_test {
 namespace {
 
 using namespace scene;
@@ -68,3 +67,4 @@ TEST_P(IsolatedPile, KeepsItsMomentum) {
 INSTANTIATE_TEST_SUITE_P(Catalogue, IsolatedPile, testing::Values(1e10, 1e14));
 
 }  // namespace
+}  // namespace rockslope::pile_test

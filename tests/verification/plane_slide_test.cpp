@@ -7,8 +7,7 @@
 #include "support/scene.hpp"
 #include "support/threshold.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::plane_slide_test {
 namespace {
 
 using namespace scene;
@@ -164,3 +163,4 @@ TEST(BentPlane, HasTheFactorOfTwoForcePolygons) {
 }
 
 }  // namespace
+}  // namespace rockslope::plane_slide_test

@@ -10,8 +10,7 @@
 #include "support/record.hpp"
 #include "unit/record/small_records.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::records_test {
 namespace {
 
 using namespace verification;
@@ -45,3 +44,4 @@ TEST(RecordReaders, ReturnSamplesIntervalAndPeak) {
 }
 
 }  // namespace
+}  // namespace rockslope::records_test

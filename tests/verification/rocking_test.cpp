@@ -7,8 +7,7 @@
 #include "support/rocking_block.hpp"
 #include "support/scene.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::rocking_test {
 namespace {
 
 using namespace scene;
@@ -165,3 +164,4 @@ INSTANTIATE_TEST_SUITE_P(Catalogue, LongOverturning,
                                          PulseCase{.4, 1.2, 1, .4036}, PulseCase{.4, 1.2, 2, .5722}));
 
 }  // namespace
+}  // namespace rockslope::rocking_test

@@ -8,8 +8,7 @@
 #include "support/record.hpp"
 #include "support/scene.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::rolling_test {
 namespace {
 
 using namespace scene;
@@ -103,3 +102,4 @@ TEST(RollingPolygon, FollowsTheInelasticImpactOfItsCorners) {
 }
 
 }  // namespace
+}  // namespace rockslope::rolling_test

@@ -9,8 +9,7 @@
 #include "support/record.hpp"
 #include "support/scene.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::rough_joint_test {
 namespace {
 
 using namespace scene;
@@ -137,3 +136,4 @@ TEST(CyclicShear, PartialReversals) {
 }
 
 }  // namespace
+}  // namespace rockslope::rough_joint_test

@@ -7,8 +7,7 @@
 #include "support/energy_balance.hpp"
 #include "support/record.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::seismic_slide_test {
 namespace {
 
 using namespace scene;
@@ -118,3 +117,4 @@ TEST(SeismicSlide, SoftPlane) {
 }
 
 }  // namespace
+}  // namespace rockslope::seismic_slide_test

@@ -10,8 +10,7 @@
 #include "support/scene.hpp"
 #include "support/sliding_block.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::shaking_table_test {
 namespace {
 
 using namespace scene;
@@ -165,3 +164,4 @@ TEST(ShakenStack, SlipsAtEveryLevel) {
 }
 
 }  // namespace
+}  // namespace rockslope::shaking_table_test

@@ -6,8 +6,7 @@
 #include "support/scene.hpp"
 #include "support/sliding_block.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::shaking_test {
 namespace {
 
 using namespace scene;
@@ -185,3 +184,4 @@ INSTANTIATE_TEST_SUITE_P(Catalogue, YieldAcceleration,
                                          YieldCase{0, 20, .1}));
 
 }  // namespace
+}  // namespace rockslope::shaking_test

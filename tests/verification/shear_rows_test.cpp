@@ -10,8 +10,7 @@
 #include "support/record.hpp"
 #include "support/shear_box.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::shear_rows_test {
 namespace {
 
 using namespace scene;
@@ -110,3 +109,4 @@ INSTANTIATE_TEST_SUITE_P(Rocks, ShearedBlocks,
                          [](const auto& tested) { return std::string(tested.param.name); });
 
 }  // namespace
+}  // namespace rockslope::shear_rows_test

@@ -7,8 +7,7 @@
 #include "support/scene.hpp"
 #include "support/threshold.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::slope_test {
 namespace {
 
 using namespace scene;
@@ -72,3 +71,4 @@ TEST(InfiniteSlope, FailsAtTheFrictionOfLimitEquilibrium) {
 }
 
 }  // namespace
+}  // namespace rockslope::slope_test

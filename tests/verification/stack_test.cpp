@@ -7,8 +7,7 @@
 #include "support/scene.hpp"
 #include "support/threshold.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::stack_test {
 namespace {
 
 using namespace scene;
@@ -105,3 +104,4 @@ TEST(PushedStack, OverturnsOrSlidesAtAHalf) {
 }
 
 }  // namespace
+}  // namespace rockslope::stack_test

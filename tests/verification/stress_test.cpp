@@ -6,8 +6,7 @@
 #include "support/record.hpp"
 #include "support/scene.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::stress_test {
 namespace {
 
 using namespace scene;
@@ -221,3 +220,4 @@ TEST(Chain, ComplianceIsOfFirstOrderInThatOfTheJoints) {
 }
 
 }  // namespace
+}  // namespace rockslope::stress_test

@@ -11,8 +11,7 @@
 #include "support/scene.hpp"
 #include "support/threshold.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::toppling_test {
 namespace {
 
 using namespace scene;
@@ -300,3 +299,4 @@ TEST(LongToppling, IsHeldByTheBoltOfGoodmanAndBray) {
 }
 
 }  // namespace
+}  // namespace rockslope::toppling_test

@@ -8,8 +8,7 @@
 #include "support/energy_balance.hpp"
 #include "support/record.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::viscous_boundary_test {
 namespace {
 
 using namespace scene;
@@ -192,3 +191,4 @@ TEST(LinearJoint, ReflectsToFirstOrderInItsCompliance) {
 }
 
 }  // namespace
+}  // namespace rockslope::viscous_boundary_test

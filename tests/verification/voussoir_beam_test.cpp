@@ -6,8 +6,7 @@
 #include "support/scene.hpp"
 #include "support/threshold.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::voussoir_beam_test {
 namespace {
 
 using namespace scene;
@@ -124,3 +123,4 @@ TEST(VoussoirBeam, SagsAsByTheIterationOfBeerAndMeek) {
 }
 
 }  // namespace
+}  // namespace rockslope::voussoir_beam_test

@@ -11,8 +11,7 @@
 #include "support/scene.hpp"
 #include "support/threshold.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::voussoir_test {
 namespace {
 
 using namespace scene;
@@ -301,3 +300,4 @@ TEST(SpreadArch, HasHeymansLeastThrust) {
 }
 
 }  // namespace
+}  // namespace rockslope::voussoir_test

@@ -7,8 +7,7 @@
 #include "support/record.hpp"
 #include "support/scene.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::water_test {
 namespace {
 
 using namespace scene;
@@ -132,3 +131,4 @@ TEST(Buoyancy, MakesALightBlockHeave) {
 }
 
 }  // namespace
+}  // namespace rockslope::water_test

@@ -7,8 +7,7 @@
 #include "support/energy_balance.hpp"
 #include "support/record.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::waves_test {
 namespace {
 
 using namespace scene;
@@ -166,3 +165,4 @@ TEST(FixedFreeBar, VibratesAtItsFirstFrequency) {
 }
 
 }  // namespace
+}  // namespace rockslope::waves_test

@@ -7,8 +7,7 @@
 #include "support/record.hpp"
 #include "support/scene.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::wedge_test {
 namespace {
 
 using namespace scene;
@@ -226,3 +225,4 @@ INSTANTIATE_TEST_SUITE_P(Catalogue, RoofWedge,
                                          RoofCase{1e9, 1e9, .36397, "k_n = k_s"}));
 
 }  // namespace
+}  // namespace rockslope::wedge_test

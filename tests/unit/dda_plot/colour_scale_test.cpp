@@ -4,8 +4,7 @@
 
 #include <cmath>
 
-using namespace rockslope;
-
+namespace rockslope::colour_scale_test {
 namespace {
 
 TEST(ColourScale, CoversTheGivenFractionOfTheArea) {
@@ -34,3 +33,4 @@ TEST(ColourScale, RoundsUpToTheNextRoundLength) {
 }
 
 }  // namespace
+}  // namespace rockslope::colour_scale_test

@@ -10,7 +10,7 @@
 #include "record/synthesise.hpp"
 #include "record/wavelets.hpp"
 
-namespace rockslope::record {
+namespace rockslope::record::amplification_test {
 namespace {
 
 const std::vector<double> periods = {0.1, 0.2, 0.35, 0.5, 0.8, 1.5};
@@ -69,4 +69,4 @@ TEST(Amplification, RejectsABaseAtRestAndInvalidArguments) {
 }
 
 }  // namespace
-}  // namespace rockslope::record
+}  // namespace rockslope::record::amplification_test

@@ -11,7 +11,7 @@
 
 #include "record/accelerogram.hpp"
 
-namespace rockslope::record {
+namespace rockslope::record::butterworth_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -94,4 +94,4 @@ TEST(Butterworth, RejectsInvalidCornersAndOrders) {
 }
 
 }  // namespace
-}  // namespace rockslope::record
+}  // namespace rockslope::record::butterworth_test

@@ -15,7 +15,7 @@
 #include "record/scale.hpp"
 #include "record/trim.hpp"
 
-namespace rockslope::record {
+namespace rockslope::record::change_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -185,4 +185,4 @@ TEST(Correct, NearSourceRecordKeepsItsPermanentDisplacement) {
 }
 
 }  // namespace
-}  // namespace rockslope::record
+}  // namespace rockslope::record::change_test

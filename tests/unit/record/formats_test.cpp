@@ -11,7 +11,7 @@
 #include "support/error_of.hpp"
 #include "support/replaced.hpp"
 
-namespace rockslope::record {
+namespace rockslope::record::formats_test {
 namespace {
 
 using small_records::ten;
@@ -200,4 +200,4 @@ TEST(RecordFormats, ReadOrRejectDamagedFiles) {
 }
 
 }  // namespace
-}  // namespace rockslope::record
+}  // namespace rockslope::record::formats_test

@@ -12,7 +12,7 @@
 #include "record/synthesise.hpp"
 #include "record/wavelets.hpp"
 
-namespace rockslope::record {
+namespace rockslope::record::match_spectrum_test {
 namespace {
 
 /// A design spectrum of stiff ground, m/s2: rises from 3 to a plateau of 6, then falls with the period.
@@ -105,4 +105,4 @@ TEST(Wavelets, ReachTheirPeakAndComeToRest) {
 }
 
 }  // namespace
-}  // namespace rockslope::record
+}  // namespace rockslope::record::match_spectrum_test

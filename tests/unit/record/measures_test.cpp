@@ -7,7 +7,7 @@
 
 #include "record/baseline.hpp"
 
-namespace rockslope::record {
+namespace rockslope::record::measures_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -69,4 +69,4 @@ TEST(CorrectBaseline, RejectsTooFewSamples) {
 }
 
 }  // namespace
-}  // namespace rockslope::record
+}  // namespace rockslope::record::measures_test

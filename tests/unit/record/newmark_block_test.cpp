@@ -7,7 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace rockslope::record {
+namespace rockslope::record::newmark_block_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -64,4 +64,4 @@ TEST(NewmarkBlock, BeginsToSlipAtTheYieldCoefficient) {
 }
 
 }  // namespace
-}  // namespace rockslope::record
+}  // namespace rockslope::record::newmark_block_test

@@ -11,7 +11,7 @@
 #include "support/case_name.hpp"
 #include "support/external_data.hpp"
 
-namespace rockslope::record {
+namespace rockslope::record::real_corrections_test {
 namespace {
 
 class RawRecords : public ::testing::TestWithParam<const char*> {
@@ -66,4 +66,4 @@ INSTANTIATE_TEST_SUITE_P(Networks, RawRecords,
                          [](const auto& tested) { return case_name(tested.param); });
 
 }  // namespace
-}  // namespace rockslope::record
+}  // namespace rockslope::record::real_corrections_test

@@ -9,7 +9,7 @@
 #include "record/records.hpp"
 #include "support/case_name.hpp"
 
-namespace rockslope::record {
+namespace rockslope::record::real_records_test {
 namespace {
 
 constexpr double g = 9.80665;
@@ -102,4 +102,4 @@ TEST(RealRecords, ReadsSecondChannels) {
 }
 
 }  // namespace
-}  // namespace rockslope::record
+}  // namespace rockslope::record::real_records_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rockslope::record {
+namespace rockslope::record::record_text_test {
 namespace {
 
 TEST(RecordText, WritesAPeerFileInG) {
@@ -22,4 +22,4 @@ TEST(RecordText, WritesTwoColumnsWithTheirUnits) {
 }
 
 }  // namespace
-}  // namespace rockslope::record
+}  // namespace rockslope::record::record_text_test

@@ -5,7 +5,7 @@
 
 #include "support/error_of.hpp"
 
-namespace rockslope::record {
+namespace rockslope::record::records_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -194,4 +194,4 @@ TEST(Records, RejectsASecondChannelOfASingleChannelFormat) {
 }
 
 }  // namespace
-}  // namespace rockslope::record
+}  // namespace rockslope::record::records_test

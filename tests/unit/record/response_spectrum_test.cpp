@@ -7,7 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace rockslope::record {
+namespace rockslope::record::response_spectrum_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -90,4 +90,4 @@ TEST(ResponseSpectrum, RejectsInvalidPeriodsAndDampings) {
 }
 
 }  // namespace
-}  // namespace rockslope::record
+}  // namespace rockslope::record::response_spectrum_test

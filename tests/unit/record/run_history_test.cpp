@@ -6,7 +6,7 @@
 #include "record/records.hpp"
 #include "support/error_of.hpp"
 
-namespace rockslope::record {
+namespace rockslope::record::run_history_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -61,4 +61,4 @@ TEST(RunHistory, RejectsUnknownPointsAndInvalidRows) {
 }
 
 }  // namespace
-}  // namespace rockslope::record
+}  // namespace rockslope::record::run_history_test

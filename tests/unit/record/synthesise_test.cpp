@@ -9,7 +9,7 @@
 
 #include "record/measures.hpp"
 
-namespace rockslope::record {
+namespace rockslope::record::synthesise_test {
 namespace {
 
 SyntheticMotion example() {
@@ -116,4 +116,4 @@ TEST(Synthesise, RejectsParametersOutOfRange) {
 }
 
 }  // namespace
-}  // namespace rockslope::record
+}  // namespace rockslope::record::synthesise_test

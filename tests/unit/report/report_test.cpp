@@ -13,8 +13,7 @@
 #include "support/catalogue.hpp"
 #include "support/record.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::report_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -184,3 +183,4 @@ TEST_F(Report, PicturesReadBackAsRecorded) {
 }
 
 }  // namespace
+}  // namespace rockslope::report_test

@@ -5,7 +5,7 @@
 #include <map>
 #include <random>
 
-namespace rockslope::blockgen {
+namespace rockslope::blockgen::walk_faces_test {
 namespace {
 
 /// Expects the same faces, up to their numbering.
@@ -74,4 +74,4 @@ TEST(WalkFaces, EmptyNetworkHasOneFace) {
 }
 
 }  // namespace
-}  // namespace rockslope::blockgen
+}  // namespace rockslope::blockgen::walk_faces_test

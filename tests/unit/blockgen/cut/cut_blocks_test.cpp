@@ -15,7 +15,7 @@
 #include "support/external_data.hpp"
 #include "unit/blockgen/small_blocks.hpp"
 
-namespace rockslope::blockgen {
+namespace rockslope::blockgen::cut_blocks_test {
 namespace {
 
 using testing::HasSubstr;
@@ -425,4 +425,4 @@ INSTANTIATE_TEST_SUITE_P(Maps, Outcrop,
                                          OutcropCut{"Getaberget", 0x1p-17, 439, 1953.542, {many_outside}}));
 
 }  // namespace
-}  // namespace rockslope::blockgen
+}  // namespace rockslope::blockgen::cut_blocks_test

@@ -8,7 +8,7 @@
 #include "blockgen/mesh/measures.hpp"
 #include "unit/blockgen/slopes.hpp"
 
-namespace rockslope::blockgen {
+namespace rockslope::blockgen::cut_properties_test {
 namespace {
 
 /// Random joints; many end on others, are parallel to others or share ends with others. Coordinates are
@@ -105,4 +105,4 @@ TEST_P(CutProperties, TheSameJointsTwice) {
 INSTANTIATE_TEST_SUITE_P(Seeds, CutProperties, testing::Range(1u, 7u));
 
 }  // namespace
-}  // namespace rockslope::blockgen
+}  // namespace rockslope::blockgen::cut_properties_test

@@ -11,7 +11,7 @@
 #include "support/error_of.hpp"
 #include "unit/blockgen/slopes.hpp"
 
-namespace rockslope::blockgen {
+namespace rockslope::blockgen::degenerate_geometry_test {
 namespace {
 
 using testing::AllOf;
@@ -260,4 +260,4 @@ TEST(DegenerateGeometry, KeptIslandIsReportedWithPositionAndArea) {
 }
 
 }  // namespace
-}  // namespace rockslope::blockgen
+}  // namespace rockslope::blockgen::degenerate_geometry_test

@@ -6,7 +6,7 @@
 #include "support/error_of.hpp"
 #include "unit/blockgen/slopes.hpp"
 
-namespace rockslope::blockgen {
+namespace rockslope::blockgen::excavations_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -109,4 +109,4 @@ TEST(Excavations, DamagedRecordsAreRefused) {
 }
 
 }  // namespace
-}  // namespace rockslope::blockgen
+}  // namespace rockslope::blockgen::excavations_test

@@ -9,7 +9,7 @@
 #include "common/base/input_error.hpp"
 #include "unit/blockgen/small_blocks.hpp"
 
-namespace rockslope::blockgen {
+namespace rockslope::blockgen::merge_blocks_test {
 namespace {
 
 TEST(SmallBlocks, AreKeptByDefault) {
@@ -229,4 +229,4 @@ TEST(SmallBlocks, KeysOfTheModelFile) {
 }
 
 }  // namespace
-}  // namespace rockslope::blockgen
+}  // namespace rockslope::blockgen::merge_blocks_test

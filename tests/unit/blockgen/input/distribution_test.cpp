@@ -9,7 +9,7 @@
 #include "unit/blockgen/slopes.hpp"
 #include "unit/blockgen/statistics.hpp"
 
-namespace rockslope::blockgen {
+namespace rockslope::blockgen::distribution_test {
 namespace {
 
 constexpr std::size_t draws = 10000;
@@ -128,4 +128,4 @@ TEST(Distribution, KeysOfTheModelFile) {
 }
 
 }  // namespace
-}  // namespace rockslope::blockgen
+}  // namespace rockslope::blockgen::distribution_test

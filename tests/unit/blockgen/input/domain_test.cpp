@@ -6,7 +6,7 @@
 #include "support/error_of.hpp"
 #include "unit/blockgen/slopes.hpp"
 
-namespace rockslope::blockgen {
+namespace rockslope::blockgen::domain_test {
 namespace {
 
 using testing::HasSubstr;
@@ -88,4 +88,4 @@ TEST(Domain, InvalidPartsAreReported) {
 }
 
 }  // namespace
-}  // namespace rockslope::blockgen
+}  // namespace rockslope::blockgen::domain_test

@@ -13,7 +13,7 @@
 #include "common/base/input_error.hpp"
 #include "support/error_of.hpp"
 
-namespace rockslope::blockgen {
+namespace rockslope::blockgen::gdal_file_test {
 namespace {
 
 using testing::HasSubstr;
@@ -125,4 +125,4 @@ TEST(GdalFile, FilesWithoutGeometryAreRefused) {
 }
 
 }  // namespace
-}  // namespace rockslope::blockgen
+}  // namespace rockslope::blockgen::gdal_file_test

@@ -18,7 +18,7 @@
 #include <ogr_srs_api.h>
 #endif
 
-namespace rockslope::blockgen {
+namespace rockslope::blockgen::gdal_formats_test {
 namespace {
 
 #ifndef HAS_GDAL
@@ -193,4 +193,4 @@ TEST(GdalFormats, DegreesAndOpenOutlinesAreRefused) {
 #endif
 
 }  // namespace
-}  // namespace rockslope::blockgen
+}  // namespace rockslope::blockgen::gdal_formats_test

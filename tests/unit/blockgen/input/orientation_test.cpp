@@ -12,7 +12,7 @@
 #include "unit/blockgen/slopes.hpp"
 #include "unit/blockgen/statistics.hpp"
 
-namespace rockslope::blockgen {
+namespace rockslope::blockgen::orientation_test {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
@@ -189,4 +189,4 @@ TEST(Orientation, MeasuredPlanesFromAFile) {
 }
 
 }  // namespace
-}  // namespace rockslope::blockgen
+}  // namespace rockslope::blockgen::orientation_test

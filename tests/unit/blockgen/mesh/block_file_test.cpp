@@ -12,7 +12,7 @@
 #include "support/error_of.hpp"
 #include "support/replaced.hpp"
 
-namespace rockslope::blockgen {
+namespace rockslope::blockgen::block_file_test {
 namespace {
 
 using testing::HasSubstr;
@@ -180,4 +180,4 @@ TEST(BlockFile, AHundredThousandBlocksReadFast) {
 }
 
 }  // namespace
-}  // namespace rockslope::blockgen
+}  // namespace rockslope::blockgen::block_file_test

@@ -10,7 +10,7 @@
 #include "common/geometry/orientation.hpp"
 #include "support/error_of.hpp"
 
-namespace rockslope::blockgen {
+namespace rockslope::blockgen::check_mesh_test {
 namespace {
 
 using testing::HasSubstr;
@@ -120,4 +120,4 @@ TEST(Measures, FarFromTheOriginKeepTheirDigits) {
 }
 
 }  // namespace
-}  // namespace rockslope::blockgen
+}  // namespace rockslope::blockgen::check_mesh_test

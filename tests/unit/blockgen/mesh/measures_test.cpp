@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace rockslope::blockgen {
+namespace rockslope::blockgen::measures_test {
 namespace {
 
 /// One block with the given corners, rotated and far from the origin.
@@ -47,4 +47,4 @@ TEST(Measures, ShapesOfAllBlocks) {
 }
 
 }  // namespace
-}  // namespace rockslope::blockgen
+}  // namespace rockslope::blockgen::measures_test

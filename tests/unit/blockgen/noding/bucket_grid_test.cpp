@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rockslope::blockgen {
+namespace rockslope::blockgen::bucket_grid_test {
 namespace {
 
 /// Number of pairs of segments that share a bucket, over all buckets, per segment: the work of finding
@@ -31,4 +31,4 @@ TEST(BucketGrid, WorkPerSegmentIsBounded) {
 }
 
 }  // namespace
-}  // namespace rockslope::blockgen
+}  // namespace rockslope::blockgen::bucket_grid_test

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <random>
 
-namespace rockslope::blockgen {
+namespace rockslope::blockgen::link_chains_test {
 namespace {
 
 constexpr double cell = 0x1p-5;  // coarse, so that many edges come near other vertices
@@ -105,4 +105,4 @@ TEST(LinkChains, EqualLinksBecomeOneEdgeAndCollapsedChainsAreDropped) {
 }
 
 }  // namespace
-}  // namespace rockslope::blockgen
+}  // namespace rockslope::blockgen::link_chains_test

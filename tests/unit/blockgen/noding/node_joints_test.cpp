@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-namespace rockslope::blockgen {
+namespace rockslope::blockgen::node_joints_test {
 namespace {
 
 constexpr double cell = 0x1p-20;
@@ -141,4 +141,4 @@ TEST(ImproperlyNodedEdges, AreFound) {
 }
 
 }  // namespace
-}  // namespace rockslope::blockgen
+}  // namespace rockslope::blockgen::node_joints_test

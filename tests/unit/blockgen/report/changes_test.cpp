@@ -7,7 +7,7 @@
 
 #include "unit/blockgen/small_blocks.hpp"
 
-namespace rockslope::blockgen {
+namespace rockslope::blockgen::changes_test {
 namespace {
 
 using testing::HasSubstr;
@@ -124,4 +124,4 @@ TEST(Changes, AreInBothReportsAndLongListsAreTruncatedInTheTables) {
 }
 
 }  // namespace
-}  // namespace rockslope::blockgen
+}  // namespace rockslope::blockgen::changes_test

@@ -10,7 +10,7 @@
 #include "blockgen/report/kinematics.hpp"
 #include "unit/blockgen/slopes.hpp"
 
-namespace rockslope::blockgen {
+namespace rockslope::blockgen::kinematics_search_test {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
@@ -131,4 +131,4 @@ TEST(Kinematics, AWedgeOnAPlaneWithAJointBehind) {
 }
 
 }  // namespace
-}  // namespace rockslope::blockgen
+}  // namespace rockslope::blockgen::kinematics_search_test

@@ -9,7 +9,7 @@
 #include "common/base/input_error.hpp"
 #include "unit/blockgen/slopes.hpp"
 
-namespace rockslope::blockgen {
+namespace rockslope::blockgen::kinematics_test {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
@@ -180,4 +180,4 @@ friction_angle = "35 deg"
 }
 
 }  // namespace
-}  // namespace rockslope::blockgen
+}  // namespace rockslope::blockgen::kinematics_test

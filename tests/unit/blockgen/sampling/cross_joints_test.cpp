@@ -7,7 +7,7 @@
 #include "common/base/input_error.hpp"
 #include "unit/blockgen/slopes.hpp"
 
-namespace rockslope::blockgen {
+namespace rockslope::blockgen::cross_joints_test {
 namespace {
 
 const std::string bedded = R"(
@@ -120,4 +120,4 @@ TEST(TraceIndex, FindsWhatBruteForceFinds) {
 }
 
 }  // namespace
-}  // namespace rockslope::blockgen
+}  // namespace rockslope::blockgen::cross_joints_test

@@ -6,7 +6,7 @@
 #include "blockgen/sampling/rock_domain.hpp"
 #include "unit/blockgen/slopes.hpp"
 
-namespace rockslope::blockgen {
+namespace rockslope::blockgen::densities_test {
 namespace {
 
 /// A notched section with a tunnel, so that areas and lengths must exclude cavities.
@@ -219,4 +219,4 @@ TEST(Densities, OfTheReport) {
 }
 
 }  // namespace
-}  // namespace rockslope::blockgen
+}  // namespace rockslope::blockgen::densities_test

@@ -7,7 +7,7 @@
 #include "support/error_of.hpp"
 #include "unit/blockgen/slopes.hpp"
 
-namespace rockslope::blockgen {
+namespace rockslope::blockgen::expected_draws_test {
 namespace {
 
 const std::string head =
@@ -106,4 +106,4 @@ TEST(ExpectedDraws, AddUpOverAllSets) {
 }
 
 }  // namespace
-}  // namespace rockslope::blockgen
+}  // namespace rockslope::blockgen::expected_draws_test

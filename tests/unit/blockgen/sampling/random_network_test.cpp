@@ -8,7 +8,7 @@
 #include "unit/blockgen/slopes.hpp"
 #include "unit/blockgen/statistics.hpp"
 
-namespace rockslope::blockgen {
+namespace rockslope::blockgen::random_network_test {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
@@ -230,4 +230,4 @@ TEST(RandomNetworks, PersistenceOfTruncatedTraces) {
 }
 
 }  // namespace
-}  // namespace rockslope::blockgen
+}  // namespace rockslope::blockgen::random_network_test

@@ -13,7 +13,7 @@
 #include "unit/blockgen/slopes.hpp"
 #include "unit/blockgen/statistics.hpp"
 
-namespace rockslope::blockgen {
+namespace rockslope::blockgen::sample_joints_test {
 namespace {
 
 constexpr int draws = 10000;
@@ -357,4 +357,4 @@ TEST(SampleJoints, TooManyTracesAreRefused) {
 }
 
 }  // namespace
-}  // namespace rockslope::blockgen
+}  // namespace rockslope::blockgen::sample_joints_test

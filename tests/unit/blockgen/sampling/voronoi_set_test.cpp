@@ -6,7 +6,7 @@
 #include "common/base/input_error.hpp"
 #include "unit/blockgen/slopes.hpp"
 
-namespace rockslope::blockgen {
+namespace rockslope::blockgen::voronoi_set_test {
 namespace {
 
 const std::string cells = R"(
@@ -73,4 +73,4 @@ TEST(Voronoi, KeysOfTheModelFile) {
 }
 
 }  // namespace
-}  // namespace rockslope::blockgen
+}  // namespace rockslope::blockgen::voronoi_set_test

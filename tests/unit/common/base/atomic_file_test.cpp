@@ -11,7 +11,7 @@
 #include "common/base/read_file.hpp"
 #include "support/error_of.hpp"
 
-namespace rockslope {
+namespace rockslope::atomic_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -60,4 +60,4 @@ TEST_F(AtomicFile, UnreadablePathsAreInputErrors) {
 }
 
 }  // namespace
-}  // namespace rockslope
+}  // namespace rockslope::atomic_file_test

@@ -6,7 +6,7 @@
 #include <array>
 #include <type_traits>
 
-namespace rockslope {
+namespace rockslope::index_test {
 namespace {
 
 using BlockIndex = Index<struct BlockKind>;
@@ -88,4 +88,4 @@ TEST(Index, VectorsAndSpansOfAKind) {
 }
 
 }  // namespace
-}  // namespace rockslope
+}  // namespace rockslope::index_test

@@ -10,7 +10,7 @@
 
 #include "support/error_of.hpp"
 
-namespace rockslope {
+namespace rockslope::output_check_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -93,4 +93,4 @@ TEST_F(OutputCheck, RejectsTwoResultsInTheSameFile) {
 }
 
 }  // namespace
-}  // namespace rockslope
+}  // namespace rockslope::output_check_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rockslope {
+namespace rockslope::sha256_test {
 namespace {
 
 // The examples of FIPS 180-4.
@@ -16,4 +16,4 @@ TEST(Sha256, GivesThePublishedDigests) {
 }
 
 }  // namespace
-}  // namespace rockslope
+}  // namespace rockslope::sha256_test

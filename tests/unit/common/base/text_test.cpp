@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace rockslope {
+namespace rockslope::text_test {
 namespace {
 
 TEST(Text, ShortestTextReadsBackToTheSameDouble) {
@@ -49,4 +49,4 @@ TEST(Text, NearestWordAcceptsTyposOnly) {
 }
 
 }  // namespace
-}  // namespace rockslope
+}  // namespace rockslope::text_test

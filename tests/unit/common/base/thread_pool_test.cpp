@@ -11,8 +11,7 @@
 #include <thread>
 #include <vector>
 
-using namespace rockslope;
-
+namespace rockslope::thread_pool_test {
 namespace {
 
 class ThreadPoolSizes : public testing::TestWithParam<int> {};
@@ -155,3 +154,4 @@ TEST(ThreadPool, ReducesToTheSameBytesOnAnyNumberOfThreads) {
 }
 
 }  // namespace
+}  // namespace rockslope::thread_pool_test

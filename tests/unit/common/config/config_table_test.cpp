@@ -8,7 +8,7 @@
 
 #include "support/error_of.hpp"
 
-namespace rockslope {
+namespace rockslope::config_table_test {
 namespace {
 
 using Reader = std::function<void(const ConfigTable&)>;
@@ -165,4 +165,4 @@ TEST(ConfigTable, EffectiveTextReadsBackWithItsDefaults) {
 }
 
 }  // namespace
-}  // namespace rockslope
+}  // namespace rockslope::config_table_test

@@ -6,7 +6,7 @@
 #include "common/base/input_error.hpp"
 #include "common/drawing/axes.hpp"
 
-namespace rockslope {
+namespace rockslope::canvas_test {
 namespace {
 
 using testing::ElementsAre;
@@ -94,4 +94,4 @@ TEST(Colour, ShadesOfNeighboursDiffer) {
 }
 
 }  // namespace
-}  // namespace rockslope
+}  // namespace rockslope::canvas_test

@@ -8,8 +8,7 @@
 #include "dda/analysis/open_close_iteration.hpp"
 #include "support/first_step.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::accepted_residual_test {
 namespace {
 
 using namespace scene;
@@ -145,3 +144,4 @@ TEST(AcceptedStep, BalancesItsBlocks) {
 }
 
 }  // namespace
+}  // namespace rockslope::accepted_residual_test

@@ -4,8 +4,7 @@
 
 #include "support/resting_block.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::advance_contacts_test {
 namespace {
 
 using namespace scene;
@@ -124,3 +123,4 @@ TEST(AdvanceContacts, TellsTheLawTheDurationOfTheStep) {
 }
 
 }  // namespace
+}  // namespace rockslope::advance_contacts_test

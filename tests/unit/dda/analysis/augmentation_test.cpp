@@ -4,8 +4,7 @@
 
 #include "support/walls.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::augmentation_test {
 namespace {
 
 using namespace scene;
@@ -165,3 +164,4 @@ TEST(AugmentedContact, PushesOnlyWhereItTouches) {
 }
 
 }  // namespace
+}  // namespace rockslope::augmentation_test

@@ -5,8 +5,7 @@
 #include "support/case_name.hpp"
 #include "support/scene.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::base_motion_test {
 namespace {
 
 using namespace scene;
@@ -129,3 +128,4 @@ TEST(BaseMotion, IsZeroOutsideTheRecordAndInStaticStages) {
 }
 
 }  // namespace
+}  // namespace rockslope::base_motion_test

@@ -4,8 +4,7 @@
 
 #include "support/scene.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::constraints_test {
 namespace {
 
 using namespace scene;
@@ -119,3 +118,4 @@ TEST(Bond, CarriesTheWeightOrBreaks) {
 }
 
 }  // namespace
+}  // namespace rockslope::constraints_test

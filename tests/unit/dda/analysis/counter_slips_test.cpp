@@ -6,8 +6,7 @@
 
 #include "support/scene.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::counter_slips_test {
 namespace {
 
 using dda::Contact;
@@ -114,3 +113,4 @@ TEST(CounterSlips, MatterOnlyForJointsThatReversalsWear) {
 }
 
 }  // namespace
+}  // namespace rockslope::counter_slips_test

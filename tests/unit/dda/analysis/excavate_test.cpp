@@ -3,8 +3,7 @@
 #include "dda/analysis/excavate.hpp"
 #include "support/scene.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::excavate_test {
 namespace {
 
 using namespace scene;
@@ -81,3 +80,4 @@ TEST(Excavation, RemovesBoltsAndFixedPointsOfRemovedBlocks) {
 }
 
 }  // namespace
+}  // namespace rockslope::excavate_test

@@ -6,8 +6,7 @@
 #include "dda/analysis/step.hpp"
 #include "support/walls.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::fallbacks_test {
 namespace {
 
 /// A step of ten seconds, whose inertia is negligible beside the springs. @param penalty in multiples of E
@@ -34,3 +33,4 @@ TEST(Fallbacks, AreZeroWhereSinglePrecisionSuffices) {
 }
 
 }  // namespace
+}  // namespace rockslope::fallbacks_test

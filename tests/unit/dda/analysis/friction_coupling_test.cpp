@@ -8,8 +8,7 @@
 #include "dda/analysis/step_matrix.hpp"
 #include "support/first_step.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::friction_coupling_test {
 namespace {
 
 using namespace scene;
@@ -181,3 +180,4 @@ TEST(FrictionCoupling, ChangesNothingWhereTheForcesAreAtTheirBounds) {
 }
 
 }  // namespace
+}  // namespace rockslope::friction_coupling_test

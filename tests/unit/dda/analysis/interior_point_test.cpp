@@ -7,8 +7,7 @@
 #include "dda/analysis/open_close_iteration.hpp"
 #include "support/first_step.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::interior_point_test {
 namespace {
 
 using namespace scene;
@@ -109,3 +108,4 @@ TEST_P(InteriorPointOfWalls, SolvesTheProblemWithHeldBounds) {
 INSTANTIATE_TEST_SUITE_P(Seeds, InteriorPointOfWalls, testing::Range(1U, 9U));
 
 }  // namespace
+}  // namespace rockslope::interior_point_test

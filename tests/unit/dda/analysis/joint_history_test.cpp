@@ -6,8 +6,7 @@
 #include "support/cyclic_joints.hpp"
 #include "support/scene.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::joint_history_test {
 namespace {
 
 using namespace scene;
@@ -64,3 +63,4 @@ TEST(JointHistory, EndsUnderUnequalLoadsHaveTheSameHistory) {
 }
 
 }  // namespace
+}  // namespace rockslope::joint_history_test

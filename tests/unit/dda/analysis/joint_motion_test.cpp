@@ -4,8 +4,7 @@
 
 #include <array>
 
-using namespace rockslope;
-
+namespace rockslope::joint_motion_test {
 namespace {
 
 using dda::Contact;
@@ -68,3 +67,4 @@ TEST(SegmentMotion, TakesTheHistoryOfTheContactWithTheLargestForce) {
 }
 
 }  // namespace
+}  // namespace rockslope::joint_motion_test

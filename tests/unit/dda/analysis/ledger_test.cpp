@@ -4,8 +4,7 @@
 
 #include "support/resting_block.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::ledger_test {
 namespace {
 
 using namespace scene;
@@ -271,3 +270,4 @@ TEST(Ledger, ReleasesTheDifferenceOfSpringsThatChange) {
 }
 
 }  // namespace
+}  // namespace rockslope::ledger_test

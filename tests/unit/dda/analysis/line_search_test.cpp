@@ -7,8 +7,7 @@
 
 #include "support/first_step.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::line_search_test {
 namespace {
 
 using namespace scene;
@@ -106,3 +105,4 @@ TEST(LineSearch, IsBitwiseTheSameForAnyNumberOfThreads) {
 }
 
 }  // namespace
+}  // namespace rockslope::line_search_test

@@ -5,8 +5,7 @@
 #include "dda/analysis/run_stage.hpp"
 #include "support/scene.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::moving_block_test {
 namespace {
 
 using namespace scene;
@@ -97,3 +96,4 @@ TEST(MovingBlock, IsDescribedInTheUsersCoordinates) {
 }
 
 }  // namespace
+}  // namespace rockslope::moving_block_test

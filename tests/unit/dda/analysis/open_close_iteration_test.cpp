@@ -9,8 +9,7 @@
 
 #include "support/resting_block.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::open_close_iteration_test {
 namespace {
 
 using namespace scene;
@@ -163,3 +162,4 @@ TEST(OpenCloseIteration, NeedsFewerIterationsFromAGoodGuess) {
 }
 
 }  // namespace
+}  // namespace rockslope::open_close_iteration_test

@@ -4,8 +4,7 @@
 
 #include <cmath>
 
-using namespace rockslope;
-
+namespace rockslope::path_contact_test {
 namespace {
 
 using dda::PathContact;
@@ -129,3 +128,4 @@ TEST(PathContact, BondBeyondItsShearStrengthBearsNoShear) {
 }
 
 }  // namespace
+}  // namespace rockslope::path_contact_test

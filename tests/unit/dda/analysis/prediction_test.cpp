@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-using namespace rockslope;
-
+namespace rockslope::prediction_test {
 namespace {
 
 dda::Contact contact(int first, int second, int corner, int edge) {
@@ -52,3 +51,4 @@ TEST(Prediction, IsTriedAgainFromWhatWasFound) {
 }
 
 }  // namespace
+}  // namespace rockslope::prediction_test

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-using namespace rockslope;
-
+namespace rockslope::rotation_prediction_test {
 namespace {
 
 using dda::Vec2;
@@ -68,3 +67,4 @@ TEST(RotationPrediction, IsRightWhereTheRotationWasForeseen) {
 }
 
 }  // namespace
+}  // namespace rockslope::rotation_prediction_test

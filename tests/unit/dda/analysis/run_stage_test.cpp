@@ -5,8 +5,7 @@
 
 #include "support/scene.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::run_stage_test {
 namespace {
 
 using namespace scene;
@@ -186,3 +185,4 @@ TEST(RunStage, SaysWhyNoStepIsAccepted) {
 }
 
 }  // namespace
+}  // namespace rockslope::run_stage_test

@@ -7,8 +7,7 @@
 #include "dda/analysis/step.hpp"
 #include "support/walls.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::run_test {
 namespace {
 
 using namespace scene;
@@ -321,3 +320,4 @@ TEST(Invariance, OfTheOrderOfBlocks) {
 }
 
 }  // namespace
+}  // namespace rockslope::run_test

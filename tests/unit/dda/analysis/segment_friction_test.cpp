@@ -8,8 +8,7 @@
 
 #include "support/rough_segments.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::segment_friction_test {
 namespace {
 
 using dda::ContactLoading;
@@ -126,3 +125,4 @@ TEST_F(SegmentFriction, ARequestedLineIsTangentToTheStrength) {
 }
 
 }  // namespace
+}  // namespace rockslope::segment_friction_test

@@ -7,8 +7,7 @@
 #include "dda/analysis/joint_motion.hpp"
 #include "support/rough_segments.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::segment_strength_test {
 namespace {
 
 using dda::ContactLoading;
@@ -58,3 +57,4 @@ TEST(SegmentStrength, MatchesTheSegmentMotion) {
 }
 
 }  // namespace
+}  // namespace rockslope::segment_strength_test

@@ -7,8 +7,7 @@
 
 #include "support/resting_block.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::shear_line_test {
 namespace {
 
 using namespace scene;
@@ -89,3 +88,4 @@ TEST(ShearLine, OfASegmentIsMissingUntilItHasBeenRequested) {
 }
 
 }  // namespace
+}  // namespace rockslope::shear_line_test

@@ -6,8 +6,7 @@
 #include "support/cyclic_joints.hpp"
 #include "support/scene.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::shear_sharing_test {
 namespace {
 
 using dda::Contact;
@@ -107,3 +106,4 @@ TEST(ShearSharing, DoesNotConcernLawsOfSingleContacts) {
 }
 
 }  // namespace
+}  // namespace rockslope::shear_sharing_test

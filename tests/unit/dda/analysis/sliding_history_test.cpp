@@ -5,8 +5,7 @@
 
 #include "support/scene.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::sliding_history_test {
 namespace {
 
 using namespace scene;
@@ -63,3 +62,4 @@ TEST(SlidingHistory, WithARedundantVertexOfItsOwn) {
 }
 
 }  // namespace
+}  // namespace rockslope::sliding_history_test

@@ -4,8 +4,7 @@
 
 #include "support/walls.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::solver_choice_test {
 namespace {
 
 using namespace scene;
@@ -35,3 +34,4 @@ TEST(SolverChoice, ChangesARunByRoundingOnly) {
 }
 
 }  // namespace
+}  // namespace rockslope::solver_choice_test

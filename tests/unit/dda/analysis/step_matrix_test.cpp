@@ -4,8 +4,7 @@
 
 #include "support/first_step.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::step_matrix_test {
 namespace {
 
 using namespace scene;
@@ -52,3 +51,4 @@ TEST(StepMatrix, ReassemblesChangedRowsToTheSameBits) {
 }
 
 }  // namespace
+}  // namespace rockslope::step_matrix_test

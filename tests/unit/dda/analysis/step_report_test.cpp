@@ -4,8 +4,7 @@
 
 #include <vector>
 
-using namespace rockslope;
-
+namespace rockslope::step_report_test {
 namespace {
 
 using dda::Contact;
@@ -45,3 +44,4 @@ TEST(RemainingDilation, IsTheLargestOfClosedOrOverlappingContacts) {
 }
 
 }  // namespace
+}  // namespace rockslope::step_report_test

@@ -6,8 +6,7 @@
 
 #include "support/resting_block.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::step_test {
 namespace {
 
 using namespace scene;
@@ -161,3 +160,4 @@ TEST(TimeStepper, MovesPrescribedBlocks) {
 }
 
 }  // namespace
+}  // namespace rockslope::step_test

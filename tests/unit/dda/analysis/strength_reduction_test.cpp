@@ -7,8 +7,7 @@
 #include "dda/joint/barton_bandis.hpp"
 #include "support/scene.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::strength_reduction_test {
 namespace {
 
 using namespace scene;
@@ -142,3 +141,4 @@ TEST(StrengthReduction, StopsIfTheObserverSaysSo) {
 }
 
 }  // namespace
+}  // namespace rockslope::strength_reduction_test

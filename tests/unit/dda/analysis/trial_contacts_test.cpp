@@ -8,8 +8,7 @@
 
 #include "support/resting_block.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::trial_contacts_test {
 namespace {
 
 using namespace scene;
@@ -192,3 +191,4 @@ TEST(TrialContacts, BoundsCanBeReadAndSet) {
 }
 
 }  // namespace
+}  // namespace rockslope::trial_contacts_test

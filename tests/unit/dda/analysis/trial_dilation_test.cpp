@@ -10,8 +10,7 @@
 
 #include "support/resting_block.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::trial_dilation_test {
 namespace {
 
 using namespace scene;
@@ -136,3 +135,4 @@ TEST(TrialDilationOfALockedJoint, KeepsNoTiltWhereItIsPostponed) {
 }
 
 }  // namespace
+}  // namespace rockslope::trial_dilation_test

@@ -5,8 +5,7 @@
 
 #include "support/scene.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::viscous_boundary_test {
 namespace {
 
 using namespace scene;
@@ -78,3 +77,4 @@ TEST(ViscousBoundary, SlowsARigidBlockDown) {
 }
 
 }  // namespace
+}  // namespace rockslope::viscous_boundary_test

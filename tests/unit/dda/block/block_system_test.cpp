@@ -8,8 +8,7 @@
 #include "dda/block/mid_step.hpp"
 #include "support/scene.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::block_system_test {
 namespace {
 
 using namespace scene;
@@ -114,3 +113,4 @@ TEST(MidStep, HasHalfTheTranslationAndHalfTheRotation) {
 }
 
 }  // namespace
+}  // namespace rockslope::block_system_test

@@ -14,7 +14,7 @@
 #include "support/walls.hpp"
 #include "unit/dda/results/run_in_a_folder.hpp"
 
-namespace rockslope::dda {
+namespace rockslope::dda::resume_test {
 namespace {
 namespace fs = std::filesystem;
 using ::testing::HasSubstr;
@@ -236,4 +236,4 @@ TEST_F(ContinuedRun, ACheckpointOfOtherContentIsRefused) {
 }
 
 }  // namespace
-}  // namespace rockslope::dda
+}  // namespace rockslope::dda::resume_test

@@ -7,8 +7,7 @@
 
 #include "support/scene.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::candidates_test {
 namespace {
 
 using namespace scene;
@@ -90,3 +89,4 @@ TEST(DistanceToSegment, BesideBeyondAndOfAPoint) {
 }
 
 }  // namespace
+}  // namespace rockslope::candidates_test

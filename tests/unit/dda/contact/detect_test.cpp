@@ -5,8 +5,7 @@
 #include "dda/contact/candidates.hpp"
 #include "support/scene.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::detect_test {
 namespace {
 
 using namespace scene;
@@ -150,3 +149,4 @@ TEST(Detect, SwappingTheBlocksKeepsPointsAndLengths) {
 }
 
 }  // namespace
+}  // namespace rockslope::detect_test

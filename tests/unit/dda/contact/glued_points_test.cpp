@@ -4,8 +4,7 @@
 
 #include "support/rock_mesh.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::glued_points_test {
 namespace {
 
 using namespace scene;
@@ -80,3 +79,4 @@ TEST(GluedPoints, AMeshBetweenDashpotsNeedsNoCuts) {
 }
 
 }  // namespace
+}  // namespace rockslope::glued_points_test

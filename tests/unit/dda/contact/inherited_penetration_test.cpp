@@ -4,8 +4,7 @@
 
 #include "support/scene.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::inherited_penetration_test {
 namespace {
 
 using namespace scene;
@@ -79,3 +78,4 @@ TEST(InheritedPenetration, IgnoresAnInhibitedContact) {
 }
 
 }  // namespace
+}  // namespace rockslope::inherited_penetration_test

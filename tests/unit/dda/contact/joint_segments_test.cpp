@@ -6,8 +6,7 @@
 #include "support/cyclic_joints.hpp"
 #include "support/scene.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::joint_segments_test {
 namespace {
 
 using testing::ElementsAre;
@@ -64,3 +63,4 @@ TEST(JointSegments, ABareCornerStandsAlone) {
 }
 
 }  // namespace
+}  // namespace rockslope::joint_segments_test

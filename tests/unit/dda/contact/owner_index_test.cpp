@@ -6,8 +6,7 @@
 
 #include "dda/base/indices.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::owner_index_test {
 namespace {
 
 using Items = std::vector<dda::ContactIndex>;
@@ -35,3 +34,4 @@ TEST(OwnerIndex, MayBeEmpty) {
 }
 
 }  // namespace
+}  // namespace rockslope::owner_index_test

@@ -6,8 +6,7 @@
 #include <utility>
 #include <vector>
 
-using namespace rockslope;
-
+namespace rockslope::shared_history_test {
 namespace {
 
 using dda::JointHistory;
@@ -65,3 +64,4 @@ TEST(SharedHistory, OfABatchOutlivesTheBatch) {
 }
 
 }  // namespace
+}  // namespace rockslope::shared_history_test

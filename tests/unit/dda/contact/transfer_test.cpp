@@ -4,8 +4,7 @@
 
 #include "support/scene.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::transfer_test {
 namespace {
 
 using namespace scene;
@@ -179,3 +178,4 @@ TEST_F(Transfer, InTheFirstStepFacesThatTouchAreIntactAndLocked) {
 }
 
 }  // namespace
+}  // namespace rockslope::transfer_test

@@ -6,8 +6,7 @@
 #include "dda/contact/detect.hpp"
 #include "support/scene.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::undetected_penetration_test {
 namespace {
 
 using namespace scene;
@@ -189,3 +188,4 @@ TEST_F(UndetectedPenetrations, TheWallOfAHoleIsPenetratedLikeAnyFace) {
 }
 
 }  // namespace
+}  // namespace rockslope::undetected_penetration_test

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-using namespace rockslope;
-
+namespace rockslope::simplex_test {
 namespace {
 
 using dda::AreaMoments;
@@ -131,3 +130,4 @@ TEST(Simplex, SliverKeepsItsArea) {
 }
 
 }  // namespace
+}  // namespace rockslope::simplex_test

@@ -8,7 +8,7 @@
 
 #include "unit/dda/input/small_models.hpp"
 
-namespace rockslope::dda {
+namespace rockslope::dda::base_acceleration_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -105,4 +105,4 @@ TEST(BaseAcceleration, ARecordWithoutDriftIsUnchanged) {
 }
 
 }  // namespace
-}  // namespace rockslope::dda
+}  // namespace rockslope::dda::base_acceleration_test

@@ -4,7 +4,7 @@
 #include "dda/input/find_faces.hpp"
 #include "unit/dda/input/model_text.hpp"
 
-namespace rockslope::dda {
+namespace rockslope::dda::read_boundaries_test {
 namespace {
 
 using ::testing::Eq;
@@ -213,4 +213,4 @@ TEST(FacesOnLine, AreCutWhereTheLineEndsAndCountAlongIt) {
 }
 
 }  // namespace
-}  // namespace rockslope::dda
+}  // namespace rockslope::dda::read_boundaries_test

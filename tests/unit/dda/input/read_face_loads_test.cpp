@@ -5,7 +5,7 @@
 
 #include "unit/dda/input/model_text.hpp"
 
-namespace rockslope::dda {
+namespace rockslope::dda::read_face_loads_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -137,4 +137,4 @@ TEST_F(ReadFaceLoads, BadInputIsOneLineWithItsPlace) {
 }
 
 }  // namespace
-}  // namespace rockslope::dda
+}  // namespace rockslope::dda::read_face_loads_test

@@ -2,7 +2,7 @@
 
 #include "unit/dda/input/model_text.hpp"
 
-namespace rockslope::dda {
+namespace rockslope::dda::read_rough_joints_test {
 namespace {
 
 using testing::HasSubstr;
@@ -293,4 +293,4 @@ TEST_F(ReadWornJoints, ReadsAsperities) {
 }
 
 }  // namespace
-}  // namespace rockslope::dda
+}  // namespace rockslope::dda::read_rough_joints_test

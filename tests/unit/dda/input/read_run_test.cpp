@@ -10,7 +10,7 @@
 #include "dda/input/base_acceleration.hpp"
 #include "unit/dda/input/model_text.hpp"
 
-namespace rockslope::dda {
+namespace rockslope::dda::read_run_test {
 namespace {
 
 using io_test::error_of;
@@ -352,4 +352,4 @@ TEST_F(ReadRun, TheTemplateIsACompleteModelFile) {
 }
 
 }  // namespace
-}  // namespace rockslope::dda
+}  // namespace rockslope::dda::read_run_test

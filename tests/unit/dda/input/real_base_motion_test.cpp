@@ -12,7 +12,7 @@
 #include "support/external_data.hpp"
 #include "unit/dda/input/small_models.hpp"
 
-namespace rockslope::dda {
+namespace rockslope::dda::real_base_motion_test {
 namespace {
 
 struct Shaken {
@@ -85,4 +85,4 @@ INSTANTIATE_TEST_SUITE_P(Records, RealBaseMotion,
                          [](const auto& tested) { return case_name(tested.param.file); });
 
 }  // namespace
-}  // namespace rockslope::dda
+}  // namespace rockslope::dda::real_base_motion_test

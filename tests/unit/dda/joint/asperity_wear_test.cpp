@@ -7,8 +7,7 @@
 #include "dda/joint/joint_law.hpp"
 #include "dda/joint/shear_step.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::asperity_wear_test {
 namespace {
 
 using dda::JointLaw;
@@ -133,3 +132,4 @@ TEST(StressedAsperities, AreClimbedLessUnderHigherNormalStress) {
 }
 
 }  // namespace
+}  // namespace rockslope::asperity_wear_test

@@ -6,8 +6,7 @@
 
 #include "support/cyclic_joints.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::barton_bandis_test {
 namespace {
 
 using dda::BartonBandis;
@@ -119,3 +118,4 @@ TEST(BartonBandis, LandsOnThePlaceItFlewTo) {
 }
 
 }  // namespace
+}  // namespace rockslope::barton_bandis_test

@@ -7,8 +7,7 @@
 
 #include "support/cyclic_joints.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::barton_test {
 namespace {
 
 using dda::BartonStrength;
@@ -56,3 +55,4 @@ TEST(BartonStrength, SlopeIsTheTangentBeyondTheLimits) {
 }
 
 }  // namespace
+}  // namespace rockslope::barton_test

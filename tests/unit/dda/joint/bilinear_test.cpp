@@ -4,8 +4,7 @@
 
 #include <cmath>
 
-using namespace rockslope;
-
+namespace rockslope::bilinear_test {
 namespace {
 
 constexpr double degree = 0.017453292519943295;
@@ -34,3 +33,4 @@ TEST(Bilinear, SlipAboveTheTransitionShearsTheTeethOff) {
 }
 
 }  // namespace
+}  // namespace rockslope::bilinear_test

@@ -10,8 +10,7 @@
 #include "dda/joint/shear_step.hpp"
 #include "specimens.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::conformance_test {
 namespace {
 
 using dda::ContactMotion;
@@ -472,3 +471,4 @@ TYPED_TEST(JointLawConformance, RestChangesNothing) {
 }
 
 }  // namespace
+}  // namespace rockslope::conformance_test

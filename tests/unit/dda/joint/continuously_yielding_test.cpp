@@ -6,8 +6,7 @@
 
 #include "dda/joint/shear_step.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::continuously_yielding_test {
 namespace {
 
 using dda::ContinuouslyYielding;
@@ -99,3 +98,4 @@ TEST(ContinuouslyYielding, WithoutASpringTheSlipIsPrescribed) {
 }
 
 }  // namespace
+}  // namespace rockslope::continuously_yielding_test

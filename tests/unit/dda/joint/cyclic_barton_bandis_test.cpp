@@ -13,8 +13,7 @@
 #include "support/cyclic_joints.hpp"
 #include "support/external_data.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::cyclic_barton_bandis_test {
 namespace {
 
 using dda::CyclicBartonBandis;
@@ -427,3 +426,4 @@ INSTANTIATE_TEST_SUITE_P(Rocks, ReferenceCurve, testing::Values("granite", "marb
                          [](const auto& tested) { return std::string(tested.param); });
 
 }  // namespace
+}  // namespace rockslope::cyclic_barton_bandis_test

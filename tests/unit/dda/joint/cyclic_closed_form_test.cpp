@@ -13,8 +13,7 @@
 #include "support/cyclic_joints.hpp"
 #include "support/random_shapes.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::cyclic_closed_form_test {
 namespace {
 
 using dda::CyclicBartonBandis;
@@ -138,3 +137,4 @@ TEST(CyclicClosedForm, SkipsDilatingJoints) {
 }
 
 }  // namespace
+}  // namespace rockslope::cyclic_closed_form_test

@@ -9,8 +9,7 @@
 #include "support/cyclic_joints.hpp"
 #include "support/cyclic_reference.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::cyclic_marble_test {
 namespace {
 
 using dda::CyclicBartonBandis;
@@ -184,3 +183,4 @@ TEST_F(CyclicMarbleReversals, OfTheSecondCycleAcrossTheOrigin) {
 }
 
 }  // namespace
+}  // namespace rockslope::cyclic_marble_test

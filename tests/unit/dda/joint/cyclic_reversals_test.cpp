@@ -13,8 +13,7 @@
 #include "support/cyclic_joints.hpp"
 #include "support/cyclic_reference.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::cyclic_reversals_test {
 namespace {
 
 using dda::CyclicBartonBandis;
@@ -292,3 +291,4 @@ TEST_F(CyclicReversals, UnderLessPressure) {
 }
 
 }  // namespace
+}  // namespace rockslope::cyclic_reversals_test

@@ -10,8 +10,7 @@
 #include "support/cyclic_joints.hpp"
 #include "support/cyclic_reference.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::cyclic_second_cycle_test {
 namespace {
 
 using dda::CyclicBartonBandis;
@@ -187,3 +186,4 @@ TEST_F(CyclicSecondCycle, BackInPartsSmallerThanMinSlip) {
 }
 
 }  // namespace
+}  // namespace rockslope::cyclic_second_cycle_test

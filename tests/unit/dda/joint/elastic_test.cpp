@@ -6,8 +6,7 @@
 
 #include "dda/joint/joint_law.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::elastic_test {
 namespace {
 
 using dda::Elastic;
@@ -56,3 +55,4 @@ TEST(JointStiffness, HasNoJumpWhereTheSharedLengthVanishes) {
 }
 
 }  // namespace
+}  // namespace rockslope::elastic_test

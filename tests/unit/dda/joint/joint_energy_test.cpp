@@ -17,8 +17,7 @@
 #include "specimens.hpp"
 #include "support/external_data.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::joint_energy_test {
 namespace {
 
 using dda::JointLaw;
@@ -365,3 +364,4 @@ TYPED_TEST(EnergyOfLaw, IsNotGainedByABlockThatHops) {
 }
 
 }  // namespace
+}  // namespace rockslope::joint_energy_test

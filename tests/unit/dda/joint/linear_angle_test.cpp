@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-using namespace rockslope;
-
+namespace rockslope::linear_angle_test {
 namespace {
 
 using dda::LinearAngle;
@@ -60,3 +59,4 @@ TEST(EndForceBound, IsTheSmallestOverThePiece) {
 }
 
 }  // namespace
+}  // namespace rockslope::linear_angle_test

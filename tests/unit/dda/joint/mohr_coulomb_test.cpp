@@ -6,8 +6,7 @@
 
 #include "dda/joint/joint_law.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::mohr_coulomb_test {
 namespace {
 
 using dda::MohrCoulomb;
@@ -87,3 +86,4 @@ TEST(MohrCoulomb, SlipOfAClosingContactDoesNotBreakTheJoint) {
 }
 
 }  // namespace
+}  // namespace rockslope::mohr_coulomb_test

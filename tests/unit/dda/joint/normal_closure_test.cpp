@@ -4,8 +4,7 @@
 
 #include <cmath>
 
-using namespace rockslope;
-
+namespace rockslope::normal_closure_test {
 namespace {
 
 using dda::NormalClosure;
@@ -80,3 +79,4 @@ TEST(NormalClosure, EnergyGoesOnStraightAtTheEnd) {
 }
 
 }  // namespace
+}  // namespace rockslope::normal_closure_test

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-using namespace rockslope;
-
+namespace rockslope::peak_spring_test {
 namespace {
 
 using dda::PeakSpring;
@@ -92,3 +91,4 @@ TEST(PeakSpring, IsZeroWithoutForceLengthOrPeak) {
 }
 
 }  // namespace
+}  // namespace rockslope::peak_spring_test

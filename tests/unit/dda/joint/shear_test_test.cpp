@@ -7,8 +7,7 @@
 #include "support/cyclic_joints.hpp"
 #include "support/cyclic_reference.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::shear_test_test {
 namespace {
 
 using dda::NormalBoundary;
@@ -239,3 +238,4 @@ TEST(ShearTest, CreatedEnergyIsTheFallOfTheWork) {
 }
 
 }  // namespace
+}  // namespace rockslope::shear_test_test

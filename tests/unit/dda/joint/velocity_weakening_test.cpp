@@ -6,8 +6,7 @@
 
 #include "dda/joint/shear_step.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::velocity_weakening_test {
 namespace {
 
 using dda::ContactMotion;
@@ -69,3 +68,4 @@ TEST(VelocityWeakening, RecordHoldsTheRemainingFraction) {
 }
 
 }  // namespace
+}  // namespace rockslope::velocity_weakening_test

@@ -6,8 +6,7 @@
 
 #include "dda/joint/shear_step.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::weakening_test {
 namespace {
 
 using dda::JointLaw;
@@ -58,3 +57,4 @@ TEST(Weakening, SlipBothWaysCountsAndFacesThatMetLaterAreWeak) {
 }
 
 }  // namespace
+}  // namespace rockslope::weakening_test

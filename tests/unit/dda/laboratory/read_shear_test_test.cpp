@@ -5,7 +5,7 @@
 
 #include "unit/dda/input/small_models.hpp"
 
-namespace rockslope::dda {
+namespace rockslope::dda::read_shear_test_test {
 namespace {
 
 using testing::ElementsAre;
@@ -59,4 +59,4 @@ TEST_F(ReadShearTest, AWrongStressAlongThePathIsRefusedWithItsPlace) {
 }
 
 }  // namespace
-}  // namespace rockslope::dda
+}  // namespace rockslope::dda::read_shear_test_test

@@ -6,7 +6,7 @@
 #include "support/cyclic_joints.hpp"
 #include "unit/dda/input/small_models.hpp"
 
-namespace rockslope::dda {
+namespace rockslope::dda::shear_table_test {
 namespace {
 
 using testing::ElementsAre;
@@ -102,4 +102,4 @@ TEST_F(ShearTableTest, TheMisfitIsThatAtTheMeasuredPoints) {
 }
 
 }  // namespace
-}  // namespace rockslope::dda
+}  // namespace rockslope::dda::shear_table_test

@@ -7,8 +7,7 @@
 
 #include "support/case_name.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::anderson_test {
 namespace {
 
 /// g(x) = A x + b and its fixed point.
@@ -98,3 +97,4 @@ TEST(AndersonMixing, AcceptsEmptyVectors) {
 }
 
 }  // namespace
+}  // namespace rockslope::anderson_test

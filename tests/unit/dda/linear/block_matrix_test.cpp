@@ -4,8 +4,7 @@
 
 #include "unit/dda/linear/random_systems.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::block_matrix_test {
 namespace {
 
 using dda::BlockMatrix;
@@ -87,3 +86,4 @@ TEST(BlockMatrix, ResetClearsAllEntries) {
 }
 
 }  // namespace
+}  // namespace rockslope::block_matrix_test

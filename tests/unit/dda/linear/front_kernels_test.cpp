@@ -9,8 +9,7 @@
 #include "dda/linear/symbolic_factor.hpp"
 #include "unit/dda/linear/random_systems.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::front_kernels_test {
 namespace {
 
 /// A random positive definite front, as a dense matrix and as the panel that the kernels work on.
@@ -204,3 +203,4 @@ TYPED_TEST(FrontKernels, RejectAnIndefiniteMatrix) {
 }
 
 }  // namespace
+}  // namespace rockslope::front_kernels_test

@@ -11,8 +11,7 @@
 #include "support/walls.hpp"
 #include "unit/dda/linear/random_systems.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::linear_solver_test {
 namespace {
 
 using dda::Mat6;
@@ -234,3 +233,4 @@ INSTANTIATE_TEST_SUITE_P(Kinds, Solvers, testing::ValuesIn(solver_kinds),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
 }  // namespace
+}  // namespace rockslope::linear_solver_test

@@ -5,9 +5,10 @@
 #include <Eigen/LU>
 #include <cmath>
 
-using rockslope::dda::MinimalResidual;
-
+namespace rockslope::minimal_residual_test {
 namespace {
+
+using rockslope::dda::MinimalResidual;
 
 /// An unsymmetric matrix, and a right-hand side.
 struct System {
@@ -65,3 +66,4 @@ TEST(MinimalResidual, OfNothingIsNothing) {
 }
 
 }  // namespace
+}  // namespace rockslope::minimal_residual_test

@@ -9,8 +9,7 @@
 #include "support/walls.hpp"
 #include "unit/dda/linear/random_systems.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::multifrontal_factor_test {
 namespace {
 
 using dda::BlockPattern;
@@ -273,3 +272,4 @@ TEST(MultifrontalFactor, SinglePrecisionFailsOnANearlySingularMatrix) {
 }
 
 }  // namespace
+}  // namespace rockslope::multifrontal_factor_test

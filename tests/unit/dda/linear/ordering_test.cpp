@@ -8,8 +8,7 @@
 #include "dda/linear/linear_solver.hpp"
 #include "unit/dda/linear/random_systems.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::ordering_test {
 namespace {
 
 using dda::BlockPattern;
@@ -112,3 +111,4 @@ TEST(FillReducingOrder, MakesEachSubtreeContiguous) {
 }
 
 }  // namespace
+}  // namespace rockslope::ordering_test

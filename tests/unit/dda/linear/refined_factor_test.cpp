@@ -6,8 +6,7 @@
 
 #include "dda/linear/linear_solver.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::refined_factor_test {
 namespace {
 
 using dda::Vec6;
@@ -56,3 +55,4 @@ TEST(RefinedSolver, ReturnsNanForANearlyDefiniteMatrix) {
 }
 
 }  // namespace
+}  // namespace rockslope::refined_factor_test

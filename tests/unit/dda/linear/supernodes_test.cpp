@@ -9,8 +9,7 @@
 #include "dda/linear/linear_solver.hpp"
 #include "unit/dda/linear/random_systems.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::supernodes_test {
 namespace {
 
 using dda::BlockPattern;
@@ -131,3 +130,4 @@ TEST(FindSupernodes, MergesWhereOneFrontIsCheaper) {
 }
 
 }  // namespace
+}  // namespace rockslope::supernodes_test

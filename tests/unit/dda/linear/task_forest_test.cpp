@@ -4,8 +4,7 @@
 
 #include <atomic>
 
-using namespace rockslope;
-
+namespace rockslope::task_forest_test {
 namespace {
 
 const std::vector<int> no_tasks;
@@ -49,3 +48,4 @@ TEST_P(TaskForests, RunTasksInOrder) {
 INSTANTIATE_TEST_SUITE_P(Shapes, TaskForests, testing::Values(no_tasks, one_task, chain, star, two_trees));
 
 }  // namespace
+}  // namespace rockslope::task_forest_test

@@ -5,8 +5,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
-using namespace rockslope;
-
+namespace rockslope::block_material_test {
 namespace {
 
 using dda::Mat3;
@@ -47,3 +46,4 @@ TEST(Elasticity, IsPositiveDefiniteUpToTheIncompressibleLimit) {
 }
 
 }  // namespace
+}  // namespace rockslope::block_material_test

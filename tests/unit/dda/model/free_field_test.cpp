@@ -7,8 +7,7 @@
 #include "support/error_of.hpp"
 #include "support/rock_mesh.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::free_field_test {
 namespace {
 
 using namespace scene;
@@ -75,3 +74,4 @@ TEST(FreeField, AStressWaveIsAVelocityTimesTheImpedance) {
 }
 
 }  // namespace
+}  // namespace rockslope::free_field_test

@@ -4,8 +4,7 @@
 
 #include "support/bar.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::glue_test {
 namespace {
 
 using namespace scene;
@@ -53,3 +52,4 @@ TEST(GluedPolygons, FixedBlocksAndStraightCornersDoNotCount) {
 }
 
 }  // namespace
+}  // namespace rockslope::glue_test

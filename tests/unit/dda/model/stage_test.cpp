@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-using namespace rockslope;
-
+namespace rockslope::stage_test {
 namespace {
 
 TEST(NextStepMultiple, IsTheNextMultipleOfTheStep) {
@@ -25,3 +24,4 @@ TEST(NextStepMultiple, ToleratesTheRoundingOfASum) {
 }
 
 }  // namespace
+}  // namespace rockslope::stage_test

@@ -5,8 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
-using namespace rockslope;
-
+namespace rockslope::time_table_test {
 namespace {
 
 using dda::TimeTable;
@@ -49,3 +48,4 @@ TEST(TimeTable, RejectsTimesThatDoNotIncreaseAndMissingValues) {
 }
 
 }  // namespace
+}  // namespace rockslope::time_table_test

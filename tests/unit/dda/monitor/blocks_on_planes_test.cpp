@@ -7,7 +7,7 @@
 #include "dda/monitor/first_slips.hpp"
 #include "support/scene.hpp"
 
-namespace rockslope::dda {
+namespace rockslope::dda::blocks_on_planes_test {
 namespace {
 
 using scene::radians;
@@ -237,4 +237,4 @@ TEST(FirstSlips, BeginWhenTheBaseExceedsTheFriction) {
 }
 
 }  // namespace
-}  // namespace rockslope::dda
+}  // namespace rockslope::dda::blocks_on_planes_test

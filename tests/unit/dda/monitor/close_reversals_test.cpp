@@ -9,8 +9,7 @@
 
 #include "support/scene.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::close_reversals_test {
 namespace {
 
 using dda::CloseReversals;
@@ -183,3 +182,4 @@ TEST(CloseReversals, AreNoneWhereEverySlipCounts) {
 }
 
 }  // namespace
+}  // namespace rockslope::close_reversals_test

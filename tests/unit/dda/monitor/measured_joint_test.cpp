@@ -5,7 +5,7 @@
 #include "dda/analysis/run.hpp"
 #include "unit/dda/input/model_text.hpp"
 
-namespace rockslope::dda {
+namespace rockslope::dda::measured_joint_test {
 namespace {
 
 using testing::HasSubstr;
@@ -144,4 +144,4 @@ TEST_F(MeasuredJointTest, StraightCornersAreDroppedWhenAsked) {
 }
 
 }  // namespace
-}  // namespace rockslope::dda
+}  // namespace rockslope::dda::measured_joint_test

@@ -5,8 +5,7 @@
 #include "common/base/input_error.hpp"
 #include "unit/dda/input/small_models.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::read_summary_test {
 namespace {
 
 std::optional<dda::WorstContact> read(const std::string& text) {
@@ -45,3 +44,4 @@ TEST(ReadSummary, RefusesOtherFiles) {
 }
 
 }  // namespace
+}  // namespace rockslope::read_summary_test

@@ -20,7 +20,7 @@
 #include "dda/writers/frame_data.hpp"
 #include "unit/dda/results/run_in_a_folder.hpp"
 
-namespace rockslope::dda {
+namespace rockslope::dda::results_test {
 namespace {
 using ::testing::HasSubstr;
 namespace fs = std::filesystem;
@@ -319,4 +319,4 @@ TEST(BlockCells, ABlockWithHolesIsOnePolygonOfTheSameArea) {
 }
 
 }  // namespace
-}  // namespace rockslope::dda
+}  // namespace rockslope::dda::results_test

@@ -4,8 +4,7 @@
 
 #include "support/scene.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::contact_damping_test {
 namespace {
 
 using namespace scene;
@@ -53,3 +52,4 @@ TEST(IneffectiveDamping, IsNotToldWithoutDampingOrWithAnUndampedIntegration) {
 }
 
 }  // namespace
+}  // namespace rockslope::contact_damping_test

@@ -4,8 +4,7 @@
 
 #include "support/scene.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::damping_test {
 namespace {
 
 using namespace scene;
@@ -55,3 +54,4 @@ INSTANTIATE_TEST_SUITE_P(Parameters, MassDamping,
                          testing::Values(NewmarkCase{0.5, 1}, NewmarkCase{0.25, 0.5}));
 
 }  // namespace
+}  // namespace rockslope::damping_test

@@ -6,8 +6,7 @@
 #include "dda/terms/system.hpp"
 #include "support/scene.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::inertia_test {
 namespace {
 
 using namespace scene;
@@ -85,3 +84,4 @@ TEST(RowMap, NumbersTheFreeBlocks) {
 }
 
 }  // namespace
+}  // namespace rockslope::inertia_test

@@ -4,8 +4,7 @@
 
 #include "support/scene.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::loads_test {
 namespace {
 
 using namespace scene;
@@ -130,3 +129,4 @@ TEST(MaxLoadAcceleration, AddsOpposedPressures) {
 }
 
 }  // namespace
+}  // namespace rockslope::loads_test

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-using namespace rockslope;
-
+namespace rockslope::row_contacts_test {
 namespace {
 
 dda::ContactSprings between(int first, int second) {
@@ -33,3 +32,4 @@ TEST(RowContacts, AreOnBothBlocksInAscendingOrder) {
 }
 
 }  // namespace
+}  // namespace rockslope::row_contacts_test

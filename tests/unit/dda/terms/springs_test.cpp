@@ -5,8 +5,7 @@
 #include "support/scene.hpp"
 #include "unit/dda/linear/dense.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::springs_test {
 namespace {
 
 using namespace scene;
@@ -94,3 +93,4 @@ TEST(BlockPair, ForceDoesTheWorkOfItsMeasureInEitherOrder) {
 }
 
 }  // namespace
+}  // namespace rockslope::springs_test

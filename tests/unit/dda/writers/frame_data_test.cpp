@@ -4,8 +4,7 @@
 
 #include "support/scene.hpp"
 
-using namespace rockslope;
-
+namespace rockslope::frame_data_test {
 namespace {
 
 using namespace scene;
@@ -52,3 +51,4 @@ TEST(ContactFrame, DrawsNoLengthBeyondTheEdgesEnd) {
 }
 
 }  // namespace
+}  // namespace rockslope::frame_data_test
