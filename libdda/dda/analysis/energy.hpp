@@ -1,6 +1,16 @@
 #pragma once
 
+#include "dda/base/indices.hpp"
+
 namespace rockslope::dda {
+
+/// The largest energy that the friction of one contact gave in one step.
+struct EnergyGain {
+    double amount = 0;  ///< J per metre; 0: none gave any
+    double time = 0;    ///< s, at the end of the step
+    BlockIndex corner_block, edge_block;
+    JointMaterialIndex joint_material;
+};
 
 /// The energy balance, J per metre of thickness. Stored energies are values at an instant. Losses and
 /// external work accumulate from the start of the run. Balance: stores() - initial_stores + losses() =
@@ -30,6 +40,7 @@ struct Energy {
     /// Sum of the negative friction losses of single contacts in single steps, positive. Friction only takes
     /// energy, so this is an error of the run; friction_loss contains it.
     double friction_returned = 0;
+    EnergyGain largest_gain;  ///< the largest part of friction_returned
 
     /// Sum of the stored energies, J per metre.
     double stores() const { return kinetic + strain + contact + constraint + gravity; }

@@ -126,56 +126,65 @@ double Ledger::contact_energy_of(const std::vector<Contact>& contacts) const {
 void Ledger::record_contacts(const StepWork& step, const PerContact<Contact>& advanced,
                              Energy& energy) const {
     for (const ContactIndex k : step.before.indices()) {
-        const Contact& before = step.before[k];
-        const EvaluatedContact& after = step.result.contacts[k];
-        const ContactSprings& s = step.springs[k];
-        const bool stores = !model_.is_augmented(before.joint_material);
-        const auto stored_by_normal = [&](double force) { return stores ? s.normal_law.energy(force) : 0; };
-        const bool was_closed = before.state != ContactState::open;
-        const bool is_closed = after.state != ContactState::open;
-        const double stored_normal = was_closed ? stored_by_normal(before.normal_spring_force) : 0;
-        const double stored_shear =
-            was_closed && stores ? shear_energy(model_, before, s.shear_stiffness) : 0;
-        if (!is_closed) {
-            // The normal force of an opened contact is zero at the end of the step. Its normal energy is lost
-            // to the integration and its dashpot, or released if a bond broke. Its shear energy is released.
-            if (after.bond_broken)
-                energy.released += stored_normal;
-            else
-                record_normal_loss(step, k, stored_normal, energy);
-            if (after.shear_force == 0) {
-                energy.released += stored_shear;
-                continue;
-            }
-            // Its cohesion acted to the end of the step, Eq. (75), and its shear spring is released there.
-            const double stored_at_end = stores ? spring_energy(after.shear_force, s.shear_stiffness) : 0;
-            record_friction(after.shear_force * after.displacement - (stored_at_end - stored_shear), energy);
-            energy.released += stored_at_end;
-            energy.external_work += after.shear_force * s.shear.prescribed;
-            continue;
-        }
-        const double opening = s.rows.measure(s.normal, step.result.displacement);
-        const double shear_work = after.shear_force * after.displacement;
-        const double dilation_work = -after.normal_force * after.dilation_increment;
-        const double normal_loss = -after.normal_force * opening - dilation_work -
-                                   (stored_by_normal(after.normal_spring_force) - stored_normal);
-        record_normal_loss(step, k, normal_loss, energy);
-        if (is_rebounding(after)) {
-            energy.released += stored_shear;
-            continue;
-        }
-        if (dilates(model_.joint_material_at(before.joint_material).law) && stores) {
-            record_dilating_shear(advanced[k], after, s.shear_stiffness, shear_work + dilation_work,
-                                  stored_shear, energy);
-        } else {
-            const double stored = stores ? spring_energy(after.shear_force, s.shear_stiffness) : 0;
-            const double slip_work = after.shear_force * after.slip;
-            record_friction(slip_work + dilation_work, energy);
-            energy.numerical_loss += shear_work - slip_work - (stored - stored_shear);
-        }
-        energy.external_work +=
-            after.shear_force * s.shear.prescribed - after.normal_force * s.normal.prescribed;
+        const double returned = energy.friction_returned;
+        record_contact(step, k, advanced[k], energy);
+        const double given = energy.friction_returned - returned;
+        if (given <= energy.largest_gain.amount) continue;
+        const Contact& contact = step.before[k];
+        energy.largest_gain = {given, step.time, contact.corner_block, contact.edge_block,
+                               contact.joint_material};
     }
+}
+
+void Ledger::record_contact(const StepWork& step, ContactIndex k, const Contact& advanced,
+                            Energy& energy) const {
+    const Contact& before = step.before[k];
+    const EvaluatedContact& after = step.result.contacts[k];
+    const ContactSprings& s = step.springs[k];
+    const bool stores = !model_.is_augmented(before.joint_material);
+    const auto stored_by_normal = [&](double force) { return stores ? s.normal_law.energy(force) : 0; };
+    const bool was_closed = before.state != ContactState::open;
+    const bool is_closed = after.state != ContactState::open;
+    const double stored_normal = was_closed ? stored_by_normal(before.normal_spring_force) : 0;
+    const double stored_shear = was_closed && stores ? shear_energy(model_, before, s.shear_stiffness) : 0;
+    if (!is_closed) {
+        // The normal force of an opened contact is zero at the end of the step. Its normal energy is lost
+        // to the integration and its dashpot, or released if a bond broke. Its shear energy is released.
+        if (after.bond_broken)
+            energy.released += stored_normal;
+        else
+            record_normal_loss(step, k, stored_normal, energy);
+        if (after.shear_force == 0) {
+            energy.released += stored_shear;
+            return;
+        }
+        // Its cohesion acted to the end of the step, Eq. (75), and its shear spring is released there.
+        const double stored_at_end = stores ? spring_energy(after.shear_force, s.shear_stiffness) : 0;
+        record_friction(after.shear_force * after.displacement - (stored_at_end - stored_shear), energy);
+        energy.released += stored_at_end;
+        energy.external_work += after.shear_force * s.shear.prescribed;
+        return;
+    }
+    const double opening = s.rows.measure(s.normal, step.result.displacement);
+    const double shear_work = after.shear_force * after.displacement;
+    const double dilation_work = -after.normal_force * after.dilation_increment;
+    const double normal_loss = -after.normal_force * opening - dilation_work -
+                               (stored_by_normal(after.normal_spring_force) - stored_normal);
+    record_normal_loss(step, k, normal_loss, energy);
+    if (is_rebounding(after)) {
+        energy.released += stored_shear;
+        return;
+    }
+    if (dilates(model_.joint_material_at(before.joint_material).law) && stores) {
+        record_dilating_shear(advanced, after, s.shear_stiffness, shear_work + dilation_work, stored_shear,
+                              energy);
+    } else {
+        const double stored = stores ? spring_energy(after.shear_force, s.shear_stiffness) : 0;
+        const double slip_work = after.shear_force * after.slip;
+        record_friction(slip_work + dilation_work, energy);
+        energy.numerical_loss += shear_work - slip_work - (stored - stored_shear);
+    }
+    energy.external_work += after.shear_force * s.shear.prescribed - after.normal_force * s.normal.prescribed;
 }
 
 /// Divides what a contact loses in its normal motion between its dashpot and the integration, Eq. (88).

@@ -23,6 +23,7 @@ struct StepWork {
     Newmark newmark;
     double mass_damping = 0;
     double velocity_factor = 1;  ///< fraction of the velocity that the next step starts with
+    double time = 0;             ///< s, at the end of the step
     LoadInstant loads;           ///< at the end of the step
 };
 
@@ -52,6 +53,7 @@ class Ledger {
     void record_boundaries(const StepWork& step, Energy& energy) const;
 
   private:
+    void record_contact(const StepWork& step, ContactIndex k, const Contact& advanced, Energy& energy) const;
     void record_normal_loss(const StepWork& step, ContactIndex k, double loss, Energy& energy) const;
     void record_dilating_shear(const Contact& advanced, const EvaluatedContact& after, double stiffness,
                                double work, double stored_before, Energy& energy) const;

@@ -404,7 +404,7 @@ State TimeStepper::updated_state(const Stage& stage, const State& state, const S
     const StepWork work{state.blocks,  step.mid,     step.contacts.contacts, step.springs,
                         step.dashpots, step.bolts,   state.bolt_force,       step.boundaries,
                         result,        step.newmark, stage.mass_damping,     factor,
-                        step.loads};
+                        after.time,    step.loads};
     after.energy.released += ledger_.contact_energy_of(state.contacts.contacts) -
                              ledger_.contact_energy_of(step.contacts.contacts);
     after.energy.numerical_loss += straining_loss;

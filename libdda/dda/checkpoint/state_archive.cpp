@@ -183,10 +183,12 @@ template <class Walker, class E>
 void energy(Walker& walker, E& value) {
     auto& [kinetic, strain, contact_energy, constraint, gravity, friction_loss, damping_loss,
            contact_damping_loss, numerical_loss, released, boundary_loss, excavated, external_work,
-           initial_stores, friction_returned] = value;
+           initial_stores, friction_returned, largest_gain] = value;
+    auto& [gain, gain_time, corner_block, edge_block, joint_material] = largest_gain;
     reals(walker, kinetic, strain, contact_energy, constraint, gravity, friction_loss, damping_loss,
           contact_damping_loss, numerical_loss, released, boundary_loss, excavated, external_work,
-          initial_stores, friction_returned);
+          initial_stores, friction_returned, gain, gain_time);
+    integers(walker, corner_block, edge_block, joint_material);
 }
 
 template <class Walker, class S>

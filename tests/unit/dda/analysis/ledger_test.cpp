@@ -107,6 +107,7 @@ struct RecordedStep {
                 newmark,
                 0,
                 1,
+                2.5,
                 {}};
     }
     dda::Ledger ledger() const { return {step.model, step.rows}; }
@@ -144,6 +145,9 @@ TEST(Ledger, TellsOfFrictionThatDrives) {
     step.record_contacts();
     EXPECT_NEAR(step.energy.friction_loss, -2 * 1e4 * 1e-5, 1e-12);
     EXPECT_NEAR(step.energy.friction_returned, 2 * 1e4 * 1e-5, 1e-12);
+    EXPECT_NEAR(step.energy.largest_gain.amount, 1e4 * 1e-5, 1e-12) << "one of two contacts";
+    EXPECT_EQ(step.energy.largest_gain.time, 2.5);
+    EXPECT_EQ(step.energy.largest_gain.corner_block, step.step.set.contacts[0].corner_block);
 }
 
 /// A step at whose start both contacts are locked under 3e4 N and 1e4 N.

@@ -1,0 +1,73 @@
+#include "dda/analysis/energy_watch.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/scene.hpp"
+
+namespace rockslope::energy_watch_test {
+namespace {
+
+using namespace scene;
+
+TEST(EnergyWatch, CountsWhatMovesAndWhatWasLost) {
+    dda::Energy energy;
+    energy.kinetic = 100;
+    energy.friction_loss = 300;
+    energy.damping_loss = 50;
+    EXPECT_EQ(dda::turned_over(energy), 450);
+    energy.friction_returned = 20;
+    EXPECT_EQ(dda::turned_over(energy), 470) << "friction took 320";
+    energy.released = 7;
+    energy.numerical_loss = 3;
+    EXPECT_EQ(dda::turned_over(energy), 480);
+    energy.released = -7;
+    energy.numerical_loss = -3;
+    EXPECT_EQ(dda::turned_over(energy), 470);
+}
+
+TEST(EnergyWatch, EndsBeyondATenthOfWhatIsTurnedOverOrStored) {
+    dda::Energy energy;
+    energy.kinetic = 10;
+    energy.friction_loss = -1;
+    energy.friction_returned = 1;
+    EXPECT_FALSE(dda::creates_energy(energy));
+    energy.friction_loss = -1.1;
+    energy.friction_returned = 1.1;
+    EXPECT_TRUE(dda::creates_energy(energy));
+    energy.contact = 20;
+    EXPECT_FALSE(dda::creates_energy(energy)) << "little of what the springs store";
+    EXPECT_FALSE(dda::creates_energy({})) << "at the start of a run";
+}
+
+TEST(EnergyWatch, NamesTheContactThatGaveMost) {
+    Scene s;
+    s.model.joint_materials[0].name = "bedding";
+    dda::Energy energy;
+    energy.friction_loss = 80;
+    energy.friction_returned = 20;
+    energy.largest_gain = {12, 3.25, 7, 4, 0};
+    EXPECT_EQ(
+        dda::describe_returned(s.model, energy),
+        "friction returned 20 J/m of 100 J/m turned over, which it cannot; most in one step, 12 J/m, at t = "
+        "3.25 s by block 7 on block 4, joint material 'bedding'");
+    energy.largest_gain = {};
+    EXPECT_EQ(dda::describe_returned(s.model, energy),
+              "friction returned 20 J/m of 100 J/m turned over, which it cannot");
+}
+
+// A block thrown along a smooth floor, and one that is dropped: friction returns nothing.
+TEST(EnergyWatch, FindsNothingInABlockThatSlidesAndOneThatFalls) {
+    Scene s;
+    s.box({-1, -1}, 20, 1, dda::Motion::fixed);
+    s.box({0, 0}, 1, 1);
+    s.box({5, 0.2}, 1, 1);
+    s.friction(20);
+    Simulation run(s);
+    run.velocity(1)[0] = 3;
+    ASSERT_EQ(run.shake(1, 1e-3).status, dda::RunStatus::completed);
+    EXPECT_EQ(run.state.energy.friction_returned, 0);
+    EXPECT_GT(dda::turned_over(run.state.energy), 0);
+}
+
+}  // namespace
+}  // namespace rockslope::energy_watch_test
