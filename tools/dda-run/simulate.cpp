@@ -11,10 +11,12 @@
 #include "common/base/output_check.hpp"
 #include "common/base/output_error.hpp"
 #include "common/base/sha256.hpp"
+#include "dda/analysis/energy_watch.hpp"
 #include "dda/analysis/run.hpp"
 #include "dda/checkpoint/resume_check.hpp"
 #include "dda/input/read_run.hpp"
 #include "dda/model/glue.hpp"
+#include "dda/monitor/spring_resolution.hpp"
 #include "dda/results/block_table.hpp"
 #include "dda/results/results.hpp"
 #include "dda/results/summary.hpp"
@@ -136,6 +138,21 @@ void print_ineffective_damping(const dda::RunInput& input) {
         found->frequency_step);
 }
 
+/// Tells of shear springs whose swing the steps damp.
+void print_lost_swings(const dda::RunInput& input) {
+    for (const dda::SpringResolution& found : dda::spring_resolutions(input.model, input.stages)) {
+        if (!dda::loses_swing(found)) continue;
+        const dda::Stage& stage = input.stages[found.stage];
+        std::fprintf(
+            stderr,
+            "dda-run: stage '%s': a swing of the shear spring of joint material '%s' loses %.2g %% in each "
+            "period, of %.0f steps; slips may be too small. Steps of %.2g s lose %g %%\n",
+            stage.name.c_str(), input.model.joint_material_at(found.joint_material).name.c_str(),
+            100 * found.lost_per_period, found.shear_period_steps, dda::step_that_keeps_swing(found, stage),
+            100 * dda::largest_lost_per_period);
+    }
+}
+
 ExitCode exit_code_of(const dda::RunOutcome& outcome) {
     switch (outcome.status) {
         case dda::RunStatus::completed:
@@ -168,15 +185,34 @@ void print_factor_of_safety(const std::vector<dda::ReductionTrial>& trials) {
                      std::sqrt(stands * fails), stands, fails);
 }
 
-/// Says where joints created energy.
-void print_returned_friction(const dda::Energy& energy) {
-    const double taken = energy.friction_loss + energy.friction_returned;
-    if (energy.friction_returned <= 1e-3 * taken) return;
-    std::fprintf(
-        stderr,
-        "dda-run: friction took %.3g J/m and returned %.3g J/m, which it cannot; the motion may be wrong by "
-        "as much. Shorter steps help\n",
-        taken, energy.friction_returned);
+/// Says how much energy friction returned.
+void print_returned_friction(const dda::Model& model, const dda::Energy& energy) {
+    if (energy.friction_returned <= dda::returned_share_told * dda::turned_over(energy)) return;
+    std::fprintf(stderr, "dda-run: %s. Displacements may be wrong by more than that share\n",
+                 dda::describe_returned(model, energy).c_str());
+}
+
+/// Says which blocks still moved when a static stage ended.
+void print_left_moving(const std::vector<dda::LeftMoving>& left, const std::vector<dda::Stage>& stages) {
+    for (std::size_t k = 0; k < stages.size(); ++k) {
+        int count = 0;
+        double share = 0;
+        const dda::LeftMoving* farthest = nullptr;
+        for (const dda::LeftMoving& block : left) {
+            if (static_cast<std::size_t>(block.stage) != k) continue;
+            ++count;
+            share += block.share;
+            if (!farthest || block.displacement > farthest->displacement) farthest = &block;
+        }
+        if (!farthest) continue;
+        std::fprintf(
+            stderr,
+            "dda-run: stage '%s' is at rest but for %d small block%s, %.2g of the mass; block %d at (%.6g, "
+            "%.6g) has moved farthest, %.3g m. %s; see moving_at_rest in summary.json\n",
+            stages[k].name.c_str(), count, count == 1 ? "" : "s", share, farthest->block.value(),
+            farthest->centroid.x(), farthest->centroid.y(), farthest->displacement,
+            stages[k].remove_moving ? "Removed" : "Kept");
+    }
 }
 
 /// Says how many reversals hang on `min_slip`.
@@ -246,6 +282,7 @@ ExitCode simulate(const CommandLine& line, const std::string& version) {
     print_unreached_excavations(input);
     print_glued_polygons(input.model);
     print_ineffective_damping(input);
+    print_lost_swings(input);
 
     ProgressLine progress;
     const fs::path stop_file = line.output / "stop";
@@ -268,7 +305,8 @@ ExitCode simulate(const CommandLine& line, const std::string& version) {
                                           {.version = version, .inputs = files}));
     std::fputs(dda::outcome_table(input.model, state, results, slips).c_str(), stdout);
     print_factor_of_safety(results.state().trials);
-    print_returned_friction(state.energy);
+    print_left_moving(results.state().left_moving, input.stages);
+    if (outcome.status != dda::RunStatus::energy_created) print_returned_friction(input.model, state.energy);
     print_close_reversals(dda::with_present(results.state().close_reversals, input.model, state));
     print_outcome(outcome, state, results.wall_time(), line.output);
     return exit_code_of(outcome);

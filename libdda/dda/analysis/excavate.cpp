@@ -44,17 +44,14 @@ Model without_removed_blocks(const Model& model, const PerBlock<std::uint8_t>& r
     return active_model;
 }
 
-bool excavate(const Model& model, int stage, State& state) {
+bool remove_blocks(const Model& model, std::span<const BlockIndex> blocks, State& state) {
     PerBlock<std::uint8_t> removed = state.removed;
     removed.resize(model.block_count(), 0);
     bool any = false;
-    for (const Excavation& excavation : model.excavations) {
-        if (excavation.stage > stage) continue;
-        for (const BlockIndex block : excavation.blocks) {
-            std::uint8_t& is_removed = removed[block];
-            any = any || is_removed == 0;
-            is_removed = 1;
-        }
+    for (const BlockIndex block : blocks) {
+        std::uint8_t& is_removed = removed[block];
+        any = any || is_removed == 0;
+        is_removed = 1;
     }
     if (!any) return false;
 
@@ -77,6 +74,14 @@ bool excavate(const Model& model, int stage, State& state) {
     Ledger(active_model, rows).update_stored_energy(state, state.energy);
     state.energy.excavated += before - state.energy.stores();
     return true;
+}
+
+bool excavate(const Model& model, int stage, State& state) {
+    std::vector<BlockIndex> blocks;
+    for (const Excavation& excavation : model.excavations)
+        if (excavation.stage <= stage)
+            blocks.insert(blocks.end(), excavation.blocks.begin(), excavation.blocks.end());
+    return remove_blocks(model, blocks, state);
 }
 
 }  // namespace rockslope::dda

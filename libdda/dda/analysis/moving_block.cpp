@@ -17,57 +17,126 @@ double displacement_of(const State& state, BlockIndex block) {
     return (state.blocks.moments[block].centroid - state.stage_origin[block]).norm();
 }
 
+bool is_of(const Contact& contact, BlockIndex block) {
+    return contact.corner_block == block || contact.edge_block == block;
+}
+
 /// The sliding contact of a block with the largest slip.
 std::optional<Contact> slipping_contact(const State& state, BlockIndex block) {
     std::optional<Contact> largest;
     for (const Contact& contact : state.contacts.contacts) {
-        if (contact.corner_block != block && contact.edge_block != block) continue;
-        if (contact.state != ContactState::sliding) continue;
+        if (!is_of(contact, block) || contact.state != ContactState::sliding) continue;
         if (!largest || std::abs(contact.slip) > std::abs(largest->slip)) largest = contact;
     }
     return largest;
 }
 
+std::optional<Contact> locked_contact(const State& state, BlockIndex block) {
+    for (const Contact& contact : state.contacts.contacts)
+        if (is_of(contact, block) && contact.state == ContactState::locked) return contact;
+    return {};
+}
+
+/// Largest difference of a falling block's acceleration from gravity, over gravity.
+constexpr double free_fall_tolerance = 0.01;
+
+bool falls_freely(const Model& model, const State& state, BlockIndex block) {
+    const Vec2 difference = state.blocks.acceleration[block].head<2>() - model.gravity;
+    return difference.norm() <= free_fall_tolerance * model.gravity.norm();
+}
+
 /// The free block with the largest value, if any value is above `least`.
 template <class Value>
-std::optional<MovingBlock> block_with_largest(const Model& model, const State& state, double least,
-                                              const Value& value) {
-    BlockIndex found = BlockIndex::none();
+std::optional<BlockIndex> block_with_largest(const Model& model, const State& state, double least,
+                                             const Value& value) {
+    std::optional<BlockIndex> found;
     for (const BlockIndex block : model.blocks()) {
         if (!is_free(model, state, block) || !(value(block) > least)) continue;
         least = value(block);
         found = block;
     }
-    if (!found.exists()) return {};
-    const double reference = reference_acceleration(model, state.blocks);
-    return MovingBlock{.block = found,
-                       .displacement = displacement_of(state, found),
-                       .unbalanced = unbalanced_force(state.blocks, found, reference),
-                       .on = slipping_contact(state, found)};
+    return found;
+}
+
+/// The free blocks that a condition holds for.
+template <class Condition>
+std::vector<BlockIndex> free_blocks(const Model& model, const State& state, const Condition& condition) {
+    std::vector<BlockIndex> found;
+    for (const BlockIndex block : model.blocks())
+        if (is_free(model, state, block) && condition(block)) found.push_back(block);
+    return found;
 }
 
 }  // namespace
 
-std::optional<MovingBlock> block_moved_beyond(const Model& model, const State& state, double limit) {
-    return block_with_largest(model, state, limit,
-                              [&](BlockIndex block) { return displacement_of(state, block); });
+std::vector<BlockIndex> moving_blocks(const Model& model, const State& state, double tolerance) {
+    const double reference = reference_acceleration(model, state.blocks);
+    return free_blocks(model, state, [&](BlockIndex block) {
+        return !(unbalanced_force(state.blocks, block, reference) <= tolerance);
+    });
+}
+
+double share_of_mass(const Model& model, const State& state, std::span<const BlockIndex> blocks) {
+    double all = 0, some = 0;
+    for (const BlockIndex block : model.blocks())
+        if (is_free(model, state, block)) all += state.blocks.mass[block];
+    for (const BlockIndex block : blocks) some += state.blocks.mass[block];
+    return all > 0 ? some / all : 0;
+}
+
+bool is_at_rest(const Model& model, const State& state, const Stage& stage) {
+    return share_of_mass(model, state, moving_blocks(model, state, stage.tolerance)) <= stage.moving_share;
+}
+
+MovingBlock moving_block(const Model& model, const State& state, BlockIndex block) {
+    const double reference = reference_acceleration(model, state.blocks);
+    return {.block = block,
+            .displacement = displacement_of(state, block),
+            .unbalanced = unbalanced_force(state.blocks, block, reference),
+            .on = slipping_contact(state, block),
+            .against = locked_contact(state, block),
+            .falls_freely = falls_freely(model, state, block)};
+}
+
+std::optional<MovingBlock> block_moved_beyond(const Model& model, const State& state, double limit,
+                                              double share) {
+    const auto displacement = [&](BlockIndex block) { return displacement_of(state, block); };
+    const auto beyond =
+        free_blocks(model, state, [&](BlockIndex block) { return displacement(block) > limit; });
+    if (beyond.empty() || share_of_mass(model, state, beyond) <= share) return {};
+    return moving_block(model, state, *block_with_largest(model, state, limit, displacement));
 }
 
 std::optional<MovingBlock> least_balanced_block(const Model& model, const State& state) {
-    return block_with_largest(model, state, 0,
-                              [&](BlockIndex block) { return unbalanced_force(state.blocks, block, 1); });
+    const auto block = block_with_largest(model, state, 0,
+                                          [&](BlockIndex b) { return unbalanced_force(state.blocks, b, 1); });
+    if (!block) return {};
+    return moving_block(model, state, *block);
 }
+
+namespace {
+
+/// How a block moves: along a joint, against another block, in free fall, or under its loads alone.
+std::string manner(const Model& model, const MovingBlock& moving) {
+    if (moving.on) return "along '" + model.joint_material_at(moving.on->joint_material).name + "'";
+    if (moving.against) {
+        const BlockIndex other = moving.against->corner_block == moving.block ? moving.against->edge_block
+                                                                              : moving.against->corner_block;
+        return "in contact with block " + std::to_string(other.value()) + " without sliding on it";
+    }
+    return moving.falls_freely ? "in free fall" : "out of contact, under its loads";
+}
+
+}  // namespace
 
 std::string describe(const Model& model, const State& state, const MovingBlock& moving) {
     const Vec2 place = state.blocks.moments[moving.block].centroid + model.origin;
-    std::string along = "in free fall";
-    if (moving.on) along = "along '" + model.joint_material_at(moving.on->joint_material).name + "'";
-    char text[256];
+    char text[320];
     std::snprintf(text, sizeof text,
                   "block %d at (%.6g, %.6g) has moved %.3g m %s and does not stop; its unbalanced force is "
                   "%.3g of the weight",
-                  moving.block.value(), place.x(), place.y(), moving.displacement, along.c_str(),
-                  moving.unbalanced);
+                  moving.block.value(), place.x(), place.y(), moving.displacement,
+                  manner(model, moving).c_str(), moving.unbalanced);
     return text;
 }
 

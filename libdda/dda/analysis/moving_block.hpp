@@ -1,28 +1,47 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "dda/analysis/state.hpp"
 #include "dda/model/model.hpp"
+#include "dda/model/stage.hpp"
 
 namespace rockslope::dda {
 
-/// A block that does not come to rest, and the joint that it moves along.
+/// A block that does not come to rest, and what holds it.
 struct MovingBlock {
     BlockIndex block;
-    double displacement = 0;    ///< m, of the centroid, in the stage
-    double unbalanced = 0;      ///< unbalanced force over the weight
-    std::optional<Contact> on;  ///< the sliding contact with the largest slip; none in free fall
+    double displacement = 0;         ///< m, of the centroid, in the stage
+    double unbalanced = 0;           ///< unbalanced force over the weight
+    std::optional<Contact> on;       ///< the sliding contact with the largest slip
+    std::optional<Contact> against;  ///< a closed contact that does not slide
+    bool falls_freely = false;       ///< its acceleration is that of gravity alone
 };
 
-/// The block whose centroid has moved farthest. @return none if no block has moved farther than `limit`, m.
-std::optional<MovingBlock> block_moved_beyond(const Model& model, const State& state, double limit);
+/// The free blocks whose unbalanced force over the weight is above `tolerance`.
+std::vector<BlockIndex> moving_blocks(const Model& model, const State& state, double tolerance);
+
+/// The mass of some blocks over that of all free blocks; 0 without free blocks.
+double share_of_mass(const Model& model, const State& state, std::span<const BlockIndex> blocks);
+
+/// Whether a static stage has come to rest: the blocks that move are at most the stage's `moving_share`.
+bool is_at_rest(const Model& model, const State& state, const Stage& stage);
+
+/// The block whose centroid has moved farthest, where the blocks that have moved farther than `limit`, m, are
+/// more than `share` of the mass of all free blocks.
+std::optional<MovingBlock> block_moved_beyond(const Model& model, const State& state, double limit,
+                                              double share);
+
+/// A moving block, described.
+MovingBlock moving_block(const Model& model, const State& state, BlockIndex block);
 
 /// The block with the largest unbalanced force. @return none without free blocks.
 std::optional<MovingBlock> least_balanced_block(const Model& model, const State& state);
 
-/// One line: block, place, displacement, joint and unbalanced force.
+/// One line: block, place, displacement, what it moves along or is held by, and unbalanced force.
 std::string describe(const Model& model, const State& state, const MovingBlock& moving);
 
 }  // namespace rockslope::dda

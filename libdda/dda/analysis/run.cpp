@@ -1,6 +1,7 @@
 #include "dda/analysis/run.hpp"
 
 #include "dda/analysis/excavate.hpp"
+#include "dda/analysis/moving_block.hpp"
 #include "dda/analysis/run_stage.hpp"
 #include "dda/analysis/strength_reduction.hpp"
 
@@ -8,10 +9,11 @@ namespace rockslope::dda {
 
 namespace {
 
-/// Applies the resets that a static stage asks for at its end. They are applied when the next stage begins,
-/// so that the last state of a run still has the displacements of its last stage.
-void apply_resets_of(const Model& model, const Stage& stage, State& state) {
-    if (stage.kind != StageKind::static_equilibrium) return;
+/// Applies the resets and the removal that a static stage asks for at its end. They are applied when the next
+/// stage begins, so that the last state of a run still has the blocks and displacements of its last stage.
+/// @return whether blocks were removed.
+bool apply_end_of(const Model& model, const Stage& stage, State& state) {
+    if (stage.kind != StageKind::static_equilibrium) return false;
     if (stage.reset_displacements) {
         state.displacement_origin = state.blocks.points;
         for (const BlockIndex b : state.centroid_origin.indices()) {
@@ -24,6 +26,7 @@ void apply_resets_of(const Model& model, const Stage& stage, State& state) {
             contact.history = fresh_history(model.joint_material_at(contact.joint_material).law, true);
         }
     }
+    return stage.remove_moving && remove_blocks(model, moving_blocks(model, state, stage.tolerance), state);
 }
 
 /// The model without removed blocks, and its time stepper.
@@ -64,7 +67,7 @@ RunOutcome run(const Model& model, std::span<const Stage> stages, State& state, 
     bool resumed = options.resumed;
     for (std::size_t k = static_cast<std::size_t>(options.first_stage); k < stages.size(); ++k) {
         if (!resumed) {
-            if (k > 0) apply_resets_of(model, stages[k - 1], state);
+            if (k > 0 && apply_end_of(model, stages[k - 1], state)) active.reset();
             begin_stage(state);
             if (excavate(model, static_cast<int>(k) + 1, state)) active.reset();
         }
@@ -75,7 +78,7 @@ RunOutcome run(const Model& model, std::span<const Stage> stages, State& state, 
             stages[k].strength_reduction
                 ? find_factor_of_safety(active->model, stages[k], state, observer, options.threads)
                 : run_stage(active->model, stages[k], active->stepper, state, observer);
-        if (outcome.status == RunStatus::not_converged || outcome.status == RunStatus::not_settled)
+        if (outcome.status != RunStatus::completed && outcome.status != RunStatus::stopped)
             observer.stage_fails(model, state, stages[k], static_cast<int>(k));
         if (outcome.status != RunStatus::completed) return outcome;
         observer.stage_ends(model, state, stages[k], static_cast<int>(k));

@@ -11,8 +11,9 @@
 
 namespace rockslope::dda {
 
-/// How a run ended. `not_written`: results could not be written; the observer sets it.
-enum class RunStatus { completed, not_converged, not_settled, stopped, not_written };
+/// How a run ended. `energy_created`: friction returned more energy than a result can be right with, see
+/// creates_energy(). `not_written`: results could not be written; the observer sets it.
+enum class RunStatus { completed, not_converged, not_settled, energy_created, stopped, not_written };
 
 struct RunOutcome {
     RunStatus status = RunStatus::completed;
@@ -46,8 +47,8 @@ class RunObserver {
     virtual void trial_done(const Model&, const State&, const Stage&, const ReductionTrial&) {}
     /// Receives the final state of the failed trial with the smallest factor: the failure mechanism.
     virtual void mechanism_found(const Model&, const State&, const Stage&) {}
-    /// Replaces stage_ends() when a stage does not converge or settle. @param state after the last accepted
-    /// step.
+    /// Replaces stage_ends() when a stage does not converge or settle, or creates energy. @param state after
+    /// the last accepted step.
     virtual void stage_fails(const Model&, const State& /*state*/, const Stage&, int /*stage_index*/) {}
 };
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "dda/analysis/energy_watch.hpp"
 #include "dda/analysis/moving_block.hpp"
 
 namespace rockslope::dda {
@@ -111,20 +112,30 @@ double until_next_instant(const Stage& stage, double stage_time) {
     return (instant + stage.control.step / 2 < stage.duration ? instant : stage.duration) - stage_time;
 }
 
-void set_velocities_to_zero(State& state) {
+/// Sets all velocities to zero at the end of a static stage. Blocks that still move keep their accelerations.
+void stop(const Model& model, const Stage& stage, State& state) {
+    const std::vector<BlockIndex> moving = moving_blocks(model, state, stage.tolerance);
+    PerBlock<Vec6> accelerations(state.blocks.acceleration.size(), Vec6::Zero());
+    for (const BlockIndex block : moving) accelerations[block] = state.blocks.acceleration[block];
+    state.blocks.acceleration = std::move(accelerations);
     for (Vec6& v : state.blocks.velocity) v.setZero();
-    for (Vec6& a : state.blocks.acceleration) a.setZero();
 }
 
 /// Why a static stage will not settle, in one line: a block moves too far, or too many steps were needed.
 std::optional<std::string> settling_failure(const Model& model, const Stage& stage, const State& state) {
     const std::string beginning = "stage '" + stage.name + "' does not settle: ";
-    if (const auto moving = block_moved_beyond(model, state, stage.displacement_limit))
+    if (const auto moving = block_moved_beyond(model, state, stage.displacement_limit, stage.moving_share))
         return beginning + describe(model, state, *moving);
     if (state.stage_steps < stage.step_limit) return {};
     const auto moving = least_balanced_block(model, state);
     return beginning + "after " + std::to_string(stage.step_limit) + " steps " +
            (moving ? describe(model, state, *moving) : "it is not in balance");
+}
+
+RunOutcome energy_failure(const Model& model, const Stage& stage, const State& state) {
+    char text[128];
+    std::snprintf(text, sizeof text, "stage '%s', t = %.9g s: ", stage.name.c_str(), state.time);
+    return {RunStatus::energy_created, text + describe_returned(model, state.energy), {}};
 }
 
 }  // namespace
@@ -165,11 +176,12 @@ RunOutcome run_stage(const Model& model, const Stage& stage, TimeStepper& steppe
         cuts = 0;
         counts = {};
         ++state.stage_steps;
-        const bool settled = is_static && attempt.report.unbalanced_force <= stage.tolerance;
-        if (settled) set_velocities_to_zero(state);
+        attempt.report.at_rest = is_static && is_at_rest(model, state, stage);
+        if (attempt.report.at_rest) stop(model, stage, state);
         if (!observer.step_done(model, state, stage, attempt.report))
             return {RunStatus::stopped, "stopped as asked", {}};
-        if (settled) break;
+        if (attempt.report.at_rest) break;
+        if (!is_static && creates_energy(state.energy)) return energy_failure(model, stage, state);
         if (is_static)
             if (const auto failure = settling_failure(model, stage, state))
                 return {RunStatus::not_settled, *failure, {}};

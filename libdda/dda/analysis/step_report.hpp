@@ -22,6 +22,7 @@ struct StepReport : StepCounts {
     double largest_displacement = 0;        ///< m, of a vertex in this step
     double unbalanced_force = 0;            ///< largest acceleration of a block over gravity, see report_step
     double contact_frequency_step = 0;      ///< sqrt(k / m) * dt, stiffest spring and lightest block
+    bool at_rest = false;                   ///< the step ends a static stage, see run_stage()
     std::vector<JointCounterSlip> ended_counter_slips;  ///< see ended_counter_slips()
 };
 

@@ -17,18 +17,17 @@ double largest_centroid_displacement(const State& from, const State& to) {
     return largest;
 }
 
-/// Ends a trial when a block moves farther than the displacement limit, or when the run's observer stops it.
+/// Ends a trial when the run's observer stops it.
 class TrialObserver : public RunObserver {
   public:
-    TrialObserver(const State& start, double limit, RunObserver& observer)
-        : start_(start), limit_(limit), observer_(observer) {}
+    TrialObserver(const State& start, RunObserver& observer) : start_(start), observer_(observer) {}
 
     bool step_done(const Model& model, const State& state, const Stage& stage,
                    const StepReport& report) override {
         unbalanced_force = report.unbalanced_force;
         displacement = largest_centroid_displacement(start_, state);
         stopped = !observer_.trial_step_done(model, state, stage, report);
-        return !stopped && displacement <= limit_;
+        return !stopped;
     }
 
     double unbalanced_force = 0;
@@ -37,7 +36,6 @@ class TrialObserver : public RunObserver {
 
   private:
     const State& start_;
-    double limit_;
     RunObserver& observer_;
 };
 
@@ -51,7 +49,9 @@ class FactorSearch {
           start_(start),
           observer_(observer),
           threads_(threads),
-          clock_(start.time) {}
+          clock_(start.time) {
+        stage_.displacement_limit = spec_.displacement_limit;
+    }
 
     /// @return false if the observer stopped it.
     bool run() {
@@ -80,7 +80,7 @@ class FactorSearch {
         State state = start_;
         state.time = clock_;
         begin_stage(state);
-        TrialObserver trial_observer(start_, spec_.displacement_limit, observer_);
+        TrialObserver trial_observer(start_, observer_);
         const RunOutcome outcome = run_stage(weakened, stage_, stepper, state, trial_observer);
         if (trial_observer.stopped) return false;
         clock_ = state.time;
@@ -94,7 +94,7 @@ class FactorSearch {
     }
 
     const Model& model_;
-    const Stage& stage_;
+    Stage stage_;  ///< of a trial
     const StrengthReduction spec_;
     const State& start_;
     RunObserver& observer_;

@@ -13,7 +13,7 @@ namespace rockslope::dda {
 
 namespace {
 
-constexpr std::int64_t checkpoint_version = 15;
+constexpr std::int64_t checkpoint_version = 16;
 constexpr std::size_t chunk_elements = 1 << 16;  // elements
 
 template <class T>
@@ -118,6 +118,26 @@ std::vector<ReductionTrial> trials_of(const std::vector<double>& values) {
     return trials;
 }
 
+std::vector<double> left_values(const std::vector<LeftMoving>& left) {
+    std::vector<double> values;
+    for (const LeftMoving& l : left)
+        values.insert(values.end(), {static_cast<double>(l.stage), static_cast<double>(l.block.value()),
+                                     l.centroid.x(), l.centroid.y(), l.mass, l.share, l.displacement});
+    return values;
+}
+
+std::vector<LeftMoving> left_of(const std::vector<double>& values) {
+    std::vector<LeftMoving> left;
+    for (std::size_t i = 0; i + 7 <= values.size(); i += 7)
+        left.push_back({static_cast<int>(values[i]),
+                        static_cast<int>(values[i + 1]),
+                        {values[i + 2], values[i + 3]},
+                        values[i + 4],
+                        values[i + 5],
+                        values[i + 6]});
+    return left;
+}
+
 std::vector<std::int64_t> counts_of(const ResultsState& results) {
     return {results.stage,
             results.next_frame,
@@ -153,6 +173,7 @@ std::string digest_of(const Checkpoint& checkpoint, const StateArchive& state) {
     append_bytes(text, slip_values(checkpoint.results.first_slips));
     append_bytes(text, plane_values(checkpoint.results.planes));
     append_bytes(text, reversal_values(checkpoint.results.close_reversals.nearest));
+    append_bytes(text, left_values(checkpoint.results.left_moving));
     for (const auto& [name, position] : checkpoint.positions)
         text += name + " " + std::to_string(position) + "\n";
     return sha256(text);
@@ -166,6 +187,7 @@ void write_results_state(HdfFile& file, const ResultsState& results) {
     store(file, "/first_slips", slip_values(results.first_slips));
     store(file, "/planes", plane_values(results.planes));
     store(file, "/close_reversals", reversal_values(results.close_reversals.nearest));
+    store(file, "/left_moving", left_values(results.left_moving));
 }
 
 ResultsState read_results_state(const HdfFile& file) {
@@ -187,6 +209,7 @@ ResultsState read_results_state(const HdfFile& file) {
     results.first_slips = slips_of(file.read_all<double>("/first_slips"));
     results.planes = planes_of(file.read_all<double>("/planes"));
     results.close_reversals.nearest = reversals_of(file.read_all<double>("/close_reversals"));
+    results.left_moving = left_of(file.read_all<double>("/left_moving"));
     return results;
 }
 

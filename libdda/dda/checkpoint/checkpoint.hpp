@@ -10,6 +10,7 @@
 #include "dda/monitor/blocks_on_planes.hpp"
 #include "dda/monitor/close_reversals.hpp"
 #include "dda/monitor/first_slips.hpp"
+#include "dda/monitor/left_moving.hpp"
 
 namespace rockslope::dda {
 
@@ -37,6 +38,7 @@ struct ResultsState {
     PerBlock<FirstSlip> first_slips;      ///< per block
     std::vector<BlockOnPlane> planes;     ///< found after the first dynamic step
     CloseReversals close_reversals;       ///< whose counter-slips have ended
+    std::vector<LeftMoving> left_moving;  ///< by all static stages so far
 };
 
 /// Everything needed to resume a run.

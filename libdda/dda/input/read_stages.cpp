@@ -78,6 +78,7 @@ Stage read_stage(const ConfigTable& table, std::size_t index, const Model& model
     if (stage.kind == StageKind::static_equilibrium) {
         stage.tolerance = positive(table, "tolerance", Dimension::none, stage.tolerance);
         stage.step_limit = count(table, "step_limit", stage.step_limit);
+        stage.moving_share = in_range(table, "moving_share", stage.moving_share, 0, 1, "a share from 0 to 1");
         if (kind == "strength-reduction") {
             stage.strength_reduction = read_strength_reduction(table, model);
             stage.reset_displacements = false;
@@ -85,6 +86,7 @@ Stage read_stage(const ConfigTable& table, std::size_t index, const Model& model
         }
         stage.displacement_limit = positive(table, "displacement_limit", Dimension::length,
                                             settling_displacement_ratio * height_of(model));
+        stage.remove_moving = table.choice("moving_blocks", {"keep", "remove"}, "keep") == "remove";
         stage.reset_displacements = table.boolean("reset_displacements", stage.reset_displacements);
         stage.reset_joint_history = table.boolean("reset_joint_history", stage.reset_joint_history);
         return stage;

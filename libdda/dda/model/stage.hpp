@@ -62,7 +62,11 @@ struct Stage {
     int step_limit = 20000;   ///< static: the stage has failed to settle after this many steps
     /// m, static: the stage has failed to settle when a block has moved farther in it
     double displacement_limit = std::numeric_limits<double>::infinity();
-    double newmark_beta = 0.5;  ///< Newmark's parameters; (1/2, 1) is Shi's integration
+    /// Static: largest mass of the blocks that still move at the stage's end over the mass of all free
+    /// blocks.
+    double moving_share = 1e-4;
+    bool remove_moving = false;  ///< static: the blocks that still move at its end are removed
+    double newmark_beta = 0.5;   ///< Newmark's parameters; (1/2, 1) is Shi's integration
     double newmark_gamma = 1.0;
     double mass_damping = 0;           ///< 1/s, mass-proportional damping
     bool reset_displacements = true;   ///< static: displacements and slips are zeroed at the stage's end

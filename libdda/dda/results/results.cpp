@@ -32,7 +32,7 @@ void update_peak(double value, double time, double& peak, double& peak_time) {
 /// no checkpoint is written between that step and the stage's end.
 bool ends_stage(const State& state, const Stage& stage, const StepReport& report) {
     return stage.kind == StageKind::static_equilibrium &&
-           (report.unbalanced_force <= stage.tolerance || state.stage_steps >= stage.step_limit);
+           (report.at_rest || state.stage_steps >= stage.step_limit);
 }
 
 /// Whether displacements are zeroed at the end of a stage.
@@ -190,6 +190,8 @@ void Results::mechanism_found(const Model&, const State& state, const Stage& sta
 
 void Results::stage_ends(const Model&, const State& state, const Stage& stage, int stage_index) {
     if (stage.strength_reduction) return;  // mechanism_found wrote its frame
+    const std::vector<LeftMoving> left = left_moving(model_, state, stage, stage_index);
+    progress_.left_moving.insert(progress_.left_moving.end(), left.begin(), left.end());
     write_history(state, stage);
     // A viewer finds a frame by its time: if displacements are zeroed, only the next stage's start is
     // written.

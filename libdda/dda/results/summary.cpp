@@ -6,6 +6,8 @@
 
 #include "common/base/read_file.hpp"
 #include "common/base/sha256.hpp"
+#include "dda/analysis/energy_watch.hpp"
+#include "dda/monitor/spring_resolution.hpp"
 #include "dda/results/block_table.hpp"
 
 namespace rockslope::dda {
@@ -22,6 +24,8 @@ const char* status_name(RunStatus status) {
             return "not converged";
         case RunStatus::not_settled:
             return "not settled";
+        case RunStatus::energy_created:
+            return "energy created";
         case RunStatus::not_written:
             return "not written";
         default:
@@ -131,7 +135,37 @@ Json energy_json(const Energy& e) {
             {"excavated", e.excavated},
             {"external_work", e.external_work},
             {"residual", e.residual()},
-            {"friction_returned", e.friction_returned}};
+            {"friction_returned", e.friction_returned},
+            {"turned_over", turned_over(e)}};
+}
+
+Json springs_json(const Model& model, const std::vector<Stage>& stages) {
+    Json list = Json::array();
+    for (const SpringResolution& r : spring_resolutions(model, stages))
+        list.push_back({{"stage", stages[r.stage].name},
+                        {"joint_material", model.joint_material_at(r.joint_material).name},
+                        {"shear_period_steps", r.shear_period_steps},
+                        {"normal_period_steps", r.normal_period_steps},
+                        {"swing", r.swing},
+                        {"lost_per_period", r.lost_per_period}});
+    return list;
+}
+
+Json left_moving_json(const std::vector<LeftMoving>& left, const Model& model,
+                      const std::vector<Stage>& stages) {
+    Json list = Json::array();
+    for (const LeftMoving& l : left) {
+        const Stage& stage = stages[static_cast<std::size_t>(l.stage)];
+        list.push_back({{"stage", stage.name},
+                        {"block", l.block.value()},
+                        {"centroid", pair(l.centroid)},
+                        {"mass", l.mass},
+                        {"share_of_mass", l.share},
+                        {"displacement", l.displacement},
+                        {"removed", stage.remove_moving}});
+        if (!model.block_name[l.block].empty()) list.back()["name"] = model.block_name[l.block];
+    }
+    return list;
 }
 
 Json close_reversals_json(const Model& model, const CloseReversals& close) {
@@ -214,6 +248,9 @@ std::string summary_text(const Model& model, const std::vector<Stage>& stages, c
     if (wears_by_reversals(model))
         json["reversals_close_to_min_slip"] =
             close_reversals_json(model, with_present(results.state().close_reversals, model, state));
+    if (state.dynamic_time > 0) json["spring_resolution"] = springs_json(model, stages);
+    if (!results.state().left_moving.empty())
+        json["moving_at_rest"] = left_moving_json(results.state().left_moving, model, stages);
     json["energy"] = energy_json(state.energy);
     if (!results.state().trials.empty()) json["factor_of_safety"] = factor_of_safety(results.state().trials);
     json["units"] = "SI, per metre of thickness";

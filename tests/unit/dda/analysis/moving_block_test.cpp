@@ -40,13 +40,14 @@ TEST(MovingBlock, IsTheFreeBlockThatMovedFarthest) {
     blocks.move(1, {0.3, 0.4});
     blocks.move(2, {0, -0.2});
     blocks.accelerate(1, -0.25 * g);
-    EXPECT_FALSE(dda::block_moved_beyond(blocks.s.model, blocks.state, 0.51));
-    const auto moving = dda::block_moved_beyond(blocks.s.model, blocks.state, 0.1);
+    EXPECT_FALSE(dda::block_moved_beyond(blocks.s.model, blocks.state, 0.51, 0));
+    const auto moving = dda::block_moved_beyond(blocks.s.model, blocks.state, 0.1, 0);
     ASSERT_TRUE(moving);
     EXPECT_EQ(moving->block, 1);
     EXPECT_DOUBLE_EQ(moving->displacement, 0.5);
     EXPECT_DOUBLE_EQ(moving->unbalanced, 0.25);
-    EXPECT_FALSE(moving->on) << "in free fall";
+    EXPECT_FALSE(moving->on);
+    EXPECT_FALSE(moving->falls_freely);
 }
 
 TEST(MovingBlock, IsNotOneThatHasBeenExcavated) {
@@ -54,7 +55,7 @@ TEST(MovingBlock, IsNotOneThatHasBeenExcavated) {
     blocks.move(1, {3, 0});
     blocks.move(2, {1, 0});
     blocks.state.removed = {0, 1, 0, 0};
-    EXPECT_EQ(dda::block_moved_beyond(blocks.s.model, blocks.state, 0.1)->block, 2);
+    EXPECT_EQ(dda::block_moved_beyond(blocks.s.model, blocks.state, 0.1, 0)->block, 2);
 }
 
 TEST(MovingBlock, IsTheLeastBalancedOne) {
@@ -76,7 +77,7 @@ TEST(MovingBlock, MovesAlongItsSlidingContactWithTheLargestSlip) {
     blocks.add_contact(0, 1, dda::ContactState::sliding, -0.3);
     blocks.add_contact(1, 2, dda::ContactState::locked, 0.7);
     blocks.add_contact(2, 3, dda::ContactState::sliding, 0.9);
-    const auto moving = dda::block_moved_beyond(blocks.s.model, blocks.state, 0.1);
+    const auto moving = dda::block_moved_beyond(blocks.s.model, blocks.state, 0.1, 0);
     ASSERT_TRUE(moving->on);
     EXPECT_EQ(moving->on->slip, -0.3);
 }
@@ -84,15 +85,59 @@ TEST(MovingBlock, MovesAlongItsSlidingContactWithTheLargestSlip) {
 TEST(MovingBlock, IsDescribedInTheUsersCoordinates) {
     FourBlocks blocks;
     blocks.move(1, {0.25, -0.5});
-    blocks.accelerate(1, -0.5 * g);
-    const auto fall = dda::block_moved_beyond(blocks.s.model, blocks.state, 0.1);
+    blocks.accelerate(1, -g);
+    const auto fall = dda::block_moved_beyond(blocks.s.model, blocks.state, 0.1, 0);
     EXPECT_EQ(dda::describe(blocks.s.model, blocks.state, *fall),
               "block 1 at (1010.75, 2000) has moved 0.559 m in free fall and does not stop; its unbalanced "
-              "force is 0.5 of the weight");
+              "force is 1 of the weight");
     blocks.add_contact(1, 0, dda::ContactState::sliding, 0.1);
-    const auto slide = dda::block_moved_beyond(blocks.s.model, blocks.state, 0.1);
+    const auto slide = dda::block_moved_beyond(blocks.s.model, blocks.state, 0.1, 0);
     EXPECT_NE(dda::describe(blocks.s.model, blocks.state, *slide).find(" m along 'bedding' and does"),
               std::string::npos);
+}
+
+// "In free fall" is said of what falls freely, not of a block that water or a load pushes out, or that is
+// held.
+TEST(MovingBlock, FallsFreelyOnlyAtTheAccelerationOfGravity) {
+    FourBlocks blocks;
+    blocks.move(1, {1, 0});
+    blocks.accelerate(1, 0.5 * g);
+    const auto manner = [&] {
+        return dda::describe(blocks.s.model, blocks.state,
+                             *dda::block_moved_beyond(blocks.s.model, blocks.state, 0.1, 0));
+    };
+    EXPECT_NE(manner().find(" m out of contact, under its loads and"), std::string::npos) << manner();
+    blocks.add_contact(0, 1, dda::ContactState::locked, 0);
+    EXPECT_NE(manner().find(" m in contact with block 0 without sliding on it and"), std::string::npos);
+}
+
+// Blocks 1 to 3 have one mass each: two that moved are 2/3 of it.
+TEST(MovingBlock, HasNotMovedBeyondTheLimitWhereTooLittleOfTheMassHas) {
+    FourBlocks blocks;
+    blocks.move(1, {1, 0});
+    blocks.move(2, {2, 0});
+    EXPECT_FALSE(dda::block_moved_beyond(blocks.s.model, blocks.state, 0.1, 0.67));
+    EXPECT_EQ(dda::block_moved_beyond(blocks.s.model, blocks.state, 0.1, 0.66)->block, 2);
+    EXPECT_EQ(dda::block_moved_beyond(blocks.s.model, blocks.state, 1.5, 0.33)->block, 2)
+        << "1/3 of the mass";
+    EXPECT_FALSE(dda::block_moved_beyond(blocks.s.model, blocks.state, 1.5, 0.34));
+}
+
+TEST(MovingBlock, IsOutOfBalanceByMoreThanTheTolerance) {
+    FourBlocks blocks;
+    blocks.accelerate(0, 100);  // fixed
+    blocks.accelerate(1, 1e-6 * g);
+    blocks.accelerate(2, 2e-6 * g);
+    EXPECT_EQ(dda::moving_blocks(blocks.s.model, blocks.state, 1.5e-6), std::vector<dda::BlockIndex>{2});
+    dda::Stage stage;
+    stage.tolerance = 1.5e-6;
+    stage.moving_share = 0.33;
+    EXPECT_FALSE(dda::is_at_rest(blocks.s.model, blocks.state, stage));
+    stage.moving_share = 0.34;
+    EXPECT_TRUE(dda::is_at_rest(blocks.s.model, blocks.state, stage)) << "a third moves";
+    blocks.accelerate(2, std::nan(""));
+    stage.moving_share = 0;
+    EXPECT_FALSE(dda::is_at_rest(blocks.s.model, blocks.state, stage)) << "not a number is no rest";
 }
 
 }  // namespace

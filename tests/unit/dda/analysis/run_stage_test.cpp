@@ -170,6 +170,33 @@ TEST(RunStage, SaysWhichBlockDoesNotSettle) {
     EXPECT_EQ(limited.reports.size(), 4u);
 }
 
+/// A block at rest on a floor, and a chip of 1e-6 of its mass in the air.
+Scene block_and_falling_chip() {
+    Scene s;
+    s.box({-1, -1}, 12, 1, dda::Motion::fixed);
+    s.box({0, 0}, 10, 10);
+    s.box({50, 0}, 0.01, 0.01);
+    return s;
+}
+
+TEST(RunStage, AStaticStageRestsWhileAChipMoves) {
+    dda::Stage stage = stage_of(0, 5e-3);
+    stage.kind = dda::StageKind::static_equilibrium;
+    stage.displacement_limit = 1e-4;
+    StageRun run(block_and_falling_chip());
+    ASSERT_EQ(run.run(stage).status, RunStatus::completed);
+    EXPECT_TRUE(run.reports.back().at_rest);
+    EXPECT_EQ(run.state.blocks.acceleration[1], Vec6::Zero());
+    EXPECT_NEAR(run.state.blocks.acceleration[2][1], -g, 1e-9 * g) << "it goes on falling";
+    EXPECT_EQ(run.state.blocks.velocity[2], Vec6::Zero());
+
+    stage.moving_share = 0;
+    StageRun strict(block_and_falling_chip());
+    const dda::RunOutcome outcome = strict.run(stage);
+    EXPECT_EQ(outcome.status, RunStatus::not_settled);
+    EXPECT_THAT(outcome.message, HasSubstr("block 2 at"));
+}
+
 TEST(RunStage, SaysWhyNoStepIsAccepted) {
     StageRun run(one_block());
     run.state.blocks.velocity[0][0] = 10;

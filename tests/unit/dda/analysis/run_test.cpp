@@ -192,6 +192,33 @@ TEST(Run, WhatABlockMovedBeforeAStaticStageDoesNotCount) {
 
 // Near the equilibrium the displacements of a step vanish, and a static step may be fifty times the
 // control's. The unbalanced force then falls by its square in each step instead of by a constant factor.
+// A block at rest and a chip of 1e-6 of its mass that falls: the chip is gone when the next stage begins,
+// with its energy, or it goes on falling.
+TEST(Run, RemovesTheBlocksThatStillMoveAtTheEndOfAStaticStage) {
+    Scene s;
+    s.box({-1, -1}, 12, 1, dda::Motion::fixed);
+    s.box({0, 0}, 10, 10);
+    s.box({50, 0}, 0.01, 0.01);
+    dda::Stage settle;
+    settle.kind = dda::StageKind::static_equilibrium;
+    dda::Stage wait;
+    wait.duration = 0.1;
+    std::vector<double> residuals;
+    for (const bool removed : {false, true}) {
+        settle.remove_moving = removed;
+        const std::vector<dda::Stage> stages{settle, wait};
+        dda::State state = dda::initial_state(s.model);
+        dda::RunObserver observer;
+        ASSERT_EQ(dda::run(s.model, stages, state, observer).status, dda::RunStatus::completed);
+        EXPECT_EQ(state.is_present(2), !removed);
+        EXPECT_TRUE(state.is_present(1));
+        const double fallen = state.stage_origin[2].y() - state.blocks.centroid(2).y();
+        EXPECT_NEAR(fallen, removed ? 0 : g * 0.1 * 0.1 / 2, removed ? 0 : 5e-3);
+        residuals.push_back(state.energy.residual());
+    }
+    EXPECT_NEAR(residuals[1], residuals[0], 1e-9) << "the removed chip's energy is accounted for";
+}
+
 TEST(Run, AStaticStepGrowsWhereNothingMoves) {
     const Scene s = running_bond_wall(3, 6, 10);
     Simulation sim(s);
