@@ -187,7 +187,7 @@ void print_factor_of_safety(const std::vector<dda::ReductionTrial>& trials) {
 
 /// Says how much energy friction returned.
 void print_returned_friction(const dda::Model& model, const dda::Energy& energy) {
-    if (energy.friction_returned <= dda::returned_share_told * dda::turned_over(energy)) return;
+    if (!dda::returns_friction(energy)) return;
     std::fprintf(stderr, "dda-run: %s. Displacements may be wrong by more than that share\n",
                  dda::describe_returned(model, energy).c_str());
 }

@@ -12,6 +12,11 @@ double turned_over(const Energy& energy) {
     return std::max(energy.kinetic + lost, energy.strain + energy.contact + energy.constraint);
 }
 
+bool returns_friction(const Energy& energy) {
+    const double taken = energy.friction_loss + energy.friction_returned;
+    return energy.friction_returned > returned_share_told * taken;
+}
+
 bool creates_energy(const Energy& energy) {
     return energy.friction_returned > returned_share_allowed * turned_over(energy);
 }

@@ -7,14 +7,17 @@
 
 namespace rockslope::dda {
 
-/// A run tells of friction that returned more than this fraction of the energy turned over.
+/// A run tells of friction that returned more than this fraction of what it took.
 inline constexpr double returned_share_told = 1e-3;
-/// A dynamic stage ends above this fraction.
+/// A dynamic stage ends above this fraction of the energy turned over.
 inline constexpr double returned_share_allowed = 0.1;
 
 /// The energy that a run has turned over so far, J per metre: the kinetic energy and all that was lost; or
 /// the energy that springs and strained blocks store, where that is more.
 double turned_over(const Energy& energy);
+
+/// Whether a run tells of what friction returned.
+bool returns_friction(const Energy& energy);
 
 /// Whether a run must not go on: friction, which only takes energy, returned too much.
 bool creates_energy(const Energy& energy);

@@ -15,10 +15,8 @@ struct SpringResolution {
     JointMaterialIndex joint_material;
     double shear_period_steps = 0;   ///< steps in a period of the block on the shear spring
     double normal_period_steps = 0;  ///< steps in a period of the block on the normal spring
-    double swing =
-        0;  ///< m, displacement of the shear spring under the block's weight, the scale of what is lost
-    double lost_per_period =
-        0;  ///< fraction of a swing's amplitude that the time integration takes in a period
+    double swing = 0;                ///< m, displacement of the shear spring under the block's weight
+    double lost_per_period = 0;      ///< fraction of a swing's amplitude, by the time integration
 };
 
 /// A spring that loses more of its swing in a period, and swings farther than `least_swing`, is told of.

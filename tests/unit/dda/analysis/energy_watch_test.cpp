@@ -25,6 +25,18 @@ TEST(EnergyWatch, CountsWhatMovesAndWhatWasLost) {
     EXPECT_EQ(dda::turned_over(energy), 470);
 }
 
+// Other energies of the run do not hide what friction returned.
+TEST(EnergyWatch, TellsBeyondAThousandthOfWhatFrictionTook) {
+    dda::Energy energy;
+    energy.kinetic = 1e9;
+    energy.friction_loss = 1000;
+    energy.friction_returned = 0.9;
+    EXPECT_FALSE(dda::returns_friction(energy));
+    energy.friction_returned = 1.1;
+    EXPECT_TRUE(dda::returns_friction(energy));
+    EXPECT_FALSE(dda::returns_friction({})) << "at the start of a run";
+}
+
 TEST(EnergyWatch, EndsBeyondATenthOfWhatIsTurnedOverOrStored) {
     dda::Energy energy;
     energy.kinetic = 10;
