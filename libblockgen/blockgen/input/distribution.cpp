@@ -5,6 +5,7 @@
 #include <boost/math/special_functions/erf.hpp>
 #include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 namespace rockslope::blockgen {
@@ -63,6 +64,16 @@ bool is_degenerate(const Distribution& d) {
     return d.sd == 0 && (d.law == Law::normal || d.law == Law::lognormal || d.law == Law::gamma);
 }
 
+/// The share of the draws below a value, from their quantile function, by bisection.
+double share_below(const std::function<double(double)>& quantile, double value) {
+    double low = 0, high = 1;
+    while (high - low > 0x1p-52) {
+        const double middle = (low + high) / 2;
+        (quantile(middle) < value ? low : high) = middle;
+    }
+    return high == 1 ? 1 : low;
+}
+
 }  // namespace
 
 double Distribution::untruncated_mean() const {
@@ -75,10 +86,12 @@ double Distribution::truncated_mean(double cap) const {
     if (law == Law::constant) return std::min(mean, cap);
     if (max <= cap && (law == Law::uniform || law == Law::power)) return untruncated_mean();
     // The quantile may be infinite at u = 0 and u = 1, but the integral is finite; the clamp avoids the ends.
+    const auto quantile_inside = [this](double u) { return quantile(std::clamp(u, 0x1p-53, 1 - 0x1p-53)); };
+    // Integrated up to the kink at the cap: across it the rule would converge slowly.
+    const double below = std::isinf(cap) ? 1.0 : share_below(quantile_inside, cap);
     boost::math::quadrature::tanh_sinh<double> rule;
-    return rule.integrate(
-        [this, cap](double u) { return std::min(quantile(std::clamp(u, 0x1p-53, 1 - 0x1p-53)), cap); }, 0.0,
-        1.0);
+    const double integral = below == 0 ? 0 : rule.integrate(quantile_inside, 0.0, below);
+    return below == 1 ? integral : integral + (1 - below) * cap;
 }
 
 double Distribution::quantile(double u) const {

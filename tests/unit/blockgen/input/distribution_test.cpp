@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "blockgen/sampling/random_stream.hpp"
@@ -105,6 +107,22 @@ TEST(Distribution, MeanOfTheDraws) {
     const double p = std::exp(-0.25), q = std::exp(-1.5);
     EXPECT_NEAR(Distribution({Law::exponential, 20, 0, 5, 30}).truncated_mean(),
                 20 + (5 * p - 30 * q) / (p - q), 1e-9);
+}
+
+// The integral of 1 - F(x) from 0 to the cap. The tail that the rule leaves out is 1e-6 of an exponential
+// law's mean.
+TEST(Distribution, MeanOfDrawsUpToACap) {
+    for (const double cap : {0.5, 3.0, 20.0, 50.0, 2000.0}) {
+        EXPECT_NEAR(Distribution({Law::exponential, 20}).truncated_mean(cap), -20 * std::expm1(-cap / 20),
+                    1e-5)
+            << cap;
+        const double within = std::min(cap, 3.0), above = std::max(within - 1, 0.0);
+        EXPECT_NEAR(Distribution({Law::uniform, 0, 0, 1, 3}).truncated_mean(cap), within - above * above / 4,
+                    1e-9)
+            << cap;
+        EXPECT_EQ(constant_value(4).truncated_mean(cap), std::min(4.0, cap));
+        EXPECT_EQ(Distribution({Law::normal, 4, 0}).truncated_mean(cap), std::min(4.0, cap));
+    }
 }
 
 TEST(Distribution, KeysOfTheModelFile) {
