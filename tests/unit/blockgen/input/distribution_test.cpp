@@ -109,16 +109,22 @@ TEST(Distribution, MeanOfTheDraws) {
                 20 + (5 * p - 30 * q) / (p - q), 1e-9);
 }
 
-// The integral of 1 - F(x) from 0 to the cap. The tail that the rule leaves out is 1e-6 of an exponential
-// law's mean.
+// The integral of 1 - F(x) from 0 to the cap, but for rounding: the share below the cap is exact to 2^-52.
 TEST(Distribution, MeanOfDrawsUpToACap) {
-    for (const double cap : {0.5, 3.0, 20.0, 50.0, 2000.0}) {
+    const Distribution lognormal{Law::lognormal, 3, 0.6};
+    const double sd = std::sqrt(std::log1p(0.04)), log_mean = std::log(3) - sd * sd / 2;
+    const auto normal_cdf = [](double z) { return std::erfc(-z / std::sqrt(2)) / 2; };
+    for (const double cap : {0.5, 1.0, 2.5, 3.0, 20.0, 50.0, 2000.0}) {
         EXPECT_NEAR(Distribution({Law::exponential, 20}).truncated_mean(cap), -20 * std::expm1(-cap / 20),
-                    1e-5)
+                    1e-11 * cap)
+            << cap;
+        const double z = (std::log(cap) - log_mean) / sd;
+        EXPECT_NEAR(lognormal.truncated_mean(cap), 3 * normal_cdf(z - sd) + cap * (1 - normal_cdf(z)),
+                    1e-11 * cap)
             << cap;
         const double within = std::min(cap, 3.0), above = std::max(within - 1, 0.0);
         EXPECT_NEAR(Distribution({Law::uniform, 0, 0, 1, 3}).truncated_mean(cap), within - above * above / 4,
-                    1e-9)
+                    1e-11 * cap)
             << cap;
         EXPECT_EQ(constant_value(4).truncated_mean(cap), std::min(4.0, cap));
         EXPECT_EQ(Distribution({Law::normal, 4, 0}).truncated_mean(cap), std::min(4.0, cap));
