@@ -117,13 +117,34 @@ Names offered_names(const SourceFile& header) {
     return names;
 }
 
-Names used_names(const SourceFile& file) {
-    Names names;
-    for (const Token& token : file.tokens.all)
-        if (token.kind == Token::Kind::name) names.insert(token.text);
+/// The names that a file uses.
+struct UsedNames {
+    Names all;
+    Names standard;  ///< behind std::
+};
+
+/// Adds the names of a row of tokens.
+void add_names(const std::vector<Token>& tokens, UsedNames& used) {
+    for (std::size_t k = 0; k < tokens.size(); ++k) {
+        if (tokens[k].kind != Token::Kind::name) continue;
+        used.all.insert(tokens[k].text);
+        if (k >= 2 && tokens[k - 1].text == "::" && tokens[k - 2].text == "std")
+            used.standard.insert(tokens[k].text);
+    }
+}
+
+UsedNames used_names(const SourceFile& file) {
+    UsedNames used;
+    add_names(file.tokens.all, used);
     for (const std::string& directive : file.tokens.directive_text)
-        for (const Token& token : tokenize(directive.substr(1)).all) names.insert(token.text);
-    return names;
+        add_names(tokenize(directive.substr(1)).all, used);
+    return used;
+}
+
+/// Whether the names of a header may stand without std::, as those of a header that C has as well, or of our
+/// own.
+bool may_be_bare(const std::string& include) {
+    return include.starts_with("\"") || include.starts_with("<c") || include == "<new>";
 }
 
 bool meet(const Names& first, const Names& second) {
@@ -141,10 +162,11 @@ Faults check_includes(const std::vector<SourceFile>& files) {
     Faults faults;
     for (const SourceFile& file : files) {
         if (!file.is_header()) continue;
-        const Names used = used_names(file);
+        const UsedNames used = used_names(file);
         for (const std::string& include : file.tokens.includes) {
             const auto offered = offers.find(include);
-            if (offered != offers.end() && !meet(offered->second, used))
+            const Names& names = may_be_bare(include) ? used.all : used.standard;
+            if (offered != offers.end() && !meet(offered->second, names))
                 faults.push_back(file.path + " includes " + include + " and uses nothing of it");
         }
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -13,7 +14,10 @@ class Law {
   public:
     /// Nothing calls it.
     std::vector<Scalar> dead() const;
-    double undocumented() const { return undocumented(); }
+    double undocumented() const {
+        const double max = undocumented();
+        return max;
+    }
     double listed() const { return round_limit_of_law(); }
     /// Documented.
     double listed_and_documented() const { return listed(); }
