@@ -81,7 +81,7 @@ class DampedImpact : public testing::TestWithParam<unsigned> {};
 // The same with dashpots from a twentieth to twice the critical: energy does not grow, and dashpots take
 // some.
 TEST_P(DampedImpact, NoBlockPenetratesAnotherUndetected) {
-    double damped = 0;
+    int damped = 0;
     for (unsigned seed = 50 * GetParam() + 1; seed <= 50 * (GetParam() + 1); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         FlightSetup thrown = random_throw(seed);
@@ -89,9 +89,9 @@ TEST_P(DampedImpact, NoBlockPenetratesAnotherUndetected) {
         FlightMonitor monitor(thrown);
         monitor.run();
         if (HasFatalFailure()) return;
-        damped += monitor.simulation().state.energy.contact_damping_loss;
+        damped += monitor.simulation().state.energy.contact_damping_loss > 0;
     }
-    EXPECT_GT(damped, 0);
+    EXPECT_GE(damped, least_hits) << "of 50 throws";
 }
 INSTANTIATE_TEST_SUITE_P(Fifties, DampedImpact, testing::Range(0U, 20U), testing::PrintToStringParamName());
 
@@ -135,6 +135,7 @@ INSTANTIATE_TEST_SUITE_P(Known, TipPassedThroughAThinBlock, testing::Values(78U,
 class CornerBesideTheLoadedOne : public KnownThrow {};
 TEST_P(CornerBesideTheLoadedOne, NoBlockPenetratesAnotherUndetected) {
     fly();
+    EXPECT_GT(monitor.loaded_neighbours(), 0) << "a block must meet another with neighbouring corners";
 }
 INSTANTIATE_TEST_SUITE_P(Known, CornerBesideTheLoadedOne, testing::Values(108U, 508U, 583U, 643U),
                          testing::PrintToStringParamName());
@@ -150,7 +151,7 @@ INSTANTIATE_TEST_SUITE_P(Known, WrongPredictedRotationAddedEnergy, testing::Valu
 class RearEntranceLineHadAForce : public KnownThrow {};
 TEST_P(RearEntranceLineHadAForce, NoBlockPenetratesAnotherUndetected) {
     fly();
-    EXPECT_GT(monitor.closed_corners(), 0) << "a corner must meet a corner";
+    EXPECT_GT(monitor.loaded_rear_lines(), 0) << "another line must have borne force, or be entered first";
 }
 INSTANTIATE_TEST_SUITE_P(Known, RearEntranceLineHadAForce, testing::Values(24U, 864U),
                          testing::PrintToStringParamName());

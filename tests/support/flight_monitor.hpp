@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "support/momentum_balance.hpp"
@@ -46,8 +48,10 @@ class FlightMonitor {
     }
     /// Closed contacts, summed over the steps.
     int closed_contacts() const { return closed_contacts_; }
-    /// Closed contacts of a corner with a corner, summed over the steps.
-    int closed_corners() const { return closed_corners_; }
+    /// Loads of a corner whose neighbour bears or has borne force on the same block.
+    int loaded_neighbours() const { return loaded_neighbours_; }
+    /// Loads of an entrance line while another of its group has borne force or would be entered first.
+    int loaded_rear_lines() const { return loaded_rear_lines_; }
     /// m, the largest displacement of a vertex in a step.
     double largest_displacement() const { return largest_displacement_; }
     /// rad2, the largest product of a block's rotation in a step and its error by the velocity at the step's
@@ -60,7 +64,7 @@ class FlightMonitor {
         for (const dda::Contact& c : state.contacts.contacts) {
             if (c.state == dda::ContactState::open) continue;
             ++closed_contacts_;
-            closed_corners_ += c.kind == dda::ContactKind::vertex_vertex;
+            remember_load(state, c);
         }
         observe_motion(state, report);
         check_overlaps(state, report);
@@ -73,6 +77,34 @@ class FlightMonitor {
         kinetic_ = std::max(kinetic_, state.energy.kinetic);
         ASSERT_LE(state.energy.stores(), energy_ + 1e-9 * kinetic_) << "t = " << state.time;
         ASSERT_LE(std::abs(state.energy.residual()), max_residual_ * kinetic_) << "t = " << state.time;
+    }
+
+    /// Notes that a contact bears force.
+    void remember_load(const dda::State& state, const dda::Contact& loaded) {
+        remember_corner(loaded.corner, loaded.edge_block);
+        if (loaded.kind == dda::ContactKind::vertex_vertex)
+            remember_corner(nearer_end(state, loaded), loaded.corner_block);
+        for (const dda::Contact& c : state.contacts.contacts) {
+            const bool is_other_line = loaded.group >= 0 && c.group == loaded.group && c.line != loaded.line;
+            loaded_rear_lines_ += is_other_line && (c.gap > loaded.gap || c.inherited_penetration > 0);
+        }
+    }
+    void remember_corner(dda::CornerIndex corner, dda::BlockIndex on) {
+        for (const auto& [other, met] : loaded_)
+            loaded_neighbours_ += met == on && are_neighbours(corner, other);
+        loaded_.insert({corner, on});
+    }
+    dda::CornerIndex nearer_end(const dda::State& state, const dda::Contact& contact) const {
+        const dda::CornerIndex first = start_of(contact.edge),
+                               second = sim_.model.topology.end_of(contact.edge);
+        const auto distance = [&](dda::CornerIndex c) {
+            return (state.blocks.vertices[c] - contact.point).norm();
+        };
+        return distance(first) < distance(second) ? first : second;
+    }
+    bool are_neighbours(dda::CornerIndex a, dda::CornerIndex b) const {
+        const dda::Topology& topology = sim_.model.topology;
+        return topology.end_of(dda::edge_from(a)) == b || topology.end_of(dda::edge_from(b)) == a;
     }
 
     void observe_motion(const dda::State& state, const dda::StepReport& report) {
@@ -109,7 +141,9 @@ class FlightMonitor {
     double max_residual_;
     bool isolated_ = true;
     int closed_contacts_ = 0;
-    int closed_corners_ = 0;
+    std::set<std::pair<dda::CornerIndex, dda::BlockIndex>> loaded_;  ///< corners, and the blocks they met
+    int loaded_neighbours_ = 0;
+    int loaded_rear_lines_ = 0;
     double largest_displacement_ = 0;
     double largest_rotation_error_ = 0;
     std::vector<double> rotation_before_;  ///< rad, per block, a step ago
