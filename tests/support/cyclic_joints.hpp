@@ -1,5 +1,6 @@
 #pragma once
 
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -21,6 +22,26 @@ inline std::vector<dda::ShearTestRow> sheared(const dda::CyclicBartonBandis& law
     test.path = std::move(path);
     test.increment = increment;
     return dda::run_shear_test(test);
+}
+
+/// The motion of the walls of an open joint, m.
+inline dda::ContactMotion flight(double displacement) {
+    dda::ContactMotion motion;
+    motion.displacement = displacement;
+    return motion;
+}
+
+/// A smooth joint that counts reversals: its strength is N tan 30 deg in both directions, whatever the wear.
+inline dda::CyclicBartonBandis counting_joint() {
+    dda::CyclicBartonBandis law;
+    law.barton = {0, 100e6, std::numbers::pi / 6};
+    law.peak_displacement = 0.1e-3;
+    const dda::RoughnessTable wear = {{{0, 1}}};
+    law.cycles = {{wear, wear, wear, wear}};
+    law.unsigned_ratios = true;
+    law.reversal_factor = 0.9;
+    law.min_slip = 0.1e-3;
+    return law;
 }
 
 /// The granite and the marble joint of Ma et al. (2017), Table 3.

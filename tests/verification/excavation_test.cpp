@@ -2,23 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include "support/column.hpp"
 #include "support/energy_balance.hpp"
 #include "support/record.hpp"
-#include "support/scene.hpp"
 
 namespace rockslope::excavation_test {
 namespace {
 
 using namespace scene;
 using namespace verification;
-
-/// A fixed base, block 0, under a column of smooth boxes of 1 m, blocks 1, 2, ...
-Scene column(int boxes) {
-    Scene s;
-    s.box({-1, -1}, 3, 1, dda::Motion::fixed);
-    for (int k = 0; k < boxes; ++k) s.box({0, static_cast<double>(k)}, 1, 1);
-    return s;
-}
 
 // V53. A column of four blocks loses its top block at the start of stage 2 and the next one at the start of
 // stage 3. The stress of a constant-strain block carries half its own weight and all blocks above, as in V04.

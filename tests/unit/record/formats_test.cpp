@@ -4,11 +4,12 @@
 
 #include <algorithm>
 #include <random>
+#include <set>
 #include <string_view>
 
 #include "record/record_format.hpp"
+#include "record_error.hpp"
 #include "small_records.hpp"
-#include "support/error_of.hpp"
 #include "support/replaced.hpp"
 
 namespace rockslope::record::formats_test {
@@ -19,15 +20,19 @@ using ::testing::AnyOf;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-std::string error_in(const std::string& text, const RecordDeclaration& declaration = {}) {
-    return error_of([&] { parse_record(text, "r", declaration); });
-}
-
 /// The SAC format needs a declaration of quantity and unit; the others state them.
 RecordDeclaration declaration_for(const std::string& format) {
     RecordDeclaration declaration;
     if (format == "sac") declaration = {Quantity::acceleration, "cm/s2"};
     return declaration;
+}
+
+// A new format has a specimen here, or a test file of its own.
+TEST(RecordFormats, EachHasASpecimen) {
+    std::set<std::string> without;
+    for (const RecordFormat* format : record_formats()) without.insert(format->key);
+    for (const auto& [key, text] : small_records::all()) EXPECT_EQ(without.erase(key), 1u) << key;
+    EXPECT_THAT(without, testing::ElementsAre("miniseed", "run"));
 }
 
 // A title that begins with a number also looks like a sample, so two columns are tried last.

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "support/error_of.hpp"
+#include "record_error.hpp"
 
 namespace rockslope::record::records_test {
 namespace {
@@ -19,10 +19,6 @@ std::string peer(const std::string& kind, const std::string& sampling, const std
 }
 
 const std::string in_g = "ACCELERATION TIME SERIES IN UNITS OF G";
-
-std::string error_in(const std::string& text, const RecordDeclaration& declaration = {}) {
-    return error_of([&] { parse_record(text, "r", declaration); });
-}
 
 TEST(Records, PeerHeadersInAllThreeSpellings) {
     for (const char* sampling :

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "record/records.hpp"
-#include "support/error_of.hpp"
+#include "record_error.hpp"
 
 namespace rockslope::record::run_history_test {
 namespace {
@@ -27,10 +27,6 @@ RecordDeclaration declared(const std::string& point, std::optional<Quantity> qua
     return declaration;
 }
 
-std::string error_in(const std::string& content, const RecordDeclaration& declaration) {
-    return error_of([&] { parse_record(content, "history.csv", declaration); });
-}
-
 // One row is late by 0.02 s, so its value is interpolated.
 TEST(RunHistory, IsTheMotionOfAPointInTheLastStage) {
     const Record record = parse_record(text, "history.csv", declared("crest, left x"));
@@ -46,12 +42,11 @@ TEST(RunHistory, IsTheMotionOfAPointInTheLastStage) {
 }
 
 TEST(RunHistory, RejectsUnknownPointsAndInvalidRows) {
-    EXPECT_THAT(error_in(text, {}), HasSubstr("history.csv:1: no point is given; expected "
-                                              "point = one of 'crest, left x', 'prescribed base x'"));
+    EXPECT_THAT(error_in(text), HasSubstr("r:1: no point is given; expected "
+                                          "point = one of 'crest, left x', 'prescribed base x'"));
     EXPECT_THAT(error_in(text, declared("toe x")), HasSubstr("there is no point 'toe x'"));
     EXPECT_THAT(error_in(text, declared("base y")), HasSubstr("there is no point 'base y'"));
-    EXPECT_THAT(error_in(text + "0.7,shake,1\n", declared("base x")),
-                HasSubstr("history.csv:8: has 3 fields"));
+    EXPECT_THAT(error_in(text + "0.7,shake,1\n", declared("base x")), HasSubstr("r:8: has 3 fields"));
     EXPECT_THAT(error_in(text + "0.7,shake,1,1,1,1,1,nan\n", declared("base x")),
                 HasSubstr("'nan' is not a finite number"));
     EXPECT_THAT(error_in(text + "0.6,shake,1,1,1,1,1,1\n", declared("base x")),

@@ -4,27 +4,16 @@
 
 #include <numbers>
 
+#include "support/cyclic_joints.hpp"
 #include "support/scene.hpp"
 
 namespace rockslope::counter_slips_test {
 namespace {
 
 using dda::Contact;
+using joint_tests::counting_joint;
 
 constexpr double mm = 1e-3;
-
-/// A joint whose reversals wear it: slip of 0.1 mm the other way is one.
-dda::CyclicBartonBandis counting_joint() {
-    dda::CyclicBartonBandis law;
-    law.barton = {0, 100e6, std::numbers::pi / 6};
-    law.peak_displacement = 0.1 * mm;
-    const dda::RoughnessTable wear = {{{0, 1}}};
-    law.cycles = {{wear, wear, wear, wear}};
-    law.unsigned_ratios = true;
-    law.reversal_factor = 0.9;
-    law.min_slip = 0.1 * mm;
-    return law;
-}
 
 /// The two contacts of one joint segment of the blocks 4 and 2.
 struct Segment {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "dda/analysis/excavate.hpp"
-#include "support/scene.hpp"
+#include "support/column.hpp"
 
 namespace rockslope::excavate_test {
 namespace {
@@ -9,14 +9,6 @@ namespace {
 using namespace scene;
 
 constexpr double weight = 2500 * g;  // N, of a box of 1 m x 1 m
-
-/// A fixed base, block 0, under a column of boxes of 1 m, blocks 1, 2, ...
-Scene column(int boxes) {
-    Scene s;
-    s.box({-1, -1}, 3, 1, dda::Motion::fixed);
-    for (int k = 0; k < boxes; ++k) s.box({0, static_cast<double>(k)}, 1, 1);
-    return s;
-}
 
 TEST(Excavation, StressBelowFallsToTheNewOverburden) {
     Scene s = column(4);

@@ -11,6 +11,7 @@ namespace {
 
 using dda::BartonBandis;
 using dda::ContactMotion;
+using joint_tests::flight;
 using joint_tests::granite_peak;
 
 constexpr double degree = 0.017453292519943295;
@@ -89,12 +90,6 @@ TEST(BartonBandis, DilatesByTheMobilisedRoughness) {
     EXPECT_EQ(after(barton_1985_granite(0), granite_peak).dilation, 0);
     const double half = granite_peak * (0.3 * mean(0, 0.375 * i) + 0.4 * mean(0.375 * i, 0.5 * i));
     EXPECT_NEAR(after(barton_1985_granite(2), granite_peak).dilation, half, 1e-9) << "M = 2";
-}
-
-dda::ContactMotion flight(double displacement) {
-    dda::ContactMotion motion;
-    motion.displacement = displacement;
-    return motion;
 }
 
 // The walls part beyond the distance at which they have worn, meet again on the way back, and wear nowhere.

@@ -371,16 +371,25 @@ TYPED_TEST(JointLawConformance, EnvelopeHasTheLinesBeforeAndAfterTheFirstSlip) {
     }
 }
 
-TYPED_TEST(JointLawConformance, ShearStiffnessIsFiniteAndNotNegative) {
+// A part of a joint has at most the spring of the whole, and a longer part has no softer one. Either every
+// loaded joint of a law has a spring or none has.
+TYPED_TEST(JointLawConformance, ShearStiffnessGrowsWithTheLength) {
     for (const JointLaw& law : this->laws()) {
+        bool any = false, all = true;
         for (const ShearedJoint& joint : sheared(law, random_path(7))) {
             for (const double normal : forces) {
-                for (const double length : {0.0, 1e-12, 0.1}) {
+                double shorter = 0;
+                for (const double length : {0.0, 1e-12, 0.1, 3.0}) {
                     const double stiffness = dda::shear_stiffness(law, joint.history, normal, length);
-                    EXPECT_TRUE(stiffness >= 0 && std::isfinite(stiffness)) << normal << ' ' << length;
+                    EXPECT_TRUE(stiffness >= shorter && std::isfinite(stiffness)) << normal << ' ' << length;
+                    shorter = stiffness;
                 }
             }
+            const bool has_spring = dda::shear_stiffness(law, joint.history, 1e5, 0.1) > 0;
+            any = any || has_spring;
+            all = all && has_spring;
         }
+        EXPECT_EQ(any, all);
     }
 }
 

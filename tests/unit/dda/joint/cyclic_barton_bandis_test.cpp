@@ -19,6 +19,7 @@ namespace {
 using dda::CyclicBartonBandis;
 using dda::JointStage;
 using dda::ShearTestRow;
+using joint_tests::flight;
 using joint_tests::granite;
 using joint_tests::granite_peak;
 using joint_tests::marble;
@@ -283,12 +284,6 @@ TEST(CyclicJoint, DilationIsOfTheDamageAndMayBeFloored) {
     EXPECT_EQ(end_of(none, 1e6, {15, -15, 0}).dilation, 0);
     EXPECT_EQ(end_of(floored, 1e6, {15, 0}).dilation, 0);
     for (const auto& row : sheared(floored, 1e6, two_cycles, 1e-5)) EXPECT_GE(row.dilation, 0);
-}
-
-dda::ContactMotion flight(double displacement) {
-    dda::ContactMotion motion;
-    motion.displacement = displacement;
-    return motion;
 }
 
 TEST(CyclicJoint, AnOpenJointFollowsItsWalls) {

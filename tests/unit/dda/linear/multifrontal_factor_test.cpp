@@ -17,10 +17,6 @@ using dda::Front;
 using dda::SymbolicFactor;
 using dda::Vec6;
 
-dda::SupernodeTree tree_of(const BlockPattern& pattern) {
-    return dda::find_supernodes(pattern, dda::fill_reducing_order(pattern));
-}
-
 // No other front writes to an update from the moment it is formed until its parent has added it. Inside a
 // subtree each thread has its own space. All subtree roots come before the fronts above them.
 TEST(SymbolicFactor, UpdatesDoNotOverlapWhileTheyAreNeeded) {

@@ -5,9 +5,16 @@
 #include <vector>
 
 #include "dda/linear/block_matrix.hpp"
+#include "dda/linear/linear_solver.hpp"
+#include "dda/linear/supernodes.hpp"
 #include "unit/dda/linear/dense.hpp"
 
 namespace rockslope {
+
+/// The supernodes of a pattern in the fill-reducing order.
+inline dda::SupernodeTree tree_of(const dda::BlockPattern& pattern) {
+    return dda::find_supernodes(pattern, dda::fill_reducing_order(pattern));
+}
 
 class RandomNumbers {
   public:

@@ -16,10 +16,6 @@ using dda::BlockPattern;
 using dda::Supernode;
 using dda::SupernodeTree;
 
-SupernodeTree tree_of(const BlockPattern& pattern) {
-    return dda::find_supernodes(pattern, dda::fill_reducing_order(pattern));
-}
-
 /// Rows of each column of the factor, found by performing the elimination symbolically.
 std::vector<std::set<int>> fill(const BlockPattern& pattern, const std::vector<int>& order) {
     std::vector<int> position(order.size());

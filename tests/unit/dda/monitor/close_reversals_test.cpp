@@ -7,6 +7,7 @@
 
 #include <numbers>
 
+#include "support/cyclic_joints.hpp"
 #include "support/scene.hpp"
 
 namespace rockslope::close_reversals_test {
@@ -14,23 +15,11 @@ namespace {
 
 using dda::CloseReversals;
 using dda::CounterSlip;
+using joint_tests::counting_joint;
 using namespace scene;
 using testing::ElementsAre;
 
 constexpr double mm = 1e-3;
-
-/// A smooth joint that counts reversals: its strength is N tan 30 deg in both directions, whatever the wear.
-dda::CyclicBartonBandis counting_joint() {
-    dda::CyclicBartonBandis law;
-    law.barton = {0, 100e6, std::numbers::pi / 6};
-    law.peak_displacement = 0.1 * mm;
-    const dda::RoughnessTable wear = {{{0, 1}}};
-    law.cycles = {{wear, wear, wear, wear}};
-    law.unsigned_ratios = true;
-    law.reversal_factor = 0.9;
-    law.min_slip = 0.1 * mm;
-    return law;
-}
 
 /// A block of 0.1 m, fixed along x, pressed by 1e5 N/m on a base that moves along x. Stiff blocks, so that
 /// the displacement of the joint is that of the base.

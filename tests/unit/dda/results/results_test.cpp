@@ -23,6 +23,7 @@
 namespace rockslope::dda::results_test {
 namespace {
 using ::testing::HasSubstr;
+using ::testing::Not;
 namespace fs = std::filesystem;
 
 using ResultsTest = RunInAFolder;
@@ -275,6 +276,13 @@ TEST_F(ResultsTest, TheBlockTableReportsTheFinalState) {
     const std::string printed = outcome_table(input.model, state, results, slips);
     for (const char* part : {"from 'base'", "crest", "1 blocks slipped, block 1 first", "Newmark's rigid"})
         EXPECT_THAT(printed, HasSubstr(part));
+    EXPECT_THAT(printed, Not(HasSubstr("ignores")));
+    input.model.fixed_points.push_back({0, true, false});
+    const auto held = plane_slips(input.model, input.stages, state, results);
+    EXPECT_THAT(outcome_table(input.model, state, results, held),
+                HasSubstr("rigid block ignores: fixed points\n"));
+    const std::string summary = summary_text(input.model, input.stages, state, {}, results, {});
+    EXPECT_THAT(summary, HasSubstr("\"newmark_ignores\": [\n        \"fixed points\""));
 }
 
 TEST_F(ResultsTest, TheArchiveKeepsEveryBitOfAState) {
