@@ -1,33 +1,14 @@
 #include "dda/monitor/spring_resolution.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
 
-#include "dda/block/block_system.hpp"
-#include "dda/contact/candidates.hpp"
+#include "dda/contact/typical_block.hpp"
 
 namespace rockslope::dda {
 
 namespace {
-
-/// The block that stands for all: its mass, kg per metre, and the length of its face, m.
-struct TypicalBlock {
-    double mass = 0;
-    double face = 0;
-};
-
-std::optional<TypicalBlock> typical_block(const Model& model) {
-    const BlockSystem blocks = initial_block_system(model);
-    std::vector<double> masses;
-    for (const BlockIndex b : model.blocks())
-        if (model.motion[b] == Motion::free) masses.push_back(blocks.mass[b]);
-    if (masses.empty()) return std::nullopt;
-    const auto median = masses.begin() + static_cast<std::ptrdiff_t>(masses.size() / 2);
-    std::nth_element(masses.begin(), median, masses.end());
-    return TypicalBlock{*median, median_edge_length(model.topology, model.vertices)};
-}
 
 double frequency(double stiffness, const TypicalBlock& block) {
     return std::sqrt(stiffness / block.mass);

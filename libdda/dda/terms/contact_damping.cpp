@@ -1,9 +1,10 @@
 #include "dda/terms/contact_damping.hpp"
 
+#include <algorithm>
 #include <cmath>
 
-#include "dda/contact/candidates.hpp"
 #include "dda/contact/detect.hpp"
+#include "dda/contact/typical_block.hpp"
 
 namespace rockslope::dda {
 
@@ -111,20 +112,14 @@ PerContact<NormalDashpot> contact_dashpots(const Model& model, const BlocksAtMid
 }
 
 std::optional<IneffectiveDamping> ineffective_damping(const Model& model, std::span<const Stage> stages) {
-    const BlockSystem blocks = initial_block_system(model);
-    std::vector<double> masses;
-    for (const BlockIndex b : model.blocks())
-        if (model.motion[b] == Motion::free) masses.push_back(blocks.mass[b]);
-    if (masses.empty()) return std::nullopt;
-    const auto median = masses.begin() + static_cast<std::ptrdiff_t>(masses.size() / 2);
-    std::nth_element(masses.begin(), median, masses.end());
-    const double length = median_edge_length(model.topology, model.vertices);
+    const std::optional<TypicalBlock> typical = typical_block(model);
+    if (!typical) return std::nullopt;
     for (std::size_t k = 0; k < stages.size(); ++k) {
         if (stages[k].kind != StageKind::dynamic) continue;
         for (const JointMaterialIndex m : model.joint_materials.indices()) {
             const JointMaterial& material = model.joint_materials[m];
-            const double stiffness = material.normal_spring(model.normal_penalty, length).stiffness;
-            const double frequency_step = std::sqrt(stiffness / *median) * stages[k].control.step;
+            const double stiffness = material.normal_spring(model.normal_penalty, typical->face).stiffness;
+            const double frequency_step = std::sqrt(stiffness / typical->mass) * stages[k].control.step;
             const double of_integration = (stages[k].newmark_gamma - 0.5) * frequency_step;
             if (material.contact_damping > 0 && of_integration >= 2 * material.contact_damping)
                 return IneffectiveDamping{k, m, frequency_step};
