@@ -10,7 +10,7 @@ set(storeys_of_record "record")
 set(levels_of_analysis
     "base_motion energy joint_motion path_contact step_counts step_problem"
     "advance_contacts counter_slips energy_watch prediction segment_strength shear_sharing state"
-    "segment_friction step_report"
+    "bonds segment_friction step_report"
     "moving_block run_observer trial_contacts"
     "augmentation line_search shear_line step_matrix trial_dilation"
     "friction_coupling interior_point"

@@ -215,6 +215,16 @@ void print_left_moving(const std::vector<dda::LeftMoving>& left, const std::vect
     }
 }
 
+/// Says how many bonds static stages could not hold.
+void print_broken_bonds(const dda::BrokenBonds& broken) {
+    if (broken.events == 0) return;
+    std::fprintf(
+        stderr,
+        "dda-run: %lld contacts could not be held by their bonds at rest and broke, in %lld events, the "
+        "worst first\n",
+        static_cast<long long>(broken.contacts), static_cast<long long>(broken.events));
+}
+
 /// Says how many reversals hang on `min_slip`.
 void print_close_reversals(const dda::CloseReversals& close) {
     if (close.counted + close.not_counted == 0) return;
@@ -306,6 +316,7 @@ ExitCode simulate(const CommandLine& line, const std::string& version) {
     std::fputs(dda::outcome_table(input.model, state, results, slips).c_str(), stdout);
     print_factor_of_safety(results.state().trials);
     print_left_moving(results.state().left_moving, input.stages);
+    print_broken_bonds(state.broken_bonds);
     if (outcome.status != dda::RunStatus::energy_created) print_returned_friction(input.model, state.energy);
     print_close_reversals(dda::with_present(results.state().close_reversals, input.model, state));
     print_outcome(outcome, state, results.wall_time(), line.output);

@@ -78,6 +78,8 @@ Stage read_stage(const ConfigTable& table, std::size_t index, const Model& model
     if (stage.kind == StageKind::static_equilibrium) {
         stage.tolerance = positive(table, "tolerance", Dimension::none, stage.tolerance);
         stage.step_limit = count(table, "step_limit", stage.step_limit);
+        stage.bonds_break_at_rest =
+            table.choice("bonds_break", {"at-rest", "at-once"}, "at-rest") == "at-rest";
         stage.moving_share = in_range(table, "moving_share", stage.moving_share, 0, 1, "a share from 0 to 1");
         if (kind == "strength-reduction") {
             stage.strength_reduction = read_strength_reduction(table, model);

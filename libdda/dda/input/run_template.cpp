@@ -162,6 +162,7 @@ kind = "static"                    # runs until gravity is carried
 # reset_joint_history = false
 # step = 0.005                     # s, the largest step; a static stage begins with less and grows where nothing moves
 # displacement_limit = "2 m"       # static: a block that moves farther does not stop; default: 5 % of the model's height
+# bonds_break = "at-rest"          # static: what cannot be held at rest, or "at-once": what slips on the way
 # moving_share = 1e-4              # static: at rest when the blocks that move are this share of the mass, or less
 # moving_blocks = "keep"           # or "remove": what becomes of them
 # smallest_step = 1e-9

@@ -66,7 +66,10 @@ struct Stage {
     /// blocks.
     double moving_share = 1e-4;
     bool remove_moving = false;  ///< static: the blocks that still move at its end are removed
-    double newmark_beta = 0.5;   ///< Newmark's parameters; (1/2, 1) is Shi's integration
+    /// Static: bonds are judged where they hold at rest, Eq. (96). False: a bond breaks in the step
+    /// in which it slips or its tension exceeds its strength.
+    bool bonds_break_at_rest = false;
+    double newmark_beta = 0.5;  ///< Newmark's parameters; (1/2, 1) is Shi's integration
     double newmark_gamma = 1.0;
     double mass_damping = 0;           ///< 1/s, mass-proportional damping
     bool reset_displacements = true;   ///< static: displacements and slips are zeroed at the stage's end

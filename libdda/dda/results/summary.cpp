@@ -251,6 +251,9 @@ std::string summary_text(const Model& model, const std::vector<Stage>& stages, c
     if (state.dynamic_time > 0) json["spring_resolution"] = springs_json(model, stages);
     if (!results.state().left_moving.empty())
         json["moving_at_rest"] = left_moving_json(results.state().left_moving, model, stages);
+    if (state.broken_bonds.events > 0)
+        json["bonds_broken_at_rest"] = {{"contacts", state.broken_bonds.contacts},
+                                        {"events", state.broken_bonds.events}};
     json["energy"] = energy_json(state.energy);
     if (!results.state().trials.empty()) json["factor_of_safety"] = factor_of_safety(results.state().trials);
     json["units"] = "SI, per metre of thickness";
