@@ -156,6 +156,7 @@ void print_lost_swings(const dda::RunInput& input) {
 ExitCode exit_code_of(const dda::RunOutcome& outcome) {
     switch (outcome.status) {
         case dda::RunStatus::completed:
+        case dda::RunStatus::collapsed:
             return done;
         case dda::RunStatus::stopped:
             return stopped;

@@ -9,6 +9,7 @@
 #include "dda/analysis/bonds.hpp"
 #include "dda/analysis/energy_watch.hpp"
 #include "dda/analysis/moving_block.hpp"
+#include "dda/analysis/stop_limit.hpp"
 
 namespace rockslope::dda {
 
@@ -143,6 +144,10 @@ RunOutcome energy_failure(const Model& model, const Stage& stage, const State& s
     return {RunStatus::energy_created, text + describe_returned(model, state.energy), {}};
 }
 
+RunOutcome collapsed(const Model& model, const Stage& stage, const State& state, const Collapse& collapse) {
+    return {RunStatus::collapsed, describe(model, stage, state, collapse), {}, collapse};
+}
+
 }  // namespace
 
 void begin_stage(State& state) {
@@ -159,7 +164,9 @@ RunOutcome run_stage(const Model& model, const Stage& stage, TimeStepper& steppe
     const bool holds = bonds_hold(model, stage);
     StepSize step(stage, reference_acceleration(model, state.blocks), holds, state.next_step);
     int cuts = 0;
-    StepCounts counts;  // since the last accepted step
+    StepCounts counts;                                             // since the last accepted step
+    if (const auto collapse = find_collapse(model, stage, state))  // of a run resumed after that step
+        return collapsed(model, stage, state, *collapse);
     while (is_static || state.stage_time < stage.duration * (1 - 1e-12)) {
         const double dt = is_static ? step.size() : step.next(until_next_instant(stage, state.stage_time));
         StepAttempt attempt = stepper.advance(stage, state, dt);
@@ -190,6 +197,8 @@ RunOutcome run_stage(const Model& model, const Stage& stage, TimeStepper& steppe
         }
         if (!observer.step_done(model, state, stage, attempt.report))
             return {RunStatus::stopped, "stopped as asked", {}};
+        if (const auto collapse = find_collapse(model, stage, state))
+            return collapsed(model, stage, state, *collapse);
         if (attempt.report.at_rest) break;
         if (!is_static && creates_energy(state.energy)) return energy_failure(model, stage, state);
         if (is_static)

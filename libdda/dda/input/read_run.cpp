@@ -4,13 +4,12 @@
 
 #include "blockgen/mesh/block_file.hpp"
 #include "blockgen/mesh/check_mesh.hpp"
-#include "common/base/text.hpp"
 #include "common/config/config_table.hpp"
 #include "dda/input/read_loads.hpp"
 #include "dda/input/read_materials.hpp"
 #include "dda/input/read_mesh.hpp"
+#include "dda/input/read_reference.hpp"
 #include "dda/input/read_stages.hpp"
-#include "dda/monitor/point_motion.hpp"
 
 namespace rockslope::dda {
 
@@ -94,20 +93,6 @@ bool is_stem(const std::string& name) {
            std::none_of(name.begin(), name.end(), is_forbidden);
 }
 
-/// Name of the point whose motion is subtracted in relative motions; default: the first prescribed block.
-std::string read_reference(const ConfigTable& output, const Model& model) {
-    const std::vector<TrackedPoint> points = tracked_points(model);
-    const auto base = std::find_if(points.begin(), points.end(),
-                                   [](const TrackedPoint& point) { return point.block.exists(); });
-    std::string name = output.string("relative_to", base == points.end() ? "" : base->name);
-    if (name.empty() || find_point(points, name)) return name;
-    std::vector<std::string> names;
-    for (const TrackedPoint& point : points) names.push_back(point.name);
-    const auto nearest = nearest_word(name, names);
-    output.fail("relative_to", "there is no measured point and no prescribed block '" + name + "'",
-                nearest ? "perhaps '" + *nearest + "'" : "a name in the block file, or \"\"");
-}
-
 OutputSpec read_output(const ConfigTable& output, const std::filesystem::path& run_file, const Model& model) {
     OutputSpec spec;
     spec.name = output.string("name", run_file.stem().string());
@@ -182,6 +167,7 @@ RunInput read_run(const std::filesystem::path& run_file, const RunReadOptions& o
     read_measured_joints(run, model);
     input.stages = read_stages(run, model, input.files);
     check_excavations(model, input.stages.size(), block_file);
+    read_measured_regions(run, model);
     input.output = read_output(run.table_or_empty("output"), run_file, model);
     run.finish();
     input.effective = "# The effective model: what was read, with every default.\n" +

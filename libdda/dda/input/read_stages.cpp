@@ -86,6 +86,7 @@ Stage read_stage(const ConfigTable& table, std::size_t index, const Model& model
             stage.reset_displacements = false;
             return stage;
         }
+        stage.stop = read_stop_limit(table, model);
         stage.displacement_limit = positive(table, "displacement_limit", Dimension::length,
                                             settling_displacement_ratio * height_of(model));
         stage.remove_moving = table.choice("moving_blocks", {"keep", "remove"}, "keep") == "remove";
@@ -93,6 +94,7 @@ Stage read_stage(const ConfigTable& table, std::size_t index, const Model& model
         stage.reset_joint_history = table.boolean("reset_joint_history", stage.reset_joint_history);
         return stage;
     }
+    stage.stop = read_stop_limit(table, model);
     stage.duration = positive(table, "duration", Dimension::time);
     stage.dynamic_coefficient =
         in_range(table, "dynamic_coefficient", stage.dynamic_coefficient, 0, 1, "a number from 0 to 1");

@@ -153,6 +153,11 @@ friction_angle = "35 deg"
 # at = [12, 5]                     # a point of the joint
 # tolerance = "1 mm"               # from the joint
 
+# [[measured_region]]              # blocks whose displacement is reported together
+# name = "face"
+# polygon = [[0, 0], [120, 0], [120, 70], [0, 70]]   # with their centroid in it
+# block_material = "rock"          # and, or instead, of this material
+
 [[stage]]
 name = "settle"
 kind = "static"                    # runs until gravity is carried
@@ -189,6 +194,12 @@ step = 0.005
 # dynamic_coefficient = 1          # share of the velocity kept from step to step
 # newmark_beta = 0.5               # (1/2, 1) is Shi's integration
 # newmark_gamma = 1
+
+# [stage.stop]                     # the run ends here, with the status "collapsed"; in static stages, too
+# displacement = "5 m"             # less that of relative_to
+# point = "crest"                  # a measured point, or region = "face"; default: any free block
+# share = 0                        # of the mass of the free blocks, that blocks beyond it must exceed
+# relative_to = "base"             # as in [output]
 
 # [stage.base_motion]              # moves the prescribed block of that name; without block: all prescribed blocks
 # block = "base"

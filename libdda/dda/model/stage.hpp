@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "dda/base/indices.hpp"
 #include "dda/model/time_table.hpp"
 
 namespace rockslope::dda {
@@ -51,6 +52,18 @@ struct IncidentWave {
     bool y_is_traction = false;
 };
 
+/// A displacement at which a stage ends because the slope has come down. Displacements count from where
+/// displacements were last zeroed, less that of the reference.
+struct StopLimit {
+    double displacement = 0;  ///< m
+    double share = 0;  ///< of the mass of the free blocks, that blocks beyond it must exceed; not for a point
+    std::string watched;                    ///< name of the point or region; empty: all free blocks
+    PointIndex point = PointIndex::none();  ///< of a measured point; none: blocks are watched
+    std::vector<BlockIndex> blocks;         ///< of a region; empty without a point: all free blocks
+    PointIndex reference_point = PointIndex::none();
+    BlockIndex reference_block = BlockIndex::none();
+};
+
 /// One part of a run.
 struct Stage {
     std::string name;
@@ -81,6 +94,7 @@ struct Stage {
     std::vector<BaseMotion> frame_motions;
     std::optional<StrengthReduction> strength_reduction;  ///< static: factor-of-safety search
     std::vector<IncidentWave> incident_waves;
+    std::optional<StopLimit> stop;  ///< the stage ends there, with the status `collapsed`
 };
 
 /// The smallest multiple k * step, k = 1, 2, ..., after the given time, s since the stage's start. The steps

@@ -26,6 +26,8 @@ const char* status_name(RunStatus status) {
             return "not settled";
         case RunStatus::energy_created:
             return "energy created";
+        case RunStatus::collapsed:
+            return "collapsed";
         case RunStatus::not_written:
             return "not written";
         default:
@@ -231,6 +233,7 @@ std::string summary_text(const Model& model, const std::vector<Stage>& stages, c
     json["message"] = outcome.message;
     if (outcome.worst_contact) json["worst_contact"] = contact_json(model, *outcome.worst_contact);
     json["stage"] = stages[results.state().stage].name;
+    if (outcome.collapse) json["collapse"] = collapse_json(*outcome.collapse);
     json["time"] = state.time;
     json["steps"] = state.step_count;
     json["wall_time"] = results.wall_time();
