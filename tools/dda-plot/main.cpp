@@ -94,7 +94,9 @@ void draw_frames(const RunFrames& run, const std::vector<std::int64_t>& numbers,
 /// The worst contact to draw. @param requested by --worst-contact: a missing contact is an error. @param all
 /// no options are given: the contact is drawn if the summary names one.
 std::optional<dda::WorstContact> worst_contact_to_draw(const fs::path& folder, bool requested, bool all) {
-    const fs::path summary = folder / "summary.json";
+    // That of a run for Make which failed has a name of its own.
+    const fs::path failed = folder / "failed.json";
+    const fs::path summary = fs::exists(failed) ? failed : folder / "summary.json";
     if (!requested && !(all && fs::exists(summary))) return std::nullopt;
     std::optional<dda::WorstContact> worst = dda::read_worst_contact(summary);
     if (requested && !worst)

@@ -11,9 +11,11 @@
 #include "common/base/output_check.hpp"
 #include "common/base/output_error.hpp"
 #include "common/base/sha256.hpp"
+#include "common/base/text.hpp"
 #include "dda/analysis/energy_watch.hpp"
 #include "dda/analysis/run.hpp"
 #include "dda/checkpoint/resume_check.hpp"
+#include "dda/checkpoint/start_of_run.hpp"
 #include "dda/input/read_run.hpp"
 #include "dda/model/glue.hpp"
 #include "dda/monitor/spring_resolution.hpp"
@@ -43,12 +45,15 @@ void check_outputs(const CommandLine& line, const dda::RunInput& input) {
     check_distinct(results);
 }
 
-/// Hash of the effective model and of the contents of the files it names. A checkpoint can be resumed only
-/// with the same hash.
-std::string input_hash(const dda::RunInput& input, const std::vector<dda::InputFile>& files) {
-    std::string text = input.effective;
-    for (std::size_t i = 1; i < files.size(); ++i) text += files[i].sha256;
-    return sha256(text);
+/// What a run begins with: the initial state, a checkpoint of its own, or a state that another run saved at
+/// the end of a stage.
+struct Beginning {
+    std::optional<dda::Checkpoint> checkpoint;
+    bool is_saved_stage = false;
+};
+
+dda::WriterContext writer_context(const CommandLine& line, const dda::RunInput& input) {
+    return {input.model, line.output, input.output.name, std::nullopt, line.pvd, input.output.relative_to};
 }
 
 dda::Checkpoint checkpoint_of(const CommandLine& line, const dda::RunInput& input, const std::string& hash) {
@@ -57,16 +62,65 @@ dda::Checkpoint checkpoint_of(const CommandLine& line, const dda::RunInput& inpu
     if (checkpoint.input_hash != hash)
         throw InputError({path.string()}, "belongs to a run of other input",
                          "the same model, block file and records as the stopped run");
-    dda::check_resumable(checkpoint, {input.model, line.output, input.output.name, std::nullopt, line.pvd,
-                                      input.output.relative_to});
+    dda::check_resumable(checkpoint, writer_context(line, input));
     return checkpoint;
 }
 
-void remove_earlier_results(const fs::path& folder) {
-    for (const char* name : {"summary.json", "blocks.csv", "checkpoint.h5", "stop"}) {
-        std::error_code ignored;
-        fs::remove(folder / name, ignored);
+/// The checkpoint to continue from. For Make: none where it cannot be continued from, after saying why.
+std::optional<dda::Checkpoint> find_checkpoint(const CommandLine& line, const dda::RunInput& input,
+                                               const std::string& hash) {
+    if (line.resume) return checkpoint_of(line, input, hash);
+    if (!line.make || !fs::exists(line.output / "checkpoint.h5")) return std::nullopt;
+    try {
+        return checkpoint_of(line, input, hash);
+    } catch (const InputError& error) {
+        std::fprintf(stderr, "dda-run: begins anew: %s\n", error.what());
+        return std::nullopt;
     }
+}
+
+/// @throws InputError if the results would overwrite those of the saved run.
+std::optional<dda::Checkpoint> read_saved(const CommandLine& line, const dda::RunInput& input) {
+    if (!line.from) return std::nullopt;
+    std::error_code ignored;
+    if (fs::equivalent(line.from->parent_path().empty() ? "." : line.from->parent_path(), line.output,
+                       ignored))
+        throw InputError({line.output.string()}, "is the folder of the run that --from begins with",
+                         "another folder for the results");
+    return dda::read_saved_state(*line.from, input.fingerprint, static_cast<int>(input.stages.size()));
+}
+
+/// Hash of all input. A checkpoint can be continued from only with the same hash.
+std::string input_hash(const dda::RunInput& input, const std::optional<dda::Checkpoint>& saved) {
+    return sha256(input.fingerprint + (saved ? "from stage " + std::to_string(saved->results.stage) : ""));
+}
+
+/// Index of the last stage to run; nothing: all stages.
+std::optional<int> last_stage(const CommandLine& line, const std::vector<dda::Stage>& stages, int first) {
+    if (!line.until) return std::nullopt;
+    std::vector<std::string> names;
+    for (const dda::Stage& stage : stages) names.push_back(stage.name);
+    const auto found = std::find(names.begin() + first, names.end(), *line.until);
+    if (found != names.end()) return static_cast<int>(found - names.begin());
+    const auto nearest = nearest_word(*line.until, names);
+    throw InputError({"dda-run"}, "--until: no stage '" + *line.until + "' is left to run",
+                     nearest ? "perhaps '" + *nearest + "'" : "the name of a later stage");
+}
+
+void remove_earlier_results(const fs::path& folder) {
+    std::error_code ignored;
+    for (const char* name : {"summary.json", "blocks.csv", "checkpoint.h5", "stop"})
+        fs::remove(folder / name, ignored);
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
+        if (entry.path().filename().string().ends_with(".saved.h5")) fs::remove(entry.path(), ignored);
+}
+
+/// The first stage to run, and whether it is entered in its middle.
+dda::RunOptions run_options(const CommandLine& line, const Beginning& beginning, std::optional<int> last) {
+    if (!beginning.checkpoint) return {line.threads, 0, false, last};
+    const int stage = beginning.checkpoint->results.stage;
+    if (beginning.is_saved_stage) return {line.threads, stage + 1, false, last};
+    return {line.threads, stage, true, last};
 }
 
 std::string make_escaped(const fs::path& path) {
@@ -263,11 +317,14 @@ dda::RunOutcome run_until_write_error(const dda::RunInput& input, dda::State& st
 
 /// Writes the block table and the summary. After an earlier write error, further write errors are ignored:
 /// the outcome already states the reason.
-void write_summary_files(const fs::path& folder, const dda::RunOutcome& outcome, const std::string& blocks,
+void write_summary_files(const CommandLine& line, const dda::RunOutcome& outcome, const std::string& blocks,
                          const std::string& summary) {
     try {
-        write_file_atomically(folder / "blocks.csv", blocks);
-        write_file_atomically(folder / "summary.json", summary);
+        const bool is_target = !line.make || exit_code_of(outcome) == done;
+        write_file_atomically(line.output / "blocks.csv", blocks);
+        write_file_atomically(line.output / (is_target ? "summary.json" : "failed.json"), summary);
+        std::error_code ignored;
+        if (line.make && is_target) fs::remove(line.output / "checkpoint.h5", ignored);
     } catch (const OutputError&) {
         if (outcome.status != dda::RunStatus::not_written) throw;
     }
@@ -279,12 +336,20 @@ ExitCode simulate(const CommandLine& line, const std::string& version) {
     install_signal_handlers();
     const dda::RunInput input = dda::read_run(line.run_file, {line.overrides, line.blocks, line.output});
     check_outputs(line, input);
-    const std::vector<dda::InputFile> files = dda::hash_files(input.files);
-    const std::string hash = input_hash(input, files);
-    std::optional<dda::Checkpoint> checkpoint;
-    if (line.resume) checkpoint = checkpoint_of(line, input, hash);
+    const std::optional<dda::Checkpoint> saved = read_saved(line, input);
+    const std::string hash = input_hash(input, saved);
+    const std::optional<int> last = last_stage(line, input.stages, saved ? saved->results.stage + 1 : 0);
+    Beginning beginning{find_checkpoint(line, input, hash)};
     make_output_folder(line.output);
-    if (!checkpoint) remove_earlier_results(line.output);
+    std::error_code ignored;
+    fs::remove(line.output / "failed.json", ignored);
+    if (!beginning.checkpoint) {
+        remove_earlier_results(line.output);
+        beginning = {saved, saved.has_value()};
+        if (saved)
+            dda::copy_earlier_results(line.from->parent_path(), writer_context(line, input),
+                                      *beginning.checkpoint);
+    }
 
     write_file_atomically(line.output / "run.toml", input.effective);
     if (line.depfile)
@@ -301,19 +366,21 @@ ExitCode simulate(const CommandLine& line, const std::string& version) {
         progress.show(now);
         return !stop_requested(stop_file);
     };
-    dda::Results results(input.model, input.stages, input.output, {line.output, line.pvd, hash, on_step},
-                         checkpoint ? &*checkpoint : nullptr);
-    dda::State state = checkpoint ? checkpoint->state : dda::initial_state(input.model);
-    const dda::RunOptions options{line.threads, checkpoint ? checkpoint->results.stage : 0,
-                                  checkpoint.has_value()};
+    const dda::Checkpoint* resume_from = beginning.checkpoint ? &*beginning.checkpoint : nullptr;
+    dda::Results results(
+        input.model, input.stages, input.output,
+        {line.output, line.pvd, hash, on_step, beginning.is_saved_stage, input.fingerprint, last},
+        resume_from);
+    dda::State state = resume_from ? resume_from->state : dda::initial_state(input.model);
+    const dda::RunOptions options = run_options(line, beginning, last);
     const dda::RunOutcome outcome = run_until_write_error(input, state, results, options);
     progress.clear();
 
     const std::vector<dda::PlaneSlip> slips = dda::plane_slips(input.model, input.stages, state, results);
-    write_summary_files(line.output, outcome,
+    write_summary_files(line, outcome,
                         dda::block_table(input.model, state, results, slips, line.output / "blocks.csv"),
                         dda::summary_text(input.model, input.stages, state, outcome, results,
-                                          {.version = version, .inputs = files}));
+                                          {.version = version, .inputs = input.digests}));
     std::fputs(dda::outcome_table(input.model, state, results, slips).c_str(), stdout);
     print_factor_of_safety(results.state().trials);
     print_left_moving(results.state().left_moving, input.stages);

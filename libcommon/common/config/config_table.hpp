@@ -116,6 +116,11 @@ class ConfigTable {
     /// absolute when it is empty.
     std::string effective_text(const std::filesystem::path& folder = {}) const;
 
+    /// As effective_text(), with no mark at defaults, and with the name that a function gives to each file in
+    /// place of its path: with their digests, equal texts mean equal input wherever the files are.
+    std::string effective_text(
+        const std::function<std::string(const std::filesystem::path&)>& name_of_file) const;
+
     struct Impl;
     explicit ConfigTable(std::shared_ptr<Impl> impl) : impl_(std::move(impl)) {}
 

@@ -65,7 +65,9 @@ RunOutcome run(const Model& model, std::span<const Stage> stages, State& state, 
                const RunOptions& options) {
     std::optional<ActiveModel> active;
     bool resumed = options.resumed;
-    for (std::size_t k = static_cast<std::size_t>(options.first_stage); k < stages.size(); ++k) {
+    const std::size_t end =
+        options.last_stage ? static_cast<std::size_t>(*options.last_stage) + 1 : stages.size();
+    for (std::size_t k = static_cast<std::size_t>(options.first_stage); k < end; ++k) {
         if (!resumed) {
             if (k > 0 && apply_end_of(model, stages[k - 1], state)) active.reset();
             begin_stage(state);

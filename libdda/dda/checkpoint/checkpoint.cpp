@@ -162,7 +162,7 @@ void append_bytes(std::string& text, const std::vector<T>& values) {
 /// SHA-256 of all data of a checkpoint. HDF5 does not detect a damaged number, and a wrong index in a state
 /// would corrupt memory.
 std::string digest_of(const Checkpoint& checkpoint, const StateArchive& state) {
-    std::string text = checkpoint.input_hash;
+    std::string text = checkpoint.input_hash + checkpoint.start_of_run;
     append_bytes(text, state.reals);
     append_bytes(text, state.integers);
     append_bytes(text, state.bytes);
@@ -224,6 +224,8 @@ void write_checkpoint(const std::filesystem::path& path, const Checkpoint& check
         file.set_attribute("/", "version", checkpoint_version);
         file.set_attribute("/", "input_hash", checkpoint.input_hash);
         file.set_attribute("/", "digest", digest_of(checkpoint, state));
+        store(file, "/start_of_run",
+              std::vector<std::uint8_t>(checkpoint.start_of_run.begin(), checkpoint.start_of_run.end()));
         store(file, "/reals", state.reals);
         store(file, "/integers", state.integers);
         store(file, "/bytes", state.bytes);
@@ -255,6 +257,8 @@ Checkpoint read_checkpoint(const std::filesystem::path& path) {
         checkpoint.input_hash = file.string_attribute("/", "input_hash");
         const StateArchive state{file.read_all<double>("/reals"), file.read_all<std::int64_t>("/integers"),
                                  file.read_all<std::uint8_t>("/bytes")};
+        const auto start = file.read_all<std::uint8_t>("/start_of_run");
+        checkpoint.start_of_run.assign(start.begin(), start.end());
         checkpoint.results = read_results_state(file);
         for (const WriterEntry& writer : writer_table())
             if (file.has_attribute("/positions", writer.name))

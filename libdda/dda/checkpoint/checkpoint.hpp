@@ -47,6 +47,9 @@ struct Checkpoint {
     ResultsState results;
     std::map<std::string, std::int64_t> positions;  ///< ResultWriter::position() by WriterEntry::name
     std::string input_hash;                         ///< hash of all input of the run
+    /// The input that a state saved at the end of a stage depends on, see start_of_run(). Empty in a
+    /// checkpoint from within a stage.
+    std::string start_of_run = {};
 };
 
 /// Writes a checkpoint under a temporary name and renames it. @throws OutputError.

@@ -109,6 +109,7 @@ OutputSpec read_output(const ConfigTable& output, const std::filesystem::path& r
         "0, for every step, or a time of 1e-9 s or more");
     spec.relative_to = read_reference(output, model);
     spec.slip_threshold = positive(output, "slip_threshold", Dimension::length, spec.slip_threshold);
+    spec.save_stages = output.boolean("save_stages", spec.save_stages);
     spec.checkpoint_interval =
         positive(output, "checkpoint_interval", Dimension::time, spec.checkpoint_interval);
     return spec;
@@ -144,6 +145,7 @@ void check_excavations(const Model& model, int stages, const std::filesystem::pa
 }  // namespace
 
 RunInput read_run(const std::filesystem::path& run_file, const RunReadOptions& options) {
+    const ReadLog log;
     const ConfigTable run = ConfigTable::from_file(run_file, with_block_file(options));
     RunInput input;
     const std::filesystem::path block_file = run.file_path("blocks");
@@ -165,11 +167,14 @@ RunInput read_run(const std::filesystem::path& run_file, const RunReadOptions& o
     read_loads(run, model, input.files);
     read_boundaries(run, model);
     read_measured_joints(run, model);
+    read_measured_regions(run, model);
     input.stages = read_stages(run, model, input.files);
     check_excavations(model, input.stages.size(), block_file);
-    read_measured_regions(run, model);
     input.output = read_output(run.table_or_empty("output"), run_file, model);
     run.finish();
+    input.digests = log.files();
+    input.fingerprint =
+        run.effective_text([&](const std::filesystem::path& file) { return log.digest_of(file); });
     input.effective = "# The effective model: what was read, with every default.\n" +
                       run.effective_text(options.echo_folder);
     return input;

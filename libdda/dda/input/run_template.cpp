@@ -197,7 +197,7 @@ step = 0.005
 
 # [stage.stop]                     # the run ends here, with the status "collapsed"; in static stages, too
 # displacement = "5 m"             # less that of relative_to
-# point = "crest"                  # a measured point, or region = "face"; default: any free block
+# region = "face"                  # a measured region, or point = "crest"; default: any free block
 # share = 0                        # of the mass of the free blocks, that blocks beyond it must exceed
 # relative_to = "base"             # as in [output]
 
@@ -219,6 +219,7 @@ step = 0.005
 # history_interval = 0.01          # s between rows of history.csv
 # relative_to = "base"             # measured point or prescribed block; default: the first prescribed block
 # slip_threshold = "0.1 mm"        # slip of a contact above which its blocks have slipped
+# save_stages = false              # save the state at each stage's end, for dda-run --from
 # checkpoint_interval = 60         # s of wall time
 )";
 

@@ -14,6 +14,7 @@ struct OutputSpec {
     /// displacements; empty: none.
     std::string relative_to = {};
     double slip_threshold = 1e-4;     ///< m, slip of a contact above which its blocks have slipped
+    bool save_stages = false;         ///< the state at the end of every stage is saved, to branch from
     double checkpoint_interval = 60;  ///< s of wall time between checkpoints
 };
 

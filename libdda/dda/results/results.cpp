@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "dda/checkpoint/start_of_run.hpp"
+
 namespace rockslope::dda {
 
 namespace {
@@ -50,7 +52,7 @@ Results::Results(const Model& model, const std::vector<Stage>& stages, const Out
       options_(std::move(options)),
       points_(tracked_points(model)),
       reference_(find_point(points_, output.relative_to)),
-      resuming_(resume_from != nullptr),
+      resuming_(resume_from != nullptr && !options_.begins_stage),
       start_(Clock::now()),
       last_checkpoint_(start_) {
     if (output_.frames > 0) frame_interval_ = dynamic_duration(stages_, stages_.size()) / output_.frames;
@@ -61,7 +63,8 @@ Results::Results(const Model& model, const std::vector<Stage>& stages, const Out
         WriterContext context{model_,       options_.folder, output_.name,
                               std::nullopt, options_.pvd,    output_.relative_to};
         if (!entry.is_enabled(context)) continue;
-        if (resume_from) context.resume_from = resume_from->positions.at(entry.name);
+        if (resume_from && resume_from->positions.contains(entry.name))
+            context.resume_from = resume_from->positions.at(entry.name);
         writers_.push_back({entry.name, entry.make(context)});
     }
 }
@@ -118,12 +121,25 @@ void Results::update_sliding(const State& state, const StepReport& report) {
     update_first_slips(model_, state, report, output_.slip_threshold, progress_.first_slips);
 }
 
-void Results::save_checkpoint(const State& state) {
+Checkpoint Results::checkpoint_of(const State& state) const {
     Checkpoint checkpoint{state, progress_, {}, options_.input_hash};
     checkpoint.results.wall_time = wall_time();
     for (const NamedWriter& entry : writers_) checkpoint.positions[entry.name] = entry.writer->position();
-    write_checkpoint(options_.folder / "checkpoint.h5", checkpoint);
+    return checkpoint;
+}
+
+void Results::save_checkpoint(const State& state) {
+    write_checkpoint(options_.folder / "checkpoint.h5", checkpoint_of(state));
     last_checkpoint_ = Clock::now();
+}
+
+/// Saves the state for runs that branch off here. Their wall time is their own.
+void Results::save_end_of_stage(const State& state, int stage_index) {
+    if (!output_.save_stages && options_.save_end_of != stage_index) return;
+    Checkpoint saved = checkpoint_of(state);
+    saved.results.wall_time = 0;
+    saved.start_of_run = start_of_run(options_.fingerprint, stage_index + 1);
+    write_checkpoint(options_.folder / saved_state_name(stage_index), saved);
 }
 
 Progress Results::progress_of(const State& state, const Stage& stage, const StepReport& report) const {
@@ -189,7 +205,8 @@ void Results::mechanism_found(const Model&, const State& state, const Stage& sta
 }
 
 void Results::stage_ends(const Model&, const State& state, const Stage& stage, int stage_index) {
-    if (stage.strength_reduction) return;  // mechanism_found wrote its frame
+    // mechanism_found wrote the frame of a strength reduction
+    if (stage.strength_reduction) return save_end_of_stage(state, stage_index);
     const std::vector<LeftMoving> left = left_moving(model_, state, stage, stage_index);
     progress_.left_moving.insert(progress_.left_moving.end(), left.begin(), left.end());
     write_history(state, stage);
@@ -197,6 +214,7 @@ void Results::stage_ends(const Model&, const State& state, const Stage& stage, i
     // written.
     const bool is_last = static_cast<std::size_t>(stage_index) + 1 == stages_.size();
     if (is_last || !resets_displacements(stage)) write_frame(state);
+    save_end_of_stage(state, stage_index);
 }
 
 void Results::stage_fails(const Model&, const State& state, const Stage& stage, int) {

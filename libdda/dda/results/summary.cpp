@@ -4,8 +4,6 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "common/base/read_file.hpp"
-#include "common/base/sha256.hpp"
 #include "dda/analysis/energy_watch.hpp"
 #include "dda/monitor/spring_resolution.hpp"
 #include "dda/results/block_table.hpp"
@@ -26,10 +24,10 @@ const char* status_name(RunStatus status) {
             return "not settled";
         case RunStatus::energy_created:
             return "energy created";
-        case RunStatus::collapsed:
-            return "collapsed";
         case RunStatus::not_written:
             return "not written";
+        case RunStatus::collapsed:
+            return "collapsed";
         default:
             return "stopped";
     }
@@ -217,14 +215,17 @@ Json contact_json(const Model& model, const Contact& contact) {
             {"gap", contact.gap}};
 }
 
-}  // namespace
-
-std::vector<InputFile> hash_files(const std::vector<std::filesystem::path>& files) {
-    std::vector<InputFile> inputs;
-    for (const std::filesystem::path& file : files)
-        inputs.push_back({file.string(), sha256(read_text_file(file))});
-    return inputs;
+Json collapse_json(const Collapse& collapse) {
+    Json json = {{"block", collapse.block.value()},
+                 {"at", pair(collapse.at)},
+                 {"displacement", collapse.displacement},
+                 {"limit", collapse.limit},
+                 {"time", collapse.time}};
+    if (!collapse.point.empty()) json["point"] = collapse.point;
+    return json;
 }
+
+}  // namespace
 
 std::string summary_text(const Model& model, const std::vector<Stage>& stages, const State& state,
                          const RunOutcome& outcome, const Results& results, const Provenance& provenance) {
@@ -232,8 +233,8 @@ std::string summary_text(const Model& model, const std::vector<Stage>& stages, c
     json["status"] = status_name(outcome.status);
     json["message"] = outcome.message;
     if (outcome.worst_contact) json["worst_contact"] = contact_json(model, *outcome.worst_contact);
-    json["stage"] = stages[results.state().stage].name;
     if (outcome.collapse) json["collapse"] = collapse_json(*outcome.collapse);
+    json["stage"] = stages[results.state().stage].name;
     json["time"] = state.time;
     json["steps"] = state.step_count;
     json["wall_time"] = results.wall_time();
@@ -263,7 +264,7 @@ std::string summary_text(const Model& model, const std::vector<Stage>& stages, c
     json["version"] = provenance.version;
     json["inputs"] = Json::array();
     for (const InputFile& input : provenance.inputs)
-        json["inputs"].push_back({{"file", input.path}, {"sha256", input.sha256}});
+        json["inputs"].push_back({{"file", input.path.string()}, {"sha256", input.sha256}});
     return json.dump(2) + "\n";
 }
 
