@@ -21,7 +21,7 @@ same_results() {
 
 # A branch gives the bytes of the run in one go, from a run of the first stage alone and from a whole run.
 "$run" run.toml -o whole --set output.save_stages=true >/dev/null 2>&1
-[ -s whole/stage-1.saved.h5 ] && [ -s whole/stage-2.saved.h5 ] || fail "the stages are not saved"
+for stage in 1 2; do [ -s "whole/stage-$stage.saved.h5" ] || fail "stage $stage is not saved"; done
 "$run" run.toml -o settled --until settle >/dev/null 2>&1
 [ -s settled/stage-1.saved.h5 ] || fail "the end of the stage is not saved"
 grep -q '"status": "completed"' settled/summary.json || fail "no summary of the settled state"
@@ -69,17 +69,16 @@ start_long() {
         --set output.checkpoint_interval=1e-3 >/dev/null 2>"$1.err"
 }
 mkdir long-branch
-start_long long-branch &
-pid=$!
+start_long "$folder/long-branch" &
 while [ ! -s long-branch/checkpoint.h5 ]; do sleep 0.01; done
-kill -9 $(ps -o pid= --ppid $pid) $pid 2>/dev/null || true
-wait $pid >/dev/null 2>&1 || true
+kill_all_with "-o $folder/long-branch"
+wait 2>/dev/null || true
 [ ! -e long-branch/summary.json ] || fail "the run was over before it was killed"
 branch_refused 'is a checkpoint from within a stage' --from long-branch/checkpoint.h5 --set 'stage[1].duration=60' \
     --set output.checkpoint_interval=1e-3
 cp -r long-branch damaged
 echo rubbish >damaged/checkpoint.h5
-start_long long-branch
+start_long "$folder/long-branch"
 [ ! -e long-branch/checkpoint.h5 ] || fail "the checkpoint of a complete run is left"
 start_long damaged
 grep -q 'begins anew' damaged.err || fail "not told that the run begins anew"
@@ -94,10 +93,12 @@ code=0
 [ ! -e failing/summary.json ] || fail "a failed run is up to date"
 grep -q '"status": "not settled"' failing/failed.json || fail "no reason of the failure"
 "$run" run.toml -o failing --make >/dev/null 2>&1
-[ -s failing/summary.json ] && [ ! -e failing/failed.json ] || fail "a run that succeeds leaves the failure"
+[ -s failing/summary.json ] || fail "no summary of a run that succeeds"
+[ ! -e failing/failed.json ] || fail "a run that succeeds leaves the failure"
 code=0
 "$run" run.toml -o failing --make --set 'stage[1].smallest_step=4.9e-3' --set 'analysis.normal_penalty=1e30' >/dev/null 2>&1 || code=$?
-[ "$code" -eq 1 ] && [ ! -e failing/summary.json ] || fail "the summary of an earlier run is left"
+[ "$code" -eq 1 ] || fail "exit code $code of a run that does not converge"
+[ ! -e failing/summary.json ] || fail "the summary of an earlier run is left"
 "$plot" failing --frames last || fail "a failed run cannot be drawn"
 
 # A slope that comes down is a result.

@@ -86,3 +86,17 @@ MODEL
 short_record() {
     printf 'time (s),acceleration (m/s2)\n0,0\n0.1,5\n0.2,-5\n0.3,0\n'
 }
+
+# pids_with TEXT: prints the processes with TEXT in their command line.
+pids_with() {
+    for process in /proc/[0-9]*; do
+        tr '\0' ' ' <"$process/cmdline" 2>/dev/null | grep -q -F -e "$1" && echo "${process#/proc/}"
+    done
+    return 0
+}
+
+# kill_all_with TEXT: kills these processes, and waits until there is none. TEXT must be of this test alone.
+kill_all_with() {
+    for process in $(pids_with "$1"); do kill -9 "$process" 2>/dev/null || true; done
+    while [ -n "$(pids_with "$1")" ]; do sleep 0.01; done
+}
