@@ -16,7 +16,7 @@ set(levels_of_analysis
     "friction_coupling interior_point"
     "interior_coupling open_close_iteration"
     "ledger rotation_prediction"
-    "excavate step stop_limit"
+    "excavate perturb step stop_limit"
     "run_stage"
     "strength_reduction"
     "run")

@@ -90,7 +90,7 @@ short_record() {
 # pids_with TEXT: prints the processes with TEXT in their command line.
 pids_with() {
     for process in /proc/[0-9]*; do
-        tr '\0' ' ' <"$process/cmdline" 2>/dev/null | grep -q -F -e "$1" && echo "${process#/proc/}"
+        { tr '\0' ' ' <"$process/cmdline"; } 2>/dev/null | grep -q -F -e "$1" && echo "${process#/proc/}"
     done
     return 0
 }

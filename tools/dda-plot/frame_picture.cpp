@@ -146,18 +146,19 @@ double size_of(const dda::GridFrame& frame, std::size_t block) {
 }  // namespace
 
 RunFrames::RunFrames(const std::filesystem::path& folder) {
+    const std::string of_contacts = ".joints.vtkhdf", extension = ".vtkhdf";
     std::error_code error;
     for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
         const std::string file = entry.path().filename().string();
-        const std::string extension = ".joints.vtkhdf";
-        if (file.ends_with(extension)) name_ = file.substr(0, file.size() - extension.size());
+        if (file.ends_with(extension) && !file.ends_with(of_contacts))
+            name_ = file.substr(0, file.size() - extension.size());
     }
     if (name_.empty())
-        throw InputError({folder.string()}, "contains no NAME.vtkhdf and NAME.joints.vtkhdf",
-                         "the output folder of dda-run");
-    blocks_.emplace(folder / (name_ + ".vtkhdf"));
-    contacts_.emplace(folder / (name_ + ".joints.vtkhdf"));
+        throw InputError({folder.string()}, "contains no NAME.vtkhdf", "the output folder of dda-run");
+    blocks_.emplace(folder / (name_ + extension));
     times_ = blocks_->times();
+    if (!std::filesystem::exists(folder / (name_ + of_contacts))) return;
+    contacts_.emplace(folder / (name_ + of_contacts));
     times_.resize(std::min(times_.size(), contacts_->times().size()));
 }
 
@@ -169,10 +170,13 @@ dda::GridFrame RunFrames::blocks(std::int64_t index) const {
     return frame;
 }
 dda::GridFrame RunFrames::contacts(std::int64_t index) const {
-    return contacts_->frame(index, contact_columns);
+    return contacts(index, contact_columns);
 }
 dda::GridFrame RunFrames::contacts(std::int64_t index, const std::vector<std::string>& columns) const {
-    return contacts_->frame(index, columns);
+    if (contacts_) return contacts_->frame(index, columns);
+    dda::GridFrame none;
+    none.columns.resize(columns.size());
+    return none;
 }
 
 PictureScale common_scale(const RunFrames& run, const std::vector<std::int64_t>& frames,

@@ -7,9 +7,11 @@
 #include <optional>
 
 #include "common/base/atomic_file.hpp"
+#include "common/base/command_text.hpp"
 #include "common/base/input_error.hpp"
 #include "common/base/output_check.hpp"
 #include "common/base/output_error.hpp"
+#include "common/base/read_file.hpp"
 #include "common/base/sha256.hpp"
 #include "common/base/text.hpp"
 #include "dda/analysis/energy_watch.hpp"
@@ -17,6 +19,7 @@
 #include "dda/checkpoint/resume_check.hpp"
 #include "dda/checkpoint/start_of_run.hpp"
 #include "dda/input/read_run.hpp"
+#include "dda/linear/front_kernels.hpp"
 #include "dda/model/glue.hpp"
 #include "dda/monitor/spring_resolution.hpp"
 #include "dda/results/block_table.hpp"
@@ -25,6 +28,8 @@
 #include "dda/terms/contact_damping.hpp"
 #include "progress_line.hpp"
 #include "stop_request.hpp"
+#include "support/commit.hpp"
+#include "warnings.hpp"
 
 namespace rockslope {
 
@@ -52,17 +57,13 @@ struct Beginning {
     bool is_saved_stage = false;
 };
 
-dda::WriterContext writer_context(const CommandLine& line, const dda::RunInput& input) {
-    return {input.model, line.output, input.output.name, std::nullopt, line.pvd, input.output.relative_to};
-}
-
 dda::Checkpoint checkpoint_of(const CommandLine& line, const dda::RunInput& input, const std::string& hash) {
     const fs::path path = line.output / "checkpoint.h5";
     dda::Checkpoint checkpoint = dda::read_checkpoint(path);
     if (checkpoint.input_hash != hash)
         throw InputError({path.string()}, "belongs to a run of other input",
                          "the same model, block file and records as the stopped run");
-    dda::check_resumable(checkpoint, writer_context(line, input));
+    dda::check_resumable(checkpoint, dda::writer_context(input.model, line.output, input.output, line.pvd));
     return checkpoint;
 }
 
@@ -90,6 +91,24 @@ std::optional<dda::Checkpoint> read_saved(const CommandLine& line, const dda::Ru
     return dda::read_saved_state(*line.from, input.fingerprint, static_cast<int>(input.stages.size()));
 }
 
+/// The file that --from names, with the digest of its bytes.
+std::optional<InputFile> saved_file(const CommandLine& line) {
+    if (!line.from) return std::nullopt;
+    return InputFile{*line.from, sha256(read_text_file(*line.from))};
+}
+
+dda::Provenance provenance_of(const CommandLine& line, const dda::RunInput& input, const std::string& version,
+                              const Warnings& warnings) {
+    return {.version = version,
+            .commit = tool_support::commit(),
+            .inputs = input.digests,
+            .overrides = line.overrides,
+            .saved_state = saved_file(line),
+            .threads = line.threads,
+            .kernel = dda::front_kernels<double>().front().name,
+            .warnings = warnings.lines()};
+}
+
 /// Hash of all input. A checkpoint can be continued from only with the same hash.
 std::string input_hash(const dda::RunInput& input, const std::optional<dda::Checkpoint>& saved) {
     return sha256(input.fingerprint + (saved ? "from stage " + std::to_string(saved->results.stage) : ""));
@@ -115,22 +134,30 @@ void remove_earlier_results(const fs::path& folder) {
         if (entry.path().filename().string().ends_with(".saved.h5")) fs::remove(entry.path(), ignored);
 }
 
+/// Makes the output folder, removes earlier results unless they are continued from a checkpoint, and copies
+/// those of the saved run. @return what the run begins with.
+Beginning prepare_folder(const CommandLine& line, const dda::RunInput& input,
+                         const std::optional<dda::Checkpoint>& saved,
+                         const std::optional<dda::Checkpoint>& checkpoint) {
+    make_output_folder(line.output);
+    std::error_code ignored;
+    fs::remove(line.output / "failed.json", ignored);
+    if (checkpoint) return {checkpoint, false};
+    remove_earlier_results(line.output);
+    Beginning beginning{saved, saved.has_value()};
+    if (saved)
+        dda::copy_earlier_results(line.from->parent_path(),
+                                  dda::writer_context(input.model, line.output, input.output, line.pvd),
+                                  *beginning.checkpoint);
+    return beginning;
+}
+
 /// The first stage to run, and whether it is entered in its middle.
 dda::RunOptions run_options(const CommandLine& line, const Beginning& beginning, std::optional<int> last) {
     if (!beginning.checkpoint) return {line.threads, 0, false, last};
     const int stage = beginning.checkpoint->results.stage;
     if (beginning.is_saved_stage) return {line.threads, stage + 1, false, last};
     return {line.threads, stage, true, last};
-}
-
-std::string make_escaped(const fs::path& path) {
-    std::string text;
-    for (const char c : path.string()) {
-        if (c == ' ' || c == '#' || c == '\\') text += '\\';
-        if (c == '$') text += '$';
-        text += c;
-    }
-    return text;
 }
 
 /// A Make rule: the summary depends on every file read. Each of these is also a target without a recipe, so
@@ -156,51 +183,47 @@ void print_plan(const dda::RunInput& input, const fs::path& folder) {
 }
 
 /// Reports the excavations of stages that this run does not have; their blocks stay.
-void print_unreached_excavations(const dda::RunInput& input) {
+void warn_of_unreached_excavations(const dda::RunInput& input, Warnings& warnings) {
     for (const dda::Excavation& e : input.model.excavations)
         if (static_cast<std::size_t>(e.stage) > input.stages.size())
-            std::fprintf(stderr,
-                         "dda-run: excavation '%s' is not removed: its stage is %d, the run has %zu stages\n",
-                         e.name.c_str(), e.stage, input.stages.size());
+            warnings.tell("excavation '%s' is not removed: its stage is %d, the run has %zu stages",
+                          e.name.c_str(), e.stage, input.stages.size());
 }
 
 /// Tells of blocks that cannot bend with the body that they are glued to.
-void print_glued_polygons(const dda::Model& model) {
+void warn_of_glued_polygons(const dda::Model& model, Warnings& warnings) {
     const std::optional<dda::GluedPolygons> glued = dda::glued_polygons(model);
     if (!glued) return;
     const dda::Vec2 at = model.vertices[model.topology.block_corners[glued->first]] + model.origin;
-    std::fprintf(
-        stderr,
-        "dda-run: %d blocks of more than three corners are glued, the first is block %d with a corner "
+    warnings.tell(
+        "%d blocks of more than three corners are glued, the first is block %d with a corner "
         "at (%g, %g), joint material %s: a body of them is many times too stiff in bending; cut it "
-        "into triangles\n",
+        "into triangles",
         glued->blocks, glued->first.value(), at.x(), at.y(),
         model.joint_material_at(glued->joint_material).name.c_str());
 }
 
 /// Tells of a contact_damping that the steps are too long for.
-void print_ineffective_damping(const dda::RunInput& input) {
+void warn_of_ineffective_damping(const dda::RunInput& input, Warnings& warnings) {
     const auto found = dda::ineffective_damping(input.model, input.stages);
     if (!found) return;
     const dda::JointMaterial& material = input.model.joint_material_at(found->joint_material);
     const dda::Stage& stage = input.stages[found->stage];
-    std::fprintf(
-        stderr,
-        "dda-run: contact_damping %g of joint material '%s' has no effect in stage '%s': steps of %g s "
-        "damp impacts more (omega dt is %.3g for a block of median mass); see docs/guide/impacts.md\n",
+    warnings.tell(
+        "contact_damping %g of joint material '%s' has no effect in stage '%s': steps of %g s "
+        "damp impacts more (omega dt is %.3g for a block of median mass); see docs/guide/impacts.md",
         material.contact_damping, material.name.c_str(), stage.name.c_str(), stage.control.step,
         found->frequency_step);
 }
 
 /// Tells of shear springs whose swing the steps damp.
-void print_lost_swings(const dda::RunInput& input) {
+void warn_of_lost_swings(const dda::RunInput& input, Warnings& warnings) {
     for (const dda::SpringResolution& found : dda::spring_resolutions(input.model, input.stages)) {
         if (!dda::loses_swing(found)) continue;
         const dda::Stage& stage = input.stages[found.stage];
-        std::fprintf(
-            stderr,
-            "dda-run: stage '%s': a swing of the shear spring of joint material '%s' loses %.2g %% in each "
-            "period, of %.0f steps; slips may be too small. Steps of %.2g s lose %g %%\n",
+        warnings.tell(
+            "stage '%s': a swing of the shear spring of joint material '%s' loses %.2g %% in each "
+            "period, of %.0f steps; slips may be too small. Steps of %.2g s lose %g %%",
             stage.name.c_str(), input.model.joint_material_at(found.joint_material).name.c_str(),
             100 * found.lost_per_period, found.shear_period_steps, dda::step_that_keeps_swing(found, stage),
             100 * dda::largest_lost_per_period);
@@ -241,14 +264,15 @@ void print_factor_of_safety(const std::vector<dda::ReductionTrial>& trials) {
 }
 
 /// Says how much energy friction returned.
-void print_returned_friction(const dda::Model& model, const dda::Energy& energy) {
+void warn_of_returned_friction(const dda::Model& model, const dda::Energy& energy, Warnings& warnings) {
     if (!dda::returns_friction(energy)) return;
-    std::fprintf(stderr, "dda-run: %s. Displacements may be wrong by more than that share\n",
-                 dda::describe_returned(model, energy).c_str());
+    warnings.tell("%s. Displacements may be wrong by more than that share",
+                  dda::describe_returned(model, energy).c_str());
 }
 
 /// Says which blocks still moved when a static stage ended.
-void print_left_moving(const std::vector<dda::LeftMoving>& left, const std::vector<dda::Stage>& stages) {
+void warn_of_left_moving(const std::vector<dda::LeftMoving>& left, const std::vector<dda::Stage>& stages,
+                         Warnings& warnings) {
     for (std::size_t k = 0; k < stages.size(); ++k) {
         int count = 0;
         double share = 0;
@@ -260,10 +284,9 @@ void print_left_moving(const std::vector<dda::LeftMoving>& left, const std::vect
             if (!farthest || block.displacement > farthest->displacement) farthest = &block;
         }
         if (!farthest) continue;
-        std::fprintf(
-            stderr,
-            "dda-run: stage '%s' is at rest but for %d small block%s, %.2g of the mass; block %d at (%.6g, "
-            "%.6g) has moved farthest, %.3g m. %s; see moving_at_rest in summary.json\n",
+        warnings.tell(
+            "stage '%s' is at rest but for %d small block%s, %.2g of the mass; block %d at (%.6g, "
+            "%.6g) has moved farthest, %.3g m. %s; see moving_at_rest in summary.json",
             stages[k].name.c_str(), count, count == 1 ? "" : "s", share, farthest->block.value(),
             farthest->centroid.x(), farthest->centroid.y(), farthest->displacement,
             stages[k].remove_moving ? "Removed" : "Kept");
@@ -281,12 +304,11 @@ void print_broken_bonds(const dda::BrokenBonds& broken) {
 }
 
 /// Says how many reversals hang on `min_slip`.
-void print_close_reversals(const dda::CloseReversals& close) {
+void warn_of_close_reversals(const dda::CloseReversals& close, Warnings& warnings) {
     if (close.counted + close.not_counted == 0) return;
-    std::fprintf(
-        stderr,
-        "dda-run: %lld reversals of slip that counted and %lld that did not are within a factor of %g "
-        "of min_slip; the wear depends on it. See reversals_close_to_min_slip in summary.json\n",
+    warnings.tell(
+        "%lld reversals of slip that counted and %lld that did not are within a factor of %g "
+        "of min_slip; the wear depends on it. See reversals_close_to_min_slip in summary.json",
         static_cast<long long>(close.counted), static_cast<long long>(close.not_counted),
         dda::CloseReversals::factor);
 }
@@ -339,26 +361,17 @@ ExitCode simulate(const CommandLine& line, const std::string& version) {
     const std::optional<dda::Checkpoint> saved = read_saved(line, input);
     const std::string hash = input_hash(input, saved);
     const std::optional<int> last = last_stage(line, input.stages, saved ? saved->results.stage + 1 : 0);
-    Beginning beginning{find_checkpoint(line, input, hash)};
-    make_output_folder(line.output);
-    std::error_code ignored;
-    fs::remove(line.output / "failed.json", ignored);
-    if (!beginning.checkpoint) {
-        remove_earlier_results(line.output);
-        beginning = {saved, saved.has_value()};
-        if (saved)
-            dda::copy_earlier_results(line.from->parent_path(), writer_context(line, input),
-                                      *beginning.checkpoint);
-    }
+    const Beginning beginning = prepare_folder(line, input, saved, find_checkpoint(line, input, hash));
 
     write_file_atomically(line.output / "run.toml", input.effective);
     if (line.depfile)
         write_file_atomically(*line.depfile, depfile_text(line.output / "summary.json", input.files));
     print_plan(input, line.output);
-    print_unreached_excavations(input);
-    print_glued_polygons(input.model);
-    print_ineffective_damping(input);
-    print_lost_swings(input);
+    Warnings warnings;
+    warn_of_unreached_excavations(input, warnings);
+    warn_of_glued_polygons(input.model, warnings);
+    warn_of_ineffective_damping(input, warnings);
+    warn_of_lost_swings(input, warnings);
 
     ProgressLine progress;
     const fs::path stop_file = line.output / "stop";
@@ -377,16 +390,17 @@ ExitCode simulate(const CommandLine& line, const std::string& version) {
     progress.clear();
 
     const std::vector<dda::PlaneSlip> slips = dda::plane_slips(input.model, input.stages, state, results);
-    write_summary_files(line, outcome,
-                        dda::block_table(input.model, state, results, slips, line.output / "blocks.csv"),
-                        dda::summary_text(input.model, input.stages, state, outcome, results,
-                                          {.version = version, .inputs = input.digests}));
     std::fputs(dda::outcome_table(input.model, state, results, slips).c_str(), stdout);
     print_factor_of_safety(results.state().trials);
-    print_left_moving(results.state().left_moving, input.stages);
+    warn_of_left_moving(results.state().left_moving, input.stages, warnings);
     print_broken_bonds(state.broken_bonds);
-    if (outcome.status != dda::RunStatus::energy_created) print_returned_friction(input.model, state.energy);
-    print_close_reversals(dda::with_present(results.state().close_reversals, input.model, state));
+    if (outcome.status != dda::RunStatus::energy_created)
+        warn_of_returned_friction(input.model, state.energy, warnings);
+    warn_of_close_reversals(dda::with_present(results.state().close_reversals, input.model, state), warnings);
+    const dda::Provenance provenance = provenance_of(line, input, version, warnings);
+    write_summary_files(line, outcome,
+                        dda::block_table(input.model, state, results, slips, line.output / "blocks.csv"),
+                        dda::summary_text(input.model, input.stages, state, outcome, results, provenance));
     print_outcome(outcome, state, results.wall_time(), line.output);
     return exit_code_of(outcome);
 }

@@ -2,6 +2,7 @@
 
 #include "dda/analysis/excavate.hpp"
 #include "dda/analysis/moving_block.hpp"
+#include "dda/analysis/perturb.hpp"
 #include "dda/analysis/run_stage.hpp"
 #include "dda/analysis/strength_reduction.hpp"
 
@@ -72,6 +73,7 @@ RunOutcome run(const Model& model, std::span<const Stage> stages, State& state, 
             if (k > 0 && apply_end_of(model, stages[k - 1], state)) active.reset();
             begin_stage(state);
             if (excavate(model, static_cast<int>(k) + 1, state)) active.reset();
+            perturb(model, stages[k], state);
         }
         resumed = false;
         if (!active) active.emplace(model, state, options.threads);

@@ -39,6 +39,20 @@ std::vector<Peaks> peaks_of(const std::vector<double>& values) {
     return peaks;
 }
 
+std::vector<double> region_values(const std::vector<RegionPeaks>& regions) {
+    std::vector<double> values;
+    for (const RegionPeaks& r : regions)
+        values.insert(values.end(), {r.mean, r.mean_time, r.largest, r.largest_time});
+    return values;
+}
+
+std::vector<RegionPeaks> regions_of(const std::vector<double>& values) {
+    std::vector<RegionPeaks> regions;
+    for (std::size_t i = 0; i + 4 <= values.size(); i += 4)
+        regions.push_back({values[i], values[i + 1], values[i + 2], values[i + 3]});
+    return regions;
+}
+
 std::vector<double> slip_values(const std::vector<FirstSlip>& slips) {
     std::vector<double> values;
     for (const FirstSlip& s : slips)
@@ -169,6 +183,7 @@ std::string digest_of(const Checkpoint& checkpoint, const StateArchive& state) {
     append_bytes(text, counts_of(checkpoint.results));
     append_bytes(text, reals_of(checkpoint.results));
     append_bytes(text, peak_values(checkpoint.results.peaks));
+    append_bytes(text, region_values(checkpoint.results.regions));
     append_bytes(text, trial_values(checkpoint.results.trials));
     append_bytes(text, slip_values(checkpoint.results.first_slips));
     append_bytes(text, plane_values(checkpoint.results.planes));
@@ -183,6 +198,7 @@ void write_results_state(HdfFile& file, const ResultsState& results) {
     store(file, "/results", counts_of(results));
     store(file, "/figures", reals_of(results));
     store(file, "/peaks", peak_values(results.peaks));
+    store(file, "/regions", region_values(results.regions));
     store(file, "/trials", trial_values(results.trials));
     store(file, "/first_slips", slip_values(results.first_slips));
     store(file, "/planes", plane_values(results.planes));
@@ -205,6 +221,7 @@ ResultsState read_results_state(const HdfFile& file) {
     results.wall_time = figures[0];
     results.remaining_dilation = figures[1];
     results.peaks = peaks_of(file.read_all<double>("/peaks"));
+    results.regions = regions_of(file.read_all<double>("/regions"));
     results.trials = trials_of(file.read_all<double>("/trials"));
     results.first_slips = slips_of(file.read_all<double>("/first_slips"));
     results.planes = planes_of(file.read_all<double>("/planes"));

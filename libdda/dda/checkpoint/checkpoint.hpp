@@ -11,6 +11,7 @@
 #include "dda/monitor/close_reversals.hpp"
 #include "dda/monitor/first_slips.hpp"
 #include "dda/monitor/left_moving.hpp"
+#include "dda/monitor/region_motion.hpp"
 
 namespace rockslope::dda {
 
@@ -34,6 +35,7 @@ struct ResultsState {
     double wall_time = 0;                 ///< s, of this and the earlier parts of the run
     double remaining_dilation = 0;        ///< m, largest of StepReport::remaining_dilation so far
     std::vector<Peaks> peaks;             ///< per tracked point
+    std::vector<RegionPeaks> regions;     ///< per measured region
     std::vector<ReductionTrial> trials;   ///< of the strength reduction, in the order in which they were made
     PerBlock<FirstSlip> first_slips;      ///< per block
     std::vector<BlockOnPlane> planes;     ///< found after the first dynamic step

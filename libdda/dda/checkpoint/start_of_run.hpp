@@ -4,6 +4,7 @@
 #include <string>
 
 #include "dda/checkpoint/checkpoint.hpp"
+#include "dda/writers/result_writer.hpp"
 
 namespace rockslope::dda {
 

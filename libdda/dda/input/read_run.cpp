@@ -101,6 +101,8 @@ OutputSpec read_output(const ConfigTable& output, const std::filesystem::path& r
             "name", "'name' in [output] is \"" + spec.name + "\"",
             "the stem of a file name, at most 200 bytes without '/', a dot in front or control characters");
     spec.frames = count_up_to_a_million(output, "frames", spec.frames);
+    spec.joint_frames = output.boolean("joint_frames", spec.joint_frames);
+    spec.step_log = output.boolean("step_log", spec.step_log);
     spec.static_frame_interval =
         count_up_to_a_million(output, "static_frame_interval", spec.static_frame_interval);
     spec.history_interval = output.checked(

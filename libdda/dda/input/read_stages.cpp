@@ -102,6 +102,10 @@ Stage read_stage(const ConfigTable& table, std::size_t index, const Model& model
         in_range(table, "newmark_beta", stage.newmark_beta, 1e-3, 1, "a number from 0.001 to 1");
     stage.newmark_gamma =
         in_range(table, "newmark_gamma", stage.newmark_gamma, 0.5, 1, "a number from 0.5 to 1");
+    stage.perturbation = table.integer("perturbation", 0);
+    table.checked(
+        "perturbation", static_cast<double>(stage.perturbation), [](double v) { return v >= 0; },
+        "0, or the seed of a perturbation");
     stage.incident_waves = read_incident_waves(table, model, files);
     read_base_motions(table, model, files, stage);
     return stage;

@@ -194,6 +194,7 @@ step = 0.005
 # dynamic_coefficient = 1          # share of the velocity kept from step to step
 # newmark_beta = 0.5               # (1/2, 1) is Shi's integration
 # newmark_gamma = 1
+# perturbation = 0                 # seed of a perturbation of the order of rounding, to see how far results depend on it
 
 # [stage.stop]                     # the run ends here, with the status "collapsed"; in static stages, too
 # displacement = "5 m"             # less that of relative_to
@@ -219,6 +220,8 @@ step = 0.005
 # history_interval = 0.01          # s between rows of history.csv
 # relative_to = "base"             # measured point or prescribed block; default: the first prescribed block
 # slip_threshold = "0.1 mm"        # slip of a contact above which its blocks have slipped
+# joint_frames = true              # frames of the contacts beside those of the blocks
+# step_log = true                  # steps.csv
 # save_stages = false              # save the state at each stage's end, for dda-run --from
 # checkpoint_interval = 60         # s of wall time
 )";

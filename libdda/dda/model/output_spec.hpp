@@ -8,6 +8,8 @@ namespace rockslope::dda {
 struct OutputSpec {
     std::string name = "run";  ///< stem of the result files
     int frames = 200;          ///< frames, evenly over the dynamic stages, besides both ends of every stage
+    bool joint_frames = true;  ///< frames of the contacts beside those of the blocks
+    bool step_log = true;      ///< steps.csv
     int static_frame_interval = 0;   ///< steps between frames inside static stages; 0: none
     double history_interval = 0.01;  ///< s between the rows of history.csv; 0: every step
     /// Measured point or prescribed block whose motion is subtracted in relative.csv and in permanent

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
@@ -94,6 +95,7 @@ struct Stage {
     std::vector<BaseMotion> frame_motions;
     std::optional<StrengthReduction> strength_reduction;  ///< static: factor-of-safety search
     std::vector<IncidentWave> incident_waves;
+    std::int64_t perturbation = 0;  ///< dynamic: seed of a perturbation of the order of rounding; 0: none
     std::optional<StopLimit> stop;  ///< the stage ends there, with the status `collapsed`
 };
 

@@ -58,10 +58,10 @@ Results::Results(const Model& model, const std::vector<Stage>& stages, const Out
     if (output_.frames > 0) frame_interval_ = dynamic_duration(stages_, stages_.size()) / output_.frames;
     if (resume_from) progress_ = resume_from->results;
     progress_.peaks.resize(points_.size());
+    progress_.regions.resize(model_.measured_regions.size());
     progress_.first_slips.resize(model.block_count());
     for (const WriterEntry& entry : writer_table()) {
-        WriterContext context{model_,       options_.folder, output_.name,
-                              std::nullopt, options_.pvd,    output_.relative_to};
+        WriterContext context = writer_context(model_, options_.folder, output_, options_.pvd);
         if (!entry.is_enabled(context)) continue;
         if (resume_from && resume_from->positions.contains(entry.name))
             context.resume_from = resume_from->positions.at(entry.name);
@@ -111,6 +111,8 @@ void Results::update_peaks(const State& state) {
         update_peak(motion.acceleration.norm(), state.time, peaks.acceleration, peaks.acceleration_time);
         update_peak((motion.displacement - from).norm(), state.time, peaks.relative, peaks.relative_time);
     }
+    for (std::size_t i = 0; i < model_.measured_regions.size(); ++i)
+        progress_.regions[i].add(displacement_of(state, model_.measured_regions[i], from), state.time);
 }
 
 /// Finds the blocks on planes after the first dynamic step, since before it there may be no contacts, and
@@ -224,7 +226,7 @@ void Results::stage_fails(const Model&, const State& state, const Stage& stage, 
 
 namespace {
 
-double bytes_per_frame(const Model& model) {
+double bytes_per_frame(const Model& model, const OutputSpec& output) {
     constexpr double compressed = 0.6;  // size of the shuffled and deflated floats over the original
     const double bytes_per_corner = model.origin.isZero(0) ? 3 * 4 : 3 * 8;  // coordinates
     constexpr double bytes_per_block = 14 * 4;                               // quantities of a block
@@ -233,7 +235,7 @@ double bytes_per_frame(const Model& model) {
     const double blocks =
         bytes_per_corner * static_cast<double>(model.vertices.size()) + model.block_count() * bytes_per_block;
     const double contacts = model.block_count() * contacts_per_block * bytes_per_contact;
-    return compressed * blocks + contacts;
+    return compressed * blocks + (output.joint_frames ? contacts : 0);
 }
 
 }  // namespace
@@ -241,7 +243,7 @@ double bytes_per_frame(const Model& model) {
 double estimated_bytes(const Model& model, const std::vector<Stage>& stages, const OutputSpec& output) {
     const double frames = (dynamic_duration(stages, stages.size()) > 0 ? output.frames : 0) + 1.0 +
                           static_cast<double>(stages.size());
-    return frames * bytes_per_frame(model);
+    return frames * bytes_per_frame(model, output);
 }
 
 double max_static_frame_bytes(const Model& model, const std::vector<Stage>& stages,
@@ -251,7 +253,7 @@ double max_static_frame_bytes(const Model& model, const std::vector<Stage>& stag
     for (const Stage& stage : stages)
         if (stage.kind == StageKind::static_equilibrium && !stage.strength_reduction)
             frames += std::floor(static_cast<double>(stage.step_limit) / output.static_frame_interval);
-    return frames * bytes_per_frame(model);
+    return frames * bytes_per_frame(model, output);
 }
 
 }  // namespace rockslope::dda
