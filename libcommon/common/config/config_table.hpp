@@ -84,6 +84,8 @@ class ConfigTable {
     std::vector<double> numbers(std::string_view key, Dimension dimension = Dimension::none) const;
     /// An array of texts. @throws InputError for another type or a missing key.
     std::vector<std::string> strings(std::string_view key) const;
+    /// The values of an array, each as TOML text. @throws InputError for another type or a missing key.
+    std::vector<std::string> value_texts(std::string_view key) const;
     /// A list of rings, [[[x, y], ...], ...]; empty when the key is absent.
     std::vector<std::vector<std::array<double, 2>>> rings(std::string_view key) const;
 
