@@ -28,6 +28,10 @@ int run_make(const std::vector<std::string>& arguments);
 int run_status(const std::vector<std::string>& arguments);
 /// `dda-study collect`: writes the table of results, as CSV and as an SQLite database.
 int run_collect(const std::vector<std::string>& arguments);
+/// `dda-study fragility`: fits a fragility curve.
+int run_fragility(const std::vector<std::string>& arguments);
+/// `dda-study sensitivity`: says what a measure depends on.
+int run_sensitivity(const std::vector<std::string>& arguments);
 /// `dda-study skip`: for the Makefile of an incremental study.
 int run_skip(const std::vector<std::string>& arguments);
 

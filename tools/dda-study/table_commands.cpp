@@ -187,6 +187,9 @@ const std::vector<StudyCommand>& study_commands() {
         {"make", "write the folder of a study from a plan", run_make},
         {"status", "which rows are done, run, wait, and why others failed", run_status},
         {"collect", "gather the results of all rows in a table", run_collect},
+        {"fragility", "the probability of failure against an intensity, with its band", run_fragility},
+        {"sensitivity", "what a measure depends on: Sobol' indices, effects, a tornado, spreads",
+         run_sensitivity},
         {"skip", "for the Makefile of an incremental study", run_skip}};
     return commands;
 }

@@ -2,8 +2,8 @@
 
 #include <filesystem>
 
-#include "study/folder/makefile_text.hpp"
 #include "study/csv/csv_text.hpp"
+#include "study/folder/makefile_text.hpp"
 
 namespace rockslope::study {
 

@@ -4,7 +4,8 @@ namespace rockslope::study {
 
 namespace {
 
-const char* const commented_plan = R"plan(# A plan of dda-study. SI units; a number may carry a unit in quotes. Paths are relative to this file.
+const char* const commented_plan =
+    R"plan(# A plan of dda-study. SI units; a number may carry a unit in quotes. Paths are relative to this file.
 # Keys that are commented out show their default, or what else there is.
 
 slope = "slope.toml"               # cut by blockgen; or blocks = "slope.blocks" for all rows
