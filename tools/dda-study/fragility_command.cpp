@@ -15,7 +15,7 @@ namespace po = boost::program_options;
 
 namespace {
 
-void add_options(CommandOptions& line) {
+void add_fragility_options(CommandOptions& line) {
     auto add = line.options().add_options();
     add("measure", po::value<std::string>()->value_name("NAME"),
         "column of the demand: a measure of the plan");
@@ -111,7 +111,7 @@ int run_fragility(const std::vector<std::string>& arguments) {
         "fragility STUDY --measure NAME --limit X --intensity NAME [options]",
         "Fits P(demand > limit | intensity) as a lognormal distribution function, with bands by the "
         "bootstrap over records and\nrealisations. STUDY is the folder of a study, or a table (CSV).");
-    add_options(line);
+    add_fragility_options(line);
     if (!line.parse(arguments)) return study_done;
     const fs::path place = line.argument("the study");
     study::FragilityRequest request = request_of(line);

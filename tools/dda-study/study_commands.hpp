@@ -32,6 +32,8 @@ int run_collect(const std::vector<std::string>& arguments);
 int run_fragility(const std::vector<std::string>& arguments);
 /// `dda-study sensitivity`: says what a measure depends on.
 int run_sensitivity(const std::vector<std::string>& arguments);
+/// `dda-study slurm`: submits a study to a Slurm cluster.
+int run_slurm(const std::vector<std::string>& arguments);
 /// `dda-study skip`: for the Makefile of an incremental study.
 int run_skip(const std::vector<std::string>& arguments);
 

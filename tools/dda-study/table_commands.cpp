@@ -185,6 +185,7 @@ int run_skip(const std::vector<std::string>& arguments) {
 const std::vector<StudyCommand>& study_commands() {
     static const std::vector<StudyCommand> commands = {
         {"make", "write the folder of a study from a plan", run_make},
+        {"slurm", "submit the rows that are not done to a Slurm cluster", run_slurm},
         {"status", "which rows are done, run, wait, and why others failed", run_status},
         {"collect", "gather the results of all rows in a table", run_collect},
         {"fragility", "the probability of failure against an intensity, with its band", run_fragility},

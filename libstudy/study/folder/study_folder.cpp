@@ -87,4 +87,14 @@ fs::path plan_of(const fs::path& folder) {
     return fs::absolute(folder / json["plan"].get<std::string>()).lexically_normal();
 }
 
+std::string start_target(const fs::path& folder, const std::string& address) {
+    const std::string makefile = read_text_file(folder / "Makefile");
+    const std::string begin = "starts/" + address + "/stage-";
+    const std::size_t found = makefile.find("\n" + begin);
+    if (found == std::string::npos)
+        throw InputError({(folder / "Makefile").string()}, "has no rule for the start " + address,
+                         "the file as dda-study make wrote it");
+    return makefile.substr(found + 1, makefile.find(':', found) - found - 1);
+}
+
 }  // namespace rockslope::study

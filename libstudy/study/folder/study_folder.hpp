@@ -16,6 +16,10 @@ void write_study_folder(const PlannedStudy& study, const std::filesystem::path& 
 /// The plan of a study that was written. @throws InputError if the folder is no study.
 std::filesystem::path plan_of(const std::filesystem::path& folder);
 
+/// The target of the Makefile for a start, which is the state at the end of its last stage.
+/// @throws InputError if the Makefile has none.
+std::string start_target(const std::filesystem::path& folder, const std::string& address);
+
 /// The columns of runs.csv that are not factors.
 inline constexpr const char* const row_column = "row";
 inline constexpr const char* const replicate_column = "replicate";
