@@ -94,6 +94,16 @@ done
 make_study killed -j2 || fail "a study that was killed: $(cat "$folder.make")"
 table_of killed | cmp - one.csv || fail "a study that was killed gives another table"
 
+# Curves, what measures depend on, and a report.
+"$study" fragility one --measure block --limit 0.02 --intensity PGA -o curve.csv --picture curve.png >out.txt
+grep -q '^P(block (m) > 0.02 | PGA' out.txt || fail "no curve: $(cat out.txt)"
+"$study" sensitivity one --measure volume | grep -q '^PGA,' || fail "no indices"
+"$study" sensitivity one --measure block --spread | grep -q '^friction,' || fail "no spread"
+"$study" report one -o one.html
+grep -q '<h2>Measures</h2>' one.html || fail "no report"
+run_refused "expected perhaps 'block'" "$study" fragility one --measure blok --limit 1 --intensity PGA
+run_refused 'limit is not given' "$study" fragility one --measure block --intensity PGA
+
 # Nothing is computed twice: neither by a second make, nor after a touch, nor for the rows that a changed plan keeps.
 make_study one -j2
 grep -q '^row' "$folder.make" && fail "computed again: $(cat "$folder.make")"

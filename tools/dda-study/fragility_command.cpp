@@ -6,6 +6,7 @@
 #include "common/base/input_error.hpp"
 #include "study/folder/study_folder.hpp"
 #include "study/picture/fragility_picture.hpp"
+#include "study/picture/report_page.hpp"
 #include "study_commands.hpp"
 
 namespace rockslope {
@@ -42,18 +43,6 @@ void add_fragility_options(CommandOptions& line) {
         "draw the median and its band against the number of groups; .csv, .svg, .png or .pdf");
 }
 
-/// Columns of the factors that choose records and realisations.
-std::vector<std::string> default_groups(const study::Plan& plan) {
-    std::vector<std::string> groups;
-    for (const study::Factor& factor : plan.factors) {
-        const bool is_record = !factor.files.empty();
-        const bool is_realisation =
-            !factor.targets.empty() && factor.targets.front().file == study::ModelFile::slope;
-        if ((is_record || is_realisation) && groups.size() < 2) groups.push_back(factor.name);
-    }
-    return groups;
-}
-
 study::FragilityRequest request_of(const CommandOptions& line) {
     study::FragilityRequest request;
     request.measure = line.required("measure", "a column of the results");
@@ -85,7 +74,7 @@ study::FragilityRequest request_of(const CommandOptions& line) {
 study::TextTable table_of(const fs::path& place, study::FragilityRequest& request) {
     if (!fs::is_directory(place)) return study::read_csv(place);
     const study::StudyRows rows = study::read_study(place);
-    if (request.groups.empty()) request.groups = default_groups(rows.plan);
+    if (request.groups.empty()) request.groups = study::fragility_groups(rows.plan);
     return study::results_table(rows);
 }
 
@@ -154,6 +143,20 @@ int run_sensitivity(const std::vector<std::string>& arguments) {
     if (result.left_out > 0) std::printf("left out for rows without a value: %zu\n", result.left_out);
     if (const auto file = line.path("output")) write_file_atomically(*file, text);
     if (const auto file = line.path("picture")) study::draw_sensitivity(result).write(*file);
+    return study_done;
+}
+
+int run_report(const std::vector<std::string>& arguments) {
+    CommandOptions line(
+        "report STUDY -o FILE.html",
+        "Writes a report of a study as one page of HTML: rows, distributions of the measures, spreads, the "
+        "fragility curves of the plan,\nand what the measures depend on.");
+    line.options().add_options()("output,o", po::value<std::string>()->value_name("FILE.html"), "the page");
+    if (!line.parse(arguments)) return study_done;
+    const std::string file = line.required("output", "a file name");
+    const study::StudyRows rows = study::read_study(line.argument("the folder of the study"));
+    write_file_atomically(file,
+                          study::report_page(rows, rows.plan.file.stem().string() + ": report of a study"));
     return study_done;
 }
 

@@ -191,6 +191,7 @@ const std::vector<StudyCommand>& study_commands() {
         {"fragility", "the probability of failure against an intensity, with its band", run_fragility},
         {"sensitivity", "what a measure depends on: Sobol' indices, effects, a tornado, spreads",
          run_sensitivity},
+        {"report", "a page of HTML with all of it", run_report},
         {"skip", "for the Makefile of an incremental study", run_skip}};
     return commands;
 }

@@ -183,6 +183,17 @@ std::vector<FragilityPoint> fragility_points(const TextTable& table, const std::
     return points;
 }
 
+std::vector<std::string> fragility_groups(const Plan& plan) {
+    std::vector<std::string> groups;
+    for (const Factor& factor : plan.factors) {
+        const bool is_record = !factor.files.empty();
+        const bool is_realisation =
+            !factor.targets.empty() && factor.targets.front().file == ModelFile::slope;
+        if ((is_record || is_realisation) && groups.size() < 2) groups.push_back(factor.name);
+    }
+    return groups;
+}
+
 Fragility fit_points(const Fragility& whole, std::vector<FragilityPoint> points) {
     Fragility fragility = whole;
     fragility.points = std::move(points);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "study/csv/csv_text.hpp"
+#include "study/plan/plan.hpp"
 #include "study/statistics/fit_demands.hpp"
 #include "study/statistics/fit_outcomes.hpp"
 #include "study/statistics/resample.hpp"
@@ -61,6 +62,10 @@ Fragility fit_fragility(const TextTable& table, const std::string& table_name,
 
 /// The same curve from the points with some groups only, for the number of groups that is enough.
 Fragility fit_points(const Fragility& whole, std::vector<FragilityPoint> points);
+
+/// The columns whose rows belong together in a study: the first factors that choose records or realisations,
+/// at most two.
+std::vector<std::string> fragility_groups(const Plan& plan);
 
 /// What the fit says, as text: the median and dispersion with their bands, or why there is no curve and what
 /// can be said instead.

@@ -80,6 +80,14 @@ struct Measure {
     double limit = 0;         ///< m, of moved blocks
 };
 
+/// A fragility curve that the report of a study shows.
+struct FragilityPlan {
+    std::string measure;
+    std::string intensity;
+    double limit = 0;
+    bool by_demands = false;  ///< regression of the demands in place of the outcomes
+};
+
 /// What rows write, besides summaries.
 struct RowOutput {
     int frames = 0;
@@ -99,6 +107,7 @@ struct Plan {
     Design design;
     int replicates = 1;  ///< runs of each row; all but the first begin with a perturbation
     std::vector<Measure> measures;
+    std::vector<FragilityPlan> fragilities;
     RowOutput output;
     double row_time = 0;  ///< s, wall time of a row that the user expects; 0: not given
 

@@ -59,6 +59,12 @@ point = "crest"                    # or region = "face"; neither: the farthest b
 # of = "mean"                      # of a region's blocks, or "largest"
 # limit = 0.5                      # m, of moved blocks
 
+# [[fragility]]                    # curves of the report
+# measure = "crest"
+# intensity = "PGA"                # a column of the results
+# limit = 0.05
+# method = "outcomes"              # or "demands"
+
 [output]                           # what each row writes, besides its summary and its table of blocks
 # frames = 0                       # besides both ends of every stage
 # joint_frames = false

@@ -115,6 +115,18 @@ Measure read_measure(const ConfigTable& table, const std::vector<Measure>& befor
     return measure;
 }
 
+FragilityPlan read_fragility(const ConfigTable& table, const std::vector<Measure>& measures) {
+    FragilityPlan fragility;
+    std::vector<std::string> names;
+    for (const Measure& measure : measures) names.push_back(measure.name);
+    fragility.measure = table.choice("measure", names);
+    fragility.intensity = table.string("intensity");
+    fragility.limit = positive(table, "limit", Dimension::none);
+    fragility.by_demands = table.choice("method", {"outcomes", "demands"}, "outcomes") == "demands";
+    table.finish();
+    return fragility;
+}
+
 RowOutput read_row_output(const ConfigTable& table) {
     RowOutput output;
     output.frames = count_in(table, "frames", output.frames, 0, 1'000'000);
@@ -215,6 +227,8 @@ Plan read_plan(const fs::path& file) {
     }
     for (const ConfigTable& table : root.array_of_tables("measure"))
         plan.measures.push_back(read_measure(table, plan.measures));
+    for (const ConfigTable& table : root.array_of_tables("fragility"))
+        plan.fragilities.push_back(read_fragility(table, plan.measures));
     const ConfigTable design = root.table_or_empty("design");
     plan.design = read_design(design);
     check_design(design, plan);
