@@ -292,6 +292,20 @@ void warn_of_left_moving(const std::vector<dda::LeftMoving>& left, const std::ve
             stages[k].remove_moving ? "Removed" : "Kept");
     }
 }
+/// Tells of the blocks that have left the ground.
+void warn_of_lost_blocks(const dda::Model& model, const std::vector<dda::LostBlock>& lost,
+                         Warnings& warnings) {
+    if (lost.empty()) return;
+    const dda::LostBlock& first = lost.front();
+    const dda::Vec2 at = first.centroid + model.origin;
+    warnings.tell(
+        "%zu %s left the ground, below all fixed and prescribed blocks, and %s; the first is block %d at "
+        "t = %.6g s and (%.6g, %.6g)",
+        lost.size(), lost.size() == 1 ? "block has" : "blocks have",
+        model.removes_lost_blocks ? "was removed there" : "falls on", first.block.value(), first.time, at.x(),
+        at.y());
+}
+
 
 /// Says how many bonds static stages could not hold.
 void print_broken_bonds(const dda::BrokenBonds& broken) {
@@ -391,6 +405,7 @@ ExitCode simulate(const CommandLine& line, const std::string& version) {
 
     const std::vector<dda::PlaneSlip> slips = dda::plane_slips(input.model, input.stages, state, results);
     std::fputs(dda::outcome_table(input.model, state, results, slips).c_str(), stdout);
+    warn_of_lost_blocks(input.model, state.lost_blocks, warnings);
     print_factor_of_safety(results.state().trials);
     warn_of_left_moving(results.state().left_moving, input.stages, warnings);
     print_broken_bonds(state.broken_bonds);

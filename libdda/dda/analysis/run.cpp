@@ -30,6 +30,12 @@ bool apply_end_of(const Model& model, const Stage& stage, State& state) {
     return stage.remove_moving && remove_blocks(model, moving_blocks(model, state, stage.tolerance), state);
 }
 
+std::vector<BlockIndex> lost_blocks(const State& state) {
+    std::vector<BlockIndex> blocks;
+    for (const LostBlock& lost : state.lost_blocks) blocks.push_back(lost.block);
+    return blocks;
+}
+
 /// The model without removed blocks, and its time stepper.
 struct ActiveModel {
     ActiveModel(const Model& full_model, const State& state, int threads)
@@ -76,12 +82,18 @@ RunOutcome run(const Model& model, std::span<const Stage> stages, State& state, 
             perturb(model, stages[k], state);
         }
         resumed = false;
+        if (model.removes_lost_blocks && remove_blocks(model, lost_blocks(state), state)) active.reset();
         if (!active) active.emplace(model, state, options.threads);
         observer.stage_begins(model, state, stages[k], static_cast<int>(k));
         RunOutcome outcome =
             stages[k].strength_reduction
                 ? find_factor_of_safety(active->model, stages[k], state, observer, options.threads)
                 : run_stage(active->model, stages[k], active->stepper, state, observer);
+        while (outcome.status == RunStatus::blocks_lost) {
+            remove_blocks(model, lost_blocks(state), state);
+            active.emplace(model, state, options.threads);
+            outcome = run_stage(active->model, stages[k], active->stepper, state, observer);
+        }
         if (outcome.status != RunStatus::completed && outcome.status != RunStatus::stopped)
             observer.stage_fails(model, state, stages[k], static_cast<int>(k));
         if (outcome.status != RunStatus::completed) return outcome;

@@ -13,7 +13,8 @@ namespace rockslope::dda {
 
 /// How a run ended. `energy_created`: friction returned more energy than a result can be right with, see
 /// creates_energy(). `not_written`: results could not be written; the observer sets it. `collapsed`: a
-/// displacement passed the limit of the stage, which is a result and no failure.
+/// displacement passed the limit of the stage, which is a result and no failure. `blocks_lost`:
+/// blocks are to be removed before the stage goes on; no run ends so.
 enum class RunStatus {
     completed,
     not_converged,
@@ -21,7 +22,8 @@ enum class RunStatus {
     energy_created,
     stopped,
     not_written,
-    collapsed
+    collapsed,
+    blocks_lost
 };
 
 /// What passed the displacement limit of a stage.

@@ -8,6 +8,7 @@
 
 #include "dda/analysis/bonds.hpp"
 #include "dda/analysis/energy_watch.hpp"
+#include "dda/analysis/lost_blocks.hpp"
 #include "dda/analysis/moving_block.hpp"
 #include "dda/analysis/stop_limit.hpp"
 
@@ -195,11 +196,13 @@ RunOutcome run_stage(const Model& model, const Stage& stage, TimeStepper& steppe
             stop(model, stage, state);
             if (holds) relax_held_bonds(model, state);
         }
+        const std::vector<BlockIndex> lost = note_lost_blocks(model, state);
         if (!observer.step_done(model, state, stage, attempt.report))
             return {RunStatus::stopped, "stopped as asked", {}};
         if (const auto collapse = find_collapse(model, stage, state))
             return collapsed(model, stage, state, *collapse);
         if (attempt.report.at_rest) break;
+        if (!lost.empty() && model.removes_lost_blocks) return {RunStatus::blocks_lost, {}, {}};
         if (!is_static && creates_energy(state.energy)) return energy_failure(model, stage, state);
         if (is_static)
             if (const auto failure = settling_failure(model, stage, state))

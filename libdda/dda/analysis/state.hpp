@@ -16,6 +16,13 @@ struct BrokenBonds {
     std::int64_t events = 0;    ///< in which they broke, the worst first
 };
 
+/// A block that has left the model's ground, see note_lost_blocks().
+struct LostBlock {
+    BlockIndex block;
+    double time = 0;               ///< s since the start of the run
+    Vec2 centroid = Vec2::Zero();  ///< m, at that time
+};
+
 /// The state of the model at one instant, without its contacts.
 struct StateWithoutContacts {
     double time = 0;               ///< s since the start of the run
@@ -33,6 +40,7 @@ struct StateWithoutContacts {
     FreeFieldMotions free_fields;          ///< of the columns beside viscous boundaries
     Energy energy;
     BrokenBonds broken_bonds;        ///< of static stages whose bonds break at rest
+    std::vector<LostBlock> lost_blocks;  ///< in the order in which they left the ground
     PerBlock<std::uint8_t> removed;  ///< per block, 1 if excavated; empty as long as no block is
 
     bool is_present(BlockIndex block) const { return removed.empty() || removed[block] == 0; }

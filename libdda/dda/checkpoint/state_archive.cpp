@@ -196,7 +196,7 @@ template <class Walker, class S>
 void state_of_blocks(Walker& walker, S& value) {
     auto& [time, stage_time, dynamic_time, next_step, step_count, stage_steps, all_blocks,
            displacement_origin, centroid_origin, stage_origin, bolt_force, boundary_reactions, free_fields,
-           ledger, broken_bonds, removed] = value;
+           ledger, broken_bonds, lost_blocks, removed] = value;
     reals(walker, time, stage_time, dynamic_time, next_step);
     auto& [broken_contacts, breaking_events] = broken_bonds;
     integers(walker, step_count, stage_steps, broken_contacts, breaking_events);
@@ -209,6 +209,12 @@ void state_of_blocks(Walker& walker, S& value) {
     walker.resize(free_fields);
     for (auto& field : free_fields) column(walker, field);
     energy(walker, ledger);
+    walker.resize(lost_blocks);
+    for (auto& [block, left_at, centroid] : lost_blocks) {
+        integers(walker, block);
+        reals(walker, left_at);
+        components(walker, centroid);
+    }
     walker.resize(removed);
     for (auto& flag : removed) walker.integer(flag);
 }

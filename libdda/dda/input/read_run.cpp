@@ -66,6 +66,7 @@ void read_analysis(const ConfigTable& analysis, Model& model) {
     model.fixed_point_penalty =
         positive(analysis, "fixed_point_penalty", Dimension::stiffness, model.normal_penalty);
     model.default_joint_material = read_default_joint_material(analysis, model);
+    model.removes_lost_blocks = analysis.choice("lost_blocks", {"keep", "remove"}, "keep") == "remove";
     const std::string solver =
         analysis.choice("solver", {"multifrontal", "refined", "cholmod"}, "multifrontal");
     model.solver = solver == "cholmod"   ? SolverKind::cholmod

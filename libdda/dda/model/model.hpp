@@ -106,6 +106,7 @@ struct Model {
     double penetration_tolerance = 0;
     double fixed_point_penalty = 0;  ///< N/m per metre of thickness
     SolverKind solver = SolverKind::multifrontal;
+    bool removes_lost_blocks = false;  ///< blocks that leave the ground are removed
 
     PerPoint<MaterialPoint> material_points;  ///< used by loads, fixed points, bolts and measured points
     std::vector<Load> loads;

@@ -190,6 +190,18 @@ Json left_moving_json(const std::vector<LeftMoving>& left, const Model& model,
     return list;
 }
 
+Json lost_blocks_json(const std::vector<LostBlock>& lost, const Model& model) {
+    Json list = Json::array();
+    for (const LostBlock& l : lost) {
+        list.push_back({{"block", l.block.value()},
+                        {"time", l.time},
+                        {"centroid", pair(l.centroid + model.origin)},
+                        {"removed", model.removes_lost_blocks}});
+        if (!model.block_name[l.block].empty()) list.back()["name"] = model.block_name[l.block];
+    }
+    return list;
+}
+
 Json close_reversals_json(const Model& model, const CloseReversals& close) {
     Json list = Json::array();
     for (const CloseReversal& reversal : close.nearest) {
@@ -316,6 +328,7 @@ std::string summary_text(const Model& model, const std::vector<Stage>& stages, c
     if (state.dynamic_time > 0) json["spring_resolution"] = springs_json(model, stages);
     if (!results.state().left_moving.empty())
         json["moving_at_rest"] = left_moving_json(results.state().left_moving, model, stages);
+    if (!state.lost_blocks.empty()) json["lost_blocks"] = lost_blocks_json(state.lost_blocks, model);
     if (state.broken_bonds.events > 0)
         json["bonds_broken_at_rest"] = {{"contacts", state.broken_bonds.contacts},
                                         {"events", state.broken_bonds.events}};
