@@ -263,11 +263,10 @@ void print_factor_of_safety(const std::vector<dda::ReductionTrial>& trials) {
                      std::sqrt(stands * fails), stands, fails);
 }
 
-/// Says how much energy friction returned.
-void warn_of_returned_friction(const dda::Model& model, const dda::Energy& energy, Warnings& warnings) {
-    if (!dda::returns_friction(energy)) return;
-    warnings.tell("%s. Displacements may be wrong by more than that share",
-                  dda::describe_returned(model, energy).c_str());
+/// Tells of energy that came from nowhere.
+void warn_of_energy(const dda::Model& model, const dda::Energy& energy, Warnings& warnings) {
+    for (const std::string& line : dda::energy_from_nowhere(model, energy))
+        warnings.tell("%s. Displacements may be wrong by more than that share", line.c_str());
 }
 
 /// Says which blocks still moved when a static stage ended.
@@ -292,6 +291,7 @@ void warn_of_left_moving(const std::vector<dda::LeftMoving>& left, const std::ve
             stages[k].remove_moving ? "Removed" : "Kept");
     }
 }
+
 /// Tells of the blocks that have left the ground.
 void warn_of_lost_blocks(const dda::Model& model, const std::vector<dda::LostBlock>& lost,
                          Warnings& warnings) {
@@ -306,15 +306,13 @@ void warn_of_lost_blocks(const dda::Model& model, const std::vector<dda::LostBlo
         at.y());
 }
 
-
 /// Says how many bonds static stages could not hold.
 void print_broken_bonds(const dda::BrokenBonds& broken) {
     if (broken.events == 0) return;
-    std::fprintf(
-        stderr,
-        "dda-run: %lld contacts could not be held by their bonds at rest and broke, in %lld events, the "
-        "worst first\n",
-        static_cast<long long>(broken.contacts), static_cast<long long>(broken.events));
+    std::fprintf(stderr,
+                 "dda-run: the bonds of %lld contacts could not be held at rest and broke, the worst first "
+                 "(events: %lld)\n",
+                 static_cast<long long>(broken.contacts), static_cast<long long>(broken.events));
 }
 
 /// Says how many reversals hang on `min_slip`.
@@ -405,12 +403,11 @@ ExitCode simulate(const CommandLine& line, const std::string& version) {
 
     const std::vector<dda::PlaneSlip> slips = dda::plane_slips(input.model, input.stages, state, results);
     std::fputs(dda::outcome_table(input.model, state, results, slips).c_str(), stdout);
-    warn_of_lost_blocks(input.model, state.lost_blocks, warnings);
     print_factor_of_safety(results.state().trials);
     warn_of_left_moving(results.state().left_moving, input.stages, warnings);
+    warn_of_lost_blocks(input.model, state.lost_blocks, warnings);
     print_broken_bonds(state.broken_bonds);
-    if (outcome.status != dda::RunStatus::energy_created)
-        warn_of_returned_friction(input.model, state.energy, warnings);
+    if (outcome.status != dda::RunStatus::energy_created) warn_of_energy(input.model, state.energy, warnings);
     warn_of_close_reversals(dda::with_present(results.state().close_reversals, input.model, state), warnings);
     const dda::Provenance provenance = provenance_of(line, input, version, warnings);
     write_summary_files(line, outcome,

@@ -4,7 +4,7 @@
 
 namespace rockslope::dda {
 
-/// The largest energy that the friction of one contact gave in one step.
+/// The largest energy that one contact gave in one step.
 struct EnergyGain {
     double amount = 0;  ///< J per metre; 0: none gave any
     double time = 0;    ///< s, at the end of the step
@@ -41,6 +41,9 @@ struct Energy {
     /// energy, so this is an error of the run; friction_loss contains it.
     double friction_returned = 0;
     EnergyGain largest_gain;  ///< the largest part of friction_returned
+    /// The largest energy that the springs of one contact gained while they were replaced; `released` has its
+    /// negative.
+    EnergyGain largest_spring_gain;
 
     /// Sum of the stored energies, J per metre.
     double stores() const { return kinetic + strain + contact + constraint + gravity; }

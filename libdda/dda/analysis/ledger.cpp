@@ -50,14 +50,16 @@ bool is_rebounding(const AnyContact& contact) {
 }
 
 /// An augmented contact is rigid and stores no energy.
-double contact_energy(const Model& model, const std::vector<Contact>& contacts) {
+double contact_energy(const Model& model, const Contact& contact) {
+    if (contact.state == ContactState::open || model.is_augmented(contact.joint_material)) return 0;
+    const double shear =
+        is_rebounding(contact) ? 0 : shear_energy(model, contact, shear_stiffness(model, contact));
+    return normal_spring(model, contact).energy(contact.normal_spring_force) + shear;
+}
+
+double contact_energy(const Model& model, ContactSpan<const Contact> contacts) {
     double sum = 0;
-    for (const Contact& contact : contacts) {
-        if (contact.state == ContactState::open || model.is_augmented(contact.joint_material)) continue;
-        const double shear =
-            is_rebounding(contact) ? 0 : shear_energy(model, contact, shear_stiffness(model, contact));
-        sum += normal_spring(model, contact).energy(contact.normal_spring_force) + shear;
-    }
+    for (const Contact& contact : contacts) sum += contact_energy(model, contact);
     return sum;
 }
 
@@ -119,8 +121,20 @@ void Ledger::update_stored_energy(const State& state, Energy& energy) const {
     energy.gravity = gravity_energy(model_, rows_, state.blocks, datum_);
 }
 
-double Ledger::contact_energy_of(const std::vector<Contact>& contacts) const {
-    return contact_energy(model_, contacts);
+void Ledger::record_transfer(ContactSpan<const Contact> before, ContactSpan<const Contact> after, double time,
+                             Energy& energy) const {
+    const double lost = contact_energy(model_, before) - contact_energy(model_, after);
+    energy.released += lost;
+    if (!(-lost > energy.largest_spring_gain.amount)) return;
+    auto old = before.begin();
+    for (const Contact& contact : after) {
+        while (old != before.end() && comes_before(*old, contact)) ++old;
+        const bool continues = old != before.end() && !comes_before(contact, *old);
+        const double gain = contact_energy(model_, contact) - (continues ? contact_energy(model_, *old) : 0);
+        if (gain > energy.largest_spring_gain.amount)
+            energy.largest_spring_gain = {gain, time, contact.corner_block, contact.edge_block,
+                                          contact.joint_material};
+    }
 }
 
 void Ledger::record_contacts(const StepWork& step, const PerContact<Contact>& advanced,

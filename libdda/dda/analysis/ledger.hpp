@@ -36,8 +36,10 @@ class Ledger {
 
     /// Sets the stored energies to those of `state`.
     void update_stored_energy(const State& state, Energy& energy) const;
-    /// The energy stored in contact springs, J per metre.
-    double contact_energy_of(const std::vector<Contact>& contacts) const;
+    /// Adds what the contacts' springs lose while those of a step replace those of the state before it.
+    /// @param time s, at the end of the step.
+    void record_transfer(ContactSpan<const Contact> before, ContactSpan<const Contact> after, double time,
+                         Energy& energy) const;
 
     /// Adds the losses of contact springs and the work of prescribed blocks on them.
     /// @param advanced the contacts at the end of the step.

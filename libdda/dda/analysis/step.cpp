@@ -410,8 +410,7 @@ State TimeStepper::updated_state(const Stage& stage, const State& state, const S
                         step.dashpots, step.bolts,   state.bolt_force,       step.boundaries,
                         result,        step.newmark, stage.mass_damping,     factor,
                         after.time,    step.loads};
-    after.energy.released += ledger_.contact_energy_of(state.contacts.contacts) -
-                             ledger_.contact_energy_of(step.contacts.contacts);
+    ledger_.record_transfer(state.contacts.contacts, step.contacts.contacts, after.time, after.energy);
     after.energy.numerical_loss += straining_loss;
     ledger_.record_contacts(work, after.contacts.contacts, after.energy);
     ledger_.record_spring_changes(work, after.contacts.contacts, after.energy);

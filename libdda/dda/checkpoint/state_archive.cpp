@@ -180,16 +180,23 @@ void column(Walker& walker, C& value) {
     all_components(walker, acceleration);
 }
 
+template <class Walker, class G>
+void energy_gain(Walker& walker, G& value) {
+    auto& [amount, time, corner_block, edge_block, joint_material] = value;
+    reals(walker, amount, time);
+    integers(walker, corner_block, edge_block, joint_material);
+}
+
 template <class Walker, class E>
 void energy(Walker& walker, E& value) {
     auto& [kinetic, strain, contact_energy, constraint, gravity, friction_loss, damping_loss,
            contact_damping_loss, numerical_loss, released, boundary_loss, excavated, external_work,
-           initial_stores, friction_returned, largest_gain] = value;
-    auto& [gain, gain_time, corner_block, edge_block, joint_material] = largest_gain;
+           initial_stores, friction_returned, largest_gain, largest_spring_gain] = value;
     reals(walker, kinetic, strain, contact_energy, constraint, gravity, friction_loss, damping_loss,
           contact_damping_loss, numerical_loss, released, boundary_loss, excavated, external_work,
-          initial_stores, friction_returned, gain, gain_time);
-    integers(walker, corner_block, edge_block, joint_material);
+          initial_stores, friction_returned);
+    energy_gain(walker, largest_gain);
+    energy_gain(walker, largest_spring_gain);
 }
 
 template <class Walker, class S>

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <vector>
+
 #include "support/scene.hpp"
 
 namespace rockslope::energy_watch_test {
@@ -65,6 +68,26 @@ TEST(EnergyWatch, NamesTheContactThatGaveMost) {
     energy.largest_gain = {};
     EXPECT_EQ(dda::describe_returned(s.model, energy),
               "friction returned 20 J/m of 100 J/m turned over, which it cannot");
+}
+
+TEST(EnergyWatch, TellsOfEveryAccountThatGaveMoreThanAThousandth) {
+    Scene s;
+    s.model.joint_materials[0].name = "bedding";
+    dda::Energy energy;
+    energy.kinetic = 1000;
+    energy.released = -0.9;
+    energy.numerical_loss = -0.9;
+    EXPECT_TRUE(dda::energy_from_nowhere(s.model, energy).empty());
+    energy.released = -1.1;
+    energy.largest_spring_gain = {0.5, 3.25, 7, 4, 0};
+    energy.numerical_loss = -1.2;
+    EXPECT_EQ(
+        dda::energy_from_nowhere(s.model, energy),
+        (std::vector<std::string>{
+            "contacts whose springs were replaced gained 1.1 J/m of 1e+03 J/m turned over, for their "
+            "lengths or joints changed; most in one step, 0.5 J/m, at t = 3.25 s by block 7 on block 4, "
+            "joint material 'bedding'",
+            "the time integration gave 1.2 J/m of 1e+03 J/m turned over, which gamma = 1 would not"}));
 }
 
 // A block thrown along a smooth floor, and one that is dropped: friction returns nothing.

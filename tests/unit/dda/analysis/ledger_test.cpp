@@ -63,10 +63,38 @@ TEST(Ledger, StoresTheEnergyOfContactSprings) {
     }
     const double each = (9e8 + 1e8) / (2 * spring);
     EXPECT_NEAR(stored_in(s.model, state).contact, 2 * each, 1e-9);
-    EXPECT_NEAR(dda::Ledger(s.model, dda::RowMap(s.model.motion)).contact_energy_of(state.contacts.contacts),
-                2 * each, 1e-9);
     s.model.penetration_tolerance = 1e-9;
     EXPECT_EQ(stored_in(s.model, state).contact, 0);
+}
+
+// One contact bears half of its force on a spring as stiff, another one that continues none bears the whole.
+TEST(Ledger, RecordsWhatSpringsGainOrLoseWhileTheyAreReplaced) {
+    Scene s = resting_block(Scene::mohr_coulomb(30));
+    dda::PerContact<dda::Contact> before(1), after(2);
+    for (dda::Contact* contact :
+         {&before[dda::ContactIndex(0)], &after[dda::ContactIndex(0)], &after[dda::ContactIndex(1)]}) {
+        contact->state = ContactState::locked;
+        contact->joint_material = 0;
+        contact->corner_block = 1;
+        contact->edge_block = 0;
+        contact->corner = 4;
+        contact->edge = 2;
+        contact->normal_force = contact->normal_spring_force = 3e4;
+    }
+    after[dda::ContactIndex(0)].normal_force = after[dda::ContactIndex(0)].normal_spring_force = 1.5e4;
+    after[dda::ContactIndex(1)].corner = 5;
+    const double whole = 9e8 / (2 * spring);
+    const dda::RowMap rows(s.model.motion);
+    const dda::Ledger ledger(s.model, rows);
+    dda::Energy energy;
+    ledger.record_transfer(before, after, 2.5, energy);
+    EXPECT_NEAR(energy.released, -whole / 4, 1e-9);
+    EXPECT_NEAR(energy.largest_spring_gain.amount, whole, 1e-9);
+    EXPECT_EQ(energy.largest_spring_gain.time, 2.5);
+    EXPECT_EQ(energy.largest_spring_gain.corner_block, dda::BlockIndex(1));
+    ledger.record_transfer(after, before, 3, energy);
+    EXPECT_NEAR(energy.released, 0, 1e-9);
+    EXPECT_EQ(energy.largest_spring_gain.time, 2.5) << "that lost energy";
 }
 
 // A fixed point that has moved by 1 mm along the axis that it holds; a bolt of EA = 2e7 N and 2 m under 4 kN.
