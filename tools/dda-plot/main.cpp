@@ -13,6 +13,7 @@
 #include "frame_picture.hpp"
 #include "history_table.hpp"
 #include "joint_pictures.hpp"
+#include "support/command_page.hpp"
 #include "support/parse_arguments.hpp"
 
 using namespace rockslope;
@@ -48,6 +49,17 @@ po::options_description visible_options() {
     add("version", "print the version and stop");
     add("help,h", "print this text and stop");
     return options;
+}
+
+tool_support::CommandPage command_page() {
+    return {.name = "dda-plot",
+            .version = ROCKSLOPE_VERSION,
+            .synopsis = "OUT [options]",
+            .purpose =
+                "Draws the results of dda-run: blocks coloured by displacement, and the histories of the "
+                "measured points",
+            .description = "",
+            .options = visible_options()};
 }
 
 std::int64_t frame_number(const std::string& word, std::int64_t count) {
@@ -211,18 +223,10 @@ int plot(const po::variables_map& values) {
 
 int main(int argc, char** argv) {
     try {
-        const po::variables_map values =
-            tool_support::parse_arguments("dda-plot", argc, argv, visible_options());
-        if (values.count("help")) {
-            std::cout << "dda-plot OUT [options]\nDraws the results of dda-run: blocks coloured by "
-                         "displacement, and the histories of the measured points.\n\n"
-                      << visible_options();
-            return 0;
-        }
-        if (values.count("version")) {
-            std::puts("dda-plot " ROCKSLOPE_VERSION);
-            return 0;
-        }
+        const tool_support::CommandPage page = command_page();
+        const std::vector<std::string> arguments = tool_support::arguments_of(argc, argv);
+        if (const auto code = tool_support::print_requested_text(page, arguments)) return *code;
+        const po::variables_map values = tool_support::parse_arguments(page.name, arguments, page.options);
         return plot(values);
     } catch (const InputError& error) {
         std::fprintf(stderr, "%s\n", error.what());

@@ -13,6 +13,7 @@
 #include "dda/laboratory/read_shear_test.hpp"
 #include "dda/laboratory/shear_table.hpp"
 #include "shear_picture.hpp"
+#include "support/command_page.hpp"
 #include "support/parse_arguments.hpp"
 
 using namespace rockslope;
@@ -36,6 +37,17 @@ po::options_description visible_options() {
     add("version", "print the version and stop");
     add("help,h", "print this text and stop");
     return options;
+}
+
+tool_support::CommandPage command_page() {
+    return {.name = "joint-shear",
+            .version = ROCKSLOPE_VERSION,
+            .synopsis = "TEST.toml -o ROWS.csv [options]",
+            .purpose =
+                "Shears one joint along a displacement path, without blocks, to test a joint law or to fit "
+                "it to a laboratory test",
+            .description = "",
+            .options = visible_options()};
 }
 
 std::string text_of(const po::variables_map& values, const char* key) {
@@ -107,19 +119,10 @@ int run(const po::variables_map& values) {
 
 int main(int argc, char** argv) {
     try {
-        const po::variables_map values =
-            tool_support::parse_arguments("joint-shear", argc, argv, visible_options());
-        if (values.count("help")) {
-            std::cout
-                << "joint-shear TEST.toml -o ROWS.csv [options]\nShears one joint along a displacement path, "
-                   "without blocks, to test a joint law or to fit it to a laboratory test.\n\n"
-                << visible_options();
-            return 0;
-        }
-        if (values.count("version")) {
-            std::puts("joint-shear " ROCKSLOPE_VERSION);
-            return 0;
-        }
+        const tool_support::CommandPage page = command_page();
+        const std::vector<std::string> arguments = tool_support::arguments_of(argc, argv);
+        if (const auto code = tool_support::print_requested_text(page, arguments)) return *code;
+        const po::variables_map values = tool_support::parse_arguments(page.name, arguments, page.options);
         if (values.count("template")) {
             std::cout << dda::shear_test_template();
             return 0;
