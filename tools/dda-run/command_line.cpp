@@ -31,7 +31,7 @@ po::options_description visible_options() {
         "number of threads (default: all cores); results do not depend on it");
     add("depfile", po::value<std::string>()->value_name("FILE"),
         "write a Make rule that names every file the run reads");
-    add("pvd", "also write .pvd and .vtu files, for viewers older than ParaView 5.12");
+    add("pvd", "also write .pvd and .vtu files of blocks and joints, for viewers older than ParaView 5.12");
     add("print-config", "print the effective model, defaults included, and stop");
     add("template", "print a commented model file and stop");
     add("version", "print the version and stop");

@@ -194,13 +194,14 @@ void energy(Walker& walker, E& value) {
 template <class Walker, class S>
 void state_of_blocks(Walker& walker, S& value) {
     auto& [time, stage_time, dynamic_time, next_step, step_count, stage_steps, all_blocks,
-           displacement_origin, centroid_origin, stage_origin, bolt_force, boundary_reactions, free_fields,
-           ledger, removed] = value;
+           displacement_origin, centroid_origin, vertex_origin, stage_origin, bolt_force, boundary_reactions,
+           free_fields, ledger, removed] = value;
     reals(walker, time, stage_time, dynamic_time, next_step);
     integers(walker, step_count, stage_steps);
     blocks(walker, all_blocks);
     all_components(walker, displacement_origin);
     all_components(walker, centroid_origin);
+    all_components(walker, vertex_origin);
     all_components(walker, stage_origin);
     all_reals(walker, bolt_force);
     all_components(walker, boundary_reactions);

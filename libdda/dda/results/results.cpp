@@ -85,10 +85,10 @@ bool Results::frame_is_due(const State& state, const Stage& stage) {
     return output_.static_frame_interval > 0 && state.stage_steps % output_.static_frame_interval == 0;
 }
 
-void Results::write_frame(const State& state) {
+void Results::write_frame(const State& state, const Stage& stage) {
     if (progress_.last_frame_step == state.step_count) return;
     progress_.last_frame_step = state.step_count;
-    for (const NamedWriter& entry : writers_) entry.writer->frame(state);
+    for (const NamedWriter& entry : writers_) entry.writer->frame(state, stage);
 }
 
 void Results::write_history(const State& state, const Stage& stage) {
@@ -146,7 +146,7 @@ void Results::stage_begins(const Model&, const State& state, const Stage& stage,
     // displacements.
     if (stage_index > 0 && resets_displacements(stages_[static_cast<std::size_t>(stage_index) - 1]))
         progress_.last_history_step = -1;
-    write_frame(state);
+    write_frame(state, stage);
     write_history(state, stage);
 }
 
@@ -160,7 +160,7 @@ bool Results::step_done(const Model&, const State& state, const Stage& stage, co
         is_due(progress_.next_history, output_.history_interval, state.stage_time))
         write_history(state, stage);
     const bool ends = ends_stage(state, stage, report);
-    if (!ends && frame_is_due(state, stage)) write_frame(state);
+    if (!ends && frame_is_due(state, stage)) write_frame(state, stage);
     // Peaks are those of dynamic stages.
     if (stage.kind == StageKind::dynamic) {
         update_peaks(state);
@@ -185,7 +185,7 @@ void Results::trial_done(const Model&, const State&, const Stage&, const Reducti
 
 void Results::mechanism_found(const Model&, const State& state, const Stage& stage) {
     write_history(state, stage);
-    write_frame(state);
+    write_frame(state, stage);
 }
 
 void Results::stage_ends(const Model&, const State& state, const Stage& stage, int stage_index) {
@@ -196,20 +196,20 @@ void Results::stage_ends(const Model&, const State& state, const Stage& stage, i
     // A viewer finds a frame by its time: if displacements are zeroed, only the next stage's start is
     // written.
     const bool is_last = static_cast<std::size_t>(stage_index) + 1 == stages_.size();
-    if (is_last || !resets_displacements(stage)) write_frame(state);
+    if (is_last || !resets_displacements(stage)) write_frame(state, stage);
 }
 
 void Results::stage_fails(const Model&, const State& state, const Stage& stage, int) {
     write_history(state, stage);
-    write_frame(state);
+    write_frame(state, stage);
 }
 
 namespace {
 
 double bytes_per_frame(const Model& model) {
     constexpr double compressed = 0.6;  // size of the shuffled and deflated floats over the original
-    const double bytes_per_corner = model.origin.isZero(0) ? 3 * 4 : 3 * 8;  // coordinates
-    constexpr double bytes_per_block = 14 * 4;                               // quantities of a block
+    const double bytes_per_corner = model.origin.isZero(0) ? 6 * 4 : 3 * 8 + 3 * 4;  // with displacement
+    constexpr double bytes_per_block = 14 * 4;                                       // quantities of a block
     constexpr double bytes_per_contact = 90;  // coordinates, cell and quantities
     constexpr double contacts_per_block = 4;  // typical of a jointed rock mass
     const double blocks =

@@ -66,7 +66,7 @@ class Results : public RunObserver {
   private:
     bool frame_is_due(const State& state, const Stage& stage);
     bool is_due(std::int64_t& next, double interval, double stage_time) const;
-    void write_frame(const State& state);
+    void write_frame(const State& state, const Stage& stage);
     void write_history(const State& state, const Stage& stage);
     void update_peaks(const State& state);
     void update_sliding(const State& state, const StepReport& report);
