@@ -89,11 +89,13 @@ void draw_panel(Canvas& canvas, const HistoryTable& history, const Panel& panel,
     axes.draw(canvas, is_last ? "time (s)" : "", panel.title + " (" + unit.name + ")", true);
     canvas.clip(axes.upper_left(), axes.lower_right());
     std::vector<LegendEntry> entries;
+    std::vector<std::vector<Point>> drawn;
     for (const Line& line : panel.lines) {
         std::vector<Point> points = line_points(history.time, line.values, unit.per_metre);
         for (Point& point : points) point = axes.to_page(point);
-        const Stroke stroke{line_colour(line.colour), 1.1};
+        const Stroke stroke = told_apart({line_colour(line.colour), 1.1}, points, drawn);
         canvas.polyline(points, stroke);
+        drawn.push_back(points);
         LegendEntry entry;
         entry.text = line.name;
         entry.stroke = stroke;

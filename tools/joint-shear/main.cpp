@@ -74,6 +74,13 @@ void print_summary(const dda::ShearTestInput& input, const std::vector<dda::Shea
                 dda::created_energy(rows));
 }
 
+/// The points of a picture; nothing without --compare.
+std::optional<ComparedPoints> compared_points(const po::variables_map& values,
+                                              const std::optional<dda::ShearTable>& table) {
+    if (!table) return std::nullopt;
+    return ComparedPoints{*table, values.count("joint") ? "blocks" : "measured"};
+}
+
 int run(const po::variables_map& values) {
     const std::string file =
         tool_support::model_file_of("joint-shear", values, "joint-shear TEST.toml -o ROWS.csv [options]");
@@ -111,7 +118,7 @@ int run(const po::variables_map& values) {
         print_misfit("dilation", comparison.dilation, 1e3, "mm");
         print_misfit("normal stress", comparison.normal_stress, 1e-6, "MPa");
     }
-    if (!picture.empty()) draw_shear_test(input, rows, measured).write(picture);
+    if (!picture.empty()) draw_shear_test(input, rows, compared_points(values, measured)).write(picture);
     return 0;
 }
 

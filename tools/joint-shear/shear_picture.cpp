@@ -50,7 +50,7 @@ void draw_panel(Canvas& canvas, const Axes& axes, const Panel& panel,
     canvas.unclip();
 }
 
-std::vector<Panel> panels_of(const dda::ShearTest& test, const std::optional<dda::ShearTable>& measured) {
+std::vector<Panel> panels_of(const dda::ShearTest& test, const dda::ShearTable* measured) {
     const auto column = [&](const std::vector<double>& values) {
         return measured && !values.empty() ? &values : nullptr;
     };
@@ -68,7 +68,8 @@ std::vector<Panel> panels_of(const dda::ShearTest& test, const std::optional<dda
 }  // namespace
 
 Canvas draw_shear_test(const dda::ShearTestInput& input, const std::vector<dda::ShearTestRow>& rows,
-                       const std::optional<dda::ShearTable>& measured) {
+                       const std::optional<ComparedPoints>& compared) {
+    const dda::ShearTable* measured = compared ? &compared->table : nullptr;
     const std::vector<Panel> panels = panels_of(input.test, measured);
     const auto count = static_cast<double>(panels.size());
     Canvas canvas(page_width, top + count * panel_height + (count - 1) * panel_gap + 44);
@@ -90,11 +91,11 @@ Canvas draw_shear_test(const dda::ShearTestInput& input, const std::vector<dda::
         draw_panel(canvas, axes, panel, rows, measured ? &measured->displacement : nullptr);
     }
     std::vector<LegendEntry> entries(measured ? 2 : 1);
-    entries[0].text = "computed";
+    entries[0].text = compared && compared->origin == "blocks" ? "joint law" : "computed";
     entries[0].stroke = Stroke{line_colour(0), 1.1};
     entries[0].is_line = true;
     if (measured) {
-        entries[1].text = "measured (circles)";
+        entries[1].text = compared->origin == "blocks" ? "computed (blocks)" : "measured (circles)";
         entries[1].stroke = Stroke{line_colour(measured_colour), 0.7};
         entries[1].is_line = true;
     }

@@ -250,6 +250,10 @@ void VtkHdfReader::read_stages() {
     }
 }
 
+bool VtkHdfReader::has_point_column(const std::string& name) const {
+    return file_.has(point_data + name);
+}
+
 std::string VtkHdfReader::text(const std::string& name) const {
     if (!file_.has(field_data + name)) return {};
     const std::vector<std::string> texts = file_.read_texts(field_data + name);

@@ -110,6 +110,8 @@ class VtkHdfReader {
     /// a column is missing.
     GridFrame frame(std::int64_t index, const std::vector<std::string>& columns,
                     const std::vector<std::string>& point_columns = {}) const;
+    /// Whether the points have a quantity of that name.
+    bool has_point_column(const std::string& name) const;
     /// Name of the stage of each frame; empty in a file of an older version.
     const std::vector<std::string>& stages() const { return stages_; }
     /// The text of that name; nothing if the file has none.
