@@ -34,6 +34,7 @@ area = 0.5 * abs(np.dot(x, np.roll(y, -1)) - np.dot(y, np.roll(x, -1)))
 assert abs(area - 3.125 * 1.5625) < 1e-3, area
 contacts = run.contacts("last")
 assert set(contacts.joint_material) == {"plane"} and "plane" in set(contacts.joint)
+assert set(contacts.block) | set(contacts.other_block) == {0, 1}
 assert set(contacts.state) <= {"open", "sliding", "locked"}
 on_plane = contacts[contacts.joint == "plane"]
 weight = 2600 * 9.81 * area

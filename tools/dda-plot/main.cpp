@@ -8,6 +8,7 @@
 #include "history_table.hpp"
 #include "joint_pictures.hpp"
 #include "plot_options.hpp"
+#include "report.hpp"
 #include "support/parse_arguments.hpp"
 
 using namespace rockslope;
@@ -145,6 +146,11 @@ std::string mechanism_of(const fs::path& summary) {
 
 int plot(PlotOptions options) {
     if (options.joint) return plot_joint(options);
+    if (options.report) {
+        check_output(*options.report, {});
+        write_report(options.folders.front(), *options.report);
+        return 0;
+    }
     const fs::path summary = options.folders.front() / "summary.json";
     if (fs::exists(summary)) options.content.mechanism = mechanism_of(summary);
     return options.movie ? make_movie(options) : plot_run(options);

@@ -11,7 +11,6 @@
 namespace rockslope {
 
 namespace po = boost::program_options;
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -31,6 +30,10 @@ void add_choices(po::options_description& options) {
     add("worst-contact",
         "draw only the contact at which the run failed to converge, which summary.json names, and its "
         "surroundings (without options it is drawn if there is one)");
+    add("report", po::value<std::string>()->value_name("FILE"),
+        "write a page instead, .html, in which the run plays, with histories, tables and checks; one file "
+        "that "
+        "needs no network");
     add("movie", po::value<std::string>()->value_name("FILE"),
         "make a film instead, .mp4, .webm or .gif, by the program ffmpeg");
     add("speed", po::value<double>()->value_name("FACTOR"),
@@ -170,6 +173,9 @@ PlotOptions read_options(const po::variables_map& values) {
     read_content(values, options.content);
     read_style(values, options.style);
     read_movie(values, options);
+    options.report = text_of(values, "report");
+    if (options.report && options.report->extension() != ".html")
+        refuse("--report is '" + options.report->string() + "'", "a name that ends in .html");
     options.frames = text_of(values, "frames");
     options.largest = positive(values, "largest", "a positive value in SI units");
     options.history = values.count("history") > 0;

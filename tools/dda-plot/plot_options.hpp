@@ -19,7 +19,7 @@ struct PlotOptions {
     std::optional<std::string> frames;  ///< list of frames
     std::optional<double> largest;      ///< SI unit of the field
     std::optional<std::string> joint;
-    std::optional<std::filesystem::path> movie;
+    std::optional<std::filesystem::path> movie, report;
     bool history = false, roughness = false, worst_contact = false;
     bool draws_all = false;  ///< no option chooses pictures: all kinds are drawn
     std::string extension;   ///< of the pictures

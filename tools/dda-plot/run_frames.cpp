@@ -62,20 +62,28 @@ bool RunFrames::has_point_displacements() const {
 
 std::string RunFrames::title(std::int64_t index) const {
     const auto k = static_cast<std::size_t>(index);
-    const std::string& stage = blocks_->stages()[k];
+    const std::string& name = stage(index);
     char text[48];
-    if (stage.empty()) {
+    if (name.empty()) {
         std::snprintf(text, sizeof text, "t = %.3f s", times_[k]);
         return text;
     }
     std::size_t first = k;
-    while (first > 0 && blocks_->stages()[first - 1] == stage) --first;
+    while (first > 0 && blocks_->stages()[first - 1] == name) --first;
     std::snprintf(text, sizeof text, ", %.3f s", times_[k] - times_[first]);
-    return stage + text;
+    return name + text;
 }
 
 std::vector<std::string> RunFrames::block_materials() const {
     return names_in(blocks_->text("block_materials"));
+}
+
+std::vector<std::string> RunFrames::joint_materials() const {
+    return names_in(contacts_->text("joint_materials"));
+}
+
+const std::string& RunFrames::stage(std::int64_t index) const {
+    return blocks_->stages()[static_cast<std::size_t>(index)];
 }
 
 std::vector<std::string> RunFrames::joints() const {

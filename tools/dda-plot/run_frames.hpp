@@ -31,9 +31,12 @@ class RunFrames {
     /// "shake, 12.000 s": the stage of a frame and the time since its first frame; the time since the start
     /// of the run where the file does not name stages.
     std::string title(std::int64_t index) const;
-    /// The names of the materials of blocks, or of the sets of joints, by their numbers.
+    /// The names of the materials of blocks and joints, and of the sets of joints, by their numbers.
     std::vector<std::string> block_materials() const;
+    std::vector<std::string> joint_materials() const;
     std::vector<std::string> joints() const;
+    /// Name of the stage of a frame; empty where the file does not name stages.
+    const std::string& stage(std::int64_t index) const;
 
   private:
     std::string name_;

@@ -171,7 +171,9 @@ GridLayout contact_layout(const Model& model) {
                         {"stage", 1},
                         {"mobilised_ratio", 1},
                         {"dilation", 1},
-                        {"reversals", 1}},
+                        {"reversals", 1},
+                        {"block", 1},
+                        {"other_block", 1}},
             .point_columns = {},
             .texts = {{"units",
                        "state: 0 open, 1 sliding, 2 locked\n"
@@ -215,7 +217,9 @@ GridFrame contact_frame(const Model& model, const State& state) {
                                  static_cast<double>(joint.stage),
                                  joint.mobilised_ratio,
                                  joint.dilation,
-                                 static_cast<double>(joint.reversals)};
+                                 static_cast<double>(joint.reversals),
+                                 static_cast<double>(model.topology.block_of[contact.corner].value()),
+                                 static_cast<double>(model.topology.block_of_edge(contact.edge).value())};
         for (std::size_t i = 0; i < std::size(values); ++i) append(frame.columns[i], values[i]);
     }
     return frame;
