@@ -16,6 +16,8 @@
 #include "dda/checkpoint/resume_check.hpp"
 #include "dda/input/read_run.hpp"
 #include "dda/model/glue.hpp"
+#include "dda/monitor/plausibility.hpp"
+#include "dda/monitor/point_motion.hpp"
 #include "dda/monitor/spring_resolution.hpp"
 #include "dda/results/block_table.hpp"
 #include "dda/results/results.hpp"
@@ -215,6 +217,25 @@ void print_left_moving(const std::vector<dda::LeftMoving>& left, const std::vect
     }
 }
 
+/// Says which points still move at the end of a dynamic stage.
+void print_still_moving(const dda::Model& model, const dda::State& state, const dda::Stage& last,
+                        const dda::Results& results) {
+    constexpr double at_rest = 0.01;  // m/s
+    if (last.kind != dda::StageKind::dynamic) return;
+    const dda::PointMotion from = results.reference()
+                                      ? dda::motion_of(model, state, results.points()[*results.reference()])
+                                      : dda::PointMotion{};
+    for (const dda::TrackedPoint& point : results.points()) {
+        const double speed = (dda::motion_of(model, state, point).velocity - from.velocity).norm();
+        if (point.material_point.exists() && speed > at_rest)
+            std::fprintf(
+                stderr,
+                "dda-run: '%s' still moves at %.2g m/s at the end; a longer stage shows where it comes "
+                "to rest\n",
+                point.name.c_str(), speed);
+    }
+}
+
 /// Says how many reversals hang on `min_slip`.
 void print_close_reversals(const dda::CloseReversals& close) {
     if (close.counted + close.not_counted == 0) return;
@@ -283,6 +304,8 @@ ExitCode simulate(const CommandLine& line, const std::string& version) {
     print_glued_polygons(input.model);
     print_ineffective_damping(input);
     print_lost_swings(input);
+    for (const std::string& warning : dda::implausible(input.model, input.stages))
+        std::fprintf(stderr, "dda-run: %s\n", warning.c_str());
 
     ProgressLine progress;
     const fs::path stop_file = line.output / "stop";
@@ -306,6 +329,8 @@ ExitCode simulate(const CommandLine& line, const std::string& version) {
     std::fputs(dda::outcome_table(input.model, state, results, slips).c_str(), stdout);
     print_factor_of_safety(results.state().trials);
     print_left_moving(results.state().left_moving, input.stages);
+    if (outcome.status == dda::RunStatus::completed)
+        print_still_moving(input.model, state, input.stages.back(), results);
     if (outcome.status != dda::RunStatus::energy_created) print_returned_friction(input.model, state.energy);
     print_close_reversals(dda::with_present(results.state().close_reversals, input.model, state));
     print_outcome(outcome, state, results.wall_time(), line.output);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace rockslope::dda {
@@ -97,7 +98,7 @@ void Results::write_history(const State& state, const Stage& stage) {
     for (const NamedWriter& entry : writers_) entry.writer->history(state, stage);
 }
 
-void Results::update_peaks(const State& state) {
+void Results::update_peaks(const State& state, double step) {
     const Vec2 from =
         reference_ ? motion_of(model_, state, points_[*reference_]).displacement : Vec2(Vec2::Zero());
     for (std::size_t i = 0; i < points_.size(); ++i) {
@@ -107,6 +108,8 @@ void Results::update_peaks(const State& state) {
         update_peak(motion.velocity.norm(), state.time, peaks.velocity, peaks.velocity_time);
         update_peak(motion.acceleration.norm(), state.time, peaks.acceleration, peaks.acceleration_time);
         update_peak((motion.displacement - from).norm(), state.time, peaks.relative, peaks.relative_time);
+        peaks.smooth_acceleration = std::max(
+            peaks.smooth_acceleration, peaks.smooth.pass(motion.acceleration, step, smooth_corner).norm());
     }
 }
 
@@ -134,7 +137,8 @@ Progress Results::progress_of(const State& state, const Stage& stage, const Step
             report,
             before + now,
             dynamic_duration(stages_, stages_.size()),
-            seconds(Clock::now() - start_)};
+            seconds(Clock::now() - start_),
+            std::nullopt};
 }
 
 void Results::stage_begins(const Model&, const State& state, const Stage& stage, int stage_index) {
@@ -163,7 +167,7 @@ bool Results::step_done(const Model&, const State& state, const Stage& stage, co
     if (!ends && frame_is_due(state, stage)) write_frame(state, stage);
     // Peaks are those of dynamic stages.
     if (stage.kind == StageKind::dynamic) {
-        update_peaks(state);
+        update_peaks(state, report.step);
         update_sliding(state, report);
     }
 
@@ -174,9 +178,26 @@ bool Results::step_done(const Model&, const State& state, const Stage& stage, co
     return go_on;
 }
 
-bool Results::trial_step_done(const Model&, const State& state, const Stage& stage,
+/// The bracket of the factor is halved in its logarithm until it is narrow enough.
+TrialProgress Results::trial_progress(const Model& weakened, const Stage& stage) const {
+    TrialProgress trial{static_cast<int>(progress_.trials.size()) + 1,
+                        weakened.strength_reduction / model_.strength_reduction, std::nullopt};
+    double stands = 0, fails = std::numeric_limits<double>::infinity();
+    for (const ReductionTrial& past : progress_.trials)
+        past.stands ? stands = std::max(stands, past.factor) : fails = std::min(fails, past.factor);
+    if (stands > 0 && std::isfinite(fails)) {
+        const double width = std::log1p(stage.strength_reduction->width);
+        const double halvings = std::log2(std::max(1.0, std::log(fails / stands) / width));
+        trial.left = std::max(0, static_cast<int>(std::ceil(halvings)) - 1);
+    }
+    return trial;
+}
+
+bool Results::trial_step_done(const Model& weakened, const State& state, const Stage& stage,
                               const StepReport& report) {
-    return options_.progress(progress_of(state, stage, report));
+    Progress progress = progress_of(state, stage, report);
+    progress.trial = trial_progress(weakened, stage);
+    return options_.progress(progress);
 }
 
 void Results::trial_done(const Model&, const State&, const Stage&, const ReductionTrial& trial) {
