@@ -36,6 +36,12 @@ class ValueRange {
     double low_ = 0, high_ = 0;
 };
 
+/// Every how many points a circle is drawn: the points of a run are many, and would hide the curve.
+std::size_t stride_of(std::size_t points) {
+    constexpr std::size_t most_circles = 150;
+    return std::max<std::size_t>(1, points / most_circles);
+}
+
 void draw_panel(Canvas& canvas, const Axes& axes, const Panel& panel,
                 const std::vector<dda::ShearTestRow>& rows, const std::vector<double>* displacement) {
     canvas.clip(axes.upper_left(), axes.lower_right());
@@ -44,7 +50,7 @@ void draw_panel(Canvas& canvas, const Axes& axes, const Panel& panel,
         line.push_back(axes.to_page(Point{row.displacement * 1e3, row.*panel.computed * panel.factor}));
     canvas.polyline(line, {line_colour(0), 1.1});
     if (panel.measured)
-        for (std::size_t k = 0; k < panel.measured->size(); ++k)
+        for (std::size_t k = 0; k < panel.measured->size(); k += stride_of(panel.measured->size()))
             canvas.circle(axes.to_page(Point{(*displacement)[k] * 1e3, (*panel.measured)[k] * panel.factor}),
                           1.8, std::nullopt, Stroke{line_colour(measured_colour), 0.7});
     canvas.unclip();
