@@ -12,7 +12,7 @@ export interface Field {
     value(item: number, k: number, part: number): number | null;
     text(value: number): string;
     /** Value at the dark end; 0 where the colours are not a scale. */
-    largest: number;
+    readonly largest: number;
     colour(value: number): Rgb;
 }
 
@@ -26,11 +26,12 @@ export function at(series: Series, frames: number, item: number, k: number, part
     return series.step[item] * (from + part * (to - from));
 }
 
-/** A round value that 99 % of the items do not exceed in any frame. */
+/** A round value that 99 % of the items do not exceed in a hundred of the frames. */
 function largestOf(count: number, frames: number, value: (item: number, k: number) => number): number {
     const largest = new Float64Array(count);
+    const stride = Math.max(1, Math.floor(frames / 100));
     for (let item = 0; item < count; ++item)
-        for (let k = 0; k < frames; ++k) largest[item] = Math.max(largest[item], Math.abs(value(item, k)));
+        for (let k = (frames - 1) % stride; k < frames; k += stride) largest[item] = Math.max(largest[item], Math.abs(value(item, k)));
     largest.sort();
     const end = largest[Math.min(count - 1, Math.floor(0.99 * count))] || largest[count - 1];
     return end > 0 ? units.roundAbove(end) : 1e-3;
@@ -50,21 +51,26 @@ export function fieldsOf(model: Model): Field[] {
         return Math.hypot(dx, dy) / span;
     };
     const compression = (b: number, k: number, part: number) => Math.max(0, -at(model.stress, frames, b, k, part));
-    const scaled = (largest: number, pale: number) => (value: number) =>
-        scaleColour(pale + ((1 - pale) * value) / largest);
-    const ofBlocks = (name: string, title: string, value: Field["value"], text: Field["text"]): Field => {
-        const largest = largestOf(blocks.count, frames, (b, k) => (blocks.moves[b] ? (value(b, k, 0) ?? 0) : 0));
-        return { name, title, ofPairs: false, value, text, largest, colour: scaled(largest, 0) };
+    /** A field of a scale, whose end is found when it is first asked for: not all fields are looked at. */
+    const scaled = (name: string, title: string, ofPairs: boolean, value: Field["value"], text: Field["text"], find: () => number): Field => {
+        let largest: number | null = null;
+        const pale = ofPairs ? paleOfLines : 0;
+        const end = () => (largest ??= find());
+        return {
+            name,
+            title,
+            ofPairs,
+            value,
+            text,
+            get largest() {
+                return end();
+            },
+            colour: (v) => scaleColour(pale + ((1 - pale) * v) / end()),
+        };
     };
-    const ofPairs = (name: string, title: string, value: Field["value"], text: Field["text"], largest: number): Field => ({
-        name,
-        title,
-        ofPairs: true,
-        value,
-        text,
-        largest,
-        colour: scaled(largest, paleOfLines),
-    });
+    const ofBlocks = (name: string, title: string, value: Field["value"], text: Field["text"]): Field =>
+        scaled(name, title, false, value, text,
+            () => largestOf(blocks.count, frames, (b, k) => (blocks.moves[b] ? (value(b, k, 0) ?? 0) : 0)));
     const touches = (p: number, k: number) => model.states[p * frames + k] !== PairState.apart;
     const slip = (p: number, k: number, part: number) => (touches(p, k) ? at(model.slip, frames, p, k, part) : null);
     const roughness = model.roughness;
@@ -81,8 +87,8 @@ export function fieldsOf(model: Model): Field[] {
             largest: 0,
             colour: (m) => materialColours[m % materialColours.length],
         },
-        ofPairs("slip", "slip of joints", slip, units.length,
-            largestOf(pairs.count, frames, (p, k) => at(model.slip, frames, p, k, 0))),
+        scaled("slip", "slip of joints", true, slip, units.length,
+            () => largestOf(pairs.count, frames, (p, k) => at(model.slip, frames, p, k, 0))),
         {
             name: "state",
             title: "state of joints",
@@ -94,7 +100,7 @@ export function fieldsOf(model: Model): Field[] {
         },
     ];
     if (roughness)
-        fields.push(ofPairs("roughness", "roughness left: mobilised over peak",
-            (p, k, part) => at(roughness, frames, p, k, part) || null, units.plain, 1));
+        fields.push(scaled("roughness", "roughness left: mobilised over peak", true,
+            (p, k, part) => at(roughness, frames, p, k, part) || null, units.plain, () => 1));
     return fields;
 }
