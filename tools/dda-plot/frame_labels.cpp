@@ -5,28 +5,13 @@
 #include <map>
 #include <numbers>
 
+#include "common/geometry/polygon.hpp"
+
 namespace rockslope {
 
 namespace {
 
 constexpr double number_size = 6.5, name_size = 8;
-
-/// The centre of a ring's area.
-Point centroid_of(const Ring& ring) {
-    double area = 0, x = 0, y = 0;
-    const Point origin = ring.front();
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-        const Point p{ring[i].x - origin.x, ring[i].y - origin.y};
-        const Point& next = ring[(i + 1) % ring.size()];
-        const Point q{next.x - origin.x, next.y - origin.y};
-        const double part = p.x * q.y - p.y * q.x;
-        area += part;
-        x += part * (p.x + q.x);
-        y += part * (p.y + q.y);
-    }
-    if (area == 0) return origin;
-    return {origin.x + x / (3 * area), origin.y + y / (3 * area)};
-}
 
 /// Whether a place of the page lies within the axes.
 bool is_shown(const Axes& axes, const Point& place) {
@@ -47,7 +32,7 @@ void label_blocks(Canvas& canvas, const Axes& axes, const dda::GridFrame& blocks
         const std::string number = std::to_string(std::lround(blocks.columns[0][b]));
         const auto [west, east] =
             std::minmax_element(ring.begin(), ring.end(), [](auto& p, auto& q) { return p.x < q.x; });
-        const Point centre = centroid_of(ring);
+        const Point centre = centroid(ring);
         if (east->x - west->x > 1.2 * canvas.text_width(number, style) && is_shown(axes, centre))
             canvas.text(centre, number, style);
     }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "common/drawing/axes.hpp"
+#include "common/geometry/polygon.hpp"
 #include "frame_labels.hpp"
 #include "frame_layout.hpp"
 
@@ -72,17 +73,11 @@ void draw_crosses(const Drawing& d, const dda::GridFrame& frame) {
         const double mean = (s[0] + s[1]) / 2.0;
         const double radius = std::hypot((s[0] - s[1]) / 2.0, s[2]);
         const double angle = 0.5 * std::atan2(2.0 * s[2], double{s[0]} - s[1]);
-        const std::vector<Point> ring = cell_points(frame, b);
-        Point centre{0, 0};
-        for (const Point& p : ring) {
-            centre.x += p.x / static_cast<double>(ring.size());
-            centre.y += p.y / static_cast<double>(ring.size());
-        }
         const double size = d.axes.scale() * std::sqrt(std::abs(cell_area(frame, b)));
         const auto half_length = [&](double stress) {
             return 0.45 * size * std::min(1.0, std::abs(stress) / d.scale.colours.largest);
         };
-        const Point place = d.axes.to_page(centre);
+        const Point place = d.axes.to_page(centroid(cell_points(frame, b)));
         draw_stress(d, place, angle, half_length(mean + radius), mean + radius);
         draw_stress(d, place, angle + M_PI / 2, half_length(mean - radius), mean - radius);
     }

@@ -7,6 +7,7 @@
 #include "common/base/atomic_file.hpp"
 #include "common/base/input_error.hpp"
 #include "common/base/sha256.hpp"
+#include "common/base/text.hpp"
 #include "report_assets.hpp"
 #include "report_motion.hpp"
 #include "report_tables.hpp"
@@ -168,19 +169,6 @@ std::string filled(std::string_view page, const std::vector<std::pair<std::strin
     return text.append(page.substr(start));
 }
 
-std::string html_escaped(const std::string& text) {
-    std::string result;
-    for (const char c : text) {
-        if (c == '<')
-            result += "&lt;";
-        else if (c == '&')
-            result += "&amp;";
-        else
-            result += c;
-    }
-    return result;
-}
-
 }  // namespace
 
 void write_report(const std::filesystem::path& folder, const std::filesystem::path& report) {
@@ -199,7 +187,7 @@ void write_report(const std::filesystem::path& folder, const std::filesystem::pa
                                "; style-src " + hash_source(report_style) +
                                "; base-uri 'none'; form-action 'none'";
     write_file_atomically(report, filled(report_page, {{"policy", policy},
-                                                       {"title", html_escaped(run.name())},
+                                                       {"title", xml_escaped(run.name())},
                                                        {"style", std::string(report_style)},
                                                        {"data", data},
                                                        {"script", std::string(report_script)}}));

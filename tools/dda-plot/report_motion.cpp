@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "common/base/input_error.hpp"
+#include "common/geometry/polygon.hpp"
 
 namespace rockslope {
 
@@ -59,24 +60,10 @@ class Collector {
                     3 * static_cast<std::size_t>(frame.cells.connectivity[static_cast<std::size_t>(k)]);
                 block.corners.push_back({frame.points[i] - moved[i], frame.points[i + 1] - moved[i + 1]});
             }
-            block.centroid = centroid_of(block.corners);
+            block.centroid = centroid(block.corners);
             index_[block.number] = motion_.blocks.size();
             motion_.blocks.push_back(std::move(block));
         }
-    }
-
-    static Point centroid_of(const std::vector<Point>& ring) {
-        const Point origin = ring.front();
-        double area = 0, x = 0, y = 0;
-        for (std::size_t i = 0; i < ring.size(); ++i) {
-            const Point& p = ring[i];
-            const Point& q = ring[(i + 1) % ring.size()];
-            const double part = (p.x - origin.x) * (q.y - origin.y) - (q.x - origin.x) * (p.y - origin.y);
-            area += part;
-            x += part * (p.x + q.x - 2 * origin.x);
-            y += part * (p.y + q.y - 2 * origin.y);
-        }
-        return area == 0 ? origin : Point{origin.x + x / (3 * area), origin.y + y / (3 * area)};
     }
 
     void read_blocks(std::size_t k) {
@@ -160,15 +147,15 @@ class Collector {
             }
         for (const auto& [number, points] : ends) {
             ReportPair& pair = motion_.pairs[number];
-            const Point& centroid = centroids.at(pair.block);
+            const Point& middle = centroids.at(pair.block);
             double farthest = -1;
             for (const Point& p : points)
                 for (const Point& q : points) {
                     const double distance = std::hypot(p.x - q.x, p.y - q.y);
                     if (distance <= farthest) continue;
                     farthest = distance;
-                    pair.from = {p.x - centroid.x, p.y - centroid.y};
-                    pair.to = {q.x - centroid.x, q.y - centroid.y};
+                    pair.from = {p.x - middle.x, p.y - middle.y};
+                    pair.to = {q.x - middle.x, q.y - middle.y};
                 }
         }
     }

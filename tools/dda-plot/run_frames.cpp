@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "common/base/input_error.hpp"
+#include "common/geometry/polygon.hpp"
 
 namespace rockslope {
 
@@ -100,13 +101,7 @@ std::vector<Point> cell_points(const dda::GridFrame& frame, std::size_t cell) {
 }
 
 double cell_area(const dda::GridFrame& frame, std::size_t cell) {
-    const std::vector<Point> ring = cell_points(frame, cell);
-    const Point& origin = ring.front();
-    double twice = 0;
-    for (std::size_t i = 1; i + 1 < ring.size(); ++i)
-        twice += (ring[i].x - origin.x) * (ring[i + 1].y - origin.y) -
-                 (ring[i + 1].x - origin.x) * (ring[i].y - origin.y);
-    return twice / 2;
+    return twice_signed_area(cell_points(frame, cell)) / 2;
 }
 
 std::optional<std::size_t> base_cell(const dda::GridFrame& frame) {

@@ -17,6 +17,7 @@
 
 #include "common/base/atomic_file.hpp"
 #include "common/base/input_error.hpp"
+#include "common/base/text.hpp"
 
 namespace rockslope {
 
@@ -141,21 +142,6 @@ void draw_text(cairo_t* context, const TextLine& text) {
     cairo_show_text(context, text.line.c_str());
     cairo_new_path(context);
     cairo_restore(context);
-}
-
-std::string xml_escaped(const std::string& text) {
-    std::string result;
-    for (const char c : text) {
-        if (c == '&')
-            result += "&amp;";
-        else if (c == '<')
-            result += "&lt;";
-        else if (c == '"')
-            result += "&quot;";
-        else
-            result += c;
-    }
-    return result;
 }
 
 std::string svg_colour(const Colour& colour) {
