@@ -87,7 +87,10 @@ PageJson history_json(const HistoryTable& history) {
             points.push_back({{"name", point},
                               {"x", thinned(relative(point, "x"))},
                               {"y", thinned(relative(point, "y"))}});
-    return {{"time", thinned(history.time)}, {"points", points}, {"relative", !base.empty()}};
+    return {{"time", thinned(history.time)},
+            {"stage", history.stage.front() == history.stage.back() ? history.stage.front() : ""},
+            {"points", points},
+            {"relative", !base.empty()}};
 }
 
 /// The acceleration of the base at equal steps, as long as the history; nothing where it does not move.

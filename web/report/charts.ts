@@ -10,14 +10,17 @@ export interface Curve {
 /** A chart of curves over a common abscissa. */
 export class Chart {
     private readonly plot: uPlot;
+    /** What is taken off the abscissa. */
+    private readonly start: number;
     private readonly now = element("div", { className: "now" });
 
     constructor(
         readonly holder: HTMLElement,
-        options: { x: string; y: string; logarithmic?: boolean; height?: number; seek?: (x: number) => void },
+        options: { x: string; y: string; logarithmic?: boolean; height?: number; seek?: (x: number) => void; start?: number },
         abscissa: number[],
         curves: Curve[],
     ) {
+        this.start = options.start ?? 0;
         const ink = () => themed("--dim");
         const grid = { stroke: () => themed("--line"), width: 1 };
         const axis = { stroke: ink, grid, ticks: grid, font: "12px system-ui, sans-serif", labelFont: "12px system-ui, sans-serif" };
@@ -42,12 +45,12 @@ export class Chart {
                     })),
                 ],
             },
-            [abscissa, ...curves.map((curve) => curve.values)] as uPlot.AlignedData,
+            [abscissa.map((x) => x - this.start), ...curves.map((curve) => curve.values)] as uPlot.AlignedData,
             holder,
         );
         if (options.seek) {
             this.plot.over.append(this.now);
-            this.plot.over.addEventListener("click", (event) => options.seek?.(this.plot.posToVal(event.offsetX, "x")));
+            this.plot.over.addEventListener("click", (event) => options.seek?.(this.plot.posToVal(event.offsetX, "x") + this.start));
         }
         new ResizeObserver(() => this.plot.setSize({ width: this.width(), height: options.height ?? 230 })).observe(holder);
         matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.plot.redraw());
@@ -59,7 +62,7 @@ export class Chart {
 
     /** Marks a time. */
     mark(x: number): void {
-        const place = this.plot.valToPos(x, "x");
+        const place = this.plot.valToPos(x - this.start, "x");
         const inside = place >= 0 && place <= this.plot.over.clientWidth;
         this.now.style.display = inside ? "" : "none";
         if (inside) this.now.style.left = `${place}px`;

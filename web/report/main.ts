@@ -25,13 +25,19 @@ class Charts {
     }
 }
 
+/** The time axis of the histories: from the beginning of their stage, if they are of one. */
+function timeAxis(page: PageData): { x: string; start: number } {
+    const stage = page.history?.stage;
+    return stage ? { x: `time of stage '${stage}' (s)`, start: page.history?.time[0] ?? 0 } : { x: "time (s)", start: 0 };
+}
+
 function historyPanel(page: PageData, charts: Charts, seek: (time: number) => void): HTMLElement | null {
     const history = page.history;
     if (!history || history.points.length === 0) return null;
     const largest = Math.max(...history.points.flatMap((point) => point.x.map((x, i) => Math.hypot(x, point.y[i]))));
     const [unit, factor] = largest < 1 ? ["mm", 1e3] : ["m", 1];
     const holder = element("div", { id: "history" });
-    charts.add(() => new Chart(holder, { x: "time (s)", y: `displacement (${unit})`, seek }, history.time,
+    charts.add(() => new Chart(holder, { ...timeAxis(page), y: `displacement (${unit})`, seek }, history.time,
         history.points.map((point) => ({
             label: point.name,
             values: point.x.map((x, i) => factor * Math.hypot(x, point.y[i])),
@@ -46,7 +52,7 @@ function basePanels(page: PageData, charts: Charts, seek: (time: number) => void
     const directions = (["x", "y"] as const).filter((direction) => base[direction]);
     const motion = element("div");
     const spectrum = element("div");
-    charts.add(() => new Chart(motion, { x: "time (s)", y: "acceleration (g)", height: 180, seek }, base.time,
+    charts.add(() => new Chart(motion, { ...timeAxis(page), y: "acceleration (g)", height: 180, seek }, base.time,
         directions.map((d) => ({ label: d, values: inGravities(base[d]!.acceleration) }))));
     charts.add(() => new Chart(spectrum, { x: "period (s)", y: "acceleration (g)", logarithmic: true, height: 180 }, base.period,
         directions.map((d) => ({ label: d, values: inGravities(base[d]!.spectrum) }))));

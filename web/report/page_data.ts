@@ -3,7 +3,7 @@ export interface PageData {
     name: string;
     program: string;
     motion: MotionData;
-    history?: { time: number[]; points: { name: string; x: number[]; y: number[] }[]; relative: boolean };
+    history?: { time: number[]; stage: string; points: { name: string; x: number[]; y: number[] }[]; relative: boolean };
     base_motion?: { time: number[]; period: number[]; x?: BaseMotion; y?: BaseMotion } | null;
     moved?: MovedBlock[] | null;
     penetration?: number | null;
