@@ -35,6 +35,13 @@ grep -q '>1</text>' "$picture" || fail "the block has no label"
 "$bin/dda-plot" out --frames last --format svg -o large --scale 100
 grep -q 'displacements × 100</text>' large/incline.frame-0005.svg || fail "the factor is not told"
 
+# The last frame of a strength reduction is the mechanism, with its factor: tan 25 / tan 16.26 = 1.599.
+sed '/^\[\[stage\]\]/,$d' run.toml >reduction.toml
+printf '[[stage]]\nname = "strength"\nkind = "strength-reduction"\n' >>reduction.toml
+"$bin/dda-run" reduction.toml -o reduced >/dev/null 2>&1 || fail "the strength reduction fails"
+"$bin/dda-plot" reduced --frames last --format svg -o reduced
+grep -q '>strength: mechanism, factor of safety 1\.59[0-9]</text>' reduced/*.svg || fail "no factor of safety: $(grep 'bold' reduced/*.svg)"
+
 refused() {
     expected=$1
     shift

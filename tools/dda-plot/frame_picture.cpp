@@ -144,7 +144,8 @@ double draw_keys(Canvas& canvas, const FrameLayout& layout, const FrameContent& 
 void draw_header(const Drawing& d, const FrameLayout& layout) {
     const bool is_last = d.index + 1 == static_cast<std::int64_t>(d.run.times().size());
     std::string title = d.run.title(d.index);
-    if (is_last && !d.content.mechanism.empty()) title += ": " + d.content.mechanism;
+    // The time of a strength reduction counts the steps of its trials.
+    if (is_last && !d.content.mechanism.empty()) title = d.run.stage(d.index) + ": " + d.content.mechanism;
     if (d.content.exaggeration != 1) title += ", displacements × " + tick_text(d.content.exaggeration, 1);
     const TextStyle style{11, black, Anchor::start, Anchor::start, true};
     const double keys = draw_keys(d.canvas, layout, d.content, layout.top - 8 * layout.letters);

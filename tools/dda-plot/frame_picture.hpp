@@ -19,7 +19,7 @@ struct FrameContent {
     double exaggeration = 1;  ///< factor of the displacements of the corners
     bool labels_blocks = false;
     bool labels_joints = false;
-    std::string mechanism = {};  ///< added to the title of the last frame; may be empty
+    std::string mechanism = {};  ///< in the title of the last frame in place of its time; may be empty
 };
 
 /// The colours and the view that all pictures of a series share, so that they can be compared.

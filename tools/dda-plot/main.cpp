@@ -140,7 +140,7 @@ std::string mechanism_of(const fs::path& summary) {
     const std::optional<double> factor = dda::read_factor_of_safety(summary);
     if (!factor) return {};
     char text[64];
-    std::snprintf(text, sizeof text, "mechanism, factor of safety %.3g", *factor);
+    std::snprintf(text, sizeof text, "mechanism, factor of safety %.4g", *factor);
     return text;
 }
 

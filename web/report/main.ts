@@ -5,7 +5,7 @@ import type { PageData } from "./page_data";
 import { StageView } from "./stage_view";
 import { materialTables } from "./strengths";
 import * as units from "./units";
-import { checks, energyRows, story } from "./words";
+import { checks, energyRows, mechanism, story } from "./words";
 
 const gravity = 9.80665;
 
@@ -126,7 +126,7 @@ async function start(): Promise<void> {
     const page = JSON.parse(document.getElementById("data-page")!.textContent!) as PageData;
     const model = await readModel(page.motion);
     const charts = new Charts();
-    const view = new StageView(model, (time) => charts.mark(time));
+    const view = new StageView(model, (time) => charts.mark(time), mechanism(page));
     const seek = (time: number) => view.player.seek(time);
     const summary = page.summary;
     app.replaceChildren(

@@ -36,6 +36,7 @@ export class StageView {
     constructor(
         private readonly model: Model,
         private readonly onTime: (time: number) => void,
+        private readonly mechanism: string,
     ) {
         this.fields = fieldsOf(model);
         this.scene = new Scene(model, this.fields[0], true);
@@ -241,6 +242,7 @@ export class StageView {
     /** The stage that is shown, and the time since it began. */
     private title(k: number): string {
         const { stages, times } = this.model.data;
+        if (this.mechanism && k === times.length - 1) return `${stages[k]}: ${this.mechanism}`;
         let first = k;
         while (first > 0 && stages[first - 1] === stages[k]) --first;
         const time = (this.player.time - times[first]).toFixed(2);

@@ -30,7 +30,10 @@ function scaled(value: number, unit: string): string {
 export const stress = (value: number): string => scaled(value, "Pa");
 export const energy = (value: number): string => scaled(value, "J/m");
 export const gravities = (value: number): string => significant(value / 9.80665) + " g";
-export const percent = (part: number): string => significant(100 * part) + " %";
+export const percent = (part: number): string =>
+    part > 0 && part < 1e-5 ? "less than 0.001 %" : significant(100 * part) + " %";
+/** A factor of safety. */
+export const factor = (value: number): string => String(Number(value.toPrecision(4)));
 export const plain = significant;
 
 /** The smallest round number that is not below a positive one. */

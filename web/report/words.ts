@@ -30,7 +30,7 @@ export function story(page: PageData): string[] {
     const far = points
         .map((point) => ({ point, distance: Math.hypot(...(point.permanent_displacement ?? [0, 0])) }))
         .sort((a, b) => b.distance - a.distance)[0];
-    if (far && far.point.permanent_displacement)
+    if (far && far.distance > 0)
         lines.push(
             `Point '${far.point.name}' moved farthest: ${units.length(far.distance)} from ` +
                 `${summary.reference ?? "where it was"} at the end.`,
@@ -46,17 +46,25 @@ export function story(page: PageData): string[] {
     return lines;
 }
 
+/** What is known of the factor of safety; nothing for a run that did not look for it. */
 function safetyText(summary: Summary): string | null {
     const safety = summary.factor_of_safety;
     if (!safety) return null;
     const { stands, fails } = safety;
     if (stands !== null && fails !== null)
         return (
-            `Factor of safety ${units.plain(Math.sqrt(stands * fails))}: the slope stands with strengths divided by ` +
-            `${units.plain(stands)}, and fails at ${units.plain(fails)}. The last frame shows the mechanism.`
+            `Factor of safety ${units.factor(Math.sqrt(stands * fails))}: the slope stands with strengths divided by ` +
+            `${units.factor(stands)}, and fails at ${units.factor(fails)}. The last frame shows the mechanism.`
         );
-    if (stands !== null) return `Factor of safety above ${units.plain(stands)}: no trial failed.`;
-    return fails !== null ? `Factor of safety below ${units.plain(fails)}: no trial stood.` : null;
+    if (stands !== null) return `Factor of safety above ${units.factor(stands)}: no trial failed.`;
+    return fails !== null ? `Factor of safety below ${units.factor(fails)}: no trial stood.` : null;
+}
+
+/** What the last frame shows in a strength reduction; empty for other runs. */
+export function mechanism(page: PageData): string {
+    const safety = page.summary?.factor_of_safety;
+    if (!safety || safety.stands === null || safety.fails === null) return "";
+    return `mechanism, factor of safety ${units.factor(Math.sqrt(safety.stands * safety.fails))}`;
 }
 
 /** Checks of the numbers, each in plain words. */
