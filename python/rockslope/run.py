@@ -52,13 +52,15 @@ class Run:
 
     def __init__(self, folder):
         self.folder = Path(folder)
-        found = sorted(self.folder.glob("*.joints.vtkhdf"))
+        found = [file for file in sorted(self.folder.glob("*.vtkhdf")) if not file.name.endswith(".joints.vtkhdf")]
         if not found:
-            raise FileNotFoundError(f"{self.folder}: contains no NAME.vtkhdf and NAME.joints.vtkhdf; "
-                                    "expected the output folder of dda-run")
-        self.name = found[0].name[: -len(".joints.vtkhdf")]
-        self._blocks = Frames(self.folder / f"{self.name}.vtkhdf")
-        self._contacts = Frames(found[0])
+            raise FileNotFoundError(f"{self.folder}: contains no NAME.vtkhdf; expected the output folder of dda-run")
+        self.name = found[0].name[: -len(".vtkhdf")]
+        self._blocks = Frames(found[0])
+        contacts = self.folder / f"{self.name}.joints.vtkhdf"
+        self._contacts = Frames(contacts) if contacts.exists() else None
+        self._count = len(self._blocks.times) if self._contacts is None else min(
+            len(self._blocks.times), len(self._contacts.times))
 
     def __repr__(self):
         return f"<rockslope.Run {self.folder}: {len(self.times)} frames to t = {self.times[-1]:g} s>"
@@ -66,12 +68,12 @@ class Run:
     @property
     def times(self):
         """Times of the frames, s."""
-        return self._blocks.times[: len(self._contacts.times)]
+        return self._blocks.times[: self._count]
 
     @property
     def stages(self):
         """Name of the stage of each frame."""
-        return self._blocks.stages[: len(self._contacts.times)]
+        return self._blocks.stages[: self._count]
 
     @property
     def summary(self):
@@ -124,7 +126,11 @@ class Run:
         return [points[cell] for cell in self._blocks.cells(k)]
 
     def contacts(self, when="last"):
-        """The contacts of a frame: the ends x0, y0, x1, y1 (m) of each, and its quantities."""
+        """The contacts of a frame: the ends x0, y0, x1, y1 (m) of each, and its quantities.
+
+        Raises FileNotFoundError where the run has written none."""
+        if self._contacts is None:
+            raise FileNotFoundError(f"{self.folder}: the run has no {self.name}.joints.vtkhdf")
         k = self._contacts.index(when)
         points = self._contacts.points(k)
         cells = self._contacts.cells(k)

@@ -35,6 +35,11 @@ grep -q '>1</text>' "$picture" || fail "the block has no label"
 "$bin/dda-plot" out --frames last --format svg -o large --scale 100
 grep -q 'displacements × 100</text>' large/incline.frame-0005.svg || fail "the factor is not told"
 
+# A run without a file of contacts is drawn without them, and has a report.
+mkdir blocks-only && cp out/*.csv out/incline.vtkhdf out/summary.json out/run.toml blocks-only
+"$bin/dda-plot" blocks-only --frames last --format svg -o blocks-only || fail "a run without contacts is not drawn"
+"$bin/dda-plot" blocks-only --report blocks-only/report.html || fail "a run without contacts has no report"
+
 # The last frame of a strength reduction is the mechanism, with its factor: tan 25 / tan 16.26 = 1.599.
 sed '/^\[\[stage\]\]/,$d' run.toml >reduction.toml
 printf '[[stage]]\nname = "strength"\nkind = "strength-reduction"\n' >>reduction.toml

@@ -25,18 +25,19 @@ std::vector<std::string> names_in(const std::string& text) {
 }  // namespace
 
 RunFrames::RunFrames(const std::filesystem::path& folder) {
+    const std::string of_contacts = ".joints.vtkhdf", extension = ".vtkhdf";
     std::error_code error;
     for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
         const std::string file = entry.path().filename().string();
-        const std::string extension = ".joints.vtkhdf";
-        if (file.ends_with(extension)) name_ = file.substr(0, file.size() - extension.size());
+        if (file.ends_with(extension) && !file.ends_with(of_contacts))
+            name_ = file.substr(0, file.size() - extension.size());
     }
     if (name_.empty())
-        throw InputError({folder.string()}, "contains no NAME.vtkhdf and NAME.joints.vtkhdf",
-                         "the output folder of dda-run");
-    blocks_.emplace(folder / (name_ + ".vtkhdf"));
-    contacts_.emplace(folder / (name_ + ".joints.vtkhdf"));
+        throw InputError({folder.string()}, "contains no NAME.vtkhdf", "the output folder of dda-run");
+    blocks_.emplace(folder / (name_ + extension));
     times_ = blocks_->times();
+    if (!std::filesystem::exists(folder / (name_ + of_contacts))) return;
+    contacts_.emplace(folder / (name_ + of_contacts));
     times_.resize(std::min(times_.size(), contacts_->times().size()));
 }
 
@@ -54,7 +55,10 @@ dda::GridFrame RunFrames::blocks(std::int64_t index, std::vector<std::string> co
 }
 
 dda::GridFrame RunFrames::contacts(std::int64_t index, const std::vector<std::string>& columns) const {
-    return contacts_->frame(index, columns);
+    if (contacts_) return contacts_->frame(index, columns);
+    dda::GridFrame none;
+    none.columns.resize(columns.size());
+    return none;
 }
 
 bool RunFrames::has_point_displacements() const {
@@ -80,7 +84,7 @@ std::vector<std::string> RunFrames::block_materials() const {
 }
 
 std::vector<std::string> RunFrames::joint_materials() const {
-    return names_in(contacts_->text("joint_materials"));
+    return contacts_ ? names_in(contacts_->text("joint_materials")) : std::vector<std::string>{};
 }
 
 const std::string& RunFrames::stage(std::int64_t index) const {
@@ -88,7 +92,7 @@ const std::string& RunFrames::stage(std::int64_t index) const {
 }
 
 std::vector<std::string> RunFrames::joints() const {
-    return names_in(contacts_->text("joints"));
+    return contacts_ ? names_in(contacts_->text("joints")) : std::vector<std::string>{};
 }
 
 std::vector<Point> cell_points(const dda::GridFrame& frame, std::size_t cell) {

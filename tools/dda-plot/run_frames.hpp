@@ -10,11 +10,10 @@
 
 namespace rockslope {
 
-/// The frames of a run: its blocks and its contacts.
+/// The frames of a run: its blocks and, where they were written, its contacts.
 class RunFrames {
   public:
-    /// Finds NAME.vtkhdf and NAME.joints.vtkhdf in a result folder. @throws InputError when there
-    /// are none.
+    /// Finds NAME.vtkhdf in a result folder, and NAME.joints.vtkhdf. @throws InputError when there is none.
     explicit RunFrames(const std::filesystem::path& folder);
 
     const std::string& name() const { return name_; }
@@ -23,7 +22,7 @@ class RunFrames {
     /// The blocks with the given columns of the cells and of the points, and their motion last.
     dda::GridFrame blocks(std::int64_t index, std::vector<std::string> columns = {},
                           const std::vector<std::string>& point_columns = {}) const;
-    /// The contacts with the given columns.
+    /// The contacts with the given columns; none where the run has no file of them.
     dda::GridFrame contacts(std::int64_t index, const std::vector<std::string>& columns) const;
     /// Whether the frames have the displacements of the points; those of older versions do not.
     bool has_point_displacements() const;
