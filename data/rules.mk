@@ -9,7 +9,7 @@
 # make clean          removes all results   make RECORD=x  another accelerogram (PEER AT2 or two-column CSV)
 #
 # BIN is the folder of the programs, OUT the folder of the results. BLOCKGEN_FLAGS and RUN_FLAGS are passed to the
-# programs, e.g.
+# programs; THREADS is the number of threads of a run, one under make -j unless it is set. E.g.
 #   make OUT=out-weak RUN_FLAGS="--set joint_material.bedding.friction_angle='28 deg'"
 
 BIN ?= ../../build/release/bin
@@ -39,11 +39,12 @@ $(OUT)/options: force
 quoted = '$(subst ','\'',$(1))'
 .PHONY: force
 
-# A failed analysis keeps its results and a summary with the reason. The summary gets an old date, so that the next make
-# repeats the run.
+# With --make an interrupted run goes on from its checkpoint, and the summary is there only when all is done: a run that
+# fails keeps its results, with the reason in failed.json, and the next make tries again.
+THREADS ?= $(if $(filter -j% --jobserver%,$(MAKEFLAGS)),1)
 $(OUT)/summary.json: run.toml slope.blocks $(OUT)/options $(if $(RECORD),$(abspath $(RECORD))) $(wildcard $(DDA_RUN))
-	$(DDA_RUN) run.toml --blocks slope.blocks -o $(OUT) --depfile $(OUT)/summary.json.d $(RUN_OPTIONS) || \
-	    { code=$$?; touch -c -d 1980-01-01 $@; exit $$code; }
+	$(DDA_RUN) run.toml --make --blocks slope.blocks -o $(OUT) --depfile $(OUT)/summary.json.d \
+	    $(addprefix --threads ,$(THREADS)) $(RUN_OPTIONS)
 
 pictures: $(PICTURES)/drawn
 $(PICTURES)/drawn: $(OUT)/summary.json $(wildcard $(DDA_PLOT))

@@ -87,7 +87,7 @@ endforeach()
 # --- (c) citations
 
 file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/libblockgen/*.[ch]pp ${ROOT}/libcommon/*.[ch]pp
-     ${ROOT}/libdda/*.[ch]pp ${ROOT}/tools/*.[ch]pp ${ROOT}/tests/*.[ch]pp ${ROOT}/bench/*.[ch]pp ${ROOT}/docs/*.md)
+     ${ROOT}/libdda/*.[ch]pp ${ROOT}/libstudy/*.[ch]pp ${ROOT}/tools/*.[ch]pp ${ROOT}/tests/*.[ch]pp ${ROOT}/bench/*.[ch]pp ${ROOT}/docs/*.md)
 list(FILTER files EXCLUDE REGEX "^tests/architecture/")
 foreach(file IN LISTS files)
     file(STRINGS ${ROOT}/${file} lines REGEX "Eqs?\\." LIMIT_COUNT 1)

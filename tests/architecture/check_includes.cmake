@@ -1,6 +1,6 @@
 # Checks that dependencies point down only and that each package stays private to its folder.
 #   cmake -D ROOT=<source tree> -P check_includes.cmake
-# Reads the #include lines of libcommon, libblockgen, libdda and tools, reports each that violates a rule, and fails if any
+# Reads the #include lines of libcommon, libblockgen, libdda, libstudy and tools, reports each that violates a rule, and fails if any
 # does.
 cmake_minimum_required(VERSION 3.25)
 
@@ -19,7 +19,19 @@ set(views
     "libdda/dda/input|common|base config geometry" "libdda/dda/input|blockgen|mesh" "libdda/dda/input|record|."
     "libdda/dda/laboratory|common|base config"
     "libdda/dda/monitor|record|."
-    "libdda/dda|common|base" "libdda/dda|blockgen|" "libdda/dda|record|")
+    "libdda/dda|common|base" "libdda/dda|blockgen|" "libdda/dda|record|"
+    "libcommon/common|study|" "libcommon/record|study|" "libblockgen/blockgen|study|" "libdda/dda|study|"
+    "libstudy/study/statistics|common|" "libstudy/study/statistics|blockgen|" "libstudy/study/statistics|dda|"
+    "libstudy/study/statistics|record|"
+    "libstudy/study/design|common|" "libstudy/study/design|blockgen|" "libstudy/study/design|dda|"
+    "libstudy/study/design|record|"
+    "libstudy/study/plan|common|base config" "libstudy/study/plan|blockgen|input" "libstudy/study/plan|dda|"
+    "libstudy/study/plan|record|"
+    "libstudy/study/folder|common|base config" "libstudy/study/folder|dda|input checkpoint"
+    "libstudy/study/folder|blockgen|." "libstudy/study/folder|record|."
+    "libstudy/study/picture|common|base drawing geometry" "libstudy/study/picture|blockgen|"
+    "libstudy/study/picture|dda|" "libstudy/study/picture|record|"
+    "libstudy/study|common|base" "libstudy/study|blockgen|" "libstudy/study|dda|" "libstudy/study|record|")
 
 # "package's headers|folders that may include them".
 set(private_packages
@@ -28,7 +40,8 @@ set(private_packages
     "cairo|libcommon/common/drawing"
     "(hdf5|H5[A-Za-z]*)\\.h|libdda/dda/hdf"
     "(gdal|cpl_[a-z]*|ogr_[a-z_]*)\\.h|libblockgen/blockgen/input"
-    "nlohmann/|libdda/dda/results libblockgen/blockgen/input libblockgen/blockgen/report tools/blockgen tools/dda-plot"
+    "nlohmann/|libdda/dda/results libblockgen/blockgen/input libblockgen/blockgen/report tools/blockgen libstudy/study/folder libstudy/study/table tools/dda-study tools/dda-plot"
+    "sqlite3|libstudy/study/table"
     "(suitesparse/)?(cholmod|SuiteSparse_config|amd|camd|ccolamd|metis)\\.h|libdda/dda/linear")
 
 set(violations "")

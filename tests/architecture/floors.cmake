@@ -5,18 +5,19 @@ set(storeys_of_blockgen "mesh" "input noding" "arrangement" "faces" "sampling" "
 set(storeys_of_dda "base" "geometry linear joint hdf" "model" "block" "contact" "terms" "analysis" "monitor" "input"
     "laboratory writers" "checkpoint" "results")
 set(storeys_of_record "record")
+set(storeys_of_study "statistics design csv" "plan" "folder" "table cluster" "analysis" "picture")
 
 # The files of dda/analysis from the ground up, each with its header; files on one line do not see each other.
 set(levels_of_analysis
     "base_motion energy joint_motion path_contact step_counts step_problem"
     "advance_contacts counter_slips energy_watch prediction segment_strength shear_sharing state"
-    "segment_friction step_report"
+    "bonds segment_friction step_report"
     "moving_block run_observer trial_contacts"
     "augmentation line_search shear_line step_matrix trial_dilation"
     "friction_coupling interior_point"
     "interior_coupling open_close_iteration"
     "ledger rotation_prediction"
-    "excavate step"
+    "excavate perturb step stop_limit"
     "run_stage"
     "strength_reduction"
     "run")
@@ -29,7 +30,7 @@ foreach(level IN LISTS levels_of_analysis)
     math(EXPR rank "${rank} + 1")
 endforeach()
 
-foreach(library IN ITEMS common blockgen dda record)
+foreach(library IN ITEMS common blockgen dda record study)
     set(rank 0)
     foreach(storey IN LISTS storeys_of_${library})
         string(REPLACE " " ";" floors "${storey}")
@@ -42,10 +43,10 @@ endforeach()
 
 # The library and the floor of a file or of an included header; both empty for anything else.
 function(locate path library_variable floor_variable)
-    string(REGEX REPLACE "^lib(blockgen|dda|common)/" "" inside "${path}")
+    string(REGEX REPLACE "^lib(blockgen|dda|common|study)/" "" inside "${path}")
     set(library "")
     set(floor "")
-    if(inside MATCHES "^(common|blockgen|dda)/([^/]+)/")
+    if(inside MATCHES "^(common|blockgen|dda|study)/([^/]+)/")
         set(library "${CMAKE_MATCH_1}")
         set(floor "${CMAKE_MATCH_2}")
     elseif(inside MATCHES "^record/")
@@ -59,6 +60,6 @@ endfunction()
 # All sources of the libraries and programs under ROOT, relative to it.
 function(find_sources variable)
     file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/libcommon/*.[ch]pp ${ROOT}/libblockgen/*.[ch]pp
-         ${ROOT}/libdda/*.[ch]pp ${ROOT}/tools/*.[ch]pp)
+         ${ROOT}/libdda/*.[ch]pp ${ROOT}/libstudy/*.[ch]pp ${ROOT}/tools/*.[ch]pp)
     set(${variable} "${files}" PARENT_SCOPE)
 endfunction()

@@ -6,48 +6,9 @@ run=$1/dda-run
 plot=$1/dda-plot
 # shellcheck source=tests/cli/common.sh
 . "$(dirname "$0")/common.sh"
-cat >two.blocks <<'BLOCKS'
-ddablk 1
-counts provenance 0 block_materials 1 joint_materials 1 joints 1 vertices 8 blocks 2 rings 2 corners 10 measured_points 1 bolts 0
-block_material rock
-joint_material bedding
-joint set
-vertex 0 0
-vertex 4 0
-vertex 4 1
-vertex 3 1
-vertex 1 1
-vertex 0 1
-vertex 3 2
-vertex 1 2
-block 0 1 prescribed base
-ring 0 1 2 3 4 5
-edges - - - 0:0 - -
-block 0 1 free
-ring 4 3 6 7
-edges 0:0 - - -
-measured_point crest 1 2 2
-end
-BLOCKS
-{
-    echo 'blocks = "two.blocks"'
-    rock_and_bedding
-    cat <<'MODEL'
-[[stage]]
-name = "settle"
-kind = "static"
-[[stage]]
-name = "shake"
-kind = "dynamic"
-duration = 1
-[stage.base_motion]
-block = "base"
-x = { file = "record.csv" }
-[output]
-frames = 10
-MODEL
-} >run.toml
-printf 'time (s),acceleration (m/s2)\n0,0\n0.1,5\n0.2,-5\n0.3,0\n' >record.csv
+two_blocks >two.blocks
+settle_and_shake >run.toml
+short_record >record.csv
 
 # refused EXPECTED SED_EXPRESSION [OPTION...]: requires that the edited model is refused with one line and no file is written.
 refused() {

@@ -53,6 +53,35 @@ for file in history.csv steps.csv incline.vtkhdf incline.joints.vtkhdf; do
     cmp "out/$file" "first/$file" || fail "$file differs between two runs of the same input"
 done
 
+# A run that fails is never up to date, and says why. It is tried again.
+for attempt in first second; do
+    code=0
+    make --no-print-directory BIN="$bin" OUT=failing run RUN_FLAGS="--set stage[0].step_limit=1" >log 2>&1 || code=$?
+    [ "$code" -eq 2 ] || fail "exit code $code of make, $attempt time"
+    expect dda-run yes "the run failed, $attempt time"
+    grep -q 'does not settle' log || fail "no reason: $(cat log)"
+    [ ! -e failing/summary.json ] || fail "a target is left after a failure"
+done
+
+# A run that is killed together with make goes on from its checkpoint.
+long="--set stage[1].duration=60 --set output.checkpoint_interval=1e-3"
+killed=$folder/incline/killed
+make --no-print-directory BIN="$bin" OUT="$killed" run RUN_FLAGS="$long" >log 2>&1 &
+pid=$!
+while [ ! -s killed/checkpoint.h5 ]; do sleep 0.01; done
+kill -9 "$pid"
+kill_all_with "-o $killed"
+[ ! -e killed/summary.json ] || fail "the run was over before it was killed"
+cp killed/steps.csv before
+run OUT="$killed" RUN_FLAGS="$long"
+head -c "$(wc -c <before)" killed/steps.csv | cmp -s - before || fail "a killed run begins anew"
+grep -q 'begins anew' log && fail "the checkpoint is refused: $(cat log)"
+
+# Under make -j a run takes one thread unless told otherwise.
+make --no-print-directory BIN="$bin" OUT=threads -j2 -n run | grep -q -e '--threads 1' || fail "more threads under make -j"
+make --no-print-directory BIN="$bin" OUT=threads -j2 -n run THREADS=2 | grep -q -e '--threads 2' || fail "THREADS is ignored"
+make --no-print-directory BIN="$bin" OUT=threads -n run | grep -q -e --threads && fail "one thread without make -j"
+
 # The slip is the displacement of the block relative to the base. Newmark's equation for this base motion, a slope of
 # atan(7/24) and a friction of 25 deg, integrated with a step of 1e-5 s, gives 0.4930 m. The tolerance of 1 % allows for the
 # contact spring and the finite step.

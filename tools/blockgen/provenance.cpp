@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include "common/base/command_text.hpp"
 #include "common/base/output_check.hpp"
 #include "common/base/read_file.hpp"
 
@@ -13,16 +14,6 @@ namespace {
 std::uint64_t hashed(std::uint64_t hash, const std::string& text) {
     for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
     return hash;
-}
-
-std::string escaped_for_make(const std::filesystem::path& path) {
-    std::string text;
-    for (const char c : path.string()) {
-        if (c == ' ' || c == '#' || c == '\\') text += '\\';
-        if (c == '$') text += '$';
-        text += c;
-    }
-    return text;
 }
 
 }  // namespace
@@ -39,13 +30,13 @@ std::vector<std::string> provenance(const blockgen::SlopeModel& model, const Con
 }
 
 std::string make_rule(const Options& options, const blockgen::SlopeModel& model) {
-    std::string inputs = escaped_for_make(options.model), phony;
+    std::string inputs = make_escaped(options.model), phony;
     for (const auto& file : model.files) {
-        inputs += " \\\n  " + escaped_for_make(file);
-        phony += "\n" + escaped_for_make(file) + ":\n";
+        inputs += " \\\n  " + make_escaped(file);
+        phony += "\n" + make_escaped(file) + ":\n";
     }
     // An empty rule for each file lets Make continue when a file has been renamed.
-    return escaped_for_make(options.output) + ": " + inputs + "\n" + phony;
+    return make_escaped(options.output) + ": " + inputs + "\n" + phony;
 }
 
 void check_outputs(const Options& options, const blockgen::SlopeModel& model) {

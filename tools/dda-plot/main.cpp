@@ -52,7 +52,9 @@ void draw_roughness_frames(const RunFrames& run, const std::vector<std::int64_t>
 /// The worst contact to draw: with --worst-contact a missing contact is an error; without options the contact
 /// is drawn if the summary names one.
 std::optional<dda::WorstContact> worst_contact_to_draw(const PlotOptions& options) {
-    const fs::path summary = options.folders.front() / "summary.json";
+    // That of a run for Make which failed has a name of its own.
+    const fs::path failed = options.folders.front() / "failed.json";
+    const fs::path summary = fs::exists(failed) ? failed : options.folders.front() / "summary.json";
     if (!options.worst_contact && !(options.draws_all && fs::exists(summary))) return std::nullopt;
     std::optional<dda::WorstContact> worst = dda::read_worst_contact(summary);
     if (options.worst_contact && !worst)

@@ -26,7 +26,15 @@ po::options_description visible_options() {
     add("blocks", po::value<std::string>()->value_name("FILE"), "block file, overrides the model file's");
     add("set", po::value<std::vector<std::string>>()->value_name("KEY=VALUE")->composing(),
         "change a key of the model file, e.g. stage[1].step=0.002 (may be repeated)");
+    add("from", po::value<std::string>()->value_name("FILE"),
+        "begin after the stage whose end another run saved in this file (--until, save_stages)");
+    add("until", po::value<std::string>()->value_name("STAGE"),
+        "end after the stage of this name and save its end as stage-N.saved.h5, for --from");
     add("resume", "continue from the checkpoint in the output folder");
+    add("make",
+        "for Makefiles: continue from a checkpoint of the same input where there is one; write the summary "
+        "of "
+        "a run that fails or is stopped to failed.json, so that summary.json is there only when all is done");
     add("threads", po::value<int>()->value_name("N"),
         "number of threads (default: all cores); results do not depend on it");
     add("depfile", po::value<std::string>()->value_name("FILE"),
@@ -75,7 +83,13 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
     line.depfile = path_of(values, "depfile");
     if (values.count("set")) line.overrides = values["set"].as<std::vector<std::string>>();
     line.threads = threads_of(values);
+    line.from = path_of(values, "from");
+    if (values.count("until")) line.until = values["until"].as<std::string>();
     line.resume = values.count("resume") > 0;
+    line.make = values.count("make") > 0;
+    if (line.resume && line.make)
+        throw InputError({"dda-run"}, "--resume and --make are both given",
+                         "--make, which resumes what can be resumed");
     line.pvd = values.count("pvd") > 0;
     return line;
 }
@@ -89,7 +103,7 @@ tool_support::CommandPage command_page(const std::string& version) {
                 "analysis",
             .description = "",
             .options = visible_options(),
-            .exit_codes = {{"0", "done"},
+            .exit_codes = {{"0", "done, also where a slope has collapsed"},
                            {"1", "the analysis failed, its results are kept"},
                            {"2", "bad command line or input"},
                            {"75",

@@ -20,7 +20,10 @@ struct CommandLine {
     std::optional<std::filesystem::path> depfile;
     std::vector<std::string> overrides;
     int threads = 1;
+    std::optional<std::filesystem::path> from;  ///< state saved at a stage's end, to begin with
+    std::optional<std::string> until;           ///< name of the last stage to run; its end is saved
     bool resume = false;
+    bool make = false;  ///< resume what can be resumed; summary.json only when done
     bool pvd = false;
 };
 

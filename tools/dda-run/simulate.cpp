@@ -7,14 +7,19 @@
 #include <optional>
 
 #include "common/base/atomic_file.hpp"
+#include "common/base/command_text.hpp"
 #include "common/base/input_error.hpp"
 #include "common/base/output_check.hpp"
 #include "common/base/output_error.hpp"
+#include "common/base/read_file.hpp"
 #include "common/base/sha256.hpp"
+#include "common/base/text.hpp"
 #include "dda/analysis/energy_watch.hpp"
 #include "dda/analysis/run.hpp"
 #include "dda/checkpoint/resume_check.hpp"
+#include "dda/checkpoint/start_of_run.hpp"
 #include "dda/input/read_run.hpp"
+#include "dda/linear/front_kernels.hpp"
 #include "dda/model/glue.hpp"
 #include "dda/monitor/plausibility.hpp"
 #include "dda/monitor/point_motion.hpp"
@@ -25,6 +30,8 @@
 #include "dda/terms/contact_damping.hpp"
 #include "progress_line.hpp"
 #include "stop_request.hpp"
+#include "support/commit.hpp"
+#include "warnings.hpp"
 
 namespace rockslope {
 
@@ -45,13 +52,12 @@ void check_outputs(const CommandLine& line, const dda::RunInput& input) {
     check_distinct(results);
 }
 
-/// Hash of the effective model and of the contents of the files it names. A checkpoint can be resumed only
-/// with the same hash.
-std::string input_hash(const dda::RunInput& input, const std::vector<dda::InputFile>& files) {
-    std::string text = input.effective;
-    for (std::size_t i = 1; i < files.size(); ++i) text += files[i].sha256;
-    return sha256(text);
-}
+/// What a run begins with: the initial state, a checkpoint of its own, or a state that another run saved at
+/// the end of a stage.
+struct Beginning {
+    std::optional<dda::Checkpoint> checkpoint;
+    bool is_saved_stage = false;
+};
 
 dda::Checkpoint checkpoint_of(const CommandLine& line, const dda::RunInput& input, const std::string& hash) {
     const fs::path path = line.output / "checkpoint.h5";
@@ -59,26 +65,101 @@ dda::Checkpoint checkpoint_of(const CommandLine& line, const dda::RunInput& inpu
     if (checkpoint.input_hash != hash)
         throw InputError({path.string()}, "belongs to a run of other input",
                          "the same model, block file and records as the stopped run");
-    dda::check_resumable(checkpoint, {input.model, line.output, input.output.name, std::nullopt, line.pvd,
-                                      input.output.relative_to});
+    dda::check_resumable(checkpoint, dda::writer_context(input.model, line.output, input.output, line.pvd));
     return checkpoint;
 }
 
-void remove_earlier_results(const fs::path& folder) {
-    for (const char* name : {"summary.json", "blocks.csv", "checkpoint.h5", "stop"}) {
-        std::error_code ignored;
-        fs::remove(folder / name, ignored);
+/// The checkpoint to continue from. For Make: none where it cannot be continued from, after saying why.
+std::optional<dda::Checkpoint> find_checkpoint(const CommandLine& line, const dda::RunInput& input,
+                                               const std::string& hash) {
+    if (line.resume) return checkpoint_of(line, input, hash);
+    if (!line.make || !fs::exists(line.output / "checkpoint.h5")) return std::nullopt;
+    try {
+        return checkpoint_of(line, input, hash);
+    } catch (const InputError& error) {
+        std::fprintf(stderr, "dda-run: begins anew: %s\n", error.what());
+        return std::nullopt;
     }
 }
 
-std::string make_escaped(const fs::path& path) {
-    std::string text;
-    for (const char c : path.string()) {
-        if (c == ' ' || c == '#' || c == '\\') text += '\\';
-        if (c == '$') text += '$';
-        text += c;
-    }
-    return text;
+/// @throws InputError if the results would overwrite those of the saved run.
+std::optional<dda::Checkpoint> read_saved(const CommandLine& line, const dda::RunInput& input) {
+    if (!line.from) return std::nullopt;
+    std::error_code ignored;
+    if (fs::equivalent(line.from->parent_path().empty() ? "." : line.from->parent_path(), line.output,
+                       ignored))
+        throw InputError({line.output.string()}, "is the folder of the run that --from begins with",
+                         "another folder for the results");
+    return dda::read_saved_state(*line.from, input.fingerprint, static_cast<int>(input.stages.size()));
+}
+
+/// The file that --from names, with the digest of its bytes.
+std::optional<InputFile> saved_file(const CommandLine& line) {
+    if (!line.from) return std::nullopt;
+    return InputFile{*line.from, sha256(read_text_file(*line.from))};
+}
+
+dda::Provenance provenance_of(const CommandLine& line, const dda::RunInput& input, const std::string& version,
+                              const Warnings& warnings) {
+    return {.version = version,
+            .commit = tool_support::commit(),
+            .inputs = input.digests,
+            .overrides = line.overrides,
+            .saved_state = saved_file(line),
+            .threads = line.threads,
+            .kernel = dda::front_kernels<double>().front().name,
+            .warnings = warnings.lines()};
+}
+
+/// Hash of all input. A checkpoint can be continued from only with the same hash.
+std::string input_hash(const dda::RunInput& input, const std::optional<dda::Checkpoint>& saved) {
+    return sha256(input.fingerprint + (saved ? "from stage " + std::to_string(saved->results.stage) : ""));
+}
+
+/// Index of the last stage to run; nothing: all stages.
+std::optional<int> last_stage(const CommandLine& line, const std::vector<dda::Stage>& stages, int first) {
+    if (!line.until) return std::nullopt;
+    std::vector<std::string> names;
+    for (const dda::Stage& stage : stages) names.push_back(stage.name);
+    const auto found = std::find(names.begin() + first, names.end(), *line.until);
+    if (found != names.end()) return static_cast<int>(found - names.begin());
+    const auto nearest = nearest_word(*line.until, names);
+    throw InputError({"dda-run"}, "--until: no stage '" + *line.until + "' is left to run",
+                     nearest ? "perhaps '" + *nearest + "'" : "the name of a later stage");
+}
+
+void remove_earlier_results(const fs::path& folder) {
+    std::error_code ignored;
+    for (const char* name : {"summary.json", "blocks.csv", "checkpoint.h5", "stop"})
+        fs::remove(folder / name, ignored);
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
+        if (entry.path().filename().string().ends_with(".saved.h5")) fs::remove(entry.path(), ignored);
+}
+
+/// Makes the output folder, removes earlier results unless they are continued from a checkpoint, and copies
+/// those of the saved run. @return what the run begins with.
+Beginning prepare_folder(const CommandLine& line, const dda::RunInput& input,
+                         const std::optional<dda::Checkpoint>& saved,
+                         const std::optional<dda::Checkpoint>& checkpoint) {
+    make_output_folder(line.output);
+    std::error_code ignored;
+    fs::remove(line.output / "failed.json", ignored);
+    if (checkpoint) return {checkpoint, false};
+    remove_earlier_results(line.output);
+    Beginning beginning{saved, saved.has_value()};
+    if (saved)
+        dda::copy_earlier_results(line.from->parent_path(),
+                                  dda::writer_context(input.model, line.output, input.output, line.pvd),
+                                  *beginning.checkpoint);
+    return beginning;
+}
+
+/// The first stage to run, and whether it is entered in its middle.
+dda::RunOptions run_options(const CommandLine& line, const Beginning& beginning, std::optional<int> last) {
+    if (!beginning.checkpoint) return {line.threads, 0, false, last};
+    const int stage = beginning.checkpoint->results.stage;
+    if (beginning.is_saved_stage) return {line.threads, stage + 1, false, last};
+    return {line.threads, stage, true, last};
 }
 
 /// A Make rule: the summary depends on every file read. Each of these is also a target without a recipe, so
@@ -104,51 +185,47 @@ void print_plan(const dda::RunInput& input, const fs::path& folder) {
 }
 
 /// Reports the excavations of stages that this run does not have; their blocks stay.
-void print_unreached_excavations(const dda::RunInput& input) {
+void warn_of_unreached_excavations(const dda::RunInput& input, Warnings& warnings) {
     for (const dda::Excavation& e : input.model.excavations)
         if (static_cast<std::size_t>(e.stage) > input.stages.size())
-            std::fprintf(stderr,
-                         "dda-run: excavation '%s' is not removed: its stage is %d, the run has %zu stages\n",
-                         e.name.c_str(), e.stage, input.stages.size());
+            warnings.tell("excavation '%s' is not removed: its stage is %d, the run has %zu stages",
+                          e.name.c_str(), e.stage, input.stages.size());
 }
 
 /// Tells of blocks that cannot bend with the body that they are glued to.
-void print_glued_polygons(const dda::Model& model) {
+void warn_of_glued_polygons(const dda::Model& model, Warnings& warnings) {
     const std::optional<dda::GluedPolygons> glued = dda::glued_polygons(model);
     if (!glued) return;
     const dda::Vec2 at = model.vertices[model.topology.block_corners[glued->first]] + model.origin;
-    std::fprintf(
-        stderr,
-        "dda-run: %d blocks of more than three corners are glued, the first is block %d with a corner "
+    warnings.tell(
+        "%d blocks of more than three corners are glued, the first is block %d with a corner "
         "at (%g, %g), joint material %s: a body of them is many times too stiff in bending; cut it "
-        "into triangles\n",
+        "into triangles",
         glued->blocks, glued->first.value(), at.x(), at.y(),
         model.joint_material_at(glued->joint_material).name.c_str());
 }
 
 /// Tells of a contact_damping that the steps are too long for.
-void print_ineffective_damping(const dda::RunInput& input) {
+void warn_of_ineffective_damping(const dda::RunInput& input, Warnings& warnings) {
     const auto found = dda::ineffective_damping(input.model, input.stages);
     if (!found) return;
     const dda::JointMaterial& material = input.model.joint_material_at(found->joint_material);
     const dda::Stage& stage = input.stages[found->stage];
-    std::fprintf(
-        stderr,
-        "dda-run: contact_damping %g of joint material '%s' has no effect in stage '%s': steps of %g s "
-        "damp impacts more (omega dt is %.3g for a block of median mass); see docs/guide/impacts.md\n",
+    warnings.tell(
+        "contact_damping %g of joint material '%s' has no effect in stage '%s': steps of %g s "
+        "damp impacts more (omega dt is %.3g for a block of median mass); see docs/guide/impacts.md",
         material.contact_damping, material.name.c_str(), stage.name.c_str(), stage.control.step,
         found->frequency_step);
 }
 
 /// Tells of shear springs whose swing the steps damp.
-void print_lost_swings(const dda::RunInput& input) {
+void warn_of_lost_swings(const dda::RunInput& input, Warnings& warnings) {
     for (const dda::SpringResolution& found : dda::spring_resolutions(input.model, input.stages)) {
         if (!dda::loses_swing(found)) continue;
         const dda::Stage& stage = input.stages[found.stage];
-        std::fprintf(
-            stderr,
-            "dda-run: stage '%s': a swing of the shear spring of joint material '%s' loses %.2g %% in each "
-            "period, of %.0f steps; slips may be too small. Steps of %.2g s lose %g %%\n",
+        warnings.tell(
+            "stage '%s': a swing of the shear spring of joint material '%s' loses %.2g %% in each "
+            "period, of %.0f steps; slips may be too small. Steps of %.2g s lose %g %%",
             stage.name.c_str(), input.model.joint_material_at(found.joint_material).name.c_str(),
             100 * found.lost_per_period, found.shear_period_steps, dda::step_that_keeps_swing(found, stage),
             100 * dda::largest_lost_per_period);
@@ -158,6 +235,7 @@ void print_lost_swings(const dda::RunInput& input) {
 ExitCode exit_code_of(const dda::RunOutcome& outcome) {
     switch (outcome.status) {
         case dda::RunStatus::completed:
+        case dda::RunStatus::collapsed:
             return done;
         case dda::RunStatus::stopped:
             return stopped;
@@ -188,14 +266,15 @@ void print_factor_of_safety(const std::vector<dda::ReductionTrial>& trials) {
 }
 
 /// Says how much energy friction returned.
-void print_returned_friction(const dda::Model& model, const dda::Energy& energy) {
+void warn_of_returned_friction(const dda::Model& model, const dda::Energy& energy, Warnings& warnings) {
     if (!dda::returns_friction(energy)) return;
-    std::fprintf(stderr, "dda-run: %s. Displacements may be wrong by more than that share\n",
-                 dda::describe_returned(model, energy).c_str());
+    warnings.tell("%s. Displacements may be wrong by more than that share",
+                  dda::describe_returned(model, energy).c_str());
 }
 
 /// Says which blocks still moved when a static stage ended.
-void print_left_moving(const std::vector<dda::LeftMoving>& left, const std::vector<dda::Stage>& stages) {
+void warn_of_left_moving(const std::vector<dda::LeftMoving>& left, const std::vector<dda::Stage>& stages,
+                         Warnings& warnings) {
     for (std::size_t k = 0; k < stages.size(); ++k) {
         int count = 0;
         double share = 0;
@@ -207,10 +286,9 @@ void print_left_moving(const std::vector<dda::LeftMoving>& left, const std::vect
             if (!farthest || block.displacement > farthest->displacement) farthest = &block;
         }
         if (!farthest) continue;
-        std::fprintf(
-            stderr,
-            "dda-run: stage '%s' is at rest but for %d small block%s, %.2g of the mass; block %d at (%.6g, "
-            "%.6g) has moved farthest, %.3g m. %s; see moving_at_rest in summary.json\n",
+        warnings.tell(
+            "stage '%s' is at rest but for %d small block%s, %.2g of the mass; block %d at (%.6g, "
+            "%.6g) has moved farthest, %.3g m. %s; see moving_at_rest in summary.json",
             stages[k].name.c_str(), count, count == 1 ? "" : "s", share, farthest->block.value(),
             farthest->centroid.x(), farthest->centroid.y(), farthest->displacement,
             stages[k].remove_moving ? "Removed" : "Kept");
@@ -218,8 +296,8 @@ void print_left_moving(const std::vector<dda::LeftMoving>& left, const std::vect
 }
 
 /// Says which points still move at the end of a dynamic stage.
-void print_still_moving(const dda::Model& model, const dda::State& state, const dda::Stage& last,
-                        const dda::Results& results) {
+void warn_of_still_moving(const dda::Model& model, const dda::State& state, const dda::Stage& last,
+                          const dda::Results& results, Warnings& warnings) {
     constexpr double at_rest = 0.01;  // m/s
     if (last.kind != dda::StageKind::dynamic) return;
     const dda::PointMotion from = results.reference()
@@ -228,21 +306,28 @@ void print_still_moving(const dda::Model& model, const dda::State& state, const 
     for (const dda::TrackedPoint& point : results.points()) {
         const double speed = (dda::motion_of(model, state, point).velocity - from.velocity).norm();
         if (point.material_point.exists() && speed > at_rest)
-            std::fprintf(
-                stderr,
-                "dda-run: '%s' still moves at %.2g m/s at the end; a longer stage shows where it comes "
-                "to rest\n",
+            warnings.tell(
+                "'%s' still moves at %.2g m/s at the end; a longer stage shows where it comes to rest",
                 point.name.c_str(), speed);
     }
 }
 
-/// Says how many reversals hang on `min_slip`.
-void print_close_reversals(const dda::CloseReversals& close) {
-    if (close.counted + close.not_counted == 0) return;
+/// Says how many bonds static stages could not hold.
+void print_broken_bonds(const dda::BrokenBonds& broken) {
+    if (broken.events == 0) return;
     std::fprintf(
         stderr,
-        "dda-run: %lld reversals of slip that counted and %lld that did not are within a factor of %g "
-        "of min_slip; the wear depends on it. See reversals_close_to_min_slip in summary.json\n",
+        "dda-run: %lld contacts could not be held by their bonds at rest and broke, in %lld events, the "
+        "worst first\n",
+        static_cast<long long>(broken.contacts), static_cast<long long>(broken.events));
+}
+
+/// Says how many reversals hang on `min_slip`.
+void warn_of_close_reversals(const dda::CloseReversals& close, Warnings& warnings) {
+    if (close.counted + close.not_counted == 0) return;
+    warnings.tell(
+        "%lld reversals of slip that counted and %lld that did not are within a factor of %g "
+        "of min_slip; the wear depends on it. See reversals_close_to_min_slip in summary.json",
         static_cast<long long>(close.counted), static_cast<long long>(close.not_counted),
         dda::CloseReversals::factor);
 }
@@ -273,11 +358,14 @@ dda::RunOutcome run_until_write_error(const dda::RunInput& input, dda::State& st
 
 /// Writes the block table and the summary. After an earlier write error, further write errors are ignored:
 /// the outcome already states the reason.
-void write_summary_files(const fs::path& folder, const dda::RunOutcome& outcome, const std::string& blocks,
+void write_summary_files(const CommandLine& line, const dda::RunOutcome& outcome, const std::string& blocks,
                          const std::string& summary) {
     try {
-        write_file_atomically(folder / "blocks.csv", blocks);
-        write_file_atomically(folder / "summary.json", summary);
+        const bool is_target = !line.make || exit_code_of(outcome) == done;
+        write_file_atomically(line.output / "blocks.csv", blocks);
+        write_file_atomically(line.output / (is_target ? "summary.json" : "failed.json"), summary);
+        std::error_code ignored;
+        if (line.make && is_target) fs::remove(line.output / "checkpoint.h5", ignored);
     } catch (const OutputError&) {
         if (outcome.status != dda::RunStatus::not_written) throw;
     }
@@ -289,23 +377,22 @@ ExitCode simulate(const CommandLine& line, const std::string& version) {
     install_signal_handlers();
     const dda::RunInput input = dda::read_run(line.run_file, {line.overrides, line.blocks, line.output});
     check_outputs(line, input);
-    const std::vector<dda::InputFile> files = dda::hash_files(input.files);
-    const std::string hash = input_hash(input, files);
-    std::optional<dda::Checkpoint> checkpoint;
-    if (line.resume) checkpoint = checkpoint_of(line, input, hash);
-    make_output_folder(line.output);
-    if (!checkpoint) remove_earlier_results(line.output);
+    const std::optional<dda::Checkpoint> saved = read_saved(line, input);
+    const std::string hash = input_hash(input, saved);
+    const std::optional<int> last = last_stage(line, input.stages, saved ? saved->results.stage + 1 : 0);
+    const Beginning beginning = prepare_folder(line, input, saved, find_checkpoint(line, input, hash));
 
     write_file_atomically(line.output / "run.toml", input.effective);
     if (line.depfile)
         write_file_atomically(*line.depfile, depfile_text(line.output / "summary.json", input.files));
     print_plan(input, line.output);
-    print_unreached_excavations(input);
-    print_glued_polygons(input.model);
-    print_ineffective_damping(input);
-    print_lost_swings(input);
+    Warnings warnings;
+    warn_of_unreached_excavations(input, warnings);
+    warn_of_glued_polygons(input.model, warnings);
+    warn_of_ineffective_damping(input, warnings);
+    warn_of_lost_swings(input, warnings);
     for (const std::string& warning : dda::implausible(input.model, input.stages))
-        std::fprintf(stderr, "dda-run: %s\n", warning.c_str());
+        warnings.tell("%s", warning.c_str());
 
     ProgressLine progress;
     const fs::path stop_file = line.output / "stop";
@@ -313,26 +400,30 @@ ExitCode simulate(const CommandLine& line, const std::string& version) {
         progress.show(now);
         return !stop_requested(stop_file);
     };
-    dda::Results results(input.model, input.stages, input.output, {line.output, line.pvd, hash, on_step},
-                         checkpoint ? &*checkpoint : nullptr);
-    dda::State state = checkpoint ? checkpoint->state : dda::initial_state(input.model);
-    const dda::RunOptions options{line.threads, checkpoint ? checkpoint->results.stage : 0,
-                                  checkpoint.has_value()};
+    const dda::Checkpoint* resume_from = beginning.checkpoint ? &*beginning.checkpoint : nullptr;
+    dda::Results results(
+        input.model, input.stages, input.output,
+        {line.output, line.pvd, hash, on_step, beginning.is_saved_stage, input.fingerprint, last},
+        resume_from);
+    dda::State state = resume_from ? resume_from->state : dda::initial_state(input.model);
+    const dda::RunOptions options = run_options(line, beginning, last);
     const dda::RunOutcome outcome = run_until_write_error(input, state, results, options);
     progress.clear();
 
     const std::vector<dda::PlaneSlip> slips = dda::plane_slips(input.model, input.stages, state, results);
-    write_summary_files(line.output, outcome,
-                        dda::block_table(input.model, state, results, slips, line.output / "blocks.csv"),
-                        dda::summary_text(input.model, input.stages, state, outcome, results,
-                                          {.version = version, .inputs = files}));
     std::fputs(dda::outcome_table(input.model, state, results, slips).c_str(), stdout);
     print_factor_of_safety(results.state().trials);
-    print_left_moving(results.state().left_moving, input.stages);
+    warn_of_left_moving(results.state().left_moving, input.stages, warnings);
     if (outcome.status == dda::RunStatus::completed)
-        print_still_moving(input.model, state, input.stages.back(), results);
-    if (outcome.status != dda::RunStatus::energy_created) print_returned_friction(input.model, state.energy);
-    print_close_reversals(dda::with_present(results.state().close_reversals, input.model, state));
+        warn_of_still_moving(input.model, state, input.stages.back(), results, warnings);
+    print_broken_bonds(state.broken_bonds);
+    if (outcome.status != dda::RunStatus::energy_created)
+        warn_of_returned_friction(input.model, state.energy, warnings);
+    warn_of_close_reversals(dda::with_present(results.state().close_reversals, input.model, state), warnings);
+    const dda::Provenance provenance = provenance_of(line, input, version, warnings);
+    write_summary_files(line, outcome,
+                        dda::block_table(input.model, state, results, slips, line.output / "blocks.csv"),
+                        dda::summary_text(input.model, input.stages, state, outcome, results, provenance));
     print_outcome(outcome, state, results.wall_time(), line.output);
     return exit_code_of(outcome);
 }

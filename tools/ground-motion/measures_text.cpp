@@ -18,7 +18,9 @@ std::string measures_text(const record::Accelerogram& record) {
            formatted("Arias intensity %.3f m/s, significant duration (5-75 %%) %.2f s, (5-95 %%) %.2f s\n",
                      m.arias_intensity, m.significant_duration_75, m.significant_duration) +
            formatted("at the end: velocity %.1e m/s, displacement %.1e m\n", m.final_velocity,
-                     m.final_displacement);
+                     m.final_displacement) +
+           formatted("cumulative absolute velocity %.3f m/s, mean period %.3f s\n",
+                     m.cumulative_absolute_velocity, m.mean_period);
 }
 
 std::string spectrum_text(const record::Accelerogram& record, double damping) {

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "common/base/input_error.hpp"
+#include "common/base/read_log.hpp"
 
 namespace rockslope {
 
@@ -24,6 +25,7 @@ std::string read_text_file(const std::filesystem::path& path) {
     while (const std::size_t count = std::fread(buffer, 1, sizeof buffer, file.get()))
         content.append(buffer, count);
     if (std::ferror(file.get())) fail(errno);
+    ReadLog::add(path, content);
     return content;
 }
 

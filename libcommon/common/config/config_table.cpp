@@ -7,6 +7,7 @@
 #include "common/base/read_file.hpp"
 #include "common/base/text.hpp"
 #include "common/config/config_view.hpp"
+#include "common/config/toml_text.hpp"
 #include "common/config/units.hpp"
 
 namespace rockslope {
@@ -229,6 +230,14 @@ std::vector<std::string> ConfigTable::strings(std::string_view key) const {
     std::vector<std::string> result;
     const std::size_t count = value.array_size("a list of strings");
     for (std::size_t i = 0; i < count; ++i) result.push_back(string_of(value.element(i)));
+    return result;
+}
+
+std::vector<std::string> ConfigTable::value_texts(std::string_view key) const {
+    std::vector<std::string> result;
+    const Value value = value_of(*impl_, key, "a list of values");
+    const std::size_t count = value.array_size("a list of values");
+    for (std::size_t i = 0; i < count; ++i) result.push_back(inline_text(value.element(i).node));
     return result;
 }
 

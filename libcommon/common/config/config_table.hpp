@@ -84,6 +84,8 @@ class ConfigTable {
     std::vector<double> numbers(std::string_view key, Dimension dimension = Dimension::none) const;
     /// An array of texts. @throws InputError for another type or a missing key.
     std::vector<std::string> strings(std::string_view key) const;
+    /// The values of an array, each as TOML text. @throws InputError for another type or a missing key.
+    std::vector<std::string> value_texts(std::string_view key) const;
     /// A list of rings, [[[x, y], ...], ...]; empty when the key is absent.
     std::vector<std::vector<std::array<double, 2>>> rings(std::string_view key) const;
 
@@ -115,6 +117,11 @@ class ConfigTable {
     /// reading, with the defaults of absent keys. Paths of files are written relative to `folder`, or
     /// absolute when it is empty.
     std::string effective_text(const std::filesystem::path& folder = {}) const;
+
+    /// As effective_text(), with no mark at defaults, and with the name that a function gives to each file in
+    /// place of its path: with their digests, equal texts mean equal input wherever the files are.
+    std::string effective_text(
+        const std::function<std::string(const std::filesystem::path&)>& name_of_file) const;
 
     struct Impl;
     explicit ConfigTable(std::shared_ptr<Impl> impl) : impl_(std::move(impl)) {}

@@ -22,8 +22,6 @@ std::string_view type_name(const toml::node& node);
 /// A node as one line of TOML. Floats are the shortest text that reads back to the same double.
 std::string inline_text(const toml::node& node);
 
-/// A TOML string literal of `text`.
-std::string toml_string(std::string_view text);
 /// A TOML key, quoted where TOML requires it.
 std::string key_text(std::string_view key);
 

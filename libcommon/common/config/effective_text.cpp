@@ -2,6 +2,7 @@
 
 #include "common/base/text.hpp"
 #include "common/config/config_view.hpp"
+#include "common/config/toml_text.hpp"
 
 namespace rockslope {
 
@@ -17,18 +18,19 @@ std::string number_text(double value) {
     return text;
 }
 
-std::string file_text(const std::filesystem::path& file, const std::filesystem::path& folder) {
-    if (folder.empty()) return toml_string(file.string());
-    return toml_string(
-        file.lexically_relative(std::filesystem::absolute(folder).lexically_normal()).string());
-}
+using NameOfFile = std::function<std::string(const std::filesystem::path&)>;
 
-void append_values(const ConfigTable::Impl& view, const std::filesystem::path& folder, std::string& text) {
+struct TextStyle {
+    NameOfFile name_of_file;
+    bool marks_defaults = true;
+};
+
+void append_values(const ConfigTable::Impl& view, const TextStyle& style, std::string& text) {
     for (const auto& entry : view.entries) {
         if (!entry.tables.empty()) continue;
         text += key_text(entry.key) + " = " +
-                (entry.file.empty() ? entry.value : file_text(entry.file, folder)) +
-                (entry.is_default ? "  # default\n" : "\n");
+                (entry.file.empty() ? entry.value : toml_string(style.name_of_file(entry.file))) +
+                (entry.is_default && style.marks_defaults ? "  # default\n" : "\n");
     }
 }
 
@@ -38,18 +40,18 @@ bool holds_only_tables(const ConfigTable::Impl& view) {
                                                 [](const auto& entry) { return !entry.tables.empty(); });
 }
 
-void append_table(const ConfigTable::Impl& view, const std::string& path, const std::filesystem::path& folder,
+void append_table(const ConfigTable::Impl& view, const std::string& path, const TextStyle& style,
                   std::string& text) {
-    append_values(view, folder, text);
+    append_values(view, style, text);
     for (const auto& entry : view.entries) {
         const std::string below = joined(path, key_text(entry.key));
         for (const auto& table : entry.tables) {
             if (!entry.is_array && holds_only_tables(*table)) {
-                append_table(*table, below, folder, text);
+                append_table(*table, below, style, text);
                 continue;
             }
             text += entry.is_array ? "\n[[" + below + "]]\n" : "\n[" + below + "]\n";
-            append_table(*table, below, folder, text);
+            append_table(*table, below, style, text);
         }
     }
 }
@@ -99,8 +101,19 @@ std::string inline_text(const toml::node& node) {
 }
 
 std::string ConfigTable::effective_text(const std::filesystem::path& folder) const {
+    const auto name_of_file = [&](const std::filesystem::path& file) {
+        return folder.empty()
+                   ? file.string()
+                   : file.lexically_relative(std::filesystem::absolute(folder).lexically_normal()).string();
+    };
     std::string text;
-    append_table(*impl_, {}, folder, text);
+    append_table(*impl_, {}, {name_of_file}, text);
+    return text;
+}
+
+std::string ConfigTable::effective_text(const NameOfFile& name_of_file) const {
+    std::string text;
+    append_table(*impl_, {}, {name_of_file, false}, text);
     return text;
 }
 

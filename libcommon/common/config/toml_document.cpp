@@ -3,6 +3,7 @@
 
 #include "common/base/text.hpp"
 #include "common/config/config_view.hpp"
+#include "common/config/toml_text.hpp"
 
 namespace rockslope {
 

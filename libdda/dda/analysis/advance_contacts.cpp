@@ -18,6 +18,7 @@ void advance_histories(const Model& model, const ContactStep& step, const Thread
         made.opened = evaluated.bond_broken;
         made.closing = contacts[k].state == ContactState::open;
         made.duration = step.duration;
+        made.bond_holds = step.bonds_hold;
         return made;
     };
     pool.parallel_for(contacts.size(), [&](std::size_t begin, std::size_t end) {

@@ -10,7 +10,8 @@ struct ContactStep {
     CornerSpan<const Vec2> vertices;  ///< m, at the step's end
     ContactSpan<const EvaluatedContact> evaluated;
     ContactSpan<const ContactSprings> springs;
-    double duration = 0;  ///< s, 0 in a static stage
+    double duration = 0;      ///< s, 0 in a static stage
+    bool bonds_hold = false;  ///< see StepProblem
 };
 
 /// Advances the contacts of an accepted step to its end: geometry, state, forces, slip and joint histories.

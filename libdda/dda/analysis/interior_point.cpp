@@ -99,7 +99,7 @@ void InteriorPoint::set_linear_forces() {
         Forces forces;
         if (path_of_[k] != no_path) {
             const PathContact& c = contacts_[path_of_[k]];
-            forces = {c.at.normal, c.at.shear};
+            forces = {c.normal_force(), c.at.shear};
         }
         trials_.set_linear_forces(k, forces);
     }
@@ -129,14 +129,16 @@ void InteriorPoint::find_contacts(RowSpan<const Vec6> d) {
 
 void InteriorPoint::set_limits(PathContact& c, RowSpan<const Vec6> d) const {
     const ContactIndex k = c.contact;
-    c.bonded = trials_.is_bonded(k);
+    const double least_normal = trials_.least_normal_force(k);
+    c.bonded = std::isinf(least_normal);
+    c.least_normal = c.bonded ? 0 : least_normal;
     c.opening = trials_.normal_measure(k);
     c.shear_stiffness = p_.springs[k].shear_stiffness;
     const double spring = trials_.law(k).normal(p_.springs[k].rows.measure(c.opening, d));
-    c.at.normal = c.bonded ? spring : std::max(spring, 0.0);
-    const ShearLine line = shear_line(p_, trials_, k, c.at.normal, d);
-    c.cohesion = std::max(line.cohesion, 0.0);
+    c.at.normal = c.bonded ? spring : std::max(spring - c.least_normal, 0.0);
+    const ShearLine line = shear_line(p_, trials_, k, c.normal_force(), d);
     const double slope = std::max(line.slope, 0.0);
+    c.cohesion = std::max(line.cohesion + slope * c.least_normal, 0.0);
     c.forward = slope - trials_.tilt(k);
     c.backward = slope + trials_.tilt(k);
     c.shear = slope == 0 && c.cohesion == 0 ? PathContact::Shear::none : PathContact::Shear::bounded;
@@ -148,8 +150,8 @@ void InteriorPoint::set_springs(PathContact& c, RowSpan<const Vec6> d) const {
     const ContactSprings& s = p_.springs[c.contact];
     const Vec2 relative = s.rows.relative_displacement(d);
     const TrialContacts::SpringForce normal =
-        trials_.normal_tangent(c.contact, c.at.normal, c.opening.at(relative));
-    c.spring_normal = normal.force;
+        trials_.normal_tangent(c.contact, c.normal_force(), c.opening.at(relative));
+    c.spring_normal = normal.force - c.least_normal;
     c.normal_stiffness = normal.stiffness;
     c.spring_shear = trials_.law(c.contact).shear_origin + c.shear_stiffness * s.shear.at(relative);
 }
@@ -205,7 +207,7 @@ InteriorPoint::Errors InteriorPoint::evaluate() {
             set_springs(c, displacement_);
             errors.law = std::max(errors.law, c.law_error());
             errors.largest_force =
-                std::max({errors.largest_force, std::abs(c.at.normal), std::abs(c.at.shear)});
+                std::max({errors.largest_force, std::abs(c.normal_force()), std::abs(c.at.shear)});
             errors.mean_product += c.products(0).sum();
         }
         return errors;
@@ -228,7 +230,7 @@ double InteriorPoint::evaluate_balance() {
     });
     const auto force_of = [&](std::size_t i) {
         const PathContact& c = contacts_[i];
-        return c.at.normal * c.opening.direction - c.at.shear * p_.springs[c.contact].shear.direction;
+        return c.normal_force() * c.opening.direction - c.at.shear * p_.springs[c.contact].shear.direction;
     };
     add_forces(force_of, residual_);
     for (std::size_t k = 0; k < p_.bolts.size(); ++k) {

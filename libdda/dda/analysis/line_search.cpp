@@ -25,7 +25,7 @@ LineSearch::Sample LineSearch::ContactLine::at(double step_length) const {
     Sample sample;
     if (law.may_close) {
         const double elastic = law.shear_origin + law.shear_stiffness * s;
-        sample.piece = {law.bonded || law.normal(o) > 0, elastic >= law.backward && elastic <= law.forward,
+        sample.piece = {law.normal(o) > law.least_normal, elastic >= law.backward && elastic <= law.forward,
                         elastic > law.forward};
     }
     const Forces forces = law.forces(o, s);

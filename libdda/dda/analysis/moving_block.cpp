@@ -114,10 +114,7 @@ std::optional<MovingBlock> least_balanced_block(const Model& model, const State&
     return moving_block(model, state, *block);
 }
 
-namespace {
-
-/// How a block moves: along a joint, against another block, in free fall, or under its loads alone.
-std::string manner(const Model& model, const MovingBlock& moving) {
+std::string describe_manner(const Model& model, const MovingBlock& moving) {
     if (moving.on) return "along '" + model.joint_material_at(moving.on->joint_material).name + "'";
     if (moving.against) {
         const BlockIndex other = moving.against->corner_block == moving.block ? moving.against->edge_block
@@ -127,8 +124,6 @@ std::string manner(const Model& model, const MovingBlock& moving) {
     return moving.falls_freely ? "in free fall" : "out of contact, under its loads";
 }
 
-}  // namespace
-
 std::string describe(const Model& model, const State& state, const MovingBlock& moving) {
     const Vec2 place = state.blocks.moments[moving.block].centroid + model.origin;
     char text[320];
@@ -136,7 +131,7 @@ std::string describe(const Model& model, const State& state, const MovingBlock& 
                   "block %d at (%.6g, %.6g) has moved %.3g m %s and does not stop; its unbalanced force is "
                   "%.3g of the weight",
                   moving.block.value(), place.x(), place.y(), moving.displacement,
-                  manner(model, moving).c_str(), moving.unbalanced);
+                  describe_manner(model, moving).c_str(), moving.unbalanced);
     return text;
 }
 

@@ -41,6 +41,9 @@ MovingBlock moving_block(const Model& model, const State& state, BlockIndex bloc
 /// The block with the largest unbalanced force. @return none without free blocks.
 std::optional<MovingBlock> least_balanced_block(const Model& model, const State& state);
 
+/// How a block moves: along a joint, against another block, in free fall, or under its loads alone.
+std::string describe_manner(const Model& model, const MovingBlock& moving);
+
 /// One line: block, place, displacement, what it moves along or is held by, and unbalanced force.
 std::string describe(const Model& model, const State& state, const MovingBlock& moving);
 

@@ -34,7 +34,10 @@ struct PathContact {
     };
 
     ContactIndex contact;
-    bool bonded = false;  ///< bears tension: its normal force is the spring's
+    bool bonded = false;  ///< bears any tension: its normal force is the spring's
+    /// The least normal force of a contact that does not bear any tension. Its normal forces here are those
+    /// above it, so that none is negative.
+    double least_normal = 0;
     Shear shear = Shear::none;
     double cohesion = 0;  ///< both bounds without a normal force
     double forward = 0;   ///< slope of the forward bound over the normal force, less the tilt
@@ -53,6 +56,9 @@ struct PathContact {
     double coupling = 0;  ///< change of the shear force by that of the normal force
     double normal_constant = 0;
     double shear_constant = 0;
+
+    /// The normal force at the iterate.
+    double normal_force() const { return at.normal + least_normal; }
 
     /// Places the contact on the central path, where all products are equal, Eq. (92).
     void place_on_path(double product);

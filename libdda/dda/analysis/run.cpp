@@ -2,6 +2,7 @@
 
 #include "dda/analysis/excavate.hpp"
 #include "dda/analysis/moving_block.hpp"
+#include "dda/analysis/perturb.hpp"
 #include "dda/analysis/run_stage.hpp"
 #include "dda/analysis/strength_reduction.hpp"
 
@@ -67,11 +68,14 @@ RunOutcome run(const Model& model, std::span<const Stage> stages, State& state, 
                const RunOptions& options) {
     std::optional<ActiveModel> active;
     bool resumed = options.resumed;
-    for (std::size_t k = static_cast<std::size_t>(options.first_stage); k < stages.size(); ++k) {
+    const std::size_t end =
+        options.last_stage ? static_cast<std::size_t>(*options.last_stage) + 1 : stages.size();
+    for (std::size_t k = static_cast<std::size_t>(options.first_stage); k < end; ++k) {
         if (!resumed) {
             if (k > 0 && apply_end_of(model, stages[k - 1], state)) active.reset();
             begin_stage(state);
             if (excavate(model, static_cast<int>(k) + 1, state)) active.reset();
+            perturb(model, stages[k], state);
         }
         resumed = false;
         if (!active) active.emplace(model, state, options.threads);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "dda/analysis/run_observer.hpp"
@@ -8,8 +9,9 @@ namespace rockslope::dda {
 
 struct RunOptions {
     int threads = 1;
-    int first_stage = 0;   ///< index of the first stage to run
-    bool resumed = false;  ///< the state is from the middle of first_stage
+    int first_stage = 0;                 ///< index of the first stage to run
+    bool resumed = false;                ///< the state is from the middle of first_stage
+    std::optional<int> last_stage = {};  ///< index of the last stage to run; none: all
 };
 
 /// The state before the first step of a run.

@@ -12,13 +12,33 @@
 namespace rockslope::dda {
 
 /// How a run ended. `energy_created`: friction returned more energy than a result can be right with, see
-/// creates_energy(). `not_written`: results could not be written; the observer sets it.
-enum class RunStatus { completed, not_converged, not_settled, energy_created, stopped, not_written };
+/// creates_energy(). `not_written`: results could not be written; the observer sets it. `collapsed`: a
+/// displacement passed the limit of the stage, which is a result and no failure.
+enum class RunStatus {
+    completed,
+    not_converged,
+    not_settled,
+    energy_created,
+    stopped,
+    not_written,
+    collapsed
+};
+
+/// What passed the displacement limit of a stage.
+struct Collapse {
+    std::string point;        ///< name of a measured point; empty: a block
+    BlockIndex block;         ///< that moved, or that the point is in
+    double displacement = 0;  ///< m, less that of the reference
+    double limit = 0;         ///< m
+    Vec2 at = Vec2::Zero();   ///< m, where it is now, in the user's coordinates
+    double time = 0;          ///< s since the start of the run
+};
 
 struct RunOutcome {
     RunStatus status = RunStatus::completed;
-    std::string message;                   ///< one line: reason, time, worst contact
-    std::optional<Contact> worst_contact;  ///< if a contact is the cause, see StepAttempt
+    std::string message;                    ///< one line: reason, time, worst contact
+    std::optional<Contact> worst_contact;   ///< if a contact is the cause, see StepAttempt
+    std::optional<Collapse> collapse = {};  ///< with the status `collapsed`
 };
 
 /// The result of one trial of a strength reduction.

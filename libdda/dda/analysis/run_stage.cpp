@@ -6,8 +6,10 @@
 #include <optional>
 #include <string>
 
+#include "dda/analysis/bonds.hpp"
 #include "dda/analysis/energy_watch.hpp"
 #include "dda/analysis/moving_block.hpp"
+#include "dda/analysis/stop_limit.hpp"
 
 namespace rockslope::dda {
 
@@ -48,7 +50,7 @@ std::string describe(const Model& model, const StepAttempt& attempt) {
 }
 
 /// Most iterations of a step after which a static stage may lengthen its step, if none of them was of the
-/// interior-point method.
+/// interior-point method. Where bonds hold, those that yield keep a step hard while next to nothing moves.
 constexpr int easy_iterations = 20;
 /// Largest step of a static stage over the step of its control.
 constexpr double static_step_ratio = 50;
@@ -63,9 +65,11 @@ class StepSize {
   public:
     /// @param acceleration m/s2, of a body that nothing holds; @param resume s, the size to begin with; 0:
     /// none.
-    StepSize(const Stage& stage, double acceleration, double resume)
+    /// @param bonds_hold whether bonds hold in the stage.
+    StepSize(const Stage& stage, double acceleration, bool bonds_hold, double resume)
         : control_(stage.control),
           is_static_(stage.kind == StageKind::static_equilibrium),
+          bonds_hold_(bonds_hold),
           free_fall_(acceleration * control_.step * control_.step / 2),
           size_(resume > 0 ? resume : first_step()) {
         size_ = std::min(size_, is_static_ ? static_step_ratio * control_.step : control_.step);
@@ -93,7 +97,8 @@ class StepSize {
     /// The largest step after an accepted one, s. A displacement grows with the square of a static step at
     /// most.
     double largest_after(const StepReport& report) const {
-        const bool is_easy = report.iterations <= easy_iterations && report.interior_iterations == 0;
+        const bool is_easy =
+            bonds_hold_ || (report.iterations <= easy_iterations && report.interior_iterations == 0);
         if (!is_static_ || !is_easy) return control_.step;
         const double longer = report.step * std::sqrt(free_fall_ / report.largest_displacement);
         return std::clamp(longer, control_.step, static_step_ratio * control_.step);
@@ -101,6 +106,7 @@ class StepSize {
 
     const StepControl& control_;
     bool is_static_;
+    bool bonds_hold_;
     double free_fall_;  ///< m, what a body falls from rest in the control's step
     double size_;
 };
@@ -138,6 +144,10 @@ RunOutcome energy_failure(const Model& model, const Stage& stage, const State& s
     return {RunStatus::energy_created, text + describe_returned(model, state.energy), {}};
 }
 
+RunOutcome collapsed(const Model& model, const Stage& stage, const State& state, const Collapse& collapse) {
+    return {RunStatus::collapsed, describe(model, stage, state, collapse), {}, collapse};
+}
+
 }  // namespace
 
 void begin_stage(State& state) {
@@ -151,9 +161,12 @@ void begin_stage(State& state) {
 RunOutcome run_stage(const Model& model, const Stage& stage, TimeStepper& stepper, State& state,
                      RunObserver& observer) {
     const bool is_static = stage.kind == StageKind::static_equilibrium;
-    StepSize step(stage, reference_acceleration(model, state.blocks), state.next_step);
+    const bool holds = bonds_hold(model, stage);
+    StepSize step(stage, reference_acceleration(model, state.blocks), holds, state.next_step);
     int cuts = 0;
-    StepCounts counts;  // since the last accepted step
+    StepCounts counts;                                             // since the last accepted step
+    if (const auto collapse = find_collapse(model, stage, state))  // of a run resumed after that step
+        return collapsed(model, stage, state, *collapse);
     while (is_static || state.stage_time < stage.duration * (1 - 1e-12)) {
         const double dt = is_static ? step.size() : step.next(until_next_instant(stage, state.stage_time));
         StepAttempt attempt = stepper.advance(stage, state, dt);
@@ -176,10 +189,16 @@ RunOutcome run_stage(const Model& model, const Stage& stage, TimeStepper& steppe
         cuts = 0;
         counts = {};
         ++state.stage_steps;
-        attempt.report.at_rest = is_static && is_at_rest(model, state, stage);
-        if (attempt.report.at_rest) stop(model, stage, state);
+        const bool bonds_break = holds && break_worst_bonds(model, state) > 0;
+        attempt.report.at_rest = is_static && !bonds_break && is_at_rest(model, state, stage);
+        if (attempt.report.at_rest) {
+            stop(model, stage, state);
+            if (holds) relax_held_bonds(model, state);
+        }
         if (!observer.step_done(model, state, stage, attempt.report))
             return {RunStatus::stopped, "stopped as asked", {}};
+        if (const auto collapse = find_collapse(model, stage, state))
+            return collapsed(model, stage, state, *collapse);
         if (attempt.report.at_rest) break;
         if (!is_static && creates_energy(state.energy)) return energy_failure(model, stage, state);
         if (is_static)

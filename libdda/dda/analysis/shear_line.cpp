@@ -1,7 +1,5 @@
 #include "dda/analysis/shear_line.hpp"
 
-#include <limits>
-
 namespace rockslope::dda {
 
 ShearLine shear_line(const StepProblem& problem, const TrialContacts& trials, ContactIndex k, double normal,
@@ -12,9 +10,10 @@ ShearLine shear_line(const StepProblem& problem, const TrialContacts& trials, Co
     ShearLine shear;
     if (const auto line = bound_line(trials.law_of(k), contact.history)) {
         const double reduced = 1 / problem.model.strength_reduction;
+        const double held = problem.bonds_hold() ? problem.held_shares[k] * reduced : reduced;
         shear.slope = reduced * line->friction;
-        shear.cohesion = coheres || bonded ? reduced * line->cohesion * contact.length : 0;
-        shear.lowest_normal_force = bonded ? -std::numeric_limits<double>::infinity() : 0;
+        shear.cohesion = coheres || bonded ? held * line->cohesion * contact.length : 0;
+        shear.lowest_normal_force = trials.least_normal_force(k);
         return shear;
     }
     if (trials.is_on_segment(k)) {

@@ -10,6 +10,12 @@
 
 namespace rockslope::dda {
 
+/// Bonds that could not be held at rest.
+struct BrokenBonds {
+    std::int64_t contacts = 0;  ///< whose bonds broke
+    std::int64_t events = 0;    ///< in which they broke, the worst first
+};
+
 /// The state of the model at one instant, without its contacts.
 struct StateWithoutContacts {
     double time = 0;               ///< s since the start of the run
@@ -27,6 +33,7 @@ struct StateWithoutContacts {
     BoundaryReactions boundary_reactions;  ///< of viscous boundaries, N per metre
     FreeFieldMotions free_fields;          ///< of the columns beside viscous boundaries
     Energy energy;
+    BrokenBonds broken_bonds;        ///< of static stages whose bonds break at rest
     PerBlock<std::uint8_t> removed;  ///< per block, 1 if excavated; empty as long as no block is
 
     bool is_present(BlockIndex block) const { return removed.empty() || removed[block] == 0; }

@@ -7,6 +7,7 @@
 
 #include "dda/analysis/advance_contacts.hpp"
 #include "dda/analysis/base_motion.hpp"
+#include "dda/analysis/bonds.hpp"
 #include "dda/analysis/rotation_prediction.hpp"
 #include "dda/analysis/shear_sharing.hpp"
 #include "dda/contact/candidates.hpp"
@@ -316,6 +317,8 @@ OpenCloseResult TimeStepper::solve(const Stage& stage, const State& state, const
     analyze_pattern(step.contacts);
     end_of(Phase::analysis, times_);
     const PerContact<const EvaluatedContact*> initial_guess = guess.match(step.contacts.contacts);
+    PerContact<double> held;
+    if (bonds_hold(model_, stage)) held = held_shares(model_, step.contacts.contacts);
     const StepProblem problem{
         model_,
         stage.control,
@@ -332,7 +335,8 @@ OpenCloseResult TimeStepper::solve(const Stage& stage, const State& state, const
         state.bolt_force,
         duration_of(stage, step.dt),
         coordinate_rounding_ * std::max(max_spring_stiffness(step.springs), model_.normal_penalty),
-        step.dashpots};
+        step.dashpots,
+        held};
     return iterate_open_close(problem, pattern_, *solver_, matrix_, pool_, times_);
 }
 
@@ -399,7 +403,8 @@ State TimeStepper::updated_state(const Stage& stage, const State& state, const S
                       .vertices = after.blocks.vertices,
                       .evaluated = result.contacts,
                       .springs = step.springs,
-                      .duration = duration_of(stage, step.dt)},
+                      .duration = duration_of(stage, step.dt),
+                      .bonds_hold = bonds_hold(model_, stage)},
                      pool_, after.contacts.contacts);
     const StepWork work{state.blocks,  step.mid,     step.contacts.contacts, step.springs,
                         step.dashpots, step.bolts,   state.bolt_force,       step.boundaries,

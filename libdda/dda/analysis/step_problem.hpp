@@ -46,6 +46,12 @@ struct StepProblem {
     double duration = 0;                 ///< s, physical time of the step; 0 in static stages
     double rounding_force = 0;           ///< N per metre; smaller force differences are rounding errors
     ContactSpan<const NormalDashpot> dashpots = {};  ///< per contact, beside its normal spring; empty: none
+    /// Per contact: the share of its bond's strength at which the bond yields, Eq. (97). Empty: bonds break
+    /// in the step at their whole strength.
+    ContactSpan<const double> held_shares = {};
+
+    /// Whether no bond breaks in the step.
+    bool bonds_hold() const { return !held_shares.empty(); }
 };
 
 }  // namespace rockslope::dda

@@ -17,6 +17,9 @@ bool is_within(double force, const Strength& bounds) {
     return force <= bounds.forward && force >= -bounds.backward && bounds.forward + bounds.backward > 0;
 }
 
+/// Opening over the contact's length up to which cohesion acts where bonds hold, as `largest_bond_strain`.
+constexpr double held_opening = 0.01;
+
 /// Force change over the force tolerance below which the law of a rough joint segment is not evaluated again.
 /// The final convergence test evaluates all laws.
 constexpr double law_reuse_tolerance = 0.1;
@@ -25,11 +28,13 @@ constexpr double law_reuse_tolerance = 0.1;
 
 TrialContacts::TrialContacts(const StepProblem& problem, const ThreadPool& pool)
     : p_(problem), pool_(pool), segment_friction_(problem, pool), trials_(problem.contacts.size()) {
-    for (const JointMaterial& material : p_.model.joint_materials) {
-        const auto coheres = [&](bool intact) {
-            return strength(material.law, fresh_history(material.law, intact), 0, 1).forward > 0;
-        };
-        has_cohesion_.push_back(coheres(true) || coheres(false) ? 1 : 0);
+    for (const JointMaterial& material : p_.model.joint_materials)
+        has_cohesion_.push_back(dda::has_cohesion(material.law) ? 1 : 0);
+    if (p_.bonds_hold()) {
+        tensile_strength_.assign(count(), 0);
+        for_contacts([&](ContactIndex k) {
+            if (p_.contacts[k].bonded) tensile_strength_[k] = bounds_of_single_contact(k, {}).tensile;
+        });
     }
     for_contacts([&](ContactIndex k) { trials_[k] = initial_trial(k); });
     for (const Contact& contact : p_.contacts) groups_ = std::max(groups_, contact.group + 1);
@@ -106,7 +111,13 @@ Strength TrialContacts::bounds_of_single_contact(ContactIndex k, const ContactLo
     const Strength strengths = strength(law_of(k), p_.contacts[k].history, motion.normal_force, motion.length,
                                         {motion.displacement, motion.shear_force, motion.stiffness});
     const double reduced = 1 / p_.model.strength_reduction;
-    return {strengths.forward * reduced, strengths.backward * reduced, strengths.tensile * reduced};
+    const Strength bounds{strengths.forward * reduced, strengths.backward * reduced,
+                          strengths.tensile * reduced};
+    if (!p_.bonds_hold() || p_.held_shares[k] == 1) return bounds;
+    const Strength bond = strength(law_of(k), p_.contacts[k].history, 0, motion.length);
+    const double not_held = (1 - p_.held_shares[k]) * reduced;
+    return {std::max(bounds.forward - not_held * bond.forward, 0.0),
+            std::max(bounds.backward - not_held * bond.backward, 0.0), p_.held_shares[k] * bounds.tensile};
 }
 
 /// The bounds of Eq. (75).
@@ -325,6 +336,7 @@ void TrialContacts::set_shear_bounds(const Eigen::VectorXd& shear_bounds) {
 }
 
 bool TrialContacts::break_bonds() {
+    if (p_.bonds_hold()) return false;
     return for_any_contact([&](ContactIndex k) {
         const bool breaks = is_bonded(k) && current_forces(k).normal < -trials_[k].bounds.tensile;
         trials_[k].bond_broken = trials_[k].bond_broken || breaks;
@@ -348,7 +360,7 @@ bool TrialContacts::update_active_set_of(ContactIndex k) {
     Trial& trial = trials_[k];
     const Forces law = current_forces(k);
     const double elastic = elastic_shear(k);
-    const bool active = trial.may_close && (law.normal > 0 || is_bonded(k));
+    const bool active = trial.may_close && law.normal > least_normal_force(k);
     const bool locked = trial.may_close && is_within(elastic, trial.bounds);
     bool changed = active != trial.active || locked != trial.locked;
     if (active && std::abs(law.normal - trial.linear.normal) > tolerance()) {
@@ -385,6 +397,7 @@ bool TrialContacts::stays_closed(ContactIndex k) const {
     const Trial& trial = trials_[k];
     if (!trial.may_close) return false;
     if (is_bonded(k) || current_forces(k).normal > 0 || is_rebounding(k)) return true;
+    if (p_.bonds_hold() && coheres(k)) return gap(k) < held_opening * p_.contacts[k].length;
     return coheres(k) && -spring_force(k) < std::min(trial.bounds.forward, trial.bounds.backward);
 }
 
@@ -397,7 +410,8 @@ EvaluatedContact TrialContacts::evaluated(ContactIndex k) const {
     evaluated.normal_spring_force =
         dashpot(k).stiffness > 0 && trial.may_close ? std::max(spring_force(k), 0.0) : forces.normal;
     const bool is_pressed = forces.normal > 0 || evaluated.normal_spring_force > 0;
-    evaluated.stress_free_gap = is_pressed ? trial.stress_free_gap : 0;
+    const bool is_held = stays_closed(k) && (is_bonded(k) || coheres(k));
+    evaluated.stress_free_gap = is_pressed || is_held ? trial.stress_free_gap : 0;
     evaluated.shear_force = forces.shear;
     evaluated.displacement = trial.shearing;
     evaluated.dilation_increment = trial.dilation_increment;

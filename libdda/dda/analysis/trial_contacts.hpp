@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -31,7 +32,7 @@ struct ContactLaw {
     double shear_stiffness = 0;     ///< N/m per metre
     double backward = 0;            ///< N per metre, the smallest shear force, negative or zero
     double forward = 0;             ///< N per metre, the largest shear force
-    bool bonded = false;            ///< bears tension
+    double least_normal = 0;        ///< N per metre, the smallest normal force; below 0 if it bears tension
     bool may_close = true;          ///< false: no force at all
 
     /// The compression of the normal spring, m.
@@ -53,8 +54,7 @@ struct ContactLaw {
     /// The forces at the fixed bounds, Eq. (32).
     Forces forces(double opening, double shearing) const {
         if (!may_close) return {};
-        const double compression = normal(opening);
-        return {bonded ? compression : std::max(compression, 0.0),
+        return {std::max(normal(opening), least_normal),
                 std::clamp(shear_origin + shear_stiffness * shearing, backward, forward)};
     }
 };
@@ -152,6 +152,15 @@ class TrialContacts {
     /// no bond of its has broken since.
     bool coheres(ContactIndex k) const { return trials_[k].coheres && !trials_[k].bond_broken; }
     bool is_bonded(ContactIndex k) const { return p_.contacts[k].bonded && !trials_[k].bond_broken; }
+    /// The smallest normal force of a contact in the step, N per metre: 0 without a bond, no limit where the
+    /// bond may break, the tensile strength where it holds.
+    double least_normal_force(ContactIndex k) const {
+        if (!is_bonded(k) || !may_close(k)) return 0;
+        return p_.bonds_hold() ? -tensile_strength_[k] : -std::numeric_limits<double>::infinity();
+    }
+    /// The normal force where the linear system has no normal spring, N per metre: that of a bond which
+    /// yields.
+    double inactive_normal_force(ContactIndex k) const { return p_.bonds_hold() ? least_normal_force(k) : 0; }
     // --- dilation that follows the normal force
     /// How the dilation of a joint segment follows its normal force while its displacement is held: where the
     /// joint slips, a smaller normal force lets its shear spring slip on.
@@ -208,8 +217,8 @@ class TrialContacts {
     Eigen::VectorXd shear_bounds() const;
     /// Sets the shear bounds; negative values become zero.
     void set_shear_bounds(const Eigen::VectorXd& shear_bounds);
-    /// Breaks, for the rest of the step, the bonds whose tension exceeds the strength. @return whether any
-    /// broke.
+    /// Breaks, for the rest of the step, the bonds whose tension exceeds the strength, unless bonds hold.
+    /// @return whether any broke.
     bool break_bonds();
     /// Augmented Lagrangian update, Eq. (37): if an augmented contact violates the rigid contact conditions
     /// by more than the model's tolerance, shifts the springs so that they bear the present forces at zero
@@ -350,9 +359,10 @@ class TrialContacts {
     const ThreadPool& pool_;
     SegmentFriction segment_friction_;
     PerContact<Trial> trials_;
-    PerCorner<Vec2> moved_vertices_;   ///< per corner: its position at the iterate
-    std::vector<int> yielding_;        ///< per bolt: the sign of its yielding force, 0 when elastic
-    std::vector<double> elongation_;   ///< per bolt, m, in the step
+    PerContact<double> tensile_strength_;  ///< N per metre, where bonds hold
+    PerCorner<Vec2> moved_vertices_;       ///< per corner: its position at the iterate
+    std::vector<int> yielding_;            ///< per bolt: the sign of its yielding force, 0 when elastic
+    std::vector<double> elongation_;       ///< per bolt, m, in the step
     std::vector<double> linear_bolt_;  ///< per bolt: force in the linear system, at its solution, N per metre
     bool evaluated_ = false;           ///< whether set_displacement() has been called
     /// Per joint material: whether it has a shear strength without a normal force.
@@ -380,7 +390,7 @@ inline void TrialContacts::set_tilt(ContactIndex k, double tilt) {
 
 inline Forces TrialContacts::linear_forces(ContactIndex k, double opening, double shearing) const {
     const Trial& trial = trials_[k];
-    return {trial.active ? linear_normal(k, opening) : 0,
+    return {trial.active ? linear_normal(k, opening) : inactive_normal_force(k),
             trial.locked ? shear_origin(k) + p_.springs[k].shear_stiffness * shearing : trial.friction_force};
 }
 
@@ -397,7 +407,7 @@ inline ContactLaw TrialContacts::law(ContactIndex k) const {
             springs.shear_stiffness,
             -trial.bounds.backward - by_dilation,
             trial.bounds.forward - by_dilation,
-            is_bonded(k),
+            least_normal_force(k),
             trial.may_close};
 }
 

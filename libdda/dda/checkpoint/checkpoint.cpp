@@ -44,6 +44,20 @@ std::vector<Peaks> peaks_of(const std::vector<double>& values) {
     return peaks;
 }
 
+std::vector<double> region_values(const std::vector<RegionPeaks>& regions) {
+    std::vector<double> values;
+    for (const RegionPeaks& r : regions)
+        values.insert(values.end(), {r.mean, r.mean_time, r.largest, r.largest_time});
+    return values;
+}
+
+std::vector<RegionPeaks> regions_of(const std::vector<double>& values) {
+    std::vector<RegionPeaks> regions;
+    for (std::size_t i = 0; i + 4 <= values.size(); i += 4)
+        regions.push_back({values[i], values[i + 1], values[i + 2], values[i + 3]});
+    return regions;
+}
+
 std::vector<double> slip_values(const std::vector<FirstSlip>& slips) {
     std::vector<double> values;
     for (const FirstSlip& s : slips)
@@ -167,13 +181,14 @@ void append_bytes(std::string& text, const std::vector<T>& values) {
 /// SHA-256 of all data of a checkpoint. HDF5 does not detect a damaged number, and a wrong index in a state
 /// would corrupt memory.
 std::string digest_of(const Checkpoint& checkpoint, const StateArchive& state) {
-    std::string text = checkpoint.input_hash;
+    std::string text = checkpoint.input_hash + checkpoint.start_of_run;
     append_bytes(text, state.reals);
     append_bytes(text, state.integers);
     append_bytes(text, state.bytes);
     append_bytes(text, counts_of(checkpoint.results));
     append_bytes(text, reals_of(checkpoint.results));
     append_bytes(text, peak_values(checkpoint.results.peaks));
+    append_bytes(text, region_values(checkpoint.results.regions));
     append_bytes(text, trial_values(checkpoint.results.trials));
     append_bytes(text, slip_values(checkpoint.results.first_slips));
     append_bytes(text, plane_values(checkpoint.results.planes));
@@ -188,6 +203,7 @@ void write_results_state(HdfFile& file, const ResultsState& results) {
     store(file, "/results", counts_of(results));
     store(file, "/figures", reals_of(results));
     store(file, "/peaks", peak_values(results.peaks));
+    store(file, "/regions", region_values(results.regions));
     store(file, "/trials", trial_values(results.trials));
     store(file, "/first_slips", slip_values(results.first_slips));
     store(file, "/planes", plane_values(results.planes));
@@ -210,6 +226,7 @@ ResultsState read_results_state(const HdfFile& file) {
     results.wall_time = figures[0];
     results.remaining_dilation = figures[1];
     results.peaks = peaks_of(file.read_all<double>("/peaks"));
+    results.regions = regions_of(file.read_all<double>("/regions"));
     results.trials = trials_of(file.read_all<double>("/trials"));
     results.first_slips = slips_of(file.read_all<double>("/first_slips"));
     results.planes = planes_of(file.read_all<double>("/planes"));
@@ -229,6 +246,8 @@ void write_checkpoint(const std::filesystem::path& path, const Checkpoint& check
         file.set_attribute("/", "version", checkpoint_version);
         file.set_attribute("/", "input_hash", checkpoint.input_hash);
         file.set_attribute("/", "digest", digest_of(checkpoint, state));
+        store(file, "/start_of_run",
+              std::vector<std::uint8_t>(checkpoint.start_of_run.begin(), checkpoint.start_of_run.end()));
         store(file, "/reals", state.reals);
         store(file, "/integers", state.integers);
         store(file, "/bytes", state.bytes);
@@ -260,6 +279,8 @@ Checkpoint read_checkpoint(const std::filesystem::path& path) {
         checkpoint.input_hash = file.string_attribute("/", "input_hash");
         const StateArchive state{file.read_all<double>("/reals"), file.read_all<std::int64_t>("/integers"),
                                  file.read_all<std::uint8_t>("/bytes")};
+        const auto start = file.read_all<std::uint8_t>("/start_of_run");
+        checkpoint.start_of_run.assign(start.begin(), start.end());
         checkpoint.results = read_results_state(file);
         for (const WriterEntry& writer : writer_table())
             if (file.has_attribute("/positions", writer.name))

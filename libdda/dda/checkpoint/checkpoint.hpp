@@ -12,6 +12,7 @@
 #include "dda/monitor/first_slips.hpp"
 #include "dda/monitor/left_moving.hpp"
 #include "dda/monitor/low_pass.hpp"
+#include "dda/monitor/region_motion.hpp"
 
 namespace rockslope::dda {
 
@@ -41,6 +42,7 @@ struct ResultsState {
     double wall_time = 0;                 ///< s, of this and the earlier parts of the run
     double remaining_dilation = 0;        ///< m, largest of StepReport::remaining_dilation so far
     std::vector<Peaks> peaks;             ///< per tracked point
+    std::vector<RegionPeaks> regions;     ///< per measured region
     std::vector<ReductionTrial> trials;   ///< of the strength reduction, in the order in which they were made
     PerBlock<FirstSlip> first_slips;      ///< per block
     std::vector<BlockOnPlane> planes;     ///< found after the first dynamic step
@@ -54,6 +56,9 @@ struct Checkpoint {
     ResultsState results;
     std::map<std::string, std::int64_t> positions;  ///< ResultWriter::position() by WriterEntry::name
     std::string input_hash;                         ///< hash of all input of the run
+    /// The input that a state saved at the end of a stage depends on, see start_of_run(). Empty in a
+    /// checkpoint from within a stage.
+    std::string start_of_run = {};
 };
 
 /// Writes a checkpoint under a temporary name and renames it. @throws OutputError.

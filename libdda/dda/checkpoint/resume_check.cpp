@@ -10,11 +10,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string file_of(const WriterEntry& entry, const std::string& stem) {
-    const std::string file = entry.file;
-    return file.front() == '*' ? stem + file.substr(1) : file;
-}
-
 [[noreturn]] void fail(const fs::path& file, const std::string& what) {
     throw InputError({file.string()}, "cannot be resumed from: " + what,
                      "the results as they were when the run was stopped");
@@ -42,15 +37,21 @@ void check_size(const fs::path& file, std::int64_t bytes) {
 
 }  // namespace
 
+std::string result_file(const WriterEntry& entry, const std::string& stem) {
+    const std::string file = entry.file;
+    return file.front() == '*' ? stem + file.substr(1) : file;
+}
+
 std::vector<std::string> result_files(const std::string& stem) {
-    std::vector<std::string> files = {"run.toml", "summary.json", "checkpoint.h5", "blocks.csv"};
-    for (const WriterEntry& entry : writer_table()) files.push_back(file_of(entry, stem));
+    std::vector<std::string> files = {"run.toml", "summary.json", "failed.json", "checkpoint.h5",
+                                      "blocks.csv"};
+    for (const WriterEntry& entry : writer_table()) files.push_back(result_file(entry, stem));
     return files;
 }
 
 void check_resumable(const Checkpoint& checkpoint, const WriterContext& context) {
     for (const WriterEntry& entry : writer_table()) {
-        const fs::path file = context.folder / file_of(entry, context.name);
+        const fs::path file = context.folder / result_file(entry, context.name);
         const auto position = checkpoint.positions.find(entry.name);
         const bool was_written = position != checkpoint.positions.end();
         if (was_written != entry.is_enabled(context))

@@ -8,6 +8,9 @@
 
 namespace rockslope::dda {
 
+/// Name of the file of a writer, for results with this stem.
+std::string result_file(const WriterEntry& entry, const std::string& stem);
+
 /// Names of all files that a run may write into its folder, except the frames of --pvd.
 std::vector<std::string> result_files(const std::string& stem);
 

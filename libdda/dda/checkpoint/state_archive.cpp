@@ -149,11 +149,12 @@ template <class Walker, class C>
 void contact(Walker& walker, C& value) {
     auto& [point, normal, tangent, corner, edge, corner_block, edge_block, joint_material, joint, group, line,
            kind, state, inhibited, bonded, inherited_penetration, length, gap, dilation, stress_free_gap,
-           normal_force, normal_spring_force, shear_force, slip, joint_share, spring_share, history] = value;
+           normal_force, normal_spring_force, shear_force, slip, bond_strain, joint_share, spring_share,
+           history] = value;
     integers(walker, corner, edge, corner_block, edge_block, kind, joint_material, joint, group, line,
              inhibited, state, bonded);
     reals(walker, inherited_penetration, length, gap, dilation, stress_free_gap, normal_force,
-          normal_spring_force, shear_force, slip, joint_share, spring_share);
+          normal_spring_force, shear_force, slip, bond_strain, joint_share, spring_share);
     components(walker, point);
     components(walker, normal);
     components(walker, tangent);
@@ -195,9 +196,10 @@ template <class Walker, class S>
 void state_of_blocks(Walker& walker, S& value) {
     auto& [time, stage_time, dynamic_time, next_step, step_count, stage_steps, all_blocks,
            displacement_origin, centroid_origin, vertex_origin, stage_origin, bolt_force, boundary_reactions,
-           free_fields, ledger, removed] = value;
+           free_fields, ledger, broken_bonds, removed] = value;
     reals(walker, time, stage_time, dynamic_time, next_step);
-    integers(walker, step_count, stage_steps);
+    auto& [broken_contacts, breaking_events] = broken_bonds;
+    integers(walker, step_count, stage_steps, broken_contacts, breaking_events);
     blocks(walker, all_blocks);
     all_components(walker, displacement_origin);
     all_components(walker, centroid_origin);

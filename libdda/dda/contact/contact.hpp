@@ -54,6 +54,7 @@ struct Contact {
     double shear_force = 0;          ///< N per metre, resists motion of the corner along `tangent`; positive
                                      ///< pushes corner_block along -tangent
     double slip = 0;                 ///< m, accumulated plastic slip of the corner along `tangent`
+    double bond_strain = 0;          ///< of a bond that a static stage holds: the largest measure of Eq. (96)
     double joint_share = 1;          ///< its part in the normal force of its joint segment, Eq. (81)
     double spring_share =
         1;  ///< its shear spring over that of the joint, or over its own if the model gives it

@@ -51,6 +51,19 @@ ContactSet find_or_keep_candidates(const Model& model, const ContactSet& last, c
     return set;
 }
 
+/// N per metre
+double tensile_strength(const Model& model, const Contact& contact) {
+    const JointLaw& law = model.joint_material_at(contact.joint_material).law;
+    return strength(law, contact.history, 0, contact.length).tensile;
+}
+
+/// Whether a bond holds a contact at a gap that it opened by in a static stage, Eq. (96).
+bool is_held_open(const Model& model, const Contact& contact) {
+    if (!(contact.stress_free_gap > 0)) return false;
+    const JointLaw& law = model.joint_material_at(contact.joint_material).law;
+    return strength(law, contact.history, 0, contact.length).forward > 0;
+}
+
 /// Sets the stress-free gap of a contact and its normal force at the start of the step, that of its spring
 /// alone. Where the normal force differs from that at the last step's end, because the dilation was left to
 /// this step, the gap decays or the dashpot bore a part, the shear force follows it, Eq. (77).
@@ -58,9 +71,10 @@ void initialise_spring(const Model& model, double stress_free_gap_decay, Contact
     // An open contact inside the rock is stress-free at its present gap, so that its spring stores no energy.
     if (contact.state == ContactState::open)
         contact.stress_free_gap = std::min(contact.gap, 0.0);
-    else if (!model.is_augmented(contact.joint_material))
+    else if (!model.is_augmented(contact.joint_material) && !is_held_open(model, contact))
         contact.stress_free_gap *= stress_free_gap_decay;
-    const double force = normal_spring(model, contact).force(contact.stress_free_gap - contact.gap);
+    const double spring = normal_spring(model, contact).force(contact.stress_free_gap - contact.gap);
+    const double force = contact.bonded ? std::max(spring, -tensile_strength(model, contact)) : spring;
     const double before = contact.normal_force;
     contact.normal_force = contact.state != ContactState::open && (force > 0 || contact.bonded) ? force : 0;
     contact.normal_spring_force = contact.normal_force;

@@ -25,6 +25,7 @@ void copy_state(const Contact& from, Contact& to) {
     to.shear_force = from.shear_force;
     to.slip = from.slip;
     to.bonded = from.bonded;
+    to.bond_strain = from.bond_strain;
     to.inherit_history(from.history, from.dilation);
     to.joint = from.joint >= 0 ? from.joint : to.joint;
 }

@@ -32,4 +32,9 @@ PointIndex add_material_point(Model& model, BlockIndex block, const Vec2& positi
 /// @throws InputError for a duplicate name, and for a point with no joint or several.
 void read_measured_joints(const ConfigTable& run, Model& model);
 
+/// Adds the [[measured_region]] tables to a model whose blocks are known: the free blocks whose centroid lies
+/// in `polygon`, or that have the material `block_material`, or both.
+/// @throws InputError for a duplicate name, and for a region without a free block.
+void read_measured_regions(const ConfigTable& run, Model& model);
+
 }  // namespace rockslope::dda

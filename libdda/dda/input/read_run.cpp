@@ -4,13 +4,12 @@
 
 #include "blockgen/mesh/block_file.hpp"
 #include "blockgen/mesh/check_mesh.hpp"
-#include "common/base/text.hpp"
 #include "common/config/config_table.hpp"
 #include "dda/input/read_loads.hpp"
 #include "dda/input/read_materials.hpp"
 #include "dda/input/read_mesh.hpp"
+#include "dda/input/read_reference.hpp"
 #include "dda/input/read_stages.hpp"
-#include "dda/monitor/point_motion.hpp"
 
 namespace rockslope::dda {
 
@@ -94,20 +93,6 @@ bool is_stem(const std::string& name) {
            std::none_of(name.begin(), name.end(), is_forbidden);
 }
 
-/// Name of the point whose motion is subtracted in relative motions; default: the first prescribed block.
-std::string read_reference(const ConfigTable& output, const Model& model) {
-    const std::vector<TrackedPoint> points = tracked_points(model);
-    const auto base = std::find_if(points.begin(), points.end(),
-                                   [](const TrackedPoint& point) { return point.block.exists(); });
-    std::string name = output.string("relative_to", base == points.end() ? "" : base->name);
-    if (name.empty() || find_point(points, name)) return name;
-    std::vector<std::string> names;
-    for (const TrackedPoint& point : points) names.push_back(point.name);
-    const auto nearest = nearest_word(name, names);
-    output.fail("relative_to", "there is no measured point and no prescribed block '" + name + "'",
-                nearest ? "perhaps '" + *nearest + "'" : "a name in the block file, or \"\"");
-}
-
 OutputSpec read_output(const ConfigTable& output, const std::filesystem::path& run_file, const Model& model) {
     OutputSpec spec;
     spec.name = output.string("name", run_file.stem().string());
@@ -116,6 +101,8 @@ OutputSpec read_output(const ConfigTable& output, const std::filesystem::path& r
             "name", "'name' in [output] is \"" + spec.name + "\"",
             "the stem of a file name, at most 200 bytes without '/', a dot in front or control characters");
     spec.frames = count_up_to_a_million(output, "frames", spec.frames);
+    spec.joint_frames = output.boolean("joint_frames", spec.joint_frames);
+    spec.step_log = output.boolean("step_log", spec.step_log);
     spec.static_frame_interval =
         count_up_to_a_million(output, "static_frame_interval", spec.static_frame_interval);
     spec.history_interval = output.checked(
@@ -124,6 +111,7 @@ OutputSpec read_output(const ConfigTable& output, const std::filesystem::path& r
         "0, for every step, or a time of 1e-9 s or more");
     spec.relative_to = read_reference(output, model);
     spec.slip_threshold = positive(output, "slip_threshold", Dimension::length, spec.slip_threshold);
+    spec.save_stages = output.boolean("save_stages", spec.save_stages);
     spec.checkpoint_interval =
         positive(output, "checkpoint_interval", Dimension::time, spec.checkpoint_interval);
     return spec;
@@ -159,6 +147,7 @@ void check_excavations(const Model& model, int stages, const std::filesystem::pa
 }  // namespace
 
 RunInput read_run(const std::filesystem::path& run_file, const RunReadOptions& options) {
+    const ReadLog log;
     const ConfigTable run = ConfigTable::from_file(run_file, with_block_file(options));
     RunInput input;
     const std::filesystem::path block_file = run.file_path("blocks");
@@ -180,10 +169,14 @@ RunInput read_run(const std::filesystem::path& run_file, const RunReadOptions& o
     read_loads(run, model, input.files);
     read_boundaries(run, model);
     read_measured_joints(run, model);
+    read_measured_regions(run, model);
     input.stages = read_stages(run, model, input.files);
     check_excavations(model, input.stages.size(), block_file);
     input.output = read_output(run.table_or_empty("output"), run_file, model);
     run.finish();
+    input.digests = log.files();
+    input.fingerprint =
+        run.effective_text([&](const std::filesystem::path& file) { return log.digest_of(file); });
     input.effective = "# The effective model: what was read, with every default.\n" +
                       run.effective_text(options.echo_folder);
     return input;

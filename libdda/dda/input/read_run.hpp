@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "common/base/read_log.hpp"
 #include "dda/model/model.hpp"
 #include "dda/model/output_spec.hpp"
 #include "dda/model/stage.hpp"
@@ -17,6 +18,10 @@ struct RunInput {
     std::vector<Stage> stages;
     OutputSpec output;
     std::vector<std::filesystem::path> files;  ///< every file read: model file, block file, records
+    std::vector<InputFile> digests;            ///< of these files, each once, as they were read
+    /// The effective model file with the digest of each file in place of its path: runs with equal
+    /// fingerprints give the same bytes.
+    std::string fingerprint;
     std::string effective;  ///< model file with overrides and defaults; it gives the same run when read again
 };
 

@@ -92,12 +92,15 @@ Stage read_stage(const ConfigTable& table, std::size_t index, const Model& model
     if (stage.kind == StageKind::static_equilibrium) {
         stage.tolerance = positive(table, "tolerance", Dimension::none, stage.tolerance);
         stage.step_limit = count(table, "step_limit", stage.step_limit);
+        stage.bonds_break_at_rest =
+            table.choice("bonds_break", {"at-rest", "at-once"}, "at-rest") == "at-rest";
         stage.moving_share = in_range(table, "moving_share", stage.moving_share, 0, 1, "a share from 0 to 1");
         if (kind == "strength-reduction") {
             stage.strength_reduction = read_strength_reduction(table, model);
             stage.reset_displacements = false;
             return stage;
         }
+        stage.stop = read_stop_limit(table, model);
         stage.displacement_limit = positive(table, "displacement_limit", Dimension::length,
                                             settling_displacement_ratio * height_of(model));
         stage.remove_moving = table.choice("moving_blocks", {"keep", "remove"}, "keep") == "remove";
@@ -105,6 +108,7 @@ Stage read_stage(const ConfigTable& table, std::size_t index, const Model& model
         stage.reset_joint_history = table.boolean("reset_joint_history", stage.reset_joint_history);
         return stage;
     }
+    stage.stop = read_stop_limit(table, model);
     const bool lasts_as_record = table.is_string("duration") && table.string("duration") == "record";
     if (!lasts_as_record) stage.duration = positive(table, "duration", Dimension::time);
     stage.dynamic_coefficient =
@@ -113,6 +117,10 @@ Stage read_stage(const ConfigTable& table, std::size_t index, const Model& model
         in_range(table, "newmark_beta", stage.newmark_beta, 1e-3, 1, "a number from 0.001 to 1");
     stage.newmark_gamma =
         in_range(table, "newmark_gamma", stage.newmark_gamma, 0.5, 1, "a number from 0.5 to 1");
+    stage.perturbation = table.integer("perturbation", 0);
+    table.checked(
+        "perturbation", static_cast<double>(stage.perturbation), [](double v) { return v >= 0; },
+        "0, or the seed of a perturbation");
     stage.incident_waves = read_incident_waves(table, model, files);
     read_base_motions(table, model, files, stage);
     if (lasts_as_record) stage.duration = duration_of_records(table, stage);

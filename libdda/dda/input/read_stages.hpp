@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "common/config/config_table.hpp"
@@ -18,6 +19,10 @@ std::vector<Stage> read_stages(const ConfigTable& run, const Model& model, Input
 /// motions, those applied as a body force to its frame motions. The stage's step must be set.
 /// @throws InputError for a block that does not exist or is not prescribed, and for an invalid motion.
 void read_base_motions(const ConfigTable& table, const Model& model, InputFiles& files, Stage& stage);
+
+/// Reads the table [stage.stop] of a stage; nothing without one. The measured points and regions must be
+/// known. @throws InputError for an unknown name, and for both a point and a region.
+std::optional<StopLimit> read_stop_limit(const ConfigTable& stage, const Model& model);
 
 /// Reads the record declared by the keys `file`, `format`, `channel`, `point`, `quantity` and `unit`.
 record::Record read_axis_record(const ConfigTable& axis, InputFiles& files);

@@ -153,6 +153,11 @@ friction_angle = "35 deg"
 # at = [12, 5]                     # a point of the joint
 # tolerance = "1 mm"               # from the joint
 
+# [[measured_region]]              # blocks whose displacement is reported together
+# name = "face"
+# polygon = [[0, 0], [120, 0], [120, 70], [0, 70]]   # with their centroid in it
+# block_material = "rock"          # and, or instead, of this material
+
 [[stage]]
 name = "settle"
 kind = "static"                    # runs until gravity is carried
@@ -162,6 +167,7 @@ kind = "static"                    # runs until gravity is carried
 # reset_joint_history = false
 # step = 0.005                     # s, the largest step; a static stage begins with less and grows where nothing moves
 # displacement_limit = "2 m"       # static: a block that moves farther does not stop; default: 5 % of the model's height
+# bonds_break = "at-rest"          # static: what cannot be held at rest, or "at-once": what slips on the way
 # moving_share = 1e-4              # static: at rest when the blocks that move are this share of the mass, or less
 # moving_blocks = "keep"           # or "remove": what becomes of them
 # smallest_step = 1e-9
@@ -188,6 +194,13 @@ step = 0.005
 # dynamic_coefficient = 1          # share of the velocity kept from step to step
 # newmark_beta = 0.5               # (1/2, 1) is Shi's integration
 # newmark_gamma = 1
+# perturbation = 0                 # seed of a perturbation of the order of rounding, to see how far results depend on it
+
+# [stage.stop]                     # the run ends here, with the status "collapsed"; in static stages, too
+# displacement = "5 m"             # less that of relative_to
+# region = "face"                  # a measured region, or point = "crest"; default: any free block
+# share = 0                        # of the mass of the free blocks, that blocks beyond it must exceed
+# relative_to = "base"             # as in [output]
 
 # [stage.base_motion]              # moves the prescribed block of that name; without block: all prescribed blocks
 # block = "base"
@@ -207,6 +220,9 @@ step = 0.005
 # history_interval = 0.01          # s between rows of history.csv
 # relative_to = "base"             # measured point or prescribed block; default: the first prescribed block
 # slip_threshold = "0.1 mm"        # slip of a contact above which its blocks have slipped
+# joint_frames = true              # frames of the contacts beside those of the blocks
+# step_log = true                  # steps.csv
+# save_stages = false              # save the state at each stage's end, for dda-run --from
 # checkpoint_interval = 60         # s of wall time
 )";
 

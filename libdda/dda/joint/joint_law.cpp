@@ -69,6 +69,13 @@ JointRecord record(const JointLaw& law, const JointHistory& history) {
     return visit_both(law, history, [](const auto& l, const auto& h) { return l.record(h); });
 }
 
+bool has_cohesion(const JointLaw& law) {
+    const auto coheres = [&](bool intact) {
+        return strength(law, fresh_history(law, intact), 0, 1).forward > 0;
+    };
+    return coheres(true) || coheres(false);
+}
+
 bool has_segment_history(const JointLaw& law) {
     return std::visit([](const auto& l) { return l.history_scope == HistoryScope::joint_segment; }, law);
 }

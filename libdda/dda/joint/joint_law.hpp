@@ -51,6 +51,8 @@ double shear_stiffness(const JointLaw& law, const JointHistory& history, double 
 JointRecord record(const JointLaw& law, const JointHistory& history);
 /// Whether the contacts of a joint segment share one history; otherwise each contact has its own.
 bool has_segment_history(const JointLaw& law);
+/// Whether a joint may have a shear strength without a normal force, intact or broken.
+bool has_cohesion(const JointLaw& law);
 /// Whether shearing may open or close the joint.
 bool dilates(const JointLaw& law);
 /// Whether plastic slip alone opens or closes the joint.

@@ -110,6 +110,7 @@ struct ContactMotion {
     double duration = 0;         ///< of the step, s; 0: unknown, or a static step
     bool closing = false;        ///< the contact was open at the start of the step; its cohesion did not act
     bool spring_of_law = false;  ///< the spring is that of the law, not one that the model gives
+    bool bond_holds = false;     ///< the slip does not break the bond, see `Stage::bonds_break_at_rest`
 };
 
 /// Weight of the first of two contacts in their mean displacement, 0 to 1: the ratio of the shear

@@ -30,7 +30,8 @@ Strength MohrCoulomb::strength_slope(const History& history, double normal_force
 
 /// A closing contact slips below the peak strength, Eq. (75), and stays intact.
 MohrCoulomb::History MohrCoulomb::advance(const History& history, const ContactMotion& motion) const {
-    return {history.broken || motion.opened || (motion.slip != 0 && !motion.closing)};
+    const bool breaks = motion.slip != 0 && !motion.closing && !motion.bond_holds;
+    return {history.broken || motion.opened || breaks};
 }
 
 MohrCoulomb MohrCoulomb::read(const ParameterTable& table) {

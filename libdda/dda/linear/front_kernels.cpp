@@ -210,7 +210,7 @@ struct Kernels : Strips<Scalar, Bytes> {
 
 // An attribute cannot stand in parentheses. NOLINTBEGIN(bugprone-macro-parentheses)
 /// A set of kernels compiled for the processors named by `attribute`.
-#define DDA_KERNEL_SET(name, attribute, bytes, rows)                                                        \
+#define DDA_KERNEL_SET(name, text, attribute, bytes, rows)                                                  \
     template <class Scalar>                                                                                 \
     struct name {                                                                                           \
         using K = Kernels<Scalar, bytes, rows>;                                                             \
@@ -226,15 +226,15 @@ struct Kernels : Strips<Scalar, Bytes> {
         attribute static void backward(const Scalar* p, int k, int s, Scalar* x) {                          \
             S::backward(p, k, s, x);                                                                        \
         }                                                                                                   \
-        static constexpr FrontKernels<Scalar> set{factor_pivots, solve_rows, form_update,                   \
-                                                  invert_groups, forward,    backward};                     \
+        static constexpr FrontKernels<Scalar> set{factor_pivots, solve_rows, form_update, invert_groups,    \
+                                                  forward,       backward,   text};                         \
     }
 // NOLINTEND(bugprone-macro-parentheses)
 
-DDA_KERNEL_SET(Plain, , 16, 2);
+DDA_KERNEL_SET(Plain, "plain", , 16, 2);
 #if defined(__x86_64__)
-DDA_KERNEL_SET(Avx2, [[gnu::target("avx2,fma")]], 32, 2);
-DDA_KERNEL_SET(Avx512, [[gnu::target("avx512f,avx2,fma")]], 64, 3);
+DDA_KERNEL_SET(Avx2, "avx2", [[gnu::target("avx2,fma")]], 32, 2);
+DDA_KERNEL_SET(Avx512, "avx512", [[gnu::target("avx512f,avx2,fma")]], 64, 3);
 #endif
 
 }  // namespace

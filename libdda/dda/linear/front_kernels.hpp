@@ -34,6 +34,7 @@ struct FrontKernels {
     void (*forward)(const Scalar* panel, int pivots, int strips, Scalar* x);
     /// Backward substitution: x1 = L11^-T (x1 - L21^T x2).
     void (*backward)(const Scalar* panel, int pivots, int strips, Scalar* x);
+    const char* name;  ///< of the vector extension: "avx512", "avx2", "plain"
 };
 
 /// The sets that this processor can run, the widest vectors first.

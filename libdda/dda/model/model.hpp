@@ -58,6 +58,12 @@ struct MeasuredPointSpec {
     PointIndex point;
 };
 
+/// Blocks whose displacements are recorded together.
+struct MeasuredRegion {
+    std::string name;
+    std::vector<BlockIndex> blocks;  ///< free ones
+};
+
 /// A point of a joint at which relative displacement and stresses are recorded.
 struct MeasuredJoint {
     std::string name;
@@ -108,6 +114,7 @@ struct Model {
     std::vector<BoltSpec> bolts;
     std::vector<MeasuredPointSpec> measured_points;
     std::vector<MeasuredJoint> measured_joints;
+    std::vector<MeasuredRegion> measured_regions;
     std::vector<Excavation> excavations;
     PerBlock<Vec6> initial_velocity;  ///< or empty
 

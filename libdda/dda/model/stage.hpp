@@ -1,10 +1,12 @@
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "dda/base/indices.hpp"
 #include "dda/model/time_table.hpp"
 
 namespace rockslope::dda {
@@ -51,6 +53,18 @@ struct IncidentWave {
     bool y_is_traction = false;
 };
 
+/// A displacement at which a stage ends because the slope has come down. Displacements count from where
+/// displacements were last zeroed, less that of the reference.
+struct StopLimit {
+    double displacement = 0;  ///< m
+    double share = 0;  ///< of the mass of the free blocks, that blocks beyond it must exceed; not for a point
+    std::string watched;                    ///< name of the point or region; empty: all free blocks
+    PointIndex point = PointIndex::none();  ///< of a measured point; none: blocks are watched
+    std::vector<BlockIndex> blocks;         ///< of a region; empty without a point: all free blocks
+    PointIndex reference_point = PointIndex::none();
+    BlockIndex reference_block = BlockIndex::none();
+};
+
 /// One part of a run.
 struct Stage {
     std::string name;
@@ -66,7 +80,10 @@ struct Stage {
     /// blocks.
     double moving_share = 1e-4;
     bool remove_moving = false;  ///< static: the blocks that still move at its end are removed
-    double newmark_beta = 0.5;   ///< Newmark's parameters; (1/2, 1) is Shi's integration
+    /// Static: bonds are judged where they hold at rest, Eq. (96). False: a bond breaks in the step
+    /// in which it slips or its tension exceeds its strength.
+    bool bonds_break_at_rest = false;
+    double newmark_beta = 0.5;  ///< Newmark's parameters; (1/2, 1) is Shi's integration
     double newmark_gamma = 1.0;
     double mass_damping = 0;           ///< 1/s, mass-proportional damping
     bool reset_displacements = true;   ///< static: displacements and slips are zeroed at the stage's end
@@ -78,6 +95,8 @@ struct Stage {
     std::vector<BaseMotion> frame_motions;
     std::optional<StrengthReduction> strength_reduction;  ///< static: factor-of-safety search
     std::vector<IncidentWave> incident_waves;
+    std::int64_t perturbation = 0;  ///< dynamic: seed of a perturbation of the order of rounding; 0: none
+    std::optional<StopLimit> stop;  ///< the stage ends there, with the status `collapsed`
 };
 
 /// The smallest multiple k * step, k = 1, 2, ..., after the given time, s since the stage's start. The steps

@@ -44,6 +44,20 @@ CsvRow& add_plane(const PlaneSlip* slip, CsvRow& row) {
         .number(slip->simulated, "a slip");
 }
 
+/// Adds the block's area, its leftmost and rightmost corner, and its highest at the start of the run.
+CsvRow& add_shape(const Model& model, const State& state, BlockIndex block, CsvRow& row) {
+    row.number(state.blocks.moments[block].area, "an area");
+    CornerIndex left = model.topology.block_corners[block], right = left, top = left;
+    for (const CornerIndex corner : model.topology.corners_of(block)) {
+        if (state.blocks.vertices[corner].x() < state.blocks.vertices[left].x()) left = corner;
+        if (state.blocks.vertices[corner].x() > state.blocks.vertices[right].x()) right = corner;
+        if (model.vertices[corner].y() > model.vertices[top].y()) top = corner;
+    }
+    for (const Vec2& place : {state.blocks.vertices[left], state.blocks.vertices[right], model.vertices[top]})
+        row.number(place.x() + model.origin.x(), "a corner").number(place.y() + model.origin.y(), "a corner");
+    return row;
+}
+
 const char* const headings[] = {"block",
                                 "material",
                                 "x (m)",
@@ -61,7 +75,14 @@ const char* const headings[] = {"block",
                                 "dip (deg)",
                                 "yield coefficient",
                                 "Newmark slip (m)",
-                                "slip (m)"};
+                                "slip (m)",
+                                "area (m2)",
+                                "leftmost x (m)",
+                                "leftmost y (m)",
+                                "rightmost x (m)",
+                                "rightmost y (m)",
+                                "highest x at the start (m)",
+                                "highest y at the start (m)"};
 
 std::string points_text(const Model& model, const State& state, const Results& results) {
     if (results.points().empty()) return {};
@@ -154,6 +175,7 @@ std::string block_table(const Model& model, const State& state, const Results& r
         const auto slip = std::find_if(slips.begin(), slips.end(),
                                        [&](const PlaneSlip& s) { return s.plane.block == block; });
         add_plane(slip == slips.end() ? nullptr : &*slip, row);
+        add_shape(model, state, block, row);
         table += row.line();
     }
     return table;

@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "dda/checkpoint/start_of_run.hpp"
+
 namespace rockslope::dda {
 
 namespace {
@@ -51,18 +53,19 @@ Results::Results(const Model& model, const std::vector<Stage>& stages, const Out
       options_(std::move(options)),
       points_(tracked_points(model)),
       reference_(find_point(points_, output.relative_to)),
-      resuming_(resume_from != nullptr),
+      resuming_(resume_from != nullptr && !options_.begins_stage),
       start_(Clock::now()),
       last_checkpoint_(start_) {
     if (output_.frames > 0) frame_interval_ = dynamic_duration(stages_, stages_.size()) / output_.frames;
     if (resume_from) progress_ = resume_from->results;
     progress_.peaks.resize(points_.size());
+    progress_.regions.resize(model_.measured_regions.size());
     progress_.first_slips.resize(model.block_count());
     for (const WriterEntry& entry : writer_table()) {
-        WriterContext context{model_,       options_.folder, output_.name,
-                              std::nullopt, options_.pvd,    output_.relative_to};
+        WriterContext context = writer_context(model_, options_.folder, output_, options_.pvd);
         if (!entry.is_enabled(context)) continue;
-        if (resume_from) context.resume_from = resume_from->positions.at(entry.name);
+        if (resume_from && resume_from->positions.contains(entry.name))
+            context.resume_from = resume_from->positions.at(entry.name);
         writers_.push_back({entry.name, entry.make(context)});
     }
 }
@@ -111,6 +114,8 @@ void Results::update_peaks(const State& state, double step) {
         peaks.smooth_acceleration = std::max(
             peaks.smooth_acceleration, peaks.smooth.pass(motion.acceleration, step, smooth_corner).norm());
     }
+    for (std::size_t i = 0; i < model_.measured_regions.size(); ++i)
+        progress_.regions[i].add(displacement_of(state, model_.measured_regions[i], from), state.time);
 }
 
 /// Finds the blocks on planes after the first dynamic step, since before it there may be no contacts, and
@@ -121,12 +126,25 @@ void Results::update_sliding(const State& state, const StepReport& report) {
     update_first_slips(model_, state, report, output_.slip_threshold, progress_.first_slips);
 }
 
-void Results::save_checkpoint(const State& state) {
+Checkpoint Results::checkpoint_of(const State& state) const {
     Checkpoint checkpoint{state, progress_, {}, options_.input_hash};
     checkpoint.results.wall_time = wall_time();
     for (const NamedWriter& entry : writers_) checkpoint.positions[entry.name] = entry.writer->position();
-    write_checkpoint(options_.folder / "checkpoint.h5", checkpoint);
+    return checkpoint;
+}
+
+void Results::save_checkpoint(const State& state) {
+    write_checkpoint(options_.folder / "checkpoint.h5", checkpoint_of(state));
     last_checkpoint_ = Clock::now();
+}
+
+/// Saves the state for runs that branch off here. Their wall time is their own.
+void Results::save_end_of_stage(const State& state, int stage_index) {
+    if (!output_.save_stages && options_.save_end_of != stage_index) return;
+    Checkpoint saved = checkpoint_of(state);
+    saved.results.wall_time = 0;
+    saved.start_of_run = start_of_run(options_.fingerprint, stage_index + 1);
+    write_checkpoint(options_.folder / saved_state_name(stage_index), saved);
 }
 
 Progress Results::progress_of(const State& state, const Stage& stage, const StepReport& report) const {
@@ -210,7 +228,8 @@ void Results::mechanism_found(const Model&, const State& state, const Stage& sta
 }
 
 void Results::stage_ends(const Model&, const State& state, const Stage& stage, int stage_index) {
-    if (stage.strength_reduction) return;  // mechanism_found wrote its frame
+    // mechanism_found wrote the frame of a strength reduction
+    if (stage.strength_reduction) return save_end_of_stage(state, stage_index);
     const std::vector<LeftMoving> left = left_moving(model_, state, stage, stage_index);
     progress_.left_moving.insert(progress_.left_moving.end(), left.begin(), left.end());
     write_history(state, stage);
@@ -218,6 +237,7 @@ void Results::stage_ends(const Model&, const State& state, const Stage& stage, i
     // written.
     const bool is_last = static_cast<std::size_t>(stage_index) + 1 == stages_.size();
     if (is_last || !resets_displacements(stage)) write_frame(state, stage);
+    save_end_of_stage(state, stage_index);
 }
 
 void Results::stage_fails(const Model&, const State& state, const Stage& stage, int) {
@@ -227,7 +247,7 @@ void Results::stage_fails(const Model&, const State& state, const Stage& stage, 
 
 namespace {
 
-double bytes_per_frame(const Model& model) {
+double bytes_per_frame(const Model& model, const OutputSpec& output) {
     constexpr double compressed = 0.6;  // size of the shuffled and deflated floats over the original
     const double bytes_per_corner = model.origin.isZero(0) ? 6 * 4 : 3 * 8 + 3 * 4;  // with displacement
     constexpr double bytes_per_block = 14 * 4;                                       // quantities of a block
@@ -236,7 +256,7 @@ double bytes_per_frame(const Model& model) {
     const double blocks =
         bytes_per_corner * static_cast<double>(model.vertices.size()) + model.block_count() * bytes_per_block;
     const double contacts = model.block_count() * contacts_per_block * bytes_per_contact;
-    return compressed * blocks + contacts;
+    return compressed * blocks + (output.joint_frames ? contacts : 0);
 }
 
 }  // namespace
@@ -244,7 +264,7 @@ double bytes_per_frame(const Model& model) {
 double estimated_bytes(const Model& model, const std::vector<Stage>& stages, const OutputSpec& output) {
     const double frames = (dynamic_duration(stages, stages.size()) > 0 ? output.frames : 0) + 1.0 +
                           static_cast<double>(stages.size());
-    return frames * bytes_per_frame(model);
+    return frames * bytes_per_frame(model, output);
 }
 
 double max_static_frame_bytes(const Model& model, const std::vector<Stage>& stages,
@@ -254,7 +274,7 @@ double max_static_frame_bytes(const Model& model, const std::vector<Stage>& stag
     for (const Stage& stage : stages)
         if (stage.kind == StageKind::static_equilibrium && !stage.strength_reduction)
             frames += std::floor(static_cast<double>(stage.step_limit) / output.static_frame_interval);
-    return frames * bytes_per_frame(model);
+    return frames * bytes_per_frame(model, output);
 }
 
 }  // namespace rockslope::dda

@@ -43,6 +43,9 @@ struct ResultsOptions {
     bool pvd = false;
     std::string input_hash;  ///< stored in checkpoints
     ProgressFunction progress = [](const Progress&) { return true; };
+    bool begins_stage = false;            ///< the state to resume from was saved at the end of a stage
+    std::string fingerprint = {};         ///< of the run's input, for states saved at the end of stages
+    std::optional<int> save_end_of = {};  ///< index of a stage whose end is saved in any case
 };
 
 /// Writes the results of a run: calls the enabled writers of writer_table() when their output is due, and
@@ -79,7 +82,9 @@ class Results : public RunObserver {
     void write_history(const State& state, const Stage& stage);
     void update_peaks(const State& state, double step);
     void update_sliding(const State& state, const StepReport& report);
+    Checkpoint checkpoint_of(const State& state) const;
     void save_checkpoint(const State& state);
+    void save_end_of_stage(const State& state, int stage_index);
     Progress progress_of(const State& state, const Stage& stage, const StepReport& report) const;
     TrialProgress trial_progress(const Model& weakened, const Stage& stage) const;
 

@@ -4,9 +4,8 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "common/base/read_file.hpp"
-#include "common/base/sha256.hpp"
 #include "dda/analysis/energy_watch.hpp"
+#include "dda/monitor/motion_measures.hpp"
 #include "dda/monitor/spring_resolution.hpp"
 #include "dda/results/block_table.hpp"
 
@@ -28,6 +27,8 @@ const char* status_name(RunStatus status) {
             return "energy created";
         case RunStatus::not_written:
             return "not written";
+        case RunStatus::collapsed:
+            return "collapsed";
         default:
             return "stopped";
     }
@@ -69,6 +70,27 @@ Json peaks_json(const Results& results, const Model& model, const State& state) 
                           {"amplification", over_reference(peaks.smooth_acceleration, results)}});
     }
     return points;
+}
+
+Json regions_json(const Results& results, const Model& model, const State& state) {
+    const Vec2 from = results.reference()
+                          ? motion_of(model, state, results.points()[*results.reference()]).displacement
+                          : Vec2(Vec2::Zero());
+    Json regions = Json::array();
+    for (std::size_t i = 0; i < model.measured_regions.size(); ++i) {
+        const MeasuredRegion& region = model.measured_regions[i];
+        const RegionDisplacement end = displacement_of(state, region, from);
+        const RegionPeaks& peaks = results.state().regions[i];
+        regions.push_back({{"name", region.name},
+                           {"blocks", region.blocks.size()},
+                           {"mean_displacement", end.mean},
+                           {"largest_displacement", end.largest},
+                           {"peak_mean_displacement", peaks.mean},
+                           {"peak_mean_displacement_time", peaks.mean_time},
+                           {"peak_largest_displacement", peaks.largest},
+                           {"peak_largest_displacement_time", peaks.largest_time}});
+    }
+    return regions;
 }
 
 Json farthest_block(const Model& model, const State& state) {
@@ -216,14 +238,55 @@ Json contact_json(const Model& model, const Contact& contact) {
             {"gap", contact.gap}};
 }
 
-}  // namespace
-
-std::vector<InputFile> hash_files(const std::vector<std::filesystem::path>& files) {
-    std::vector<InputFile> inputs;
-    for (const std::filesystem::path& file : files)
-        inputs.push_back({file.string(), sha256(read_text_file(file))});
-    return inputs;
+Json motions_json(const std::vector<Stage>& stages) {
+    Json list = Json::array();
+    for (const MotionMeasures& motion : motion_measures(stages)) {
+        const record::RecordMeasures& m = motion.measures;
+        Json spectrum = Json::array();
+        for (const record::SpectralOrdinate& ordinate : motion.spectrum)
+            spectrum.push_back(
+                {{"period", ordinate.period}, {"acceleration", ordinate.absolute_acceleration}});
+        list.push_back({{"stage", motion.stage},
+                        {"block", motion.block},
+                        {"axis", std::string(1, motion.axis)},
+                        {"peak_acceleration", m.peak_acceleration},
+                        {"peak_velocity", m.peak_velocity},
+                        {"peak_displacement", m.peak_displacement},
+                        {"arias_intensity", m.arias_intensity},
+                        {"significant_duration", m.significant_duration},
+                        {"cumulative_absolute_velocity", m.cumulative_absolute_velocity},
+                        {"mean_period", m.mean_period},
+                        {"spectral_acceleration", spectrum}});
+    }
+    return list;
 }
+
+void add_provenance(const Provenance& provenance, Json& json) {
+    json["version"] = provenance.version;
+    json["commit"] = provenance.commit;
+    json["kernel"] = provenance.kernel;
+    json["threads"] = provenance.threads;
+    json["overrides"] = provenance.overrides;
+    if (provenance.saved_state)
+        json["saved_state"] = {{"file", provenance.saved_state->path.string()},
+                               {"sha256", provenance.saved_state->sha256}};
+    json["inputs"] = Json::array();
+    for (const InputFile& input : provenance.inputs)
+        json["inputs"].push_back({{"file", input.path.string()}, {"sha256", input.sha256}});
+    json["warnings"] = provenance.warnings;
+}
+
+Json collapse_json(const Collapse& collapse) {
+    Json json = {{"block", collapse.block.value()},
+                 {"at", pair(collapse.at)},
+                 {"displacement", collapse.displacement},
+                 {"limit", collapse.limit},
+                 {"time", collapse.time}};
+    if (!collapse.point.empty()) json["point"] = collapse.point;
+    return json;
+}
+
+}  // namespace
 
 std::string summary_text(const Model& model, const std::vector<Stage>& stages, const State& state,
                          const RunOutcome& outcome, const Results& results, const Provenance& provenance) {
@@ -231,6 +294,7 @@ std::string summary_text(const Model& model, const std::vector<Stage>& stages, c
     json["status"] = status_name(outcome.status);
     json["message"] = outcome.message;
     if (outcome.worst_contact) json["worst_contact"] = contact_json(model, *outcome.worst_contact);
+    if (outcome.collapse) json["collapse"] = collapse_json(*outcome.collapse);
     json["stage"] = stages[results.state().stage].name;
     json["time"] = state.time;
     json["steps"] = state.step_count;
@@ -242,6 +306,7 @@ std::string summary_text(const Model& model, const std::vector<Stage>& stages, c
     json["farthest_block"] = farthest_block(model, state);
     if (results.reference()) json["reference"] = results.points()[*results.reference()].name;
     json["points"] = peaks_json(results, model, state);
+    if (!model.measured_regions.empty()) json["regions"] = regions_json(results, model, state);
     if (state.dynamic_time > 0) {
         json["first_slip"] = slips_json(results.state().first_slips);
         json["blocks_on_planes"] = planes_json(plane_slips(model, stages, state, results));
@@ -252,13 +317,14 @@ std::string summary_text(const Model& model, const std::vector<Stage>& stages, c
     if (state.dynamic_time > 0) json["spring_resolution"] = springs_json(model, stages);
     if (!results.state().left_moving.empty())
         json["moving_at_rest"] = left_moving_json(results.state().left_moving, model, stages);
+    if (state.broken_bonds.events > 0)
+        json["bonds_broken_at_rest"] = {{"contacts", state.broken_bonds.contacts},
+                                        {"events", state.broken_bonds.events}};
     json["energy"] = energy_json(state.energy);
     if (!results.state().trials.empty()) json["factor_of_safety"] = factor_of_safety(results.state().trials);
     json["units"] = "SI, per metre of thickness";
-    json["version"] = provenance.version;
-    json["inputs"] = Json::array();
-    for (const InputFile& input : provenance.inputs)
-        json["inputs"].push_back({{"file", input.path}, {"sha256", input.sha256}});
+    if (const Json motions = motions_json(stages); !motions.empty()) json["motions"] = motions;
+    add_provenance(provenance, json);
     return json.dump(2) + "\n";
 }
 

@@ -1,31 +1,29 @@
 #pragma once
 
-#include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "common/base/read_log.hpp"
 #include "dda/analysis/run_observer.hpp"
 #include "dda/results/results.hpp"
 
 namespace rockslope::dda {
 
-/// An input file of a run.
-struct InputFile {
-    std::string path;
-    std::string sha256;
-};
-
 /// What a run was made from.
 struct Provenance {
-    std::string version;  ///< of the program
-    std::vector<InputFile> inputs;
+    std::string version;                        ///< of the program
+    std::string commit = {};                    ///< of its sources
+    std::vector<InputFile> inputs = {};         ///< as they were read
+    std::vector<std::string> overrides = {};    ///< of the command line, key=value
+    std::optional<InputFile> saved_state = {};  ///< that the run began with
+    int threads = 1;
+    std::string kernel = {};                 ///< vector extension of the solver, see FrontKernels::name
+    std::vector<std::string> warnings = {};  ///< what the program said of the run
 };
 
-/// Reads and hashes files. @throws InputError for one that cannot be read.
-std::vector<InputFile> hash_files(const std::vector<std::filesystem::path>& files);
-
 /// The summary of a run as JSON text: outcome, stage, peaks, energies, contacts, reversals that hang on
-/// `min_slip`, wall time, version and inputs.
+/// `min_slip`, measures of the motions, wall time and provenance.
 std::string summary_text(const Model& model, const std::vector<Stage>& stages, const State& state,
                          const RunOutcome& outcome, const Results& results, const Provenance& provenance);
 

@@ -97,7 +97,8 @@ WriterEntry block_frames() {
 }
 
 WriterEntry joint_frames() {
-    return {"joints", "*.joints.vtkhdf", PositionUnit::frames, is_always_written, make_joint_frames};
+    return {"joints", "*.joints.vtkhdf", PositionUnit::frames,
+            [](const WriterContext& context) { return context.joint_frames; }, make_joint_frames};
 }
 
 }  // namespace rockslope::dda

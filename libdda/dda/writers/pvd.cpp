@@ -131,7 +131,8 @@ WriterEntry pvd() {
 }
 
 WriterEntry joints_pvd() {
-    return {"joints_pvd", "*.joints.pvd", PositionUnit::none, is_asked_for, make_joint_pvd};
+    return {"joints_pvd", "*.joints.pvd", PositionUnit::none,
+            [](const WriterContext& context) { return context.pvd && context.joint_frames; }, make_joint_pvd};
 }
 
 }  // namespace rockslope::dda

@@ -10,6 +10,7 @@
 #include "dda/analysis/state.hpp"
 #include "dda/analysis/step_report.hpp"
 #include "dda/model/model.hpp"
+#include "dda/model/output_spec.hpp"
 #include "dda/model/stage.hpp"
 
 namespace rockslope::dda {
@@ -22,7 +23,16 @@ struct WriterContext {
     std::optional<std::int64_t> resume_from;  ///< position() in the checkpoint; absent in a new run
     bool pvd = false;
     std::string relative_to = {};  ///< name of a tracked point; empty: none
+    bool joint_frames = true;
+    bool step_log = true;
 };
+
+/// The context of the writers of a new run.
+inline WriterContext writer_context(const Model& model, const std::filesystem::path& folder,
+                                    const OutputSpec& output, bool pvd) {
+    return {model,          folder, output.name, std::nullopt, pvd, output.relative_to, output.joint_frames,
+            output.step_log};
+}
 
 /// Writes one kind of result file. A writer overrides the events that it needs; each call leaves its file
 /// complete on disk. @throws OutputError that names the file if the disk is full or a value is not finite.

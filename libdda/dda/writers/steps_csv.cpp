@@ -71,7 +71,8 @@ class StepsCsv : public ResultWriter {
 }  // namespace
 
 WriterEntry steps_csv() {
-    return {"steps", "steps.csv", PositionUnit::bytes, is_always_written, make_writer<StepsCsv>};
+    return {"steps", "steps.csv", PositionUnit::bytes,
+            [](const WriterContext& context) { return context.step_log; }, make_writer<StepsCsv>};
 }
 
 }  // namespace rockslope::dda

@@ -32,6 +32,23 @@ TEST(Measures, OfASineAreItsIntegrals) {
     EXPECT_NEAR(measures.arias_intensity, pi / (2 * 9.80665) * 9 * 4 / 2, 1e-4);
     EXPECT_NEAR(measures.significant_duration, 0.9 * 4, 0.1);
     EXPECT_NEAR(measures.significant_duration_75, 0.7 * 4, 0.1);
+    EXPECT_NEAR(measures.cumulative_absolute_velocity, 3 * 2 / pi * 4, 1e-4) << "the mean of |sin| is 2 / pi";
+}
+
+// Two sines of many cycles: the amplitudes' squares are as 4 to 1, so that the mean period is (4 T1 + T2)
+// / 5.
+TEST(Measures, TheMeanPeriodWeighsPeriodsByTheirPower) {
+    Accelerogram record = sine(2, 1, 0.005, 8001);
+    const Accelerogram faster = sine(1, 4, 0.005, 8001);
+    EXPECT_NEAR(measure(record).mean_period, 1, 0.01);
+    for (std::size_t k = 0; k < record.values.size(); ++k) record.values[k] += faster.values[k];
+    EXPECT_NEAR(measure(record).mean_period, (4 * 1 + 0.25) / 5, 0.01);
+}
+
+// A triangle across zero: the two parts have the areas 0.5 * 0.1 * 0.75 * 3 and 0.5 * 0.1 * 0.25 * 1.
+TEST(Measures, TheAbsoluteVelocityIsExactAcrossZero) {
+    const RecordMeasures measures = measure({0.1, {3, -1}});
+    EXPECT_NEAR(measures.cumulative_absolute_velocity, 0.1 * (0.75 * 3 + 0.25 * 1) / 2, 1e-15);
 }
 
 TEST(Measures, OfZeroAccelerationAreZero) {

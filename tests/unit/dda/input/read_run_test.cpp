@@ -281,6 +281,44 @@ TEST_F(ReadRun, RelativeMotionsReferToTheBaseByDefault) {
                     HasSubstr("slip_threshold"));
 }
 
+TEST_F(ReadRun, AStageMayStopAtADisplacement) {
+    const std::string region = R"([[measured_region]]
+name = "upper"
+polygon = [[0, 1], [4, 1], [4, 2], [0, 2]]
+block_material = "rock"
+)";
+    const std::string stages = R"([[stage]]
+kind = "dynamic"
+duration = 1
+[stage.stop]
+displacement = "20 cm"
+)";
+    const auto stop_of = [&](const std::string& more) {
+        return *read(std::string(full_model) + region + stages + more).stages.back().stop;
+    };
+    const StopLimit any = stop_of("share = 0.1\n");
+    EXPECT_DOUBLE_EQ(any.displacement, 0.2);
+    EXPECT_EQ(any.share, 0.1);
+    EXPECT_EQ(any.reference_block, 0) << "the prescribed base";
+    EXPECT_FALSE(any.point.exists());
+    EXPECT_EQ(stop_of("region = \"upper\"\n").blocks, (std::vector<BlockIndex>{1}));
+    const StopLimit point = stop_of("point = \"crest\"\nrelative_to = \"\"\n");
+    EXPECT_TRUE(point.point.exists());
+    EXPECT_FALSE(point.reference_block.exists());
+    const auto refused = [&](const std::string& more) { return error_of([&] { stop_of(more); }); };
+    EXPECT_THAT(refused("point = \"crst\"\n"),
+                HasSubstr("no measured point 'crst'; expected perhaps 'crest'"));
+    EXPECT_THAT(refused("region = \"uper\"\n"),
+                HasSubstr("no measured region 'uper'; expected perhaps 'upper'"));
+    EXPECT_THAT(refused("region = \"upper\"\npoint = \"crest\"\n"), HasSubstr("has 'point' and 'region'"));
+    EXPECT_THAT(refused("share = 1\n"), HasSubstr("expected a share from 0 to below 1"));
+    EXPECT_THAT(error_of([&] {
+                    read(std::string(full_model) +
+                         "[[measured_region]]\nname = \"far\"\npolygon = [[9, 9], [10, 9], [9, 10]]\n");
+                }),
+                HasSubstr("'far' has no block that is free to move"));
+}
+
 TEST_F(ReadRun, ARecordIsReadAsItsKeysDeclare) {
     EXPECT_EQ(error_with("scale = 2.0", "format = \"csv\", channel = 1"), "no error");
     EXPECT_THAT(error_with("scale = 2.0", "format = \"knet\""), StartsWith("r.csv:1: the header has no"));

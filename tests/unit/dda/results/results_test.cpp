@@ -64,6 +64,32 @@ TEST_F(ResultsTest, ARunWritesEveryKindOfResult) {
     EXPECT_GT(lines_of(folder / "a" / "steps.csv").size(), 100u);
 }
 
+TEST_F(ResultsTest, FramesOfContactsAndTheStepLogMayBeLeftOut) {
+    const double whole = estimated_bytes(input.model, input.stages, input.output);
+    input.output.joint_frames = input.output.step_log = false;
+    EXPECT_LT(estimated_bytes(input.model, input.stages, input.output), 0.7 * whole);
+    ASSERT_EQ(simulate("a").status, RunStatus::completed);
+    EXPECT_FALSE(fs::exists(folder / "a" / "run.joints.vtkhdf"));
+    EXPECT_FALSE(fs::exists(folder / "a" / "steps.csv"));
+    EXPECT_TRUE(fs::exists(folder / "a" / "run.vtkhdf"));
+}
+
+TEST_F(ResultsTest, ARegionHasItsDisplacementAndItsPeak) {
+    input.model.measured_regions.push_back({"all", {1}});
+    fs::create_directories(folder / "a");
+    Results results(input.model, input.stages, input.output,
+                    {folder / "a", false, "", [](const Progress&) { return true; }});
+    State state = initial_state(input.model);
+    ASSERT_EQ(run(input.model, input.stages, state, results).status, RunStatus::completed);
+    const Vec2 base = state.blocks.centroid(0) - state.centroid_origin[0];
+    const double moved = (state.blocks.centroid(1) - state.centroid_origin[1] - base).norm();
+    const RegionDisplacement end = displacement_of(state, input.model.measured_regions[0], base);
+    EXPECT_DOUBLE_EQ(end.mean, moved) << "one block";
+    EXPECT_DOUBLE_EQ(end.largest, moved);
+    EXPECT_GE(results.state().regions[0].mean, moved);
+    EXPECT_GT(results.state().regions[0].mean_time, 0);
+}
+
 TEST_F(ResultsTest, TheSameRunWritesTheSameBytes) {
     simulate("a");
     simulate("b");
@@ -200,10 +226,19 @@ TEST_F(ResultsTest, TheSummaryReportsTheOutcome) {
     State state = initial_state(input.model);
     const RunOutcome outcome = run(input.model, input.stages, state, results);
     const std::string text = summary_text(input.model, input.stages, state, outcome, results,
-                                          {.version = "9.9", .inputs = hash_files(input.files)});
+                                          {.version = "9.9",
+                                           .commit = "0a1b2c",
+                                           .inputs = input.digests,
+                                           .overrides = {"analysis.gravity=[0,-9]"},
+                                           .saved_state = InputFile{"settled.h5", "5f"},
+                                           .threads = 3,
+                                           .kernel = "plain",
+                                           .warnings = {"a warning"}});
     for (const char* part :
          {"\"status\": \"completed\"", "\"version\": \"9.9\"", "\"name\": \"crest\"", "\"sha256\": \"",
-          "\"sliding\":", "\"fallbacks\": 0,", "\"largest_dilation_left\": 0.0"})
+          "\"sliding\":", "\"fallbacks\": 0,", "\"largest_dilation_left\": 0.0", "\"commit\": \"0a1b2c\"",
+          "analysis.gravity=[0,-9]", "\"file\": \"settled.h5\"", "\"threads\": 3", "\"kernel\": \"plain\"",
+          "\"a warning\""})
         EXPECT_THAT(text, HasSubstr(part));
     EXPECT_GT(results.state().peaks[0].displacement, 0.01);
 }

@@ -1,0 +1,87 @@
+#include "study/table/sqlite_file.hpp"
+
+#include <sqlite3.h>
+
+#include <memory>
+
+#include "common/base/output_error.hpp"
+#include "common/base/text.hpp"
+
+namespace rockslope::study {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A name as SQL quotes it.
+std::string sql_name(const std::string& name) {
+    std::string text = "\"";
+    for (const char c : name) text += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return text + '"';
+}
+
+class Database {
+  public:
+    explicit Database(const fs::path& file) : file_(file) { check(::sqlite3_open(file.c_str(), &handle_)); }
+    ~Database() { ::sqlite3_close(handle_); }
+    Database(const Database&) = delete;
+    Database& operator=(const Database&) = delete;
+
+    void execute(const std::string& statement) {
+        check(::sqlite3_exec(handle_, statement.c_str(), nullptr, nullptr, nullptr));
+    }
+    void insert(const std::string& statement, const std::vector<std::vector<std::string>>& rows) {
+        sqlite3_stmt* prepared = nullptr;
+        check(::sqlite3_prepare_v2(handle_, statement.c_str(), -1, &prepared, nullptr));
+        const std::unique_ptr<sqlite3_stmt, int (*)(sqlite3_stmt*)> owner(prepared, ::sqlite3_finalize);
+        for (const std::vector<std::string>& row : rows) {
+            for (std::size_t k = 0; k < row.size(); ++k) bind(prepared, static_cast<int>(k) + 1, row[k]);
+            if (::sqlite3_step(prepared) != SQLITE_DONE) fail();
+            check(::sqlite3_reset(prepared));
+        }
+    }
+
+  private:
+    void bind(sqlite3_stmt* statement, int place, const std::string& value) {
+        if (value.empty())
+            check(::sqlite3_bind_null(statement, place));
+        else if (const auto number = parse_number(value))
+            check(::sqlite3_bind_double(statement, place, *number));
+        else
+            check(::sqlite3_bind_text(statement, place, value.data(), static_cast<int>(value.size()),
+                                      SQLITE_TRANSIENT));
+    }
+    void check(int result) const {
+        if (result != SQLITE_OK) fail();
+    }
+    [[noreturn]] void fail() const {
+        throw OutputError(file_, std::string("cannot be written: ") + ::sqlite3_errmsg(handle_));
+    }
+
+    fs::path file_;
+    sqlite3* handle_ = nullptr;
+};
+
+}  // namespace
+
+void write_sqlite(const fs::path& file, const std::string& name, const TextTable& table) {
+    const fs::path temporary = file.string() + ".tmp";
+    std::error_code error;
+    fs::remove(temporary, error);
+    {
+        Database database(temporary);
+        std::string columns, places;
+        for (const std::string& heading : table.heading) {
+            columns += (columns.empty() ? "" : ", ") + sql_name(heading);
+            places += places.empty() ? "?" : ", ?";
+        }
+        database.execute("BEGIN");
+        database.execute("CREATE TABLE " + sql_name(name) + " (" + columns + ")");
+        database.insert("INSERT INTO " + sql_name(name) + " VALUES (" + places + ")", table.rows);
+        database.execute("COMMIT");
+    }
+    fs::rename(temporary, file, error);
+    if (error) throw OutputError(file, "cannot be replaced: " + error.message());
+}
+
+}  // namespace rockslope::study

@@ -1,0 +1,176 @@
+#!/bin/sh
+# dda-study as a user calls it: what a plan computes, once; interrupted and failed rows; what a changed plan computes anew; the
+# same table however it was computed; bad plans.
+#   study_test.sh BIN DATA
+set -eu
+bin=$1
+data=$2
+study=$bin/dda-study
+# shellcheck source=tests/cli/common.sh
+. "$(dirname "$0")/common.sh"
+cp "$data/incline/slope.toml" slope.toml
+sed 's/^duration = .*/duration = 1.2/; s/^step = .*/step = 0.01/; s/^frames = .*//' "$data/incline/run.toml" >run.toml
+mkdir records
+sed -n '1,120p' "$data/incline/sine.csv" >records/long.csv
+sed -n '1,80p' "$data/incline/sine.csv" >records/short.csv
+cp records/long.csv sine.csv
+cat >plan.toml <<'PLAN'
+slope = "slope.toml"
+run = "run.toml"
+set = ["run:stage[1].stop.displacement=0.1"]
+[[factor]]
+name = "friction"
+key = "run:joint_material.plane.friction_angle"
+values = ["25 deg", "27 deg"]
+[[factor]]
+name = "record"
+key = "run:stage[1].base_motion.x.file"
+files = "records/*.csv"
+[[factor]]
+name = "PGA"
+scale = "PGA"
+record = "record"
+values = ["0.2 g", "0.3 g", "0.6 g"]
+[[measure]]
+name = "block"
+point = "block"
+[[measure]]
+name = "volume"
+kind = "moved-volume"
+limit = 0.05
+[[measure]]
+name = "travel angle"
+kind = "travel-angle"
+limit = 0.05
+PLAN
+# make_study FOLDER [OPTION...]: computes a study; prints the calls of the programs.
+make_study() {
+    place=$1
+    shift
+    make -C "$place" "$@" >"$folder.make" 2>&1
+}
+# table_of FOLDER: the results without the wall times.
+table_of() {
+    "$study" collect "$1" >/dev/null
+    sed 's/,[^,]*$//' "$1/results.csv"
+}
+
+# A plan computes nothing; its rows share one cut, and the settled state of each friction.
+"$study" make plan.toml -o one >out.txt
+grep -q '12 rows, of 1 cuts, from 2 states at the end of stage .settle.' out.txt || fail "the plan: $(cat out.txt)"
+[ -z "$(find one/results one/cuts one/starts -type f)" ] || fail "something is computed by make"
+[ "$(wc -l <one/runs.csv)" -eq 13 ] || fail "runs.csv: $(cat one/runs.csv)"
+code=0
+"$study" status one >out.txt || code=$?
+[ "$code" -eq 1 ] || fail "exit code $code of a study that is not done"
+grep -q '12 rows: 12 waiting' out.txt || fail "status: $(cat out.txt)"
+make -C one -n runs/000005/summary.json | grep -q -e '--from starts' || fail "make -n does not show the run"
+make_study one -j1 || fail "the study: $(cat "$folder.make")"
+[ "$(find one/cuts -name '*.blocks' | wc -l)" -eq 1 ] || fail "more than one cut"
+[ "$(find one/starts -name '*.saved.h5' | wc -l)" -eq 2 ] || fail "not one start for each friction"
+"$study" status one | grep -q '12 rows: [0-9]* completed, [0-9]* collapsed' || fail "status: $("$study" status one)"
+table_of one >one.csv
+grep -q '^1,25 deg,long.csv,1.96133,0,,,completed,' one.csv || fail "the table: $(cat one.csv)"
+[ "$(grep -c ',collapsed,' one.csv)" -gt 0 ] || fail "no row has collapsed: $(cat one.csv)"
+[ "$(du -s one/results | cut -f1)" -lt 6000 ] || fail "rows take much space: $(du -s one/results)"
+
+# A row in one go, by hand, moves as far.
+"$bin/dda-run" run.toml --blocks one/cuts/*.blocks -o by-hand --set 'stage[1].base_motion.x.file="records/long.csv"' \
+    --set 'stage[1].stop.displacement=0.1' \
+    >/dev/null 2>&1
+grep -q '"peak_acceleration": 2.9' by-hand/summary.json || fail "the record by hand: $(grep peak_acc by-hand/summary.json)"
+
+# Two at a time, and a study that is killed again and again, give the same table.
+"$study" make plan.toml -o two >/dev/null
+make_study two -j2 || fail "two at a time: $(cat "$folder.make")"
+table_of two | cmp - one.csv || fail "make -j2 gives another table"
+"$study" make plan.toml -o killed >/dev/null
+for delay in 0.1 0.05 0.1 0.05 0.1; do
+    setsid make -C killed -j2 >/dev/null 2>&1 &
+    sleep "$delay"
+    kill -9 -- "-$!" 2>/dev/null || true
+    wait 2>/dev/null || true
+done
+make_study killed -j2 || fail "a study that was killed: $(cat "$folder.make")"
+table_of killed | cmp - one.csv || fail "a study that was killed gives another table"
+
+# Curves, what measures depend on, and a report.
+"$study" fragility one --measure block --limit 0.02 --intensity PGA -o curve.csv --picture curve.png >out.txt
+grep -q '^P(block (m) > 0.02 | PGA' out.txt || fail "no curve: $(cat out.txt)"
+"$study" sensitivity one --measure volume | grep -q '^PGA,' || fail "no indices"
+"$study" sensitivity one --measure block --spread | grep -q '^friction,' || fail "no spread"
+"$study" report one -o one.html
+grep -q '<h2>Measures</h2>' one.html || fail "no report"
+run_refused "expected perhaps 'block'" "$study" fragility one --measure blok --limit 1 --intensity PGA
+run_refused 'limit is not given' "$study" fragility one --measure block --intensity PGA
+
+# Nothing is computed twice: neither by a second make, nor after a touch, nor for the rows that a changed plan keeps.
+make_study one -j2
+grep -q '^row' "$folder.make" && fail "computed again: $(cat "$folder.make")"
+sleep 1
+touch run.toml records/long.csv plan.toml
+make_study one -j2
+grep -q '^row' "$folder.make" && fail "computed again after a touch: $(cat "$folder.make")"
+sed -i 's/values = \["0.2 g", "0.3 g", "0.6 g"\]/values = ["0.2 g", "0.25 g", "0.3 g", "0.6 g"]/' plan.toml
+make_study one -j2 || fail "one intensity more: $(cat "$folder.make")"
+[ "$(grep -c '^row' "$folder.make")" -eq 4 ] || fail "not four rows more: $(cat "$folder.make")"
+"$study" status one | grep -q '16 rows' || fail "the plan is not read again"
+grep -v '^[0-9]*,2[57] deg,[a-z]*.csv,2.45' one/results.csv >/dev/null || fail "no row of the new intensity"
+
+# A row that fails says why, is tried again, and ends the study with a list by cause.
+sed 's/^\[\[factor\]\]/set = ["run:stage[0].step_limit=3"]\n&/; s/^set = \["run:stage.1.*//' plan.toml |
+    awk '!/^set/ || !seen++' >failing.toml
+"$study" make failing.toml -o failing >/dev/null
+for attempt in first second; do
+    code=0
+    make_study failing -j2 || code=$?
+    [ "$code" -eq 2 ] || fail "exit code $code of make, $attempt time"
+    grep -q 'failed, start not settled: 16 rows, the first is 1: stage .settle. does not settle' "$folder.make" ||
+        fail "no list of failures: $(cat "$folder.make")"
+    grep -q '^start: .*does not settle' "$folder.make" || fail "the start is not tried again, $attempt time"
+done
+code=0
+"$study" collect failing >out.txt || code=$?
+[ "$code" -eq 1 ] || fail "exit code $code of collect with failures"
+grep -q ',failed,start not settled,' failing/results.csv || fail "the cause is not in the table: $(cat failing/results.csv)"
+
+# Replicates begin with a perturbation; rows of an incremental study end where the slope fails.
+sed 's/^slope = /replicates = 2\n&/' plan.toml >replicates.toml
+"$study" make replicates.toml -o replicates >out.txt
+grep -q '32 rows' out.txt || fail "replicates: $(cat out.txt)"
+grep -q "stage\[1\].perturbation=1" replicates/Makefile || fail "no perturbation"
+cat plan.toml - >incremental.toml <<'PLAN'
+[design]
+kind = "incremental"
+intensity = "PGA"
+measure = "block"
+limit = 0.01
+PLAN
+"$study" make incremental.toml -o incremental >/dev/null
+make_study incremental -j2 || fail "incremental: $(cat "$folder.make")"
+table_of incremental >incremental.csv
+[ "$(grep -c ',not needed,' incremental.csv)" -ge 4 ] || fail "rows beyond failure are computed: $(cat incremental.csv)"
+
+# Bad plans: one line, nothing written.
+plan_refused() {
+    expected=$1
+    sed "$2" plan.toml >bad.toml
+    run_refused "$expected" "$study" make bad.toml -o refused
+    [ ! -e refused/Makefile ] || fail "a Makefile after '$expected'"
+}
+plan_refused 'bad.toml:4:.*unknown key .facter.' 's/^\[\[factor\]\]/[[facter]]/'
+plan_refused "no factor 'recrd' before this one; expected perhaps 'record'" 's/^record = "record"/record = "recrd"/'
+plan_refused "no file matches 'records/\*.at2'" 's/records.\*.csv/records\/*.at2/'
+plan_refused "is no intensity measure; expected .PGA" 's/^scale = "PGA"/scale = "PGG"/'
+plan_refused "names no key; expected slope:KEY or run:KEY" 's/run:joint/joint/'
+plan_refused "unknown key 'frction_angle'.*did you mean 'friction_angle'" 's/plane.friction/plane.frction/'
+plan_refused "an index below that" 's/stage\[1\].base/stage[7].base/'
+plan_refused 'has no values' 's/^values = \["25 deg", "27 deg"\]//'
+plan_refused 'no-such.toml: cannot be read' 's/run.toml/no-such.toml/'
+run_refused 'is no study' "$study" status records
+run_refused "unknown subcommand 'colect'; expected perhaps 'collect'" "$study" colect one
+run_refused 'output is not given' "$study" make plan.toml
+"$study" --template | grep -q '^\[\[factor\]\]' || fail "no template"
+"$study" --help | grep -q collect || fail "no help"
+"$study" status --help | grep -q 'expected\|how long' || fail "no help of a subcommand"
+echo "studies: all checks passed"
