@@ -40,7 +40,7 @@ set(private_packages
     "cairo|libcommon/common/drawing"
     "(hdf5|H5[A-Za-z]*)\\.h|libdda/dda/hdf"
     "(gdal|cpl_[a-z]*|ogr_[a-z_]*)\\.h|libblockgen/blockgen/input"
-    "nlohmann/|libdda/dda/results libblockgen/blockgen/input libblockgen/blockgen/report tools/blockgen libstudy/study/folder libstudy/study/table tools/dda-study"
+    "nlohmann/|libdda/dda/results libblockgen/blockgen/input libblockgen/blockgen/report tools/blockgen libstudy/study/folder libstudy/study/table tools/dda-study tools/dda-plot"
     "sqlite3|libstudy/study/table"
     "(suitesparse/)?(cholmod|SuiteSparse_config|amd|camd|ccolamd|metis)\\.h|libdda/dda/linear")
 

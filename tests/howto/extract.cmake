@@ -1,7 +1,7 @@
 # Makes the files that a howto page shows, so that the tests compile them.
 #   cmake -D ROOT=<source tree> -D PAGE=<page.md> -D OUT=<folder> -P extract.cmake
 # A fenced block that names a file behind its language is that file:
-#   ```cpp libdda/dda/writers/bolts_csv.cpp     a new file, whole
+#   ```cpp libdda/dda/writers/bolts_csv.cpp     a new file, whole; cmake likewise
 #   ```diff libdda/dda/writers/writer_list.def  a change of a file: lines that begin with a blank or '-' must stand in it,
 #                                               and become those that begin with a blank or '+'
 # Other blocks are text. Fails where a change does not fit the file as it is.
@@ -44,8 +44,8 @@ while(TRUE)
     string(SUBSTRING "${rest}" ${body_begin} ${body_length} body)
     math(EXPR fence "${fence} + 4")
     string(SUBSTRING "${rest}" ${fence} -1 rest)
-    if(info MATCHES "^cpp ([^ ]+)$")
-        file(WRITE ${OUT}/${CMAKE_MATCH_1} "${body}")
+    if(info MATCHES "^(cpp|cmake) ([^ ]+)$")
+        file(WRITE ${OUT}/${CMAKE_MATCH_2} "${body}")
         math(EXPR count "${count} + 1")
     elseif(info MATCHES "^diff ([^ ]+)$")
         set(file ${CMAKE_MATCH_1})

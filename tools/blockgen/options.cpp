@@ -1,10 +1,10 @@
 #include "options.hpp"
 
 #include <boost/program_options.hpp>
-#include <sstream>
 
 #include "blockgen/input/read_slope_model.hpp"
 #include "common/drawing/canvas.hpp"
+#include "support/command_page.hpp"
 #include "support/parse_arguments.hpp"
 
 namespace rockslope::blockgen_tool {
@@ -40,12 +40,14 @@ po::options_description visible_options() {
     return all;
 }
 
-std::string help_text(const po::options_description& options) {
-    std::ostringstream text;
-    text << "Usage: blockgen SLOPE.toml [options]\n\n"
-            "Cuts a rock section by its joints into blocks and writes a block file for dda-run.\n\n"
-         << options << "\nExit codes: 0 done, 1 cutting failed, 2 bad command line or input.\n";
-    return text.str();
+tool_support::CommandPage command_page() {
+    return {.name = "blockgen",
+            .version = ROCKSLOPE_VERSION,
+            .synopsis = "SLOPE.toml [options]",
+            .purpose = "Cuts a rock section by its joints into blocks and writes a block file for dda-run",
+            .description = "",
+            .options = visible_options(),
+            .exit_codes = {{"0", "done"}, {"1", "cutting failed"}, {"2", "bad command line or input"}}};
 }
 
 std::string path_or_empty(const po::variables_map& given, const char* name) {
@@ -89,11 +91,12 @@ Options read_options(const po::variables_map& given) {
 }  // namespace
 
 Options parse_options(int argc, const char* const* argv) {
-    const po::options_description visible = visible_options();
-    const po::variables_map given = tool_support::parse_arguments("blockgen", argc, argv, visible);
+    const tool_support::CommandPage page = command_page();
+    const std::vector<std::string> arguments = tool_support::arguments_of(argc, argv);
     Options options;
-    if (given.count("help")) options.text = help_text(visible);
-    if (given.count("version")) options.text = "blockgen " ROCKSLOPE_VERSION "\n";
+    options.text = requested_text(page, arguments).value_or("");
+    if (!options.text.empty()) return options;
+    const po::variables_map given = tool_support::parse_arguments("blockgen", arguments, page.options);
     if (given.count("template")) options.text = blockgen::slope_model_template();
     if (!options.text.empty()) return options;
     return read_options(given);

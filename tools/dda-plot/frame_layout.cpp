@@ -8,39 +8,36 @@ namespace rockslope {
 
 namespace {
 
+constexpr double margin_left = 60, margin_right = 16;
 constexpr double max_plot_width = 520, max_plot_height = 640;
 /// Width of the time and the legend of the contacts side by side.
 constexpr double min_header_width = 290;
-/// Smallest height of a drawing with a vertical colour bar.
-constexpr double min_vertical_bar_length = 170;
-
-Point point_at(const dda::GridFrame& frame, std::int64_t index) {
-    const std::size_t i = index;
-    return {frame.points[3 * i], frame.points[3 * i + 1]};
-}
+/// Smallest height of a drawing with a vertical colour bar, and smallest width of such a page.
+constexpr double min_vertical_bar_length = 170, min_vertical_bar_page = 380;
 
 }  // namespace
 
-FrameLayout::FrameLayout(double width, double height) {
-    const double scale = std::min(max_plot_width / width, max_plot_height / height);
-    const double header = std::max(scale * width, min_header_width);
-    const double bottom = top + scale * height;
-    bar_is_vertical = scale * height >= min_vertical_bar_length;
-    header_left = left;
-    header_right = left + header;
-    upper_left = {left + (header - scale * width) / 2, top};
-    lower_right = {upper_left.x + scale * width, bottom};
+FrameLayout::FrameLayout(double width, double height, const PictureStyle& style)
+    : letters(style.lettering.scale), top(34 * letters), below_axes(44 * letters) {
+    const double side = margin_left * letters, bar = bar_gap + vertical_bar_width * letters;
+    const double room = style.width ? *style.width - side - margin_right : max_plot_width;
+    const auto scale_in = [&](double plot_width) {
+        return std::min(plot_width / width, max_plot_height / height);
+    };
+    double scale = scale_in(style.width ? room - bar : room);
+    bar_is_vertical = scale * height >= min_vertical_bar_length * letters &&
+                      (!style.width || *style.width >= min_vertical_bar_page * letters);
+    if (!bar_is_vertical) scale = scale_in(room);
+    const double header = style.width ? room : std::max(scale * width, min_header_width * letters);
+    const double drawn = bar_is_vertical && style.width ? header - bar : header;
+    header_left = side;
+    header_right = side + header;
+    upper_left = {side + (drawn - scale * width) / 2, top};
+    lower_right = {upper_left.x + scale * width, top + scale * height};
     page_width = header_right + margin_right;
-    if (bar_is_vertical)
-        page_width = std::max(page_width, lower_right.x + bar_gap + vertical_bar_width + margin_right);
-    page_height = bottom + below_axes + (bar_is_vertical ? 0 : horizontal_bar_height);
-}
-
-std::vector<Point> cell_points(const dda::GridFrame& frame, std::size_t cell) {
-    std::vector<Point> points;
-    for (auto k = frame.cells.offsets[cell]; k < frame.cells.offsets[cell + 1]; ++k)
-        points.push_back(point_at(frame, frame.cells.connectivity[k]));
-    return points;
+    if (bar_is_vertical && !style.width)
+        page_width = std::max(page_width, lower_right.x + bar + margin_right);
+    page_height = lower_right.y + below_axes + (bar_is_vertical ? 0 : horizontal_bar_height * letters);
 }
 
 }  // namespace rockslope

@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
-#include "colour_bar.hpp"
-#include "colour_scale.hpp"
-#include "common/base/input_error.hpp"
 #include "common/drawing/axes.hpp"
+#include "common/geometry/polygon.hpp"
+#include "frame_labels.hpp"
 #include "frame_layout.hpp"
 
 namespace rockslope {
@@ -16,112 +14,192 @@ namespace {
 
 constexpr double horizontal_bar_length = 260;
 
-// Columns of the frames that the picture reads, and values in them.
-const std::vector<std::string> block_columns = {"displacement", "motion", "block"};
-const std::vector<std::string> contact_columns = {"state"};
-constexpr float unconstrained = 0, prescribed = 2, state_open = 0, state_sliding = 1;
-
 const Colour sliding_colour{0.84, 0.37, 0.0};
 const Colour open_colour{0.0, 0.45, 0.70};
 const Colour worst_colour{0.80, 0.0, 0.25};
+const Colour plain_rock{0.95, 0.94, 0.92};
+const Colour compression_colour{0.13, 0.40, 0.67}, tension_colour{0.70, 0.09, 0.17};
 constexpr double caption_height = 18;
-/// Half-width of the view around a contact over the size of the smaller of its blocks.
-constexpr double half_width_ratio = 2;
 
-struct Vector {
-    double x = 0, y = 0;
+/// A picture in the making.
+struct Drawing {
+    Canvas& canvas;
+    const Axes& axes;
+    const RunFrames& run;
+    std::int64_t index;
+    const PictureScale& scale;
+    const FrameContent& content;
+
+    /// Width of a line that marks a contact or a stress, pt: thinner on a small page.
+    double line_width(double usual) const {
+        const double plot_width = axes.lower_right().x - axes.upper_left().x;
+        return usual * std::clamp(plot_width / 400, 0.35, 1.0);
+    }
 };
 
-Vector displacement_of(const dda::GridFrame& frame, std::size_t block) {
-    return {frame.columns[0][3 * block], frame.columns[0][3 * block + 1]};
+void fill_block(const Drawing& d, const dda::GridFrame& frame, std::size_t block, const Colour& colour) {
+    const Ring ring = d.axes.to_page(cell_points(frame, block));
+    d.canvas.polygon(std::span(&ring, 1), colour, Stroke{black, 0.25});
 }
 
-/// Displacement of the base, the first prescribed block; zero when there is none.
-Vector base_displacement(const dda::GridFrame& frame) {
-    const auto& motion = frame.columns[1];
-    const auto base = std::find(motion.begin(), motion.end(), prescribed);
-    return base == motion.end() ? Vector{} : displacement_of(frame, base - motion.begin());
-}
-
-std::vector<double> magnitudes(const dda::GridFrame& frame) {
-    const Vector base = base_displacement(frame);
-    std::vector<double> result;
-    for (std::size_t block = 0; block < frame.cells.count(); ++block) {
-        const Vector u = displacement_of(frame, block);
-        result.push_back(std::hypot(u.x - base.x, u.y - base.y));
-    }
-    return result;
-}
-
-bool has_base(const dda::GridFrame& frame) {
-    return std::find(frame.columns[1].begin(), frame.columns[1].end(), prescribed) != frame.columns[1].end();
-}
-
-double area_of(const std::vector<Point>& ring) {
-    const Point& origin = ring.front();
-    double twice = 0;
-    for (std::size_t i = 1; i + 1 < ring.size(); ++i)
-        twice += (ring[i].x - origin.x) * (ring[i + 1].y - origin.y) -
-                 (ring[i + 1].x - origin.x) * (ring[i].y - origin.y);
-    return twice / 2;
-}
-
-std::vector<DisplacedArea> free_blocks(const dda::GridFrame& frame) {
-    const std::vector<double> moved = magnitudes(frame);
-    std::vector<DisplacedArea> blocks;
-    for (std::size_t block = 0; block < frame.cells.count(); ++block)
-        if (frame.columns[1][block] == unconstrained)
-            blocks.push_back({area_of(cell_points(frame, block)), moved[block]});
-    return blocks;
-}
-
-void draw_blocks(Canvas& canvas, const Axes& axes, const dda::GridFrame& frame, double largest) {
-    const std::vector<double> moved = magnitudes(frame);
-    for (std::size_t block = 0; block < frame.cells.count(); ++block) {
-        const Ring ring = axes.to_page(cell_points(frame, block));
-        canvas.polygon(std::span(&ring, 1), scale_colour(moved[block] / largest), Stroke{black, 0.25});
-    }
-}
-
-void draw_contacts(Canvas& canvas, const Axes& axes, const dda::GridFrame& frame) {
-    for (std::size_t cell = 0; cell < frame.cells.count(); ++cell) {
-        const float state = frame.columns[0][cell];
-        if (state != state_open && state != state_sliding) continue;
-        const Colour colour = state == state_sliding ? sliding_colour : open_colour;
-        std::vector<Point> points = cell_points(frame, cell);
-        for (Point& point : points) point = axes.to_page(point);
-        if (points.size() == 1)
-            canvas.circle(points.front(), 1.2, colour, std::nullopt);
+void draw_blocks(const Drawing& d, const dda::GridFrame& frame) {
+    const FrameField& field = *d.content.field;
+    const bool has_values = field.kind == FieldKind::blocks || field.kind == FieldKind::material;
+    const std::vector<std::optional<double>> values =
+        has_values ? field_values(d.run, d.index, field) : std::vector<std::optional<double>>{};
+    for (std::size_t b = 0; b < frame.cells.count(); ++b) {
+        if (field.kind == FieldKind::blocks)
+            fill_block(d, frame, b, d.scale.colours.colour_of(*values[b]));
+        else if (field.kind == FieldKind::material)
+            fill_block(d, frame, b, rock_colour(static_cast<std::size_t>(*values[b])));
         else
-            canvas.polyline(points, {colour, 1.1});
+            fill_block(d, frame, b, plain_rock);
     }
 }
 
-void draw_contact_key(Canvas& canvas, double right) {
-    const double y = FrameLayout::top - 12;
-    canvas.polyline(std::vector<Point>{{right - 170, y - 3}, {right - 150, y - 3}}, {sliding_colour, 1.6});
-    canvas.text({right - 146, y}, "sliding contact", {8.5});
-    canvas.polyline(std::vector<Point>{{right - 74, y - 3}, {right - 54, y - 3}}, {open_colour, 1.6});
-    canvas.text({right - 50, y}, "open joint", {8.5});
+/// One line of a cross: through a place of the page, along a direction of the plane.
+void draw_stress(const Drawing& d, const Point& centre, double angle, double half_length, double stress) {
+    const double dx = half_length * std::cos(angle), dy = -half_length * std::sin(angle);
+    d.canvas.polyline(std::vector<Point>{{centre.x - dx, centre.y - dy}, {centre.x + dx, centre.y + dy}},
+                      {stress < 0 ? compression_colour : tension_colour, d.line_width(0.9)});
 }
 
-/// The cell of a block, by its number; none when the block has been removed.
-std::optional<std::size_t> cell_of(const dda::GridFrame& frame, int block) {
-    const auto& numbers = frame.columns[2];
-    const auto found = std::find(numbers.begin(), numbers.end(), static_cast<float>(block));
-    if (found == numbers.end()) return std::nullopt;
-    return found - numbers.begin();
-}
-
-void draw_worst_contact(Canvas& canvas, const Axes& axes, const dda::GridFrame& frame,
-                        const dda::WorstContact& worst) {
-    for (const int block : {worst.corner_block, worst.edge_block}) {
-        const std::optional<std::size_t> cell = cell_of(frame, block);
-        if (!cell) continue;
-        const Ring ring = axes.to_page(cell_points(frame, *cell));
-        canvas.polygon(std::span(&ring, 1), std::nullopt, Stroke{worst_colour, 1.4});
+/// Principal stresses at the centres of the blocks: lines as long as the stress, at most as the block's size.
+void draw_crosses(const Drawing& d, const dda::GridFrame& frame) {
+    const dda::GridFrame stresses = d.run.blocks(d.index, {"stress"});
+    for (std::size_t b = 0; b < frame.cells.count(); ++b) {
+        if (stresses.columns.back()[b] != motion_free) continue;
+        const float* s = &stresses.columns[0][3 * b];
+        const double mean = (s[0] + s[1]) / 2.0;
+        const double radius = std::hypot((s[0] - s[1]) / 2.0, s[2]);
+        const double angle = 0.5 * std::atan2(2.0 * s[2], double{s[0]} - s[1]);
+        const double size = d.axes.scale() * std::sqrt(std::abs(cell_area(frame, b)));
+        const auto half_length = [&](double stress) {
+            return 0.45 * size * std::min(1.0, std::abs(stress) / d.scale.colours.largest);
+        };
+        const Point place = d.axes.to_page(centroid(cell_points(frame, b)));
+        draw_stress(d, place, angle, half_length(mean + radius), mean + radius);
+        draw_stress(d, place, angle + M_PI / 2, half_length(mean - radius), mean - radius);
     }
-    canvas.circle(axes.to_page({worst.at.x(), worst.at.y()}), 7, std::nullopt, Stroke{worst_colour, 2.2});
+}
+
+/// A contact as a line, or as a dot where it is a point.
+void draw_contact(const Drawing& d, const dda::GridFrame& contacts, std::size_t cell, const Stroke& stroke) {
+    std::vector<Point> points = cell_points(contacts, cell);
+    for (Point& point : points) point = d.axes.to_page(point);
+    if (points.size() == 1)
+        d.canvas.circle(points.front(), d.line_width(1.2), stroke.colour, std::nullopt);
+    else
+        d.canvas.polyline(points, stroke);
+}
+
+void draw_states(const Drawing& d) {
+    const dda::GridFrame contacts = d.run.contacts(d.index, {"state"});
+    for (std::size_t c = 0; c < contacts.cells.count(); ++c) {
+        const float state = contacts.columns[0][c];
+        if (state == state_open || state == state_sliding)
+            draw_contact(d, contacts, c,
+                         {state == state_sliding ? sliding_colour : open_colour, d.line_width(1.1)});
+    }
+}
+
+void draw_contact_values(const Drawing& d) {
+    const dda::GridFrame contacts = d.run.contacts(d.index, {});
+    const std::vector<std::optional<double>> values = field_values(d.run, d.index, *d.content.field);
+    for (std::size_t c = 0; c < contacts.cells.count(); ++c)
+        if (values[c])
+            draw_contact(d, contacts, c, {d.scale.colours.colour_of(*values[c]), d.line_width(2.2)});
+}
+
+/// Whether the picture marks sliding contacts and open joints. They are not where exaggerated blocks are, and
+/// would be taken for lines of a cross.
+bool shows_states(const FrameContent& content) {
+    const FieldKind kind = content.field->kind;
+    return kind != FieldKind::contacts && kind != FieldKind::crosses && content.exaggeration == 1;
+}
+
+void draw_line_key(Canvas& canvas, const Point& place, const Colour& colour, const std::string& text) {
+    canvas.polyline(std::vector<Point>{{place.x, place.y - 3}, {place.x + 20, place.y - 3}}, {colour, 1.6});
+    canvas.text({place.x + 24, place.y}, text, {8.5});
+}
+
+/// The keys of the line colours, right-aligned. @return the width they take, pt.
+double draw_keys(Canvas& canvas, const FrameLayout& layout, const FrameContent& content, double y) {
+    std::vector<std::pair<std::string, Colour>> keys;
+    if (content.field->kind == FieldKind::crosses)
+        keys = {{"compression", compression_colour}, {"tension", tension_colour}};
+    else if (shows_states(content))
+        keys = {{"sliding contact", sliding_colour}, {"open joint", open_colour}};
+    double x = layout.header_right;
+    std::reverse(keys.begin(), keys.end());  // the rightmost first
+    for (const auto& [text, colour] : keys) {
+        x -= canvas.text_width(text, {8.5}) + 24;
+        draw_line_key(canvas, {x, y}, colour, text);
+        x -= 10;
+    }
+    return layout.header_right - x;
+}
+
+/// The title, and the keys beside it, or below it on a narrow page.
+void draw_header(const Drawing& d, const FrameLayout& layout) {
+    const bool is_last = d.index + 1 == static_cast<std::int64_t>(d.run.times().size());
+    std::string title = d.run.title(d.index);
+    // The time of a strength reduction counts the steps of its trials.
+    if (is_last && !d.content.mechanism.empty()) title = d.run.stage(d.index) + ": " + d.content.mechanism;
+    if (d.content.exaggeration != 1) title += ", displacements × " + tick_text(d.content.exaggeration, 1);
+    const TextStyle style{11, black, Anchor::start, Anchor::start, true};
+    const double keys = draw_keys(d.canvas, layout, d.content, layout.top - 8 * layout.letters);
+    const bool fits = d.canvas.text_width(title, style) + keys < layout.header_right - layout.header_left;
+    d.canvas.text({layout.header_left, layout.top - (fits ? 8 : 21) * layout.letters}, title, style);
+}
+
+std::string bar_title(const Drawing& d) {
+    const bool is_relative = d.content.field->component < 0 && d.scale.relative_to_base;
+    return d.content.field->title + std::string(is_relative ? " from the base" : "");
+}
+
+void draw_materials(const Drawing& d, const FrameLayout& layout) {
+    const std::vector<std::string> names = d.run.block_materials();
+    double x = layout.header_left;
+    const double y = layout.page_height - 10;
+    for (std::size_t k = 0; k < names.size(); ++k) {
+        const Ring box = {{x, y - 8}, {x + 12, y - 8}, {x + 12, y}, {x, y}};
+        d.canvas.polygon(std::span(&box, 1), rock_colour(k), Stroke{black, 0.4});
+        d.canvas.text({x + 16, y - 0.5}, names[k], {8.5});
+        x += 30 + d.canvas.text_width(names[k], {8.5});
+    }
+}
+
+void draw_bar(const Drawing& d, const FrameLayout& layout) {
+    if (d.content.field->kind == FieldKind::material) return draw_materials(d, layout);
+    const ColourBar bar{bar_title(d), d.content.field->unit, d.scale.colours};
+    if (d.content.field->kind == FieldKind::crosses) {
+        const ReadableUnit unit = readable_unit(bar.unit, bar.range.largest);
+        const double longest = bar.range.largest * unit.factor;
+        d.canvas.text({layout.header_left, layout.page_height - 10},
+                      "principal stresses; a line across a block: " + tick_text(longest, longest) + " " +
+                          unit.name + " or more",
+                      {8.5});
+        return;
+    }
+    if (layout.bar_is_vertical)
+        draw_vertical_bar(d.canvas, bar, {layout.lower_right.x + FrameLayout::bar_gap, layout.lower_right.y},
+                          layout.lower_right.y - layout.upper_left.y, layout.letters);
+    else
+        draw_horizontal_bar(
+            d.canvas, bar, {layout.header_left, layout.lower_right.y + layout.below_axes},
+            std::min(horizontal_bar_length, 0.75 * (layout.header_right - layout.header_left)),
+            layout.letters);
+}
+
+void draw_worst_contact(const Drawing& d, const dda::GridFrame& frame, const dda::WorstContact& worst) {
+    for (std::size_t b = 0; b < frame.cells.count(); ++b) {
+        const long block = std::lround(frame.columns[0][b]);
+        if (block != worst.corner_block && block != worst.edge_block) continue;
+        const Ring ring = d.axes.to_page(cell_points(frame, b));
+        d.canvas.polygon(std::span(&ring, 1), std::nullopt, Stroke{worst_colour, 1.4});
+    }
+    d.canvas.circle(d.axes.to_page({worst.at.x(), worst.at.y()}), 7, std::nullopt, Stroke{worst_colour, 2.2});
 }
 
 void draw_worst_caption(Canvas& canvas, const FrameLayout& layout, const dda::WorstContact& worst) {
@@ -133,124 +211,40 @@ void draw_worst_caption(Canvas& canvas, const FrameLayout& layout, const dda::Wo
                 {8.5});
 }
 
-/// The longer side of a block's bounding box, m.
-double size_of(const dda::GridFrame& frame, std::size_t block) {
-    const std::vector<Point> points = cell_points(frame, block);
-    const auto [west, east] =
-        std::minmax_element(points.begin(), points.end(), [](auto& p, auto& q) { return p.x < q.x; });
-    const auto [low, high] =
-        std::minmax_element(points.begin(), points.end(), [](auto& p, auto& q) { return p.y < q.y; });
-    return std::max(east->x - west->x, high->y - low->y);
+/// A key of crosses or materials stands below the axes, without a colour bar.
+FrameLayout layout_for(const PictureScale& scale, const FrameContent& content, const PictureStyle& style) {
+    FrameLayout layout(scale.right - scale.left, scale.top - scale.bottom, style);
+    if (content.field->kind != FieldKind::crosses && content.field->kind != FieldKind::material)
+        return layout;
+    layout.page_height = layout.lower_right.y + layout.below_axes + 16 * layout.letters;
+    return layout;
 }
 
 }  // namespace
 
-RunFrames::RunFrames(const std::filesystem::path& folder) {
-    const std::string of_contacts = ".joints.vtkhdf", extension = ".vtkhdf";
-    std::error_code error;
-    for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
-        const std::string file = entry.path().filename().string();
-        if (file.ends_with(extension) && !file.ends_with(of_contacts))
-            name_ = file.substr(0, file.size() - extension.size());
-    }
-    if (name_.empty())
-        throw InputError({folder.string()}, "contains no NAME.vtkhdf", "the output folder of dda-run");
-    blocks_.emplace(folder / (name_ + extension));
-    times_ = blocks_->times();
-    if (!std::filesystem::exists(folder / (name_ + of_contacts))) return;
-    contacts_.emplace(folder / (name_ + of_contacts));
-    times_.resize(std::min(times_.size(), contacts_->times().size()));
-}
-
-dda::GridFrame RunFrames::blocks(std::int64_t index) const {
-    dda::GridFrame frame = blocks_->frame(index, block_columns);
-    const std::size_t count = frame.cells.count();
-    if (frame.columns[0].size() != 3 * count || frame.columns[1].size() != count)
-        throw InputError({name_ + ".vtkhdf"}, "is damaged", "the frames of dda-run");
-    return frame;
-}
-dda::GridFrame RunFrames::contacts(std::int64_t index) const {
-    return contacts(index, contact_columns);
-}
-dda::GridFrame RunFrames::contacts(std::int64_t index, const std::vector<std::string>& columns) const {
-    if (contacts_) return contacts_->frame(index, columns);
-    dda::GridFrame none;
-    none.columns.resize(columns.size());
-    return none;
-}
-
-PictureScale common_scale(const RunFrames& run, const std::vector<std::int64_t>& frames,
-                          std::optional<double> largest) {
-    PictureScale scale{0, 0, 1e300, -1e300, 1e300, -1e300, false};
-    for (const std::int64_t index : frames) {
-        const dda::GridFrame frame = run.blocks(index);
-        const std::vector<DisplacedArea> moved = free_blocks(frame);
-        for (const DisplacedArea& block : moved) scale.farthest = std::max(scale.farthest, block.distance);
-        scale.largest = std::max(scale.largest, area_weighted_quantile(moved, coloured_fraction));
-        for (std::size_t i = 0; i + 2 < frame.points.size(); i += 3) {
-            scale.left = std::min<double>(scale.left, frame.points[i]);
-            scale.right = std::max<double>(scale.right, frame.points[i]);
-            scale.bottom = std::min<double>(scale.bottom, frame.points[i + 1]);
-            scale.top = std::max<double>(scale.top, frame.points[i + 1]);
-        }
-        scale.relative_to_base = scale.relative_to_base || has_base(frame);
-    }
-    scale.largest = largest ? *largest : scale.largest > 0 ? round_length_above(scale.largest) : 1e-3;
-    const double margin = 0.02 * std::max(scale.right - scale.left, scale.top - scale.bottom);
-    scale.left -= margin;
-    scale.right += margin;
-    scale.bottom -= margin;
-    scale.top += margin;
-    return scale;
-}
-
-PictureScale scale_around_contact(const dda::WorstContact& contact, const RunFrames& run, std::int64_t index,
-                                  PictureScale scale) {
-    const dda::GridFrame frame = run.blocks(index);
-    const auto corner = cell_of(frame, contact.corner_block);
-    const auto edge = cell_of(frame, contact.edge_block);
-    if (!corner || !edge)
-        throw InputError({run.name() + ".vtkhdf"}, "has no block of the worst contact",
-                         "the frames of the run whose summary.json names it");
-    const double reach = half_width_ratio * std::min(size_of(frame, *corner), size_of(frame, *edge));
-    scale.left = std::max(scale.left, contact.at.x() - reach);
-    scale.right = std::min(scale.right, contact.at.x() + reach);
-    scale.bottom = std::max(scale.bottom, contact.at.y() - reach);
-    scale.top = std::min(scale.top, contact.at.y() + reach);
-    if (!(scale.left < scale.right) || !(scale.bottom < scale.top))
-        throw InputError({run.name() + ".vtkhdf"}, "does not contain the position of the worst contact",
-                         "the frames of the run whose summary.json names it");
-    return scale;
-}
-
 Canvas draw_frame(const RunFrames& run, std::int64_t index, const PictureScale& scale,
+                  const FrameContent& content, const PictureStyle& style,
                   const std::optional<dda::WorstContact>& worst) {
-    FrameLayout layout(scale.right - scale.left, scale.top - scale.bottom);
+    FrameLayout layout = layout_for(scale, content, style);
     if (worst) layout.page_height += caption_height;
-    Canvas canvas(layout.page_width, layout.page_height);
+    Canvas canvas(layout.page_width, layout.page_height, style.lettering);
     const Axes axes(layout.upper_left, layout.lower_right, {scale.left, scale.right},
                     {scale.bottom, scale.top});
+    const Drawing drawing{canvas, axes, run, index, scale, content};
+    const dda::GridFrame blocks = exaggerated_blocks(run, index, content.exaggeration, {"block"});
     canvas.clip(axes.upper_left(), axes.lower_right());
-    const dda::GridFrame blocks = run.blocks(index);
-    draw_blocks(canvas, axes, blocks, scale.largest);
-    draw_contacts(canvas, axes, run.contacts(index));
-    if (worst) draw_worst_contact(canvas, axes, blocks, *worst);
+    draw_blocks(drawing, blocks);
+    if (content.field->kind == FieldKind::crosses) draw_crosses(drawing, blocks);
+    if (content.field->kind == FieldKind::contacts) draw_contact_values(drawing);
+    if (shows_states(content)) draw_states(drawing);
+    if (worst) draw_worst_contact(drawing, blocks, *worst);
     canvas.unclip();
+    if (content.labels_blocks) label_blocks(canvas, axes, blocks);
+    if (content.labels_joints) label_joints(canvas, axes, run.contacts(index, {"joint"}), run.joints());
     if (worst) draw_worst_caption(canvas, layout, *worst);
     axes.draw(canvas, "x (m)", "y (m)");
-    const ColourBar bar{scale.relative_to_base ? "displacement from the base" : "displacement", scale.largest,
-                        scale.farthest};
-    if (layout.bar_is_vertical)
-        draw_vertical_bar(canvas, bar, {layout.lower_right.x + FrameLayout::bar_gap, layout.lower_right.y},
-                          layout.lower_right.y - layout.upper_left.y);
-    else
-        draw_horizontal_bar(canvas, bar, {layout.header_left, layout.lower_right.y + FrameLayout::below_axes},
-                            horizontal_bar_length);
-    draw_contact_key(canvas, layout.header_right);
-    char title[64];
-    std::snprintf(title, sizeof title, "t = %.3f s", run.times()[index]);
-    canvas.text({layout.header_left, FrameLayout::top - 12}, title,
-                {11, black, Anchor::start, Anchor::start, true});
+    draw_bar(drawing, layout);
+    draw_header(drawing, layout);
     return canvas;
 }
 

@@ -76,7 +76,28 @@ std::vector<Panel> panels_of(const HistoryTable& history) {
     return panels;
 }
 
-void draw_panel(Canvas& canvas, const HistoryTable& history, const Panel& panel, double upper, bool is_last) {
+/// Whether two panels have lines of the same names and colours: one legend is enough.
+bool has_legend_of(const Panel& panel, const Panel& other) {
+    return std::equal(panel.lines.begin(), panel.lines.end(), other.lines.begin(), other.lines.end(),
+                      [](const Line& a, const Line& b) { return a.name == b.name && a.colour == b.colour; });
+}
+
+/// "time of stage 'shake' (s)", or "time (s)" of several stages.
+std::string time_title(const HistoryTable& history) {
+    const bool is_one = history.stage.front() == history.stage.back();
+    return is_one ? "time of stage '" + history.stage.front() + "' (s)" : "time (s)";
+}
+
+/// The history with times from the beginning of its stage, if it has but one.
+HistoryTable from_its_start(HistoryTable history) {
+    if (history.stage.front() != history.stage.back()) return history;
+    const double start = history.time.front();
+    for (double& time : history.time) time -= start;
+    return history;
+}
+
+void draw_panel(Canvas& canvas, const HistoryTable& history, const Panel& panel, double upper, bool is_last,
+                bool has_legend) {
     double low = 0, high = 0;
     for (const Line& line : panel.lines) {
         low = std::min(low, *std::min_element(line.values.begin(), line.values.end()));
@@ -86,14 +107,16 @@ void draw_panel(Canvas& canvas, const HistoryTable& history, const Panel& panel,
     const Range times{history.time.front(), std::max(history.time.back(), history.time.front() + 1e-9)};
     const Axes axes({left, upper}, {page_width - legend_width, upper + panel_height}, times,
                     padded(low * unit.per_metre, high * unit.per_metre));
-    axes.draw(canvas, is_last ? "time (s)" : "", panel.title + " (" + unit.name + ")", true);
+    axes.draw(canvas, is_last ? time_title(history) : "", panel.title + " (" + unit.name + ")", true);
     canvas.clip(axes.upper_left(), axes.lower_right());
     std::vector<LegendEntry> entries;
+    std::vector<std::vector<Point>> drawn;
     for (const Line& line : panel.lines) {
         std::vector<Point> points = line_points(history.time, line.values, unit.per_metre);
         for (Point& point : points) point = axes.to_page(point);
-        const Stroke stroke{line_colour(line.colour), 1.1};
+        const Stroke stroke = told_apart({line_colour(line.colour), 1.1}, points, drawn);
         canvas.polyline(points, stroke);
+        drawn.push_back(points);
         LegendEntry entry;
         entry.text = line.name;
         entry.stroke = stroke;
@@ -101,13 +124,13 @@ void draw_panel(Canvas& canvas, const HistoryTable& history, const Panel& panel,
         entries.push_back(entry);
     }
     canvas.unclip();
-    draw_legend(canvas, {page_width - legend_width + 12, upper - 12}, "", entries);
+    if (has_legend) draw_legend(canvas, {page_width - legend_width + 12, upper - 12}, "", entries);
 }
 
 }  // namespace
 
 Canvas draw_history(const HistoryTable& all_stages) {
-    const HistoryTable history = without_reset_stages(all_stages);
+    const HistoryTable history = from_its_start(without_reset_stages(all_stages));
     const std::vector<Panel> panels = panels_of(history);
     const auto count = static_cast<double>(panels.size());
     Canvas canvas(page_width, top + count * panel_height + (count - 1) * panel_gap + 44);
@@ -115,7 +138,7 @@ Canvas draw_history(const HistoryTable& all_stages) {
                 {11, black, Anchor::start, Anchor::start, true});
     for (std::size_t i = 0; i < panels.size(); ++i)
         draw_panel(canvas, history, panels[i], top + static_cast<double>(i) * (panel_height + panel_gap),
-                   i + 1 == panels.size());
+                   i + 1 == panels.size(), i == 0 || !has_legend_of(panels[i], panels[i - 1]));
     return canvas;
 }
 

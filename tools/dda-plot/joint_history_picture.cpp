@@ -134,10 +134,13 @@ void draw_panel(Canvas& canvas, const Panel& panel, const Range& times, double u
                     padded(low, high));
     axes.draw(canvas, is_last ? "time since the reset of displacements (s)" : "", panel.title, true);
     canvas.clip(axes.upper_left(), axes.lower_right());
+    std::vector<std::vector<Point>> drawn;
     for (const Line& line : panel.lines) {
         std::vector<Point> points = line_points(*line.time, line.values, 1);
         for (Point& point : points) point = axes.to_page(point);
-        draw_line(canvas, points, stroke_of(line.colour, line.dashed), line.dashed);
+        draw_line(canvas, points, told_apart(stroke_of(line.colour, line.dashed), points, drawn),
+                  line.dashed);
+        drawn.push_back(points);
     }
     canvas.unclip();
 }

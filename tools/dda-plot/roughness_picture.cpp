@@ -14,7 +14,6 @@ namespace {
 
 // Columns of the frames that the picture reads, and a value in them.
 const std::vector<std::string> columns = {"state", "mobilised_ratio"};
-constexpr float open_state = 0;
 
 const Colour rock_colour{0.95, 0.94, 0.92}, smooth_colour{0.62, 0.62, 0.62};
 constexpr double joint_width = 2.6, smooth_width = 0.8;
@@ -50,7 +49,7 @@ void draw_joints(Canvas& canvas, const Axes& axes, const dda::GridFrame& contact
         if (points.size() < 2) continue;
         for (Point& point : points) point = axes.to_page(point);
         const double ratio = contacts.columns[1][cell];
-        if (ratio == 0 || contacts.columns[0][cell] == open_state)
+        if (ratio == 0 || contacts.columns[0][cell] == state_open)
             canvas.polyline(points, {smooth_colour, smooth_width});
         else
             canvas.polyline(points, {class_colour(class_of(ratio)), joint_width});
@@ -59,9 +58,10 @@ void draw_joints(Canvas& canvas, const Axes& axes, const dda::GridFrame& contact
 
 void draw_key(Canvas& canvas, const FrameLayout& layout) {
     const double y = layout.page_height - 8;
-    canvas.text({layout.header_left, y - 16}, "mobilised over peak roughness (grey: none, or open)", {8.5});
+    canvas.text({layout.header_left, y - 16 * layout.letters},
+                "mobilised over peak roughness (grey: none, or open)", {8.5});
     for (int k = 0; k < classes; ++k) {
-        const double x = layout.header_left + k * header_entry_width;
+        const double x = layout.header_left + k * header_entry_width * layout.letters;
         canvas.polyline(std::vector<Point>{{x, y - 3}, {x + 18, y - 3}}, {class_colour(k), joint_width});
         canvas.text({x + 22, y}, class_text(k), {8.5});
     }
@@ -75,12 +75,13 @@ bool has_roughness(const RunFrames& run, std::int64_t index) {
                        [](float ratio) { return ratio != 0; });
 }
 
-Canvas draw_roughness(const RunFrames& run, std::int64_t index, const PictureScale& scale) {
-    FrameLayout layout(scale.right - scale.left, scale.top - scale.bottom);
-    layout.page_height = layout.lower_right.y + FrameLayout::below_axes + 40;
-    layout.page_width = std::max(layout.header_right + FrameLayout::margin_right,
-                                 layout.header_left + classes * header_entry_width);
-    Canvas canvas(layout.page_width, layout.page_height);
+Canvas draw_roughness(const RunFrames& run, std::int64_t index, const PictureScale& scale,
+                      const PictureStyle& style) {
+    FrameLayout layout(scale.right - scale.left, scale.top - scale.bottom, style);
+    layout.page_height = layout.lower_right.y + layout.below_axes + 40 * layout.letters;
+    layout.page_width = std::max(layout.header_right + 16,
+                                 layout.header_left + classes * header_entry_width * layout.letters);
+    Canvas canvas(layout.page_width, layout.page_height, style.lettering);
     const Axes axes(layout.upper_left, layout.lower_right, {scale.left, scale.right},
                     {scale.bottom, scale.top});
     canvas.clip(axes.upper_left(), axes.lower_right());
@@ -89,9 +90,7 @@ Canvas draw_roughness(const RunFrames& run, std::int64_t index, const PictureSca
     canvas.unclip();
     axes.draw(canvas, "x (m)", "y (m)");
     draw_key(canvas, layout);
-    char title[64];
-    std::snprintf(title, sizeof title, "t = %.3f s", run.times()[index]);
-    canvas.text({layout.header_left, FrameLayout::top - 12}, title,
+    canvas.text({layout.header_left, layout.top - 12 * layout.letters}, run.title(index),
                 {11, black, Anchor::start, Anchor::start, true});
     return canvas;
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <boost/program_options.hpp>
-#include <sstream>
 #include <thread>
 
 #include "common/base/input_error.hpp"
@@ -40,7 +39,7 @@ po::options_description visible_options() {
         "number of threads (default: all cores); results do not depend on it");
     add("depfile", po::value<std::string>()->value_name("FILE"),
         "write a Make rule that names every file the run reads");
-    add("pvd", "also write .pvd and .vtu files, for viewers older than ParaView 5.12");
+    add("pvd", "also write .pvd and .vtu files of blocks and joints, for viewers older than ParaView 5.12");
     add("print-config", "print the effective model, defaults included, and stop");
     add("template", "print a commented model file and stop");
     add("version", "print the version and stop");
@@ -49,8 +48,6 @@ po::options_description visible_options() {
 }
 
 CommandLine::Action action_of(const po::variables_map& values) {
-    if (values.count("help")) return CommandLine::Action::print_help;
-    if (values.count("version")) return CommandLine::Action::print_version;
     if (values.count("template")) return CommandLine::Action::print_template;
     if (values.count("print-config")) return CommandLine::Action::print_config;
     return CommandLine::Action::simulate;
@@ -97,18 +94,21 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
     return line;
 }
 
-std::string help_text() {
-    std::ostringstream text;
-    text << "dda-run RUN.toml [options]\n"
-            "Simulates a block file made by blockgen by two-dimensional discontinuous deformation "
-            "analysis.\n\n"
-         << visible_options()
-         << "\nExit codes: 0 done, also where a slope has collapsed; 1 the analysis failed, its results are "
-            "kept; 2 bad command line or "
-            "input;\n"
-            "75 stopped by a signal, or by a file named 'stop' in the output folder, after writing a "
-            "checkpoint.\n";
-    return text.str();
+tool_support::CommandPage command_page(const std::string& version) {
+    return {.name = "dda-run",
+            .version = version,
+            .synopsis = "RUN.toml [options]",
+            .purpose =
+                "Simulates a block file made by blockgen by two-dimensional discontinuous deformation "
+                "analysis",
+            .description = "",
+            .options = visible_options(),
+            .exit_codes = {{"0", "done, also where a slope has collapsed"},
+                           {"1", "the analysis failed, its results are kept"},
+                           {"2", "bad command line or input"},
+                           {"75",
+                            "stopped by a signal, or by a file named 'stop' in the output folder, "
+                            "after writing a checkpoint"}}};
 }
 
 }  // namespace rockslope

@@ -5,11 +5,13 @@
 #include <string>
 #include <vector>
 
+#include "support/command_page.hpp"
+
 namespace rockslope {
 
 /// The command line of dda-run.
 struct CommandLine {
-    enum class Action { simulate, print_config, print_template, print_help, print_version };
+    enum class Action { simulate, print_config, print_template };
 
     Action action = Action::simulate;
     std::filesystem::path run_file;
@@ -28,6 +30,7 @@ struct CommandLine {
 /// @throws InputError for an invalid command line.
 CommandLine parse_command_line(int argc, const char* const* argv);
 
-std::string help_text();
+/// What dda-run says of itself, with its options. @param version of the project.
+tool_support::CommandPage command_page(const std::string& version);
 
 }  // namespace rockslope

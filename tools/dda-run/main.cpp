@@ -6,6 +6,7 @@
 #include "common/base/input_error.hpp"
 #include "dda/input/read_run.hpp"
 #include "simulate.hpp"
+#include "support/parse_arguments.hpp"
 #ifdef __GLIBC__  // defined by any header of the C library
 #include <malloc.h>
 #endif
@@ -22,10 +23,6 @@ ExitCode print(const std::string& text) {
 
 ExitCode act(const CommandLine& line) {
     switch (line.action) {
-        case CommandLine::Action::print_help:
-            return print(help_text());
-        case CommandLine::Action::print_version:
-            return print("dda-run " ROCKSLOPE_VERSION "\n");
         case CommandLine::Action::print_template:
             return print(dda::run_template());
         case CommandLine::Action::print_config:
@@ -53,6 +50,9 @@ void disable_heap_trimming() {
 int main(int argc, char** argv) {
     try {
         disable_heap_trimming();
+        if (const auto code = tool_support::print_requested_text(command_page(ROCKSLOPE_VERSION),
+                                                                 tool_support::arguments_of(argc, argv)))
+            return *code;
         return act(parse_command_line(argc, argv));
     } catch (const InputError& error) {
         std::fprintf(stderr, "%s\n", error.what());

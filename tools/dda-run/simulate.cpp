@@ -21,6 +21,8 @@
 #include "dda/input/read_run.hpp"
 #include "dda/linear/front_kernels.hpp"
 #include "dda/model/glue.hpp"
+#include "dda/monitor/plausibility.hpp"
+#include "dda/monitor/point_motion.hpp"
 #include "dda/monitor/spring_resolution.hpp"
 #include "dda/results/block_table.hpp"
 #include "dda/results/results.hpp"
@@ -306,6 +308,23 @@ void warn_of_lost_blocks(const dda::Model& model, const std::vector<dda::LostBlo
         at.y());
 }
 
+/// Says which points still move at the end of a dynamic stage.
+void warn_of_still_moving(const dda::Model& model, const dda::State& state, const dda::Stage& last,
+                          const dda::Results& results, Warnings& warnings) {
+    constexpr double at_rest = 0.01;  // m/s
+    if (last.kind != dda::StageKind::dynamic) return;
+    const dda::PointMotion from = results.reference()
+                                      ? dda::motion_of(model, state, results.points()[*results.reference()])
+                                      : dda::PointMotion{};
+    for (const dda::TrackedPoint& point : results.points()) {
+        const double speed = (dda::motion_of(model, state, point).velocity - from.velocity).norm();
+        if (point.material_point.exists() && speed > at_rest)
+            warnings.tell(
+                "'%s' still moves at %.2g m/s at the end; a longer stage shows where it comes to rest",
+                point.name.c_str(), speed);
+    }
+}
+
 /// Says how many bonds static stages could not hold.
 void print_broken_bonds(const dda::BrokenBonds& broken) {
     if (broken.events == 0) return;
@@ -384,6 +403,8 @@ ExitCode simulate(const CommandLine& line, const std::string& version) {
     warn_of_glued_polygons(input.model, warnings);
     warn_of_ineffective_damping(input, warnings);
     warn_of_lost_swings(input, warnings);
+    for (const std::string& warning : dda::implausible(input.model, input.stages))
+        warnings.tell("%s", warning.c_str());
 
     ProgressLine progress;
     const fs::path stop_file = line.output / "stop";
@@ -406,6 +427,8 @@ ExitCode simulate(const CommandLine& line, const std::string& version) {
     print_factor_of_safety(results.state().trials);
     warn_of_left_moving(results.state().left_moving, input.stages, warnings);
     warn_of_lost_blocks(input.model, state.lost_blocks, warnings);
+    if (outcome.status == dda::RunStatus::completed)
+        warn_of_still_moving(input.model, state, input.stages.back(), results, warnings);
     print_broken_bonds(state.broken_bonds);
     if (outcome.status != dda::RunStatus::energy_created) warn_of_energy(input.model, state.energy, warnings);
     warn_of_close_reversals(dda::with_present(results.state().close_reversals, input.model, state), warnings);

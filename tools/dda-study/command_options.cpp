@@ -1,8 +1,10 @@
 #include "command_options.hpp"
 
-#include <iostream>
+#include <algorithm>
+#include <stdexcept>
 
 #include "common/base/input_error.hpp"
+#include "support/command_page.hpp"
 #include "support/parse_arguments.hpp"
 
 namespace rockslope {
@@ -17,13 +19,18 @@ std::string CommandOptions::program() const {
 }
 
 bool CommandOptions::parse(const std::vector<std::string>& arguments) {
-    std::vector<const char*> words = {"dda-study"};
-    for (const std::string& argument : arguments) words.push_back(argument.c_str());
-    values_ = tool_support::parse_arguments(program().c_str(), static_cast<int>(words.size()), words.data(),
-                                            options_);
-    if (!has("help")) return true;
-    std::cout << "dda-study " << synopsis_ << "\n" << purpose_ << "\n\n" << options_;
-    return false;
+    tool_support::CommandPage page{
+        .name = program(),
+        .version = ROCKSLOPE_VERSION,
+        .synopsis = synopsis_.substr(std::min(synopsis_.find(' ') + 1, synopsis_.size())),
+        .purpose = purpose_.substr(0, purpose_.find_last_not_of(". ") + 1),
+        .description = ""};
+    for (const auto& option : options_.options()) page.options.add(option);
+    const std::optional<int> printed = tool_support::print_requested_text(page, arguments);
+    if (printed && *printed != 0) throw std::runtime_error("the help text cannot be printed");
+    if (printed) return false;
+    values_ = tool_support::parse_arguments(program(), arguments, options_);
+    return true;
 }
 
 std::vector<std::string> CommandOptions::arguments() const {

@@ -6,23 +6,29 @@
 #include "common/base/text.hpp"
 #include "study/plan/plan.hpp"
 #include "study_commands.hpp"
+#include "support/command_page.hpp"
 #include "support/commit.hpp"
 
 using namespace rockslope;
 
 namespace {
 
-std::string usage() {
-    std::string text =
-        "dda-study SUBCOMMAND [options]\n"
-        "Plans, runs and evaluates studies of many runs: joint realisations, records, strengths.\n\n";
-    for (const StudyCommand& command : study_commands()) {
-        const std::string name = command.name;
-        text += "  " + name + std::string(14 - name.size(), ' ') + command.purpose + "\n";
-    }
-    return text +
-           "\ndda-study --template prints a commented plan. dda-study SUBCOMMAND --help lists the options.\n"
-           "Exit codes: 0 done; 1 rows have failed, or are not done; 2 bad command line or input.\n";
+tool_support::CommandPage command_page() {
+    tool_support::CommandPage page{
+        .name = "dda-study",
+        .version = ROCKSLOPE_VERSION ", commit " + tool_support::commit(),
+        .synopsis = "SUBCOMMAND [options]",
+        .purpose = "Plans, runs and evaluates studies of many runs: joint realisations, records, strengths",
+        .description = "",
+        .exit_codes = {
+            {"0", "done"}, {"1", "rows have failed, or are not done"}, {"2", "bad command line or input"}}};
+    for (const StudyCommand& command : study_commands())
+        page.subcommands.push_back({command.name, command.purpose});
+    auto add = page.options.add_options();
+    add("template", "print a commented plan and stop");
+    add("version", "print the version and stop");
+    add("help,h", "print this text and stop");
+    return page;
 }
 
 int print(const std::string& text) {
@@ -33,15 +39,13 @@ int print(const std::string& text) {
 
 int run(const std::vector<std::string>& arguments) {
     const std::string command = arguments.empty() ? "" : arguments.front();
-    if (command == "--help" || command == "-h") return print(usage());
-    if (command == "--version")
-        return print("dda-study " ROCKSLOPE_VERSION ", commit " + tool_support::commit() + "\n");
     if (command == "--template") return print(study::plan_template());
     std::vector<std::string> names;
     for (const StudyCommand& known : study_commands()) {
         if (command == known.name) return known.run({arguments.begin() + 1, arguments.end()});
         names.emplace_back(known.name);
     }
+    if (const auto code = tool_support::print_requested_text(command_page(), arguments)) return *code;
     const auto nearest = nearest_word(command, names);
     throw InputError({"dda-study"},
                      command.empty() ? "no subcommand is given" : "unknown subcommand '" + command + "'",

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 #include <stdexcept>
 
 #include "common/base/atomic_file.hpp"
 #include "common/base/output_check.hpp"
 #include "formatted.hpp"
 #include "measures_text.hpp"
+#include "parse_subcommand.hpp"
 #include "record/amplification.hpp"
 #include "record/measures.hpp"
 #include "record/records.hpp"
@@ -29,22 +29,14 @@ struct Comparison {
     double damping = 0.05;
     std::string point;
     std::vector<std::string> labels;
-    bool wants_help = false;
 };
 
-void parse(const std::vector<std::string>& arguments, po::options_description& options, Comparison& request) {
-    options.add_options()("help,h", "print this text and stop");
-    po::options_description all;
-    all.add(options).add_options()("file", po::value(&request.files));
-    po::positional_options_description positional;
-    positional.add("file", -1);
-    const int style = po::command_line_style::default_style & ~po::command_line_style::allow_guessing;
-    po::variables_map values;
-    po::store(po::command_line_parser(arguments).options(all).positional(positional).style(style).run(),
-              values);
-    po::notify(values);
-    request.wants_help = values.count("help") > 0;
-    if (request.wants_help) std::cout << options;
+/// Parses the arguments of a subcommand; false when a text about it was printed instead.
+bool parse(const std::string& usage, const std::vector<std::string>& arguments,
+           const po::options_description& options, Comparison& request) {
+    const auto values = parse_subcommand(usage, arguments, options);
+    if (values) request.files = files_of(*values);
+    return values.has_value();
 }
 
 void check_outputs(const Comparison& request) {
@@ -149,13 +141,13 @@ Canvas ratio_picture(const std::vector<record::Amplification>& table, const std:
 
 int run_plot(const std::vector<std::string>& arguments) {
     Comparison request;
-    po::options_description options(
-        "ground-motion plot FILE [FILE ...] -o PICTURE [options]\n"
-        "Draws accelerations, velocities, displacements and 5 % spectra into one picture");
+    po::options_description options;
     options.add_options()("output,o", po::value(&request.picture), "picture to write: SVG, PNG or PDF");
     add_source_options(options, request.source);
-    parse(arguments, options, request);
-    if (request.wants_help) return 0;
+    const std::string usage =
+        "plot FILE [FILE ...] -o PICTURE [options]\n"
+        "Draws accelerations, velocities, displacements and 5 % spectra into one picture";
+    if (!parse(usage, arguments, options, request)) return 0;
     if (request.files.empty()) throw std::invalid_argument("0 records are given; expected one or more");
     if (!picture_format(request.picture))
         throw std::invalid_argument(
@@ -170,17 +162,17 @@ int run_plot(const std::vector<std::string>& arguments) {
 
 int run_compare(const std::vector<std::string>& arguments) {
     Comparison request;
-    po::options_description options(
-        "ground-motion compare RELATIVE.csv [RELATIVE.csv ...] --point NAME [options]\n"
-        "Compares the displacement of a measured point in the last stage of several runs, from the "
-        "relative.csv or history.csv of each");
+    po::options_description options;
     auto add = options.add_options();
     add("point", po::value(&request.point)->required(), "name of the measured point");
     add("label", po::value(&request.labels), "label of a run, once for each (default: their folders)");
     add("output,o", po::value(&request.output), "write the printed table, CSV");
     add("picture", po::value(&request.picture), "draw the displacements against time, SVG, PNG or PDF");
-    parse(arguments, options, request);
-    if (request.wants_help) return 0;
+    const std::string usage =
+        "compare RELATIVE.csv [RELATIVE.csv ...] --point NAME [options]\n"
+        "Compares the displacement of a measured point in the last stage of several runs, from the "
+        "relative.csv or history.csv of each";
+    if (!parse(usage, arguments, options, request)) return 0;
     if (request.files.empty()) throw std::invalid_argument("0 runs are given; expected one or more");
     if (!request.labels.empty() && request.labels.size() != request.files.size())
         throw std::invalid_argument(std::to_string(request.labels.size()) + " labels are given; expected " +
@@ -209,17 +201,17 @@ int run_compare(const std::vector<std::string>& arguments) {
 
 int run_amplification(const std::vector<std::string>& arguments) {
     Comparison request;
-    po::options_description options(
-        "ground-motion amplification POINT BASE [-o TABLE.csv] [options]\n"
-        "Computes the ratios of two records: peaks, response spectra, Fourier spectra");
+    po::options_description options;
     auto add = options.add_options();
     add("output,o", po::value(&request.output), "write the ratios at 61 periods, CSV");
     add("picture", po::value(&request.picture), "draw the ratios against the period, SVG, PNG or PDF");
     add("damping", po::value(&request.damping)->default_value(0.05, "0.05"),
         "damping of the oscillators, fraction of critical");
     add_source_options(options, request.source);
-    parse(arguments, options, request);
-    if (request.wants_help) return 0;
+    const std::string usage =
+        "amplification POINT BASE [-o TABLE.csv] [options]\n"
+        "Computes the ratios of two records: peaks, response spectra, Fourier spectra";
+    if (!parse(usage, arguments, options, request)) return 0;
     if (request.files.size() != 2)
         throw std::invalid_argument(std::to_string(request.files.size()) + " records are given; expected 2");
     if (!request.picture.empty()) check_picture_name(request.picture);

@@ -1,30 +1,28 @@
-#include <boost/program_options/errors.hpp>
 #include <iostream>
 #include <stdexcept>
 
 #include "common/base/input_error.hpp"
 #include "common/base/output_error.hpp"
+#include "common/base/text.hpp"
 #include "record_commands.hpp"
+#include "support/command_page.hpp"
 
 using namespace rockslope;
 
 namespace {
 
-std::string usage() {
-    std::string text =
-        "ground-motion SUBCOMMAND [options]\n"
-        "  synthesise     make an artificial accelerogram\n";
-    for (const RecordCommand& command : record_commands()) {
-        const std::string name = command.name;
-        text += "  " + name + std::string(15 - name.size(), ' ') + command.purpose + "\n";
-    }
-    return text + "ground-motion SUBCOMMAND --help lists the options.\n";
-}
-
-std::string known_commands() {
-    std::string text = "synthesise";
-    for (const RecordCommand& command : record_commands()) text += std::string(", ") + command.name;
-    return text;
+tool_support::CommandPage command_page() {
+    tool_support::CommandPage page{.name = "ground-motion",
+                                   .version = ROCKSLOPE_VERSION,
+                                   .synopsis = "SUBCOMMAND [options]",
+                                   .purpose = "Shows, changes, compares and makes accelerograms",
+                                   .description = ""};
+    for (const RecordCommand& command : record_commands())
+        page.subcommands.push_back({command.name, command.purpose});
+    auto add = page.options.add_options();
+    add("version", "print the version and stop");
+    add("help,h", "print this text and stop");
+    return page;
 }
 
 int refuse(const std::string& message) {
@@ -32,21 +30,23 @@ int refuse(const std::string& message) {
     return 2;
 }
 
+/// Refuses a subcommand, with the nearest one if there is one.
+int refuse_command(const std::string& word) {
+    std::vector<std::string> names;
+    for (const RecordCommand& command : record_commands()) names.emplace_back(command.name);
+    std::string known;
+    for (const std::string& name : names) known += (known.empty() ? "" : ", ") + name;
+    const auto nearest = nearest_word(word, names);
+    return refuse("unknown subcommand '" + word + "'" +
+                  (nearest ? "; did you mean '" + *nearest + "'?" : "; expected: " + known));
+}
+
 int run(const std::vector<std::string>& arguments) {
     const std::string command = arguments.empty() ? "" : arguments.front();
-    if (command == "--help" || command == "-h") {
-        std::cout << usage();
-        return 0;
-    }
-    if (command == "--version") {
-        std::cout << "ground-motion " ROCKSLOPE_VERSION "\n";
-        return 0;
-    }
-    const std::vector<std::string> rest(arguments.begin() + (arguments.empty() ? 0 : 1), arguments.end());
-    if (command == "synthesise") return run_synthesise(rest);
     for (const RecordCommand& known : record_commands())
-        if (command == known.name) return known.run(rest);
-    return refuse("unknown subcommand '" + command + "'; expected: " + known_commands());
+        if (command == known.name) return known.run({arguments.begin() + 1, arguments.end()});
+    if (const auto code = tool_support::print_requested_text(command_page(), arguments)) return *code;
+    return refuse_command(command);
 }
 
 }  // namespace
@@ -54,8 +54,6 @@ int run(const std::vector<std::string>& arguments) {
 int main(int argc, char** argv) {
     try {
         return run({argv + 1, argv + argc});
-    } catch (const boost::program_options::error& error) {
-        return refuse(error.what());
     } catch (const std::invalid_argument& error) {
         return refuse(error.what());
     } catch (const InputError& error) {

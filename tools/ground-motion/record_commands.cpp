@@ -4,7 +4,6 @@
 #include <array>
 #include <cstdio>
 #include <functional>
-#include <iostream>
 #include <limits>
 #include <numbers>
 #include <stdexcept>
@@ -12,6 +11,7 @@
 #include "common/base/atomic_file.hpp"
 #include "common/base/output_check.hpp"
 #include "measures_text.hpp"
+#include "parse_subcommand.hpp"
 #include "record/correct.hpp"
 #include "record/match_spectrum.hpp"
 #include "record/measures.hpp"
@@ -52,7 +52,7 @@ struct RecordOperation {
 };
 
 po::options_description described(const RecordOperation& change, Request& request) {
-    po::options_description options("ground-motion " + change.usage);
+    po::options_description options;
     auto add = options.add_options();
     if (change.writes)
         add("output,o", po::value(&request.output),
@@ -63,22 +63,7 @@ po::options_description described(const RecordOperation& change, Request& reques
     add("picture", po::value(&request.picture), "also draw the record and its 5 % spectrum, SVG, PNG or PDF");
     add("damping", po::value(&request.damping)->default_value(0.05, "0.05"),
         "damping of the oscillators, fraction of critical");
-    add("help,h", "print this text and stop");
     return options;
-}
-
-void parse(const std::vector<std::string>& arguments, const po::options_description& options,
-           Request& request) {
-    std::vector<std::string> files;
-    po::options_description all;
-    all.add(options).add_options()("file", po::value(&files));
-    po::positional_options_description positional;
-    positional.add("file", -1);
-    const int style = po::command_line_style::default_style & ~po::command_line_style::allow_guessing;
-    po::store(po::command_line_parser(arguments).options(all).positional(positional).style(style).run(),
-              request.values);
-    po::notify(request.values);
-    request.inputs.assign(files.begin(), files.end());
 }
 
 void check(const RecordOperation& change, const Request& request) {
@@ -105,12 +90,10 @@ std::string title_of(const RecordOperation& change, const Request& request) {
 
 int perform(const RecordOperation& change, const std::vector<std::string>& arguments) {
     Request request;
-    const po::options_description options = described(change, request);
-    parse(arguments, options, request);
-    if (request.has("help")) {
-        std::cout << options;
-        return 0;
-    }
+    const auto values = parse_subcommand(change.usage, arguments, described(change, request));
+    if (!values) return 0;
+    request.values = *values;
+    for (const std::string& file : files_of(*values)) request.inputs.emplace_back(file);
     check(change, request);
     std::vector<record::Accelerogram> records;
     for (const fs::path& input : request.inputs)
@@ -318,6 +301,7 @@ int run_slide(const std::vector<std::string>& arguments) {
 
 const std::vector<RecordCommand>& record_commands() {
     static const std::vector<RecordCommand> commands = {
+        {"synthesise", "make an artificial accelerogram", run_synthesise},
         {"show", "print peaks, Arias intensity, durations; --spectrum and --picture for more", run_show},
         {"convert", "write a record as PEER AT2 or CSV", run_convert},
         {"scale", "scale to a peak, an Arias intensity or a spectral ordinate", run_scale},

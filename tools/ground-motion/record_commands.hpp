@@ -5,16 +5,16 @@
 
 namespace rockslope {
 
-/// A subcommand that reads records, and shows or processes them.
+/// A subcommand.
 struct RecordCommand {
     const char* name;
     const char* purpose;  ///< for the list of subcommands
     /// @param arguments after the subcommand on the command line. @returns the exit code.
-    /// @throws boost::program_options::error, std::invalid_argument, InputError, OutputError.
+    /// @throws std::invalid_argument, InputError, OutputError.
     int (*run)(const std::vector<std::string>& arguments);
 };
 
-/// All subcommands except synthesise. To add a subcommand, add a function and a row of the table.
+/// All subcommands. To add a subcommand, add a function and a row of the table.
 const std::vector<RecordCommand>& record_commands();
 
 // Subcommands in files of their own. @param arguments, @returns and @throws as for RecordCommand::run.

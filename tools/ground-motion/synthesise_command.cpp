@@ -4,13 +4,13 @@
 #include <boost/program_options.hpp>
 #include <cstdio>
 #include <filesystem>
-#include <iostream>
 #include <stdexcept>
 
 #include "common/base/atomic_file.hpp"
 #include "common/base/output_check.hpp"
 #include "common/base/text.hpp"
 #include "measures_text.hpp"
+#include "parse_subcommand.hpp"
 #include "record/measures.hpp"
 #include "record/synthesise.hpp"
 #include "record/wavelets.hpp"
@@ -44,9 +44,7 @@ po::typed_value<Value>* option(Value& value) {
 
 po::options_description described(SynthesisRequest& request) {
     record::SyntheticMotion& recipe = request.recipe;
-    po::options_description options(
-        "ground-motion synthesise -o FILE.at2|FILE.csv [options]\n"
-        "Makes an artificial accelerogram; the same options give the same bytes");
+    po::options_description options;
     auto add = options.add_options();
     add("output,o", po::value(&request.output), "record to write: PEER AT2 in g, or two-column CSV in m/s2");
     add("spectrum", po::value(&request.spectrum), "also write the 5 % response spectrum, CSV");
@@ -72,7 +70,6 @@ po::options_description described(SynthesisRequest& request) {
     add("low-cut-damping", option(recipe.spectrum.low_cut_damping),
         "damping of the Clough-Penzien filter, fraction of critical");
     add("kappa", option(recipe.spectrum.kappa), "s, attenuation of high frequencies near the surface");
-    add("help,h", "print this text and stop");
     return options;
 }
 
@@ -104,14 +101,14 @@ record::Accelerogram synthesised_record(SynthesisRequest& request) {
 
 int run_synthesise(const std::vector<std::string>& arguments) {
     SynthesisRequest request;
-    const po::options_description options = described(request);
-    po::variables_map values;
-    po::store(po::command_line_parser(arguments).options(options).positional({}).run(), values);
-    po::notify(values);
-    if (values.count("help") > 0) {
-        std::cout << options;
-        return 0;
-    }
+    const auto values = parse_subcommand(
+        "synthesise -o FILE.at2|FILE.csv [options]\n"
+        "Makes an artificial accelerogram; the same options give the same bytes",
+        arguments, described(request));
+    if (!values) return 0;
+    if (!files_of(*values).empty())
+        throw std::invalid_argument("synthesise reads no file, but is given '" + files_of(*values).front() +
+                                    "'");
     check_record_name(request.output);
     if (!request.picture.empty()) check_picture_name(request.picture);
     for (const auto& path : {request.output, request.spectrum, request.picture})

@@ -13,6 +13,7 @@
 #include "dda/laboratory/read_shear_test.hpp"
 #include "dda/laboratory/shear_table.hpp"
 #include "shear_picture.hpp"
+#include "support/command_page.hpp"
 #include "support/parse_arguments.hpp"
 
 using namespace rockslope;
@@ -38,6 +39,17 @@ po::options_description visible_options() {
     return options;
 }
 
+tool_support::CommandPage command_page() {
+    return {.name = "joint-shear",
+            .version = ROCKSLOPE_VERSION,
+            .synopsis = "TEST.toml -o ROWS.csv [options]",
+            .purpose =
+                "Shears one joint along a displacement path, without blocks, to test a joint law or to fit "
+                "it to a laboratory test",
+            .description = "",
+            .options = visible_options()};
+}
+
 std::string text_of(const po::variables_map& values, const char* key) {
     return values.count(key) ? values[key].as<std::string>() : std::string{};
 }
@@ -60,6 +72,13 @@ void print_summary(const dda::ShearTestInput& input, const std::vector<dda::Shea
         rows.back().shear_stress / 1e6, rows.back().dilation * 1e3);
     std::printf("work at the end %.6g J/m2; energy created %.3g J/m2\n", rows.back().work,
                 dda::created_energy(rows));
+}
+
+/// The points of a picture; nothing without --compare.
+std::optional<ComparedPoints> compared_points(const po::variables_map& values,
+                                              const std::optional<dda::ShearTable>& table) {
+    if (!table) return std::nullopt;
+    return ComparedPoints{*table, values.count("joint") ? "blocks" : "measured"};
 }
 
 int run(const po::variables_map& values) {
@@ -99,7 +118,7 @@ int run(const po::variables_map& values) {
         print_misfit("dilation", comparison.dilation, 1e3, "mm");
         print_misfit("normal stress", comparison.normal_stress, 1e-6, "MPa");
     }
-    if (!picture.empty()) draw_shear_test(input, rows, measured).write(picture);
+    if (!picture.empty()) draw_shear_test(input, rows, compared_points(values, measured)).write(picture);
     return 0;
 }
 
@@ -107,19 +126,10 @@ int run(const po::variables_map& values) {
 
 int main(int argc, char** argv) {
     try {
-        const po::variables_map values =
-            tool_support::parse_arguments("joint-shear", argc, argv, visible_options());
-        if (values.count("help")) {
-            std::cout
-                << "joint-shear TEST.toml -o ROWS.csv [options]\nShears one joint along a displacement path, "
-                   "without blocks, to test a joint law or to fit it to a laboratory test.\n\n"
-                << visible_options();
-            return 0;
-        }
-        if (values.count("version")) {
-            std::puts("joint-shear " ROCKSLOPE_VERSION);
-            return 0;
-        }
+        const tool_support::CommandPage page = command_page();
+        const std::vector<std::string> arguments = tool_support::arguments_of(argc, argv);
+        if (const auto code = tool_support::print_requested_text(page, arguments)) return *code;
+        const po::variables_map values = tool_support::parse_arguments(page.name, arguments, page.options);
         if (values.count("template")) {
             std::cout << dda::shear_test_template();
             return 0;

@@ -36,6 +36,12 @@ class ValueRange {
     double low_ = 0, high_ = 0;
 };
 
+/// Every how many points a circle is drawn: the points of a run are many, and would hide the curve.
+std::size_t stride_of(std::size_t points) {
+    constexpr std::size_t most_circles = 150;
+    return std::max<std::size_t>(1, points / most_circles);
+}
+
 void draw_panel(Canvas& canvas, const Axes& axes, const Panel& panel,
                 const std::vector<dda::ShearTestRow>& rows, const std::vector<double>* displacement) {
     canvas.clip(axes.upper_left(), axes.lower_right());
@@ -44,13 +50,13 @@ void draw_panel(Canvas& canvas, const Axes& axes, const Panel& panel,
         line.push_back(axes.to_page(Point{row.displacement * 1e3, row.*panel.computed * panel.factor}));
     canvas.polyline(line, {line_colour(0), 1.1});
     if (panel.measured)
-        for (std::size_t k = 0; k < panel.measured->size(); ++k)
+        for (std::size_t k = 0; k < panel.measured->size(); k += stride_of(panel.measured->size()))
             canvas.circle(axes.to_page(Point{(*displacement)[k] * 1e3, (*panel.measured)[k] * panel.factor}),
                           1.8, std::nullopt, Stroke{line_colour(measured_colour), 0.7});
     canvas.unclip();
 }
 
-std::vector<Panel> panels_of(const dda::ShearTest& test, const std::optional<dda::ShearTable>& measured) {
+std::vector<Panel> panels_of(const dda::ShearTest& test, const dda::ShearTable* measured) {
     const auto column = [&](const std::vector<double>& values) {
         return measured && !values.empty() ? &values : nullptr;
     };
@@ -68,7 +74,8 @@ std::vector<Panel> panels_of(const dda::ShearTest& test, const std::optional<dda
 }  // namespace
 
 Canvas draw_shear_test(const dda::ShearTestInput& input, const std::vector<dda::ShearTestRow>& rows,
-                       const std::optional<dda::ShearTable>& measured) {
+                       const std::optional<ComparedPoints>& compared) {
+    const dda::ShearTable* measured = compared ? &compared->table : nullptr;
     const std::vector<Panel> panels = panels_of(input.test, measured);
     const auto count = static_cast<double>(panels.size());
     Canvas canvas(page_width, top + count * panel_height + (count - 1) * panel_gap + 44);
@@ -90,11 +97,11 @@ Canvas draw_shear_test(const dda::ShearTestInput& input, const std::vector<dda::
         draw_panel(canvas, axes, panel, rows, measured ? &measured->displacement : nullptr);
     }
     std::vector<LegendEntry> entries(measured ? 2 : 1);
-    entries[0].text = "computed";
+    entries[0].text = compared && compared->origin == "blocks" ? "joint law" : "computed";
     entries[0].stroke = Stroke{line_colour(0), 1.1};
     entries[0].is_line = true;
     if (measured) {
-        entries[1].text = "measured (circles)";
+        entries[1].text = compared->origin == "blocks" ? "computed (blocks)" : "measured (circles)";
         entries[1].stroke = Stroke{line_colour(measured_colour), 0.7};
         entries[1].is_line = true;
     }

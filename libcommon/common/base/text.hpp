@@ -14,6 +14,9 @@ std::string shortest_text(double value);
 /// left over or the number is not finite.
 std::optional<double> parse_number(std::string_view text);
 
+/// The text with the characters escaped that have a meaning in XML and HTML: & < ".
+std::string xml_escaped(std::string_view text);
+
 /// The candidate nearest to a misspelt `word` by edit distance. Nothing if none is within a third of the
 /// word's length.
 std::optional<std::string> nearest_word(std::string_view word, std::span<const std::string> candidates);

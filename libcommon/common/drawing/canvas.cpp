@@ -8,6 +8,7 @@
 #include <cctype>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <functional>
 #include <limits>
 #include <stdexcept>
@@ -16,6 +17,7 @@
 
 #include "common/base/atomic_file.hpp"
 #include "common/base/input_error.hpp"
+#include "common/base/text.hpp"
 
 namespace rockslope {
 
@@ -72,8 +74,8 @@ void finish_path(cairo_t* context, const std::optional<Colour>& fill, const std:
     cairo_new_path(context);
 }
 
-void set_font(cairo_t* context, const TextStyle& style) {
-    cairo_select_font_face(context, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
+void set_font(cairo_t* context, const std::string& family, const TextStyle& style) {
+    cairo_select_font_face(context, family.c_str(), CAIRO_FONT_SLANT_NORMAL,
                            style.bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
     cairo_set_font_size(context, style.size);
 }
@@ -108,26 +110,69 @@ double fraction_of(Anchor anchor) {
     return anchor == Anchor::start ? 0.0 : anchor == Anchor::middle ? 0.5 : 1.0;
 }
 
-void draw_text(cairo_t* context, const Point& place, const std::string& line, const TextStyle& style,
-               double width) {
-    constexpr double cap_height = 0.73;
-    const double dx = -fraction_of(style.anchor) * width;
-    const double dy = fraction_of(style.vertical) * cap_height * style.size;
-    set_font(context, style);
+/// A line of text at its place on the page.
+struct TextLine {
+    Point place;
+    std::string line, family;
+    TextStyle style;
+    double width = 0;  ///< pt
+
+    /// Distance of the baseline below the place, pt.
+    double drop() const {
+        constexpr double cap_height = 0.73;
+        return fraction_of(style.vertical) * cap_height * style.size;
+    }
+};
+
+void draw_text(cairo_t* context, const TextLine& text) {
+    const TextStyle& style = text.style;
+    const double dx = -fraction_of(style.anchor) * text.width;
+    set_font(context, text.family, style);
     cairo_save(context);
-    cairo_translate(context, place.x, place.y);
+    cairo_translate(context, text.place.x, text.place.y);
     cairo_rotate(context, -style.angle);
-    cairo_move_to(context, dx, dy);
+    cairo_move_to(context, dx, text.drop());
     if (style.halo) {
-        cairo_text_path(context, line.c_str());
+        cairo_text_path(context, text.line.c_str());
         set_stroke(context, {*style.halo, 0.3 * style.size});
         cairo_stroke(context);
-        cairo_move_to(context, dx, dy);
+        cairo_move_to(context, dx, text.drop());
     }
     set_colour(context, style.colour);
-    cairo_show_text(context, line.c_str());
+    cairo_show_text(context, text.line.c_str());
     cairo_new_path(context);
     cairo_restore(context);
+}
+
+std::string svg_colour(const Colour& colour) {
+    const auto byte = [](double value) { return static_cast<int>(std::lround(255 * value)); };
+    char text[16];
+    std::snprintf(text, sizeof text, "#%02x%02x%02x", byte(colour.red), byte(colour.green),
+                  byte(colour.blue));
+    return text;
+}
+
+/// The text element of an SVG. Cairo would draw the letters as outlines, which no editor can change.
+std::string svg_text(const TextLine& text) {
+    static constexpr const char* anchors[] = {"start", "middle", "end"};
+    constexpr double degrees = 180 / M_PI;
+    const TextStyle& style = text.style;
+    char place[256];
+    std::snprintf(place, sizeof place,
+                  "<text transform=\"translate(%.2f %.2f) rotate(%.2f)\" y=\"%.2f\" font-size=\"%.2f\" "
+                  "text-anchor=\"%s\"",
+                  text.place.x, text.place.y, -style.angle * degrees + 0.0, text.drop(), style.size,
+                  anchors[static_cast<int>(style.anchor)]);
+    std::string element = place;
+    element += " font-family=\"" + xml_escaped(text.family) + ", sans-serif\" fill=\"" +
+               svg_colour(style.colour) + "\"";
+    if (style.bold) element += " font-weight=\"bold\"";
+    if (style.halo) {
+        std::snprintf(place, sizeof place, "%.2f", 0.3 * style.size);
+        element += " paint-order=\"stroke\" stroke-linejoin=\"round\" stroke=\"" + svg_colour(*style.halo) +
+                   "\" stroke-width=\"" + place + "\"";
+    }
+    return element + ">" + xml_escaped(text.line) + "</text>\n";
 }
 
 /// Removes the surface numbers from the identifiers of an SVG. Cairo counts the surfaces of a process, and
@@ -143,6 +188,14 @@ std::string without_surface_numbers(std::string svg) {
     return svg;
 }
 
+/// An SVG with its texts before the end of the root element.
+std::string with_texts(std::string svg, const std::vector<TextLine>& texts) {
+    std::string elements;
+    for (const TextLine& text : texts) elements += svg_text(text);
+    const std::size_t end = svg.rfind("</svg>");
+    return svg.insert(end == std::string::npos ? svg.size() : end, elements);
+}
+
 void check(cairo_status_t status) {
     if (status != CAIRO_STATUS_SUCCESS)
         throw std::runtime_error(std::string("drawing failed: ") + cairo_status_to_string(status));
@@ -154,14 +207,17 @@ struct Canvas::Impl {
     using Command = std::function<void(cairo_t*)>;
 
     double width, height;
+    Lettering lettering;
     std::vector<Command> commands;
+    std::vector<TextLine> texts;  ///< drawn last, over everything else
     Surface sheet{cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1)};
     Context ruler{cairo_create(sheet.get())};  ///< measures text
 
-    Impl(double page_width, double page_height) : width(page_width), height(page_height) {}
+    Impl(double page_width, double page_height, Lettering letters)
+        : width(page_width), height(page_height), lettering(std::move(letters)) {}
 
     // Cairo's recording surface is not used, because SVG output never frees such a source (Cairo 1.16).
-    void replay(cairo_surface_t* target, double scale) const {
+    void replay(cairo_surface_t* target, double scale, bool with_text) const {
         const Context to(cairo_create(target));
         cairo_scale(to.get(), scale, scale);
         set_colour(to.get(), white);
@@ -170,11 +226,14 @@ struct Canvas::Impl {
         cairo_set_line_cap(to.get(), CAIRO_LINE_CAP_ROUND);
         cairo_set_fill_rule(to.get(), CAIRO_FILL_RULE_EVEN_ODD);
         for (const Command& command : commands) command(to.get());
+        if (with_text)
+            for (const TextLine& text : texts) draw_text(to.get(), text);
         check(cairo_status(to.get()));
     }
 };
 
-Canvas::Canvas(double width, double height) : impl_(std::make_unique<Impl>(width, height)) {}
+Canvas::Canvas(double width, double height, Lettering lettering)
+    : impl_(std::make_unique<Impl>(width, height, std::move(lettering))) {}
 Canvas::~Canvas() = default;
 Canvas::Canvas(Canvas&&) noexcept = default;
 Canvas& Canvas::operator=(Canvas&&) noexcept = default;
@@ -219,15 +278,18 @@ void Canvas::circle(const Point& centre, double radius, const std::optional<Colo
 }
 
 double Canvas::text_width(const std::string& line, const TextStyle& style) const {
-    set_font(impl_->ruler.get(), style);
+    TextStyle scaled = style;
+    scaled.size *= impl_->lettering.scale;
+    set_font(impl_->ruler.get(), impl_->lettering.family, scaled);
     cairo_text_extents_t extents;
     cairo_text_extents(impl_->ruler.get(), line.c_str(), &extents);
     return extents.x_advance;
 }
 
 void Canvas::text(const Point& place, const std::string& line, const TextStyle& style) {
-    const double width = text_width(line, style);
-    impl_->commands.emplace_back([=](cairo_t* to) { draw_text(to, place, line, style, width); });
+    TextLine text{place, line, impl_->lettering.family, style, text_width(line, style)};
+    text.style.size *= impl_->lettering.scale;
+    impl_->texts.push_back(std::move(text));
 }
 
 void Canvas::clip(const Point& upper_left, const Point& lower_right) {
@@ -251,7 +313,7 @@ std::string Canvas::bytes(PictureFormat format) const {
         surface.reset(cairo_image_surface_create(
             CAIRO_FORMAT_RGB24, static_cast<int>(std::ceil(page.width * pixels_per_point)),
             static_cast<int>(std::ceil(page.height * pixels_per_point))));
-        page.replay(surface.get(), pixels_per_point);
+        page.replay(surface.get(), pixels_per_point, true);
         check(cairo_surface_write_to_png_stream(surface.get(), append, &out));
         return out;
     }
@@ -262,10 +324,25 @@ std::string Canvas::bytes(PictureFormat format) const {
         // The default is the current time.
         cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
     }
-    page.replay(surface.get(), 1);
+    page.replay(surface.get(), 1, format == PictureFormat::pdf);
     cairo_surface_finish(surface.get());
     check(cairo_surface_status(surface.get()));
-    return format == PictureFormat::svg ? without_surface_numbers(std::move(out)) : out;
+    return format == PictureFormat::svg ? with_texts(without_surface_numbers(std::move(out)), page.texts)
+                                        : out;
+}
+
+Pixels Canvas::pixels(double per_point) const {
+    const auto even = [&](double length) { return 2 * static_cast<int>(std::ceil(length * per_point / 2)); };
+    Pixels image{even(impl_->width), even(impl_->height), {}};
+    const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, image.width, image.height));
+    impl_->replay(surface.get(), per_point, true);
+    cairo_surface_flush(surface.get());
+    const auto* data = reinterpret_cast<const char*>(cairo_image_surface_get_data(surface.get()));
+    const auto stride = static_cast<std::size_t>(cairo_image_surface_get_stride(surface.get()));
+    const std::size_t row = 4 * static_cast<std::size_t>(image.width);
+    for (int y = 0; y < image.height; ++y)
+        image.bytes.append(data + stride * static_cast<std::size_t>(y), row);
+    return image;
 }
 
 std::optional<PictureFormat> picture_format(const std::filesystem::path& path) {

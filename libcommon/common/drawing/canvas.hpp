@@ -38,13 +38,25 @@ struct TextStyle {
     std::optional<Colour> halo = std::nullopt;  ///< drawn round the letters so that they stand out
 };
 
+/// The letters of a page.
+struct Lettering {
+    std::string family = "DejaVu Sans";  ///< a font that is missing is replaced by the system's choice
+    double scale = 1;                    ///< factor of every size of text
+};
+
+/// The pixels of a page: rows from the top, each pixel as the bytes blue, green, red and one unused.
+struct Pixels {
+    int width = 0, height = 0;
+    std::string bytes;
+};
+
 /// A page in points (1/72 inch), origin at the upper left, y downwards. It records drawing commands and
 /// writes them as SVG, PDF, or PNG with two pixels per point. The bytes depend only on the commands, not on
 /// the time.
 class Canvas {
   public:
     /// A white page. @param width, height in pt, positive.
-    Canvas(double width, double height);
+    Canvas(double width, double height, Lettering lettering = {});
     ~Canvas();
     Canvas(Canvas&&) noexcept;
     Canvas& operator=(Canvas&&) noexcept;
@@ -74,7 +86,10 @@ class Canvas {
     /// Ends the last clip().
     void unclip();
 
-    /// The bytes of the picture. @throws std::runtime_error when Cairo fails.
+    /// The page with `per_point` pixels for each point; the last column and row are white where the size is
+    /// not whole. Width and height are even, as films need them.
+    Pixels pixels(double per_point) const;
+    /// The bytes of the picture. Text is text in SVG and PDF. @throws std::runtime_error when Cairo fails.
     std::string bytes(PictureFormat format) const;
     /// Writes the file atomically, in the format of its extension. @throws InputError for an unknown
     /// extension, OutputError when the file cannot be written.

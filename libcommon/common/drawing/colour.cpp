@@ -18,6 +18,18 @@ constexpr std::array rock_colours = {rgb(0xe3d5bd), rgb(0xc3ced2), rgb(0xd3dcc0)
 constexpr std::array scale_colours = {rgb(0xfdf3dc), rgb(0xf7cf8f), rgb(0xe9925a), rgb(0xc8503f),
                                       rgb(0x7f1d3f)};
 
+// Distinct also for the colour-blind.
+constexpr std::array diverging_colours = {rgb(0x2166ac), rgb(0x67a9cf), rgb(0xd1e5f0), rgb(0xf7f7f7),
+                                          rgb(0xfddbc7), rgb(0xef8a62), rgb(0xb2182b)};
+
+/// The colour at a position in [0, 1], clamped, between equally spaced colours.
+template <std::size_t Count>
+Colour colour_along(const std::array<Colour, Count>& colours, double value) {
+    const double position = std::clamp(value, 0.0, 1.0) * (Count - 1);
+    const auto step = std::min(static_cast<std::size_t>(position), Count - 2);
+    return blend(colours[step], colours[step + 1], position - static_cast<double>(step));
+}
+
 }  // namespace
 
 Colour line_colour(std::size_t number) {
@@ -41,9 +53,11 @@ Colour shaded(const Colour& colour, std::size_t shade) {
 }
 
 Colour scale_colour(double value) {
-    const double position = std::clamp(value, 0.0, 1.0) * (scale_colours.size() - 1);
-    const auto step = std::min(static_cast<std::size_t>(position), scale_colours.size() - 2);
-    return blend(scale_colours[step], scale_colours[step + 1], position - static_cast<double>(step));
+    return colour_along(scale_colours, value);
+}
+
+Colour diverging_colour(double value) {
+    return colour_along(diverging_colours, (value + 1) / 2);
 }
 
 }  // namespace rockslope

@@ -33,4 +33,7 @@ Colour blend(const Colour& first, const Colour& second, double weight);
 /// A sequential scale from pale to dark for values in [0, 1], clamped.
 Colour scale_colour(double value);
 
+/// A diverging scale for values in [-1, 1], clamped: blue below zero, pale at zero, red above.
+Colour diverging_colour(double value);
+
 }  // namespace rockslope

@@ -83,6 +83,21 @@ double twice_signed_area(std::span<const Point> ring) {
     return sum;
 }
 
+Point centroid(std::span<const Point> ring) {
+    const Point& origin = ring.front();
+    double twice_area = 0, x = 0, y = 0;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Point& next = ring[(i + 1) % ring.size()];
+        const Point p{ring[i].x - origin.x, ring[i].y - origin.y}, q{next.x - origin.x, next.y - origin.y};
+        const double part = p.x * q.y - p.y * q.x;
+        twice_area += part;
+        x += part * (p.x + q.x);
+        y += part * (p.y + q.y);
+    }
+    if (twice_area == 0) return origin;
+    return {origin.x + x / (3 * twice_area), origin.y + y / (3 * twice_area)};
+}
+
 int side_of_ring(std::span<const Point> ring, const Point& point) {
     bool inside = false;
     for (std::size_t k = 0; k < ring.size(); ++k) {

@@ -16,6 +16,9 @@ using Ring = std::vector<Point>;
 /// vertex, so that large ones do not cost digits.
 double twice_signed_area(std::span<const Point> ring);
 
+/// The centroid of the area of a ring; its first point where it has no area. @param ring at least one point.
+Point centroid(std::span<const Point> ring);
+
 /// Whether a point lies inside (+1), on (0) or outside (-1) a ring, by the even-odd rule. Exact.
 int side_of_ring(std::span<const Point> ring, const Point& point);
 

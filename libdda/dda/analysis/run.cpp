@@ -17,6 +17,7 @@ bool apply_end_of(const Model& model, const Stage& stage, State& state) {
     if (stage.kind != StageKind::static_equilibrium) return false;
     if (stage.reset_displacements) {
         state.displacement_origin = state.blocks.points;
+        state.vertex_origin = state.blocks.vertices;
         for (const BlockIndex b : state.centroid_origin.indices()) {
             state.centroid_origin[b] = state.blocks.moments[b].centroid;
         }
@@ -58,6 +59,7 @@ State initial_state(const Model& model) {
     State state;
     state.blocks = initial_block_system(model);
     state.displacement_origin = state.blocks.points;
+    state.vertex_origin = state.blocks.vertices;
     for (const AreaMoments& moments : state.blocks.moments) state.centroid_origin.push_back(moments.centroid);
     for (const BoltSpec& bolt : model.bolts) state.bolt_force.push_back(bolt.pretension);
     state.boundary_reactions = no_reactions(model);

@@ -34,6 +34,7 @@ struct StateWithoutContacts {
     BlockSystem blocks;
     PerPoint<Vec2> displacement_origin;    ///< m, per material point: position of zero displacement
     PerBlock<Vec2> centroid_origin;        ///< m, per block: centroid of zero displacement
+    PerCorner<Vec2> vertex_origin;         ///< m, per corner: position of zero displacement
     PerBlock<Vec2> stage_origin;           ///< m, per block: centroid at the stage's start
     std::vector<double> bolt_force;        ///< per bolt that is not removed, N per metre, tension positive
     BoundaryReactions boundary_reactions;  ///< of viscous boundaries, N per metre

@@ -26,16 +26,21 @@ void store(HdfFile& file, const std::string& name, const std::vector<T>& values)
 std::vector<double> peak_values(const std::vector<Peaks>& peaks) {
     std::vector<double> values;
     for (const Peaks& p : peaks)
-        values.insert(values.end(), {p.displacement, p.displacement_time, p.velocity, p.velocity_time,
-                                     p.acceleration, p.acceleration_time, p.relative, p.relative_time});
+        values.insert(values.end(),
+                      {p.displacement, p.displacement_time, p.velocity, p.velocity_time, p.acceleration,
+                       p.acceleration_time, p.relative, p.relative_time, p.smooth_acceleration,
+                       p.smooth.first.x(), p.smooth.first.y(), p.smooth.second.x(), p.smooth.second.y()});
     return values;
 }
 
 std::vector<Peaks> peaks_of(const std::vector<double>& values) {
     std::vector<Peaks> peaks;
-    for (std::size_t i = 0; i + 8 <= values.size(); i += 8)
-        peaks.push_back({values[i], values[i + 1], values[i + 2], values[i + 3], values[i + 4], values[i + 5],
-                         values[i + 6], values[i + 7]});
+    constexpr std::size_t width = 13;
+    for (std::size_t i = 0; i + width <= values.size(); i += width) {
+        const double* p = &values[i];
+        peaks.push_back(
+            {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], {Vec2(p[9], p[10]), Vec2(p[11], p[12])}});
+    }
     return peaks;
 }
 

@@ -11,6 +11,7 @@
 #include "dda/monitor/close_reversals.hpp"
 #include "dda/monitor/first_slips.hpp"
 #include "dda/monitor/left_moving.hpp"
+#include "dda/monitor/low_pass.hpp"
 #include "dda/monitor/region_motion.hpp"
 
 namespace rockslope::dda {
@@ -21,7 +22,13 @@ struct Peaks {
     double velocity = 0, velocity_time = 0;          ///< m/s, s
     double acceleration = 0, acceleration_time = 0;  ///< m/s2, s
     double relative = 0, relative_time = 0;          ///< m, s, of the displacement relative to the reference
+    double smooth_acceleration = 0;                  ///< m/s2, of the acceleration below smooth_corner
+    LowPass smooth;                                  ///< its filter
 };
+
+/// Corner frequency of the filter of accelerations for the amplification, Hz: a slope amplifies the shaking
+/// at a few hertz, while the impact of two blocks is a spike of a step or two.
+inline constexpr double smooth_corner = 25;
 
 /// State of the results other than the files. It is stored in checkpoints, so that a resumed run writes
 /// frames and rows at the same times.

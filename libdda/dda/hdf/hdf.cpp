@@ -82,6 +82,7 @@ void prepare_library() {
     });
 }
 
+/// @param size bytes, or H5T_VARIABLE.
 HdfHandle string_type(std::size_t size) {
     HdfHandle type(H5Tcopy(H5T_C_S1), H5Tclose);
     H5Tset_size(type.id(), size);
@@ -211,6 +212,11 @@ std::string HdfFile::string_attribute(const std::string& object, const std::stri
 
 void HdfFile::add_dataset(const std::string& name, HdfType type, int width, std::size_t chunk,
                           bool compressed) {
+    create_dataset(name, file_type(type), width, chunk, compressed);
+}
+
+void HdfFile::create_dataset(const std::string& name, std::int64_t type, int width, std::size_t chunk,
+                             bool compressed) {
     const int rank = width == 1 ? 1 : 2;
     const hsize_t size[] = {0, static_cast<hsize_t>(width)};
     const hsize_t limit[] = {H5S_UNLIMITED, static_cast<hsize_t>(width)};
@@ -223,8 +229,8 @@ void HdfFile::add_dataset(const std::string& name, HdfType type, int width, std:
         H5Pset_shuffle(creation.id());
         H5Pset_deflate(creation.id(), 1);
     }
-    HdfHandle(check(H5Dcreate2(file_->id(), name.c_str(), file_type(type), space.id(), H5P_DEFAULT,
-                               creation.id(), H5P_DEFAULT),
+    HdfHandle(check(H5Dcreate2(file_->id(), name.c_str(), type, space.id(), H5P_DEFAULT, creation.id(),
+                               H5P_DEFAULT),
                     "dataset " + name),
               H5Dclose);
 }
@@ -252,6 +258,40 @@ void HdfFile::check_rows(const std::string& name, std::size_t first, std::size_t
 
 void HdfFile::append_bytes(const std::string& name, HdfType type, const void* data,
                            std::size_t element_count) {
+    append_values(name, memory_type(type), data, element_count);
+}
+
+void HdfFile::add_text_dataset(const std::string& name) {
+    const HdfHandle type = string_type(H5T_VARIABLE);
+    create_dataset(name, type.id(), 1, 64, false);
+}
+
+void HdfFile::append_text(const std::string& name, const std::string& text) {
+    const HdfHandle type = string_type(H5T_VARIABLE);
+    const char* const data = text.c_str();
+    append_values(name, type.id(), &data, 1);
+}
+
+std::vector<std::string> HdfFile::read_texts(const std::string& name) const {
+    const HdfHandle set = file_->dataset(name);
+    check(set.id(), "has no dataset " + name);
+    const HdfHandle stored(H5Dget_type(set.id()), H5Tclose);
+    if (H5Tis_variable_str(stored.id()) <= 0) fail("dataset " + name + " does not hold texts");
+    const HdfHandle type = string_type(H5T_VARIABLE);
+    std::vector<char*> data(row_count(name));
+    errno = 0;
+    check(H5Dread(set.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, data.data()),
+          "dataset " + name + " cannot be read");
+    std::vector<std::string> texts;
+    for (char* text : data) {
+        texts.emplace_back(text != nullptr ? text : "");
+        H5free_memory(text);
+    }
+    return texts;
+}
+
+void HdfFile::append_values(const std::string& name, std::int64_t memory_type, const void* data,
+                            std::size_t element_count) {
     const HdfHandle set = file_->dataset(name);
     check(set.id(), "has no dataset " + name);
     const hsize_t width = width_of(name);
@@ -265,8 +305,7 @@ void HdfFile::append_bytes(const std::string& name, HdfType type, const void* da
     const HdfHandle space(H5Dget_space(set.id()), H5Sclose);
     H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, start, nullptr, count, nullptr);
     const HdfHandle memory(H5Screate_simple(rank, count, nullptr), H5Sclose);
-    check(H5Dwrite(set.id(), memory_type(type), memory.id(), space.id(), H5P_DEFAULT, data),
-          "cannot be written");
+    check(H5Dwrite(set.id(), memory_type, memory.id(), space.id(), H5P_DEFAULT, data), "cannot be written");
 }
 
 void HdfFile::read_bytes(const std::string& name, HdfType type, std::size_t first, std::size_t count,

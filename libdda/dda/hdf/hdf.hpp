@@ -84,6 +84,13 @@ class HdfFile {
     std::vector<T> read_all(const std::string& name) const {
         return read<T>(name, 0, row_count(name));
     }
+    /// Adds an empty one-dimensional dataset of texts of any length.
+    void add_text_dataset(const std::string& name);
+    /// Adds a text at the end of such a dataset.
+    void append_text(const std::string& name, const std::string& text);
+    /// All texts of such a dataset.
+    std::vector<std::string> read_texts(const std::string& name) const;
+
     std::vector<std::string> names_in(const std::string& group) const;
 
     /// Reserves disk space for this many bytes beyond the end of the file. @throws OutputError without room.
@@ -105,6 +112,11 @@ class HdfFile {
     /// @throws OutputError unless the dataset has these rows: offsets of a damaged file may point past its
     /// end.
     void check_rows(const std::string& name, std::size_t first, std::size_t count) const;
+    /// The same as add_dataset() and append_bytes() for any type, given by HDF5's identifier.
+    void create_dataset(const std::string& name, std::int64_t type, int width, std::size_t chunk,
+                        bool compressed);
+    void append_values(const std::string& name, std::int64_t memory_type, const void* data,
+                       std::size_t element_count);
     void append_bytes(const std::string& name, HdfType type, const void* data, std::size_t element_count);
     void read_bytes(const std::string& name, HdfType type, std::size_t first, std::size_t count,
                     void* data) const;

@@ -14,9 +14,17 @@ const std::string root = "/VTKHDF/";
 const std::string steps = root + "Steps/";
 const std::string cell_data = root + "CellData/";
 const std::string cell_data_offsets = steps + "CellDataOffsets/";
+const std::string point_data = root + "PointData/";
+const std::string point_data_offsets = steps + "PointDataOffsets/";
+const std::string field_data = root + "FieldData/";
+const std::string field_data_offsets = steps + "FieldDataOffsets/";
 
 /// Chunk of the small per-frame datasets, rows: 4 kB of int64.
 constexpr std::size_t step_chunk = 512;
+/// Points in a chunk for each cell: the two ends of a contact.
+constexpr std::size_t points_per_cell = 2;
+/// Parts of a chunk of cells: the frame's, and one of the cells that fill it up.
+constexpr std::size_t parts_per_chunk = 2;
 /// Space for HDF5's metadata of one frame, bytes: a few B-tree nodes and headers per dataset.
 constexpr std::size_t bookkeeping = 1 << 18;
 
@@ -32,6 +40,7 @@ std::size_t bytes_of(const GridFrame& frame) {
     std::size_t bytes = frame.points.size() * sizeof(double) + frame.cells.connectivity.size() * 8 +
                         frame.cells.offsets.size() * 9;
     for (const auto& column : frame.columns) bytes += column.size() * sizeof(float);
+    for (const auto& column : frame.point_columns) bytes += column.size() * sizeof(float);
     return bytes;
 }
 
@@ -54,26 +63,31 @@ void GridCells::add(const std::vector<std::int64_t>& points, std::uint8_t type) 
     types.push_back(type);
 }
 
-VtkHdfFile::VtkHdfFile(const std::filesystem::path& path, std::vector<GridColumn> columns, HdfType points,
+VtkHdfFile::VtkHdfFile(const std::filesystem::path& path, GridLayout layout, std::size_t cell_chunk,
                        bool fixed_cells)
-    : file_(HdfFile::create(path)), columns_(std::move(columns)), points_(points), fixed_cells_(fixed_cells) {
+    : file_(HdfFile::create(path)),
+      layout_(std::move(layout)),
+      cell_chunk_(cell_chunk),
+      fixed_cells_(fixed_cells) {
     file_.reserve(bookkeeping);
     file_.add_group("/VTKHDF");
     file_.set_attribute("/VTKHDF", "Version", std::vector<std::int64_t>{2, 0});
     file_.set_attribute("/VTKHDF", "Type", std::string("UnstructuredGrid"));
-    for (const char* group : {"CellData", "PointData", "FieldData", "Steps", "Steps/CellDataOffsets"})
+    for (const char* group : {"CellData", "PointData", "FieldData", "Steps", "Steps/CellDataOffsets",
+                              "Steps/PointDataOffsets", "Steps/FieldDataOffsets"})
         file_.add_group(root + group);
     file_.add_dataset(steps + "Values", HdfType::f8, 1, step_chunk, false);
     for (const char* name : step_integers) file_.add_dataset(steps + name, HdfType::i8, 1, step_chunk, false);
     for (const char* name : {"NumberOfPoints", "NumberOfCells", "NumberOfConnectivityIds"})
         file_.add_dataset(root + name, HdfType::i8, 1, fixed_cells ? 1 : step_chunk, false);
+    add_text_datasets();
 }
 
-VtkHdfFile::VtkHdfFile(const std::filesystem::path& path, std::vector<GridColumn> columns, HdfType points,
-                       const GridCells& cells, std::size_t point_count)
-    : VtkHdfFile(path, std::move(columns), points, true) {
-    file_.reserve(bytes_of({0, {}, {}, cells}) + bookkeeping);
-    file_.add_dataset(root + "Points", points, 3, point_count, true);
+VtkHdfFile::VtkHdfFile(const std::filesystem::path& path, GridLayout layout, const GridCells& cells,
+                       std::size_t point_count)
+    : VtkHdfFile(path, std::move(layout), cells.count(), true) {
+    file_.reserve(bytes_of({.cells = cells}) + bookkeeping);
+    file_.add_dataset(root + "Points", layout_.points, 3, point_count, true);
     file_.add_dataset(root + "Connectivity", HdfType::i8, 1, cells.connectivity.size(), true);
     file_.add_dataset(root + "Offsets", HdfType::i8, 1, cells.offsets.size(), true);
     file_.add_dataset(root + "Types", HdfType::u1, 1, cells.count(), true);
@@ -83,26 +97,36 @@ VtkHdfFile::VtkHdfFile(const std::filesystem::path& path, std::vector<GridColumn
     file_.append(root + "Connectivity", cells.connectivity);
     file_.append(root + "Offsets", cells.offsets);
     file_.append(root + "Types", cells.types);
-    add_column_datasets(cells.count());
+    add_column_datasets(cells.count(), point_count);
 }
 
-VtkHdfFile::VtkHdfFile(const std::filesystem::path& path, std::vector<GridColumn> columns, HdfType points,
-                       std::size_t typical_cells)
-    : VtkHdfFile(path, std::move(columns), points, false) {
-    // A frame does not fill whole chunks, so the next frame rewrites the last chunk. An uncompressed chunk
-    // keeps its place in the file. A compressed one would move, and a kill before the index is updated would
-    // lose the frames in it.
-    file_.add_dataset(root + "Points", points, 3, 2 * typical_cells, false);
-    file_.add_dataset(root + "Connectivity", HdfType::i8, 1, 2 * typical_cells, false);
-    file_.add_dataset(root + "Offsets", HdfType::i8, 1, typical_cells, false);
-    file_.add_dataset(root + "Types", HdfType::u1, 1, typical_cells, false);
-    add_column_datasets(typical_cells);
+VtkHdfFile::VtkHdfFile(const std::filesystem::path& path, GridLayout layout, std::size_t typical_cells)
+    : VtkHdfFile(path, std::move(layout), std::max<std::size_t>(typical_cells, 1), false) {
+    file_.add_dataset(root + "Points", layout_.points, 3, points_per_cell * cell_chunk_, true);
+    file_.add_dataset(root + "Connectivity", HdfType::i8, 1, points_per_cell * cell_chunk_, true);
+    file_.add_dataset(root + "Offsets", HdfType::i8, 1, cell_chunk_ + parts_per_chunk, true);
+    file_.add_dataset(root + "Types", HdfType::u1, 1, cell_chunk_, true);
+    add_column_datasets(cell_chunk_, points_per_cell * cell_chunk_);
 }
 
-void VtkHdfFile::add_column_datasets(std::size_t cell_chunk) {
-    for (const GridColumn& column : columns_) {
-        file_.add_dataset(cell_data + column.name, HdfType::f4, column.width, cell_chunk, fixed_cells_);
+void VtkHdfFile::add_text_datasets() {
+    for (const GridText& text : layout_.texts) {
+        file_.add_text_dataset(field_data + text.name);
+        file_.append_text(field_data + text.name, text.text);
+        file_.add_dataset(field_data_offsets + text.name, HdfType::i8, 1, step_chunk, false);
+    }
+    file_.add_text_dataset(field_data + "stage");
+    file_.add_dataset(field_data_offsets + "stage", HdfType::i8, 1, step_chunk, false);
+}
+
+void VtkHdfFile::add_column_datasets(std::size_t cell_chunk, std::size_t point_chunk) {
+    for (const GridColumn& column : layout_.columns) {
+        file_.add_dataset(cell_data + column.name, HdfType::f4, column.width, cell_chunk, true);
         file_.add_dataset(cell_data_offsets + column.name, HdfType::i8, 1, step_chunk, false);
+    }
+    for (const GridColumn& column : layout_.point_columns) {
+        file_.add_dataset(point_data + column.name, HdfType::f4, column.width, point_chunk, true);
+        file_.add_dataset(point_data_offsets + column.name, HdfType::i8, 1, step_chunk, false);
     }
     file_.set_attribute("/VTKHDF/Steps", "NSteps", std::int64_t{0});
     file_.flush();
@@ -117,47 +141,90 @@ void VtkHdfFile::check(const GridFrame& frame) const {
                                       " s; the frame is not written");
     };
     if (!finite(frame.points)) refuse("coordinates");
-    for (std::size_t i = 0; i < columns_.size(); ++i)
-        if (!finite(frame.columns[i])) refuse("values of '" + columns_[i].name + "'");
+    for (std::size_t i = 0; i < layout_.columns.size(); ++i)
+        if (!finite(frame.columns[i])) refuse("values of '" + layout_.columns[i].name + "'");
+    for (std::size_t i = 0; i < layout_.point_columns.size(); ++i)
+        if (!finite(frame.point_columns[i]))
+            refuse("values of '" + layout_.point_columns[i].name + "' at points");
+}
+
+/// A frame with its own cells takes whole chunks, filled up with zeros: a compressed chunk that is written
+/// again would move in the file, and a kill before the index is updated would lose the frames in it. The
+/// zeros are cells without points, in a part of their own behind the frame's. A reader expects the offsets of
+/// a part at its first cell plus its number, so that a frame of several chunks takes two parts for each.
+VtkHdfFile::Rows VtkHdfFile::rows_of(const GridFrame& frame) const {
+    const std::size_t points = frame.points.size() / 3;
+    if (fixed_cells_) return {points, frame.columns[0].size() / layout_.columns[0].width, 0, 0};
+    const auto chunks_for = [](std::size_t rows, std::size_t chunk) { return (rows + chunk - 1) / chunk; };
+    const std::size_t wide = points_per_cell * cell_chunk_;
+    const std::size_t chunks =
+        std::max({std::size_t{1}, chunks_for(frame.cells.count(), cell_chunk_), chunks_for(points, wide),
+                  chunks_for(frame.cells.connectivity.size(), wide)});
+    return {chunks * wide, chunks * cell_chunk_, chunks * wide, parts_per_chunk * chunks};
+}
+
+/// Appends values and zeros up to `count` of them.
+template <class T>
+void VtkHdfFile::append_padded(const std::string& name, std::vector<T> values, std::size_t count) {
+    values.resize(count);
+    file_.append(name, values);
 }
 
 void VtkHdfFile::append_steps(const GridFrame& frame) {
-    const std::int64_t part = fixed_cells_ ? 0 : frame_count_;
+    const auto row = [](std::size_t value) { return one(static_cast<std::int64_t>(value)); };
     file_.append(steps + "Values", one(frame.time));
-    file_.append(steps + "PartOffsets", one(part));
+    file_.append(steps + "PartOffsets", row(before_.parts));
     file_.append(steps + "NumberOfParts", one(std::int64_t{1}));
-    file_.append(steps + "PointOffsets", one(points_before_));
-    file_.append(steps + "CellOffsets", one(fixed_cells_ ? 0 : cells_before_));
-    file_.append(steps + "ConnectivityIdOffsets", one(connectivity_before_));
-    for (const GridColumn& column : columns_)
-        file_.append(cell_data_offsets + column.name, one(cells_before_));
+    file_.append(steps + "PointOffsets", row(before_.points));
+    file_.append(steps + "CellOffsets", row(fixed_cells_ ? 0 : before_.cells));
+    file_.append(steps + "ConnectivityIdOffsets", row(before_.connectivity));
+    for (const GridColumn& column : layout_.columns)
+        file_.append(cell_data_offsets + column.name, row(before_.cells));
+    for (const GridColumn& column : layout_.point_columns)
+        file_.append(point_data_offsets + column.name, row(before_.points));
+    for (const GridText& text : layout_.texts) file_.append(field_data_offsets + text.name, row(0));
+    if (stages_.empty() || stages_.back() != frame.stage) {
+        stages_.push_back(frame.stage);
+        file_.append_text(field_data + "stage", frame.stage);
+    }
+    file_.append(field_data_offsets + "stage", row(stages_.size() - 1));
+}
+
+void VtkHdfFile::append_cells(const GridFrame& frame, const Rows& rows) {
+    const auto append_counts = [&](const char* name, std::size_t used, std::size_t taken) {
+        const std::vector<std::int64_t> counts = {static_cast<std::int64_t>(used),
+                                                  static_cast<std::int64_t>(taken - used)};
+        append_padded(root + name, counts, rows.parts);
+    };
+    append_counts("NumberOfPoints", frame.points.size() / 3, rows.points);
+    append_counts("NumberOfCells", frame.cells.count(), rows.cells);
+    append_counts("NumberOfConnectivityIds", frame.cells.connectivity.size(), rows.connectivity);
+    append_padded(root + "Connectivity", frame.cells.connectivity, rows.connectivity);
+    append_padded(root + "Offsets", frame.cells.offsets, rows.cells + rows.parts);
+    append_padded(root + "Types", frame.cells.types, rows.cells);
 }
 
 void VtkHdfFile::append(const GridFrame& frame) {
     check(frame);
     file_.reserve(bytes_of(frame) + bookkeeping);
-    const auto points = static_cast<std::int64_t>(frame.points.size() / 3);
-    const auto cells =
-        static_cast<std::int64_t>(columns_.empty() ? 0 : frame.columns[0].size()) / columns_[0].width;
+    const Rows rows = rows_of(frame);
     append_steps(frame);
-    if (points_ == HdfType::f4)
-        file_.append(root + "Points", std::vector<float>(frame.points.begin(), frame.points.end()));
+    if (layout_.points == HdfType::f4)
+        append_padded(root + "Points", std::vector<float>(frame.points.begin(), frame.points.end()),
+                      3 * rows.points);
     else
-        file_.append(root + "Points", frame.points);
-    for (std::size_t i = 0; i < columns_.size(); ++i)
-        file_.append(cell_data + columns_[i].name, frame.columns[i]);
-    if (!fixed_cells_) {
-        file_.append(root + "NumberOfPoints", one(points));
-        file_.append(root + "NumberOfCells", one(cells));
-        file_.append(root + "NumberOfConnectivityIds",
-                     one(static_cast<std::int64_t>(frame.cells.connectivity.size())));
-        file_.append(root + "Connectivity", frame.cells.connectivity);
-        file_.append(root + "Offsets", frame.cells.offsets);
-        file_.append(root + "Types", frame.cells.types);
-        connectivity_before_ += static_cast<std::int64_t>(frame.cells.connectivity.size());
-    }
-    points_before_ += points;
-    cells_before_ += cells;
+        append_padded(root + "Points", frame.points, 3 * rows.points);
+    for (std::size_t i = 0; i < layout_.columns.size(); ++i)
+        append_padded(cell_data + layout_.columns[i].name, frame.columns[i],
+                      rows.cells * layout_.columns[i].width);
+    for (std::size_t i = 0; i < layout_.point_columns.size(); ++i)
+        append_padded(point_data + layout_.point_columns[i].name, frame.point_columns[i],
+                      rows.points * layout_.point_columns[i].width);
+    if (!fixed_cells_) append_cells(frame, rows);
+    before_.points += rows.points;
+    before_.cells += rows.cells;
+    before_.connectivity += rows.connectivity;
+    before_.parts += rows.parts;
     ++frame_count_;
     file_.flush();
     file_.set_attribute("/VTKHDF/Steps", "NSteps", frame_count_);
@@ -168,13 +235,37 @@ VtkHdfReader::VtkHdfReader(const std::filesystem::path& path) : file_(HdfFile::o
     const auto count = static_cast<std::size_t>(file_.integer_attribute("/VTKHDF/Steps", "NSteps"));
     times_ = file_.read<double>(steps + "Values", 0, count);
     names_ = file_.names_in("/VTKHDF/CellData");
+    stages_.resize(count);
+    if (file_.has(field_data + "stage")) read_stages();
+}
+
+void VtkHdfReader::read_stages() {
+    const std::vector<std::string> names = file_.read_texts(field_data + "stage");
+    const auto numbers = file_.read<std::int64_t>(field_data_offsets + "stage", 0, times_.size());
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+        const auto number = static_cast<std::size_t>(numbers[k]);
+        if (number >= names.size())
+            throw OutputError(file_.path(), "the stage of frame " + std::to_string(k) + " is damaged");
+        stages_[k] = names[number];
+    }
+}
+
+bool VtkHdfReader::has_point_column(const std::string& name) const {
+    return file_.has(point_data + name);
+}
+
+std::string VtkHdfReader::text(const std::string& name) const {
+    if (!file_.has(field_data + name)) return {};
+    const std::vector<std::string> texts = file_.read_texts(field_data + name);
+    return texts.empty() ? std::string{} : texts.front();
 }
 
 std::int64_t VtkHdfReader::step(const std::string& name, std::int64_t index) const {
     return file_.read<std::int64_t>(steps + name, static_cast<std::size_t>(index), 1).front();
 }
 
-GridFrame VtkHdfReader::frame(std::int64_t index, const std::vector<std::string>& columns) const {
+GridFrame VtkHdfReader::frame(std::int64_t index, const std::vector<std::string>& columns,
+                              const std::vector<std::string>& point_columns) const {
     const auto part = static_cast<std::size_t>(step("PartOffsets", index));
     const auto count = [&](const char* name) {
         return static_cast<std::size_t>(file_.read<std::int64_t>(root + name, part, 1).front());
@@ -183,6 +274,7 @@ GridFrame VtkHdfReader::frame(std::int64_t index, const std::vector<std::string>
     const std::size_t cells = count("NumberOfCells");
     GridFrame frame;
     frame.time = times_[static_cast<std::size_t>(index)];
+    frame.stage = stages_[static_cast<std::size_t>(index)];
     frame.points = file_.read<double>(root + "Points", from("PointOffsets"), count("NumberOfPoints"));
     frame.cells.connectivity = file_.read<std::int64_t>(root + "Connectivity", from("ConnectivityIdOffsets"),
                                                         count("NumberOfConnectivityIds"));
@@ -192,6 +284,9 @@ GridFrame VtkHdfReader::frame(std::int64_t index, const std::vector<std::string>
         throw OutputError(file_.path(), "the cells of frame " + std::to_string(index) + " are damaged");
     for (const std::string& name : columns)
         frame.columns.push_back(file_.read<float>(cell_data + name, from("CellDataOffsets/" + name), cells));
+    for (const std::string& name : point_columns)
+        frame.point_columns.push_back(
+            file_.read<float>(point_data + name, from("PointDataOffsets/" + name), count("NumberOfPoints")));
     return frame;
 }
 

@@ -25,25 +25,40 @@ struct GridColumn {
     int width = 1;
 };
 
+/// A text about the whole file, such as the units of its columns.
+struct GridText {
+    std::string name;
+    std::string text;
+};
+
+/// What a file holds beside the cells.
+struct GridLayout {
+    std::vector<GridColumn> columns;        ///< quantities per cell
+    std::vector<GridColumn> point_columns;  ///< quantities per point
+    std::vector<GridText> texts;
+    HdfType points = HdfType::f4;  ///< type of the coordinates, f4 or f8
+};
+
 /// One frame: coordinates (x, y, z per point), the values of every column and, if they change from frame to
 /// frame, the cells.
 struct GridFrame {
     double time = 0;
-    std::vector<double> points;
-    std::vector<std::vector<float>> columns;
-    GridCells cells;
+    std::string stage = {};  ///< name of the stage that the frame belongs to
+    std::vector<double> points = {};
+    std::vector<std::vector<float>> columns = {};
+    std::vector<std::vector<float>> point_columns = {};
+    GridCells cells = {};
 };
 
 /// A VTKHDF 2.0 temporal UnstructuredGrid that grows frame by frame, see docs/formats/results.md. After
 /// append() the file on disk is complete: a killed process loses no frame.
 class VtkHdfFile {
   public:
-    /// A file whose cells are constant and written once. @param points type of coordinates, f4 or f8.
-    VtkHdfFile(const std::filesystem::path& path, std::vector<GridColumn> columns, HdfType points,
-               const GridCells& cells, std::size_t point_count);
+    /// A file whose cells are constant and written once.
+    VtkHdfFile(const std::filesystem::path& path, GridLayout layout, const GridCells& cells,
+               std::size_t point_count);
     /// A file in which every frame has its own cells, as a part. @param typical_cells sizes the chunks.
-    VtkHdfFile(const std::filesystem::path& path, std::vector<GridColumn> columns, HdfType points,
-               std::size_t typical_cells);
+    VtkHdfFile(const std::filesystem::path& path, GridLayout layout, std::size_t typical_cells);
 
     /// @throws OutputError if a value is not finite (nothing is written), or if the disk is full (earlier
     /// frames stay intact).
@@ -55,20 +70,29 @@ class VtkHdfFile {
     void rename_to(const std::filesystem::path& path) { file_.rename_to(path); }
 
   private:
-    VtkHdfFile(const std::filesystem::path& path, std::vector<GridColumn> columns, HdfType points,
+    /// Rows that a frame takes of the datasets.
+    struct Rows {
+        std::size_t points, cells, connectivity, parts;
+    };
+
+    VtkHdfFile(const std::filesystem::path& path, GridLayout layout, std::size_t cell_chunk,
                bool fixed_cells);
-    void add_column_datasets(std::size_t cell_chunk);
+    void add_text_datasets();
+    void add_column_datasets(std::size_t cell_chunk, std::size_t point_chunk);
     void check(const GridFrame& frame) const;
+    Rows rows_of(const GridFrame& frame) const;
     void append_steps(const GridFrame& frame);
+    void append_cells(const GridFrame& frame, const Rows& rows);
+    template <class T>
+    void append_padded(const std::string& name, std::vector<T> values, std::size_t count);
 
     HdfFile file_;
-    std::vector<GridColumn> columns_;
-    HdfType points_;
+    GridLayout layout_;
+    std::size_t cell_chunk_;  ///< rows of a chunk of the cells, where frames have their own
     bool fixed_cells_;
+    std::vector<std::string> stages_;  ///< names of the stages so far
     std::int64_t frame_count_ = 0;
-    std::int64_t points_before_ = 0;
-    std::int64_t cells_before_ = 0;
-    std::int64_t connectivity_before_ = 0;
+    Rows before_ = {};  ///< rows of the frames so far
 };
 
 /// Reads a file of VtkHdfFile, also while it is being written.
@@ -82,14 +106,24 @@ class VtkHdfReader {
     const std::vector<double>& times() const { return times_; }
     /// The names of the data of a frame.
     const std::vector<std::string>& column_names() const { return names_; }
-    /// A frame with the given columns, in their order. @throws OutputError if a column is missing.
-    GridFrame frame(std::int64_t index, const std::vector<std::string>& columns) const;
+    /// A frame with the given columns of the cells and of the points, in their order. @throws OutputError if
+    /// a column is missing.
+    GridFrame frame(std::int64_t index, const std::vector<std::string>& columns,
+                    const std::vector<std::string>& point_columns = {}) const;
+    /// Whether the points have a quantity of that name.
+    bool has_point_column(const std::string& name) const;
+    /// Name of the stage of each frame; empty in a file of an older version.
+    const std::vector<std::string>& stages() const { return stages_; }
+    /// The text of that name; nothing if the file has none.
+    std::string text(const std::string& name) const;
 
   private:
     std::int64_t step(const std::string& name, std::int64_t index) const;
+    void read_stages();
 
     HdfFile file_;
     std::vector<double> times_;
+    std::vector<std::string> stages_;
     std::vector<std::string> names_;
 };
 

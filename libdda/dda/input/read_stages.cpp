@@ -68,6 +68,20 @@ StrengthReduction read_strength_reduction(const ConfigTable& table, const Model&
     return search;
 }
 
+/// The end of the latest record of a stage, s.
+double duration_of_records(const ConfigTable& table, const Stage& stage) {
+    double end = 0;
+    for (const auto* motions : {&stage.base_motions, &stage.frame_motions})
+        for (const BaseMotion& motion : *motions)
+            end = std::max({end, motion.x.times().back(), motion.y.times().back()});
+    for (const IncidentWave& wave : stage.incident_waves)
+        end = std::max({end, wave.x.times().back(), wave.y.times().back()});
+    if (!(end > 0))
+        table.fail("duration", "the stage has no record to last as long as",
+                   "a record in [stage.base_motion], or a time such as \"20 s\"");
+    return end;
+}
+
 Stage read_stage(const ConfigTable& table, std::size_t index, const Model& model, InputFiles& files) {
     Stage stage;
     stage.name = table.string("name", "stage " + std::to_string(index + 1));
@@ -95,7 +109,8 @@ Stage read_stage(const ConfigTable& table, std::size_t index, const Model& model
         return stage;
     }
     stage.stop = read_stop_limit(table, model);
-    stage.duration = positive(table, "duration", Dimension::time);
+    const bool lasts_as_record = table.is_string("duration") && table.string("duration") == "record";
+    if (!lasts_as_record) stage.duration = positive(table, "duration", Dimension::time);
     stage.dynamic_coefficient =
         in_range(table, "dynamic_coefficient", stage.dynamic_coefficient, 0, 1, "a number from 0 to 1");
     stage.newmark_beta =
@@ -108,6 +123,7 @@ Stage read_stage(const ConfigTable& table, std::size_t index, const Model& model
         "0, or the seed of a perturbation");
     stage.incident_waves = read_incident_waves(table, model, files);
     read_base_motions(table, model, files, stage);
+    if (lasts_as_record) stage.duration = duration_of_records(table, stage);
     return stage;
 }
 

@@ -190,7 +190,7 @@ kind = "static"                    # runs until gravity is carried
 [[stage]]
 name = "shake"
 kind = "dynamic"
-duration = 10                      # s
+duration = 10                      # s, or "record": until the end of the longest record
 step = 0.005
 # dynamic_coefficient = 1          # share of the velocity kept from step to step
 # newmark_beta = 0.5               # (1/2, 1) is Shi's integration

@@ -90,7 +90,7 @@ std::string points_text(const Model& model, const State& state, const Results& r
     const std::string from = reference ? " from '" + results.points()[*reference].name + "'" : "";
     std::string text = "point                  displaced" + from +
                        "  x (m)    y (m)   peak acceleration (m/s2)" +
-                       (reference ? "  over the reference's\n" : "\n");
+                       (reference ? "         amplification\n" : "\n");
     const auto width = static_cast<int>(std::string("  x (m)").size() + from.size() + 9);
     const Vec2 reference_motion = reference_displacement(model, state, results);
     for (std::size_t k = 0; k < results.points().size(); ++k) {
@@ -100,8 +100,8 @@ std::string points_text(const Model& model, const State& state, const Results& r
         const Peaks& peaks = results.state().peaks[k];
         text += formatted("%-22.22s %*.4f %8.4f   %24.3f", point.name.c_str(), width, displacement.x(),
                           displacement.y(), peaks.acceleration);
-        const double base = reference ? results.state().peaks[*reference].acceleration : 0;
-        text += base > 0 ? formatted("  %20.2f\n", peaks.acceleration / base) : "\n";
+        const double base = reference ? results.state().peaks[*reference].smooth_acceleration : 0;
+        text += base > 0 ? formatted("  %20.2f\n", peaks.smooth_acceleration / base) : "\n";
     }
     return text;
 }

@@ -20,4 +20,9 @@ struct WorstContact {
 /// or is not a summary of dda-run.
 std::optional<WorstContact> read_worst_contact(const std::filesystem::path& summary);
 
+/// The factor of safety of a strength reduction in a summary.json: the geometric mean of the largest factor
+/// that stood and the smallest that failed; nothing where there is not one of each. @throws InputError if the
+/// file cannot be read or is not a summary of dda-run.
+std::optional<double> read_factor_of_safety(const std::filesystem::path& summary);
+
 }  // namespace rockslope::dda

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "dda/checkpoint/start_of_run.hpp"
@@ -88,10 +89,10 @@ bool Results::frame_is_due(const State& state, const Stage& stage) {
     return output_.static_frame_interval > 0 && state.stage_steps % output_.static_frame_interval == 0;
 }
 
-void Results::write_frame(const State& state) {
+void Results::write_frame(const State& state, const Stage& stage) {
     if (progress_.last_frame_step == state.step_count) return;
     progress_.last_frame_step = state.step_count;
-    for (const NamedWriter& entry : writers_) entry.writer->frame(state);
+    for (const NamedWriter& entry : writers_) entry.writer->frame(state, stage);
 }
 
 void Results::write_history(const State& state, const Stage& stage) {
@@ -100,7 +101,7 @@ void Results::write_history(const State& state, const Stage& stage) {
     for (const NamedWriter& entry : writers_) entry.writer->history(state, stage);
 }
 
-void Results::update_peaks(const State& state) {
+void Results::update_peaks(const State& state, double step) {
     const Vec2 from =
         reference_ ? motion_of(model_, state, points_[*reference_]).displacement : Vec2(Vec2::Zero());
     for (std::size_t i = 0; i < points_.size(); ++i) {
@@ -110,6 +111,8 @@ void Results::update_peaks(const State& state) {
         update_peak(motion.velocity.norm(), state.time, peaks.velocity, peaks.velocity_time);
         update_peak(motion.acceleration.norm(), state.time, peaks.acceleration, peaks.acceleration_time);
         update_peak((motion.displacement - from).norm(), state.time, peaks.relative, peaks.relative_time);
+        peaks.smooth_acceleration = std::max(
+            peaks.smooth_acceleration, peaks.smooth.pass(motion.acceleration, step, smooth_corner).norm());
     }
     for (std::size_t i = 0; i < model_.measured_regions.size(); ++i)
         progress_.regions[i].add(displacement_of(state, model_.measured_regions[i], from), state.time);
@@ -152,7 +155,8 @@ Progress Results::progress_of(const State& state, const Stage& stage, const Step
             report,
             before + now,
             dynamic_duration(stages_, stages_.size()),
-            seconds(Clock::now() - start_)};
+            seconds(Clock::now() - start_),
+            std::nullopt};
 }
 
 void Results::stage_begins(const Model&, const State& state, const Stage& stage, int stage_index) {
@@ -164,7 +168,7 @@ void Results::stage_begins(const Model&, const State& state, const Stage& stage,
     // displacements.
     if (stage_index > 0 && resets_displacements(stages_[static_cast<std::size_t>(stage_index) - 1]))
         progress_.last_history_step = -1;
-    write_frame(state);
+    write_frame(state, stage);
     write_history(state, stage);
 }
 
@@ -178,10 +182,10 @@ bool Results::step_done(const Model&, const State& state, const Stage& stage, co
         is_due(progress_.next_history, output_.history_interval, state.stage_time))
         write_history(state, stage);
     const bool ends = ends_stage(state, stage, report);
-    if (!ends && frame_is_due(state, stage)) write_frame(state);
+    if (!ends && frame_is_due(state, stage)) write_frame(state, stage);
     // Peaks are those of dynamic stages.
     if (stage.kind == StageKind::dynamic) {
-        update_peaks(state);
+        update_peaks(state, report.step);
         update_sliding(state, report);
     }
 
@@ -192,9 +196,26 @@ bool Results::step_done(const Model&, const State& state, const Stage& stage, co
     return go_on;
 }
 
-bool Results::trial_step_done(const Model&, const State& state, const Stage& stage,
+/// The bracket of the factor is halved in its logarithm until it is narrow enough.
+TrialProgress Results::trial_progress(const Model& weakened, const Stage& stage) const {
+    TrialProgress trial{static_cast<int>(progress_.trials.size()) + 1,
+                        weakened.strength_reduction / model_.strength_reduction, std::nullopt};
+    double stands = 0, fails = std::numeric_limits<double>::infinity();
+    for (const ReductionTrial& past : progress_.trials)
+        past.stands ? stands = std::max(stands, past.factor) : fails = std::min(fails, past.factor);
+    if (stands > 0 && std::isfinite(fails)) {
+        const double width = std::log1p(stage.strength_reduction->width);
+        const double halvings = std::log2(std::max(1.0, std::log(fails / stands) / width));
+        trial.left = std::max(0, static_cast<int>(std::ceil(halvings)) - 1);
+    }
+    return trial;
+}
+
+bool Results::trial_step_done(const Model& weakened, const State& state, const Stage& stage,
                               const StepReport& report) {
-    return options_.progress(progress_of(state, stage, report));
+    Progress progress = progress_of(state, stage, report);
+    progress.trial = trial_progress(weakened, stage);
+    return options_.progress(progress);
 }
 
 void Results::trial_done(const Model&, const State&, const Stage&, const ReductionTrial& trial) {
@@ -203,7 +224,7 @@ void Results::trial_done(const Model&, const State&, const Stage&, const Reducti
 
 void Results::mechanism_found(const Model&, const State& state, const Stage& stage) {
     write_history(state, stage);
-    write_frame(state);
+    write_frame(state, stage);
 }
 
 void Results::stage_ends(const Model&, const State& state, const Stage& stage, int stage_index) {
@@ -215,21 +236,21 @@ void Results::stage_ends(const Model&, const State& state, const Stage& stage, i
     // A viewer finds a frame by its time: if displacements are zeroed, only the next stage's start is
     // written.
     const bool is_last = static_cast<std::size_t>(stage_index) + 1 == stages_.size();
-    if (is_last || !resets_displacements(stage)) write_frame(state);
+    if (is_last || !resets_displacements(stage)) write_frame(state, stage);
     save_end_of_stage(state, stage_index);
 }
 
 void Results::stage_fails(const Model&, const State& state, const Stage& stage, int) {
     write_history(state, stage);
-    write_frame(state);
+    write_frame(state, stage);
 }
 
 namespace {
 
 double bytes_per_frame(const Model& model, const OutputSpec& output) {
     constexpr double compressed = 0.6;  // size of the shuffled and deflated floats over the original
-    const double bytes_per_corner = model.origin.isZero(0) ? 3 * 4 : 3 * 8;  // coordinates
-    constexpr double bytes_per_block = 14 * 4;                               // quantities of a block
+    const double bytes_per_corner = model.origin.isZero(0) ? 6 * 4 : 3 * 8 + 3 * 4;  // with displacement
+    constexpr double bytes_per_block = 14 * 4;                                       // quantities of a block
     constexpr double bytes_per_contact = 90;  // coordinates, cell and quantities
     constexpr double contacts_per_block = 4;  // typical of a jointed rock mass
     const double blocks =

@@ -16,14 +16,23 @@
 
 namespace rockslope::dda {
 
+/// Where a strength reduction is.
+struct TrialProgress {
+    int number = 1;     ///< of the trial, from 1
+    double factor = 1;  ///< strengths are divided by it
+    std::optional<int> left =
+        std::nullopt;  ///< trials after this one; nothing before the factor is bracketed
+};
+
 /// Progress of a run, for a progress line.
 struct Progress {
     const Stage& stage;
     const State& state;
     const StepReport& report;
-    double done = 0;       ///< s, computed part of the dynamic stages
-    double total = 0;      ///< s, duration of the dynamic stages
-    double wall_time = 0;  ///< s, since this program started the run
+    double done = 0;                                    ///< s, computed part of the dynamic stages
+    double total = 0;                                   ///< s, duration of the dynamic stages
+    double wall_time = 0;                               ///< s, since this program started the run
+    std::optional<TrialProgress> trial = std::nullopt;  ///< of a strength reduction
 };
 
 /// Called after every step; false asks the run to stop, which it does after writing a checkpoint.
@@ -69,14 +78,15 @@ class Results : public RunObserver {
   private:
     bool frame_is_due(const State& state, const Stage& stage);
     bool is_due(std::int64_t& next, double interval, double stage_time) const;
-    void write_frame(const State& state);
+    void write_frame(const State& state, const Stage& stage);
     void write_history(const State& state, const Stage& stage);
-    void update_peaks(const State& state);
+    void update_peaks(const State& state, double step);
     void update_sliding(const State& state, const StepReport& report);
     Checkpoint checkpoint_of(const State& state) const;
     void save_checkpoint(const State& state);
     void save_end_of_stage(const State& state, int stage_index);
     Progress progress_of(const State& state, const Stage& stage, const StepReport& report) const;
+    TrialProgress trial_progress(const Model& weakened, const Stage& stage) const;
 
     using Clock = std::chrono::steady_clock;
     struct NamedWriter {

@@ -41,7 +41,7 @@ Json pair(const Vec2& v) {
 /// Ratio of a peak acceleration to the reference's; null without a reference or if that is zero.
 Json over_reference(double peak, const Results& results) {
     if (!results.reference()) return nullptr;
-    const double base = results.state().peaks[*results.reference()].acceleration;
+    const double base = results.state().peaks[*results.reference()].smooth_acceleration;
     return base > 0 ? Json(peak / base) : Json(nullptr);
 }
 
@@ -66,7 +66,8 @@ Json peaks_json(const Results& results, const Model& model, const State& state) 
                           {"relative_speed", (motion.velocity - from.velocity).norm()},
                           {"peak_relative_displacement", peaks.relative},
                           {"peak_relative_displacement_time", peaks.relative_time},
-                          {"amplification", over_reference(peaks.acceleration, results)}});
+                          {"peak_smooth_acceleration", peaks.smooth_acceleration},
+                          {"amplification", over_reference(peaks.smooth_acceleration, results)}});
     }
     return points;
 }

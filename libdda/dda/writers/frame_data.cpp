@@ -18,6 +18,33 @@ void append(std::vector<float>& out, double v) {
     out.push_back(static_cast<float>(v));
 }
 
+/// Single precision unless the model has an origin of its own. It resolves coordinates near zero to
+/// micrometres, but those of a national grid only to half a metre.
+HdfType type_of_points(const Model& model) {
+    return model.origin.isZero(0) ? HdfType::f4 : HdfType::f8;
+}
+
+/// "NUMBER NAME" and a line break.
+std::string line_of(int number, const std::string& name) {
+    return std::to_string(number) + " " + name + "\n";
+}
+
+const std::string& name_of(const std::string& name) {
+    return name;
+}
+template <class Material>
+const std::string& name_of(const Material& material) {
+    return material.name;
+}
+
+/// A line for each of the names.
+template <class Named>
+std::string names_of(const Named& list) {
+    std::string lines;
+    for (const auto k : list.indices()) lines += line_of(k.value(), name_of(list[k]));
+    return lines;
+}
+
 /// Major and minor principal stress in the plane, Pa, tension positive.
 Vec2 principal(const Vec3& stress) {
     const double mean = (stress[0] + stress[1]) / 2;
@@ -52,16 +79,37 @@ bool is_shown(const Contact& contact) {
 
 }  // namespace
 
-std::vector<GridColumn> block_columns() {
-    return {{"displacement", 3}, {"velocity", 3}, {"stress", 3},   {"principal_stress", 2},
-            {"rotation", 1},     {"block", 1},    {"material", 1}, {"motion", 1}};
+GridLayout block_layout(const Model& model) {
+    std::string names;
+    for (const BlockIndex b : model.blocks())
+        if (!model.block_name[b].empty()) names += line_of(b.value(), model.block_name[b]);
+    return {.columns = {{"displacement", 3},
+                        {"velocity", 3},
+                        {"stress", 3},
+                        {"principal_stress", 2},
+                        {"rotation", 1},
+                        {"block", 1},
+                        {"material", 1},
+                        {"motion", 1}},
+            .point_columns = {{"displacement", 3}},
+            .texts = {{"units",
+                       "displacement: m\nvelocity: m/s\nstress: Pa, xx yy xy, tension positive\n"
+                       "principal_stress: Pa, tension positive\nrotation: rad\n"
+                       "motion: 0 free, 1 fixed, 2 prescribed\n"},
+                      {"block_materials", names_of(model.block_materials)},
+                      {"block_names", names}},
+            .points = type_of_points(model)};
 }
 
 GridFrame block_frame(const Model& model, const State& state) {
     GridFrame frame;
     frame.time = state.time;
-    frame.columns.resize(block_columns().size());
-    for (const Vec2& vertex : state.blocks.vertices) append(frame.points, vertex + model.origin);
+    frame.columns.resize(block_layout(model).columns.size());
+    frame.point_columns.resize(1);
+    for (const CornerIndex c : state.blocks.vertices.indices()) {
+        append(frame.points, state.blocks.vertices[c] + model.origin);
+        append(frame.point_columns[0], Vec2(state.blocks.vertices[c] - state.vertex_origin[c]));
+    }
     for (const BlockIndex b : model.blocks()) {
         const Vec3& stress = state.blocks.stress[b];
         const Vec2 extremes = principal(stress);
@@ -83,7 +131,8 @@ GridFrame active_block_frame(const Model& model, const State& state, const GridC
     GridFrame frame;
     frame.time = all.time;
     frame.columns.resize(all.columns.size());
-    const std::vector<GridColumn> columns = block_columns();
+    frame.point_columns.resize(1);
+    const std::vector<GridColumn> columns = block_layout(model).columns;
     std::vector<std::int64_t> number(all.points.size() / 3, -1);
     for (const BlockIndex block : model.blocks()) {
         if (!state.is_present(block)) continue;
@@ -93,7 +142,10 @@ GridFrame active_block_frame(const Model& model, const State& state, const GridC
             const std::int64_t corner = cells.connectivity[k];
             if (number[corner] < 0) {
                 number[corner] = static_cast<std::int64_t>(frame.points.size() / 3);
-                for (std::size_t i = 0; i < 3; ++i) frame.points.push_back(all.points[3 * corner + i]);
+                for (std::size_t i = 0; i < 3; ++i) {
+                    frame.points.push_back(all.points[3 * corner + i]);
+                    frame.point_columns[0].push_back(all.point_columns[0][3 * corner + i]);
+                }
             }
             ring.push_back(number[corner]);
         }
@@ -106,18 +158,37 @@ GridFrame active_block_frame(const Model& model, const State& state, const GridC
     return frame;
 }
 
-std::vector<GridColumn> contact_columns() {
-    return {{"state", 1},        {"normal_stress", 1},   {"shear_stress", 1},
-            {"normal_force", 1}, {"shear_force", 1},     {"slip", 1},
-            {"gap", 1},          {"joint_material", 1},  {"joint", 1},
-            {"stage", 1},        {"mobilised_ratio", 1}, {"dilation", 1},
-            {"reversals", 1}};
+GridLayout contact_layout(const Model& model) {
+    return {.columns = {{"state", 1},
+                        {"normal_stress", 1},
+                        {"shear_stress", 1},
+                        {"normal_force", 1},
+                        {"shear_force", 1},
+                        {"slip", 1},
+                        {"gap", 1},
+                        {"joint_material", 1},
+                        {"joint", 1},
+                        {"stage", 1},
+                        {"mobilised_ratio", 1},
+                        {"dilation", 1},
+                        {"reversals", 1},
+                        {"block", 1},
+                        {"other_block", 1}},
+            .point_columns = {},
+            .texts = {{"units",
+                       "state: 0 open, 1 sliding, 2 locked\n"
+                       "normal_stress: Pa, compression positive\nshear_stress: Pa\n"
+                       "normal_force: N/m\nshear_force: N/m\nslip: m\ngap: m\ndilation: m\n"
+                       "mobilised_ratio: mobilised over peak roughness\n"},
+                      {"joint_materials", names_of(model.joint_materials)},
+                      {"joints", names_of(model.joint_sets)}},
+            .points = type_of_points(model)};
 }
 
 GridFrame contact_frame(const Model& model, const State& state) {
     GridFrame frame;
     frame.time = state.time;
-    frame.columns.resize(contact_columns().size());
+    frame.columns.resize(contact_layout(model).columns.size());
     std::int64_t point = 0;
     for (const Contact& contact : state.contacts.contacts) {
         if (!is_shown(contact)) continue;
@@ -146,7 +217,9 @@ GridFrame contact_frame(const Model& model, const State& state) {
                                  static_cast<double>(joint.stage),
                                  joint.mobilised_ratio,
                                  joint.dilation,
-                                 static_cast<double>(joint.reversals)};
+                                 static_cast<double>(joint.reversals),
+                                 static_cast<double>(model.topology.block_of[contact.corner].value()),
+                                 static_cast<double>(model.topology.block_of_edge(contact.edge).value())};
         for (std::size_t i = 0; i < std::size(values); ++i) append(frame.columns[i], values[i]);
     }
     return frame;

@@ -8,12 +8,6 @@ namespace rockslope::dda {
 
 namespace {
 
-/// Single precision unless the model has an origin of its own. It resolves coordinates near zero to
-/// micrometres, but those of a national grid only to half a metre.
-HdfType type_of_points(const Model& model) {
-    return model.origin.isZero(0) ? HdfType::f4 : HdfType::f8;
-}
-
 using FrameOf = std::function<GridFrame(const Model&, const State&)>;
 using MakeFile = std::function<VtkHdfFile(const std::filesystem::path&)>;
 
@@ -25,13 +19,14 @@ std::vector<std::string> names_of(const std::vector<GridColumn>& columns) {
 
 /// The file of a resumed run. The frames up to the checkpoint are written again by the same calls, so that
 /// the bytes are those of an uninterrupted run. The old file is replaced when the copy is complete.
-VtkHdfFile resumed_file(const std::filesystem::path& path, const MakeFile& make,
-                        const std::vector<GridColumn>& columns, std::int64_t frames) {
+VtkHdfFile resumed_file(const std::filesystem::path& path, const MakeFile& make, const GridLayout& layout,
+                        std::int64_t frames) {
     const std::filesystem::path copy = path.string() + ".resumed";
     try {
         VtkHdfFile file = make(copy);
         const VtkHdfReader old(path);
-        for (std::int64_t k = 0; k < frames; ++k) file.append(old.frame(k, names_of(columns)));
+        for (std::int64_t k = 0; k < frames; ++k)
+            file.append(old.frame(k, names_of(layout.columns), names_of(layout.point_columns)));
         file.rename_to(path);
         return file;
     } catch (const OutputError&) {
@@ -43,15 +38,19 @@ VtkHdfFile resumed_file(const std::filesystem::path& path, const MakeFile& make,
 
 class FrameWriter : public ResultWriter {
   public:
-    FrameWriter(const WriterContext& context, const std::string& extension,
-                const std::vector<GridColumn>& columns, const MakeFile& make, FrameOf frame_of)
+    FrameWriter(const WriterContext& context, const std::string& extension, const GridLayout& layout,
+                const MakeFile& make, FrameOf frame_of)
         : model_(context.model),
           frame_of_(std::move(frame_of)),
-          file_(context.resume_from ? resumed_file(context.folder / (context.name + extension), make, columns,
+          file_(context.resume_from ? resumed_file(context.folder / (context.name + extension), make, layout,
                                                    *context.resume_from)
                                     : make(context.folder / (context.name + extension))) {}
 
-    void frame(const State& state) override { file_.append(frame_of_(model_, state)); }
+    void frame(const State& state, const Stage& stage) override {
+        GridFrame frame = frame_of_(model_, state);
+        frame.stage = stage.name;
+        file_.append(frame);
+    }
     std::int64_t position() const override { return file_.frame_count(); }
 
   private:
@@ -62,12 +61,12 @@ class FrameWriter : public ResultWriter {
 
 /// Frames of a run with excavations: each has the cells of its blocks.
 std::unique_ptr<ResultWriter> make_excavated_block_frames(const WriterContext& context) {
+    const GridLayout layout = block_layout(context.model);
     const MakeFile make = [&](const std::filesystem::path& path) {
-        return VtkHdfFile(path, block_columns(), type_of_points(context.model),
-                          context.model.block_material.size());
+        return VtkHdfFile(path, layout, context.model.block_material.size());
     };
     return std::make_unique<FrameWriter>(
-        context, ".vtkhdf", block_columns(), make,
+        context, ".vtkhdf", layout, make,
         [cells = block_cells(context.model)](const Model& model, const State& state) {
             return active_block_frame(model, state, cells);
         });
@@ -75,20 +74,20 @@ std::unique_ptr<ResultWriter> make_excavated_block_frames(const WriterContext& c
 
 std::unique_ptr<ResultWriter> make_block_frames(const WriterContext& context) {
     if (!context.model.excavations.empty()) return make_excavated_block_frames(context);
+    const GridLayout layout = block_layout(context.model);
     const MakeFile make = [&](const std::filesystem::path& path) {
-        return VtkHdfFile(path, block_columns(), type_of_points(context.model), block_cells(context.model),
-                          context.model.vertices.size());
+        return VtkHdfFile(path, layout, block_cells(context.model), context.model.vertices.size());
     };
-    return std::make_unique<FrameWriter>(context, ".vtkhdf", block_columns(), make, block_frame);
+    return std::make_unique<FrameWriter>(context, ".vtkhdf", layout, make, block_frame);
 }
 
 std::unique_ptr<ResultWriter> make_joint_frames(const WriterContext& context) {
+    const GridLayout layout = contact_layout(context.model);
     const MakeFile make = [&](const std::filesystem::path& path) {
         // A block of a jointed mass touches about three neighbours per block, with two contacts per joint.
-        return VtkHdfFile(path, contact_columns(), type_of_points(context.model),
-                          6 * context.model.block_material.size() + 64);
+        return VtkHdfFile(path, layout, 6 * context.model.block_material.size() + 64);
     };
-    return std::make_unique<FrameWriter>(context, ".joints.vtkhdf", contact_columns(), make, contact_frame);
+    return std::make_unique<FrameWriter>(context, ".joints.vtkhdf", layout, make, contact_frame);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <functional>
 
 #include "common/base/atomic_file.hpp"
 #include "common/base/output_error.hpp"
@@ -19,53 +20,78 @@ std::string array_text(const std::string& name, const std::string& type, int wid
     return text + "\n</DataArray>\n";
 }
 
+std::string texts_of(const std::vector<GridText>& texts, const std::string& stage) {
+    std::string result = "<FieldData>\n";
+    const auto add = [&](const std::string& name, const std::string& text) {
+        result += "<Array type=\"String\" Name=\"" + name + "\" NumberOfTuples=\"1\" format=\"ascii\">\n";
+        for (const char c : text) result += std::to_string(static_cast<unsigned char>(c)) + " ";
+        result += "0\n</Array>\n";
+    };
+    for (const GridText& text : texts) add(text.name, text.text);
+    add("stage", stage);
+    return result + "</FieldData>\n";
+}
+
+std::string columns_text(const std::vector<GridColumn>& columns,
+                         const std::vector<std::vector<float>>& values) {
+    std::string text;
+    for (std::size_t i = 0; i < columns.size(); ++i)
+        text += array_text(columns[i].name, "Float32", columns[i].width, values[i]);
+    return text;
+}
+
 /// One frame as a VTK XML unstructured grid, in text.
-std::string vtu_text(const GridFrame& frame, const std::vector<GridColumn>& columns) {
+std::string vtu_text(const GridFrame& frame, const GridLayout& layout) {
     const GridCells& cells = frame.cells;
     std::string text =
         "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" "
-        "byte_order=\"LittleEndian\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"" +
+        "byte_order=\"LittleEndian\">\n<UnstructuredGrid>\n" +
+        texts_of(layout.texts, frame.stage) + "<Piece NumberOfPoints=\"" +
         std::to_string(frame.points.size() / 3) + "\" NumberOfCells=\"" + std::to_string(cells.count()) +
         "\">\n<Points>\n";
     text += array_text("Points", "Float64", 3, frame.points) + "</Points>\n<Cells>\n";
     const std::vector<std::int64_t> ends(cells.offsets.begin() + 1, cells.offsets.end());
     text += array_text("connectivity", "Int64", 1, cells.connectivity) +
             array_text("offsets", "Int64", 1, ends) + array_text("types", "UInt8", 1, cells.types);
-    text += "</Cells>\n<CellData>\n";
-    for (std::size_t i = 0; i < columns.size(); ++i)
-        text += array_text(columns[i].name, "Float32", columns[i].width, frame.columns[i]);
-    return text + "</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+    text += "</Cells>\n<CellData>\n" + columns_text(layout.columns, frame.columns) +
+            "</CellData>\n<PointData>\n" + columns_text(layout.point_columns, frame.point_columns) +
+            "</PointData>\n";
+    return text + "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
 }
 
-/// NAME.pvd, a list of files NAME.K.vtu, for viewers that cannot read temporal VTKHDF.
+/// STEM.pvd, a list of files STEM.K.vtu, for viewers that cannot read temporal VTKHDF.
 class Pvd : public ResultWriter {
   public:
-    explicit Pvd(const WriterContext& context)
-        : model_(context.model),
-          folder_(context.folder),
-          name_(context.name),
-          cells_(block_cells(context.model)) {
+    using FrameOf = std::function<GridFrame(const State&)>;
+
+    Pvd(const WriterContext& context, std::string stem, GridLayout layout, FrameOf frame_of)
+        : folder_(context.folder),
+          stem_(std::move(stem)),
+          layout_(std::move(layout)),
+          frame_of_(std::move(frame_of)) {
         if (!context.resume_from) return;
-        const VtkHdfReader blocks(folder_ / (name_ + ".vtkhdf"));
-        for (std::int64_t k = 0; k < *context.resume_from; ++k) times_.push_back(blocks.times()[k]);
+        const VtkHdfReader frames(folder_ / (stem_ + ".vtkhdf"));
+        for (std::int64_t k = 0; k < *context.resume_from; ++k) times_.push_back(frames.times()[k]);
     }
 
-    void frame(const State& state) override {
-        const GridFrame frame = active_block_frame(model_, state, cells_);
-        for (const auto& column : frame.columns)
-            for (const float value : column)
-                if (!std::isfinite(value))
-                    throw OutputError(folder_ / (name_ + ".pvd"),
-                                      "a value at t = " + shortest_text(state.time) +
-                                          " s is not finite; the frame is not written");
-        write_file_atomically(folder_ / frame_name(times_.size()), vtu_text(frame, block_columns()));
+    void frame(const State& state, const Stage& stage) override {
+        GridFrame frame = frame_of_(state);
+        frame.stage = stage.name;
+        for (const auto& columns : {frame.columns, frame.point_columns})
+            for (const auto& column : columns)
+                for (const float value : column)
+                    if (!std::isfinite(value))
+                        throw OutputError(folder_ / (stem_ + ".pvd"),
+                                          "a value at t = " + shortest_text(state.time) +
+                                              " s is not finite; the frame is not written");
+        write_file_atomically(folder_ / frame_name(times_.size()), vtu_text(frame, layout_));
         times_.push_back(state.time);
-        write_file_atomically(folder_ / (name_ + ".pvd"), list_text());
+        write_file_atomically(folder_ / (stem_ + ".pvd"), list_text());
     }
     std::int64_t position() const override { return static_cast<std::int64_t>(times_.size()); }
 
   private:
-    std::string frame_name(std::size_t index) const { return name_ + "." + std::to_string(index) + ".vtu"; }
+    std::string frame_name(std::size_t index) const { return stem_ + "." + std::to_string(index) + ".vtu"; }
     std::string list_text() const {
         std::string text =
             "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n";
@@ -75,18 +101,38 @@ class Pvd : public ResultWriter {
         return text + "</Collection>\n</VTKFile>\n";
     }
 
-    const Model& model_;
     std::filesystem::path folder_;
-    std::string name_;
-    GridCells cells_;
+    std::string stem_;
+    GridLayout layout_;
+    FrameOf frame_of_;
     std::vector<double> times_;
 };
+
+bool is_asked_for(const WriterContext& context) {
+    return context.pvd;
+}
+
+std::unique_ptr<ResultWriter> make_block_pvd(const WriterContext& context) {
+    return std::make_unique<Pvd>(context, context.name, block_layout(context.model),
+                                 [&model = context.model, cells = block_cells(context.model)](
+                                     const State& state) { return active_block_frame(model, state, cells); });
+}
+
+std::unique_ptr<ResultWriter> make_joint_pvd(const WriterContext& context) {
+    return std::make_unique<Pvd>(
+        context, context.name + ".joints", contact_layout(context.model),
+        [&model = context.model](const State& state) { return contact_frame(model, state); });
+}
 
 }  // namespace
 
 WriterEntry pvd() {
-    return {"pvd", "*.pvd", PositionUnit::none, [](const WriterContext& context) { return context.pvd; },
-            make_writer<Pvd>};
+    return {"pvd", "*.pvd", PositionUnit::none, is_asked_for, make_block_pvd};
+}
+
+WriterEntry joints_pvd() {
+    return {"joints_pvd", "*.joints.pvd", PositionUnit::none,
+            [](const WriterContext& context) { return context.pvd && context.joint_frames; }, make_joint_pvd};
 }
 
 }  // namespace rockslope::dda

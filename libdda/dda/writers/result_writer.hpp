@@ -40,7 +40,7 @@ class ResultWriter {
   public:
     virtual ~ResultWriter() = default;
     /// Writes a frame.
-    virtual void frame(const State&) {}
+    virtual void frame(const State&, const Stage&) {}
     /// Writes a row of the histories of measured points.
     virtual void history(const State&, const Stage&) {}
     /// Records an accepted step.

@@ -48,5 +48,10 @@ TEST(Text, NearestWordAcceptsTyposOnly) {
     EXPECT_FALSE(nearest_word("law", {}));
 }
 
+TEST(Text, EscapesWhatXmlTakesForItsOwn) {
+    EXPECT_EQ(xml_escaped("a < b & \"c\" > d"), "a &lt; b &amp; &quot;c&quot; > d");
+    EXPECT_EQ(xml_escaped("σxx"), "σxx");
+}
+
 }  // namespace
 }  // namespace rockslope::text_test

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "common/base/input_error.hpp"
 #include "common/drawing/axes.hpp"
 
@@ -38,6 +40,34 @@ TEST(Canvas, WritesEachFormatReproducibly) {
         EXPECT_GT(bytes.size(), 1000u);
         EXPECT_EQ(bytes, drawing().bytes(format));
     }
+}
+
+TEST(Canvas, KeepsTextAsTextInSvg) {
+    Canvas canvas(100, 50, {"Liberation Serif", 2});
+    canvas.text({10, 20}, "a < b & c", {8, black, Anchor::end, Anchor::start, true, 0.5 * M_PI, white});
+    const std::string svg = canvas.bytes(PictureFormat::svg);
+    EXPECT_THAT(svg, HasSubstr(">a &lt; b &amp; c</text>"));
+    EXPECT_THAT(svg, HasSubstr("font-family=\"Liberation Serif, sans-serif\""));
+    EXPECT_THAT(svg, HasSubstr("font-size=\"16.00\" text-anchor=\"end\""));
+    EXPECT_THAT(svg, HasSubstr("rotate(-90.00)"));
+    EXPECT_THAT(svg, testing::EndsWith("</svg>\n"));
+}
+
+TEST(Canvas, ScalesEveryTextByItsLettering) {
+    const Canvas plain(100, 50), large(100, 50, {"DejaVu Sans", 2});
+    EXPECT_NEAR(large.text_width("joint"), 2 * plain.text_width("joint"), 8) << "widths are whole pixels";
+}
+
+TEST(Canvas, GivesPixelsOfEvenSize) {
+    Canvas canvas(10.4, 5);
+    const Ring left_half = {{0, 0}, {5, 0}, {5, 5}, {0, 5}};
+    canvas.polygon(std::span(&left_half, 1), Colour{1, 0, 0}, std::nullopt);
+    const Pixels image = canvas.pixels(1);
+    EXPECT_EQ(image.width, 12);
+    EXPECT_EQ(image.height, 6);
+    ASSERT_EQ(image.bytes.size(), 4U * 12 * 6);
+    EXPECT_EQ(image.bytes.substr(0, 3), std::string("\0\0\xff", 3)) << "red at the left";
+    EXPECT_EQ(image.bytes.substr(4 * 11, 3), "\xff\xff\xff") << "white at the right";
 }
 
 TEST(Canvas, ChoosesTheFormatByExtension) {

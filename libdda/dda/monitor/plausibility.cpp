@@ -1,0 +1,108 @@
+#include "dda/monitor/plausibility.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "dda/block/block_system.hpp"
+
+namespace rockslope::dda {
+
+namespace {
+
+// Limits beyond what rock, soil and concrete have.
+constexpr double softest = 1e6, stiffest = 1e12;   // Pa
+constexpr double lightest = 500, heaviest = 8000;  // kg/m3
+/// Size of a block of median area over the height of the section: smaller blocks are rather in other units.
+constexpr double smallest_size = 1e-3;
+/// Part of the record's energy, the integral of the squared acceleration, that a stage may leave out.
+constexpr double negligible_energy = 1e-3;
+
+template <class... Values>
+std::string sentence(const char* format, Values... values) {
+    char text[400];
+    std::snprintf(text, sizeof text, format, values...);
+    return text;
+}
+
+void check_materials(const Model& model, std::vector<std::string>& warnings) {
+    for (const BlockMaterial& material : model.block_materials) {
+        const double stiffness = material.youngs_modulus;
+        if (stiffness < softest || stiffness > stiffest)
+            warnings.push_back(
+                sentence("youngs_modulus of block material '%s' is %.3g Pa, which no rock has; "
+                         "write the unit, as in \"20 GPa\"",
+                         material.name.c_str(), stiffness));
+        if (material.density < lightest || material.density > heaviest)
+            warnings.push_back(
+                sentence("density of block material '%s' is %.3g kg/m3, which no rock has; rock "
+                         "has some 2600",
+                         material.name.c_str(), material.density));
+    }
+}
+
+void check_sizes(const Model& model, std::vector<std::string>& warnings) {
+    double low = 1e300, high = -1e300;
+    for (const Vec2& vertex : model.vertices) {
+        low = std::min(low, vertex.y());
+        high = std::max(high, vertex.y());
+    }
+    std::vector<double> sizes;
+    const BlockSystem blocks = initial_block_system(model);
+    for (const BlockIndex b : model.blocks())
+        if (model.motion[b] == Motion::free) sizes.push_back(std::sqrt(blocks.moments[b].area));
+    if (sizes.empty()) return;
+    const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+    std::nth_element(sizes.begin(), middle, sizes.end());
+    if (*middle < smallest_size * (high - low))
+        warnings.push_back(
+            sentence("blocks of median size %.3g m fill a section %.3g m high; are the spacings "
+                     "of the joints in m?",
+                     *middle, high - low));
+}
+
+/// Energy of a table after a time over that of all of it: integrals of the squared acceleration.
+double energy_after(const TimeTable& table, double time) {
+    double all = 0, after = 0;
+    for (std::size_t k = 1; k < table.times().size(); ++k) {
+        const double part = std::pow(table.values()[k], 2) * (table.times()[k] - table.times()[k - 1]);
+        all += part;
+        if (table.times()[k] > time) after += part;
+    }
+    return all > 0 ? after / all : 0;
+}
+
+void check_record(const Stage& stage, const TimeTable& table, std::vector<std::string>& warnings) {
+    if (table.times().size() < 3) return;
+    double interval = table.times().back();
+    for (std::size_t k = 1; k < table.times().size(); ++k)
+        interval = std::min(interval, table.times()[k] - table.times()[k - 1]);
+    if (stage.control.step > interval * (1 + 1e-6))
+        warnings.push_back(
+            sentence("stage '%s': steps of %.3g s are longer than those of the record, %.3g s, "
+                     "and miss its peaks",
+                     stage.name.c_str(), stage.control.step, interval));
+    const double left_out = energy_after(table, stage.duration * (1 + 1e-9));
+    if (left_out > negligible_energy)
+        warnings.push_back(
+            sentence("stage '%s' ends after %.6g s, the record after %.6g s: %.2g %% of its energy "
+                     "is cut off; duration = \"record\" takes all of it",
+                     stage.name.c_str(), stage.duration, table.times().back(), 100 * left_out));
+}
+
+}  // namespace
+
+std::vector<std::string> implausible(const Model& model, const std::vector<Stage>& stages) {
+    std::vector<std::string> warnings;
+    check_materials(model, warnings);
+    check_sizes(model, warnings);
+    for (const Stage& stage : stages)
+        for (const auto* motions : {&stage.base_motions, &stage.frame_motions})
+            for (const BaseMotion& motion : *motions) {
+                check_record(stage, motion.x, warnings);
+                check_record(stage, motion.y, warnings);
+            }
+    return warnings;
+}
+
+}  // namespace rockslope::dda

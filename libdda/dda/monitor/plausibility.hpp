@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "dda/model/model.hpp"
+#include "dda/model/stage.hpp"
+
+namespace rockslope::dda {
+
+/// What in a model is most likely a slip of the user, a sentence each: a stiffness or density that no rock
+/// has, as where a unit is missing, blocks far too small for the section, steps longer than those of the
+/// record, a record that the stage cuts short. The run is possible all the same.
+std::vector<std::string> implausible(const Model& model, const std::vector<Stage>& stages);
+
+}  // namespace rockslope::dda

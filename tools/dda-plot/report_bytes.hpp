@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace rockslope {
+
+/// The values of several items over the frames, item after item.
+struct ItemSeries {
+    std::size_t items = 0, frames = 0;
+    std::vector<float> values;
+
+    float& at(std::size_t item, std::size_t frame) { return values[item * frames + frame]; }
+};
+
+/// Whole numbers as bytes of seven bits each, the lowest first (LEB128), those with a sign in zigzag order.
+void append_number(std::string& bytes, std::uint64_t value);
+void append_signed(std::string& bytes, std::int64_t value);
+
+/// A series in `levels` equal steps from zero to the largest magnitude of each item: the steps of all items
+/// as little-endian floats, then for each item whose step is not zero the differences from frame to frame, as
+/// signed numbers. Items that stay below `smallest` are zero.
+std::string packed_series(const ItemSeries& series, int levels, double smallest);
+
+/// States from 0 to 3 of several items over the frames, item after item, as runs: four times the number of
+/// frames less one, plus the state.
+std::string packed_states(const std::vector<std::uint8_t>& states, std::size_t frames);
+
+/// The bytes in the format of zlib (RFC 1950), in base64.
+std::string compressed_text(const std::string& bytes);
+
+/// Base64 of the bytes (RFC 4648).
+std::string base64(const std::string& bytes);
+
+}  // namespace rockslope
