@@ -27,10 +27,10 @@ const char* const head =
 # An address is the hash of all that a result depends on: what is there under its address is never computed again.
 )make";
 
-/// The recipes. A run notes the process that computes it, so that dda-study status knows which are running;
-/// its log has what it printed. A run is in the background of its shell, so that a SIGTERM to make reaches
-/// it, as a SIGHUP: it writes its checkpoint. A start is computed by one process at a time, also on several
-/// machines. A row whose start has collapsed has collapsed with it.
+/// The recipes. A run notes the process that computes it, so that dda-study status knows which are running,
+/// and empties the note; its log has what it printed. A run is in the background of its shell, so that a
+/// SIGTERM to make reaches it, as a SIGHUP: it writes its checkpoint. A start is computed by one process at a
+/// time, also on several machines. A row whose start has collapsed has collapsed with it.
 const char* const recipes = R"make(
 .SUFFIXES:
 .PHONY: all rows
@@ -40,18 +40,18 @@ all:
 	-@+$(MAKE) -k rows
 	@$(DDA_STUDY) status . --failures
 
-note = mkdir -p $(@D) && { read -r host </proc/sys/kernel/hostname && echo "$$host $$$$"; } >$(@D)/running
+note = [ -d $(@D) ] || mkdir -p $(@D); { read -r host </proc/sys/kernel/hostname && echo "$$host $$$$"; } >$(@D)/running
 unless = $(if $(1),$(DDA_STUDY) skip . $(1) $@; code=$$?; [ $$code -eq 1 ] || exit $$code;)
 run = $(DDA_RUN) $(RUN) --make --threads $(THREADS) -o $(@D) $(COMMON) $(1) >$(@D)/log 2>&1 & pid=$$!; \
     trap "kill -HUP $$pid" TERM; wait $$pid; code=$$?; while kill -0 $$pid 2>/dev/null; do wait $$pid; code=$$?; done; \
-    rm -f $(@D)/running; [ $$code -eq 0 ] || { echo "$(2): $$(tail -n 1 $(@D)/log)" >&2; exit $$code; }
+    : >$(@D)/running; [ $$code -eq 0 ] || { echo "$(2): $$(tail -n 1 $(@D)/log)" >&2; exit $$code; }
 
 cut = @mkdir -p $(@D) && $(BLOCKGEN) $(SLOPE) -o $@ $(1) >$(basename $@).log 2>&1 || \
     { tail -n 1 $(basename $@).log >&2; exit 1; }
 start = @mkdir -p $(@D); exec 9>$(@D)/lock; flock 9; [ ! -e $@ ] || exit 0; $(note); $(call run,$(1),start)
 row = @$(call unless,$(3)) echo "row $(2)"; $(note); $(call run,$(1),row $(2))
 branch = @$(call unless,$(3)) echo "row $(2)"; $(note); if [ -e $< ]; then $(call run,--from $< $(1),row $(2)); \
-    else cp $(<D)/summary.json $@; rm -f $(@D)/running; fi
+    else cp $(<D)/summary.json $@; : >$(@D)/running; fi
 )make";
 
 /// The options --set of some settings.

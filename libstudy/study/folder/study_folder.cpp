@@ -70,8 +70,10 @@ void write_study_folder(const PlannedStudy& study, const fs::path& folder, const
     const nlohmann::ordered_json description = {
         {"plan", study.plan.file.lexically_relative(folder).string()}};
     write_file_atomically(folder / "study.json", description.dump(2) + "\n");
-    for (std::size_t k = 0; k < study.rows.size(); ++k)
+    for (std::size_t k = 0; k < study.rows.size(); ++k) {
+        make_output_folder(folder / "results" / study.rows[k].address);
         make_link(folder / "runs" / row_name(k), fs::path("../results") / study.rows[k].address);
+    }
     remove_old_links(folder / "runs", study.rows.size());
     write_file_atomically(folder / "Makefile", makefile_text(study, folder, programs));
 }

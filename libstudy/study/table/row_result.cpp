@@ -172,7 +172,9 @@ bool read_unfinished(const fs::path& folder, const std::string& what, RowResult&
         result.message = text_in(summary, "message");
         return true;
     }
-    if (fs::exists(folder / "running") || fs::exists(folder / "checkpoint.h5")) {
+    // The note of a run that ended is empty.
+    const bool was_interrupted = fs::exists(folder / "running") && fs::file_size(folder / "running") > 0;
+    if (was_interrupted || fs::exists(folder / "checkpoint.h5")) {
         result.state = RowState::stopped;
         return true;
     }

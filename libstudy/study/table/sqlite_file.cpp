@@ -49,7 +49,7 @@ class Database {
             check(::sqlite3_bind_double(statement, place, *number));
         else
             check(::sqlite3_bind_text(statement, place, value.data(), static_cast<int>(value.size()),
-                                      SQLITE_TRANSIENT));
+                                      SQLITE_STATIC));
     }
     void check(int result) const {
         if (result != SQLITE_OK) fail();

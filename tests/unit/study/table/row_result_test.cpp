@@ -80,6 +80,11 @@ TEST_F(RowResultTest, KnowsWhereARowIs) {
     EXPECT_EQ(read().state, RowState::running);
     write("row/running", host + " 999999999");
     EXPECT_EQ(read().state, RowState::stopped) << "its process is gone";
+    write("row/running", "");
+    fs::remove(folder / "row" / "checkpoint.h5");
+    write("row/log", "run.toml:3: unknown key\n");
+    EXPECT_EQ(read().state, RowState::failed) << "ended, and left neither a summary nor a checkpoint";
+    EXPECT_EQ(read().message, "run.toml:3: unknown key");
     write("row/failed.json", R"({"status": "not converged", "message": "block 4"})");
     EXPECT_EQ(read().state, RowState::failed);
     EXPECT_EQ(read().cause, "not converged");
