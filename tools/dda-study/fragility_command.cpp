@@ -40,7 +40,8 @@ void add_fragility_options(CommandOptions& line) {
     add("picture", po::value<std::string>()->value_name("FILE"),
         "draw them, with the rows; .svg, .png or .pdf");
     add("convergence", po::value<std::string>()->value_name("FILE"),
-        "draw the median and its band against the number of groups; .csv, .svg, .png or .pdf");
+        "draw the median and its band against the number of groups, of the first grouping; .csv, .svg, .png "
+        "or .pdf");
 }
 
 study::FragilityRequest request_of(const CommandOptions& line) {

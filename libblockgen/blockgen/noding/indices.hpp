@@ -7,7 +7,7 @@ namespace rockslope::blockgen {
 /// A vertex of the noded network. The vertices of a BlockMesh are a selection of them, numbered anew.
 using NodeIndex = Index<struct NodeKind>;
 /// An edge of a network.
-using EdgeIndex = Index<struct EdgeKind>;
+using EdgeIndex = Index<struct NetworkEdgeKind>;
 /// A line that a round of snap rounding takes in.
 using SegmentIndex = Index<struct SegmentKind>;
 /// A hot cell of a round of snap rounding.

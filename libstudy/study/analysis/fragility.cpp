@@ -293,7 +293,7 @@ TextTable convergence_table(const Fragility& fragility) {
     TextTable table;
     table.heading = {"groups", "median", "lower", "upper", "rows"};
     if (fragility.groupings.empty()) return table;
-    const Grouping& grouping = fragility.groupings.back();
+    const Grouping& grouping = fragility.groupings.front();
     for (int count = 2; count <= grouping.count; ++count) {
         std::vector<FragilityPoint> points;
         for (std::size_t k = 0; k < fragility.points.size(); ++k)

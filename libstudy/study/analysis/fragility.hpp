@@ -75,7 +75,7 @@ std::string fragility_text(const Fragility& fragility);
 /// there is no curve, the bound that takes its place.
 TextTable fragility_table(const Fragility& fragility);
 
-/// The median and its band from the first 2, 3, ... groups of the last grouping: how many are enough.
+/// The median and its band from the first 2, 3, ... groups of the first grouping: how many are enough.
 TextTable convergence_table(const Fragility& fragility);
 
 }  // namespace rockslope::study

@@ -11,7 +11,7 @@ namespace rockslope::study {
 namespace {
 
 /// Slurm's default MaxArraySize, less one.
-constexpr std::size_t most_batches = 1000;
+constexpr double most_batches = 1000;
 constexpr double minute = 60;
 /// Time between the signal and the limit, for checkpoints, s.
 constexpr int warning_time = 60;
@@ -29,7 +29,7 @@ std::string numbered(const char* format, std::size_t number) {
 Batches make_batches(const std::vector<std::string>& targets, const SlurmOptions& options) {
     const double in_time =
         std::floor(options.batch_time / std::max(options.row_time, 1e-3)) * options.rows_at_once;
-    const auto for_array = static_cast<double>((targets.size() + most_batches - 1) / most_batches);
+    const double for_array = std::ceil(static_cast<double>(targets.size()) / most_batches);
     // Where there are few rows, all tasks that may run at once get some.
     const double for_all = std::ceil(static_cast<double>(targets.size()) / options.most_tasks);
     const auto size = static_cast<std::size_t>(std::max({1.0, std::min(in_time, for_all), for_array}));

@@ -140,7 +140,7 @@ Canvas draw_convergence(const Fragility& fragility, const TextTable& convergence
     for (const Point& median : medians) canvas.circle(median, 2.6, curve_colour(), std::nullopt);
     canvas.unclip();
     const std::string groups =
-        fragility.groupings.empty() ? "rows" : "groups of " + fragility.groupings.back().name;
+        fragility.groupings.empty() ? "rows" : "groups of " + fragility.groupings.front().name;
     axes.draw(canvas, "number of " + groups, "median, " + fragility.intensity_heading, true);
     draw_title(canvas, fragility.measure_heading + " beyond " + figure(fragility.request.limit) +
                            ": the median and its band");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/archive/iterators/base64_from_binary.hpp>
 #include <boost/archive/iterators/transform_width.hpp>
+#include <cmath>
 #include <map>
 #include <vector>
 
@@ -105,10 +106,11 @@ TextTable measures_table(const StudyRows& rows) {
         std::vector<std::string> line = {measure_heading(rows.plan.measures[k]),
                                          std::to_string(values.size())};
         std::sort(values.begin(), values.end());
-        for (const double share : {0.0, 0.16, 0.5, 0.84, 1.0})
-            line.push_back(values.empty() ? ""
-                                          : shortest_text(values[static_cast<std::size_t>(
-                                                share * static_cast<double>(values.size() - 1) + 0.5)]));
+        for (const double share : {0.0, 0.16, 0.5, 0.84, 1.0}) {
+            const long place =
+                values.empty() ? 0 : std::lround(share * static_cast<double>(values.size() - 1));
+            line.push_back(values.empty() ? "" : shortest_text(values[static_cast<std::size_t>(place)]));
+        }
         table.rows.push_back(std::move(line));
     }
     return table;
