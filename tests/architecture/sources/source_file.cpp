@@ -9,7 +9,8 @@ namespace rockslope::sources {
 
 namespace {
 
-constexpr const char* folders[] = {"libcommon", "libblockgen", "libdda", "libstudy", "tools", "bench", "tests"};
+constexpr const char* folders[] = {"libcommon", "libblockgen", "libdda", "libstudy",
+                                   "tools",     "bench",       "tests"};
 
 bool is_source(const std::filesystem::path& path) {
     return path.extension() == ".hpp" || path.extension() == ".cpp";

@@ -62,8 +62,8 @@ Coverage coverage(int seeds, int rows, int records, double common, bool by_recor
     return count;
 }
 
-// The true median and dispersion lie in the 95 % band in 93 to 97 % of data sets of 400 independent rows. Of 2000 sets
-// they did in 94.8 and 94.5 %.
+// The true median and dispersion lie in the 95 % band in 93 to 97 % of data sets of 400 independent rows. Of
+// 2000 sets they did in 94.8 and 94.5 %.
 TEST(Resample, BandsOfIndependentRowsHaveTheirConfidence) {
     const Coverage count = coverage(400, 400, 1, 0, false);
     EXPECT_GE(count.median, 4 * 93);
