@@ -40,7 +40,7 @@ MeasuredRegion read_measured_region(const ConfigTable& table, const BlockSystem&
                    "one of them or both");
     for (const BlockIndex block : model.blocks()) {
         if (model.motion[block] != Motion::free) continue;
-        const Vec2 centroid = blocks.centroid(block);
+        const Vec2& centroid = blocks.centroid(block);
         if (material.exists() && model.block_material[block] != material) continue;
         if (!polygon.empty() && side_of_ring(polygon, {centroid.x(), centroid.y()}) < 0) continue;
         region.blocks.push_back(block);

@@ -1,5 +1,7 @@
 #include "study/folder/row_settings.hpp"
 
+#include <cmath>
+
 #include "common/base/input_error.hpp"
 #include "common/base/text.hpp"
 #include "common/config/toml_text.hpp"
