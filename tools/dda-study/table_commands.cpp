@@ -14,7 +14,6 @@
 namespace rockslope {
 
 namespace fs = std::filesystem;
-namespace po = boost::program_options;
 using study::RowState;
 
 namespace {

@@ -74,8 +74,9 @@ void read_range(const ConfigTable& range, Factor& factor) {
         if (is_of_numbers || !continuous) {
             if (!is_whole(to - from) || to - from >= most_values)
                 range.fail("to", "the range has no 'step'", "'step' or 'count', or continuous = true");
-            for (double value = from; value <= to; ++value)
-                factor.values.push_back(number_text(value, is_whole(from), factor.unit));
+            for (long k = 0; k <= std::lround(to - from); ++k)
+                factor.values.push_back(
+                    number_text(from + static_cast<double>(k), is_whole(from), factor.unit));
         } else {
             factor.distribution = blockgen::Distribution{blockgen::Law::uniform, 0, 0, from, to, 1};
         }

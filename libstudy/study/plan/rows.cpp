@@ -72,7 +72,7 @@ std::vector<Row> combinations(const Plan& plan, const std::vector<std::size_t>& 
                          "at most ten million; sampled designs take fewer");
     std::vector<Row> rows;
     std::vector<int> levels(factors.size(), 0);
-    for (double k = 0; k < count; ++k) {
+    for (std::size_t k = 0; k < static_cast<std::size_t>(count); ++k) {
         RowMaker maker(plan);
         for (std::size_t i = 0; i < factors.size(); ++i) maker.set_level(factors[i], levels[i]);
         rows.push_back(maker.row());
