@@ -40,9 +40,9 @@ struct StateWithoutContacts {
     BoundaryReactions boundary_reactions;  ///< of viscous boundaries, N per metre
     FreeFieldMotions free_fields;          ///< of the columns beside viscous boundaries
     Energy energy;
-    BrokenBonds broken_bonds;        ///< of static stages whose bonds break at rest
+    BrokenBonds broken_bonds;            ///< of static stages whose bonds break at rest
     std::vector<LostBlock> lost_blocks;  ///< in the order in which they left the ground
-    PerBlock<std::uint8_t> removed;  ///< per block, 1 if excavated; empty as long as no block is
+    PerBlock<std::uint8_t> removed;      ///< per block, 1 if excavated; empty as long as no block is
 
     bool is_present(BlockIndex block) const { return removed.empty() || removed[block] == 0; }
 };
