@@ -1,7 +1,6 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "dda/analysis/open_close_iteration.hpp"
 #include "dda/analysis/state.hpp"
