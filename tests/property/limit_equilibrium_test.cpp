@@ -6,6 +6,9 @@
 #include <CGAL/QP_models.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "dda/contact/candidates.hpp"
 #include "dda/contact/detect.hpp"
 #include "support/random_shapes.hpp"

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dda/contact/contact_stiffness.hpp"
+#include "support/random_shapes.hpp"
 #include "support/scene.hpp"
 
 namespace rockslope::bonds_test {
