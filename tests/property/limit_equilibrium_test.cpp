@@ -152,7 +152,7 @@ TEST_P(BondedWalls, StandAndFallWhereLimitAnalysisSaysSo) {
 
 // On planes that dip by twice the angle of friction a wall stands up to the upper bound. Its bonds keep a
 // margin: they hold in the stage that follows, in which a bond that slips at all is broken.
-TEST_P(BondedWalls, StandOnSteepPlanesAsLongAsForcesExist) {
+TEST_P(BondedWalls, StandOnSteepPlanesWhereForcesExist) {
     const BondedWall wall(GetParam(), 50, 65, true);
     const double factor = collapse_factor(wall, wall.friction());
     const Settled near = settled(wall, 0.95 * factor);
@@ -174,7 +174,8 @@ TEST_P(BondedWalls, StandWithoutTensionWhereLimitAnalysisSaysSo) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, BondedWalls, testing::Range(1U, 31U), testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(Seeds, BondedWalls, testing::Range(1U, 5U), testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(LongSeeds, BondedWalls, testing::Range(5U, 31U), testing::PrintToStringParamName());
 
 }  // namespace
 }  // namespace rockslope::limit_equilibrium_test
