@@ -8,17 +8,17 @@ namespace rockslope::dda {
 
 namespace {
 
-Vec2 displacement_of(const State& state, PointIndex point) {
+Vec2 displacement_so_far(const State& state, PointIndex point) {
     return state.blocks.points[point] - state.displacement_origin[point];
 }
 
-Vec2 displacement_of(const State& state, BlockIndex block) {
+Vec2 displacement_so_far(const State& state, BlockIndex block) {
     return state.blocks.centroid(block) - state.centroid_origin[block];
 }
 
 Vec2 reference_displacement(const StopLimit& stop, const State& state) {
-    if (stop.reference_point.exists()) return displacement_of(state, stop.reference_point);
-    if (stop.reference_block.exists()) return displacement_of(state, stop.reference_block);
+    if (stop.reference_point.exists()) return displacement_so_far(state, stop.reference_point);
+    if (stop.reference_block.exists()) return displacement_so_far(state, stop.reference_block);
     return Vec2::Zero();
 }
 
@@ -32,13 +32,13 @@ class Farthest {
     }
     void look_at(BlockIndex block) {
         if (model_.motion[block] != Motion::free || !state_.is_present(block)) return;
-        keep(block, displacement_of(state_, block), state_.blocks.centroid(block));
+        keep(block, displacement_so_far(state_, block), state_.blocks.centroid(block));
     }
     void look_at(const std::string& name, PointIndex point) {
         const BlockIndex block = model_.material_points[point].block;
         if (!state_.is_present(block)) return;
         found_.point = name;
-        keep(block, displacement_of(state_, point), state_.blocks.points[point]);
+        keep(block, displacement_so_far(state_, point), state_.blocks.points[point]);
     }
     /// @param share of the mass of the free blocks that the blocks beyond the limit must exceed.
     std::optional<Collapse> found(double share) const {
