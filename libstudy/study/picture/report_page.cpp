@@ -20,21 +20,6 @@ const char* const style =
     ".8em;text-align:left}"
     "td.n{text-align:right}img{max-width:100%}pre{background:#f4f4f4;padding:.8em;white-space:pre-wrap}";
 
-std::string escaped(const std::string& text) {
-    std::string result;
-    for (const char c : text) {
-        if (c == '&')
-            result += "&amp;";
-        else if (c == '<')
-            result += "&lt;";
-        else if (c == '>')
-            result += "&gt;";
-        else
-            result += c;
-    }
-    return result;
-}
-
 std::string rounded(double value) {
     char text[32];
     std::snprintf(text, sizeof text, "%.4g", value);
@@ -50,20 +35,20 @@ std::string base64(const std::string& bytes) {
 }
 
 std::string image(const Canvas& canvas, const std::string& description) {
-    return "<p><img alt=\"" + escaped(description) + "\" src=\"data:image/svg+xml;base64," +
+    return "<p><img alt=\"" + xml_escaped(description) + "\" src=\"data:image/svg+xml;base64," +
            base64(canvas.bytes(PictureFormat::svg)) + "\"></p>\n";
 }
 
 std::string html_table(const TextTable& table) {
     std::string text = "<table><tr>";
-    for (const std::string& heading : table.heading) text += "<th>" + escaped(heading) + "</th>";
+    for (const std::string& heading : table.heading) text += "<th>" + xml_escaped(heading) + "</th>";
     text += "</tr>\n";
     for (const auto& row : table.rows) {
         text += "<tr>";
         for (const std::string& field : row) {
             const auto number = parse_number(field);
-            text +=
-                number ? "<td class=\"n\">" + rounded(*number) + "</td>" : "<td>" + escaped(field) + "</td>";
+            text += number ? "<td class=\"n\">" + rounded(*number) + "</td>"
+                           : "<td>" + xml_escaped(field) + "</td>";
         }
         text += "</tr>\n";
     }
@@ -127,7 +112,7 @@ std::string curves(const StudyRows& rows) {
         request.method = wanted.by_demands ? FragilityMethod::demands : FragilityMethod::outcomes;
         request.groups = fragility_groups(rows.plan);
         const Fragility fragility = fit_fragility(table, "the results", request);
-        text += "<pre>" + escaped(fragility_text(fragility)) + "</pre>\n" +
+        text += "<pre>" + xml_escaped(fragility_text(fragility)) + "</pre>\n" +
                 image(draw_fragility(fragility), "fragility of " + wanted.measure);
         if (!fragility.groupings.empty())
             text +=
@@ -150,7 +135,7 @@ std::string dependences(const StudyRows& rows) {
         const bool has_all =
             std::all_of(rows.results.begin(), rows.results.end(),
                         [&](const RowResult& result) { return result.measures[k].has_value(); });
-        text += "<h3>" + escaped(measure_heading(measure)) + "</h3>\n" +
+        text += "<h3>" + xml_escaped(measure_heading(measure)) + "</h3>\n" +
                 html_table(spread_table(rows, measure.name));
         if (all_done && has_all && tells_sensitivity(rows.plan.design)) {
             const SensitivityStudy study = study_sensitivity(rows, measure.name);
@@ -166,8 +151,8 @@ std::string report_page(const StudyRows& rows, const std::string& title) {
     const bool any_done = std::any_of(rows.results.begin(), rows.results.end(),
                                       [](const RowResult& result) { return is_done(result.state); });
     std::string page = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" +
-                       escaped(title) + "</title><style>" + style + "</style></head><body>\n<h1>" +
-                       escaped(title) + "</h1>\n<h2>Plan</h2>\n" + html_table(factors_table(rows.plan)) +
+                       xml_escaped(title) + "</title><style>" + style + "</style></head><body>\n<h1>" +
+                       xml_escaped(title) + "</h1>\n<h2>Plan</h2>\n" + html_table(factors_table(rows.plan)) +
                        "<h2>Rows</h2>\n" + html_table(counts_table(rows)) + "<h2>Measures</h2>\n" +
                        html_table(measures_table(rows));
     if (any_done && !rows.plan.fragilities.empty()) page += "<h2>Fragility</h2>\n" + curves(rows);
