@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "common/base/atomic_file.hpp"
+#include "common/base/base64.hpp"
 #include "common/base/input_error.hpp"
 #include "common/base/sha256.hpp"
 #include "common/base/text.hpp"

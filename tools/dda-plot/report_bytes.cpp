@@ -7,6 +7,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "common/base/base64.hpp"
+
 namespace rockslope {
 
 namespace {
@@ -57,21 +59,6 @@ std::string packed_states(const std::vector<std::uint8_t>& states, std::size_t f
             k = end;
         }
     return bytes;
-}
-
-std::string base64(const std::string& bytes) {
-    static constexpr char letters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    text.reserve(4 * (bytes.size() / 3 + 1));
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        const auto byte = [&](std::size_t k) {
-            return i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U;
-        };
-        const unsigned word = byte(0) << 16 | byte(1) << 8 | byte(2);
-        for (unsigned k = 0; k < 4; ++k)
-            text += i + k <= bytes.size() ? letters[(word >> (18 - 6 * k)) & 63] : '=';
-    }
-    return text;
 }
 
 std::string compressed_text(const std::string& bytes) {

@@ -30,7 +30,4 @@ std::string packed_states(const std::vector<std::uint8_t>& states, std::size_t f
 /// The bytes in the format of zlib (RFC 1950), in base64.
 std::string compressed_text(const std::string& bytes);
 
-/// Base64 of the bytes (RFC 4648).
-std::string base64(const std::string& bytes);
-
 }  // namespace rockslope

@@ -1,12 +1,11 @@
 #include "study/picture/report_page.hpp"
 
 #include <algorithm>
-#include <boost/archive/iterators/base64_from_binary.hpp>
-#include <boost/archive/iterators/transform_width.hpp>
 #include <cmath>
 #include <map>
 #include <vector>
 
+#include "common/base/base64.hpp"
 #include "common/base/text.hpp"
 #include "study/picture/fragility_picture.hpp"
 
@@ -23,14 +22,6 @@ const char* const style =
 std::string rounded(double value) {
     char text[32];
     std::snprintf(text, sizeof text, "%.4g", value);
-    return text;
-}
-
-std::string base64(const std::string& bytes) {
-    namespace it = boost::archive::iterators;
-    using Encoder = it::base64_from_binary<it::transform_width<std::string::const_iterator, 6, 8>>;
-    std::string text(Encoder(bytes.begin()), Encoder(bytes.end()));
-    while (text.size() % 4 != 0) text += '=';
     return text;
 }
 

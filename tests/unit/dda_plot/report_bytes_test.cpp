@@ -81,19 +81,6 @@ TEST(ReportBytes, StatesReadBackAsRuns) {
     EXPECT_EQ(reader.bytes.size(), 5U) << "a run ends where an item ends";
 }
 
-TEST(ReportBytes, Base64IsThatOfTheStandard) {
-    // RFC 4648, section 10.
-    const std::pair<const char*, const char*> vectors[] = {{"", ""},
-                                                           {"f", "Zg=="},
-                                                           {"fo", "Zm8="},
-                                                           {"foo", "Zm9v"},
-                                                           {"foob", "Zm9vYg=="},
-                                                           {"fooba", "Zm9vYmE="},
-                                                           {"foobar", "Zm9vYmFy"}};
-    for (const auto& [bytes, text] : vectors) EXPECT_EQ(base64(bytes), text);
-    EXPECT_EQ(base64("\xff\xfe\xfd"), "//79");
-}
-
 TEST(ReportBytes, CompressedTextIsOfZlib) {
     const std::string bytes(10'000, 'a');
     const std::string text = compressed_text(bytes);
