@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "dda/analysis/step_problem.hpp"
 #include "dda/contact/contact_stiffness.hpp"
 #include "dda/contact/detect.hpp"
 
@@ -11,8 +12,6 @@ namespace rockslope::dda {
 
 namespace {
 
-/// Slip or opening of a bond that is not held, over the length of its contact.
-constexpr double largest_bond_strain = 0.01;
 /// The bonds that break in one event: their measure over the largest.
 constexpr double worst_share = 0.95;
 

@@ -13,6 +13,9 @@
 
 namespace rockslope::dda {
 
+/// Slip or opening of a bond that a static stage does not hold, over the length of its contact, Eq. (96).
+inline constexpr double largest_bond_strain = 0.01;
+
 /// The state and forces of a contact at the end of a step, evaluated by its joint law.
 struct EvaluatedContact {
     ContactState state = ContactState::open;

@@ -17,9 +17,6 @@ bool is_within(double force, const Strength& bounds) {
     return force <= bounds.forward && force >= -bounds.backward && bounds.forward + bounds.backward > 0;
 }
 
-/// Opening over the contact's length up to which cohesion acts where bonds hold, as `largest_bond_strain`.
-constexpr double held_opening = 0.01;
-
 /// Force change over the force tolerance below which the law of a rough joint segment is not evaluated again.
 /// The final convergence test evaluates all laws.
 constexpr double law_reuse_tolerance = 0.1;
@@ -397,7 +394,7 @@ bool TrialContacts::stays_closed(ContactIndex k) const {
     const Trial& trial = trials_[k];
     if (!trial.may_close) return false;
     if (is_bonded(k) || current_forces(k).normal > 0 || is_rebounding(k)) return true;
-    if (p_.bonds_hold() && coheres(k)) return gap(k) < held_opening * p_.contacts[k].length;
+    if (p_.bonds_hold() && coheres(k)) return gap(k) < largest_bond_strain * p_.contacts[k].length;
     return coheres(k) && -spring_force(k) < std::min(trial.bounds.forward, trial.bounds.backward);
 }
 
