@@ -1,6 +1,6 @@
 #include "study/statistics/resample.hpp"
 
-#include <Eigen/Core>
+#include <Eigen/LU>
 #include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
