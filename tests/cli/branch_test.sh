@@ -64,21 +64,23 @@ sed 's/vertex 3 2/vertex 3 2.5/' two.blocks >higher.blocks
 branch_refused 'the block file is not that of the saved run' --from settled/stage-1.saved.h5 --blocks higher.blocks
 
 # A branch that is killed goes on with --make, and so does one whose checkpoint is damaged or of other input.
+long_branch="run.toml --from settled/stage-1.saved.h5 --make --set stage[1].duration=600 --set output.checkpoint_interval=1e-3"
 start_long() {
-    "$run" run.toml -o "$1" --from settled/stage-1.saved.h5 --set 'stage[1].duration=60' --make \
-        --set output.checkpoint_interval=1e-3 >/dev/null 2>"$1.err"
+    # shellcheck disable=SC2086
+    "$run" $long_branch -o "$1" >/dev/null 2>"$1.err"
 }
 mkdir long-branch
-start_long "$folder/long-branch" &
+# shellcheck disable=SC2086
+"$run" $long_branch -o long-branch >/dev/null 2>long-branch.err &
 while [ ! -s long-branch/checkpoint.h5 ]; do sleep 0.01; done
-kill_all_with "-o $folder/long-branch"
+kill -9 $!
 wait 2>/dev/null || true
 [ ! -e long-branch/summary.json ] || fail "the run was over before it was killed"
-branch_refused 'is a checkpoint from within a stage' --from long-branch/checkpoint.h5 --set 'stage[1].duration=60' \
+branch_refused 'is a checkpoint from within a stage' --from long-branch/checkpoint.h5 --set 'stage[1].duration=600' \
     --set output.checkpoint_interval=1e-3
 cp -r long-branch damaged
 echo rubbish >damaged/checkpoint.h5
-start_long "$folder/long-branch"
+start_long long-branch
 [ ! -e long-branch/checkpoint.h5 ] || fail "the checkpoint of a complete run is left"
 start_long damaged
 grep -q 'begins anew' damaged.err || fail "not told that the run begins anew"

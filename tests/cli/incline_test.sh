@@ -64,7 +64,7 @@ for attempt in first second; do
 done
 
 # A run that is killed together with make goes on from its checkpoint.
-long="--set stage[1].duration=60 --set output.checkpoint_interval=1e-3"
+long="--set stage[1].duration=300 --set output.checkpoint_interval=1e-3"
 killed=$folder/incline/killed
 make --no-print-directory BIN="$bin" OUT="$killed" run RUN_FLAGS="$long" >log 2>&1 &
 pid=$!
