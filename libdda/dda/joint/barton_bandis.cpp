@@ -165,7 +165,9 @@ void BartonBandis::dilate(const History& history, const ContactMotion& motion, H
         if (!is_fresh(after) && outward > 0) after.locked_slope = side * rate;
         return;
     }
-    if (motion.slip == 0) {
+    // Slip against the displacement is what the spring has shortened by where the strength has fallen: the
+    // walls move as those of a locked joint.
+    if (motion.slip == 0 || (motion.slip < 0) != (motion.displacement < 0)) {
         after.dilation += history.locked_slope * motion.displacement;
         return;
     }
@@ -186,10 +188,14 @@ void BartonBandis::dilate(const History& history, const ContactMotion& motion, H
         slides_from = std::min(outline(history) + locked - inward, after.furthest);
         locked = locked_distance(slides_from);
     }
+    // No steeper than the strength can climb: the stress at a corner may be far above the reference.
+    const double steepest =
+        strength_at(after.furthest, motion.normal_force, motion.length) / motion.normal_force;
+    const double climbed =
+        dilation_between(slides_from, after.furthest, rough, std::numeric_limits<double>::infinity());
     after.dilation +=
-        dilation_between(slides_from, after.furthest, rough, std::numeric_limits<double>::infinity()) +
-        sign * locked * history.locked_slope;
-    if (outward > 0) after.locked_slope = side * rate;
+        std::min(climbed, steepest * (after.furthest - slides_from)) + sign * locked * history.locked_slope;
+    if (outward > 0) after.locked_slope = side * std::min(rate, steepest);
 }
 
 double BartonBandis::reference_roughness(const History& history) const {

@@ -348,8 +348,17 @@ void CyclicShearPath::record_motion(const Place& place, const Piece& piece, doub
         history_.dilation += direction_ * (to - from) * history_.locked_slope;
     } else {
         const LinearAngle dilation = part_of(piece.dilation, from, to);
-        history_.dilation += (to - from) * mean_tangent(dilation.first, dilation.last);
-        const double here = side * dilation_tangent(mobilised_.advance_ratio({end, place.side, true}));
+        const LinearAngle bound = part_of(piece.bound, from, to);
+        // The dilation angle is that of the reference stress. Under a much larger one, at a corner, the
+        // strength may be too small to climb it: friction then takes nothing, and gives nothing.
+        const auto climbed = [&](double tangent, double strength) {
+            return flying_ ? tangent : std::min(tangent, strength);
+        };
+        history_.dilation += (to - from) * climbed(mean_tangent(dilation.first, dilation.last),
+                                                   mean_tangent(bound.first, bound.last));
+        const double here =
+            side *
+            climbed(dilation_tangent(mobilised_.advance_ratio({end, place.side, true})), tan_(bound.last));
         history_.locked_slope = flying_ ? here : slope_after_slip(here, piece.bound, from, to);
     }
     if (law_.floor_dilation) history_.dilation = std::max(history_.dilation, 0.0);

@@ -92,6 +92,37 @@ TEST(BartonBandis, DilatesByTheMobilisedRoughness) {
     EXPECT_NEAR(after(barton_1985_granite(2), granite_peak).dilation, half, 1e-9) << "M = 2";
 }
 
+// Where the normal force falls the strength falls, and the spring shortens by slip. The walls have hardly
+// moved, and the joint dilates as little, whichever way they moved. It counted the shortening as motion of
+// the walls, and contracted by its slope.
+TEST(BartonBandis, SlipAgainstTheDisplacementLeavesTheDilation) {
+    const BartonBandis law = barton_1985_granite();
+    const double k = law.shear_stiffness(law.fresh(true), force, length);
+    const auto there =
+        law.advance(law.fresh(true), {granite_peak, 2 * granite_peak, force, length, false, 0, k});
+    EXPECT_GT(there.locked_slope, 0.1);
+    for (const double displacement : {1e-9, -1e-9}) {
+        const auto shortened =
+            law.advance(there, {granite_peak / 2, displacement, force / 2, length, false, 0, k});
+        EXPECT_NEAR(shortened.dilation, there.dilation, 1e-9) << displacement;
+    }
+}
+
+// At a corner the stress is so large that the strength is that of the residual angle. The dilation, of the
+// stress at rest, is no steeper than that.
+TEST(BartonBandis, DilatesNoSteeperThanItsStrengthClimbs) {
+    const BartonBandis law = barton_1985_granite();
+    const double weak = 5e2, k = law.shear_stiffness(law.fresh(true), weak, length);
+    const auto there =
+        law.advance(law.fresh(true), {granite_peak / 2, granite_peak, weak, length, false, 0, k});
+    const double slip = granite_peak / 10, corner = 1e-6;
+    const auto slid = law.advance(there, {slip, slip, weak, corner, false, 0, k});
+    const double strength = law.strength(slid, weak, corner, {}).forward / weak;
+    EXPECT_GT(there.locked_slope, 1.01 * strength) << "the stress at rest would give more";
+    EXPECT_LE(slid.dilation - there.dilation, strength * slip * (1 + 1e-12));
+    EXPECT_LE(slid.locked_slope, strength * (1 + 1e-12));
+}
+
 // The walls part beyond the distance at which they have worn, meet again on the way back, and wear nowhere.
 TEST(BartonBandis, AnOpenJointFollowsItsWalls) {
     const BartonBandis law = barton_1985_granite();
