@@ -7,7 +7,8 @@ namespace rockslope::dda {
 
 namespace {
 
-/// Advances the histories. `contacts` still have the forces of the step's start.
+/// Advances the histories. `contacts` still have the forces of the step's start. A closed contact dilates by
+/// what the step was solved with; what its history dilates by beyond that is left to the next step.
 void advance_histories(const Model& model, const ContactStep& step, const ThreadPool& pool,
                        ContactSpan<Contact> contacts) {
     const JointSegments& segments = step.segments;
@@ -37,7 +38,13 @@ void advance_histories(const Model& model, const ContactStep& step, const Thread
             const JointLaw& law = model.joint_material_at(material).law;
             const SegmentMotion combined = segment_motion(members, contacts, motion);
             const SharedHistory moved = batch.add(advance(law, *combined.history, combined.motion));
-            for (const ContactIndex k : members) contacts[k].inherit_history(moved, dilation(law, moved));
+            const double dilated = dilation(law, moved);
+            for (const ContactIndex k : members) {
+                const EvaluatedContact& evaluated = step.evaluated[k];
+                const bool is_open = evaluated.state == ContactState::open;
+                contacts[k].inherit_history(
+                    moved, is_open ? dilated : contacts[k].dilation + evaluated.dilation_increment);
+            }
         }
     });
 }

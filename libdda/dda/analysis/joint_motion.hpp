@@ -31,6 +31,13 @@ inline ContactMotion contact_motion(const Model& model, const Contact& contact, 
     return motion;
 }
 
+/// The dilation that a step has left to the next one, m: that of the contact's history less that of the
+/// contact.
+inline double left_dilation(const Model& model, const Contact& contact) {
+    const JointLaw& law = model.joint_material_at(contact.joint_material).law;
+    return dilates(law) ? dilation(law, *contact.history) - contact.dilation : 0;
+}
+
 /// Motion of a joint segment in a step, and its history at the step's start.
 struct SegmentMotion {
     ContactMotion motion;

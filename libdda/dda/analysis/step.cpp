@@ -174,7 +174,7 @@ StepAttempt TimeStepper::attempt_with(const Stage& stage, const State& state, do
     static_cast<StepCounts&>(attempt.report) = result;
     attempt.report.largest_displacement = moved;
     attempt.report.remaining_dilation =
-        remaining_dilation(step.contacts.contacts, result.contacts, attempt.state.contacts.contacts);
+        remaining_dilation(model_, result.contacts, step.contacts.contacts, attempt.state.contacts.contacts);
     attempt.report.ended_counter_slips =
         ended_counter_slips(model_, step.segments, step.contacts.contacts, attempt.state.contacts.contacts);
     return attempt;

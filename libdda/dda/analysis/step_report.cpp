@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "dda/analysis/joint_motion.hpp"
 #include "dda/contact/inherited_penetration.hpp"
 #include "dda/terms/loads.hpp"
 
@@ -52,13 +53,15 @@ StepReport report_step(const Model& model, const RowMap& rows, const State& afte
     return report;
 }
 
-double remaining_dilation(ContactSpan<const Contact> before, ContactSpan<const EvaluatedContact> evaluated,
-                          ContactSpan<const Contact> after) {
+double remaining_dilation(const Model& model, ContactSpan<const EvaluatedContact> evaluated,
+                          ContactSpan<const Contact> before, ContactSpan<const Contact> after) {
     double largest = 0;
     for (const ContactIndex k : after.indices()) {
-        if (after[k].state == ContactState::open && !(after[k].gap < 0)) continue;
-        const double dilated = after[k].dilation - before[k].dilation;
-        largest = std::max(largest, std::abs(dilated - evaluated[k].dilation_increment));
+        const bool is_open = after[k].state == ContactState::open;
+        if (is_open && !(after[k].gap < 0)) continue;
+        const double left = is_open ? after[k].dilation - before[k].dilation - evaluated[k].dilation_increment
+                                    : left_dilation(model, after[k]);
+        largest = std::max(largest, std::abs(left));
     }
     return largest;
 }

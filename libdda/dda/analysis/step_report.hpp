@@ -41,11 +41,11 @@ double unbalanced_force(const BlockSystem& blocks, BlockIndex block, double refe
 StepReport report_step(const Model& model, const RowMap& rows, const State& after, double step,
                        double max_stiffness);
 
-/// The dilation that the step postpones to the next one, m: the largest difference between the dilation that
-/// the joint histories advance by and the dilation that the step was solved with. Only contacts that are
-/// closed or overlap at the end of the step count.
+/// The dilation that the step leaves to the next one, m: the largest difference between the dilation of a
+/// history and that of its contact, and of a contact that is open and overlaps, between the dilation that its
+/// history advances by and the dilation that the step was solved with.
 /// @param before, after contacts at the start and at the end of the step.
-double remaining_dilation(ContactSpan<const Contact> before, ContactSpan<const EvaluatedContact> evaluated,
-                          ContactSpan<const Contact> after);
+double remaining_dilation(const Model& model, ContactSpan<const EvaluatedContact> evaluated,
+                          ContactSpan<const Contact> before, ContactSpan<const Contact> after);
 
 }  // namespace rockslope::dda

@@ -76,6 +76,7 @@ TrialContacts::Trial TrialContacts::initial_trial(ContactIndex k) const {
     trial.dilating = locked_dilation(p_.model, contact.joint_material, contact.history);
     trial.shear_origin -= trial.dilating.shear_force(contact.normal_force, contact.joint_share);
     trial.tilt = trial.sliding_slope = trial.dilating.slope;
+    trial.dilation_increment = left_dilation(p_.model, contact);
     if (const EvaluatedContact* guess = p_.guess[k]; guess != nullptr && trial.may_close) {
         trial.active = guess->state != ContactState::open;
         trial.locked = guess->state == ContactState::locked;

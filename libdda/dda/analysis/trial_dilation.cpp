@@ -159,8 +159,9 @@ bool TrialContacts::postpone_dilation() {
     bool any = false;
     visit_dilation_by_law([&](ContactIndex k, double by_law) {
         Trial& trial = trials_[k];
-        if (trial.postponed || std::abs(by_law - trial.dilation_increment) <= std::abs(by_law)) return;
-        trial.dilation_increment = 0;
+        const double left = left_dilation(p_.model, p_.contacts[k]);
+        if (trial.postponed || std::abs(by_law - trial.dilation_increment) <= std::abs(by_law - left)) return;
+        trial.dilation_increment = left;
         trial.sliding_slope = 0;
         set_tilt(k, 0);
         trial.postponed = true;

@@ -10,37 +10,54 @@ namespace {
 using dda::Contact;
 using dda::ContactState;
 
-/// The remaining dilation of a contact that is closed at the end of the step. Its dilation goes from `before`
-/// to `after`, and the step was solved with the increment `solved`.
-double remaining(double before, double after, double solved) {
-    std::vector<Contact> start(1), end(1);
-    std::vector<dda::EvaluatedContact> evaluated(1);
-    start[0].dilation = before;
-    end[0].dilation = after;
-    end[0].state = ContactState::sliding;
-    evaluated[0].dilation_increment = solved;
-    return dda::remaining_dilation(start, evaluated, end);
+/// A model with one joint material, whose joints dilate.
+dda::Model dilating_joint() {
+    dda::Model model;
+    dda::BartonBandis law;
+    law.damage = 1;
+    model.joint_materials.push_back({"joint", law, 0, 0});
+    return model;
 }
 
-TEST(RemainingDilation, IsTheDifferenceToTheIncrementOfTheSolution) {
-    EXPECT_EQ(remaining(0, 0, 0), 0);
-    EXPECT_EQ(remaining(.25, .75, .5), 0);
-    EXPECT_EQ(remaining(.25, .75, 0), .5) << "postponed";
-    EXPECT_EQ(remaining(.75, .25, 0), .5) << "contracting";
-    EXPECT_EQ(remaining(.25, .75, .75), .25) << "solved with too much";
+dda::SharedHistory dilated_by(double dilation) {
+    dda::BartonBandis::History history;
+    history.dilation = dilation;
+    return dda::SharedHistory(history);
+}
+
+/// The remaining dilation of a contact that is closed at the end of the step.
+/// @param by_law dilation of its history at the end; @param solved that of the contact.
+double remaining(double by_law, double solved) {
+    const std::vector<Contact> start(1);
+    std::vector<Contact> end(1);
+    const std::vector<dda::EvaluatedContact> evaluated(1);
+    end[0].history = dilated_by(by_law);
+    end[0].dilation = solved;
+    end[0].state = ContactState::sliding;
+    return dda::remaining_dilation(dilating_joint(), evaluated, start, end);
+}
+
+TEST(RemainingDilation, IsWhatTheHistoryHasBeyondTheContact) {
+    EXPECT_EQ(remaining(0, 0), 0);
+    EXPECT_EQ(remaining(.75, .75), 0);
+    EXPECT_EQ(remaining(.75, .25), .5) << "postponed";
+    EXPECT_EQ(remaining(.25, .75), .5) << "contracting";
+    EXPECT_EQ(remaining(-.25, .5), .75) << "solved with too much";
 }
 
 TEST(RemainingDilation, IsTheLargestOfClosedOrOverlappingContacts) {
-    std::vector<Contact> start(4), end(4);
+    const dda::Model model = dilating_joint();
+    const std::vector<Contact> start(4);
+    std::vector<Contact> end(4);
     const std::vector<dda::EvaluatedContact> evaluated(4);
     end[0].state = ContactState::locked;
-    end[0].dilation = .125;
+    end[0].history = dilated_by(.125);
     end[1].dilation = 1;  // open, and has a gap
     end[1].gap = .5;
-    EXPECT_EQ(dda::remaining_dilation(start, evaluated, end), .125);
+    EXPECT_EQ(dda::remaining_dilation(model, evaluated, start, end), .125);
     end[2].dilation = .25;  // open, and will close by it
     end[2].gap = -.125;
-    EXPECT_EQ(dda::remaining_dilation(start, evaluated, end), .25);
+    EXPECT_EQ(dda::remaining_dilation(model, evaluated, start, end), .25);
 }
 
 }  // namespace
