@@ -162,8 +162,7 @@ bool TrialContacts::postpone_dilation() {
         const double left = left_dilation(p_.model, p_.contacts[k]);
         if (trial.postponed || std::abs(by_law - trial.dilation_increment) <= std::abs(by_law - left)) return;
         trial.dilation_increment = left;
-        trial.sliding_slope = 0;
-        set_tilt(k, 0);
+        trial.sliding_slope = 0;  // update_active_set() tilts the spring, and the matrix follows
         trial.postponed = true;
         any = true;
     });
