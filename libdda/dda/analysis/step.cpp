@@ -25,8 +25,12 @@ constexpr int attempt_limit = 8;
 /// factor of about the rotation, rad.
 constexpr int rotation_correction_limit = 3;
 /// Tolerated penetration of a vertex without a contact at the end of a step, over the median edge length. Far
-/// below any penetration that matters, far above rounding.
+/// below any penetration that matters, far above rounding. In a step that was cut to less than a thousandth
+/// the tolerance is larger by as much as the step is shorter, up to the second value: a depth that such steps
+/// do not prevent is none to end a run for.
 constexpr double undetected_depth = 1e-9;
+constexpr double largest_undetected_depth = 1e-6;
+constexpr double hopeless_cut = 1e-3;
 /// Tolerated penetration of a vertex that enters and leaves a block within a step, over the median edge
 /// length. The test replaces arcs by straight paths, and strain moves the vertices of a joint by less than
 /// this.
@@ -157,7 +161,7 @@ StepAttempt TimeStepper::attempt_with(const Stage& stage, const State& state, do
     const double max_stiffness = max_spring_stiffness(step.springs);
     step.springs = {};  // frees memory; the next search needs as much
     const std::vector<UndetectedPenetration> undetected =
-        undetected_penetrations(state, attempt.state, prediction.search_radius);
+        undetected_penetrations(stage, state, attempt.state, prediction.search_radius);
     if (!undetected.empty()) {
         attempt.rejection = Rejection::undetected_penetration;
         attempt.worst_contact =
@@ -201,15 +205,19 @@ bool TimeStepper::is_too_stiff_for_rounding(const Step& step) const {
            coordinate_rounding_ * max_spring_stiffness(step.springs) > rounding_force_limit * mean_weight_;
 }
 
-std::vector<UndetectedPenetration> TimeStepper::undetected_penetrations(const State& before,
+std::vector<UndetectedPenetration> TimeStepper::undetected_penetrations(const Stage& stage,
+                                                                        const State& before,
                                                                         const State& after,
                                                                         double search_radius) const {
+    const double dt = after.stage_time - before.stage_time;
+    const double shorter = hopeless_cut * stage.control.step / dt;
+    const double depth = std::clamp(undetected_depth * shorter, undetected_depth, largest_undetected_depth);
     const PenetrationTest test{.before = before.blocks.vertices,
                                .after = after.blocks.vertices,
                                .candidates = after.contacts.candidates,
                                .contacts = after.contacts.contacts,
                                .search_radius = search_radius,
-                               .tolerance = undetected_depth * edge_length_,
+                               .tolerance = depth * edge_length_,
                                .clip_depth = clipping_depth * edge_length_};
     return find_undetected_penetrations(model_, test, pool_);
 }

@@ -76,7 +76,8 @@ class TimeStepper {
     /// Whether the rounding of coordinates alone changes spring forces by a tenth of the mean block weight.
     bool is_too_stiff_for_rounding(const Step& step) const;
     /// Vertices that penetrate a block without a contact at the end of the step, or passed through it.
-    std::vector<UndetectedPenetration> undetected_penetrations(const State& before, const State& after,
+    std::vector<UndetectedPenetration> undetected_penetrations(const Stage& stage, const State& before,
+                                                               const State& after,
                                                                double search_radius) const;
     /// Inertia, elasticity, loads, fixed points and viscous boundaries.
     void assemble_base(const Stage& stage, const State& state, Step& step) const;
