@@ -6,7 +6,7 @@
 
 namespace rockslope::verification {
 
-const std::array<CatalogueCase, 69> catalogue = {{
+const std::array<CatalogueCase, 70> catalogue = {{
     {"V01", "Free fall", "y = -g t²/2, v = -g t"},
     {"V02", "Block at rest", "penetration W / (2 k_n)", false},
     {"V03", "Stress of self-weight", "virial: σ_y = -ρ g h/2, σ_x = 0", false},
@@ -62,6 +62,7 @@ const std::array<CatalogueCase, 69> catalogue = {{
     {"V53", "Excavation between stages", "weight of the column left; free fall without support", false},
     {"V54", "Normal closure of a joint", "hyperbola of Bandis; energy stored", false},
     {"V55", "Cantilever of glued blocks", "Timoshenko's beam", false},
+    {"V56", "Shaken block on a rough joint", "rigid block of two degrees of freedom on the same law"},
     {"P02", "Tilted arch", "limit state of rigid stones: linear inequalities of statics"},
     {"P03", "Least semicircular arch", "limit state of rigid stones: linear inequalities of statics"},
     {"P04", "Overhang of stacked bricks", "statics: L/2 (1 + 1/2 + ... + 1/n)"},
