@@ -11,7 +11,7 @@ set(storeys_of_study "statistics design csv" "plan" "folder" "table cluster" "an
 set(levels_of_analysis
     "base_motion energy joint_motion path_contact step_counts step_problem"
     "advance_contacts counter_slips energy_watch prediction segment_strength shear_sharing state"
-    "bonds lost_blocks segment_friction step_report"
+    "bonds deepest_contact lost_blocks segment_friction step_report"
     "moving_block run_observer trial_contacts"
     "augmentation line_search shear_line step_matrix trial_dilation"
     "friction_coupling interior_point"

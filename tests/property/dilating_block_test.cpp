@@ -10,6 +10,7 @@
 #include <numbers>
 #include <vector>
 
+#include "support/cyclic_joints.hpp"
 #include "support/shaken_block.hpp"
 
 namespace rockslope::dilating_block_test {

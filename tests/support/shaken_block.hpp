@@ -8,7 +8,8 @@
 #include <numbers>
 #include <vector>
 
-#include "support/cyclic_joints.hpp"
+#include "dda/joint/barton_bandis.hpp"
+#include "dda/joint/cyclic_barton_bandis.hpp"
 #include "support/scene.hpp"
 
 namespace rockslope::scene {

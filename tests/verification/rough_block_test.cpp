@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "support/cyclic_joints.hpp"
 #include "support/record.hpp"
 #include "support/rigid_block.hpp"
 

@@ -14,6 +14,7 @@
 #include "common/base/read_file.hpp"
 #include "common/base/sha256.hpp"
 #include "common/base/text.hpp"
+#include "dda/analysis/deepest_contact.hpp"
 #include "dda/analysis/energy_watch.hpp"
 #include "dda/analysis/run.hpp"
 #include "dda/checkpoint/resume_check.hpp"
@@ -294,6 +295,16 @@ void warn_of_left_moving(const std::vector<dda::LeftMoving>& left, const std::ve
     }
 }
 
+/// Tells of a block that is inside another one.
+void warn_of_deep_contact(const dda::DeepestContact& deepest, Warnings& warnings) {
+    if (!(deepest.share > dda::deep_share)) return;
+    warnings.tell(
+        "block %d was inside block %d by %.3g m at t = %.6g s, %.2g %% of the smaller one; a stiffer contact "
+        "or a penetration_tolerance keeps it out",
+        deepest.corner_block.value(), deepest.edge_block.value(), deepest.depth, deepest.time,
+        100 * deepest.share);
+}
+
 /// Tells of the blocks that have left the ground.
 void warn_of_lost_blocks(const dda::Model& model, const std::vector<dda::LostBlock>& lost,
                          Warnings& warnings) {
@@ -427,6 +438,7 @@ ExitCode simulate(const CommandLine& line, const std::string& version) {
     print_factor_of_safety(results.state().trials);
     warn_of_left_moving(results.state().left_moving, input.stages, warnings);
     warn_of_lost_blocks(input.model, state.lost_blocks, warnings);
+    warn_of_deep_contact(state.deepest_contact, warnings);
     if (outcome.status == dda::RunStatus::completed)
         warn_of_still_moving(input.model, state, input.stages.back(), results, warnings);
     print_broken_bonds(state.broken_bonds);

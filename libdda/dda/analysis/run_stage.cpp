@@ -7,6 +7,7 @@
 #include <string>
 
 #include "dda/analysis/bonds.hpp"
+#include "dda/analysis/deepest_contact.hpp"
 #include "dda/analysis/energy_watch.hpp"
 #include "dda/analysis/lost_blocks.hpp"
 #include "dda/analysis/moving_block.hpp"
@@ -196,6 +197,7 @@ RunOutcome run_stage(const Model& model, const Stage& stage, TimeStepper& steppe
             stop(model, stage, state);
             if (holds) relax_held_bonds(model, state);
         }
+        note_deepest_contact(model, state);
         const std::vector<BlockIndex> lost = note_lost_blocks(model, state);
         if (!observer.step_done(model, state, stage, attempt.report))
             return {RunStatus::stopped, "stopped as asked", {}};

@@ -23,6 +23,15 @@ struct LostBlock {
     Vec2 centroid = Vec2::Zero();  ///< m, at that time
 };
 
+/// A contact that penetrates, see note_deepest_contact().
+struct DeepestContact {
+    double share = 0;  ///< of the penetration in the smaller block's size
+    double depth = 0;  ///< m
+    double time = 0;   ///< s since the start of the run
+    BlockIndex corner_block = BlockIndex::none();
+    BlockIndex edge_block = BlockIndex::none();
+};
+
 /// The state of the model at one instant, without its contacts.
 struct StateWithoutContacts {
     double time = 0;               ///< s since the start of the run
@@ -42,6 +51,7 @@ struct StateWithoutContacts {
     Energy energy;
     BrokenBonds broken_bonds;            ///< of static stages whose bonds break at rest
     std::vector<LostBlock> lost_blocks;  ///< in the order in which they left the ground
+    DeepestContact deepest_contact;      ///< so far
     PerBlock<std::uint8_t> removed;      ///< per block, 1 if excavated; empty as long as no block is
 
     bool is_present(BlockIndex block) const { return removed.empty() || removed[block] == 0; }

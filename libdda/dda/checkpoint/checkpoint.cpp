@@ -13,7 +13,7 @@ namespace rockslope::dda {
 
 namespace {
 
-constexpr std::int64_t checkpoint_version = 17;
+constexpr std::int64_t checkpoint_version = 18;
 constexpr std::size_t chunk_elements = 1 << 16;  // elements
 
 template <class T>

@@ -203,7 +203,7 @@ template <class Walker, class S>
 void state_of_blocks(Walker& walker, S& value) {
     auto& [time, stage_time, dynamic_time, next_step, step_count, stage_steps, all_blocks,
            displacement_origin, centroid_origin, vertex_origin, stage_origin, bolt_force, boundary_reactions,
-           free_fields, ledger, broken_bonds, lost_blocks, removed] = value;
+           free_fields, ledger, broken_bonds, lost_blocks, deepest_contact, removed] = value;
     reals(walker, time, stage_time, dynamic_time, next_step);
     auto& [broken_contacts, breaking_events] = broken_bonds;
     integers(walker, step_count, stage_steps, broken_contacts, breaking_events);
@@ -223,6 +223,9 @@ void state_of_blocks(Walker& walker, S& value) {
         reals(walker, left_at);
         components(walker, centroid);
     }
+    auto& [share, depth, deepest_at, corner_block, edge_block] = deepest_contact;
+    reals(walker, share, depth, deepest_at);
+    integers(walker, corner_block, edge_block);
     walker.resize(removed);
     for (auto& flag : removed) walker.integer(flag);
 }

@@ -191,6 +191,14 @@ Json left_moving_json(const std::vector<LeftMoving>& left, const Model& model,
     return list;
 }
 
+Json deepest_contact_json(const DeepestContact& deepest) {
+    if (!deepest.corner_block.exists()) return nullptr;
+    return {{"depth", deepest.depth},
+            {"share_of_block", deepest.share},
+            {"time", deepest.time},
+            {"blocks", {deepest.corner_block.value(), deepest.edge_block.value()}}};
+}
+
 Json lost_blocks_json(const std::vector<LostBlock>& lost, const Model& model) {
     Json list = Json::array();
     for (const LostBlock& l : lost) {
@@ -329,6 +337,7 @@ std::string summary_text(const Model& model, const std::vector<Stage>& stages, c
     if (state.dynamic_time > 0) json["spring_resolution"] = springs_json(model, stages);
     if (!results.state().left_moving.empty())
         json["moving_at_rest"] = left_moving_json(results.state().left_moving, model, stages);
+    json["deepest_contact"] = deepest_contact_json(state.deepest_contact);
     if (!state.lost_blocks.empty()) json["lost_blocks"] = lost_blocks_json(state.lost_blocks, model);
     if (state.broken_bonds.events > 0)
         json["bonds_broken_at_rest"] = {{"contacts", state.broken_bonds.contacts},
