@@ -126,12 +126,14 @@ with Browser(chromedriver, chromium) as browser:
     assert browser.messages() == [], browser.messages()
     check_policy(browser)
 
-# The same without WebGL, in the dark.
-with Browser(chromedriver, chromium, dark=True) as browser:
-    browser.open(address + "#canvas")
+# The same in a browser without WebGL, in the dark.
+with Browser(chromedriver, chromium, dark=True, webgl=False) as browser:
+    browser.open(address)
     browser.run(until_ready)
+    assert browser.run("return document.createElement('canvas').getContext('webgl2')") is None, "the browser has WebGL"
     assert browser.run("return document.querySelector('.view canvas').dataset.kind") == "canvas"
     assert difference(shown, view(browser)) < 0.03, "the two ways to draw differ"
     assert browser.run("return getComputedStyle(document.body).backgroundColor") == "rgb(22, 24, 28)", "it is not dark"
     check_controls(browser)
+    check_playing(browser)
     assert browser.messages() == [], browser.messages()
