@@ -35,6 +35,8 @@ hover = """const box = document.querySelector(".view").getBoundingClientRect();
             {clientX: box.left + x * box.width, clientY: box.top + y * box.height, bubbles: true}));
         return document.querySelector(".tip").textContent;
     });"""
+kind = "return document.querySelector('.view canvas').dataset.kind"
+phases = "const { shown, ready } = document.documentElement.dataset; return [Number(shown), Number(ready)]"
 when = "return document.querySelector('.when').textContent"
 
 
@@ -98,6 +100,14 @@ def check_playing(browser):
     assert mark > 0, "the history has no mark of the time"
 
 
+def check_lost_context(browser):
+    """A graphics card that stops working leaves a view that a canvas draws."""
+    browser.run("""const lost = new Event("webglcontextlost");
+        document.querySelector(".view canvas").dispatchEvent(lost);""")
+    assert browser.run(kind) == "canvas"
+    assert "shake: 0.0" in browser.run(choose, "time", "0.05")
+
+
 def check_policy(browser):
     browser.run("""const script = document.createElement("script");
         script.textContent = "window.intruded = true";
@@ -114,15 +124,18 @@ def check_policy(browser):
 with Browser(chromedriver, chromium) as browser:
     browser.open(address)
     browser.run(until_ready)
-    assert browser.run("return document.querySelector('.view canvas').dataset.kind") == "webgl2"
+    assert browser.run(kind) == "webgl2"
+    shown, ready = browser.run(phases)
+    assert 0 < shown < ready, (shown, ready)
     check_page(browser)
-    shown = view(browser)
+    picture_shown = view(browser)
     if renew:
-        matplotlib.image.imsave(picture, shown)
-    changed = difference(shown, matplotlib.image.imread(picture))
+        matplotlib.image.imsave(picture, picture_shown)
+    changed = difference(picture_shown, matplotlib.image.imread(picture))
     assert changed < 0.01, f"{100 * changed:.2f} % of the pixels differ from {picture}"
     check_controls(browser)
     check_playing(browser)
+    check_lost_context(browser)
     assert browser.messages() == [], browser.messages()
     check_policy(browser)
 
@@ -131,8 +144,8 @@ with Browser(chromedriver, chromium, dark=True, webgl=False) as browser:
     browser.open(address)
     browser.run(until_ready)
     assert browser.run("return document.createElement('canvas').getContext('webgl2')") is None, "the browser has WebGL"
-    assert browser.run("return document.querySelector('.view canvas').dataset.kind") == "canvas"
-    assert difference(shown, view(browser)) < 0.03, "the two ways to draw differ"
+    assert browser.run(kind) == "canvas"
+    assert difference(picture_shown, view(browser)) < 0.03, "the two ways to draw differ"
     assert browser.run("return getComputedStyle(document.body).backgroundColor") == "rgb(22, 24, 28)", "it is not dark"
     check_controls(browser)
     check_playing(browser)
