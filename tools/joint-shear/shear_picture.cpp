@@ -75,9 +75,12 @@ std::vector<LegendEntry> legend_of(const std::optional<ComparedPoints>& compared
     const bool is_of_blocks = compared && compared->origin == "blocks";
     std::vector<LegendEntry> entries = {
         {is_of_blocks ? "joint law" : "computed", std::nullopt, Stroke{line_colour(0), 1.1}, true}};
-    if (compared)
-        entries.push_back({is_of_blocks ? "computed (blocks)" : "measured (circles)", std::nullopt,
-                           Stroke{line_colour(measured_colour), 0.7}, true});
+    if (compared) {
+        LegendEntry points{is_of_blocks ? "computed (blocks)" : "measured"};
+        points.stroke = Stroke{line_colour(measured_colour), 0.7};
+        points.is_circle = true;
+        entries.push_back(points);
+    }
     return entries;
 }
 

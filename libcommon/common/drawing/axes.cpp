@@ -158,7 +158,9 @@ void draw_legend_entry(Canvas& canvas, const Point& upper_left, const LegendEntr
                       {upper_left.x + box_width, upper_left.y},
                       {upper_left.x + box_width, upper_left.y + box_height},
                       {upper_left.x, upper_left.y + box_height}};
-    if (entry.is_line && entry.stroke)
+    if (entry.is_circle)
+        canvas.circle({upper_left.x + box_width / 2, middle}, 1.8, entry.fill, entry.stroke);
+    else if (entry.is_line && entry.stroke)
         canvas.polyline(std::vector<Point>{{upper_left.x, middle}, {upper_left.x + box_width, middle}},
                         *entry.stroke);
     else

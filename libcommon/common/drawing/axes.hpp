@@ -65,13 +65,14 @@ class Axes {
 /// @param longest_points upper bound of its length on the page, units.
 void draw_scale_bar(Canvas& canvas, const Point& place, double points_per_metre, double longest_points);
 
-/// One line of a legend: a filled box, or a line, and its text.
+/// One line of a legend: a filled box, a line or a circle, and its text.
 struct LegendEntry {
     std::string text;
     std::optional<Colour> fill = std::nullopt;
     std::optional<Stroke> stroke = std::nullopt;
     bool is_line = false;
     bool is_hatched = false;
+    bool is_circle = false;
 };
 
 /// Draws the mark and the text of an entry, shortened to the room that its text has, units.
