@@ -60,7 +60,7 @@ void check_friction(const std::string& material, double angle, bool must_hold,
                                             degrees, degrees, degrees * 180 / M_PI));
 }
 
-/// Joints with cohesion tear where their shear strength ends, at the latest. Without it a tensile strength
+/// Joints with cohesion open where their shear strength ends, at the latest. Without it a tensile strength
 /// glues blocks on purpose.
 void check_tension(const std::string& material, const MohrCoulomb& law, std::vector<std::string>& warnings) {
     const double tangent = std::tan(law.friction_angle);
