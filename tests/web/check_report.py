@@ -98,6 +98,8 @@ def check_playing(browser):
     time.sleep(0.3)
     assert browser.run(when) == stopped, "it does not pause"
     assert mark > 0, "the history has no mark of the time"
+    value = browser.run("return document.querySelector('#history .u-legend .u-value').textContent")
+    assert abs(float(value) - float(stopped.split()[1])) < 0.05, (value, stopped)
 
 
 def check_lost_context(browser):
