@@ -64,7 +64,8 @@ int classes_in_row(const FrameLayout& layout) {
 }
 
 double height_of_key(const FrameLayout& layout) {
-    return 26 + 14.0 * ((classes - 1) / classes_in_row(layout) + 1);
+    const int rows = (classes - 1) / classes_in_row(layout) + 1;
+    return 26 + 14.0 * rows;
 }
 
 void draw_key(Canvas& canvas, const FrameLayout& layout) {
@@ -76,7 +77,8 @@ void draw_key(Canvas& canvas, const FrameLayout& layout) {
                 shortened(canvas, title, {8.5}, layout.page_width - 2 * edge), {8.5});
     const int in_row = classes_in_row(layout);
     for (int k = 0; k < classes; ++k) {
-        const double x = layout.header_left + k % in_row * entry_width, y = top + 16 + 14.0 * (k / in_row);
+        const int row = k / in_row;
+        const double x = layout.header_left + k % in_row * entry_width, y = top + 16 + 14.0 * row;
         canvas.polyline(std::vector<Point>{{x, y - 3}, {x + 18, y - 3}}, {class_colour(k), joint_width});
         canvas.text({x + 22, y}, class_text(k), {8.5});
     }
