@@ -45,6 +45,17 @@ Point middle_of(const std::vector<Point>& line) {
     return {(line[0].x + line[1].x) / 2, (line[0].y + line[1].y) / 2};
 }
 
+/// Places for the number of a block: its centroid, half-way from there to its corners, half-way between
+/// corners. Any of them may be outside.
+std::vector<Point> places_in(const Ring& ring) {
+    const Point centre = centroid(ring);
+    std::vector<Point> places = {centre};
+    for (const Point& corner : ring) places.push_back(middle_of({centre, corner}));
+    for (std::size_t i = 0; i < ring.size(); ++i)
+        for (std::size_t j = i + 2; j < ring.size(); ++j) places.push_back(middle_of({ring[i], ring[j]}));
+    return places;
+}
+
 }  // namespace
 
 void label_blocks(Canvas& canvas, const Axes& axes, const dda::GridFrame& blocks, Labels& labels) {
@@ -55,11 +66,7 @@ void label_blocks(Canvas& canvas, const Axes& axes, const dda::GridFrame& blocks
         const auto [west, east] =
             std::minmax_element(ring.begin(), ring.end(), [](auto& p, auto& q) { return p.x < q.x; });
         if (east->x - west->x <= 1.2 * canvas.text_width(number, style)) continue;
-        // The centroid; where another label is there, or another block, half-way to a corner.
-        const Point centre = centroid(ring);
-        std::vector<Point> places = {centre};
-        for (const Point& corner : ring)
-            places.push_back({(centre.x + corner.x) / 2, (centre.y + corner.y) / 2});
+        const std::vector<Point> places = places_in(ring);
         std::any_of(places.begin(), places.end(), [&](const Point& place) {
             return side_of_ring(ring, place) > 0 && labels.try_at(canvas, place, number, style);
         });
