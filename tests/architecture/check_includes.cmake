@@ -37,7 +37,7 @@ set(views
 set(private_packages
     "CGAL/|libblockgen/blockgen/arrangement"
     "toml(\\+\\+|plusplus)|libcommon/common/config"
-    "cairo|libcommon/common/drawing"
+    "(cairo|fontconfig)|libcommon/common/drawing"
     "(hdf5|H5[A-Za-z]*)\\.h|libdda/dda/hdf"
     "(gdal|cpl_[a-z]*|ogr_[a-z_]*)\\.h|libblockgen/blockgen/input"
     "nlohmann/|libdda/dda/results libblockgen/blockgen/input libblockgen/blockgen/report tools/blockgen libstudy/study/folder libstudy/study/table tools/dda-study tools/dda-plot"

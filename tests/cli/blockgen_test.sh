@@ -62,6 +62,10 @@ cmp a.txt b.txt || fail 'the echoed model makes other blocks'
     --size-picture s.svg --report k.txt >out.txt
 grep -q 'filled exactly by the blocks' k.txt || fail 'no tables in the report'
 [ -s k.svg ] || fail 'no kinematic picture'
+"$program" slope.toml -o k.blocks --picture n.svg --size-picture ns.svg --width 85mm --font 'DejaVu Serif' --font-size 8 >out.txt
+for_a_column n.svg
+for_a_column ns.svg
+grep -q 'DejaVu Serif' n.svg || fail 'another font'
 [ -s s.svg ] || fail 'no picture of the sizes'
 "$program" --version | grep -q '^blockgen [0-9]' || fail version
 "$program" --help | grep -q -- --max-blocks || fail help
@@ -92,6 +96,7 @@ refused 'slope.toml:2.*--max-blocks' slope.toml --max-blocks 10
 refused 'no-such.toml' no-such.toml
 refused 'no such folder' slope.toml -o nowhere/slope.blocks
 refused 'new.gif' slope.toml --picture new.gif
+refused "which is not installed; '.*' would be drawn" slope.toml --picture new.svg --font 'Font of Nowhere'
 refused 'friction_angle' slope.toml --kinematic-picture new.svg
 refused 'new.gif' slope.toml --size-picture new.gif
 refused 'model file' slope.toml -o slope.toml

@@ -23,6 +23,12 @@ fail() {
     exit 1
 }
 
+# for_a_column FILE.svg: requires a picture 85 mm wide with letters of 8 pt.
+for_a_column() {
+    grep -q 'width="240.9[0-9]*pt"' "$1" || fail "$1 is not 85 mm wide: $(grep '<svg' "$1")"
+    grep -q 'font-size="8.00"' "$1" || fail "$1 has no letters of 8 pt"
+}
+
 # run_refused EXPECTED COMMAND...: requires exit code 2, no standard output, and one error line that matches EXPECTED.
 run_refused() {
     expected=$1

@@ -25,11 +25,13 @@ grep -q 'tension positive (kPa)</text>' fields/incline.sigma_xx-0005.svg || fail
 grep -q '>rock</text>' fields/incline.material-0005.svg || fail "no name of the material"
 
 # A picture for a column of a paper: its width, letters, labels, exaggerated displacements.
-"$bin/dda-plot" out --frames last --format svg -o paper --width 85mm --font 'Liberation Serif' --font-size 8 --labels joints \
+"$bin/dda-plot" out --frames last --format svg -o paper --width 85mm --font 'DejaVu Serif' --font-size 8 --labels joints \
     --labels blocks
 picture=paper/incline.frame-0005.svg
-grep -q 'width="240.9[0-9]*pt"' "$picture" || fail "not 85 mm wide: $(grep '<svg' "$picture")"
-grep -q 'font-size="8.00".*Liberation Serif.*>x (m)</text>' "$picture" || fail "another font: $(grep '(m)<' "$picture")"
+for_a_column "$picture"
+grep -q 'font-size="8.00".*DejaVu Serif.*>x (m)</text>' "$picture" || fail "another font: $(grep '(m)<' "$picture")"
+"$bin/dda-plot" out --history --format svg -o paper --width 85mm --font-size 8
+for_a_column paper/incline.history.svg
 grep -q '>plane</text>' "$picture" || fail "the joint has no label"
 grep -q '>1</text>' "$picture" || fail "the block has no label"
 "$bin/dda-plot" out --frames last --format svg -o large --scale 100
@@ -56,6 +58,7 @@ refused() {
 refused "did you mean 'sigma_xx'?" --field sigma_xz
 refused 'one of displacement, velocity' --field '?'
 refused 'unit: mm, cm, in or pt' --width 85
+refused "'Font of Nowhere', which is not installed" --font 'Font of Nowhere' --history
 refused 'blocks or joints' --labels faces
 refused 'a positive factor' --scale 0
 refused 'moves blocks, not joints' --scale 2 --field slip

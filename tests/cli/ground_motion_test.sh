@@ -25,6 +25,7 @@ refused "duration" synthesise -o a.at2 --duration nan
 refused "step" synthesise -o a.at2 --step 0
 refused "at2 or .csv" synthesise -o a.txt
 refused ".svg, .png or .pdf" synthesise -o a.at2 --picture a.gif
+refused "'Font of Nowhere', which is not installed" synthesise -o a.at2 --picture a.svg --font 'Font of Nowhere'
 refused "no/such/folder" synthesise -o no/such/folder/a.at2
 
 # Processing a record: the printed measures are the requested ones, and the file reads back the same.
@@ -93,6 +94,8 @@ refused "overwrite" match "$record" -o "$folder.csv" --target "$folder.csv"
 expect 'peak acceleration 0.1750 g' scale "$record" -o half.at2 --factor 0.5
 "$program" plot "$record" half.at2 -o both.svg || fail "plot refused"
 grep -q 'svg' both.svg || fail "plot drew nothing"
+"$program" plot "$record" half.at2 -o narrow.svg --width 85mm --font-size 8 || fail "plot refused"
+for_a_column narrow.svg
 expect 'peak acceleration 0.3500 g over 0.1750 g: 2.000' amplification "$record" half.at2 -o ratio.csv --picture ratio.png
 [ "$(wc -l <ratio.csv)" -eq 62 ] || fail "not 61 periods"
 awk -F, 'NR > 1 && ($5 < 1.999 || $5 > 2.001 || $6 < 1.999 || $6 > 2.001) { exit 1 }' ratio.csv || fail "a ratio is not 2"

@@ -11,6 +11,8 @@ program=$1
 grep -q '^granite: 2401 rows; largest shear stress 1.9202 MPa at 1.25 mm' told.txt || fail "$(cat told.txt)"
 head -n 1 rows.csv | grep -q '^displacement (m),shear stress (Pa),' || fail "heading of rows.csv"
 grep -q '<svg' rows.svg || fail "no picture"
+"$program" test.toml -o rows.csv --picture narrow.svg --width 85mm --font-size 8 >told.txt
+for_a_column narrow.svg
 "$program" test.toml -o again.csv >/dev/null
 cmp rows.csv again.csv || fail "not the same bytes twice"
 

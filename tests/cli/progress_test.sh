@@ -30,7 +30,7 @@ step = 0.0002
 END
 mv reduction.toml run.toml
 on_terminal 120 -o reduced
-grep -q '^strength  trial [0-9]*, factor [0-9.]*  unbalanced [0-9.e+-]*, at rest below 1e-06  .* left' shown.txt ||
+grep -q '^strength  trial [0-9]*, factor [0-9.]*  .* left  unbalanced [0-9.e+-]*, goal 1e-06' shown.txt ||
     fail "no trial and factor: $(tail -n 3 shown.txt)"
 cp "$data"/incline/run.toml .
 "$bin/dda-run" run.toml 2>said.txt >/dev/null

@@ -35,6 +35,8 @@ hover = """const box = document.querySelector(".view").getBoundingClientRect();
             {clientX: box.left + x * box.width, clientY: box.top + y * box.height, bubbles: true}));
         return document.querySelector(".tip").textContent;
     });"""
+kind = "return document.querySelector('.view canvas').dataset.kind"
+phases = "const { shown, ready } = document.documentElement.dataset; return [Number(shown), Number(ready)]"
 when = "return document.querySelector('.when').textContent"
 
 
@@ -96,6 +98,16 @@ def check_playing(browser):
     time.sleep(0.3)
     assert browser.run(when) == stopped, "it does not pause"
     assert mark > 0, "the history has no mark of the time"
+    value = browser.run("return document.querySelector('#history .u-legend .u-value').textContent")
+    assert abs(float(value) - float(stopped.split()[1])) < 0.05, (value, stopped)
+
+
+def check_lost_context(browser):
+    """A graphics card that stops working leaves a view that a canvas draws."""
+    browser.run("""const lost = new Event("webglcontextlost");
+        document.querySelector(".view canvas").dispatchEvent(lost);""")
+    assert browser.run(kind) == "canvas"
+    assert "shake: 0.0" in browser.run(choose, "time", "0.05")
 
 
 def check_policy(browser):
@@ -114,24 +126,29 @@ def check_policy(browser):
 with Browser(chromedriver, chromium) as browser:
     browser.open(address)
     browser.run(until_ready)
-    assert browser.run("return document.querySelector('.view canvas').dataset.kind") == "webgl2"
+    assert browser.run(kind) == "webgl2"
+    shown, ready = browser.run(phases)
+    assert 0 < shown < ready, (shown, ready)
     check_page(browser)
-    shown = view(browser)
+    picture_shown = view(browser)
     if renew:
-        matplotlib.image.imsave(picture, shown)
-    changed = difference(shown, matplotlib.image.imread(picture))
+        matplotlib.image.imsave(picture, picture_shown)
+    changed = difference(picture_shown, matplotlib.image.imread(picture))
     assert changed < 0.01, f"{100 * changed:.2f} % of the pixels differ from {picture}"
     check_controls(browser)
     check_playing(browser)
+    check_lost_context(browser)
     assert browser.messages() == [], browser.messages()
     check_policy(browser)
 
-# The same without WebGL, in the dark.
-with Browser(chromedriver, chromium, dark=True) as browser:
-    browser.open(address + "#canvas")
+# The same in a browser without WebGL, in the dark.
+with Browser(chromedriver, chromium, dark=True, webgl=False) as browser:
+    browser.open(address)
     browser.run(until_ready)
-    assert browser.run("return document.querySelector('.view canvas').dataset.kind") == "canvas"
-    assert difference(shown, view(browser)) < 0.03, "the two ways to draw differ"
+    assert browser.run("return document.createElement('canvas').getContext('webgl2')") is None, "the browser has WebGL"
+    assert browser.run(kind) == "canvas"
+    assert difference(picture_shown, view(browser)) < 0.03, "the two ways to draw differ"
     assert browser.run("return getComputedStyle(document.body).backgroundColor") == "rgb(22, 24, 28)", "it is not dark"
     check_controls(browser)
+    check_playing(browser)
     assert browser.messages() == [], browser.messages()

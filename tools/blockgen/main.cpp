@@ -51,10 +51,12 @@ void write_report(const std::filesystem::path& path, const CutReport& report) {
 }
 
 void write_results(const Options& options, const SlopeModel& model, const CutResult& result) {
-    if (!options.picture.empty()) draw_blocks(result.mesh).write(options.picture);
-    if (!options.size_picture.empty()) draw_sizes(result.mesh).write(options.size_picture);
+    const PageStyle& style = options.picture_style;
+    if (!options.picture.empty()) draw_blocks(result.mesh, {}, style).write(options.picture);
+    if (!options.size_picture.empty()) draw_sizes(result.mesh, style).write(options.size_picture);
     if (!options.kinematic_picture.empty())
-        draw_blocks(result.mesh, kinematic_layer(*result.report.kinematics)).write(options.kinematic_picture);
+        draw_blocks(result.mesh, kinematic_layer(*result.report.kinematics), style)
+            .write(options.kinematic_picture);
     if (!options.report.empty()) write_report(options.report, result.report);
     if (!options.depfile.empty()) write_file_atomically(options.depfile, make_rule(options, model));
     write_block_file(options.output, result.mesh);

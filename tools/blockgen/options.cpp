@@ -6,6 +6,7 @@
 #include "common/drawing/canvas.hpp"
 #include "support/command_page.hpp"
 #include "support/parse_arguments.hpp"
+#include "support/picture_options.hpp"
 
 namespace rockslope::blockgen_tool {
 
@@ -26,6 +27,7 @@ po::options_description visible_options() {
     add("size-picture", po::value<std::string>()->value_name("FILE"), "draw the distribution of block areas");
     add("kinematic-picture", po::value<std::string>()->value_name("FILE"),
         "draw the blocks coloured by the mode of their first movement; needs [kinematics]");
+    tool_support::add_picture_options(all);
     add("report", po::value<std::string>()->value_name("FILE"),
         "write a report of the cut and the block sizes, as JSON; as tables if the name ends in .txt");
     add("depfile", po::value<std::string>()->value_name("FILE"),
@@ -82,6 +84,7 @@ Options read_options(const po::variables_map& given) {
     options.print_config = given.count("print-config") > 0;
     options.size_picture = path_or_empty(given, "size-picture");
     options.kinematic_picture = path_or_empty(given, "kinematic-picture");
+    options.picture_style = tool_support::picture_style(given, "blockgen");
     check_picture("--picture", options.picture);
     check_picture("--size-picture", options.size_picture);
     check_picture("--kinematic-picture", options.kinematic_picture);

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "common/drawing/page_style.hpp"
+
 namespace rockslope::blockgen_tool {
 
 /// The command line of blockgen.
@@ -16,6 +18,7 @@ struct Options {
     std::optional<std::int64_t> seed;
     std::vector<std::string> overrides;
     std::filesystem::path picture, size_picture, kinematic_picture, report, depfile;
+    PageStyle picture_style;
     bool verify = false;
     bool print_config = false;
     std::size_t max_blocks = 1'000'000;

@@ -90,8 +90,7 @@ Colour ColourRange::colour_of(double value) const {
     return diverging_colour(value / largest);
 }
 
-void draw_vertical_bar(Canvas& canvas, const ColourBar& bar, const Point& foot, double length,
-                       double letters) {
+void draw_vertical_bar(Canvas& canvas, const ColourBar& bar, const Point& foot, double length) {
     const double room = room_of_tips(bar), low = bar.range.is_signed && has_tip(bar) ? tip : 0;
     const Place place = [&](double along, double past, double across) {
         return Point{foot.x + across, foot.y - low - along * (length - room) - past};
@@ -100,12 +99,11 @@ void draw_vertical_bar(Canvas& canvas, const ColourBar& bar, const Point& foot, 
     draw_ticks(canvas, bar, place, {8, black, Anchor::start, Anchor::middle});
     canvas.text({foot.x + thickness + tick + 2, foot.y - length}, farthest_text(bar),
                 {8, black, Anchor::start, Anchor::middle});
-    canvas.text({foot.x + thickness + 42 * letters, foot.y - length / 2}, title_of(bar),
+    canvas.text({foot.x + thickness + 42, foot.y - length / 2}, title_of(bar),
                 {9, black, Anchor::middle, Anchor::middle, false, std::numbers::pi / 2});
 }
 
-void draw_horizontal_bar(Canvas& canvas, const ColourBar& bar, const Point& corner, double length,
-                         double letters) {
+void draw_horizontal_bar(Canvas& canvas, const ColourBar& bar, const Point& corner, double length) {
     const double room = room_of_tips(bar), low = bar.range.is_signed && has_tip(bar) ? tip : 0;
     const Place place = [&](double along, double past, double across) {
         return Point{corner.x + low + along * (length - room) + past, corner.y + across};
@@ -114,7 +112,7 @@ void draw_horizontal_bar(Canvas& canvas, const ColourBar& bar, const Point& corn
     draw_ticks(canvas, bar, place, {8, black, Anchor::middle, Anchor::end});
     canvas.text({corner.x + length + 6, corner.y + thickness / 2}, farthest_text(bar),
                 {8, black, Anchor::start, Anchor::middle});
-    canvas.text({corner.x + length / 2, corner.y + thickness + 17 * letters}, title_of(bar),
+    canvas.text({corner.x + length / 2, corner.y + thickness + 17}, title_of(bar),
                 {9, black, Anchor::middle, Anchor::end});
 }
 

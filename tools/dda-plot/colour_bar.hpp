@@ -25,14 +25,11 @@ struct ColourBar {
     ColourRange range;
 };
 
-/// Draws a vertical bar right of a drawing, pale end below. @param foot its lower left corner, pt.
-/// @param letters factor of the sizes of text.
-void draw_vertical_bar(Canvas& canvas, const ColourBar& bar, const Point& foot, double length,
-                       double letters = 1);
-/// Draws a horizontal bar below a drawing, pale end on the left. @param corner its upper left corner, pt.
-void draw_horizontal_bar(Canvas& canvas, const ColourBar& bar, const Point& corner, double length,
-                         double letters = 1);
-/// Width of a vertical bar, and height of a horizontal bar, with ticks and title, pt.
+/// Draws a vertical bar right of a drawing, pale end below. @param foot its lower left corner.
+void draw_vertical_bar(Canvas& canvas, const ColourBar& bar, const Point& foot, double length);
+/// Draws a horizontal bar below a drawing, pale end on the left. @param corner its upper left corner.
+void draw_horizontal_bar(Canvas& canvas, const ColourBar& bar, const Point& corner, double length);
+/// Width of a vertical bar, and height of a horizontal bar, with ticks and title, units of the page.
 inline constexpr double vertical_bar_width = 70, horizontal_bar_height = 46;
 
 }  // namespace rockslope

@@ -140,17 +140,32 @@ double draw_keys(Canvas& canvas, const FrameLayout& layout, const FrameContent& 
     return layout.header_right - x;
 }
 
-/// The title, and the keys beside it, or below it on a narrow page.
-void draw_header(const Drawing& d, const FrameLayout& layout) {
+/// The stage and its time, or the mechanism: the time of a strength reduction counts the steps of its trials.
+std::string title_of(const Drawing& d) {
     const bool is_last = d.index + 1 == static_cast<std::int64_t>(d.run.times().size());
     std::string title = d.run.title(d.index);
-    // The time of a strength reduction counts the steps of its trials.
     if (is_last && !d.content.mechanism.empty()) title = d.run.stage(d.index) + ": " + d.content.mechanism;
     if (d.content.exaggeration != 1) title += ", displacements × " + tick_text(d.content.exaggeration, 1);
-    const TextStyle style{11, black, Anchor::start, Anchor::start, true};
-    const double keys = draw_keys(d.canvas, layout, d.content, layout.top - 8 * layout.letters);
-    const bool fits = d.canvas.text_width(title, style) + keys < layout.header_right - layout.header_left;
-    d.canvas.text({layout.header_left, layout.top - (fits ? 8 : 21) * layout.letters}, title, style);
+    return title;
+}
+
+/// The title, and the keys beside it, or below it on a narrow page. A long title begins at the edge of the
+/// page, with smaller letters.
+void draw_header(const Drawing& d, const FrameLayout& layout) {
+    constexpr double edge = 8, smallest = 7.5;
+    const std::string title = title_of(d);
+    TextStyle style{11, black, Anchor::start, Anchor::start, true};
+    const double keys = draw_keys(d.canvas, layout, d.content, layout.top - 8);
+    const double room = layout.header_right - layout.header_left;
+    const double wide = d.canvas.text_width(title, style);
+    if (wide + keys < room) {
+        d.canvas.text({layout.header_left, layout.top - 8}, title, style);
+        return;
+    }
+    const double page = layout.page_width - 2 * edge;
+    style.size = std::max(smallest, style.size * std::min(1.0, page / wide));
+    d.canvas.text({wide < room ? layout.header_left : edge, layout.top - 21},
+                  shortened(d.canvas, title, style, page), style);
 }
 
 std::string bar_title(const Drawing& d) {
@@ -165,8 +180,10 @@ void draw_materials(const Drawing& d, const FrameLayout& layout) {
     for (std::size_t k = 0; k < names.size(); ++k) {
         const Ring box = {{x, y - 8}, {x + 12, y - 8}, {x + 12, y}, {x, y}};
         d.canvas.polygon(std::span(&box, 1), rock_colour(k), Stroke{black, 0.4});
-        d.canvas.text({x + 16, y - 0.5}, names[k], {8.5});
-        x += 30 + d.canvas.text_width(names[k], {8.5});
+        const double room = (layout.header_right - x) / static_cast<double>(names.size() - k) - 30;
+        const std::string name = shortened(d.canvas, names[k], {8.5}, room);
+        d.canvas.text({x + 16, y - 0.5}, name, {8.5});
+        x += 30 + d.canvas.text_width(name, {8.5});
     }
 }
 
@@ -176,20 +193,20 @@ void draw_bar(const Drawing& d, const FrameLayout& layout) {
     if (d.content.field->kind == FieldKind::crosses) {
         const ReadableUnit unit = readable_unit(bar.unit, bar.range.largest);
         const double longest = bar.range.largest * unit.factor;
-        d.canvas.text({layout.header_left, layout.page_height - 10},
-                      "principal stresses; a line across a block: " + tick_text(longest, longest) + " " +
-                          unit.name + " or more",
-                      {8.5});
+        const std::string text =
+            "a line across a block: " + tick_text(longest, longest) + " " + unit.name + " or more";
+        const std::string long_text = "principal stresses; " + text;
+        const bool fits = d.canvas.text_width(long_text, {8.5}) < layout.header_right - layout.header_left;
+        d.canvas.text({layout.header_left, layout.page_height - 10}, fits ? long_text : text, {8.5});
         return;
     }
     if (layout.bar_is_vertical)
         draw_vertical_bar(d.canvas, bar, {layout.lower_right.x + FrameLayout::bar_gap, layout.lower_right.y},
-                          layout.lower_right.y - layout.upper_left.y, layout.letters);
+                          layout.lower_right.y - layout.upper_left.y);
     else
         draw_horizontal_bar(
             d.canvas, bar, {layout.header_left, layout.lower_right.y + layout.below_axes},
-            std::min(horizontal_bar_length, 0.75 * (layout.header_right - layout.header_left)),
-            layout.letters);
+            std::min(horizontal_bar_length, 0.75 * (layout.header_right - layout.header_left)));
 }
 
 void draw_worst_contact(const Drawing& d, const dda::GridFrame& frame, const dda::WorstContact& worst) {
@@ -212,22 +229,22 @@ void draw_worst_caption(Canvas& canvas, const FrameLayout& layout, const dda::Wo
 }
 
 /// A key of crosses or materials stands below the axes, without a colour bar.
-FrameLayout layout_for(const PictureScale& scale, const FrameContent& content, const PictureStyle& style) {
+FrameLayout layout_for(const PictureScale& scale, const FrameContent& content, const PageStyle& style) {
     FrameLayout layout(scale.right - scale.left, scale.top - scale.bottom, style);
     if (content.field->kind != FieldKind::crosses && content.field->kind != FieldKind::material)
         return layout;
-    layout.page_height = layout.lower_right.y + layout.below_axes + 16 * layout.letters;
+    layout.page_height = layout.lower_right.y + layout.below_axes + 16;
     return layout;
 }
 
 }  // namespace
 
 Canvas draw_frame(const RunFrames& run, std::int64_t index, const PictureScale& scale,
-                  const FrameContent& content, const PictureStyle& style,
+                  const FrameContent& content, const PageStyle& style,
                   const std::optional<dda::WorstContact>& worst) {
     FrameLayout layout = layout_for(scale, content, style);
     if (worst) layout.page_height += caption_height;
-    Canvas canvas(layout.page_width, layout.page_height, style.lettering);
+    Canvas canvas(layout.page_width, layout.page_height, style);
     const Axes axes(layout.upper_left, layout.lower_right, {scale.left, scale.right},
                     {scale.bottom, scale.top});
     const Drawing drawing{canvas, axes, run, index, scale, content};
@@ -239,8 +256,10 @@ Canvas draw_frame(const RunFrames& run, std::int64_t index, const PictureScale& 
     if (shows_states(content)) draw_states(drawing);
     if (worst) draw_worst_contact(drawing, blocks, *worst);
     canvas.unclip();
-    if (content.labels_blocks) label_blocks(canvas, axes, blocks);
-    if (content.labels_joints) label_joints(canvas, axes, run.contacts(index, {"joint"}), run.joints());
+    Labels labels(axes.upper_left(), axes.lower_right());
+    if (content.labels_joints)
+        label_joints(canvas, axes, run.contacts(index, {"joint"}), run.joints(), labels);
+    if (content.labels_blocks) label_blocks(canvas, axes, blocks, labels);
     if (worst) draw_worst_caption(canvas, layout, *worst);
     axes.draw(canvas, "x (m)", "y (m)");
     draw_bar(drawing, layout);

@@ -8,7 +8,6 @@
 #include "common/drawing/canvas.hpp"
 #include "dda/results/read_summary.hpp"
 #include "frame_field.hpp"
-#include "picture_style.hpp"
 #include "run_frames.hpp"
 
 namespace rockslope {
@@ -50,13 +49,13 @@ dda::GridFrame exaggerated_blocks(const RunFrames& run, std::int64_t index, doub
 /// stage and time as the title. @param worst contact to mark by a ring, heavy outlines of its blocks and a
 /// caption.
 Canvas draw_frame(const RunFrames& run, std::int64_t index, const PictureScale& scale,
-                  const FrameContent& content, const PictureStyle& style = {},
+                  const FrameContent& content, const PageStyle& style = {},
                   const std::optional<dda::WorstContact>& worst = std::nullopt);
 
 /// Draws the joints coloured by their mobilised roughness over the peak roughness; wear reduces it. Joints
 /// without roughness and open joints are grey.
 Canvas draw_roughness(const RunFrames& run, std::int64_t index, const PictureScale& scale,
-                      const PictureStyle& style = {});
+                      const PageStyle& style = {});
 
 /// Whether roughness is mobilised at any contact of a frame.
 bool has_roughness(const RunFrames& run, std::int64_t index);

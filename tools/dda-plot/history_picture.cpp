@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/drawing/axes.hpp"
+#include "common/drawing/panel_page.hpp"
+#include "common/drawing/told_apart.hpp"
 #include "length_unit.hpp"
 #include "line_points.hpp"
 
@@ -11,8 +12,6 @@ namespace rockslope {
 
 namespace {
 
-constexpr double page_width = 640, panel_height = 150, panel_gap = 22;
-constexpr double left = 64, top = 30, legend_width = 130;
 constexpr double rest = 1e-9;  // m, smaller displacements of a base count as no motion
 
 /// One line of a panel: a name and the values over time, m.
@@ -96,8 +95,10 @@ HistoryTable from_its_start(HistoryTable history) {
     return history;
 }
 
-void draw_panel(Canvas& canvas, const HistoryTable& history, const Panel& panel, double upper, bool is_last,
-                bool has_legend) {
+void draw_panel(PanelPage& page, const HistoryTable& history, const std::vector<Panel>& panels,
+                std::size_t number, bool has_legend) {
+    const Panel& panel = panels[number];
+    Canvas& canvas = page.canvas;
     double low = 0, high = 0;
     for (const Line& line : panel.lines) {
         low = std::min(low, *std::min_element(line.values.begin(), line.values.end()));
@@ -105,9 +106,9 @@ void draw_panel(Canvas& canvas, const HistoryTable& history, const Panel& panel,
     }
     const LengthUnit unit = readable_unit(std::max(-low, high));
     const Range times{history.time.front(), std::max(history.time.back(), history.time.front() + 1e-9)};
-    const Axes axes({left, upper}, {page_width - legend_width, upper + panel_height}, times,
-                    padded(low * unit.per_metre, high * unit.per_metre));
-    axes.draw(canvas, is_last ? time_title(history) : "", panel.title + " (" + unit.name + ")", true);
+    const Axes axes = page.axes(number, times, padded(low * unit.per_metre, high * unit.per_metre));
+    axes.draw(canvas, number + 1 == panels.size() ? time_title(history) : "",
+              panel.title + " (" + unit.name + ")", true);
     canvas.clip(axes.upper_left(), axes.lower_right());
     std::vector<LegendEntry> entries;
     std::vector<std::vector<Point>> drawn;
@@ -124,22 +125,24 @@ void draw_panel(Canvas& canvas, const HistoryTable& history, const Panel& panel,
         entries.push_back(entry);
     }
     canvas.unclip();
-    if (has_legend) draw_legend(canvas, {page_width - legend_width + 12, upper - 12}, "", entries);
+    if (has_legend) page.draw_legend(number, entries);
 }
 
 }  // namespace
 
-Canvas draw_history(const HistoryTable& all_stages) {
+Canvas draw_history(const HistoryTable& all_stages, const PageStyle& style) {
     const HistoryTable history = from_its_start(without_reset_stages(all_stages));
     const std::vector<Panel> panels = panels_of(history);
-    const auto count = static_cast<double>(panels.size());
-    Canvas canvas(page_width, top + count * panel_height + (count - 1) * panel_gap + 44);
-    canvas.text({left, top - 12}, "Displacement of the recorded points",
-                {11, black, Anchor::start, Anchor::start, true});
+    PanelLayout layout{.title = "Displacement of the recorded points", .panels = panels.size()};
+    for (std::size_t i = 0; i < panels.size(); ++i) {
+        layout.legends.emplace_back();
+        if (i > 0 && has_legend_of(panels[i], panels[i - 1])) continue;
+        for (const Line& line : panels[i].lines) layout.legends.back().push_back(line.name);
+    }
+    PanelPage page(layout, style);
     for (std::size_t i = 0; i < panels.size(); ++i)
-        draw_panel(canvas, history, panels[i], top + static_cast<double>(i) * (panel_height + panel_gap),
-                   i + 1 == panels.size(), i == 0 || !has_legend_of(panels[i], panels[i - 1]));
-    return canvas;
+        draw_panel(page, history, panels, i, !layout.legends[i].empty());
+    return std::move(page.canvas);
 }
 
 }  // namespace rockslope

@@ -32,6 +32,6 @@ HistoryTable read_history(const std::filesystem::path& path);
 
 /// Draws the displacements of the measured points against time: one panel each for x and y, relative to the
 /// base if a block is prescribed, and one panel for the base.
-Canvas draw_history(const HistoryTable& history);
+Canvas draw_history(const HistoryTable& history, const PageStyle& style = {});
 
 }  // namespace rockslope

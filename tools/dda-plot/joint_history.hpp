@@ -32,6 +32,6 @@ JointHistory read_joint_history(const std::filesystem::path& table, const std::s
 /// angle atan(strength / normal stress), and number of changes of slip direction (if any). @param references
 /// drawn dashed in black.
 Canvas draw_joint_histories(const std::string& joint, std::span<const JointHistory> runs,
-                            std::span<const JointHistory> references);
+                            std::span<const JointHistory> references, const PageStyle& style = {});
 
 }  // namespace rockslope

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "common/drawing/axes.hpp"
+#include "common/drawing/panel_page.hpp"
+#include "common/drawing/told_apart.hpp"
 #include "length_unit.hpp"
 #include "line_points.hpp"
 
@@ -12,8 +13,7 @@ namespace rockslope {
 
 namespace {
 
-constexpr double page_width = 640, joint_panel_height = 170, panel_gap = 22;
-constexpr double left = 64, top = 30, joint_legend_width = 150;
+constexpr double joint_panel_height = 170;
 /// Fraction of the displacement below which dilation is not drawn: it is the compliance of the springs.
 constexpr double min_drawn_dilation = 1e-3;
 
@@ -124,15 +124,17 @@ Stroke stroke_of(std::size_t colour, bool dashed) {
     return {dashed ? black : line_colour(colour), dashed ? 0.9 : 1.2};
 }
 
-void draw_panel(Canvas& canvas, const Panel& panel, const Range& times, double upper, bool is_last) {
+void draw_panel(PanelPage& page, const std::vector<Panel>& panels, std::size_t number, const Range& times) {
+    const Panel& panel = panels[number];
+    Canvas& canvas = page.canvas;
     double low = 0, high = 0;
     for (const Line& line : panel.lines) {
         low = std::min(low, *std::min_element(line.values.begin(), line.values.end()));
         high = std::max(high, *std::max_element(line.values.begin(), line.values.end()));
     }
-    const Axes axes({left, upper}, {page_width - joint_legend_width, upper + joint_panel_height}, times,
-                    padded(low, high));
-    axes.draw(canvas, is_last ? "time since the reset of displacements (s)" : "", panel.title, true);
+    const Axes axes = page.axes(number, times, padded(low, high));
+    axes.draw(canvas, number + 1 == panels.size() ? "time since the reset of displacements (s)" : "",
+              panel.title, true);
     canvas.clip(axes.upper_left(), axes.lower_right());
     std::vector<std::vector<Point>> drawn;
     for (const Line& line : panel.lines) {
@@ -148,22 +150,21 @@ void draw_panel(Canvas& canvas, const Panel& panel, const Range& times, double u
 }  // namespace
 
 Canvas draw_joint_histories(const std::string& joint, std::span<const JointHistory> runs,
-                            std::span<const JointHistory> references) {
+                            std::span<const JointHistory> references, const PageStyle& style) {
     const std::vector<Panel> panels = panels_of(runs, references);
-    const Range times = times_of(panels);
-    const auto count = static_cast<double>(panels.size());
-    Canvas canvas(page_width, top + count * joint_panel_height + (count - 1) * panel_gap + 44);
-    canvas.text({left, top - 12}, "Joint '" + joint + "'", {11, black, Anchor::start, Anchor::start, true});
-    for (std::size_t k = 0; k < panels.size(); ++k)
-        draw_panel(canvas, panels[k], times, top + static_cast<double>(k) * (joint_panel_height + panel_gap),
-                   k + 1 == panels.size());
     std::vector<LegendEntry> entries;
     for (std::size_t k = 0; k < runs.size(); ++k)
         entries.push_back({runs[k].label, std::nullopt, stroke_of(k, false), true});
     for (std::size_t k = 0; k < references.size(); ++k)
         entries.push_back({references[k].label + " (dashed)", std::nullopt, stroke_of(k, true), true});
-    draw_legend(canvas, {page_width - joint_legend_width + 12, top - 12}, "", entries);
-    return canvas;
+    PanelPage page({.panel_height = joint_panel_height,
+                    .title = "Joint '" + joint + "'",
+                    .panels = panels.size(),
+                    .legends = {names_of(entries)}},
+                   style);
+    for (std::size_t k = 0; k < panels.size(); ++k) draw_panel(page, panels, k, times_of(panels));
+    page.draw_legend(0, entries);
+    return std::move(page.canvas);
 }
 
 }  // namespace rockslope

@@ -17,9 +17,9 @@ struct JointPicture {
 /// Draws one measured joint of several runs. @param references tables of time and displacement.
 /// @throws InputError.
 JointPicture picture_of_joint(const std::string& joint, const std::vector<std::filesystem::path>& folders,
-                              const std::vector<std::filesystem::path>& references);
+                              const std::vector<std::filesystem::path>& references, const PageStyle& style);
 
 /// Draws all measured joints of a run.
-std::vector<JointPicture> pictures_of_joints(const std::filesystem::path& folder);
+std::vector<JointPicture> pictures_of_joints(const std::filesystem::path& folder, const PageStyle& style);
 
 }  // namespace rockslope

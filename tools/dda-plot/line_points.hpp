@@ -14,9 +14,4 @@ Range padded(double low, double high);
 std::vector<Point> line_points(const std::vector<double>& time, const std::vector<double>& value,
                                double factor);
 
-/// The stroke of a line of a panel: dashed where it coincides on the page, within a line's width, with one
-/// that is drawn already, so that both are seen. @param drawn the lines so far.
-Stroke told_apart(Stroke stroke, const std::vector<Point>& line,
-                  const std::vector<std::vector<Point>>& drawn);
-
 }  // namespace rockslope

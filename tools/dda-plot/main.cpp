@@ -97,7 +97,8 @@ void write_joint(const JointPicture& picture, const PlotOptions& options) {
 
 int plot_joint(const PlotOptions& options) {
     check_output_folder(options.output);
-    const JointPicture picture = picture_of_joint(*options.joint, options.folders, options.references);
+    const JointPicture picture =
+        picture_of_joint(*options.joint, options.folders, options.references, options.style);
     make_output_folder(options.output);
     write_joint(picture, options);
     return 0;
@@ -125,7 +126,8 @@ int plot_run(const PlotOptions& options) {
         frames = chosen_frames(run, options.frames.value_or("first,middle,last"));
     std::optional<WorstContactViews> worst;
     if (const auto contact = worst_contact_to_draw(options)) worst.emplace(run, *contact, options);
-    const std::vector<JointPicture> joints = all ? pictures_of_joints(folder) : std::vector<JointPicture>{};
+    const std::vector<JointPicture> joints =
+        all ? pictures_of_joints(folder, options.style) : std::vector<JointPicture>{};
     const bool roughness = options.roughness || (all && has_roughness(run, frames.back()));
     make_output_folder(options.output);
     if (!frames.empty() && !options.roughness) draw_frames(run, frames, options);
@@ -133,7 +135,8 @@ int plot_run(const PlotOptions& options) {
     for (const JointPicture& joint : joints) write_joint(joint, options);
     if (worst) worst->draw(run, options);
     if (history)
-        draw_history(*history).write(options.output / (run.name() + ".history." + options.extension));
+        draw_history(*history, options.style)
+            .write(options.output / (run.name() + ".history." + options.extension));
     return 0;
 }
 

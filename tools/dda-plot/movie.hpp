@@ -19,7 +19,7 @@ struct FrameSeries {
     std::vector<std::int64_t> frames;
     PictureScale scale;
     FrameContent content;
-    PictureStyle style;
+    PageStyle style;
 };
 
 /// Writes a film of a series. Each frame is shown from its time to that of the next.

@@ -7,6 +7,7 @@
 #include "common/base/input_error.hpp"
 #include "common/base/text.hpp"
 #include "ffmpeg.hpp"
+#include "support/picture_options.hpp"
 
 namespace rockslope {
 
@@ -52,12 +53,7 @@ void add_looks(po::options_description& options) {
         "multiply the displacements of the blocks' corners, which shows small motions (default: 1)");
     add("labels", po::value<std::vector<std::string>>()->composing()->value_name("WHAT"),
         "write the numbers of the blocks or the names of the joints: blocks or joints; may be repeated");
-    add("width", po::value<std::string>()->value_name("LENGTH"),
-        "width of a frame's picture, such as 85mm or 3.3in (default: as the drawing needs)");
-    add("font", po::value<std::string>()->value_name("NAME"),
-        "font of a frame's picture (default: DejaVu Sans)");
-    add("font-size", po::value<double>()->value_name("PT"),
-        "size of most letters of a frame's picture, pt (default: 9)");
+    tool_support::add_picture_options(options);
     add("format", po::value<std::string>()->default_value("png")->value_name("EXT"), "png, svg or pdf");
     add("output,o", po::value<std::string>()->value_name("FOLDER"),
         "folder of the pictures (default: the result folder)");
@@ -114,15 +110,6 @@ void read_content(const po::variables_map& values, FrameContent& content) {
         refuse("--scale moves blocks, not joints", "a field of blocks, and no labels of joints");
 }
 
-void read_style(const po::variables_map& values, PictureStyle& style) {
-    constexpr double largest_font = 72;
-    if (const auto width = text_of(values, "width")) style.width = page_length(*width);
-    if (const auto font = text_of(values, "font")) style.lettering.family = *font;
-    const double size = positive(values, "font-size", "a size in pt").value_or(usual_font_size);
-    if (size > largest_font) refuse("--font-size is " + shortest_text(size), "at most 72 pt");
-    style.lettering.scale = size / usual_font_size;
-}
-
 void read_movie(const po::variables_map& values, PlotOptions& options) {
     constexpr double most_per_second = 120;
     options.movie = text_of(values, "movie");
@@ -171,7 +158,7 @@ PlotOptions read_options(const po::variables_map& values) {
     PlotOptions options;
     read_folders(values, options);
     read_content(values, options.content);
-    read_style(values, options.style);
+    options.style = tool_support::picture_style(values, "dda-plot");
     read_movie(values, options);
     options.report = text_of(values, "report");
     if (options.report && options.report->extension() != ".html")

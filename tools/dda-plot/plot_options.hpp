@@ -24,7 +24,7 @@ struct PlotOptions {
     bool draws_all = false;  ///< no option chooses pictures: all kinds are drawn
     std::string extension;   ///< of the pictures
     FrameContent content;
-    PictureStyle style;
+    PageStyle style;
     MovieTiming timing;
 };
 

@@ -24,6 +24,9 @@ using ReportJson = nlohmann::json;
 constexpr std::size_t most_frames = 500;
 constexpr std::size_t large_model = 1'000'000;  ///< blocks times frames
 constexpr int fine_levels = 1000, coarse_levels = 100, stress_levels = 40, coarse_stress_levels = 12;
+/// Steps of a large model from zero to the displacement that nine of ten blocks do not exceed: none is finer,
+/// and none of a rotation moves a usual corner by less.
+constexpr double finest_of_usual = 200;
 /// A block that moves less than this part of the largest displacement is shown at rest.
 constexpr double still = 1e-4;
 /// Steps of a coordinate over the size of the section.
@@ -96,20 +99,63 @@ std::string section(const std::string& name, const std::string& bytes) {
     return data_element("data-" + name, "text/plain", compressed_text(bytes));
 }
 
+/// The largest magnitude of each item, in ascending order.
+std::vector<float> largest_of_items(const ItemSeries& series) {
+    std::vector<float> largest(series.items);
+    for (std::size_t at = 0; at < series.values.size(); ++at) {
+        float& of_item = largest[at / series.frames];
+        of_item = std::max(of_item, std::abs(series.values[at]));
+    }
+    std::sort(largest.begin(), largest.end());
+    return largest;
+}
+
+/// A value that nine of ten items do not exceed.
+double usual_end(const ItemSeries& series) {
+    const std::vector<float> largest = largest_of_items(series);
+    return largest.empty() ? 0 : largest[(largest.size() - 1) * 9 / 10];
+}
+
+/// The median distance of the corners of a block from its centroid, m.
+double usual_radius(const ReportMotion& motion) {
+    std::vector<double> radii;
+    for (const ReportBlock& block : motion.blocks)
+        for (const Point& p : block.corners)
+            radii.push_back(std::hypot(p.x - block.centroid.x, p.y - block.centroid.y));
+    const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
+    std::nth_element(radii.begin(), middle, radii.end());
+    return *middle;
+}
+
+/// How finely the quantities of a page are kept.
+struct PageResolution {
+    Resolution place, rotation, stress, slip;
+
+    explicit PageResolution(const ReportMotion& motion) {
+        const bool is_large = motion.x.values.size() > large_model;
+        const int levels = is_large ? coarse_levels : fine_levels;
+        const double floor = still * std::max(largest_of(motion.x), largest_of(motion.y));
+        place = {levels, floor};
+        rotation = {levels, still * largest_of(motion.rotation)};
+        stress = {is_large ? coarse_stress_levels : stress_levels};
+        slip = {is_large ? coarse_stress_levels : coarse_levels, floor};
+        if (!is_large) return;
+        place.finest = slip.finest = std::max(usual_end(motion.x), usual_end(motion.y)) / finest_of_usual;
+        rotation.finest = place.finest / usual_radius(motion);
+        stress.finest = usual_end(motion.stress) / (2 * coarse_stress_levels);
+    }
+};
+
 std::string motion_sections(const ReportMotion& motion, const Geometry& geometry) {
-    const bool is_large = motion.x.values.size() > large_model;
-    const int levels = is_large ? coarse_levels : fine_levels;
-    const double floor = still * std::max(largest_of(motion.x), largest_of(motion.y));
+    const PageResolution kept(motion);
     std::string text = section("blocks", geometry.blocks(motion)) + section("pairs", geometry.pairs(motion));
-    text += section("x", packed_series(motion.x, levels, floor)) +
-            section("y", packed_series(motion.y, levels, floor));
-    text += section("rotation", packed_series(motion.rotation, levels, still * largest_of(motion.rotation)));
-    text +=
-        section("stress", packed_series(motion.stress, is_large ? coarse_stress_levels : stress_levels, 0));
-    text +=
-        section("slip", packed_series(motion.slip, is_large ? coarse_stress_levels : coarse_levels, floor));
+    text += section("x", packed_series(motion.x, kept.place));
+    text += section("y", packed_series(motion.y, kept.place));
+    text += section("rotation", packed_series(motion.rotation, kept.rotation));
+    text += section("stress", packed_series(motion.stress, kept.stress));
+    text += section("slip", packed_series(motion.slip, kept.slip));
     if (largest_of(motion.roughness) > 0)
-        text += section("roughness", packed_series(motion.roughness, stress_levels, 0));
+        text += section("roughness", packed_series(motion.roughness, {stress_levels}));
     text += section("states", packed_states(motion.states, motion.frames.size()));
     if (std::any_of(motion.removed.begin(), motion.removed.end(), [](std::uint8_t r) { return r != 0; }))
         text += section("removed", packed_states(motion.removed, motion.frames.size()));

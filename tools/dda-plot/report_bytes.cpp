@@ -29,14 +29,16 @@ void append_signed(std::string& bytes, std::int64_t value) {
     append_number(bytes, static_cast<std::uint64_t>(value < 0 ? -2 * value - 1 : 2 * value));
 }
 
-std::string packed_series(const ItemSeries& series, int levels, double smallest) {
+std::string packed_series(const ItemSeries& series, const Resolution& resolution) {
     std::string steps, differences;
     for (std::size_t item = 0; item < series.items; ++item) {
         const auto begin = series.values.begin() + static_cast<std::ptrdiff_t>(item * series.frames);
         const auto end = begin + static_cast<std::ptrdiff_t>(series.frames);
         float largest = 0;
         for (auto value = begin; value != end; ++value) largest = std::max(largest, std::abs(*value));
-        const float step = largest > smallest ? largest / static_cast<float>(levels) : 0;
+        const float own =
+            std::max(largest / static_cast<float>(resolution.levels), static_cast<float>(resolution.finest));
+        const float step = largest > resolution.smallest && largest >= own / 2 ? own : 0;
         append_float(steps, step);
         if (step == 0) continue;
         std::int64_t before = 0;

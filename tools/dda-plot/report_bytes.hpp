@@ -18,10 +18,16 @@ struct ItemSeries {
 void append_number(std::string& bytes, std::uint64_t value);
 void append_signed(std::string& bytes, std::int64_t value);
 
-/// A series in `levels` equal steps from zero to the largest magnitude of each item: the steps of all items
-/// as little-endian floats, then for each item whose step is not zero the differences from frame to frame, as
-/// signed numbers. Items that stay below `smallest` are zero.
-std::string packed_series(const ItemSeries& series, int levels, double smallest);
+/// How finely a series is kept.
+struct Resolution {
+    int levels = 1;       ///< steps from zero to the largest magnitude of an item
+    double smallest = 0;  ///< magnitude below which an item is zero, in the unit of the series
+    double finest = 0;    ///< smallest step of any item
+};
+
+/// A series in equal steps for each item: the steps of all items as little-endian floats, then for each item
+/// whose step is not zero the differences from frame to frame, as signed numbers.
+std::string packed_series(const ItemSeries& series, const Resolution& resolution);
 
 /// States from 0 to 3 of several items over the frames, item after item, as runs: four times the number of
 /// frames less one, plus the state.

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "common/drawing/axes.hpp"
+#include "common/drawing/fitted_text.hpp"
 #include "frame_layout.hpp"
 
 namespace rockslope {
@@ -20,7 +21,7 @@ constexpr double joint_width = 2.6, smooth_width = 0.8;
 
 /// Number of classes of the ratio's magnitude.
 constexpr int classes = 5;
-constexpr double header_entry_width = 64;
+constexpr double entry_width = 64;
 
 int class_of(double ratio) {
     return std::clamp(static_cast<int>(std::ceil(std::abs(ratio) * classes)) - 1, 0, classes - 1);
@@ -56,12 +57,28 @@ void draw_joints(Canvas& canvas, const Axes& axes, const dda::GridFrame& contact
     }
 }
 
+/// Classes of the key side by side: fewer on a narrow page.
+int classes_in_row(const FrameLayout& layout) {
+    const double room = layout.page_width - layout.header_left;
+    return std::clamp(static_cast<int>(room / entry_width), 1, classes);
+}
+
+double height_of_key(const FrameLayout& layout) {
+    const int rows = (classes - 1) / classes_in_row(layout) + 1;
+    return 26 + 14.0 * rows;
+}
+
 void draw_key(Canvas& canvas, const FrameLayout& layout) {
-    const double y = layout.page_height - 8;
-    canvas.text({layout.header_left, y - 16 * layout.letters},
-                "mobilised over peak roughness (grey: none, or open)", {8.5});
+    constexpr double edge = 8;
+    const std::string title = "mobilised over peak roughness (grey: none, or open)";
+    const double top = layout.lower_right.y + layout.below_axes + 8;
+    const bool fits = canvas.text_width(title, {8.5}) < layout.page_width - layout.header_left - edge;
+    canvas.text({fits ? layout.header_left : edge, top},
+                shortened(canvas, title, {8.5}, layout.page_width - 2 * edge), {8.5});
+    const int in_row = classes_in_row(layout);
     for (int k = 0; k < classes; ++k) {
-        const double x = layout.header_left + k * header_entry_width * layout.letters;
+        const int row = k / in_row;
+        const double x = layout.header_left + k % in_row * entry_width, y = top + 16 + 14.0 * row;
         canvas.polyline(std::vector<Point>{{x, y - 3}, {x + 18, y - 3}}, {class_colour(k), joint_width});
         canvas.text({x + 22, y}, class_text(k), {8.5});
     }
@@ -76,12 +93,11 @@ bool has_roughness(const RunFrames& run, std::int64_t index) {
 }
 
 Canvas draw_roughness(const RunFrames& run, std::int64_t index, const PictureScale& scale,
-                      const PictureStyle& style) {
+                      const PageStyle& style) {
     FrameLayout layout(scale.right - scale.left, scale.top - scale.bottom, style);
-    layout.page_height = layout.lower_right.y + layout.below_axes + 40 * layout.letters;
-    layout.page_width = std::max(layout.header_right + 16,
-                                 layout.header_left + classes * header_entry_width * layout.letters);
-    Canvas canvas(layout.page_width, layout.page_height, style.lettering);
+    layout.page_width = layout.header_right + 16;
+    layout.page_height = layout.lower_right.y + layout.below_axes + height_of_key(layout);
+    Canvas canvas(layout.page_width, layout.page_height, style);
     const Axes axes(layout.upper_left, layout.lower_right, {scale.left, scale.right},
                     {scale.bottom, scale.top});
     canvas.clip(axes.upper_left(), axes.lower_right());
@@ -90,7 +106,7 @@ Canvas draw_roughness(const RunFrames& run, std::int64_t index, const PictureSca
     canvas.unclip();
     axes.draw(canvas, "x (m)", "y (m)");
     draw_key(canvas, layout);
-    canvas.text({layout.header_left, layout.top - 12 * layout.letters}, run.title(index),
+    canvas.text({layout.header_left, layout.top - 12}, run.title(index),
                 {11, black, Anchor::start, Anchor::start, true});
     return canvas;
 }

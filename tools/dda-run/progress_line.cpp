@@ -35,6 +35,8 @@ std::string formatted(const char* format, auto... values) {
 }
 
 std::string time_left(std::optional<double> seconds) {
+    constexpr double longest = 100.0 * 3600;
+    if (seconds && *seconds >= longest) return "over 100 h left";
     return seconds ? duration_text(*seconds) + " left" : "? left";
 }
 
@@ -71,7 +73,9 @@ std::optional<double> ProgressLine::static_time_left(const dda::Progress& now) {
     smallest_unbalanced_ = std::min(smallest_unbalanced_, now.report.unbalanced_force);
     const double gained = std::log(first_unbalanced_ / smallest_unbalanced_);
     const double missing = std::log(smallest_unbalanced_ / now.stage.tolerance);
-    if (!(gained > 0) || !std::isfinite(missing)) return std::nullopt;
+    // The first steps say too little of the way down.
+    constexpr double least_gained = 0.1;
+    if (!(gained > least_gained) || !std::isfinite(missing)) return std::nullopt;
     return std::max(0.0, missing) * (now.wall_time - first_unbalanced_wall_) / gained;
 }
 
@@ -93,9 +97,9 @@ std::vector<std::string> ProgressLine::fields_of(const dda::Progress& now) {
         const std::optional<double> of_stage = static_time_left(now);
         if (now.trial)
             fields.push_back(formatted("trial %d, factor %.4g", now.trial->number, now.trial->factor));
-        fields.push_back(
-            formatted("unbalanced %.1e, at rest below %.0e", report.unbalanced_force, now.stage.tolerance));
         fields.push_back(time_left(now.trial ? trials_time_left(now) : of_stage));
+        fields.push_back(
+            formatted("unbalanced %.1e, goal %.0e", report.unbalanced_force, now.stage.tolerance));
         fields.push_back(formatted("step %lld", static_cast<long long>(now.state.stage_steps)));
     }
     const double rate = static_cast<double>(steps_) / std::max(now.wall_time, 1e-9);

@@ -14,6 +14,7 @@
 #include "record/records.hpp"
 #include "record_file.hpp"
 #include "record_picture.hpp"
+#include "support/picture_options.hpp"
 
 namespace rockslope {
 
@@ -26,6 +27,7 @@ struct Comparison {
     std::vector<std::string> files;
     RecordSource source;
     fs::path output, picture;
+    PageStyle style;  ///< of the picture
     double damping = 0.05;
     std::string point;
     std::vector<std::string> labels;
@@ -33,10 +35,13 @@ struct Comparison {
 
 /// Parses the arguments of a subcommand; false when a text about it was printed instead.
 bool parse(const std::string& usage, const std::vector<std::string>& arguments,
-           const po::options_description& options, Comparison& request) {
+           po::options_description& options, Comparison& request) {
+    tool_support::add_picture_options(options);
     const auto values = parse_subcommand(usage, arguments, options);
-    if (values) request.files = files_of(*values);
-    return values.has_value();
+    if (!values) return false;
+    request.files = files_of(*values);
+    request.style = tool_support::picture_style(*values, "");
+    return true;
 }
 
 void check_outputs(const Comparison& request) {
@@ -125,7 +130,8 @@ std::string table_text(const std::vector<record::Amplification>& table) {
 // Below this fraction of the base's largest Fourier amplitude, the Fourier ratio is not significant.
 constexpr double min_drawn_base = 0.05;
 
-Canvas ratio_picture(const std::vector<record::Amplification>& table, const std::string& title) {
+Canvas ratio_picture(const std::vector<record::Amplification>& table, const std::string& title,
+                     const PageStyle& style) {
     PictureCurve response{"response spectra", {}, {}}, fourier{"Fourier spectra, smoothed", {}, {}};
     for (const record::Amplification& a : table) {
         response.x.push_back(a.period);
@@ -134,7 +140,7 @@ Canvas ratio_picture(const std::vector<record::Amplification>& table, const std:
         fourier.x.push_back(a.period);
         fourier.y.push_back(a.fourier_ratio);
     }
-    return period_picture({response, fourier}, title, "amplification");
+    return period_picture({response, fourier}, title, "amplification", style);
 }
 
 }  // namespace
@@ -155,7 +161,7 @@ int run_plot(const std::vector<std::string>& arguments) {
     check_source(request.source, request.files.size());
     check_outputs(request);
     const std::vector<NamedRecord> records = read_all(request);
-    record_picture(records, records.size() == 1 ? records[0].name : "records of ground motion")
+    record_picture(records, records.size() == 1 ? records[0].name : "records of ground motion", request.style)
         .write(request.picture);
     return 0;
 }
@@ -193,7 +199,8 @@ int run_compare(const std::vector<std::string>& arguments) {
             x.push_back({track.label, track.time, track.x});
             y.push_back({track.label, track.time, track.y});
         }
-        displacement_picture(x, y, "displacement of '" + request.point + "'").write(request.picture);
+        displacement_picture(x, y, "displacement of '" + request.point + "'", request.style)
+            .write(request.picture);
     }
     std::fputs(tracks_text(tracks).c_str(), stdout);
     return 0;
@@ -223,7 +230,8 @@ int run_amplification(const std::vector<std::string>& arguments) {
         point, base, compared_periods(std::min(point.duration(), base.duration())), request.damping);
     if (!request.output.empty()) write_file_atomically(request.output, table_text(table));
     if (!request.picture.empty())
-        ratio_picture(table, records[0].name + " over " + records[1].name).write(request.picture);
+        ratio_picture(table, records[0].name + " over " + records[1].name, request.style)
+            .write(request.picture);
 
     const record::RecordMeasures m = record::measure(point), b = record::measure(base);
     const auto ratio = [](double a, double c) { return c > 0 ? a / c : 0; };

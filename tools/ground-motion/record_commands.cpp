@@ -22,6 +22,7 @@
 #include "record/trim.hpp"
 #include "record_file.hpp"
 #include "record_picture.hpp"
+#include "support/picture_options.hpp"
 
 namespace rockslope {
 
@@ -35,6 +36,7 @@ struct Request {
     std::vector<fs::path> inputs;
     RecordSource source;
     fs::path output, spectrum, picture;
+    PageStyle style;  ///< of the picture
     double damping = 0.05;
     po::variables_map values;
 
@@ -63,6 +65,7 @@ po::options_description described(const RecordOperation& change, Request& reques
     add("picture", po::value(&request.picture), "also draw the record and its 5 % spectrum, SVG, PNG or PDF");
     add("damping", po::value(&request.damping)->default_value(0.05, "0.05"),
         "damping of the oscillators, fraction of critical");
+    tool_support::add_picture_options(options);
     return options;
 }
 
@@ -93,6 +96,7 @@ int perform(const RecordOperation& change, const std::vector<std::string>& argum
     const auto values = parse_subcommand(change.usage, arguments, described(change, request));
     if (!values) return 0;
     request.values = *values;
+    request.style = tool_support::picture_style(*values, "");
     for (const std::string& file : files_of(*values)) request.inputs.emplace_back(file);
     check(change, request);
     std::vector<record::Accelerogram> records;
@@ -103,7 +107,8 @@ int perform(const RecordOperation& change, const std::vector<std::string>& argum
     if (change.writes) write_record(request.output, record, title, "PROCESSED STRONG MOTION RECORD");
     if (!request.spectrum.empty())
         write_file_atomically(request.spectrum, spectrum_text(record, request.damping));
-    if (!request.picture.empty()) record_picture({{title, record}}, title).write(request.picture);
+    if (!request.picture.empty())
+        record_picture({{title, record}}, title, request.style).write(request.picture);
     std::fputs(measures_text(record).c_str(), stdout);
     return 0;
 }

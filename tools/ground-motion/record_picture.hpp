@@ -16,7 +16,8 @@ struct NamedRecord {
 
 /// Draws acceleration (g), velocity (m/s) and displacement (m) of records against time, and their 5 %
 /// response spectra up to 4 s; several records get a legend. @param records at least one.
-Canvas record_picture(const std::vector<NamedRecord>& records, const std::string& title);
+Canvas record_picture(const std::vector<NamedRecord>& records, const std::string& title,
+                      const PageStyle& style = {});
 
 /// A line of a picture.
 struct PictureCurve {
@@ -28,10 +29,10 @@ struct PictureCurve {
 /// Draws displacements in x and y, m, against time, one panel each, with a legend. @param x, y curves of the
 /// same runs.
 Canvas displacement_picture(const std::vector<PictureCurve>& x, const std::vector<PictureCurve>& y,
-                            const std::string& title);
+                            const std::string& title, const PageStyle& style = {});
 
 /// Draws curves against the period, s, with a legend.
 Canvas period_picture(const std::vector<PictureCurve>& curves, const std::string& title,
-                      const std::string& y_title);
+                      const std::string& y_title, const PageStyle& style = {});
 
 }  // namespace rockslope

@@ -16,6 +16,7 @@
 #include "record/wavelets.hpp"
 #include "record_file.hpp"
 #include "record_picture.hpp"
+#include "support/picture_options.hpp"
 
 namespace rockslope {
 
@@ -69,6 +70,7 @@ po::options_description described(SynthesisRequest& request) {
         "frequency of the Clough-Penzien filter, Hz");
     add("low-cut-damping", option(recipe.spectrum.low_cut_damping),
         "damping of the Clough-Penzien filter, fraction of critical");
+    tool_support::add_picture_options(options);
     add("kappa", option(recipe.spectrum.kappa), "s, attenuation of high frequencies near the surface");
     return options;
 }
@@ -109,6 +111,7 @@ int run_synthesise(const std::vector<std::string>& arguments) {
     if (!files_of(*values).empty())
         throw std::invalid_argument("synthesise reads no file, but is given '" + files_of(*values).front() +
                                     "'");
+    const PageStyle style = tool_support::picture_style(*values, "");
     check_record_name(request.output);
     if (!request.picture.empty()) check_picture_name(request.picture);
     for (const auto& path : {request.output, request.spectrum, request.picture})
@@ -121,7 +124,7 @@ int run_synthesise(const std::vector<std::string>& arguments) {
         write_file_atomically(request.spectrum, spectrum_text(record, 0.05));
     }
     if (!request.picture.empty()) {
-        record_picture({{"", record}}, title(request)).write(request.picture);
+        record_picture({{"", record}}, title(request), style).write(request.picture);
     }
     std::fputs(measures_text(record).c_str(), stdout);
     return 0;

@@ -15,6 +15,7 @@
 #include "shear_picture.hpp"
 #include "support/command_page.hpp"
 #include "support/parse_arguments.hpp"
+#include "support/picture_options.hpp"
 
 using namespace rockslope;
 
@@ -33,6 +34,7 @@ po::options_description visible_options() {
         "with --compare: the measured joint of that name in the joints.csv of a run");
     add("set", po::value<std::vector<std::string>>()->composing()->value_name("KEY=VALUE"),
         "override a key of the model file; may be repeated");
+    tool_support::add_picture_options(options);
     add("template", "print a commented model file and stop");
     add("version", "print the version and stop");
     add("help,h", "print this text and stop");
@@ -92,6 +94,7 @@ int run(const po::variables_map& values) {
                          "a name that ends in .svg, .png or .pdf");
     if (values.count("joint") && !values.count("compare"))
         throw InputError({"joint-shear"}, "--joint is given without --compare", "--compare joints.csv");
+    const PageStyle style = tool_support::picture_style(values, "joint-shear");
     const dda::ShearTestInput input =
         dda::read_shear_test(file, values.count("set") ? values["set"].as<std::vector<std::string>>()
                                                        : std::vector<std::string>{});
@@ -118,7 +121,8 @@ int run(const po::variables_map& values) {
         print_misfit("dilation", comparison.dilation, 1e3, "mm");
         print_misfit("normal stress", comparison.normal_stress, 1e-6, "MPa");
     }
-    if (!picture.empty()) draw_shear_test(input, rows, compared_points(values, measured)).write(picture);
+    if (!picture.empty())
+        draw_shear_test(input, rows, compared_points(values, measured), style).write(picture);
     return 0;
 }
 

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/drawing/axes.hpp"
+#include "common/drawing/panel_page.hpp"
 
 namespace rockslope {
 
 namespace {
 
-constexpr double page_width = 640, panel_height = 220, panel_gap = 20, left = 62, right = 140, top = 34;
+constexpr double shear_panel_height = 220;
 constexpr std::size_t measured_colour = 1;
 
 struct Panel {
@@ -71,16 +71,31 @@ std::vector<Panel> panels_of(const dda::ShearTest& test, const dda::ShearTable* 
     return panels;
 }
 
+std::vector<LegendEntry> legend_of(const std::optional<ComparedPoints>& compared) {
+    const bool is_of_blocks = compared && compared->origin == "blocks";
+    std::vector<LegendEntry> entries = {
+        {is_of_blocks ? "joint law" : "computed", std::nullopt, Stroke{line_colour(0), 1.1}, true}};
+    if (compared) {
+        LegendEntry points{is_of_blocks ? "computed (blocks)" : "measured"};
+        points.stroke = Stroke{line_colour(measured_colour), 0.7};
+        points.is_circle = true;
+        entries.push_back(points);
+    }
+    return entries;
+}
+
 }  // namespace
 
 Canvas draw_shear_test(const dda::ShearTestInput& input, const std::vector<dda::ShearTestRow>& rows,
-                       const std::optional<ComparedPoints>& compared) {
+                       const std::optional<ComparedPoints>& compared, const PageStyle& style) {
     const dda::ShearTable* measured = compared ? &compared->table : nullptr;
     const std::vector<Panel> panels = panels_of(input.test, measured);
-    const auto count = static_cast<double>(panels.size());
-    Canvas canvas(page_width, top + count * panel_height + (count - 1) * panel_gap + 44);
-    canvas.text({left, top - 12}, "Direct shear of " + input.material,
-                {11, black, Anchor::start, Anchor::start, true});
+    const std::vector<LegendEntry> legend = legend_of(compared);
+    PanelPage page({.panel_height = shear_panel_height,
+                    .title = "Direct shear of " + input.material,
+                    .panels = panels.size(),
+                    .legends = {names_of(legend)}},
+                   style);
     ValueRange x;
     for (const dda::ShearTestRow& row : rows) x.take(row.displacement * 1e3);
     if (measured)
@@ -91,22 +106,12 @@ Canvas draw_shear_test(const dda::ShearTestInput& input, const std::vector<dda::
         for (const dda::ShearTestRow& row : rows) y.take(row.*panel.computed * panel.factor);
         if (panel.measured)
             for (const double value : *panel.measured) y.take(value * panel.factor);
-        const double upper = top + static_cast<double>(k) * (panel_height + panel_gap);
-        const Axes axes({left, upper}, {page_width - right, upper + panel_height}, x.range(), y.range());
-        axes.draw(canvas, k + 1 == panels.size() ? "displacement (mm)" : "", panel.title, true);
-        draw_panel(canvas, axes, panel, rows, measured ? &measured->displacement : nullptr);
+        const Axes axes = page.axes(k, x.range(), y.range());
+        axes.draw(page.canvas, k + 1 == panels.size() ? "displacement (mm)" : "", panel.title, true);
+        draw_panel(page.canvas, axes, panel, rows, measured ? &measured->displacement : nullptr);
     }
-    std::vector<LegendEntry> entries(measured ? 2 : 1);
-    entries[0].text = compared && compared->origin == "blocks" ? "joint law" : "computed";
-    entries[0].stroke = Stroke{line_colour(0), 1.1};
-    entries[0].is_line = true;
-    if (measured) {
-        entries[1].text = compared->origin == "blocks" ? "computed (blocks)" : "measured (circles)";
-        entries[1].stroke = Stroke{line_colour(measured_colour), 0.7};
-        entries[1].is_line = true;
-    }
-    draw_legend(canvas, {page_width - right + 14, top + 4}, "", entries);
-    return canvas;
+    page.draw_legend(0, legend);
+    return std::move(page.canvas);
 }
 
 }  // namespace rockslope

@@ -19,6 +19,6 @@ struct ComparedPoints {
 /// Draws shear stress, dilation and, if it is not constant, normal stress against displacement, with the
 /// points to compare as circles.
 Canvas draw_shear_test(const dda::ShearTestInput& input, const std::vector<dda::ShearTestRow>& rows,
-                       const std::optional<ComparedPoints>& compared);
+                       const std::optional<ComparedPoints>& compared, const PageStyle& style = {});
 
 }  // namespace rockslope

@@ -1,6 +1,7 @@
 import uPlot from "../vendor/uplot/uPlot.esm";
 import { lineColours } from "./colours";
 import { element, themed } from "./dom";
+import { plain } from "./units";
 
 export interface Curve {
     label: string;
@@ -10,6 +11,8 @@ export interface Curve {
 /** A chart of curves over a common abscissa. */
 export class Chart {
     private readonly plot: uPlot;
+    /** Whether the abscissa is the time of the run. */
+    private readonly isLinked: boolean;
     /** What is taken off the abscissa. */
     private readonly start: number;
     private readonly now = element("div", { className: "now" });
@@ -21,8 +24,10 @@ export class Chart {
         curves: Curve[],
     ) {
         this.start = options.start ?? 0;
+        this.isLinked = options.seek !== undefined;
         const ink = () => themed("--dim");
         const grid = { stroke: () => themed("--line"), width: 1 };
+        const value = (_: uPlot, v: number | null) => (v === null ? "" : plain(v));
         const axis = { stroke: ink, grid, ticks: grid, font: "12px system-ui, sans-serif", labelFont: "12px system-ui, sans-serif" };
         this.plot = new uPlot(
             {
@@ -36,9 +41,10 @@ export class Chart {
                 cursor: { drag: { x: true, y: false } },
                 legend: { live: true },
                 series: [
-                    { label: options.x },
+                    { label: options.x, value },
                     ...curves.map((curve, k) => ({
                         label: curve.label,
+                        value,
                         stroke: lineColours[k % lineColours.length],
                         width: 1.4,
                         points: { show: false },
@@ -60,11 +66,14 @@ export class Chart {
         return Math.max(this.holder.clientWidth, 240);
     }
 
-    /** Marks a time. */
+    /** Marks a time, if the chart is over time. */
     mark(x: number): void {
+        if (!this.isLinked) return;
         const place = this.plot.valToPos(x - this.start, "x");
         const inside = place >= 0 && place <= this.plot.over.clientWidth;
         this.now.style.display = inside ? "" : "none";
         if (inside) this.now.style.left = `${place}px`;
+        // The legend has the values of that time, unless the pointer asks for another one.
+        if ((this.plot.cursor.left ?? -1) < 0) this.plot.setLegend({ idx: this.plot.valToIdx(x - this.start) });
     }
 }

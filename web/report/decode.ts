@@ -15,13 +15,20 @@ function bytesOfBase64(text: string): Uint8Array {
     return bytes;
 }
 
+/** TypeScript 4.8, which is Debian's, does not know the class. */
+function inflater(): ReadableWritablePair<Uint8Array, Uint8Array> {
+    type Inflater = new (format: "deflate") => ReadableWritablePair<Uint8Array, Uint8Array>;
+    const { DecompressionStream } = globalThis as unknown as { DecompressionStream: Inflater };
+    return new DecompressionStream("deflate");
+}
+
 /** The bytes of a section; nothing when the page has none of that name. Its text is removed from the page. */
 export async function readSection(name: string): Promise<Uint8Array | null> {
     const element = document.getElementById("data-" + name);
     if (!element) return null;
     const packed = bytesOfBase64(element.textContent ?? "");
     element.remove();
-    const stream = new Blob([packed as BlobPart]).stream().pipeThrough(new DecompressionStream("deflate"));
+    const stream = new Blob([packed as BlobPart]).stream().pipeThrough(inflater());
     return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 

@@ -37,6 +37,7 @@ function largestOf(count: number, frames: number, value: (item: number, k: numbe
     return end > 0 ? units.roundAbove(end) : 1e-3;
 }
 
+/** The quantities that have been read. */
 export function fieldsOf(model: Model): Field[] {
     const { frames, data, blocks, pairs } = model;
     const times = data.times;
@@ -50,7 +51,6 @@ export function fieldsOf(model: Model): Field[] {
         const dy = at(model.y, frames, b, from + 1, 0) - at(model.y, frames, b, from, 0);
         return Math.hypot(dx, dy) / span;
     };
-    const compression = (b: number, k: number, part: number) => Math.max(0, -at(model.stress, frames, b, k, part));
     /** A field of a scale, whose end is found when it is first asked for: not all fields are looked at. */
     const scaled = (name: string, title: string, ofPairs: boolean, value: Field["value"], text: Field["text"], find: () => number): Field => {
         let largest: number | null = null;
@@ -72,12 +72,13 @@ export function fieldsOf(model: Model): Field[] {
         scaled(name, title, false, value, text,
             () => largestOf(blocks.count, frames, (b, k) => (blocks.moves[b] ? (value(b, k, 0) ?? 0) : 0)));
     const touches = (p: number, k: number) => model.states[p * frames + k] !== PairState.apart;
-    const slip = (p: number, k: number, part: number) => (touches(p, k) ? at(model.slip, frames, p, k, part) : null);
-    const roughness = model.roughness;
+    const { stress, slip, roughness } = model;
     const fields: Field[] = [
         ofBlocks("displacement", "displacement from the base", displacement, units.length),
         ofBlocks("velocity", "velocity between frames, from the base", velocity, units.speed),
-        ofBlocks("stress", "largest compression", compression, units.stress),
+        ...(stress
+            ? [ofBlocks("stress", "largest compression", (b, k, part) => Math.max(0, -at(stress, frames, b, k, part)), units.stress)]
+            : []),
         {
             name: "material",
             title: "material",
@@ -87,8 +88,10 @@ export function fieldsOf(model: Model): Field[] {
             largest: 0,
             colour: (m) => materialColours[m % materialColours.length],
         },
-        scaled("slip", "slip of joints", true, slip, units.length,
-            () => largestOf(pairs.count, frames, (p, k) => at(model.slip, frames, p, k, 0))),
+        ...(slip
+            ? [scaled("slip", "slip of joints", true, (p, k, part) => (touches(p, k) ? at(slip, frames, p, k, part) : null), units.length,
+                () => largestOf(pairs.count, frames, (p, k) => at(slip, frames, p, k, 0)))]
+            : []),
         {
             name: "state",
             title: "state of joints",

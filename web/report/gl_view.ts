@@ -72,10 +72,14 @@ export class GlView implements View {
     private triangles = 0;
     private edges = 0;
 
-    /** The view of a canvas; nothing where there is no WebGL2. */
+    /** The view of a canvas; nothing where there is no WebGL2, or one that cannot draw this. */
     static on(canvas: HTMLCanvasElement, model: Model): GlView | null {
         const gl = canvas.getContext("webgl2", { antialias: true, alpha: true, preserveDrawingBuffer: true });
-        return gl && new GlView(gl, canvas, model);
+        try {
+            return gl && new GlView(gl, canvas, model);
+        } catch {
+            return null;
+        }
     }
 
     private constructor(

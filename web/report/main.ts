@@ -1,6 +1,6 @@
 import { Chart } from "./charts";
 import { element, section, table } from "./dom";
-import { readModel } from "./model";
+import { readModel, readQuantities, type Model } from "./model";
 import type { PageData } from "./page_data";
 import { StageView } from "./stage_view";
 import { materialTables } from "./strengths";
@@ -121,18 +121,17 @@ function provenancePanel(page: PageData): HTMLElement {
         rows.length ? table(["input", "SHA-256"], rows) : null);
 }
 
-async function start(): Promise<void> {
-    const app = document.getElementById("app")!;
-    const page = JSON.parse(document.getElementById("data-page")!.textContent!) as PageData;
-    const model = await readModel(page.motion);
-    const charts = new Charts();
-    const view = new StageView(model, (time) => charts.mark(time), mechanism(page));
-    const seek = (time: number) => view.player.seek(time);
+/** Waits until the browser has painted; a page that is not in view does not paint. */
+function painted(): Promise<void> {
+    return new Promise((resolve) => {
+        requestAnimationFrame(() => setTimeout(resolve));
+        setTimeout(resolve, 200);
+    });
+}
+
+function panels(page: PageData, model: Model, charts: Charts, seek: (time: number) => void): HTMLElement[] {
     const summary = page.summary;
-    app.replaceChildren(
-        element("header", {}, element("h1", { textContent: page.name }),
-            ...story(page).map((text) => element("p", { textContent: text }))),
-        view.holder,
+    return [
         element("div", { className: "two" },
             ...[historyPanel(page, charts, seek), checksPanel(checks(page, model)), ...basePanels(page, charts, seek)]
                 .filter((panel): panel is HTMLElement => panel !== null)),
@@ -143,11 +142,33 @@ async function start(): Promise<void> {
             strengthsPanel(page),
             provenancePanel(page),
         ].filter((panel): panel is HTMLElement => panel !== null),
+    ];
+}
+
+/** The section first, then what is below it, then what costs time and can wait. */
+async function start(): Promise<void> {
+    const app = document.getElementById("app")!;
+    const page = JSON.parse(document.getElementById("data-page")!.textContent!) as PageData;
+    const model = await readModel(page.motion);
+    const charts = new Charts();
+    const view = new StageView(model, (time) => charts.mark(time), mechanism(page));
+    app.replaceChildren(
+        element("header", {}, element("h1", { textContent: page.name }),
+            ...story(page).map((text) => element("p", { textContent: text }))),
+        view.holder,
     );
-    charts.make();
     view.draw();
+    await painted();
+    const { dataset } = document.documentElement;
+    dataset.shown = performance.now().toFixed();
+    app.append(...panels(page, model, charts, (time) => view.player.seek(time)));
+    charts.make();
     charts.mark(view.player.time);
-    document.documentElement.dataset.ready = "true";
+    await painted();
+    await readQuantities(model);
+    view.quantitiesRead();
+    if (location.hash !== "#canvas") view.accelerate();
+    dataset.ready = performance.now().toFixed();
 }
 
 start().catch((error: unknown) => {

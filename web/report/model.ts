@@ -44,8 +44,9 @@ export interface Model {
     x: Series;
     y: Series;
     rotation: Series;
-    stress: Series;
-    slip: Series;
+    /** What colours and labels alone need: nothing until readQuantities() has read it, or if the page has none. */
+    stress: Series | null;
+    slip: Series | null;
     roughness: Series | null;
     states: Uint8Array;
     removed: Uint8Array | null;
@@ -139,14 +140,13 @@ async function section(name: string): Promise<Uint8Array> {
     return bytes;
 }
 
+/** What the motion needs; the rest is read by readQuantities(). */
 export async function readModel(data: MotionData): Promise<Model> {
     const frames = data.times.length;
     const { blocks: blockCount, pairs: pairCount } = data;
     const ofBlocks = async (name: string) => readSeries(await section(name), blockCount, frames);
-    const ofPairs = async (name: string) => readSeries(await section(name), pairCount, frames);
     const blocks = readBlocks(await section("blocks"), blockCount, data.grid.step);
     const removed = await readSection("removed");
-    const roughness = await readSection("roughness");
     let width = 0;
     let height = 0;
     for (let b = 0; b < blocks.count; ++b)
@@ -162,12 +162,21 @@ export async function readModel(data: MotionData): Promise<Model> {
         x: await ofBlocks("x"),
         y: await ofBlocks("y"),
         rotation: await ofBlocks("rotation"),
-        stress: await ofBlocks("stress"),
-        slip: await ofPairs("slip"),
-        roughness: roughness && readSeries(roughness, pairCount, frames),
+        stress: null,
+        slip: null,
+        roughness: null,
         states: readStates(await section("states"), pairCount, frames),
         removed: removed && readStates(removed, blockCount, frames),
         width,
         height,
     };
+}
+
+/** Reads the quantities of the blocks and the pairs into a model. */
+export async function readQuantities(model: Model): Promise<void> {
+    const { frames, blocks, pairs } = model;
+    model.stress = readSeries(await section("stress"), blocks.count, frames);
+    model.slip = readSeries(await section("slip"), pairs.count, frames);
+    const roughness = await readSection("roughness");
+    model.roughness = roughness && readSeries(roughness, pairs.count, frames);
 }

@@ -1,5 +1,6 @@
 import { CanvasView } from "./canvas_view";
 import { css, gradient, materialColours, type Rgb } from "./colours";
+import type { Series } from "./decode";
 import { element, themed } from "./dom";
 import { at, fieldsOf, paleOfLines, type Field } from "./fields";
 import { GlView } from "./gl_view";
@@ -18,11 +19,11 @@ function rgbOf(property: string): Rgb {
 export class StageView {
     readonly holder = element("section");
     readonly player: Player;
-    private readonly fields: Field[];
+    private fields: Field[];
     private readonly scene: Scene;
-    private readonly view: View;
+    private view: View;
     private readonly camera: Camera = { x: 0, y: 0, scale: 1 };
-    private readonly canvas = element("canvas");
+    private canvas = element("canvas");
     private readonly when = element("div", { className: "when" });
     private readonly legend = element("div", { className: "legend" });
     private readonly scaleBar = element("div", { className: "scale" });
@@ -30,6 +31,7 @@ export class StageView {
     private readonly frame = element("div", { className: "view" }, this.canvas, this.when, this.legend, this.scaleBar, this.tip);
     private readonly playButton = element("button", { id: "play", textContent: "▶ Play", type: "button" });
     private readonly scrub = element("input", { id: "time", type: "range", step: "any" });
+    private readonly fieldChoice = element("select", { id: "field" });
     private drawn = false;
     private fitted = true;
 
@@ -41,10 +43,8 @@ export class StageView {
         this.fields = fieldsOf(model);
         this.scene = new Scene(model, this.fields[0], true);
         this.player = new Player(model.data.times, () => this.timeChanged());
-        // A canvas with a context of one kind gives none of the other, so the fallback starts with a new one.
-        const gl = location.hash === "#canvas" ? null : GlView.on(this.canvas, model);
-        this.view = gl ?? new CanvasView(this.canvas);
-        this.canvas.dataset.kind = gl ? "webgl2" : "canvas";
+        this.canvas.dataset.kind = "canvas";
+        this.view = new CanvasView(this.canvas);
         this.holder.append(this.frame, this.controls());
         this.listen();
     }
@@ -55,8 +55,8 @@ export class StageView {
         const speed = element("select", { id: "speed" });
         for (const factor of [0.1, 0.25, 0.5, 1, 2, 4, 8])
             speed.append(element("option", { value: String(factor), textContent: `× ${factor}`, selected: factor === 1 }));
-        const colour = element("select", { id: "field" });
-        for (const field of this.fields) colour.append(element("option", { value: field.name, textContent: field.title }));
+        const colour = this.fieldChoice;
+        this.offerFields();
         const factor = element("input", { id: "exaggeration", className: "factor", type: "range", min: "0", max: "2", step: "0.01", value: "0" });
         const factorText = element("span", { textContent: "× 1" });
         const states = element("input", { id: "states", type: "checkbox", checked: true });
@@ -80,6 +80,37 @@ export class StageView {
             element("label", {}, "speed", speed), element("label", {}, "colour", colour),
             element("label", {}, states, "open and sliding joints"),
             element("label", {}, "displacements", factor, factorText), fit);
+    }
+
+    private offerFields(): void {
+        const options = this.fields.map((field) => element("option", { value: field.name, textContent: field.title }));
+        this.fieldChoice.replaceChildren(...options);
+        this.fieldChoice.value = this.scene.field.name;
+    }
+
+    /** Offers the quantities that the model has by now. */
+    quantitiesRead(): void {
+        this.fields = fieldsOf(this.model);
+        this.offerFields();
+        this.choose(this.fields.find((field) => field.name === this.scene.field.name)!);
+    }
+
+    /** Draws by WebGL2 from now on, if the browser has it: its start takes half a second where there is no graphics card. */
+    accelerate(): void {
+        const canvas = element("canvas");
+        const gl = GlView.on(canvas, this.model);
+        if (!gl) return;
+        canvas.addEventListener("webglcontextlost", () => this.use(element("canvas"), null));
+        this.use(canvas, gl);
+    }
+
+    /** Draws on another canvas: one with a context of one kind gives none of the other. */
+    private use(canvas: HTMLCanvasElement, gl: GlView | null): void {
+        canvas.dataset.kind = gl ? "webgl2" : "canvas";
+        this.view = gl ?? new CanvasView(canvas);
+        this.canvas.replaceWith(canvas);
+        this.canvas = canvas;
+        this.resize();
     }
 
     private choose(field: Field): void {
@@ -185,12 +216,13 @@ export class StageView {
     private blockText(b: number): string {
         const { model } = this;
         const { k, part } = this.player.instant();
-        const value = (series: Model["x"]) => at(series, model.frames, b, k, part);
+        const value = (series: Series) => at(series, model.frames, b, k, part);
         const moved = Math.hypot(value(model.x), value(model.y));
         const turned = (value(model.rotation) * 180) / Math.PI;
         return (
             `block ${model.blocks.number[b]}, ${model.data.materials[model.blocks.material[b]] ?? ""}\n` +
-            `  moved ${units.length(moved)}, turned ${units.plain(turned)}°, compression ${units.stress(-value(model.stress))}`
+            `  moved ${units.length(moved)}, turned ${units.plain(turned)}°` +
+            (model.stress ? `, compression ${units.stress(-value(model.stress))}` : "")
         );
     }
 
@@ -204,7 +236,8 @@ export class StageView {
         const rough = model.roughness ? at(model.roughness, model.frames, p, k, part) : 0;
         return (
             `joint ${joint ? `'${joint}', ` : ""}${material}, between blocks ${numbers[0]} and ${numbers[1]}\n` +
-            `  ${state}, slip ${units.length(at(model.slip, model.frames, p, k, part))}` +
+            `  ${state}` +
+            (model.slip ? `, slip ${units.length(at(model.slip, model.frames, p, k, part))}` : "") +
             (rough ? `, roughness left ${units.percent(rough)}` : "")
         );
     }

@@ -17,6 +17,10 @@ const endings: Record<string, string> = {
     "not written": "The run ended early: its results could not be written",
 };
 
+function sentence(text: string): string {
+    return text.charAt(0).toUpperCase() + text.slice(1) + (text.endsWith(".") ? "" : ".");
+}
+
 /** What happened, in a few sentences. */
 export function story(page: PageData): string[] {
     const { summary } = page;
@@ -24,7 +28,7 @@ export function story(page: PageData): string[] {
     const ending = endings[summary.status] ?? `The run ended with the status '${summary.status}'`;
     const lines = [
         `${ending}: ${summary.blocks} blocks, ${summary.steps} steps to t = ${units.plain(summary.time)} s` +
-            ` in ${units.plain(summary.wall_time)} s of computing.${summary.message ? " " + summary.message + "." : ""}`,
+            ` in ${units.plain(summary.wall_time)} s of computing.${summary.message ? " " + sentence(summary.message) : ""}`,
     ];
     const points = (summary.points ?? []).filter((point) => point.kind === "measured point");
     const far = points

@@ -6,12 +6,17 @@
 
 #include "blockgen/mesh/measures.hpp"
 #include "common/drawing/axes.hpp"
+#include "common/drawing/fitted_text.hpp"
 
 namespace rockslope::blockgen {
 
 namespace {
 
-constexpr double page_width = 760, left = 62, right = 185, top = 24, bottom = 74;
+constexpr double usual_width = 760, left = 62, right = 16, top = 24, bottom = 74;
+/// Width of the legends beside the section, and the narrowest page that has them there and not below it.
+constexpr double legend_width = 169, least_page_beside = 480;
+/// Heights of the section on the page.
+constexpr double least_height = 230, largest_height = 900;
 
 struct Extent {
     Range x, y;
@@ -58,31 +63,52 @@ PerBlock<std::size_t> shades_of(const BlockMesh& mesh) {
 
 class BlockPicture {
   public:
-    BlockPicture(const BlockMesh& mesh, const BlockLayer& layer, const Extent& extent, double height)
+    BlockPicture(const BlockMesh& mesh, const BlockLayer& layer, const PageStyle& style)
         : mesh_(mesh),
           layer_(layer),
           is_excavated_(mesh.block_count()),
-          canvas_(page_width, height),
-          axes_(
-              Axes::of_equal_scale({left, top}, {page_width - right, height - bottom}, extent.x, extent.y)) {
+          canvas_(1, 1, style),
+          axes_({}, {}, {}, {}) {
         for (const Joint& joint : mesh.joints)
             if (std::find(sets_.begin(), sets_.end(), joint.set) == sets_.end()) sets_.push_back(joint.set);
         for (const ExcavatedBlocks& excavation : mesh.excavations)
             for (const BlockIndex b : excavation.blocks) is_excavated_[b] = true;
+        lay_out(style);
     }
 
     Canvas draw() {
         fill_blocks();
         draw_edges();
         for (const Bolt& bolt : mesh_.bolts) draw_bolt(bolt);
-        for (const MeasuredPoint& point : mesh_.measured_points) draw_point(point);
+        Labels labels(axes_.upper_left(), axes_.lower_right());
+        for (const MeasuredPoint& point : mesh_.measured_points) draw_point(point, labels);
         axes_.draw(canvas_, "x (m)", "y (m)");
         draw_scale_bar(canvas_, {axes_.upper_left().x, axes_.lower_right().y + 42}, axes_.scale(), 130);
-        draw_legends();
+        draw_legends(legends_at_);
         return std::move(canvas_);
     }
 
   private:
+    /// The legends are beside the section, or below it on a narrow page: they are drawn once to learn their
+    /// height.
+    void lay_out(const PageStyle& style) {
+        const double width = style.width_in_units(usual_width);
+        const bool is_beside = width >= least_page_beside;
+        const double plot_width = width - left - right - (is_beside ? legend_width : 0);
+        const Extent extent = extent_of(mesh_);
+        const double scale = plot_width / (extent.x.high - extent.x.low);
+        const double least = is_beside ? least_height : 0;
+        const double plot_height = std::clamp(scale * (extent.y.high - extent.y.low), least, largest_height);
+        axes_ = Axes::of_equal_scale({left, top}, {left + plot_width, top + plot_height}, extent.x, extent.y);
+        double height = top + plot_height + bottom;
+        legend_room_ = is_beside ? legend_width - 18 : width - left - right;
+        legends_at_ =
+            is_beside ? Point{axes_.lower_right().x + 18, axes_.upper_left().y} : Point{left, height};
+        const double end = draw_legends(legends_at_);
+        if (!is_beside) height = end + 10;
+        canvas_ = Canvas(width, height, style);
+    }
+
     std::vector<Ring> page_rings(BlockIndex b) const {
         std::vector<Ring> rings;
         for (std::size_t r = 0; r < mesh_.ring_count(b); ++r)
@@ -142,22 +168,26 @@ class BlockPicture {
         canvas_.circle(from, 2.4, bolt_stroke.colour, Stroke{white, 0.6});
     }
 
-    void draw_point(const MeasuredPoint& point) {
+    void draw_point(const MeasuredPoint& point, Labels& labels) {
         const Point place = axes_.to_page(point.position);
         canvas_.circle(place, 3.2, point_colour, Stroke{white, 0.9});
         TextStyle style{9, black, Anchor::start, Anchor::start, true};
         style.halo = white;
-        double x = place.x + 4;
-        if (x + canvas_.text_width(point.name, style) > axes_.lower_right().x - 3) {
-            style.anchor = Anchor::end;
-            x = place.x - 4;
-        }
-        canvas_.text({x, std::max(place.y - 8, axes_.upper_left().y + 11)}, point.name, style);
+        const double left_of = place.x - 4, right_of = place.x + 4, above = place.y - 8, below = place.y + 15;
+        labels.put(canvas_,
+                   {{{right_of, above}, Anchor::start},
+                    {{left_of, above}, Anchor::end},
+                    {{right_of, below}, Anchor::start},
+                    {{left_of, below}, Anchor::end},
+                    {{right_of + 3, place.y + 3}, Anchor::start},
+                    {{left_of - 3, place.y + 3}, Anchor::end}},
+                   point.name, style);
     }
 
-    void draw_legends() {
-        const double x = axes_.lower_right().x + 18;
-        double y = axes_.upper_left().y;
+    /// @return the y at the end of the legends.
+    double draw_legends(const Point& start) {
+        const double x = start.x;
+        double y = start.y;
         std::vector<LegendEntry> rocks, lines, others;
         for (const BlockMaterialIndex m : mesh_.block_materials.indices())
             rocks.push_back({mesh_.block_materials[m], rock_colour(m), Stroke{grey, 0.6}});
@@ -174,12 +204,13 @@ class BlockPicture {
         const auto has = [&](BlockMotion m) {
             return std::find(mesh_.motion.begin(), mesh_.motion.end(), m) != mesh_.motion.end();
         };
-        y = draw_legend(canvas_, {x, y}, mesh_.block_materials.size() == 1 ? "Rock" : "Rocks", rocks);
+        y = draw_legend(canvas_, {x, y}, mesh_.block_materials.size() == 1 ? "Rock" : "Rocks", rocks,
+                        legend_room_);
         std::vector<LegendEntry> colours;
         for (const BlockLayer::Entry& entry : layer_.entries)
             colours.push_back({entry.text, entry.colour, Stroke{grey, 0.6}});
-        if (!colours.empty()) y = draw_legend(canvas_, {x, y}, layer_.title, colours);
-        if (!lines.empty()) y = draw_legend(canvas_, {x, y}, "Joints", lines);
+        if (!colours.empty()) y = draw_legend(canvas_, {x, y}, layer_.title, colours, legend_room_);
+        if (!lines.empty()) y = draw_legend(canvas_, {x, y}, "Joints", lines, legend_room_);
         if (has(BlockMotion::fixed)) y = draw_hatched(x, y, "fixed block", fixed_hatch, std::numbers::pi / 4);
         if (has(BlockMotion::prescribed))
             y = draw_hatched(x, y, "prescribed block", prescribed_hatch, -std::numbers::pi / 4);
@@ -198,6 +229,7 @@ class BlockPicture {
         const std::string count =
             std::to_string(mesh_.block_count()) + (mesh_.block_count() == 1 ? " block" : " blocks");
         canvas_.text({x, y + 8}, count, {9, grey, Anchor::start, Anchor::end});
+        return y + 18;
     }
 
     double draw_hatched(double x, double y, const std::string& text, const Stroke& hatch, double angle,
@@ -222,16 +254,15 @@ class BlockPicture {
     Canvas canvas_;
     Axes axes_;
     std::vector<std::string> sets_;
+    Point legends_at_{};
+    double legend_room_ = 0;
 };
 
 }  // namespace
 
-Canvas draw_blocks(const BlockMesh& mesh, const BlockLayer& layer) {
-    if (mesh.vertices.empty()) return Canvas(page_width, 200);
-    const Extent extent = extent_of(mesh);
-    const double scale = (page_width - left - right) / (extent.x.high - extent.x.low);
-    const double height = std::clamp(scale * (extent.y.high - extent.y.low), 230.0, 900.0) + top + bottom;
-    return BlockPicture(mesh, layer, extent, height).draw();
+Canvas draw_blocks(const BlockMesh& mesh, const BlockLayer& layer, const PageStyle& style) {
+    if (mesh.vertices.empty()) return {style.width_in_units(usual_width), 200, style};
+    return BlockPicture(mesh, layer, style).draw();
 }
 
 }  // namespace rockslope::blockgen

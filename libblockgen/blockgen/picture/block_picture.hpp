@@ -22,10 +22,10 @@ struct BlockLayer {
 
 /// Draws the section: blocks filled by material, joints coloured by set, fixed, prescribed and excavated
 /// blocks hatched, measured points and bolts; axes in metres, scale bar and legends.
-Canvas draw_blocks(const BlockMesh& mesh, const BlockLayer& layer = {});
+Canvas draw_blocks(const BlockMesh& mesh, const BlockLayer& layer = {}, const PageStyle& style = {});
 
 /// Draws the cumulative distribution of block areas, by area and by number, on a logarithmic scale, with D10,
 /// D50 and D90 by area marked.
-Canvas draw_sizes(const BlockMesh& mesh);
+Canvas draw_sizes(const BlockMesh& mesh, const PageStyle& style = {});
 
 }  // namespace rockslope::blockgen

@@ -4,9 +4,13 @@
 #include <cmath>
 #include <cstdio>
 
+#include "common/drawing/fitted_text.hpp"
+
 namespace rockslope {
 
 namespace {
+
+constexpr double box_width = 16, box_height = 9;  // of the mark of a legend
 
 /// The smallest of 1, 2, 5 times a power of ten that is at least `length`.
 double round_up(double length) {
@@ -18,6 +22,14 @@ double round_up(double length) {
 
 double tick_step(const Range& range, int most) {
     return round_up((range.high - range.low) / most);
+}
+
+/// The most ticks that there is room for, or more, so that there are two: one tick says nothing of the scale.
+int enough_ticks(const Range& range, int most) {
+    constexpr int many = 8;
+    int enough = std::max(2, most);
+    while (enough < many && round_ticks(range, enough).size() < 2) ++enough;
+    return enough;
 }
 
 }  // namespace
@@ -93,8 +105,8 @@ Ring Axes::to_page(const Ring& ring) const {
 void Axes::draw(Canvas& canvas, const std::string& x_title, const std::string& y_title, bool grid) const {
     const Stroke line{grey, 0.7}, thin{pale_grey, 0.5};
     const TextStyle numbers{8, black, Anchor::middle, Anchor::end};
-    const int x_most = std::max(2, static_cast<int>((lower_right_.x - upper_left_.x) / 55));
-    const int y_most = std::max(2, static_cast<int>((lower_right_.y - upper_left_.y) / 40));
+    const int x_most = enough_ticks(x_, static_cast<int>((lower_right_.x - upper_left_.x) / 55));
+    const int y_most = enough_ticks(y_, static_cast<int>((lower_right_.y - upper_left_.y) / 40));
     double widest = 0;
     const TickLabels x_labels = tick_labels(x_, x_most), y_labels = tick_labels(y_, y_most);
     for (std::size_t k = 0; k < x_labels.values.size(); ++k) {
@@ -140,26 +152,34 @@ void draw_scale_bar(Canvas& canvas, const Point& place, double points_per_metre,
                 {8, black, Anchor::middle, Anchor::end});
 }
 
+void draw_legend_entry(Canvas& canvas, const Point& upper_left, const LegendEntry& entry, double text_room) {
+    const double middle = upper_left.y + box_height / 2;
+    const Ring box = {upper_left,
+                      {upper_left.x + box_width, upper_left.y},
+                      {upper_left.x + box_width, upper_left.y + box_height},
+                      {upper_left.x, upper_left.y + box_height}};
+    if (entry.is_circle)
+        canvas.circle({upper_left.x + box_width / 2, middle}, 1.8, entry.fill, entry.stroke);
+    else if (entry.is_line && entry.stroke)
+        canvas.polyline(std::vector<Point>{{upper_left.x, middle}, {upper_left.x + box_width, middle}},
+                        *entry.stroke);
+    else
+        canvas.polygon(std::vector<Ring>{box}, entry.fill, entry.stroke);
+    if (entry.is_hatched) canvas.hatch(std::vector<Ring>{box}, {grey, 0.6}, 3, M_PI / 4);
+    const TextStyle style{9, black, Anchor::start, Anchor::middle};
+    canvas.text({upper_left.x + box_width + 6, middle}, shortened(canvas, entry.text, style, text_room),
+                style);
+}
+
 double draw_legend(Canvas& canvas, const Point& upper_left, const std::string& title,
-                   const std::vector<LegendEntry>& entries) {
-    constexpr double row = 14, box_width = 16, box_height = 9;
+                   const std::vector<LegendEntry>& entries, double room) {
+    constexpr double row = 14;
+    const TextStyle heading{9, black, Anchor::start, Anchor::end, true};
     double y = upper_left.y;
-    canvas.text({upper_left.x, y}, title, {9, black, Anchor::start, Anchor::end, true});
+    canvas.text({upper_left.x, y}, shortened(canvas, title, heading, room), heading);
     y += row + 2;
     for (const LegendEntry& entry : entries) {
-        const double middle = y + box_height / 2;
-        const Ring box = {{upper_left.x, y},
-                          {upper_left.x + box_width, y},
-                          {upper_left.x + box_width, y + box_height},
-                          {upper_left.x, y + box_height}};
-        if (entry.is_line && entry.stroke)
-            canvas.polyline(std::vector<Point>{{upper_left.x, middle}, {upper_left.x + box_width, middle}},
-                            *entry.stroke);
-        else
-            canvas.polygon(std::vector<Ring>{box}, entry.fill, entry.stroke);
-        if (entry.is_hatched) canvas.hatch(std::vector<Ring>{box}, {grey, 0.6}, 3, M_PI / 4);
-        canvas.text({upper_left.x + box_width + 6, middle}, entry.text,
-                    {9, black, Anchor::start, Anchor::middle});
+        draw_legend_entry(canvas, {upper_left.x, y}, entry, room - box_width - 6);
         y += row;
     }
     return y + 8;

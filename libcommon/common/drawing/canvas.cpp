@@ -188,10 +188,14 @@ std::string without_surface_numbers(std::string svg) {
     return svg;
 }
 
-/// An SVG with its texts before the end of the root element.
-std::string with_texts(std::string svg, const std::vector<TextLine>& texts) {
+/// An SVG with its texts before the end of the root element. @param unit pt for one unit of the texts.
+std::string with_texts(std::string svg, const std::vector<TextLine>& texts, double unit) {
     std::string elements;
-    for (const TextLine& text : texts) elements += svg_text(text);
+    for (TextLine text : texts) {
+        text.place = {unit * text.place.x, unit * text.place.y};
+        text.style.size *= unit;
+        elements += svg_text(text);
+    }
     const std::size_t end = svg.rfind("</svg>");
     return svg.insert(end == std::string::npos ? svg.size() : end, elements);
 }
@@ -206,20 +210,28 @@ void check(cairo_status_t status) {
 struct Canvas::Impl {
     using Command = std::function<void(cairo_t*)>;
 
-    double width, height;
-    Lettering lettering;
+    double width, height;  ///< units
+    PageStyle style;
     std::vector<Command> commands;
     std::vector<TextLine> texts;  ///< drawn last, over everything else
     Surface sheet{cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1)};
     Context ruler{cairo_create(sheet.get())};  ///< measures text
 
-    Impl(double page_width, double page_height, Lettering letters)
-        : width(page_width), height(page_height), lettering(std::move(letters)) {}
+    Impl(double page_width, double page_height, const PageStyle& page_style)
+        : width(page_width), height(page_height), style(page_style) {
+        // Widths of letters on any page, not rounded to the pixels of this sheet.
+        cairo_font_options_t* options = cairo_font_options_create();
+        cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_OFF);
+        cairo_set_font_options(ruler.get(), options);
+        cairo_font_options_destroy(options);
+    }
+
+    double points(double length) const { return length * style.unit; }
 
     // Cairo's recording surface is not used, because SVG output never frees such a source (Cairo 1.16).
     void replay(cairo_surface_t* target, double scale, bool with_text) const {
         const Context to(cairo_create(target));
-        cairo_scale(to.get(), scale, scale);
+        cairo_scale(to.get(), scale * style.unit, scale * style.unit);
         set_colour(to.get(), white);
         cairo_paint(to.get());
         cairo_set_line_join(to.get(), CAIRO_LINE_JOIN_ROUND);
@@ -232,17 +244,14 @@ struct Canvas::Impl {
     }
 };
 
-Canvas::Canvas(double width, double height, Lettering lettering)
-    : impl_(std::make_unique<Impl>(width, height, std::move(lettering))) {}
+Canvas::Canvas(double width, double height, const PageStyle& style)
+    : impl_(std::make_unique<Impl>(width, height, style)) {}
 Canvas::~Canvas() = default;
 Canvas::Canvas(Canvas&&) noexcept = default;
 Canvas& Canvas::operator=(Canvas&&) noexcept = default;
 
 double Canvas::width() const {
-    return impl_->width;
-}
-double Canvas::height() const {
-    return impl_->height;
+    return impl_->points(impl_->width);
 }
 
 void Canvas::polygon(std::span<const Ring> rings, const std::optional<Colour>& fill,
@@ -278,18 +287,14 @@ void Canvas::circle(const Point& centre, double radius, const std::optional<Colo
 }
 
 double Canvas::text_width(const std::string& line, const TextStyle& style) const {
-    TextStyle scaled = style;
-    scaled.size *= impl_->lettering.scale;
-    set_font(impl_->ruler.get(), impl_->lettering.family, scaled);
+    set_font(impl_->ruler.get(), impl_->style.family, style);
     cairo_text_extents_t extents;
     cairo_text_extents(impl_->ruler.get(), line.c_str(), &extents);
     return extents.x_advance;
 }
 
 void Canvas::text(const Point& place, const std::string& line, const TextStyle& style) {
-    TextLine text{place, line, impl_->lettering.family, style, text_width(line, style)};
-    text.style.size *= impl_->lettering.scale;
-    impl_->texts.push_back(std::move(text));
+    impl_->texts.push_back({place, line, impl_->style.family, style, text_width(line, style)});
 }
 
 void Canvas::clip(const Point& upper_left, const Point& lower_right) {
@@ -311,28 +316,33 @@ std::string Canvas::bytes(PictureFormat format) const {
     Surface surface;
     if (format == PictureFormat::png) {
         surface.reset(cairo_image_surface_create(
-            CAIRO_FORMAT_RGB24, static_cast<int>(std::ceil(page.width * pixels_per_point)),
-            static_cast<int>(std::ceil(page.height * pixels_per_point))));
+            CAIRO_FORMAT_RGB24, static_cast<int>(std::ceil(page.points(page.width) * pixels_per_point)),
+            static_cast<int>(std::ceil(page.points(page.height) * pixels_per_point))));
         page.replay(surface.get(), pixels_per_point, true);
         check(cairo_surface_write_to_png_stream(surface.get(), append, &out));
         return out;
     }
     if (format == PictureFormat::svg) {
-        surface.reset(cairo_svg_surface_create_for_stream(append, &out, page.width, page.height));
+        surface.reset(cairo_svg_surface_create_for_stream(append, &out, page.points(page.width),
+                                                          page.points(page.height)));
     } else {
-        surface.reset(cairo_pdf_surface_create_for_stream(append, &out, page.width, page.height));
+        surface.reset(cairo_pdf_surface_create_for_stream(append, &out, page.points(page.width),
+                                                          page.points(page.height)));
         // The default is the current time.
         cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "2000-01-01T00:00:00Z");
     }
     page.replay(surface.get(), 1, format == PictureFormat::pdf);
     cairo_surface_finish(surface.get());
     check(cairo_surface_status(surface.get()));
-    return format == PictureFormat::svg ? with_texts(without_surface_numbers(std::move(out)), page.texts)
-                                        : out;
+    return format == PictureFormat::svg
+               ? with_texts(without_surface_numbers(std::move(out)), page.texts, page.style.unit)
+               : out;
 }
 
 Pixels Canvas::pixels(double per_point) const {
-    const auto even = [&](double length) { return 2 * static_cast<int>(std::ceil(length * per_point / 2)); };
+    const auto even = [&](double length) {
+        return 2 * static_cast<int>(std::ceil(impl_->points(length) * per_point / 2));
+    };
     Pixels image{even(impl_->width), even(impl_->height), {}};
     const Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, image.width, image.height));
     impl_->replay(surface.get(), per_point, true);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/drawing/colour.hpp"
+#include "common/drawing/page_style.hpp"
 #include "common/geometry/polygon.hpp"
 
 namespace rockslope {
@@ -17,7 +18,7 @@ enum class PictureFormat { svg, png, pdf };
 /// The format of a file name's extension, in any letter case. Nothing for an unknown extension.
 std::optional<PictureFormat> picture_format(const std::filesystem::path& path);
 
-/// How a line is drawn. Width and dashes in points.
+/// How a line is drawn. Width and dashes in units of the page.
 struct Stroke {
     Colour colour = black;
     double width = 0.8;
@@ -26,8 +27,8 @@ struct Stroke {
 
 enum class Anchor { start, middle, end };
 
-/// Style of a line of text. Size in points. `anchor` and `vertical` say which part of the text lies at the
-/// given point: horizontally start = left, vertically start = baseline and end = top.
+/// Style of a line of text. Size in units of the page. `anchor` and `vertical` say which part of the text
+/// lies at the given point: horizontally start = left, vertically start = baseline and end = top.
 struct TextStyle {
     double size = 9;
     Colour colour = black;
@@ -38,47 +39,39 @@ struct TextStyle {
     std::optional<Colour> halo = std::nullopt;  ///< drawn round the letters so that they stand out
 };
 
-/// The letters of a page.
-struct Lettering {
-    std::string family = "DejaVu Sans";  ///< a font that is missing is replaced by the system's choice
-    double scale = 1;                    ///< factor of every size of text
-};
-
 /// The pixels of a page: rows from the top, each pixel as the bytes blue, green, red and one unused.
 struct Pixels {
     int width = 0, height = 0;
     std::string bytes;
 };
 
-/// A page in points (1/72 inch), origin at the upper left, y downwards. It records drawing commands and
-/// writes them as SVG, PDF, or PNG with two pixels per point. The bytes depend only on the commands, not on
-/// the time.
+/// A page in units, of 1 pt (1/72 inch) unless its style says otherwise, origin at the upper left, y
+/// downwards. It records drawing commands and writes them as SVG, PDF, or PNG with two pixels per point. The
+/// bytes depend only on the commands, not on the time. All lengths below are in units.
 class Canvas {
   public:
-    /// A white page. @param width, height in pt, positive.
-    Canvas(double width, double height, Lettering lettering = {});
+    /// A white page. @param width, height units, positive. @param style its font and its unit.
+    Canvas(double width, double height, const PageStyle& style = {});
     ~Canvas();
     Canvas(Canvas&&) noexcept;
     Canvas& operator=(Canvas&&) noexcept;
 
     /// Width of the page, pt.
     double width() const;
-    /// Height of the page, pt.
-    double height() const;
 
     /// Fills the rings by the even-odd rule, so that inner rings are holes, and strokes them.
     void polygon(std::span<const Ring> rings, const std::optional<Colour>& fill,
                  const std::optional<Stroke>& stroke);
-    /// Parallel lines inside the rings. @param spacing pt; @param angle rad, counter-clockwise.
+    /// Parallel lines inside the rings. @param spacing units; @param angle rad, counter-clockwise.
     void hatch(std::span<const Ring> rings, const Stroke& stroke, double spacing, double angle);
-    /// An open chain of lines. @param points on the page, pt.
+    /// An open chain of lines.
     void polyline(std::span<const Point> points, const Stroke& stroke);
-    /// A circle, filled and outlined if asked. @param radius pt.
+    /// A circle, filled and outlined if asked.
     void circle(const Point& centre, double radius, const std::optional<Colour>& fill,
                 const std::optional<Stroke>& stroke);
     /// One line of text at a place, anchored as the style says.
     void text(const Point& place, const std::string& line, const TextStyle& style = {});
-    /// Width of a line of text, pt.
+    /// Width of a line of text.
     double text_width(const std::string& line, const TextStyle& style = {}) const;
 
     /// Clips all drawing to the box until the matching unclip().

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <variant>
 
 #include "dda/block/block_system.hpp"
 
@@ -11,8 +12,11 @@ namespace rockslope::dda {
 namespace {
 
 // Limits beyond what rock, soil and concrete have.
-constexpr double softest = 1e6, stiffest = 1e12;   // Pa
+constexpr double softest = 1e6, stiffest = 1e13;   // Pa; blocks of models that are nearly rigid are stiff
 constexpr double lightest = 500, heaviest = 8000;  // kg/m3
+/// Friction angle beyond which no joint goes, and the right angle in rad, which is small as a number of
+/// degrees.
+constexpr double steepest_friction = 70, right_angle = M_PI / 2;  // deg, rad
 /// Size of a block of median area over the height of the section: smaller blocks are rather in other units.
 constexpr double smallest_size = 1e-3;
 /// Part of the record's energy, the integral of the squared acceleration, that a stage may leave out.
@@ -38,6 +42,47 @@ void check_materials(const Model& model, std::vector<std::string>& warnings) {
                 sentence("density of block material '%s' is %.3g kg/m3, which no rock has; rock "
                          "has some 2600",
                          material.name.c_str(), material.density));
+    }
+}
+
+/// The friction angle of a joint. @param angle rad; @param must_hold whether nothing else holds its blocks.
+void check_friction(const std::string& material, double angle, bool must_hold,
+                    std::vector<std::string>& warnings) {
+    const double degrees = angle * 180 / M_PI;
+    const std::string start = sentence("friction_angle of joint material '%s' is ", material.c_str());
+    if (angle == 0 && must_hold)
+        warnings.push_back(start + "0, and it has no cohesion: nothing holds blocks on it");
+    else if (degrees > steepest_friction)
+        warnings.push_back(start + sentence("%.4g deg, which no joint has", degrees));
+    else if (angle > 0 && degrees < right_angle)
+        warnings.push_back(start + sentence("%.4g deg; if radians are meant, write \"%.4g rad\": they are "
+                                            "%.3g deg",
+                                            degrees, degrees, degrees * 180 / M_PI));
+}
+
+/// Joints with cohesion open where their shear strength ends, at the latest. Without it a tensile strength
+/// glues blocks on purpose.
+void check_tension(const std::string& material, const MohrCoulomb& law, std::vector<std::string>& warnings) {
+    const double tangent = std::tan(law.friction_angle);
+    if (tangent <= 0 || law.cohesion == 0 || law.tensile_strength * tangent <= law.cohesion * (1 + 1e-9))
+        return;
+    warnings.push_back(
+        sentence("tensile_strength of joint material '%s' is %.3g Pa, more than cohesion over "
+                 "tan(friction_angle), %.3g Pa, where its shear strength ends",
+                 material.c_str(), law.tensile_strength, law.cohesion / tangent));
+}
+
+void check_joints(const Model& model, std::vector<std::string>& warnings) {
+    for (const JointMaterial& material : model.joint_materials) {
+        const bool must_hold = model.gravity != Vec2::Zero() && !has_cohesion(material.law);
+        std::visit(
+            [&](const auto& law) {
+                if constexpr (requires { law.friction_angle; })
+                    check_friction(material.name, law.friction_angle, must_hold, warnings);
+            },
+            material.law);
+        if (const auto* law = std::get_if<MohrCoulomb>(&material.law))
+            check_tension(material.name, *law, warnings);
     }
 }
 
@@ -95,6 +140,7 @@ void check_record(const Stage& stage, const TimeTable& table, std::vector<std::s
 std::vector<std::string> implausible(const Model& model, const std::vector<Stage>& stages) {
     std::vector<std::string> warnings;
     check_materials(model, warnings);
+    check_joints(model, warnings);
     check_sizes(model, warnings);
     for (const Stage& stage : stages)
         for (const auto* motions : {&stage.base_motions, &stage.frame_motions})

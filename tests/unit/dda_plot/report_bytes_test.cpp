@@ -53,7 +53,7 @@ TEST(ReportBytes, SeriesReadBackWithinHalfAStepOfEachItem) {
     for (std::size_t item = 0; item < items; ++item)
         for (std::size_t k = 0; k < frames; ++k)
             series.at(item, k) = sizes[item] * (static_cast<float>(random() % 2001) / 1000.F - 1.F);
-    Reader reader{packed_series(series, levels, 1e-6)};
+    Reader reader{packed_series(series, {levels, 1e-6})};
     std::vector<float> steps(items);
     for (float& step : steps) step = reader.real();
     EXPECT_EQ(steps[2], 0);
@@ -67,6 +67,16 @@ TEST(ReportBytes, SeriesReadBackWithinHalfAStepOfEachItem) {
         }
     }
     EXPECT_EQ(reader.at, reader.bytes.size()) << "items at rest take no more than their step";
+}
+
+TEST(ReportBytes, NoStepIsFinerThanTheFinest) {
+    const ItemSeries series{3, 2, {0.F, 1.F, 0.F, 0.04F, 0.F, 0.004F}};
+    Reader reader{packed_series(series, {.levels = 100, .finest = 0.01})};
+    EXPECT_EQ(reader.real(), 0.01F);
+    EXPECT_EQ(reader.real(), 0.01F) << "not 0.0004";
+    EXPECT_EQ(reader.real(), 0) << "never half a step";
+    for (const std::int64_t difference : {0, 100, 0, 4}) EXPECT_EQ(reader.number_with_sign(), difference);
+    EXPECT_EQ(reader.at, reader.bytes.size());
 }
 
 TEST(ReportBytes, StatesReadBackAsRuns) {

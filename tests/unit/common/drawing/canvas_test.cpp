@@ -43,19 +43,26 @@ TEST(Canvas, WritesEachFormatReproducibly) {
 }
 
 TEST(Canvas, KeepsTextAsTextInSvg) {
-    Canvas canvas(100, 50, {"Liberation Serif", 2});
+    Canvas canvas(100, 50, {.family = "Liberation Serif", .unit = 2});
     canvas.text({10, 20}, "a < b & c", {8, black, Anchor::end, Anchor::start, true, 0.5 * M_PI, white});
     const std::string svg = canvas.bytes(PictureFormat::svg);
     EXPECT_THAT(svg, HasSubstr(">a &lt; b &amp; c</text>"));
     EXPECT_THAT(svg, HasSubstr("font-family=\"Liberation Serif, sans-serif\""));
     EXPECT_THAT(svg, HasSubstr("font-size=\"16.00\" text-anchor=\"end\""));
-    EXPECT_THAT(svg, HasSubstr("rotate(-90.00)"));
+    EXPECT_THAT(svg, HasSubstr("translate(20.00 40.00) rotate(-90.00)"));
     EXPECT_THAT(svg, testing::EndsWith("</svg>\n"));
 }
 
-TEST(Canvas, ScalesEveryTextByItsLettering) {
-    const Canvas plain(100, 50), large(100, 50, {"DejaVu Sans", 2});
-    EXPECT_NEAR(large.text_width("joint"), 2 * plain.text_width("joint"), 8) << "widths are whole pixels";
+TEST(Canvas, IsDrawnInUnitsOfItsStyle) {
+    Canvas canvas(20, 10, {.unit = 1.5});
+    EXPECT_EQ(canvas.width(), 30) << "pt";
+    EXPECT_EQ(canvas.text_width("joint"), Canvas(1, 1).text_width("joint")) << "units";
+    const Ring left_half = {{0, 0}, {10, 0}, {10, 10}, {0, 10}};
+    canvas.polygon(std::span(&left_half, 1), Colour{1, 0, 0}, std::nullopt);
+    const Pixels image = canvas.pixels(1);
+    ASSERT_EQ(image.width, 30);
+    EXPECT_EQ(image.bytes.substr(4 * 14, 3), std::string("\0\0\xff", 3)) << "red up to the middle";
+    EXPECT_EQ(image.bytes.substr(4 * 16, 3), "\xff\xff\xff");
 }
 
 TEST(Canvas, GivesPixelsOfEvenSize) {

@@ -17,6 +17,7 @@ using testing::IsEmpty;
 /// A block of 1 m on a floor.
 Scene block_on_floor() {
     Scene s;
+    s.friction(30);
     s.box({0, -1}, 1, 1, dda::Motion::fixed);
     s.box({0, 0}, 1, 1);
     return s;
@@ -50,8 +51,44 @@ TEST(Plausibility, FindsMissingUnits) {
                             AllOf(HasSubstr("density"), HasSubstr("2.65 kg/m3"))));
 }
 
+TEST(Plausibility, FindsFrictionAnglesOfNoJoint) {
+    Scene s = block_on_floor();
+    auto& law = s.model.joint_materials[0].law;
+    const auto of = [&](double degrees, double cohesion) {
+        law = dda::MohrCoulomb{.friction_angle = degrees * M_PI / 180, .cohesion = cohesion};
+        return dda::implausible(s.model, {});
+    };
+    EXPECT_THAT(of(0, 0), ElementsAre(HasSubstr("nothing holds blocks on it")));
+    EXPECT_THAT(of(0, 1e4), IsEmpty()) << "clay that is not drained";
+    s.model.gravity = {0, 0};
+    EXPECT_THAT(of(0, 0), IsEmpty()) << "nothing pulls";
+    EXPECT_THAT(of(0.6, 1e4),
+                ElementsAre(AllOf(HasSubstr("is 0.6 deg"), HasSubstr("\"0.6 rad\": they are 34.4 deg"))));
+    EXPECT_THAT(of(2, 0), IsEmpty());
+    EXPECT_THAT(of(70, 0), IsEmpty());
+    EXPECT_THAT(of(80, 0), ElementsAre(HasSubstr("80 deg, which no joint has")));
+    dda::Plesha rough;
+    rough.friction_angle = 75 * M_PI / 180;
+    law = rough;
+    EXPECT_THAT(dda::implausible(s.model, {}), ElementsAre(HasSubstr("75 deg"))) << "of any law";
+}
+
+TEST(Plausibility, FindsTensionBeyondTheEndOfTheShearStrength) {
+    Scene s = block_on_floor();
+    auto& law = s.model.joint_materials[0].law;
+    const auto of = [&](double cohesion, double tension) {
+        law = dda::MohrCoulomb{.friction_angle = M_PI / 4, .cohesion = cohesion, .tensile_strength = tension};
+        return dda::implausible(s.model, {});
+    };
+    EXPECT_THAT(of(1e5, 1e5), IsEmpty());
+    EXPECT_THAT(of(1e5, 2e5), ElementsAre(AllOf(HasSubstr("tensile_strength"), HasSubstr("2e+05 Pa"),
+                                                HasSubstr("1e+05 Pa"))));
+    EXPECT_THAT(of(0, 1e5), IsEmpty()) << "blocks that are glued";
+}
+
 TEST(Plausibility, FindsBlocksTooSmallForTheSection) {
     Scene s;
+    s.friction(30);
     s.box({0, 0}, 40, 40, dda::Motion::fixed);
     s.box({0, 40}, 0.003, 0.003);
     EXPECT_THAT(dda::implausible(s.model, {}), ElementsAre(HasSubstr("median size 0.003 m")));
