@@ -42,6 +42,17 @@ limit = 0.05
 name = "travel angle"
 kind = "travel-angle"
 limit = 0.05
+[[measure]]
+name = "thickness"
+kind = "deposit-thickness"
+limit = 0.05
+[[measure]]
+name = "toe"
+kind = "surface"
+x = 23
+[profile]
+interval = 0.05
+limit = 0.05
 PLAN
 # make_study FOLDER [OPTION...]: computes a study; prints the calls of the programs.
 make_study() {
@@ -72,7 +83,25 @@ make_study one -j1 || fail "the study: $(cat "$folder.make")"
 table_of one >one.csv
 grep -q '^1,25 deg,long.csv,1.96133,0,,,completed,' one.csv || fail "the table: $(cat one.csv)"
 [ "$(grep -c ',collapsed,' one.csv)" -gt 0 ] || fail "no row has collapsed: $(cat one.csv)"
-[ "$(du -s one/results | cut -f1)" -lt 6000 ] || fail "rows take much space: $(du -s one/results)"
+[ "$(du -s --exclude=profile.csv one/results | cut -f1)" -lt 6000 ] || fail "rows take much space: $(du -s one/results)"
+
+# The deposit: a block of 1.5625 m on the 7-24-25 slope is 1.5625 * 25 / 24 m thick, wherever it comes to rest, and the base is
+# where it was though it was shaken, 7 / 24 m above its toe one metre from there. The area under each profile is that of the block, 3.125 m x 1.5625 m.
+grep -q ',thickness (m),toe (m),PGA' one/results.csv || fail "the headings: $(head -n 1 one/results.csv)"
+awk -F, 'NR == 1 { for (k = 1; k <= NF; ++k) column[$k] = k; next }
+    { thickness = $column["thickness (m)"]; toe = $column["toe (m)"]
+      expected = $column["volume (m3/m)"] > 0 ? 1.5625 * 25 / 24 : 0
+      if ((thickness - expected) ^ 2 > 1e-6 || (toe - 3 - 7 / 24) ^ 2 > 1e-10) { print; exit 1 } }' one/results.csv ||
+    fail "the thickness of the block, or the surface at the toe"
+[ "$(grep -c '^1,' one/profiles.csv)" -ge 480 ] || fail "not a station every 5 cm: $(grep -c '^1,' one/profiles.csv)"
+grep -q '^12,12.05,' one/profiles.csv || fail "stations are not round: $(grep '^12,12.0' one/profiles.csv)"
+awk -F, 'NR > 1 && $6 > 0 { area[$1] += 0.05 * $6 } END { for (row in area) { ++rows; if ((area[row] - 3.125 * 1.5625) ^ 2 > 4e-4) exit 1 }
+    exit !(rows > 0) }' one/profiles.csv || fail "the area of the profiles"
+cmp one/runs/000012/profile.csv - <<PROFILE || fail "the profile beside the row is another"
+$("$study" profile one/runs/000012 --interval 0.05 --limit 0.05)
+PROFILE
+run_refused 'interval is not given' "$study" profile one/runs/000012 --limit 1
+run_refused 'contains no NAME.vtkhdf' "$study" profile records --limit 1 --interval 1
 
 # A row in one go, by hand, moves as far.
 "$bin/dda-run" run.toml --blocks one/cuts/*.blocks -o by-hand --set 'stage[1].base_motion.x.file="records/long.csv"' \

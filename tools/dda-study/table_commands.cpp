@@ -7,6 +7,7 @@
 #include "common/base/atomic_file.hpp"
 #include "common/base/input_error.hpp"
 #include "study/folder/study_folder.hpp"
+#include "study/table/profiles.hpp"
 #include "study/table/sqlite_file.hpp"
 #include "study/table/study_table.hpp"
 #include "study_commands.hpp"
@@ -141,15 +142,23 @@ int run_status(const std::vector<std::string>& arguments) {
 }
 
 int run_collect(const std::vector<std::string>& arguments) {
-    CommandOptions line(
-        "collect STUDY [options]",
-        "Writes STUDY/results.csv, one row a run, and STUDY/results.sqlite with the same table.");
+    CommandOptions line("collect STUDY [options]",
+                        "Writes STUDY/results.csv, one row a run, and STUDY/results.sqlite with the same "
+                        "table; with [profile] in the "
+                        "plan also the\nprofile of each row, STUDY/runs/NUMBER/profile.csv, and all of them "
+                        "as STUDY/profiles.csv.");
     if (!line.parse(arguments)) return study_done;
     const fs::path folder = line.argument("the folder of the study");
     const study::StudyRows rows = study::read_study(folder);
     const study::TextTable table = study::results_table(rows);
+    const study::TextTable profiles = study::write_profiles(folder, rows);
     write_file_atomically(folder / "results.csv", study::csv_text(table));
-    study::write_sqlite(folder / "results.sqlite", "results", table);
+    std::vector<study::NamedTable> tables = {{"results", table}};
+    if (!profiles.heading.empty()) {
+        write_file_atomically(folder / "profiles.csv", study::csv_text(profiles));
+        tables.push_back({"profiles", profiles});
+    }
+    study::write_sqlite(folder / "results.sqlite", tables);
     std::printf("%s\n%s%s", counts_text(rows).c_str(), failures_text(rows).c_str(),
                 commits_text(rows).c_str());
     return exit_code_of(rows);
@@ -190,6 +199,7 @@ const std::vector<StudyCommand>& study_commands() {
         {"fragility", "the probability of failure against an intensity, with its band", run_fragility},
         {"sensitivity", "what a measure depends on: Sobol' indices, effects, a tornado, spreads",
          run_sensitivity},
+        {"profile", "the surface of a slope at the end of a run, over stations of x", run_profile},
         {"report", "a page of HTML with all of it", run_report},
         {"skip", "for the Makefile of an incremental study", run_skip}};
     return commands;

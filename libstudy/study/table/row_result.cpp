@@ -10,6 +10,7 @@
 #include "common/base/input_error.hpp"
 #include "common/base/read_file.hpp"
 #include "common/base/text.hpp"
+#include "study/table/deposit.hpp"
 #include "study/table/moved_blocks.hpp"
 
 namespace rockslope::study {
@@ -72,24 +73,49 @@ std::optional<double> factor_of_safety(const Json& summary) {
     return stands ? stands : fails;
 }
 
-std::optional<double> value_of(const Json& summary, const fs::path& folder, const Measure& measure) {
-    switch (measure.kind) {
-        case MeasureKind::displacement:
-            return displacement_in(summary, measure);
-        case MeasureKind::first_slip:
-            return number_in(summary.value("first_slip", Json()), "first_time_of_shaking");
-        case MeasureKind::factor_of_safety:
-            return factor_of_safety(summary);
-        default:
-            break;
+/// A row that is done. Its files are read where a measure needs them.
+class DoneRow {
+  public:
+    DoneRow(const Json& summary, fs::path folder) : summary_(summary), folder_(std::move(folder)) {}
+
+    std::optional<double> value_of(const Measure& measure) {
+        switch (measure.kind) {
+            case MeasureKind::displacement:
+                return displacement_in(summary_, measure);
+            case MeasureKind::first_slip:
+                return number_in(summary_.value("first_slip", Json()), "first_time_of_shaking");
+            case MeasureKind::factor_of_safety:
+                return factor_of_safety(summary_);
+            case MeasureKind::surface:
+                return deposit().surface(*measure.x);
+            case MeasureKind::deposit_height:
+                return measure.x ? deposit().height(*measure.x) : deposit().largest_height();
+            case MeasureKind::deposit_thickness:
+                return measure.x ? deposit().thickness(*measure.x, measure.limit)
+                                 : deposit().largest_thickness(measure.limit);
+            default:
+                return of_moved_blocks(measure);
+        }
     }
-    const MovedBlocks moved = moved_blocks(folder / "blocks.csv", measure.limit);
-    if (measure.kind == MeasureKind::moved_volume) return moved.volume;
-    if (measure.kind == MeasureKind::front) return moved.front;
-    if (measure.kind == MeasureKind::run_out) return moved.run_out;
-    if (!moved.travel_angle) return std::nullopt;
-    return *moved.travel_angle / degree;
-}
+
+  private:
+    std::optional<double> of_moved_blocks(const Measure& measure) const {
+        const MovedBlocks moved = moved_blocks(folder_ / "blocks.csv", measure.limit);
+        if (measure.kind == MeasureKind::moved_volume) return moved.volume;
+        if (measure.kind == MeasureKind::front) return moved.front;
+        if (measure.kind == MeasureKind::run_out) return moved.run_out;
+        if (!moved.travel_angle) return std::nullopt;
+        return *moved.travel_angle / degree;
+    }
+    const Deposit& deposit() {
+        if (!deposit_) deposit_.emplace(read_outlines(folder_));
+        return *deposit_;
+    }
+
+    const Json& summary_;
+    fs::path folder_;
+    std::optional<Deposit> deposit_;
+};
 
 const char* const intensity_keys[] = {"peak_acceleration",    "peak_velocity",
                                       "peak_displacement",    "arias_intensity",
@@ -154,8 +180,8 @@ void read_done(const fs::path& folder, const std::vector<Measure>& measures, Row
     }
     result.intensities = intensities_in(summary);
     if (result.state == RowState::not_needed || !fs::exists(folder / "blocks.csv")) return;
-    for (std::size_t k = 0; k < measures.size(); ++k)
-        result.measures[k] = value_of(summary, folder, measures[k]);
+    DoneRow row(summary, folder);
+    for (std::size_t k = 0; k < measures.size(); ++k) result.measures[k] = row.value_of(measures[k]);
 }
 
 /// The state of a folder without a summary. @param what to say before the reason: "", "start: ".

@@ -62,22 +62,26 @@ class Database {
     sqlite3* handle_ = nullptr;
 };
 
+void add_table(Database& database, const NamedTable& added) {
+    std::string columns, places;
+    for (const std::string& heading : added.table.heading) {
+        columns += (columns.empty() ? "" : ", ") + sql_name(heading);
+        places += places.empty() ? "?" : ", ?";
+    }
+    database.execute("CREATE TABLE " + sql_name(added.name) + " (" + columns + ")");
+    database.insert("INSERT INTO " + sql_name(added.name) + " VALUES (" + places + ")", added.table.rows);
+}
+
 }  // namespace
 
-void write_sqlite(const fs::path& file, const std::string& name, const TextTable& table) {
+void write_sqlite(const fs::path& file, const std::vector<NamedTable>& tables) {
     const fs::path temporary = file.string() + ".tmp";
     std::error_code error;
     fs::remove(temporary, error);
     {
         Database database(temporary);
-        std::string columns, places;
-        for (const std::string& heading : table.heading) {
-            columns += (columns.empty() ? "" : ", ") + sql_name(heading);
-            places += places.empty() ? "?" : ", ?";
-        }
         database.execute("BEGIN");
-        database.execute("CREATE TABLE " + sql_name(name) + " (" + columns + ")");
-        database.insert("INSERT INTO " + sql_name(name) + " VALUES (" + places + ")", table.rows);
+        for (const NamedTable& added : tables) add_table(database, added);
         database.execute("COMMIT");
     }
     fs::rename(temporary, file, error);

@@ -18,10 +18,6 @@ std::size_t column_of(const TextTable& runs, const char* name, const fs::path& f
     return *found;
 }
 
-std::string field(const std::optional<double>& value) {
-    return value ? shortest_text(*value) : "";
-}
-
 }  // namespace
 
 StudyRows read_study(const fs::path& folder) {
@@ -62,10 +58,10 @@ TextTable results_table(const StudyRows& rows) {
         for (const std::size_t column : kept) fields.push_back(rows.runs.rows[k][column]);
         fields.push_back(state_name(result.state));
         fields.push_back(result.cause);
-        for (const auto& value : result.measures) fields.push_back(field(value));
-        for (const auto& value : result.intensities) fields.push_back(field(value));
-        fields.push_back(field(result.collapse_time));
-        fields.push_back(field(result.collapse_limit));
+        for (const auto& value : result.measures) fields.push_back(number_field(value));
+        for (const auto& value : result.intensities) fields.push_back(number_field(value));
+        fields.push_back(number_field(result.collapse_time));
+        fields.push_back(number_field(result.collapse_limit));
         fields.push_back(rows.runs.rows[k][*address]);
         fields.push_back(is_done(result.state) && result.wall_time > 0 ? shortest_text(result.wall_time)
                                                                        : "");
