@@ -47,6 +47,15 @@ name = "thickness"
 kind = "deposit-thickness"
 limit = 0.05
 [[measure]]
+name = "farthest"
+[[measure]]
+name = "farthest peak"
+at = "peak"
+[[measure]]
+name = "block peak"
+point = "block"
+at = "peak"
+[[measure]]
 name = "toe"
 kind = "surface"
 x = 23
@@ -87,12 +96,16 @@ grep -q '^1,25 deg,long.csv,1.96133,0,,,completed,' one.csv || fail "the table: 
 
 # The deposit: a block of 1.5625 m on the 7-24-25 slope is 1.5625 * 25 / 24 m thick, wherever it comes to rest, and the base is
 # where it was though it was shaken, 7 / 24 m above its toe one metre from there. The area under each profile is that of the block, 3.125 m x 1.5625 m.
-grep -q ',thickness (m),toe (m),PGA' one/results.csv || fail "the headings: $(head -n 1 one/results.csv)"
+grep -q ',thickness (m),farthest (m),.*,toe (m),PGA' one/results.csv || fail "the headings: $(head -n 1 one/results.csv)"
 awk -F, 'NR == 1 { for (k = 1; k <= NF; ++k) column[$k] = k; next }
     { thickness = $column["thickness (m)"]; toe = $column["toe (m)"]
       expected = $column["volume (m3/m)"] > 0 ? 1.5625 * 25 / 24 : 0
       if ((thickness - expected) ^ 2 > 1e-6 || (toe - 3 - 7 / 24) ^ 2 > 1e-10) { print; exit 1 } }' one/results.csv ||
     fail "the thickness of the block, or the surface at the toe"
+# The farthest block is the block, relative to the base.
+awk -F, 'NR == 1 { for (k = 1; k <= NF; ++k) column[$k] = k; next }
+    { end = $column["farthest (m)"] - $column["block (m)"]; peak = $column["farthest peak (m)"] - $column["block peak (m)"]
+      if (end ^ 2 > 1e-8 || peak ^ 2 > 1e-8) { print; exit 1 } }' one/results.csv || fail "the farthest block is another"
 [ "$(grep -c '^1,' one/profiles.csv)" -ge 480 ] || fail "not a station every 5 cm: $(grep -c '^1,' one/profiles.csv)"
 grep -q '^12,12.05,' one/profiles.csv || fail "stations are not round: $(grep '^12,12.0' one/profiles.csv)"
 awk -F, 'NR > 1 && $6 > 0 { area[$1] += 0.05 * $6 } END { for (row in area) { ++rows; if ((area[row] - 3.125 * 1.5625) ^ 2 > 4e-4) exit 1 }

@@ -107,8 +107,6 @@ Measure read_measure(const ConfigTable& table, const std::vector<Measure>& befor
         measure.is_peak = table.choice("at", {"end", "peak"}, "end") == "peak";
         if (!measure.region.empty())
             measure.is_largest = table.choice("of", {"mean", "largest"}, "mean") == "largest";
-        if (measure.is_peak && measure.point.empty() && measure.region.empty())
-            table.fail("at", "the farthest block has no peak", "a point or a region, or at = \"end\"");
     }
     const bool needs_limit = measure.kind == MeasureKind::moved_volume ||
                              measure.kind == MeasureKind::front || measure.kind == MeasureKind::run_out ||

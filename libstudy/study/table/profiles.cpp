@@ -18,6 +18,8 @@ TextTable write_profiles(const std::filesystem::path& folder, const StudyRows& r
         const RowState state = rows.results[k].state;
         if (!is_done(state) || state == RowState::not_needed) continue;
         const std::vector<std::string>& run = rows.runs.rows[k];
+        // A row whose start has collapsed has no frames.
+        if (!std::filesystem::exists(folder / "results" / run[address] / "blocks.csv")) continue;
         const auto [entry, is_new] = known.try_emplace(run[address]);
         if (is_new) {
             const std::filesystem::path results = folder / "results" / run[address];

@@ -58,7 +58,9 @@ std::optional<double> displacement_in(const Json& summary, const Measure& measur
         return measure.is_peak ? number_in(point, "peak_relative_displacement")
                                : length_of(point, "permanent_displacement");
     }
-    if (measure.region.empty()) return number_in(summary.value("farthest_block", Json()), "displacement");
+    if (measure.region.empty())
+        return number_in(summary.value("farthest_block", Json()),
+                         measure.is_peak ? "peak_displacement" : "displacement");
     const std::string key = std::string(measure.is_peak ? "peak_" : "") +
                             (measure.is_largest ? "largest" : "mean") + "_displacement";
     return number_in(named(summary, "regions", measure.region), key.c_str());

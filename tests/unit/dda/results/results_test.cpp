@@ -15,6 +15,7 @@
 #include "common/base/text.hpp"
 #include "dda/checkpoint/state_archive.hpp"
 #include "dda/input/read_run.hpp"
+#include "dda/monitor/farthest_block.hpp"
 #include "dda/results/block_table.hpp"
 #include "dda/results/summary.hpp"
 #include "dda/writers/frame_data.hpp"
@@ -88,6 +89,24 @@ TEST_F(ResultsTest, ARegionHasItsDisplacementAndItsPeak) {
     EXPECT_DOUBLE_EQ(end.largest, moved);
     EXPECT_GE(results.state().regions[0].mean, moved);
     EXPECT_GT(results.state().regions[0].mean_time, 0);
+}
+
+// The shaken base moves by more than the block slides on it: what counts is the way relative to it.
+TEST_F(ResultsTest, TheFarthestBlockCountsFromTheBase) {
+    input.model.measured_regions.push_back({"all", {1}});
+    fs::create_directories(folder / "a");
+    Results results(input.model, input.stages, input.output,
+                    {folder / "a", false, "", [](const Progress&) { return true; }});
+    State state = initial_state(input.model);
+    ASSERT_EQ(run(input.model, input.stages, state, results).status, RunStatus::completed);
+    const Vec2 base = state.blocks.centroid(0) - state.centroid_origin[0];
+    const auto end = farthest_block(input.model, state, base);
+    const RegionDisplacement region = displacement_of(state, input.model.measured_regions[0], base);
+    EXPECT_EQ(end->block, 1);
+    EXPECT_EQ(end->displacement, region.largest);
+    EXPECT_GT(farthest_block(input.model, state, Vec2::Zero())->displacement, 2 * region.largest);
+    EXPECT_EQ(results.state().farthest->displacement, results.state().regions[0].largest);
+    EXPECT_EQ(results.state().farthest->time, results.state().regions[0].largest_time);
 }
 
 TEST_F(ResultsTest, TheSameRunWritesTheSameBytes) {

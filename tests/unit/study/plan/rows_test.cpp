@@ -168,8 +168,9 @@ TEST_F(RowsTest, RefusesPlansThatCannotBe) {
     EXPECT_THAT(refused("[design]\nkind = \"sobol\"\n"), HasSubstr("samples"));
     EXPECT_THAT(refused("[design]\nkind = \"morris\"\nlevels = 3\n"), HasSubstr("'levels' is odd"));
     EXPECT_THAT(refused("[[measure]]\nname = \"v\"\nkind = \"moved-volume\"\n"), HasSubstr("limit"));
-    EXPECT_THAT(refused("[[measure]]\nname = \"v\"\nat = \"peak\"\n"),
-                HasSubstr("the farthest block has no peak"));
+    EXPECT_THAT(refused("[[measure]]\nname = \"v\"\nkind = \"surface\"\n"), HasSubstr("'x'"));
+    EXPECT_THAT(refused("[profile]\ninterval = 1\n"), HasSubstr("limit"));
+    EXPECT_THAT(refused("[profile]\ninterval = 0\nlimit = 1\n"), HasSubstr("a positive number"));
     EXPECT_THAT(refused("[[measure]]\nname = \"v\"\nlimit = 1\n"), HasSubstr("unknown key 'limit'"));
     EXPECT_THAT(refused(two_factors + two_factors), HasSubstr("two factors 'seed'"));
 }

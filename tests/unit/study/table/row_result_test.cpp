@@ -24,6 +24,7 @@ class RowResultTest : public ::testing::Test {
         measures[2].is_largest = true;
         measures[3].kind = MeasureKind::first_slip;
         measures[4].kind = MeasureKind::factor_of_safety;
+        measures[6].is_peak = true;
     }
     ~RowResultTest() override { fs::remove_all(folder); }
     void write(const std::string& file, const std::string& text) const {
@@ -34,11 +35,12 @@ class RowResultTest : public ::testing::Test {
     }
 
     fs::path folder = fs::path(::testing::TempDir()) / ("row_result_" + std::to_string(::getpid()));
-    std::vector<Measure> measures = std::vector<Measure>(5);
+    std::vector<Measure> measures = std::vector<Measure>(7);
 };
 
 const char* const summary = R"({"status": "completed", "message": "", "wall_time": 2.5, "commit": "0a",
 "points": [{"name": "crest", "permanent_displacement": [3, -4], "peak_relative_displacement": 6}],
+"farthest_block": {"block": 3, "displacement": 8, "peak_displacement": 9},
 "regions": [{"name": "face", "largest_displacement": 7}],
 "first_slip": {"blocks": 3, "first_time_of_shaking": 0.25},
 "factor_of_safety": {"stands": 1.0, "fails": 1.21},
@@ -55,6 +57,8 @@ TEST_F(RowResultTest, ReadsTheMeasuresOfARowThatIsDone) {
     EXPECT_EQ(result.measures[2], 7);
     EXPECT_EQ(result.measures[3], 0.25);
     EXPECT_NEAR(*result.measures[4], 1.1, 1e-12);
+    EXPECT_EQ(result.measures[5], 8) << "the farthest block";
+    EXPECT_EQ(result.measures[6], 9);
     EXPECT_EQ(result.intensities[0], 2) << "of the strongest motion";
     EXPECT_EQ(result.intensities[1], 0.3);
     EXPECT_EQ(intensity_headings()[10], "Sa(0.5) (m/s2)");
