@@ -5,6 +5,7 @@
 #include "command_line.hpp"
 #include "common/base/input_error.hpp"
 #include "dda/input/read_run.hpp"
+#include "run_log.hpp"
 #include "simulate.hpp"
 #include "support/parse_arguments.hpp"
 #ifdef __GLIBC__  // defined by any header of the C library
@@ -45,6 +46,19 @@ void disable_heap_trimming() {
 #endif
 }
 
+/// Prints why a run ended. @return the exit code.
+ExitCode run_and_report(const CommandLine& line) {
+    try {
+        return act(line);
+    } catch (const InputError& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return bad_input;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return analysis_failed;
+    }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -53,7 +67,12 @@ int main(int argc, char** argv) {
         if (const auto code = tool_support::print_requested_text(command_page(ROCKSLOPE_VERSION),
                                                                  tool_support::arguments_of(argc, argv)))
             return *code;
-        return act(parse_command_line(argc, argv));
+        const CommandLine line = parse_command_line(argc, argv);
+        if (!line.log_title) return run_and_report(line);
+        const RunLog log(line.output, *line.log_title);
+        const ExitCode code = run_and_report(line);
+        log.finish(code);
+        return code;
     } catch (const InputError& error) {
         std::fprintf(stderr, "%s\n", error.what());
         return bad_input;

@@ -133,6 +133,7 @@ struct FrameFiles {
     std::string name;
     std::filesystem::path blocks, contacts;
 };
+/// Looks for the files of frames in a folder of results.
 FrameFiles find_frame_files(const std::filesystem::path& folder);
 
 }  // namespace rockslope::dda
