@@ -190,17 +190,46 @@ sed 's/^slope = /replicates = 2\n&/' plan.toml >replicates.toml
 "$study" make replicates.toml -o replicates >out.txt
 grep -q '32 rows' out.txt || fail "replicates: $(cat out.txt)"
 grep -q "stage\[1\].perturbation=1" replicates/Makefile || fail "no perturbation"
+
+# Rows of an incremental study end where the slope fails, beyond 0.06 m: by friction and record at the second, third, third and
+# third of 0.1, 0.3 and 0.6 g. Intensities that come in between later compute nothing but themselves: 0.2 g for all, 0.5 g for
+# the three that stood at 0.3 g, and nothing above. The table is that of a study that had all of them from the start.
 cat plan.toml - >incremental.toml <<'PLAN'
 [design]
 kind = "incremental"
 intensity = "PGA"
 measure = "block"
-limit = 0.01
+limit = 0.06
 PLAN
+intensities() { sed -i "s/^values = .* g\"\]/values = [$1]/" incremental.toml; }
+rows_computed() { grep -c '^row' "$folder.make" || true; }
+intensities '"0.1 g", "0.3 g", "0.6 g"'
 "$study" make incremental.toml -o incremental >/dev/null
 make_study incremental -j2 || fail "incremental: $(cat "$folder.make")"
+[ "$(rows_computed)" -eq 11 ] || fail "not 11 rows: $(cat "$folder.make")"
+"$study" status incremental | grep -q '12 rows: 8 completed, 3 collapsed, 1 not needed' ||
+    fail "status: $("$study" status incremental)"
+make_study incremental -j2 || fail "incremental, again: $(cat "$folder.make")"
+[ "$(rows_computed)" -eq 0 ] || fail "computed again: $(cat "$folder.make")"
+intensities '"0.1 g", "0.2 g", "0.3 g", "0.5 g", "0.6 g", "0.9 g"'
+make_study incremental -j2 || fail "more intensities: $(cat "$folder.make")"
+[ "$(rows_computed)" -eq 7 ] || fail "not 7 rows more: $(cat "$folder.make")"
 table_of incremental >incremental.csv
-[ "$(grep -c ',not needed,' incremental.csv)" -ge 4 ] || fail "rows beyond failure are computed: $(cat incremental.csv)"
+"$study" make incremental.toml -o fresh >/dev/null
+make_study fresh -j2 || fail "incremental from the start: $(cat "$folder.make")"
+table_of fresh | cmp - incremental.csv || fail "intensities that were added later give another table"
+awk -F, 'NR == 1 { for (k = 1; k <= NF; ++k) column[$k] = k; next }
+    $column["status"] == "not needed" { ++rows; if ($column["block (m)"] != "") exit 1
+        if (($column["PGA (m/s2)"] / $column["PGA"] - 1) ^ 2 > 1e-6) exit 1 } END { exit rows != 9 }' incremental.csv ||
+    fail "rows that are not needed: $(cat incremental.csv)"
+"$study" fragility incremental --measure block --limit 0.06 --intensity 'Sa(0.5)' | grep -q ': 24 rows, 13 beyond' ||
+    fail "rows that are not needed are left out: $("$study" fragility incremental --measure block --limit 0.06 --intensity 'Sa(0.5)')"
+"$study" slurm incremental --dry-run | grep -q 'all 24 rows are done' || fail "rows that are not needed are submitted"
+"$study" make incremental.toml -o fresh >/dev/null
+rm -r fresh/results/*
+"$study" slurm fresh --dry-run --max 4 >out.txt
+grep -q '^24 rows in 4 tasks' out.txt || fail "a series is computed by several tasks: $(cat out.txt)"
+[ "$(cat fresh/slurm/rows/* | wc -l)" -eq 4 ] || fail "not a target for each series"
 
 # Bad plans: one line, nothing written.
 plan_refused() {

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "command_options.hpp"
 #include "common/base/atomic_file.hpp"
@@ -129,7 +128,8 @@ int run_status(const std::vector<std::string>& arguments) {
         "Exit code 0 when all rows are done, 1 otherwise.");
     line.options().add_options()("failures", "print only what is wrong: for the study's Makefile");
     if (!line.parse(arguments)) return study_done;
-    const study::StudyRows rows = study::read_study(line.argument("the folder of the study"));
+    const study::StudyRows rows =
+        study::read_study(line.argument("the folder of the study"), study::Reading::states);
     const int code = exit_code_of(rows);
     if (line.has("failures") && code == study_done) {
         std::printf("%s\n", counts_text(rows).c_str());
@@ -165,29 +165,14 @@ int run_collect(const std::vector<std::string>& arguments) {
 }
 
 int run_skip(const std::vector<std::string>& arguments) {
-    CommandOptions line(
-        "skip STUDY PREVIOUS/summary.json SUMMARY.json",
-        "For the Makefile of an incremental study: writes SUMMARY.json, with the status \"not needed\", if "
-        "the row of the next\nsmaller intensity has failed. Exit code 1 if not: the row is to be computed.");
+    CommandOptions line("skip STUDY ROW",
+                        "For the Makefile of an incremental study: exit code 0 if the row of this number is "
+                        "not needed, for one of "
+                        "a smaller\nintensity has failed; 1 if it is to be computed.");
     if (!line.parse(arguments)) return study_done;
     const std::vector<std::string> words = line.arguments();
-    if (words.size() != 3)
-        throw InputError({"dda-study skip"}, "there are not three arguments", "STUDY PREVIOUS SUMMARY");
-    const study::Plan plan = study::read_plan(study::plan_of(words[0]));
-    const study::RowResult previous =
-        study::read_row({fs::path(words[1]).parent_path(), {}, {}}, plan.measures);
-    bool has_failed = previous.state == RowState::collapsed || previous.state == RowState::not_needed;
-    for (std::size_t k = 0; k < plan.measures.size(); ++k)
-        if (plan.measures[k].name == plan.design.measure && previous.measures[k])
-            has_failed = has_failed || *previous.measures[k] > plan.design.limit;
-    if (!has_failed) return rows_failed;
-    const nlohmann::ordered_json summary = {
-        {"status", "not needed"},
-        {"message",
-         "the row of the next smaller intensity is beyond the limit of '" + plan.design.measure + "'"}};
-    fs::create_directories(fs::path(words[2]).parent_path());
-    write_file_atomically(words[2], summary.dump(2) + "\n");
-    return study_done;
+    if (words.size() != 2) throw InputError({"dda-study skip"}, "there are not two arguments", "STUDY ROW");
+    return study::is_row_needed(words[0], words[1]) ? rows_failed : study_done;
 }
 
 const std::vector<StudyCommand>& study_commands() {

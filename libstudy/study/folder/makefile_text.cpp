@@ -29,7 +29,8 @@ const char* const head =
 
 /// The recipes. That of a row has no character of the shell outside single quotes, so that make starts the
 /// run itself: a shell would cost a millisecond and more for each row. A start is computed by one process at
-/// a time, also on several machines.
+/// a time, also on several machines. An incremental row waits for that of the next smaller intensity, and is
+/// computed unless that one, or one before it, has failed; its age does not matter.
 const char* const recipes = R"make(
 .SUFFIXES:
 .PHONY: all rows
@@ -45,7 +46,7 @@ cut = @[ -d $(@D) ] || mkdir -p $(@D); $(BLOCKGEN) $(SLOPE) -o $@ $(1) >$(basena
     { tail -n 1 $(basename $@).log >&2; exit 1; }
 start = @[ -d $(@D) ] || mkdir -p $(@D); exec 9>$(@D)/lock; flock 9; [ ! -e $@ ] || exit 0; exec $(call run,$(1),start $(notdir $(@D)))
 row = @$(call run,$(1),row $(2))
-row_unless = @$(DDA_STUDY) skip . $(3) $@; code=$$?; [ $$code -eq 1 ] || exit $$code; exec $(call run,$(1),row $(2))
+row_if_needed = @$(DDA_STUDY) skip . $(2); code=$$?; [ $$code -eq 1 ] || exit $$code; exec $(call run,$(1),row $(2))
 )make";
 
 /// The options --set of some settings.
@@ -140,11 +141,10 @@ class Writer {
             const std::string saved = study_.branch_stages > 0 ? saved_of(study_.starts[row.start]) : "";
             const std::string before = previous(row);
             text_ += target + ": " + (saved.empty() ? "" : saved + " ") + make_escaped(blocks_of(row.cut)) +
-                     (before.empty() ? "" : " " + before) + "\n\t$(call " +
-                     (before.empty() ? "row" : "row_unless") + "," +
+                     (before.empty() ? "" : " | " + before) + "\n\t$(call " +
+                     (before.empty() ? "row" : "row_if_needed") + "," +
                      (saved.empty() ? "" : "--from " + saved) + blocks_option(row.cut) +
-                     set_options(row.settings, ModelFile::run, folder_) + "," + row_name(k) +
-                     (before.empty() ? "" : "," + before) + ")\n";
+                     set_options(row.settings, ModelFile::run, folder_) + "," + row_name(k) + ")\n";
         }
     }
     /// Whether no row before has this address: the rule of a target is written once.

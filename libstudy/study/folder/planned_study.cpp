@@ -265,14 +265,9 @@ class Planner {
     }
 
     void address_rows() {
-        for (PlannedRow& planned : study_.rows) {
-            std::string text = "row\n" + study_.cuts[planned.cut].address + "\n" + fingerprint_ +
-                               hashed_text(planned.settings);
-            if (planned.row.previous >= 0)
-                text += "after " + study_.rows[static_cast<std::size_t>(planned.row.previous)].address + " " +
-                        study_.plan.design.measure + " " + shortest_text(study_.plan.design.limit);
-            planned.address = address_of(text);
-        }
+        for (PlannedRow& planned : study_.rows)
+            planned.address = address_of("row\n" + study_.cuts[planned.cut].address + "\n" + fingerprint_ +
+                                         hashed_text(planned.settings));
     }
 
     PlannedStudy study_;

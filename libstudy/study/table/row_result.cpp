@@ -125,6 +125,8 @@ const char* const intensity_keys[] = {"peak_acceleration",    "peak_velocity",
                                       "mean_period"};
 const char* const intensity_names[] = {"PGA (m/s2)", "PGV (m/s)", "PGD (m)", "Arias (m/s)",
                                        "D5-95 (s)",  "CAV (m/s)", "Tm (s)"};
+/// The power of the motion that each of them grows with; spectral accelerations grow with the first.
+constexpr int intensity_powers[] = {1, 1, 1, 2, 0, 1, 0};
 const char* const spectral_names[] = {"0.1", "0.2", "0.3", "0.5", "1", "2", "3"};  // s, as in summaries
 
 /// The measures of the motion with the largest acceleration.
@@ -170,9 +172,7 @@ bool is_alive(const fs::path& note) {
 void read_done(const fs::path& folder, const std::vector<Measure>& measures, RowResult& result) {
     const Json summary = read_json(folder / "summary.json");
     const std::string status = text_in(summary, "status");
-    result.state = status == "collapsed"    ? RowState::collapsed
-                   : status == "not needed" ? RowState::not_needed
-                                            : RowState::completed;
+    result.state = status == "collapsed" ? RowState::collapsed : RowState::completed;
     result.message = text_in(summary, "message");
     result.wall_time = number_in(summary, "wall_time").value_or(0);
     result.commit = text_in(summary, "commit");
@@ -181,7 +181,8 @@ void read_done(const fs::path& folder, const std::vector<Measure>& measures, Row
         result.collapse_limit = number_in(summary.at("collapse"), "limit");
     }
     result.intensities = intensities_in(summary);
-    if (result.state == RowState::not_needed || !fs::exists(folder / "blocks.csv")) return;
+    // A row whose start has collapsed has its summary alone.
+    if (!fs::exists(folder / "blocks.csv")) return;
     DoneRow row(summary, folder);
     for (std::size_t k = 0; k < measures.size(); ++k) result.measures[k] = row.value_of(measures[k]);
 }
@@ -245,6 +246,14 @@ RowResult read_row(const RowFolders& folders, const std::vector<Measure>& measur
     result.cause = "cut";
     result.message = last_line(log);
     return result;
+}
+
+void scale_intensities(double ratio, std::vector<std::optional<double>>& intensities) {
+    for (std::size_t k = 0; k < intensities.size(); ++k) {
+        if (!intensities[k] || (k < std::size(intensity_powers) && intensity_powers[k] == 0)) continue;
+        const bool is_square = k < std::size(intensity_powers) && intensity_powers[k] == 2;
+        *intensities[k] *= is_square ? ratio * ratio : ratio;
+    }
 }
 
 std::vector<std::string> intensity_headings() {

@@ -142,6 +142,10 @@ point = "crest"
 )";
     const auto all = rows("replicates = 2\n" + text);
     ASSERT_EQ(all.size(), 12u);
+    EXPECT_EQ(all[4].block, "1");
+    EXPECT_EQ(all[4].place, 2);
+    EXPECT_EQ(all[7].block, "2");
+    EXPECT_EQ(all[7].place, 0);
     for (std::size_t k = 0; k < 12; ++k)
         EXPECT_EQ(all[k].previous, k % 6 < 2 ? -1 : static_cast<int>(k) - 2) << k;
     EXPECT_EQ(plan(text).factors[1].targets[0].key, "stage[1].base_motion.x.scale");

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 
@@ -65,6 +66,26 @@ TEST_F(RowResultTest, ReadsTheMeasuresOfARowThatIsDone) {
     EXPECT_EQ(result.intensities[10], 4.5);
     EXPECT_FALSE(result.intensities[11]);
     EXPECT_EQ(result.wall_time, 2.5);
+}
+
+TEST(Intensities, GrowWithTheMotion) {
+    std::vector<std::optional<double>> values(intensity_headings().size(), 10);
+    values[1].reset();
+    scale_intensities(3, values);
+    const auto of = [&](const char* name) {
+        const auto headings = intensity_headings();
+        return values[static_cast<std::size_t>(std::find(headings.begin(), headings.end(), name) -
+                                               headings.begin())];
+    };
+    EXPECT_EQ(of("PGA (m/s2)"), 30);
+    EXPECT_FALSE(of("PGV (m/s)"));
+    EXPECT_EQ(of("PGD (m)"), 30);
+    EXPECT_EQ(of("Arias (m/s)"), 90);
+    EXPECT_EQ(of("D5-95 (s)"), 10);
+    EXPECT_EQ(of("CAV (m/s)"), 30);
+    EXPECT_EQ(of("Tm (s)"), 10);
+    EXPECT_EQ(of("Sa(0.1) (m/s2)"), 30);
+    EXPECT_EQ(of("Sa(3) (m/s2)"), 30);
 }
 
 TEST_F(RowResultTest, KnowsWhereARowIs) {
