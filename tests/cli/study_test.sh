@@ -69,6 +69,8 @@ make_study() {
     shift
     make -C "$place" "$@" >"$folder.make" 2>&1
 }
+# The number of rows that the last make_study computed.
+rows_computed() { grep -c '^row' "$folder.make" || true; }
 # table_of FOLDER: the results without the wall times.
 table_of() {
     "$study" collect "$1" >/dev/null
@@ -202,7 +204,6 @@ measure = "block"
 limit = 0.06
 PLAN
 intensities() { sed -i "s/^values = .* g\"\]/values = [$1]/" incremental.toml; }
-rows_computed() { grep -c '^row' "$folder.make" || true; }
 intensities '"0.1 g", "0.3 g", "0.6 g"'
 "$study" make incremental.toml -o incremental >/dev/null
 make_study incremental -j2 || fail "incremental: $(cat "$folder.make")"
@@ -247,6 +248,23 @@ plan_refused "unknown key 'frction_angle'.*did you mean 'friction_angle'" 's/pla
 plan_refused "an index below that" 's/stage\[1\].base/stage[7].base/'
 plan_refused 'has no values' 's/^values = \["25 deg", "27 deg"\]//'
 plan_refused 'no-such.toml: cannot be read' 's/run.toml/no-such.toml/'
+# Two values that are each right, and wrong together: steps of 10 ms to at least 1 ms, or of 0.5 ms to at least 0.1 ms.
+cat plan.toml - >together.toml <<'PLAN'
+[[factor]]
+name = "step"
+key = "run:stage[1].step"
+values = [0.01, 0.0005]
+[[factor]]
+name = "least step"
+key = "run:stage[1].smallest_step"
+values = [0.0001, 0.001]
+PLAN
+run_refused 'row 4 and [0-9]* combinations more, friction = .25 deg., .*step = 5e-04, least step = 0.001: .*larger than the step' \
+    "$study" make together.toml -o refused
+sed 's/^name = "least step"/&\npair = "step"/' together.toml >paired.toml
+run_refused 'row 2 and' "$study" make paired.toml -o refused
+sed -i 's/^values = .0.0001, 0.001./values = [0.001, 0.0001]/' paired.toml
+"$study" make paired.toml -o paired >/dev/null
 run_refused 'is no study' "$study" status records
 run_refused "unknown subcommand 'colect'; expected perhaps 'collect'" "$study" colect one
 run_refused 'output is not given' "$study" make plan.toml
