@@ -170,6 +170,29 @@ make_study one -j2 || fail "one intensity more: $(cat "$folder.make")"
 "$study" status one | grep -q '16 rows' || fail "the plan is not read again"
 grep -v '^[0-9]*,2[57] deg,[a-z]*.csv,2.45' one/results.csv >/dev/null || fail "no row of the new intensity"
 
+# The table tells rows that were computed from other files than there are now; a comment does not matter.
+"$study" collect one >out.txt || fail "collect: $(cat out.txt)"
+echo '# a comment' >>run.toml
+"$study" collect one | grep -q 'other input' && fail "a comment makes rows outdated"
+cp run.toml run.before
+sed -i 's/^duration = 1.2/duration = 1.1/' run.toml
+code=0
+"$study" collect one >out.txt || code=$?
+[ "$code" -eq 1 ] || fail "exit code $code of outdated rows"
+grep -q '^16 rows were computed from other input than there is now; the first is 1, for changes in ../run.toml. make' out.txt ||
+    fail "not told of outdated rows: $(cat out.txt)"
+[ "$(grep -c ',computed from other input,' one/results.csv)" -eq 16 ] || fail "they are not marked in the table"
+cp run.before run.toml
+cp records/short.csv short.before
+sed -i '$d' records/short.csv
+"$study" collect one >out.txt || true
+grep -q '^8 rows were .*; the first is 5, for changes in ../run.toml, .*records/short.csv. make' out.txt || fail "not told of a record: $(cat out.txt)"
+make_study one -j2 || fail "another record: $(cat "$folder.make")"
+"$study" collect one >out.txt || fail "after computing them: $(cat out.txt)"
+mv short.before records/short.csv
+make_study one -j2 || fail "the record as it was: $(cat "$folder.make")"
+[ "$(rows_computed)" -eq 0 ] || fail "computed again: $(cat "$folder.make")"
+
 # A row that fails says why, is tried again, and ends the study with a list by cause.
 sed 's/^\[\[factor\]\]/set = ["run:stage[0].step_limit=3"]\n&/; s/^set = \["run:stage.1.*//' plan.toml |
     awk '!/^set/ || !seen++' >failing.toml

@@ -117,6 +117,7 @@ dda::Provenance provenance_of(const CommandLine& line, const dda::RunInput& inpu
     return {.version = version,
             .commit = tool_support::commit(),
             .inputs = input.digests,
+            .fingerprint = sha256(input.fingerprint),
             .overrides = line.overrides,
             .saved_state = saved_file(line),
             .threads = line.threads,

@@ -115,6 +115,16 @@ std::string commits_text(const study::StudyRows& rows) {
     return text;
 }
 
+/// Says so where rows were computed from other files than there are now.
+std::string outdated_text(const std::vector<study::OutdatedRow>& outdated) {
+    if (outdated.empty()) return "";
+    const study::OutdatedRow& first = outdated.front();
+    return std::to_string(outdated.size()) + (outdated.size() == 1 ? " row was" : " rows were") +
+           " computed from other input than there is now; the first is " + first.row + ", for changes in " +
+           first.files + ". make computes them; where it finds nothing to do, remove results/" +
+           first.address + "\n";
+}
+
 int exit_code_of(const study::StudyRows& rows) {
     return count_done(rows) == rows.results.size() ? study_done : rows_failed;
 }
@@ -149,7 +159,8 @@ int run_collect(const std::vector<std::string>& arguments) {
                         "as STUDY/profiles.csv.");
     if (!line.parse(arguments)) return study_done;
     const fs::path folder = line.argument("the folder of the study");
-    const study::StudyRows rows = study::read_study(folder);
+    study::StudyRows rows = study::read_study(folder);
+    const std::vector<study::OutdatedRow> outdated = study::mark_outdated(folder, rows);
     const study::TextTable table = study::results_table(rows);
     const study::TextTable profiles = study::write_profiles(folder, rows);
     write_file_atomically(folder / "results.csv", study::csv_text(table));
@@ -159,9 +170,9 @@ int run_collect(const std::vector<std::string>& arguments) {
         tables.push_back({"profiles", profiles});
     }
     study::write_sqlite(folder / "results.sqlite", tables);
-    std::printf("%s\n%s%s", counts_text(rows).c_str(), failures_text(rows).c_str(),
-                commits_text(rows).c_str());
-    return exit_code_of(rows);
+    std::printf("%s\n%s%s%s", counts_text(rows).c_str(), failures_text(rows).c_str(),
+                commits_text(rows).c_str(), outdated_text(outdated).c_str());
+    return outdated.empty() ? exit_code_of(rows) : rows_failed;
 }
 
 int run_skip(const std::vector<std::string>& arguments) {

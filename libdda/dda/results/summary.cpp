@@ -280,6 +280,7 @@ void add_provenance(const Provenance& provenance, Json& json) {
     json["commit"] = provenance.commit;
     json["kernel"] = provenance.kernel;
     json["threads"] = provenance.threads;
+    json["fingerprint"] = provenance.fingerprint;
     json["overrides"] = provenance.overrides;
     if (provenance.saved_state)
         json["saved_state"] = {{"file", provenance.saved_state->path.string()},

@@ -169,6 +169,16 @@ bool is_alive(const fs::path& note) {
     return host != here || ::kill(process, 0) == 0;
 }
 
+RowInputs inputs_in(const Json& summary) {
+    RowInputs inputs;
+    for (const Json& file : summary.value("inputs", Json::array()))
+        inputs.files.push_back({text_in(file, "file"), text_in(file, "sha256")});
+    for (const Json& text : summary.value("overrides", Json::array()))
+        if (text.is_string()) inputs.overrides.push_back(text.get<std::string>());
+    inputs.fingerprint = text_in(summary, "fingerprint");
+    return inputs;
+}
+
 void read_done(const fs::path& folder, const std::vector<Measure>& measures, RowResult& result) {
     const Json summary = read_json(folder / "summary.json");
     const std::string status = text_in(summary, "status");
@@ -176,6 +186,7 @@ void read_done(const fs::path& folder, const std::vector<Measure>& measures, Row
     result.message = text_in(summary, "message");
     result.wall_time = number_in(summary, "wall_time").value_or(0);
     result.commit = text_in(summary, "commit");
+    result.inputs = inputs_in(summary);
     if (summary.contains("collapse")) {
         result.collapse_time = number_in(summary.at("collapse"), "time");
         result.collapse_limit = number_in(summary.at("collapse"), "limit");

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "study/folder/input_check.hpp"
 #include "study/plan/plan.hpp"
 
 namespace rockslope::study {
@@ -43,6 +44,7 @@ struct RowResult {
     std::optional<double> collapse_limit;            ///< m
     double wall_time = 0;                            ///< s
     std::string commit;                              ///< of the program that computed it
+    RowInputs inputs;                                ///< what it was computed from
 };
 
 /// Reads what is known of a row. A row whose start or cut failed has failed, for their reason.

@@ -122,6 +122,26 @@ bool is_row_needed(const fs::path& folder, const std::string& row) {
     return true;
 }
 
+std::vector<OutdatedRow> mark_outdated(const fs::path& folder, StudyRows& rows) {
+    std::vector<OutdatedRow> outdated;
+    InputCheck check(folder, rows.plan.run);
+    const std::size_t cut = column_of(rows.runs, cut_column, folder),
+                      row = column_of(rows.runs, row_column, folder),
+                      address = column_of(rows.runs, address_column, folder);
+    for (std::size_t k = 0; k < rows.results.size(); ++k) {
+        RowResult& result = rows.results[k];
+        if (!is_done(result.state)) continue;
+        const std::vector<std::string>& run = rows.runs.rows[k];
+        const fs::path blocks =
+            run[cut].empty() ? rows.plan.blocks : folder / "cuts" / (run[cut] + ".blocks");
+        const auto files = check.different_files(result.inputs, blocks);
+        if (!files) continue;
+        result.cause = "computed from other input";
+        outdated.push_back({run[row], run[address], *files});
+    }
+    return outdated;
+}
+
 TextTable results_table(const StudyRows& rows) {
     TextTable table;
     std::vector<std::size_t> kept;  // columns of runs.csv
