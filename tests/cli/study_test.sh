@@ -255,6 +255,42 @@ rm -r fresh/results/*
 grep -q '^24 rows in 4 tasks' out.txt || fail "a series is computed by several tasks: $(cat out.txt)"
 [ "$(cat fresh/slurm/rows/* | wc -l)" -eq 4 ] || fail "not a target for each series"
 
+# What a row of 381 blocks keeps, by its parts: bytes of a frame and of the table for each block, and of a row of the histories.
+# A row of 20 s has three frames, and 213 rows of histories: 0.64 MB, and the settled state of all rows takes 2 MB once.
+mkdir jointed
+cp "$data/jointed-slope/slope.toml" "$data/jointed-slope/run.toml" "$data"/records/artificial-m6.5.at2 jointed
+cat >jointed/plan.toml <<'PLAN'
+slope = "slope.toml"
+run = "run.toml"
+set = ["run:stage[1].duration=0.2"]
+[[factor]]
+name = "record"
+key = "run:stage[1].base_motion.x.file"
+files = "*.at2"
+[[factor]]
+name = "PGA"
+scale = "PGA"
+record = "record"
+values = ["0.2 g", "0.3 g"]
+PLAN
+sed -i 's|"../records/|"|' jointed/run.toml
+"$study" make jointed/plan.toml -o jointed/study >/dev/null
+make_study jointed/study -j2 || fail "the jointed slope: $(cat "$folder.make")"
+row=jointed/study/runs/000001
+bytes() { wc -c <"$1"; }
+[ "$(grep -c '' $row/blocks.csv)" -ge 380 ] || fail "not the 381 blocks"
+"$bin/dda-run" jointed/study/runs/000001/run.toml --from jointed/study/starts/*/stage-1.saved.h5 -o jointed/frames --set output.frames=10 \
+    >jointed/log 2>&1 || fail "ten frames: $(cat jointed/log)"
+ten=$(($(bytes jointed/frames/slope.vtkhdf) - $(bytes $row/slope.vtkhdf)))
+[ $((ten / 9 / 381)) -le 120 ] || fail "$((ten / 9 / 381)) bytes for each frame and block"
+[ $(($(bytes $row/blocks.csv) / 381)) -le 330 ] || fail "$(($(bytes $row/blocks.csv) / 381)) bytes of the table for each block"
+for table in history relative; do
+    line=$(tail -n 1 $row/$table.csv | wc -c)
+    [ "$line" -le 700 ] || fail "$line bytes of a row of $table.csv"
+done
+others=$(find $row/ -type f ! -name '*.vtkhdf' ! -name '*.csv' -exec cat {} + | wc -c)
+[ "$others" -le 20000 ] || fail "$others bytes in $(ls $row/)"
+
 # Bad plans: one line, nothing written.
 plan_refused() {
     expected=$1
