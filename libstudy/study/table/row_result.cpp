@@ -220,8 +220,9 @@ bool read_unfinished(const fs::path& folder, const std::string& what, RowResult&
     }
     if (!fs::exists(folder / "log")) return false;
     result.state = RowState::failed;
-    result.cause = what + "bad input, or not run";
     result.message = last_line(folder / "log");
+    const bool is_unwritten = result.message.find(": cannot be written") != std::string::npos;
+    result.cause = what + (is_unwritten ? "not written" : "bad input, or not run");
     return true;
 }
 

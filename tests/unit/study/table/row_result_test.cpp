@@ -110,6 +110,8 @@ TEST_F(RowResultTest, KnowsWhereARowIs) {
     write("row/log", "run.toml:3: unknown key\n");
     EXPECT_EQ(read().state, RowState::failed) << "ended, and left neither a summary nor a checkpoint";
     EXPECT_EQ(read().message, "run.toml:3: unknown key");
+    write("row/log", "results/a/run.vtkhdf: cannot be written: No space left on device\n");
+    EXPECT_EQ(read().cause, "not written");
     write("row/failed.json", R"({"status": "not converged", "message": "block 4"})");
     EXPECT_EQ(read().state, RowState::failed);
     EXPECT_EQ(read().cause, "not converged");
