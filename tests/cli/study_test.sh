@@ -79,7 +79,7 @@ table_of() {
 
 # A plan computes nothing; its rows share one cut, and the settled state of each friction.
 "$study" make plan.toml -o one >out.txt
-grep -q '12 rows, of 1 cuts, from 2 states at the end of stage .settle.' out.txt || fail "the plan: $(cat out.txt)"
+grep -q '12 rows, of 1 cut, from 2 states at the end of stage .settle.' out.txt || fail "the plan: $(cat out.txt)"
 [ -z "$(find one/results one/cuts one/starts -type f)" ] || fail "something is computed by make"
 [ "$(wc -l <one/runs.csv)" -eq 13 ] || fail "runs.csv: $(cat one/runs.csv)"
 code=0
@@ -141,6 +141,19 @@ for delay in 0.1 0.05 0.1 0.05 0.1; do
 done
 make_study killed -j2 || fail "a study that was killed: $(cat "$folder.make")"
 table_of killed | cmp - one.csv || fail "a study that was killed gives another table"
+
+# SIGTERM to make, as a time limit sends it: the run writes a checkpoint, ends with code 75, says so, and goes on later.
+sed 's/^set = .*/set = ["run:stage[1].duration=300", "run:stage[1].step=0.0005"]/' plan.toml >stopped.toml
+"$study" make stopped.toml -o stopped >/dev/null
+make -C stopped runs/000001/summary.json >make.txt 2>&1 &
+while [ -z "$(find stopped/results -name history.csv -size +1k 2>/dev/null)" ]; do sleep 0.02; done
+"$study" status stopped >status.txt || true
+grep -q '12 rows: 1 running, 11 waiting' status.txt || fail "status during a run: $(cat status.txt)"
+kill -TERM "$!"
+wait 2>/dev/null || true
+grep -q '^row 000001: dda-run: stopped at t = .*--resume continues' make.txt || fail "not told of the stop: $(cat make.txt)"
+"$study" status stopped >status.txt || true
+grep -q '12 rows: 1 stopped, 11 waiting' status.txt || fail "status of a stopped row: $(cat status.txt)"
 
 # Curves, what measures depend on, and a report.
 "$study" fragility one --measure block --limit 0.02 --intensity PGA -o curve.csv --picture curve.png >out.txt
@@ -262,7 +275,7 @@ cp "$data/jointed-slope/slope.toml" "$data/jointed-slope/run.toml" "$data"/recor
 cat >jointed/plan.toml <<'PLAN'
 slope = "slope.toml"
 run = "run.toml"
-set = ["run:stage[1].duration=0.2"]
+set = ["run:stage[1].duration=0.05"]
 [[factor]]
 name = "record"
 key = "run:stage[1].base_motion.x.file"

@@ -38,6 +38,7 @@ RunLog::RunLog(const std::filesystem::path& folder, std::string title)
     std::printf("%s\n", title_.c_str());
     std::fflush(stdout);
     errors_ = ::fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
+    std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);  // in order with the standard error
     ::dup2(log, STDOUT_FILENO);
     ::dup2(log, STDERR_FILENO);
     ::close(log);
@@ -45,7 +46,8 @@ RunLog::RunLog(const std::filesystem::path& folder, std::string title)
 
 void RunLog::finish(int code) const {
     std::fflush(stdout);
-    std::ofstream(folder_ / "running", std::ios::trunc);
+    std::error_code ignored;
+    std::filesystem::resize_file(folder_ / "running", 0, ignored);
     if (code != 0) ::dprintf(errors_, "%s: %s\n", title_.c_str(), last_line(folder_ / "log").c_str());
 }
 
