@@ -47,6 +47,10 @@ name = "thickness"
 kind = "deposit-thickness"
 limit = 0.05
 [[measure]]
+name = "height"
+kind = "deposit-height"
+width = 1
+[[measure]]
 name = "farthest"
 [[measure]]
 name = "farthest peak"
@@ -102,8 +106,10 @@ grep -q '^1,25 deg,long.csv,1.96133,0,,,completed,' one.csv || fail "the table: 
 
 # The deposit: a block of 1.5625 m on the 7-24-25 slope is 1.5625 * 25 / 24 m thick, wherever it comes to rest, and the base is
 # where it was though it was shaken, 7 / 24 m above its toe one metre from there. The area under each profile is that of the block, 3.125 m x 1.5625 m.
-grep -q ',thickness (m),farthest (m),.*,toe (m),PGA' one/results.csv || fail "the headings: $(head -n 1 one/results.csv)"
+grep -q ',thickness (m),height (m),farthest (m),.*,toe (m),PGA' one/results.csv || fail "the headings: $(head -n 1 one/results.csv)"
 awk -F, 'NR == 1 { for (k = 1; k <= NF; ++k) column[$k] = k; next }
+    # A face of 1.6 m that has moved by so much is no higher than that over a metre.
+    $column["height (m)"] > 1.7 * $column["block (m)"] + 1e-6 { print; exit 1 }
     { thickness = $column["thickness (m)"]; toe = $column["toe (m)"]
       expected = $column["volume (m3/m)"] > 0 ? 1.5625 * 25 / 24 : 0
       if ((thickness - expected) ^ 2 > 1e-6 || (toe - 3 - 7 / 24) ^ 2 > 1e-10) { print; exit 1 } }' one/results.csv ||

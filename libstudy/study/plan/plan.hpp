@@ -82,6 +82,7 @@ struct Measure {
     bool is_largest = false;  ///< of a region: the farthest block in place of the mean
     double limit = 0;         ///< m, of moved blocks
     std::optional<double> x;  ///< m, station of a surface or a deposit; nothing: the largest of all
+    double width = 0;         ///< m, over which the largest height is a mean
 };
 
 /// The profile of each row that `dda-study collect` writes.

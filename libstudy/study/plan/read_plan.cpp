@@ -117,6 +117,8 @@ Measure read_measure(const ConfigTable& table, const std::vector<Measure>& befor
         measure.kind == MeasureKind::deposit_height || measure.kind == MeasureKind::deposit_thickness;
     if (measure.kind == MeasureKind::surface || (may_have_station && table.has("x")))
         measure.x = table.number("x", Dimension::length);
+    if (measure.kind == MeasureKind::deposit_height && !measure.x)
+        measure.width = positive(table, "width", Dimension::length);
     table.finish();
     return measure;
 }

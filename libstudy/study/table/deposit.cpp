@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "common/base/input_error.hpp"
@@ -82,6 +83,34 @@ std::optional<double> difference(const std::optional<double>& of, const std::opt
     return of && from ? std::optional(*of - *from) : std::nullopt;
 }
 
+/// The integral of a function that is linear in pieces.
+class HeightIntegral {
+  public:
+    /// Adds a piece to the right of those before.
+    void add(double left, double right, double at_left, double at_right) {
+        pieces_.push_back({left, right, at_left, at_right, sum_});
+        sum_ += (right - left) * (at_left + at_right) / 2;
+    }
+    /// From the left end of the first piece to x.
+    double at(double x) const {
+        const auto next =
+            std::upper_bound(pieces_.begin(), pieces_.end(), x,
+                             [](double value, const Piece& piece) { return value < piece.left; });
+        if (next == pieces_.begin()) return 0;
+        const Piece& piece = *std::prev(next);
+        const double share = std::min(1.0, (x - piece.left) / (piece.right - piece.left));
+        const double height = piece.at_left + share * (piece.at_right - piece.at_left);
+        return piece.before + share * (piece.right - piece.left) * (piece.at_left + height) / 2;
+    }
+
+  private:
+    struct Piece {
+        double left, right, at_left, at_right, before;
+    };
+    std::vector<Piece> pieces_;
+    double sum_ = 0;
+};
+
 }  // namespace
 
 RunOutlines read_outlines(const fs::path& results) {
@@ -121,15 +150,23 @@ double Deposit::thickness(double x, double limit) const {
     return moved(limit).at(x).length;
 }
 
-std::optional<double> Deposit::largest_height() const {
+std::optional<double> Deposit::largest_height(double width) const {
+    HeightIntegral integral;
+    std::vector<double> corners = start_.corners();
+    corners.insert(corners.end(), end_.corners().begin(), end_.corners().end());
+    std::sort(corners.begin(), corners.end());
+    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+    for (std::size_t k = 0; k + 1 < corners.size(); ++k) {
+        const double left = corners[k], right = corners[k + 1];
+        integral.add(left, right, difference(end_.right_of(left).top, start_.right_of(left).top).value_or(0),
+                     difference(end_.left_of(right).top, start_.left_of(right).top).value_or(0));
+    }
     std::optional<double> largest;
-    const auto take = [&](const std::optional<double>& height) {
-        if (height) largest = std::max(largest.value_or(*height), *height);
-    };
-    for (const VerticalSections* sections : {&start_, &end_})
-        for (const double x : sections->corners()) {
-            take(difference(end_.left_of(x).top, start_.left_of(x).top));
-            take(difference(end_.right_of(x).top, start_.right_of(x).top));
+    for (const double corner : corners)
+        for (const double from : {corner, corner - width}) {
+            if (from < corners.front() || from + width > corners.back()) continue;
+            const double mean = (integral.at(from + width) - integral.at(from)) / width;
+            largest = std::max(largest.value_or(mean), mean);
         }
     return largest;
 }

@@ -41,8 +41,10 @@ class Deposit {
     std::optional<double> height(double x) const;
     /// Vertical thickness, without gaps, of the blocks that moved farther than `limit`, m.
     double thickness(double x, double limit) const;
-    /// The largest height over all x; nothing where no x has rock at both times.
-    std::optional<double> largest_height() const;
+    /// The largest mean of the height over a stretch of this width, m: a steep face that has moved by a
+    /// little is no deposit. Where there is rock at one time only, the height counts as zero. Nothing where
+    /// the surface is shorter than that.
+    std::optional<double> largest_height(double width) const;
     /// The largest thickness over all x.
     double largest_thickness(double limit) const;
 

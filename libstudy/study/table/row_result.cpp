@@ -91,7 +91,7 @@ class DoneRow {
             case MeasureKind::surface:
                 return deposit().surface(*measure.x);
             case MeasureKind::deposit_height:
-                return measure.x ? deposit().height(*measure.x) : deposit().largest_height();
+                return measure.x ? deposit().height(*measure.x) : deposit().largest_height(measure.width);
             case MeasureKind::deposit_thickness:
                 return measure.x ? deposit().thickness(*measure.x, measure.limit)
                                  : deposit().largest_thickness(measure.limit);

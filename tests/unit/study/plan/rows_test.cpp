@@ -173,6 +173,7 @@ TEST_F(RowsTest, RefusesPlansThatCannotBe) {
     EXPECT_THAT(refused("[design]\nkind = \"morris\"\nlevels = 3\n"), HasSubstr("'levels' is odd"));
     EXPECT_THAT(refused("[[measure]]\nname = \"v\"\nkind = \"moved-volume\"\n"), HasSubstr("limit"));
     EXPECT_THAT(refused("[[measure]]\nname = \"v\"\nkind = \"surface\"\n"), HasSubstr("'x'"));
+    EXPECT_THAT(refused("[[measure]]\nname = \"v\"\nkind = \"deposit-height\"\n"), HasSubstr("'width'"));
     EXPECT_THAT(refused("[profile]\ninterval = 1\n"), HasSubstr("limit"));
     EXPECT_THAT(refused("[profile]\ninterval = 0\nlimit = 1\n"), HasSubstr("a positive number"));
     EXPECT_THAT(refused("[[measure]]\nname = \"v\"\nlimit = 1\n"), HasSubstr("unknown key 'limit'"));

@@ -33,7 +33,9 @@ TEST(Deposit, IsTheSurfaceOverThatAtTheStart) {
     EXPECT_EQ(deposit.height(1), -3) << "a scar";
     EXPECT_EQ(deposit.height(4), 0);
     EXPECT_EQ(deposit.height(6.25), 1);
-    EXPECT_EQ(deposit.largest_height(), 2);
+    EXPECT_NEAR(*deposit.largest_height(3), 2, 1e-12) << "as wide as the block";
+    EXPECT_NEAR(*deposit.largest_height(6), 1, 1e-12) << "twice as wide";
+    EXPECT_FALSE(deposit.largest_height(21)) << "wider than the section";
     EXPECT_FALSE(deposit.surface(21));
     EXPECT_FALSE(deposit.height(-1));
 }
@@ -57,7 +59,8 @@ TEST(Deposit, FindsTheLargestBetweenTheStations) {
     const Deposit deposit(outlines);
     EXPECT_NEAR(deposit.thickness(2, 1), 0.25 * 3 * 2, 1e-12);
     EXPECT_NEAR(deposit.largest_thickness(1), 3, 1e-12);
-    EXPECT_NEAR(*deposit.largest_height(), 3, 1e-12);
+    EXPECT_NEAR(*deposit.largest_height(1), 3 - 0.75 / 2, 1e-12) << "mean over the last metre";
+    EXPECT_NEAR(*deposit.largest_height(1e-6), 3, 1e-5);
     EXPECT_NEAR(*deposit.height(3), 0.75 * 3, 1e-12);
     EXPECT_NEAR(*deposit.height(9), 4.5 - 5.5, 1e-12);
 }
@@ -85,8 +88,17 @@ TEST(Deposit, LeavesEmptyWhereThereIsNoRock) {
     const TextTable table = Deposit(outlines).profile(0.5, 1);
     EXPECT_THAT(table.rows[1], ElementsAre("0.5", "1", "", "", "0"));
     EXPECT_THAT(table.rows[8], ElementsAre("4", "", "1", "", "1"));
-    EXPECT_FALSE(Deposit(outlines).largest_height());
+    EXPECT_EQ(Deposit(outlines).largest_height(1), 0) << "at no x at both times";
+    EXPECT_FALSE(Deposit({}).largest_height(1));
     EXPECT_TRUE(Deposit({}).profile(1, 1).rows.empty());
+}
+
+// The face of a block that has moved by a millimetre is no deposit of its height.
+TEST(Deposit, ASteepFaceThatMovesByALittleIsNone) {
+    RunOutlines outlines;
+    outlines.start = {box(0, -1, 20, 1), box(0, 0, 2, 30)};
+    outlines.end = {{box(0, -1, 20, 1), 0}, {box(0.001, 0, 2, 30), 0.001}};
+    EXPECT_NEAR(*Deposit(outlines).largest_height(1), 30 * 0.001, 1e-12);
 }
 
 TEST(Deposit, RefusesFoldersThatAreNoRun) {
