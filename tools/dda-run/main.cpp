@@ -46,10 +46,11 @@ void disable_heap_trimming() {
 #endif
 }
 
-/// Prints why a run ended. @return the exit code.
-ExitCode run_and_report(const CommandLine& line) {
+/// Does something; prints why it failed. @return the exit code.
+template <class Action>
+ExitCode reported(const Action& action) {
     try {
-        return act(line);
+        return action();
     } catch (const InputError& error) {
         std::fprintf(stderr, "%s\n", error.what());
         return bad_input;
@@ -59,25 +60,23 @@ ExitCode run_and_report(const CommandLine& line) {
     }
 }
 
+ExitCode run_program(int argc, char** argv) {
+    if (const auto code = tool_support::print_requested_text(command_page(ROCKSLOPE_VERSION),
+                                                             tool_support::arguments_of(argc, argv)))
+        return static_cast<ExitCode>(*code);
+    const CommandLine line = parse_command_line(argc, argv);
+    if (!line.log_title) return act(line);
+    const RunLog log(line.output, *line.log_title);
+    const ExitCode code = reported([&] { return act(line); });
+    log.finish(code);
+    return code;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-    try {
+    return reported([&] {
         disable_heap_trimming();
-        if (const auto code = tool_support::print_requested_text(command_page(ROCKSLOPE_VERSION),
-                                                                 tool_support::arguments_of(argc, argv)))
-            return *code;
-        const CommandLine line = parse_command_line(argc, argv);
-        if (!line.log_title) return run_and_report(line);
-        const RunLog log(line.output, *line.log_title);
-        const ExitCode code = run_and_report(line);
-        log.finish(code);
-        return code;
-    } catch (const InputError& error) {
-        std::fprintf(stderr, "%s\n", error.what());
-        return bad_input;
-    } catch (const std::exception& error) {
-        std::fprintf(stderr, "%s\n", error.what());
-        return analysis_failed;
-    }
+        return run_program(argc, argv);
+    });
 }
