@@ -159,6 +159,16 @@ std::string last_line(const fs::path& file) {
     return last;
 }
 
+/// Whether a process of this machine is there, and has not ended without being waited for.
+bool is_process(int process) {
+    if (::kill(process, 0) != 0) return false;
+    std::ifstream file("/proc/" + std::to_string(process) + "/stat");
+    std::string text;
+    std::getline(file, text);
+    const std::size_t name_end = text.rfind(')');  // the name may have spaces and parentheses
+    return name_end == std::string::npos || text.substr(name_end, 3) != ") Z";
+}
+
 /// Whether the process that a note names goes on: one of another machine is taken to.
 bool is_alive(const fs::path& note) {
     std::ifstream text(note), kernel("/proc/sys/kernel/hostname");
@@ -166,7 +176,7 @@ bool is_alive(const fs::path& note) {
     int process = 0;
     if (!(text >> host >> process)) return false;
     kernel >> here;
-    return host != here || ::kill(process, 0) == 0;
+    return host != here || is_process(process);
 }
 
 RowInputs inputs_in(const Json& summary) {

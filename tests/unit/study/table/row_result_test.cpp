@@ -1,6 +1,7 @@
 #include "study/table/row_result.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -103,6 +104,13 @@ TEST_F(RowResultTest, KnowsWhereARowIs) {
     std::ifstream("/proc/sys/kernel/hostname") >> host;
     write("row/running", host + " " + std::to_string(::getpid()));
     EXPECT_EQ(read().state, RowState::running);
+    const pid_t ended = ::fork();
+    if (ended == 0) ::_exit(0);
+    siginfo_t seen{};
+    ::waitid(P_PID, static_cast<id_t>(ended), &seen, WEXITED | WNOWAIT);
+    write("row/running", host + " " + std::to_string(ended));
+    EXPECT_EQ(read().state, RowState::stopped) << "its process has ended, and nobody has waited for it";
+    ::waitpid(ended, nullptr, 0);
     write("row/running", host + " 999999999");
     EXPECT_EQ(read().state, RowState::stopped) << "its process is gone";
     write("row/running", "");
