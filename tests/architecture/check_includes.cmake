@@ -29,6 +29,7 @@ set(views
     "libstudy/study/plan|record|"
     "libstudy/study/folder|common|base config" "libstudy/study/folder|dda|input checkpoint"
     "libstudy/study/folder|blockgen|." "libstudy/study/folder|record|."
+    "libstudy/study/table|common|base geometry" "libstudy/study/table|dda|hdf"
     "libstudy/study/picture|common|base drawing geometry" "libstudy/study/picture|blockgen|"
     "libstudy/study/picture|dda|" "libstudy/study/picture|record|"
     "libstudy/study|common|base" "libstudy/study|blockgen|" "libstudy/study|dda|" "libstudy/study|record|")

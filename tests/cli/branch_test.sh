@@ -31,6 +31,25 @@ same_results plain branch
 "$run" run.toml -o other --from whole/stage-1.saved.h5 >/dev/null 2>&1
 same_results plain other
 
+# With --pvd its list has the frames of the saved run too, under their times, also where that run went on after the state.
+"$run" run.toml -o pvd-plain --pvd >/dev/null 2>&1
+"$run" run.toml -o pvd-settled --pvd --until settle >/dev/null 2>&1
+"$run" run.toml -o pvd-whole --pvd --set output.save_stages=true >/dev/null 2>&1
+for saved in settled whole; do
+    "$run" run.toml -o "pvd-$saved-branch" --pvd --from "pvd-$saved/stage-1.saved.h5" >/dev/null 2>&1
+    same_results pvd-plain "pvd-$saved-branch"
+    for file in pvd-plain/*.pvd pvd-plain/*.vtu; do
+        cmp "$file" "pvd-$saved-branch/${file#pvd-plain/}" || fail "a branch has another ${file#pvd-plain/}"
+    done
+done
+[ "$(grep -c '<DataSet timestep=' pvd-plain/run.pvd)" -eq "$(find pvd-settled-branch -name 'run.[0-9]*.vtu' | wc -l)" ] ||
+    fail "the list and the frames are not as many"
+grep -q '<DataSet timestep="0" file="run.0.vtu"/>' pvd-settled-branch/run.pvd || fail "the first frame is not in the list"
+# Without those of the saved run it begins with the branch.
+"$run" run.toml -o pvd-new --pvd --from settled/stage-1.saved.h5 >/dev/null 2>&1
+grep -q 'timestep="0"' pvd-new/run.pvd && fail "a frame that was not written is in the list"
+grep -q 'file="run.0.vtu"' pvd-new/run.pvd || fail "the list does not begin with the branch"
+
 # Later stages, records and output may change, and inputs may have moved.
 "$run" run.toml -o weaker --set 'stage[1].base_motion.x.scale=0.5' >/dev/null 2>&1
 "$run" run.toml -o weaker-branch --from settled/stage-1.saved.h5 --set 'stage[1].base_motion.x.scale=0.5' >/dev/null 2>&1

@@ -1,6 +1,6 @@
 #!/bin/sh
-# A study on a real Slurm of two nodes: tasks that reach their time limit go on from their checkpoints, one node is killed in
-# mid-study, and the table is that of make -j1. Ends with code 77, which ctest takes for skipped, where Slurm is not installed.
+# A study on a real Slurm of two nodes: a task near its time limit writes checkpoints and is queued again, one node is killed in
+# mid-study, rows go on from their checkpoints, and the table is that of make on one machine. Ends with code 77, which ctest takes for skipped, where Slurm is not installed.
 #   study_test.sh BIN DATA
 set -eu
 bin=$1
@@ -22,14 +22,14 @@ trap 'stop_cluster; rm -rf "$folder" "$folder".*' EXIT
 start_cluster || fail "the cluster does not start: $(tail -n 5 "$cluster"/*.out "$cluster"/*.log)"
 
 cp "$data/incline/slope.toml" slope.toml
-sed 's/^duration = .*/duration = 15/; s/^step = .*/step = 0.0005/' "$data/incline/run.toml" >run.toml
+sed 's/^duration = .*/duration = 30/; s/^step = .*/step = 0.0005/' "$data/incline/run.toml" >run.toml
 mkdir records
 cp "$data/incline/sine.csv" records/sine.csv
 cp records/sine.csv sine.csv
 cat >plan.toml <<'PLAN'
 slope = "slope.toml"
 run = "run.toml"
-set = ["run:output.checkpoint_interval=0.2"]
+set = ["run:output.checkpoint_interval=0.05"]
 [[factor]]
 name = "friction"
 key = "run:joint_material.plane.friction_angle"
@@ -58,31 +58,56 @@ make -C single -j2 >"$folder.make" 2>&1 || fail "make: $(cat "$folder.make")"
 grep -q -e '--signal=B:TERM@60' cluster/slurm/submit.sh || fail "no signal before the limit"
 [ -z "$(squeue -h)" ] || fail "submitted by --dry-run"
 
-# For real. n2 dies when it computes a row.
-"$study" slurm cluster --max 4 --row-time 60 >"$folder.submitted"
-waited=0
-until [ -n "$(squeue -h -t running -n rows -w n2)" ] && ls cluster/results/*/checkpoint.h5 >/dev/null 2>&1; do
-    waited=$((waited + 1))
-    [ "$waited" -lt 300 ] || fail "no row runs on n2: $(squeue) $(cat cluster/slurm/*.log)"
-    [ -n "$(squeue -h)" ] || fail "the study is done before a node is killed"
-    sleep 0.1
-done
+# rows_on NODE: prints the processes that compute rows on a node and have written a checkpoint.
+rows_on() {
+    for note in cluster/results/*/running; do
+        if ! [ -s "$note" ] || ! [ -e "${note%running}checkpoint.h5" ]; then continue; fi
+        read -r _ process <"$note"
+        { tr '\0' '\n' <"/proc/$process/environ"; } 2>/dev/null | grep -q -x -F "SLURMD_NODENAME=$1" && echo "$process"
+    done
+    return 0
+}
+# hold_rows NODE: waits for rows on a node, and holds them, so that they are not over before what is to come.
+hold_rows() {
+    waited=0
+    until [ -n "$(rows_on "$1")" ]; do
+        waited=$((waited + 1))
+        [ "$waited" -lt 1200 ] || fail "no row runs on $1: $(squeue) $(cat cluster/slurm/*.log)"
+        [ -n "$(squeue -h)" ] || fail "the study is done before a row runs on $1"
+        sleep 0.05
+    done
+    for process in $(rows_on "$1"); do kill -STOP "$process"; done
+}
+
+# For real, with a limit of a minute. n2 dies while it computes; the tasks of n1 are told of the limit by Slurm, which looks
+# every 30 s.
+"$study" slurm cluster --max 4 --row-time 60 --time-limit 1 >"$folder.submitted"
+hold_rows n1 &
+holding=$!
+hold_rows n2
+wait "$holding"
 kill_node n2
-# A task that is told of its time limit writes checkpoints and is queued again.
-task=$(squeue -h -r -t running -n rows -w n1 -o %A | head -n 1)
-[ -z "$task" ] || scancel --batch --signal=TERM "$task" || true
+held=$(rows_on n1)
+waited=0
+until grep -q 'asked to stop' cluster/slurm/rows-*.log; do
+    waited=$((waited + 1))
+    [ "$waited" -lt 450 ] || fail "no task is told of its time limit: $(squeue; tail -n 20 "$cluster/slurmctld.log")"
+    sleep 0.2
+done
+for process in $held; do kill -CONT "$process" 2>/dev/null || true; done
 waited=0
 while [ -n "$(squeue -h)" ]; do
     waited=$((waited + 1))
     [ "$waited" -lt 600 ] || fail "the study does not end: $(squeue; sinfo; tail -n 20 cluster/slurm/*.log)"
     # The dead node comes back after a while.
-    [ "$waited" -ne 20 ] || start_node n2
+    [ "$waited" -ne 5 ] || start_node n2
     [ $((waited % 10)) -ne 0 ] || end_requeue_delay
     sleep 0.2
 done
 grep -q 'Requeuing JobId' "$cluster/slurmctld.log" || fail "no task was queued again: $(tail -n 20 "$cluster/slurmctld.log")"
-grep -q 'due to node failure' "$cluster/slurmctld.log" ||
+grep -q 'due to node failure\|due to failure of node n2' "$cluster/slurmctld.log" ||
     fail "the death of n2 was not noticed: $(tail -n 30 "$cluster/slurmctld.log")"
+grep -q 'summary.json\] Error 75' cluster/slurm/rows-*.log || fail "no run wrote a checkpoint: $(cat cluster/slurm/rows-*.log)"
 "$study" collect cluster >"$folder.collected" || {
     "$study" slurm cluster --max 4 >/dev/null
     while [ -n "$(squeue -h)" ]; do sleep 0.2; done

@@ -25,19 +25,14 @@ std::vector<std::string> names_in(const std::string& text) {
 }  // namespace
 
 RunFrames::RunFrames(const std::filesystem::path& folder) {
-    const std::string of_contacts = ".joints.vtkhdf", extension = ".vtkhdf";
-    std::error_code error;
-    for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
-        const std::string file = entry.path().filename().string();
-        if (file.ends_with(extension) && !file.ends_with(of_contacts))
-            name_ = file.substr(0, file.size() - extension.size());
-    }
-    if (name_.empty())
+    const dda::FrameFiles files = dda::find_frame_files(folder);
+    if (files.name.empty())
         throw InputError({folder.string()}, "contains no NAME.vtkhdf", "the output folder of dda-run");
-    blocks_.emplace(folder / (name_ + extension));
+    name_ = files.name;
+    blocks_.emplace(files.blocks);
     times_ = blocks_->times();
-    if (!std::filesystem::exists(folder / (name_ + of_contacts))) return;
-    contacts_.emplace(folder / (name_ + of_contacts));
+    if (files.contacts.empty()) return;
+    contacts_.emplace(files.contacts);
     times_.resize(std::min(times_.size(), contacts_->times().size()));
 }
 

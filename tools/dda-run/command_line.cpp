@@ -35,6 +35,11 @@ po::options_description visible_options() {
         "for Makefiles: continue from a checkpoint of the same input where there is one; write the summary "
         "of "
         "a run that fails or is stopped to failed.json, so that summary.json is there only when all is done");
+    add("log", po::value<std::string>()->value_name("TITLE"),
+        "for the Makefiles of dda-study: print TITLE, and what the run prints into the file log of the "
+        "output "
+        "folder; of a run that does not end well its last line too. The file running names the process "
+        "meanwhile");
     add("threads", po::value<int>()->value_name("N"),
         "number of threads (default: all cores); results do not depend on it");
     add("depfile", po::value<std::string>()->value_name("FILE"),
@@ -90,6 +95,9 @@ CommandLine parse_command_line(int argc, const char* const* argv) {
     if (line.resume && line.make)
         throw InputError({"dda-run"}, "--resume and --make are both given",
                          "--make, which resumes what can be resumed");
+    if (values.count("log")) line.log_title = values["log"].as<std::string>();
+    if (line.log_title && line.action != CommandLine::Action::simulate)
+        throw InputError({"dda-run"}, "--log is given with --print-config", "one of them");
     line.pvd = values.count("pvd") > 0;
     return line;
 }

@@ -23,7 +23,8 @@ struct CommandLine {
     std::optional<std::filesystem::path> from;  ///< state saved at a stage's end, to begin with
     std::optional<std::string> until;           ///< name of the last stage to run; its end is saved
     bool resume = false;
-    bool make = false;  ///< resume what can be resumed; summary.json only when done
+    bool make = false;                     ///< resume what can be resumed; summary.json only when done
+    std::optional<std::string> log_title;  ///< printed before the run, which prints into its log
     bool pvd = false;
 };
 

@@ -5,6 +5,7 @@
 #include "command_line.hpp"
 #include "common/base/input_error.hpp"
 #include "dda/input/read_run.hpp"
+#include "run_log.hpp"
 #include "simulate.hpp"
 #include "support/parse_arguments.hpp"
 #ifdef __GLIBC__  // defined by any header of the C library
@@ -45,15 +46,11 @@ void disable_heap_trimming() {
 #endif
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+/// Does something; prints why it failed. @return the exit code.
+template <class Action>
+ExitCode reported(const Action& action) {
     try {
-        disable_heap_trimming();
-        if (const auto code = tool_support::print_requested_text(command_page(ROCKSLOPE_VERSION),
-                                                                 tool_support::arguments_of(argc, argv)))
-            return *code;
-        return act(parse_command_line(argc, argv));
+        return action();
     } catch (const InputError& error) {
         std::fprintf(stderr, "%s\n", error.what());
         return bad_input;
@@ -61,4 +58,25 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "%s\n", error.what());
         return analysis_failed;
     }
+}
+
+ExitCode run_program(int argc, char** argv) {
+    if (const auto code = tool_support::print_requested_text(command_page(ROCKSLOPE_VERSION),
+                                                             tool_support::arguments_of(argc, argv)))
+        return static_cast<ExitCode>(*code);
+    const CommandLine line = parse_command_line(argc, argv);
+    if (!line.log_title) return act(line);
+    const RunLog log(line.output, *line.log_title);
+    const ExitCode code = reported([&] { return act(line); });
+    log.finish(code);
+    return code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    return reported([&] {
+        disable_heap_trimming();
+        return run_program(argc, argv);
+    });
 }

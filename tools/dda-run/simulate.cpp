@@ -26,6 +26,7 @@
 #include "dda/monitor/point_motion.hpp"
 #include "dda/monitor/spring_resolution.hpp"
 #include "dda/results/block_table.hpp"
+#include "dda/results/read_summary.hpp"
 #include "dda/results/results.hpp"
 #include "dda/results/summary.hpp"
 #include "dda/terms/contact_damping.hpp"
@@ -94,6 +95,18 @@ std::optional<dda::Checkpoint> read_saved(const CommandLine& line, const dda::Ru
     return dda::read_saved_state(*line.from, input.fingerprint, static_cast<int>(input.stages.size()));
 }
 
+/// For Make: where the run that should have saved the state for --from has collapsed before, this one has
+/// collapsed with it, and takes over its summary. @return whether that is so.
+bool has_collapsed_before(const CommandLine& line) {
+    if (!line.make || !line.from || fs::exists(*line.from)) return false;
+    const fs::path summary = line.from->parent_path() / "summary.json";
+    if (!fs::exists(summary) || dda::read_status(summary) != "collapsed") return false;
+    make_output_folder(line.output);
+    write_file_atomically(line.output / "summary.json", read_text_file(summary));
+    std::fprintf(stderr, "dda-run: has collapsed with the run in %s\n", line.from->parent_path().c_str());
+    return true;
+}
+
 /// The file that --from names, with the digest of its bytes.
 std::optional<InputFile> saved_file(const CommandLine& line) {
     if (!line.from) return std::nullopt;
@@ -105,6 +118,7 @@ dda::Provenance provenance_of(const CommandLine& line, const dda::RunInput& inpu
     return {.version = version,
             .commit = tool_support::commit(),
             .inputs = input.digests,
+            .fingerprint = sha256(input.fingerprint),
             .overrides = line.overrides,
             .saved_state = saved_file(line),
             .threads = line.threads,
@@ -398,6 +412,7 @@ void write_summary_files(const CommandLine& line, const dda::RunOutcome& outcome
 
 ExitCode simulate(const CommandLine& line, const std::string& version) {
     install_signal_handlers();
+    if (has_collapsed_before(line)) return done;
     const dda::RunInput input = dda::read_run(line.run_file, {line.overrides, line.blocks, line.output});
     check_outputs(line, input);
     const std::optional<dda::Checkpoint> saved = read_saved(line, input);

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "command_options.hpp"
+#include "common/base/command_text.hpp"
 #include "common/base/output_check.hpp"
 #include "study/folder/study_folder.hpp"
 #include "study_commands.hpp"
@@ -27,6 +28,11 @@ std::size_t different_rows(const study::PlannedStudy& planned) {
     return static_cast<std::size_t>(std::unique(addresses.begin(), addresses.end()) - addresses.begin());
 }
 
+/// "1 row", "2 rows".
+std::string counted(std::size_t count, const std::string& what) {
+    return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
 }  // namespace
 
 int run_make(const std::vector<std::string>& arguments) {
@@ -47,14 +53,15 @@ int run_make(const std::vector<std::string>& arguments) {
     const fs::path place = fs::canonical(folder);
     const study::PlannedStudy planned = study::plan_study(plan, place);
     study::write_study_folder(planned, place, {program_folder()});
-    std::printf("%s: %zu rows", line.required("output", "").c_str(), planned.rows.size());
+    const std::string shown = line.required("output", "");
+    std::printf("%s: %s", shown.c_str(), counted(planned.rows.size(), "row").c_str());
     if (const std::size_t different = different_rows(planned); different < planned.rows.size())
         std::printf(", %zu of them different", different);
-    if (!plan.slope.empty()) std::printf(", of %zu cuts", planned.cuts.size());
+    if (!plan.slope.empty()) std::printf(", of %s", counted(planned.cuts.size(), "cut").c_str());
     if (planned.branch_stages > 0)
-        std::printf(", from %zu states at the end of stage '%s'", planned.starts.size(),
+        std::printf(", from %s at the end of stage '%s'", counted(planned.starts.size(), "state").c_str(),
                     planned.last_start_stage.c_str());
-    std::printf("; make -C %s -j computes them\n", line.required("output", "").c_str());
+    std::printf("; make -C %s -j computes them\n", shell_quoted(shown).c_str());
     return study_done;
 }
 

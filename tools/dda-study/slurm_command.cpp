@@ -2,7 +2,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
+#include <map>
 #include <set>
 
 #include "blockgen/mesh/block_file.hpp"
@@ -98,18 +98,38 @@ study::SlurmOptions options_of(const CommandOptions& line, const fs::path& folde
 /// The targets of the rows that are not done, and of what they share and is not there.
 struct Targets {
     std::vector<std::string> shared, rows;
+    std::size_t row_count = 0;  ///< rows that the targets compute
 };
+
+/// Of an incremental study, the rows that are the last of their series: make computes those of smaller
+/// intensities before them, so that no two tasks compute the same row.
+std::set<std::size_t> last_of_series(const study::StudyRows& rows) {
+    const std::size_t block = *rows.runs.find(study::block_column),
+                      replicate = *rows.runs.find(study::replicate_column);
+    std::map<std::pair<std::string, std::string>, std::size_t> last;
+    for (std::size_t k = 0; k < rows.results.size(); ++k)
+        if (!study::is_done(rows.results[k].state))
+            last[{rows.runs.rows[k][block], rows.runs.rows[k][replicate]}] = k;
+    std::set<std::size_t> rows_asked;
+    for (const auto& [series, row] : last) rows_asked.insert(row);
+    return rows_asked;
+}
 
 Targets targets_of(const fs::path& folder, const study::StudyRows& rows) {
     const std::size_t address = *rows.runs.find(study::address_column),
                       start = *rows.runs.find(study::start_column), cut = *rows.runs.find(study::cut_column);
     Targets targets;
     std::set<std::string> known;
+    const bool is_incremental = rows.plan.design.kind == study::DesignKind::incremental;
+    const std::set<std::size_t> last = is_incremental ? last_of_series(rows) : std::set<std::size_t>{};
     for (std::size_t k = 0; k < rows.results.size(); ++k) {
         if (study::is_done(rows.results[k].state)) continue;
         const std::vector<std::string>& run = rows.runs.rows[k];
-        if (known.insert(run[address]).second)
-            targets.rows.push_back("results/" + run[address] + "/summary.json");
+        if (known.insert(run[address]).second) {
+            ++targets.row_count;
+            if (!is_incremental || last.contains(k))
+                targets.rows.push_back("results/" + run[address] + "/summary.json");
+        }
         const std::string shared = !run[start].empty() ? study::start_target(folder, run[start])
                                    : !run[cut].empty() ? "cuts/" + run[cut] + ".blocks"
                                                        : "";
@@ -142,21 +162,22 @@ int run_slurm(const std::vector<std::string>& arguments) {
     add_slurm_options(line);
     if (!line.parse(arguments)) return study_done;
     const fs::path folder = fs::absolute(line.argument("the folder of the study")).lexically_normal();
-    const study::StudyRows rows = study::read_study(folder);
-    const study::SlurmOptions options = options_of(line, folder, rows);
+    const study::StudyRows rows = study::read_study(folder, study::Reading::states);
+    study::SlurmOptions options = options_of(line, folder, rows);
     const Targets targets = targets_of(folder, rows);
     if (targets.rows.empty()) {
         std::printf("all %zu rows are done\n", rows.results.size());
         return study_done;
     }
-    const study::Batches shared = study::make_batches(targets.shared, options),
-                         batches = study::make_batches(targets.rows, options);
+    const study::Batches shared = study::make_batches(targets.shared, options);
+    options.row_time *= static_cast<double>(targets.row_count) / static_cast<double>(targets.rows.size());
+    const study::Batches batches = study::make_batches(targets.rows, options);
     write_lists(folder / "slurm" / "shared", shared);
     write_lists(folder / "slurm" / "rows", batches);
     write_file_atomically(folder / "slurm" / "job.sh", study::job_script(options));
     write_file_atomically(folder / "slurm" / "submit.sh",
                           study::submit_script(folder, options, shared.size(), batches.size()));
-    std::printf("%zu rows in %zu tasks, %zu shared results in %zu; %d thread%s a row\n", targets.rows.size(),
+    std::printf("%zu rows in %zu tasks, %zu shared results in %zu; %d thread%s a row\n", targets.row_count,
                 batches.size(), targets.shared.size(), shared.size(), options.threads,
                 options.threads == 1 ? "" : "s");
     std::fflush(stdout);

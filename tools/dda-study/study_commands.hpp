@@ -34,6 +34,8 @@ int run_fragility(const std::vector<std::string>& arguments);
 int run_sensitivity(const std::vector<std::string>& arguments);
 /// `dda-study slurm`: submits a study to a Slurm cluster.
 int run_slurm(const std::vector<std::string>& arguments);
+/// `dda-study profile`: the surface of a slope at the end of a run.
+int run_profile(const std::vector<std::string>& arguments);
 /// `dda-study report`: writes a report as a page of HTML.
 int run_report(const std::vector<std::string>& arguments);
 /// `dda-study skip`: for the Makefile of an incremental study.

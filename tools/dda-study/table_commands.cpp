@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <cstdio>
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "command_options.hpp"
 #include "common/base/atomic_file.hpp"
 #include "common/base/input_error.hpp"
 #include "study/folder/study_folder.hpp"
+#include "study/table/profiles.hpp"
 #include "study/table/sqlite_file.hpp"
 #include "study/table/study_table.hpp"
 #include "study_commands.hpp"
@@ -115,6 +115,16 @@ std::string commits_text(const study::StudyRows& rows) {
     return text;
 }
 
+/// Says so where rows were computed from other files than there are now.
+std::string outdated_text(const std::vector<study::OutdatedRow>& outdated) {
+    if (outdated.empty()) return "";
+    const study::OutdatedRow& first = outdated.front();
+    return std::to_string(outdated.size()) + (outdated.size() == 1 ? " row was" : " rows were") +
+           " computed from other input than there is now; the first is " + first.row + ", for changes in " +
+           first.files + ". make computes them; where it finds nothing to do, remove results/" +
+           first.address + "\n";
+}
+
 int exit_code_of(const study::StudyRows& rows) {
     return count_done(rows) == rows.results.size() ? study_done : rows_failed;
 }
@@ -128,7 +138,8 @@ int run_status(const std::vector<std::string>& arguments) {
         "Exit code 0 when all rows are done, 1 otherwise.");
     line.options().add_options()("failures", "print only what is wrong: for the study's Makefile");
     if (!line.parse(arguments)) return study_done;
-    const study::StudyRows rows = study::read_study(line.argument("the folder of the study"));
+    const study::StudyRows rows =
+        study::read_study(line.argument("the folder of the study"), study::Reading::states);
     const int code = exit_code_of(rows);
     if (line.has("failures") && code == study_done) {
         std::printf("%s\n", counts_text(rows).c_str());
@@ -141,44 +152,38 @@ int run_status(const std::vector<std::string>& arguments) {
 }
 
 int run_collect(const std::vector<std::string>& arguments) {
-    CommandOptions line(
-        "collect STUDY [options]",
-        "Writes STUDY/results.csv, one row a run, and STUDY/results.sqlite with the same table.");
+    CommandOptions line("collect STUDY [options]",
+                        "Writes STUDY/results.csv, one row a run, and STUDY/results.sqlite with the same "
+                        "table; with [profile] in the "
+                        "plan also the\nprofile of each row, STUDY/runs/NUMBER/profile.csv, and all of them "
+                        "as STUDY/profiles.csv.");
     if (!line.parse(arguments)) return study_done;
     const fs::path folder = line.argument("the folder of the study");
-    const study::StudyRows rows = study::read_study(folder);
+    study::StudyRows rows = study::read_study(folder);
+    const std::vector<study::OutdatedRow> outdated = study::mark_outdated(folder, rows);
     const study::TextTable table = study::results_table(rows);
+    const study::TextTable profiles = study::write_profiles(folder, rows);
     write_file_atomically(folder / "results.csv", study::csv_text(table));
-    study::write_sqlite(folder / "results.sqlite", "results", table);
-    std::printf("%s\n%s%s", counts_text(rows).c_str(), failures_text(rows).c_str(),
-                commits_text(rows).c_str());
-    return exit_code_of(rows);
+    std::vector<study::NamedTable> tables = {{"results", table}};
+    if (!profiles.heading.empty()) {
+        write_file_atomically(folder / "profiles.csv", study::csv_text(profiles));
+        tables.push_back({"profiles", profiles});
+    }
+    study::write_sqlite(folder / "results.sqlite", tables);
+    std::printf("%s\n%s%s%s", counts_text(rows).c_str(), failures_text(rows).c_str(),
+                commits_text(rows).c_str(), outdated_text(outdated).c_str());
+    return outdated.empty() ? exit_code_of(rows) : rows_failed;
 }
 
 int run_skip(const std::vector<std::string>& arguments) {
-    CommandOptions line(
-        "skip STUDY PREVIOUS/summary.json SUMMARY.json",
-        "For the Makefile of an incremental study: writes SUMMARY.json, with the status \"not needed\", if "
-        "the row of the next\nsmaller intensity has failed. Exit code 1 if not: the row is to be computed.");
+    CommandOptions line("skip STUDY ROW",
+                        "For the Makefile of an incremental study: exit code 0 if the row of this number is "
+                        "not needed, for one of "
+                        "a smaller\nintensity has failed; 1 if it is to be computed.");
     if (!line.parse(arguments)) return study_done;
     const std::vector<std::string> words = line.arguments();
-    if (words.size() != 3)
-        throw InputError({"dda-study skip"}, "there are not three arguments", "STUDY PREVIOUS SUMMARY");
-    const study::Plan plan = study::read_plan(study::plan_of(words[0]));
-    const study::RowResult previous =
-        study::read_row({fs::path(words[1]).parent_path(), {}, {}}, plan.measures);
-    bool has_failed = previous.state == RowState::collapsed || previous.state == RowState::not_needed;
-    for (std::size_t k = 0; k < plan.measures.size(); ++k)
-        if (plan.measures[k].name == plan.design.measure && previous.measures[k])
-            has_failed = has_failed || *previous.measures[k] > plan.design.limit;
-    if (!has_failed) return rows_failed;
-    const nlohmann::ordered_json summary = {
-        {"status", "not needed"},
-        {"message",
-         "the row of the next smaller intensity is beyond the limit of '" + plan.design.measure + "'"}};
-    fs::create_directories(fs::path(words[2]).parent_path());
-    write_file_atomically(words[2], summary.dump(2) + "\n");
-    return study_done;
+    if (words.size() != 2) throw InputError({"dda-study skip"}, "there are not two arguments", "STUDY ROW");
+    return study::is_row_needed(words[0], words[1]) ? rows_failed : study_done;
 }
 
 const std::vector<StudyCommand>& study_commands() {
@@ -190,6 +195,7 @@ const std::vector<StudyCommand>& study_commands() {
         {"fragility", "the probability of failure against an intensity, with its band", run_fragility},
         {"sensitivity", "what a measure depends on: Sobol' indices, effects, a tornado, spreads",
          run_sensitivity},
+        {"profile", "the surface of a slope at the end of a run, over stations of x", run_profile},
         {"report", "a page of HTML with all of it", run_report},
         {"skip", "for the Makefile of an incremental study", run_skip}};
     return commands;

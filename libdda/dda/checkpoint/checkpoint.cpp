@@ -58,6 +58,16 @@ std::vector<RegionPeaks> regions_of(const std::vector<double>& values) {
     return regions;
 }
 
+std::vector<double> farthest_values(const std::optional<FarthestBlock>& farthest) {
+    if (!farthest) return {};
+    return {static_cast<double>(farthest->block.value()), farthest->displacement, farthest->time};
+}
+
+std::optional<FarthestBlock> farthest_of(const std::vector<double>& values) {
+    if (values.size() < 3) return std::nullopt;
+    return FarthestBlock{static_cast<int>(values[0]), values[1], values[2]};
+}
+
 std::vector<double> slip_values(const std::vector<FirstSlip>& slips) {
     std::vector<double> values;
     for (const FirstSlip& s : slips)
@@ -189,6 +199,7 @@ std::string digest_of(const Checkpoint& checkpoint, const StateArchive& state) {
     append_bytes(text, reals_of(checkpoint.results));
     append_bytes(text, peak_values(checkpoint.results.peaks));
     append_bytes(text, region_values(checkpoint.results.regions));
+    append_bytes(text, farthest_values(checkpoint.results.farthest));
     append_bytes(text, trial_values(checkpoint.results.trials));
     append_bytes(text, slip_values(checkpoint.results.first_slips));
     append_bytes(text, plane_values(checkpoint.results.planes));
@@ -204,6 +215,7 @@ void write_results_state(HdfFile& file, const ResultsState& results) {
     store(file, "/figures", reals_of(results));
     store(file, "/peaks", peak_values(results.peaks));
     store(file, "/regions", region_values(results.regions));
+    store(file, "/farthest", farthest_values(results.farthest));
     store(file, "/trials", trial_values(results.trials));
     store(file, "/first_slips", slip_values(results.first_slips));
     store(file, "/planes", plane_values(results.planes));
@@ -227,6 +239,7 @@ ResultsState read_results_state(const HdfFile& file) {
     results.remaining_dilation = figures[1];
     results.peaks = peaks_of(file.read_all<double>("/peaks"));
     results.regions = regions_of(file.read_all<double>("/regions"));
+    results.farthest = farthest_of(file.read_all<double>("/farthest"));
     results.trials = trials_of(file.read_all<double>("/trials"));
     results.first_slips = slips_of(file.read_all<double>("/first_slips"));
     results.planes = planes_of(file.read_all<double>("/planes"));

@@ -9,6 +9,7 @@
 #include "dda/analysis/state.hpp"
 #include "dda/monitor/blocks_on_planes.hpp"
 #include "dda/monitor/close_reversals.hpp"
+#include "dda/monitor/farthest_block.hpp"
 #include "dda/monitor/first_slips.hpp"
 #include "dda/monitor/left_moving.hpp"
 #include "dda/monitor/low_pass.hpp"
@@ -33,16 +34,17 @@ inline constexpr double smooth_corner = 25;
 /// State of the results other than the files. It is stored in checkpoints, so that a resumed run writes
 /// frames and rows at the same times.
 struct ResultsState {
-    int stage = 0;                        ///< index of the running stage
-    std::int64_t next_frame = 1;          ///< number of the next frame due, from the stage's start
-    std::int64_t next_history = 1;        ///< number of the next history row due, from the stage's start
-    std::int64_t last_frame_step = -1;    ///< step count of the last frame
-    std::int64_t last_history_step = -1;  ///< step count of the last history row
-    std::int64_t fallbacks = 0;           ///< sum of StepReport::fallbacks so far
-    double wall_time = 0;                 ///< s, of this and the earlier parts of the run
-    double remaining_dilation = 0;        ///< m, largest of StepReport::remaining_dilation so far
-    std::vector<Peaks> peaks;             ///< per tracked point
-    std::vector<RegionPeaks> regions;     ///< per measured region
+    int stage = 0;                          ///< index of the running stage
+    std::int64_t next_frame = 1;            ///< number of the next frame due, from the stage's start
+    std::int64_t next_history = 1;          ///< number of the next history row due, from the stage's start
+    std::int64_t last_frame_step = -1;      ///< step count of the last frame
+    std::int64_t last_history_step = -1;    ///< step count of the last history row
+    std::int64_t fallbacks = 0;             ///< sum of StepReport::fallbacks so far
+    double wall_time = 0;                   ///< s, of this and the earlier parts of the run
+    double remaining_dilation = 0;          ///< m, largest of StepReport::remaining_dilation so far
+    std::vector<Peaks> peaks;               ///< per tracked point
+    std::vector<RegionPeaks> regions;       ///< per measured region
+    std::optional<FarthestBlock> farthest;  ///< at its peak
     std::vector<ReductionTrial> trials;   ///< of the strength reduction, in the order in which they were made
     PerBlock<FirstSlip> first_slips;      ///< per block
     std::vector<BlockOnPlane> planes;     ///< found after the first dynamic step

@@ -35,6 +35,14 @@ void check_size(const fs::path& file, std::int64_t bytes) {
         fail(file, "it has " + std::to_string(size) + " bytes, the checkpoint " + std::to_string(bytes));
 }
 
+void check_frame_files(const fs::path& list, std::int64_t count) {
+    for (std::int64_t k = 0; k < count; ++k) {
+        const fs::path file = list.parent_path() / frame_file_name(list.stem().string(), k);
+        std::error_code error;
+        if (!fs::is_regular_file(file, error)) fail(file, "it is not there");
+    }
+}
+
 }  // namespace
 
 std::string result_file(const WriterEntry& entry, const std::string& stem) {
@@ -60,6 +68,7 @@ void check_resumable(const Checkpoint& checkpoint, const WriterContext& context)
         if (!was_written) continue;
         if (entry.unit == PositionUnit::frames) check_frames(file, position->second);
         if (entry.unit == PositionUnit::bytes) check_size(file, position->second);
+        if (entry.unit == PositionUnit::files) check_frame_files(file, position->second);
     }
 }
 

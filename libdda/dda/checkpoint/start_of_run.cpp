@@ -58,6 +58,18 @@ std::string difference(const Section& section, const std::string& line, const st
            ", the saved run has " + (saved.empty() ? "one line less" : "'" + saved + "'");
 }
 
+/// The files of a writer up to a position. The list of frames that are files of their own is left out: the
+/// next frame writes it again.
+std::vector<std::string> files_up_to(const WriterEntry& entry, const std::string& name,
+                                     std::int64_t position) {
+    const std::string file = result_file(entry, name);
+    if (entry.unit != PositionUnit::files) return {file};
+    std::vector<std::string> files;
+    for (std::int64_t k = 0; k < position; ++k)
+        files.push_back(frame_file_name(fs::path(file).stem().string(), k));
+    return files;
+}
+
 }  // namespace
 
 std::string start_of_run(const std::string& fingerprint, int stages) {
@@ -114,16 +126,22 @@ std::string saved_state_name(int stage) {
 
 void copy_earlier_results(const fs::path& from, const WriterContext& context, Checkpoint& saved) {
     for (const WriterEntry& entry : writer_table()) {
-        if (!saved.positions.contains(entry.name)) continue;
-        const std::string file = result_file(entry, context.name);
-        std::error_code error;
-        const bool is_there = fs::is_regular_file(from / file, error);
-        if (!is_there || entry.unit == PositionUnit::none || !entry.is_enabled(context)) {
-            saved.positions.erase(entry.name);
+        const auto position = saved.positions.find(entry.name);
+        if (position == saved.positions.end()) continue;
+        const std::vector<std::string> files = files_up_to(entry, context.name, position->second);
+        const bool are_there = std::all_of(files.begin(), files.end(), [&](const std::string& file) {
+            std::error_code error;
+            return fs::is_regular_file(from / file, error);
+        });
+        if (!are_there || !entry.is_enabled(context)) {
+            saved.positions.erase(position);
             continue;
         }
-        fs::copy_file(from / file, context.folder / file, fs::copy_options::overwrite_existing, error);
-        if (error) throw OutputError(context.folder / file, "cannot be written: " + error.message());
+        for (const std::string& file : files) {
+            std::error_code error;
+            fs::copy_file(from / file, context.folder / file, fs::copy_options::overwrite_existing, error);
+            if (error) throw OutputError(context.folder / file, "cannot be written: " + error.message());
+        }
     }
 }
 

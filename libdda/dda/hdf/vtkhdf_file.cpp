@@ -290,4 +290,19 @@ GridFrame VtkHdfReader::frame(std::int64_t index, const std::vector<std::string>
     return frame;
 }
 
+FrameFiles find_frame_files(const std::filesystem::path& folder) {
+    const std::string of_contacts = ".joints.vtkhdf", extension = ".vtkhdf";
+    FrameFiles files;
+    std::error_code error;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+        const std::string file = entry.path().filename().string();
+        if (!file.ends_with(extension) || file.ends_with(of_contacts)) continue;
+        files.name = file.substr(0, file.size() - extension.size());
+        files.blocks = entry.path();
+    }
+    const std::filesystem::path contacts = folder / (files.name + of_contacts);
+    if (!files.name.empty() && std::filesystem::exists(contacts)) files.contacts = contacts;
+    return files;
+}
+
 }  // namespace rockslope::dda

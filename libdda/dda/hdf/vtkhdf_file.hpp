@@ -127,4 +127,13 @@ class VtkHdfReader {
     std::vector<std::string> names_;
 };
 
+/// The frames of the blocks in a folder of results, NAME.vtkhdf, and those of the contacts,
+/// NAME.joints.vtkhdf. Each is empty where there is none.
+struct FrameFiles {
+    std::string name;
+    std::filesystem::path blocks, contacts;
+};
+/// Looks for the files of frames in a folder of results.
+FrameFiles find_frame_files(const std::filesystem::path& folder);
+
 }  // namespace rockslope::dda

@@ -25,6 +25,12 @@ SummaryJson read_json(const std::filesystem::path& summary) {
 
 }  // namespace
 
+std::string read_status(const std::filesystem::path& summary) {
+    const SummaryJson json = read_json(summary);
+    if (!json.at("status").is_string()) throw invalid_summary(summary);
+    return json.at("status").get<std::string>();
+}
+
 std::optional<double> read_factor_of_safety(const std::filesystem::path& summary) {
     const SummaryJson json = read_json(summary);
     if (!json.contains("factor_of_safety")) return std::nullopt;

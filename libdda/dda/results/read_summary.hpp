@@ -20,6 +20,10 @@ struct WorstContact {
 /// or is not a summary of dda-run.
 std::optional<WorstContact> read_worst_contact(const std::filesystem::path& summary);
 
+/// How the run of a summary.json ended: "completed", "collapsed", ... @throws InputError if the file cannot
+/// be read or is not a summary of dda-run.
+std::string read_status(const std::filesystem::path& summary);
+
 /// The factor of safety of a strength reduction in a summary.json: the geometric mean of the largest factor
 /// that stood and the smallest that failed; nothing where there is not one of each. @throws InputError if the
 /// file cannot be read or is not a summary of dda-run.

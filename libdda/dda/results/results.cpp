@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "dda/checkpoint/start_of_run.hpp"
+#include "dda/monitor/farthest_block.hpp"
 
 namespace rockslope::dda {
 
@@ -116,6 +117,9 @@ void Results::update_peaks(const State& state, double step) {
     }
     for (std::size_t i = 0; i < model_.measured_regions.size(); ++i)
         progress_.regions[i].add(displacement_of(state, model_.measured_regions[i], from), state.time);
+    const auto farthest = farthest_block(model_, state, from);
+    if (farthest && (!progress_.farthest || farthest->displacement > progress_.farthest->displacement))
+        progress_.farthest = farthest;
 }
 
 /// Finds the blocks on planes after the first dynamic step, since before it there may be no contacts, and

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "dda/analysis/energy_watch.hpp"
+#include "dda/monitor/farthest_block.hpp"
 #include "dda/monitor/motion_measures.hpp"
 #include "dda/monitor/spring_resolution.hpp"
 #include "dda/results/block_table.hpp"
@@ -93,20 +94,21 @@ Json regions_json(const Results& results, const Model& model, const State& state
     return regions;
 }
 
-Json farthest_block(const Model& model, const State& state) {
-    BlockIndex farthest;
-    double distance = -1;
-    for (const BlockIndex block : model.blocks()) {
-        const Vec2 moved = state.blocks.centroid(block) - state.centroid_origin[block];
-        if (model.motion[block] != Motion::free || !state.is_present(block) || moved.norm() <= distance)
-            continue;
-        distance = moved.norm();
-        farthest = block;
-    }
-    if (distance < 0) return nullptr;
-    return {{"block", farthest.value()},
-            {"displacement", distance},
-            {"centroid", pair(state.blocks.centroid(farthest))}};
+/// The block that is farthest at the end, and the one that was at the peak of the dynamic stages.
+Json farthest_json(const Results& results, const Model& model, const State& state) {
+    const Vec2 from = results.reference()
+                          ? motion_of(model, state, results.points()[*results.reference()]).displacement
+                          : Vec2(Vec2::Zero());
+    const auto farthest = farthest_block(model, state, from);
+    if (!farthest) return nullptr;
+    Json json = {{"block", farthest->block.value()},
+                 {"displacement", farthest->displacement},
+                 {"centroid", pair(state.blocks.centroid(farthest->block) + model.origin)}};
+    if (const auto& peak = results.state().farthest)
+        json.update({{"peak_block", peak->block.value()},
+                     {"peak_displacement", peak->displacement},
+                     {"peak_displacement_time", peak->time}});
+    return json;
 }
 
 Json contact_counts(const State& state) {
@@ -286,6 +288,7 @@ void add_provenance(const Provenance& provenance, Json& json) {
     json["commit"] = provenance.commit;
     json["kernel"] = provenance.kernel;
     json["threads"] = provenance.threads;
+    json["fingerprint"] = provenance.fingerprint;
     json["overrides"] = provenance.overrides;
     if (provenance.saved_state)
         json["saved_state"] = {{"file", provenance.saved_state->path.string()},
@@ -323,7 +326,7 @@ std::string summary_text(const Model& model, const std::vector<Stage>& stages, c
     json["contacts"] = contact_counts(state);
     json["fallbacks"] = results.state().fallbacks;
     json["largest_dilation_left"] = results.state().remaining_dilation;
-    json["farthest_block"] = farthest_block(model, state);
+    json["farthest_block"] = farthest_json(results, model, state);
     if (results.reference()) json["reference"] = results.points()[*results.reference()].name;
     json["points"] = peaks_json(results, model, state);
     if (!model.measured_regions.empty()) json["regions"] = regions_json(results, model, state);

@@ -15,6 +15,7 @@ struct Provenance {
     std::string version;                        ///< of the program
     std::string commit = {};                    ///< of its sources
     std::vector<InputFile> inputs = {};         ///< as they were read
+    std::string fingerprint = {};               ///< digest of all that the results depend on
     std::vector<std::string> overrides = {};    ///< of the command line, key=value
     std::optional<InputFile> saved_state = {};  ///< that the run began with
     int threads = 1;

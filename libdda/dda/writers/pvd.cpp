@@ -84,20 +84,19 @@ class Pvd : public ResultWriter {
                         throw OutputError(folder_ / (stem_ + ".pvd"),
                                           "a value at t = " + shortest_text(state.time) +
                                               " s is not finite; the frame is not written");
-        write_file_atomically(folder_ / frame_name(times_.size()), vtu_text(frame, layout_));
+        write_file_atomically(folder_ / frame_file_name(stem_, position()), vtu_text(frame, layout_));
         times_.push_back(state.time);
         write_file_atomically(folder_ / (stem_ + ".pvd"), list_text());
     }
     std::int64_t position() const override { return static_cast<std::int64_t>(times_.size()); }
 
   private:
-    std::string frame_name(std::size_t index) const { return stem_ + "." + std::to_string(index) + ".vtu"; }
     std::string list_text() const {
         std::string text =
             "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n";
         for (std::size_t k = 0; k < times_.size(); ++k)
-            text +=
-                "<DataSet timestep=\"" + shortest_text(times_[k]) + "\" file=\"" + frame_name(k) + "\"/>\n";
+            text += "<DataSet timestep=\"" + shortest_text(times_[k]) + "\" file=\"" +
+                    frame_file_name(stem_, static_cast<std::int64_t>(k)) + "\"/>\n";
         return text + "</Collection>\n</VTKFile>\n";
     }
 
@@ -107,6 +106,14 @@ class Pvd : public ResultWriter {
     FrameOf frame_of_;
     std::vector<double> times_;
 };
+
+}  // namespace
+
+std::string frame_file_name(const std::string& stem, std::int64_t index) {
+    return stem + "." + std::to_string(index) + ".vtu";
+}
+
+namespace {
 
 bool is_asked_for(const WriterContext& context) {
     return context.pvd;
@@ -127,11 +134,11 @@ std::unique_ptr<ResultWriter> make_joint_pvd(const WriterContext& context) {
 }  // namespace
 
 WriterEntry pvd() {
-    return {"pvd", "*.pvd", PositionUnit::none, is_asked_for, make_block_pvd};
+    return {"pvd", "*.pvd", PositionUnit::files, is_asked_for, make_block_pvd};
 }
 
 WriterEntry joints_pvd() {
-    return {"joints_pvd", "*.joints.pvd", PositionUnit::none,
+    return {"joints_pvd", "*.joints.pvd", PositionUnit::files,
             [](const WriterContext& context) { return context.pvd && context.joint_frames; }, make_joint_pvd};
 }
 

@@ -53,7 +53,7 @@ class ResultWriter {
 enum class PositionUnit {
     frames,  ///< of a VTKHDF file
     bytes,   ///< of a table
-    none     ///< not checked against the file
+    files    ///< STEM.K.vtu, one for each frame, beside a list STEM.pvd
 };
 
 /// An entry of the writer table. A new output is one file that defines its entry and one line in
@@ -65,6 +65,9 @@ struct WriterEntry {
     bool (*is_enabled)(const WriterContext& context);  ///< whether this run has the output
     std::unique_ptr<ResultWriter> (*make)(const WriterContext& context);
 };
+/// The file of a frame of a writer whose unit is `files`: "STEM.3.vtu".
+std::string frame_file_name(const std::string& stem, std::int64_t index);
+
 /// All writers, in the order of writer_list.def, in which they are called.
 const std::vector<WriterEntry>& writer_table();
 

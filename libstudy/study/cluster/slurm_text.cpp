@@ -15,8 +15,12 @@ constexpr double most_batches = 1000;
 constexpr double minute = 60;
 /// Time between the signal and the limit, for checkpoints, s.
 constexpr int warning_time = 60;
-/// Numbers of blocks from which two and four threads shorten a row by more than they cost its neighbours.
-constexpr int blocks_for_two_threads = 2000, blocks_for_four_threads = 20000;
+/// Number of blocks from which a row has two threads. They take 0.65, 0.69 and 0.62 of the time of one at 1
+/// 041, 10 051 and 100 015 blocks (docs/design/performance.md), so that rows beside each other on one thread
+/// each get done 1.2 to 1.4 times as fast at every size. A row of ten thousand blocks lasts hours on one
+/// thread, and a task should not: that is when the time of a single row counts. More threads were not
+/// measured.
+constexpr int blocks_for_two_threads = 10'000;
 
 std::string numbered(const char* format, std::size_t number) {
     char text[32];
@@ -42,8 +46,7 @@ Batches make_batches(const std::vector<std::string>& targets, const SlurmOptions
 }
 
 int threads_for(int blocks) {
-    if (blocks < blocks_for_two_threads) return 1;
-    return blocks < blocks_for_four_threads ? 2 : 4;
+    return blocks < blocks_for_two_threads ? 1 : 2;
 }
 
 std::string job_script(const SlurmOptions& options) {
@@ -54,7 +57,8 @@ std::string job_script(const SlurmOptions& options) {
            "set -u\n"
            "list=slurm/$1/$(printf '%06d' \"$SLURM_ARRAY_TASK_ID\")\n"
            "stop() {\n"
-           "    # Runs write their checkpoints; make waits for them.\n"
+           "    # Runs write their checkpoints, and end with code 75; make waits for them.\n"
+           "    echo \"$(date '+%F %T') asked to stop: runs write checkpoints, the task is queued again\"\n"
            "    kill -TERM \"$make\" 2>/dev/null\n"
            "    wait \"$make\"\n"
            "    scontrol requeue \"$SLURM_JOB_ID\"\n"

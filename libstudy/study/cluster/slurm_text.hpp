@@ -24,8 +24,8 @@ using Batches = std::vector<std::vector<std::string>>;
 /// batches than an array has in Slurm's usual configuration.
 Batches make_batches(const std::vector<std::string>& targets, const SlurmOptions& options);
 
-/// Threads for a row of this number of blocks: one for small models, of which several run beside each other;
-/// more where one alone takes long.
+/// Threads for a row of this number of blocks: one, since rows beside each other use processors better than
+/// threads do; two from ten thousand blocks on, where a single row lasts hours.
 int threads_for(int blocks);
 
 /// The script of a task: make computes the targets of its list. On SIGTERM, which Slurm sends a minute before

@@ -2,6 +2,7 @@
 
 #include "common/base/input_error.hpp"
 #include "common/base/read_file.hpp"
+#include "common/base/text.hpp"
 
 namespace rockslope::study {
 
@@ -97,6 +98,10 @@ TextTable read_csv(const std::filesystem::path& file) {
         table.rows.push_back(std::move(record));
     }
     return table;
+}
+
+std::string number_field(const std::optional<double>& value) {
+    return value ? shortest_text(*value) : "";
 }
 
 std::string csv_text(const TextTable& table) {

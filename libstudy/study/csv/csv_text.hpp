@@ -21,6 +21,9 @@ struct TextTable {
 /// quote, or with a row of another length.
 TextTable read_csv(const std::filesystem::path& file);
 
+/// A number as a field of a table, the shortest text that reads back the same; nothing: an empty field.
+std::string number_field(const std::optional<double>& value);
+
 /// The CSV text of a table; fields with commas, quotes or line breaks are quoted.
 std::string csv_text(const TextTable& table);
 

@@ -27,10 +27,10 @@ const char* const head =
 # An address is the hash of all that a result depends on: what is there under its address is never computed again.
 )make";
 
-/// The recipes. A run notes the process that computes it, so that dda-study status knows which are running,
-/// and empties the note; its log has what it printed. A run is in the background of its shell, so that a
-/// SIGTERM to make reaches it, as a SIGHUP: it writes its checkpoint. A start is computed by one process at a
-/// time, also on several machines. A row whose start has collapsed has collapsed with it.
+/// The recipes. That of a row has no character of the shell outside single quotes, so that make starts the
+/// run itself: a shell would cost a millisecond and more for each row. A start is computed by one process at
+/// a time, also on several machines. An incremental row waits for that of the next smaller intensity, and is
+/// computed unless that one, or one before it, has failed; its age does not matter.
 const char* const recipes = R"make(
 .SUFFIXES:
 .PHONY: all rows
@@ -40,18 +40,13 @@ all:
 	-@+$(MAKE) -k rows
 	@$(DDA_STUDY) status . --failures
 
-note = [ -d $(@D) ] || mkdir -p $(@D); { read -r host </proc/sys/kernel/hostname && echo "$$host $$$$"; } >$(@D)/running
-unless = $(if $(1),$(DDA_STUDY) skip . $(1) $@; code=$$?; [ $$code -eq 1 ] || exit $$code;)
-run = $(DDA_RUN) $(RUN) --make --threads $(THREADS) -o $(@D) $(COMMON) $(1) >$(@D)/log 2>&1 & pid=$$!; \
-    trap "kill -HUP $$pid" TERM; wait $$pid; code=$$?; while kill -0 $$pid 2>/dev/null; do wait $$pid; code=$$?; done; \
-    : >$(@D)/running; [ $$code -eq 0 ] || { echo "$(2): $$(tail -n 1 $(@D)/log)" >&2; exit $$code; }
+run = $(DDA_RUN) $(RUN) --make --log '$(2)' --threads $(THREADS) -o $(@D) $(COMMON) $(1)
 
-cut = @mkdir -p $(@D) && $(BLOCKGEN) $(SLOPE) -o $@ $(1) >$(basename $@).log 2>&1 || \
+cut = @[ -d $(@D) ] || mkdir -p $(@D); $(BLOCKGEN) $(SLOPE) -o $@ $(1) >$(basename $@).log 2>&1 || \
     { tail -n 1 $(basename $@).log >&2; exit 1; }
-start = @mkdir -p $(@D); exec 9>$(@D)/lock; flock 9; [ ! -e $@ ] || exit 0; $(note); $(call run,$(1),start)
-row = @$(call unless,$(3)) echo "row $(2)"; $(note); $(call run,$(1),row $(2))
-branch = @$(call unless,$(3)) echo "row $(2)"; $(note); if [ -e $< ]; then $(call run,--from $< $(1),row $(2)); \
-    else cp $(<D)/summary.json $@; : >$(@D)/running; fi
+start = @[ -d $(@D) ] || mkdir -p $(@D); exec 9>$(@D)/lock; flock 9; [ ! -e $@ ] || exit 0; exec $(call run,$(1),start $(notdir $(@D)))
+row = @$(call run,$(1),row $(2))
+row_if_needed = @$(DDA_STUDY) skip . $(2); code=$$?; [ $$code -eq 1 ] || exit $$code; exec $(call run,$(1),row $(2))
 )make";
 
 /// The options --set of some settings.
@@ -143,19 +138,19 @@ class Writer {
             const std::string target = "results/" + row.address + "/summary.json";
             text_ += "\nruns/" + row_name(k) + "/summary.json: " + target + " ;\n";
             if (!first_of_address(k)) continue;
-            const bool branches = study_.branch_stages > 0;
-            text_ += target + ": " + (branches ? saved_of(study_.starts[row.start]) + " " : "") +
-                     make_escaped(blocks_of(row.cut)) + " " + previous(row) + "\n\t$(call " +
-                     (branches ? "branch," : "row,") + blocks_option(row.cut).substr(1) +
-                     set_options(row.settings, ModelFile::run, folder_) + "," + row_name(k) + "," +
-                     previous(row) + ")\n";
+            const std::string saved = study_.branch_stages > 0 ? saved_of(study_.starts[row.start]) : "";
+            const std::string before = previous(row);
+            text_ += target + ": " + (saved.empty() ? "" : saved + " ") + make_escaped(blocks_of(row.cut)) +
+                     (before.empty() ? "" : " | " + before) + "\n\t$(call " +
+                     (before.empty() ? "row" : "row_if_needed") + "," +
+                     (saved.empty() ? "" : "--from " + saved) + blocks_option(row.cut) +
+                     set_options(row.settings, ModelFile::run, folder_) + "," + row_name(k) + ")\n";
         }
     }
     /// Whether no row before has this address: the rule of a target is written once.
     bool first_of_address(std::size_t index) { return addresses_.emplace(study_.rows[index].address).second; }
 
-    /// Incremental: the summary of the row of the next smaller intensity. The row is not needed when that one
-    /// has failed.
+    /// Incremental: the summary of the row of the next smaller intensity; of other rows nothing.
     std::string previous(const PlannedRow& row) const {
         if (row.row.previous < 0) return "";
         return "results/" + study_.rows[static_cast<std::size_t>(row.row.previous)].address + "/summary.json";

@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <thread>
 
 #include "blockgen/cut/cut_blocks.hpp"
 #include "blockgen/faces/enclosed_area.hpp"
@@ -16,6 +17,7 @@
 #include "common/base/read_log.hpp"
 #include "common/base/sha256.hpp"
 #include "common/base/text.hpp"
+#include "common/base/thread_pool.hpp"
 #include "dda/checkpoint/start_of_run.hpp"
 #include "dda/input/read_run.hpp"
 #include "study/folder/row_settings.hpp"
@@ -26,8 +28,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t address_length = 16;      ///< hexadecimal digits: 64 bits
-constexpr std::size_t most_values_tried = 200;  ///< of a factor, when a plan is made
+constexpr std::size_t address_length = 16;  ///< hexadecimal digits: 64 bits
+/// Combinations of values that are read when a plan is made; of more, as many at equal distances.
+constexpr std::size_t most_combinations_read = 20'000;
 constexpr std::size_t most_sample_blocks = 1'000'000;
 
 std::string address_of(const std::string& text) {
@@ -122,7 +125,7 @@ class Planner {
         plan_cuts();
         read_base();
         add_perturbations();
-        try_values();
+        try_combinations();
         choose_branch();
         address_starts();
         address_rows();
@@ -186,7 +189,6 @@ class Planner {
         }
         for (const fs::path& file : base.files)
             if (file != sample_file_) add_input(file);
-        if (!study_.rows.empty()) read(study_.rows.front().settings);
     }
 
     /// Gives each replicate but the first its perturbation.
@@ -204,17 +206,45 @@ class Planner {
                     {{ModelFile::run, key}, std::to_string(planned.row.replicate), {}});
     }
 
-    /// Reads the run with each value of each factor, the others as in the first row.
-    void try_values() const {
-        std::set<std::string> tried;
-        std::map<std::string, std::size_t> count;  // of values tried, by key
+    /// Rows that set the run file alike, once each.
+    std::vector<const PlannedRow*> different_runs() const {
+        std::vector<const PlannedRow*> rows;
+        std::set<std::vector<std::string>> known;
         for (const PlannedRow& planned : study_.rows)
-            for (const Setting& setting : planned.settings) {
-                if (setting.target.file != ModelFile::run) continue;
-                if (!tried.insert(override_text(setting, {})).second) continue;
-                if (++count[setting.target.key] > most_values_tried) continue;
-                read({setting});
+            if (known.insert(overrides_of({}, planned.settings, ModelFile::run)).second)
+                rows.push_back(&planned);
+        return rows;
+    }
+    /// "row 17 and 3 combinations more, friction = 27 deg, record = b.at2".
+    std::string described(const PlannedRow& planned, std::ptrdiff_t more) const {
+        std::string text = "row " + std::to_string(&planned - study_.rows.data() + 1);
+        if (more > 0) text += " and " + std::to_string(more) + " combinations more";
+        for (std::size_t k = 0; k < study_.plan.factors.size(); ++k)
+            text += ", " + study_.plan.factors[k].name + " = " + planned.row.values[k];
+        return text;
+    }
+    /// Reads the run with each combination of values that will be computed: two values may be wrong together
+    /// alone.
+    void try_combinations() const {
+        const std::vector<const PlannedRow*> rows = different_runs();
+        const std::size_t count = std::min(rows.size(), most_combinations_read);
+        std::vector<std::string> faults(count);
+        const auto row_of = [&](std::size_t k) { return rows[k * rows.size() / count]; };
+        const ThreadPool threads(static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
+        threads.parallel_for_dynamic(count, [&](std::size_t k, std::size_t) {
+            try {
+                read(row_of(k)->settings);
+            } catch (const InputError& error) {
+                faults[k] = error.what();
             }
+        });
+        const auto fault =
+            std::find_if(faults.begin(), faults.end(), [](const auto& f) { return !f.empty(); });
+        if (fault == faults.end()) return;
+        const auto first = static_cast<std::size_t>(fault - faults.begin());
+        const auto bad =
+            std::count_if(faults.begin(), faults.end(), [](const auto& f) { return !f.empty(); });
+        throw InputError({described(*row_of(first), bad - 1)}, *fault, "");
     }
 
     /// Rows that differ in the stages from some one on share what comes before it.
@@ -265,14 +295,9 @@ class Planner {
     }
 
     void address_rows() {
-        for (PlannedRow& planned : study_.rows) {
-            std::string text = "row\n" + study_.cuts[planned.cut].address + "\n" + fingerprint_ +
-                               hashed_text(planned.settings);
-            if (planned.row.previous >= 0)
-                text += "after " + study_.rows[static_cast<std::size_t>(planned.row.previous)].address + " " +
-                        study_.plan.design.measure + " " + shortest_text(study_.plan.design.limit);
-            planned.address = address_of(text);
-        }
+        for (PlannedRow& planned : study_.rows)
+            planned.address = address_of("row\n" + study_.cuts[planned.cut].address + "\n" + fingerprint_ +
+                                         hashed_text(planned.settings));
     }
 
     PlannedStudy study_;

@@ -53,8 +53,9 @@ struct PlannedStudy {
     std::vector<std::string> run_set() const;
 };
 
-/// Works out what a plan computes. The models are read with the values of all factors, so that a mistake is
-/// found now and not in the hundredth row: one slope is cut for that, into a file in `folder` that is
+/// Works out what a plan computes. The models are read with every combination of values that will be computed
+/// (of more than 20 000 combinations of the run, with so many), so that a mistake is found now and not in the
+/// hundredth row: one slope is cut for that, into a file in `folder` that is
 /// removed.
 /// @throws InputError for a plan, a model file or a record that cannot be used.
 PlannedStudy plan_study(const Plan& plan, const std::filesystem::path& folder);

@@ -66,12 +66,12 @@ TextTable runs_table(const PlannedStudy& study) {
 
 void write_study_folder(const PlannedStudy& study, const fs::path& folder, const Programs& programs) {
     for (const char* name : {"runs", "cuts", "starts", "results"}) make_output_folder(folder / name);
+    for (const PlannedStart& start : study.starts) make_output_folder(folder / "starts" / start.address);
     write_file_atomically(folder / "runs.csv", csv_text(runs_table(study)));
     const nlohmann::ordered_json description = {
         {"plan", study.plan.file.lexically_relative(folder).string()}};
     write_file_atomically(folder / "study.json", description.dump(2) + "\n");
     for (std::size_t k = 0; k < study.rows.size(); ++k) {
-        make_output_folder(folder / "results" / study.rows[k].address);
         make_link(folder / "runs" / row_name(k), fs::path("../results") / study.rows[k].address);
     }
     remove_old_links(folder / "runs", study.rows.size());

@@ -8,8 +8,8 @@
 namespace rockslope::study {
 
 /// Writes the folder of a study: runs.csv, study.json with the place of the plan, runs/NUMBER as links to the
-/// results of each address, and the Makefile last. Results that are there stay, and links of earlier plans
-/// are replaced. @throws OutputError.
+/// results of each address, which lead nowhere before these are computed, and the Makefile last. Results that
+/// are there stay, and links of earlier plans are replaced. @throws OutputError.
 void write_study_folder(const PlannedStudy& study, const std::filesystem::path& folder,
                         const Programs& programs);
 

@@ -60,13 +60,16 @@ struct Design {
 
 /// What a measure takes from a row.
 enum class MeasureKind {
-    displacement,     ///< m, of a point, of a region's mean or farthest block, or of the farthest block
-    moved_volume,     ///< m3 per metre, of the blocks beyond a limit
-    front,            ///< m, x of the farthest corner of these blocks
-    run_out,          ///< m, from the highest corner of these blocks at the start to their front
-    travel_angle,     ///< rad, of the line between these two
-    first_slip,       ///< s of shaking
-    factor_of_safety  ///< of a strength reduction
+    displacement,       ///< m, of a point, of a region's mean or farthest block, or of the farthest block
+    moved_volume,       ///< m3 per metre, of the blocks beyond a limit
+    front,              ///< m, x of the farthest corner of these blocks
+    run_out,            ///< m, from the highest corner of these blocks at the start to their front
+    travel_angle,       ///< rad, of the line between these two
+    surface,            ///< m, y of the surface at a station
+    deposit_height,     ///< m, of the surface over that at the start, at a station or the largest
+    deposit_thickness,  ///< m, vertical, of the blocks beyond a limit, at a station or the largest
+    first_slip,         ///< s of shaking
+    factor_of_safety    ///< of a strength reduction
 };
 
 /// One measured column of the results.
@@ -78,6 +81,14 @@ struct Measure {
     bool is_peak = false;     ///< the largest of the run in place of that at its end
     bool is_largest = false;  ///< of a region: the farthest block in place of the mean
     double limit = 0;         ///< m, of moved blocks
+    std::optional<double> x;  ///< m, station of a surface or a deposit; nothing: the largest of all
+    double width = 0;         ///< m, over which the largest height is a mean
+};
+
+/// The profile of each row that `dda-study collect` writes.
+struct ProfilePlan {
+    double interval = 0;  ///< m, between stations
+    double limit = 0;     ///< m, of moved blocks
 };
 
 /// A fragility curve that the report of a study shows.
@@ -108,6 +119,7 @@ struct Plan {
     int replicates = 1;  ///< runs of each row; all but the first begin with a perturbation
     std::vector<Measure> measures;
     std::vector<FragilityPlan> fragilities;
+    std::optional<ProfilePlan> profile;
     RowOutput output;
     double row_time = 0;  ///< s, wall time of a row that the user expects; 0: not given
 

@@ -52,18 +52,24 @@ values = ["0.1 g", "0.2 g", "0.4 g"]
 
 [[measure]]
 name = "crest"
-# kind = "displacement"            # or "moved-volume", "front", "run-out", "travel-angle" (with limit), "first-slip",
-                                   # "factor-of-safety"
+# kind = "displacement"            # or "moved-volume", "front", "run-out", "travel-angle", "deposit-thickness" (with limit),
+                                   # "deposit-height" (with x or width), "surface" (with x), "first-slip", "factor-of-safety"
 point = "crest"                    # or region = "face"; neither: the farthest block
 # at = "end"                       # or "peak"
 # of = "mean"                      # of a region's blocks, or "largest"
 # limit = 0.5                      # m, of moved blocks
+# x = 120                          # m, station of a surface or a deposit; without it the largest of all x
+# width = 2                        # m, of a deposit's height without x: the largest mean over such a stretch
 
 # [[fragility]]                    # curves of the report
 # measure = "crest"
 # intensity = "PGA"                # a column of the results
 # limit = 0.05
 # method = "outcomes"              # or "demands"
+
+# [profile]                        # the surface of each row at its end, over stations of x: profiles.csv
+# interval = "1 m"
+# limit = "0.5 m"                  # of moved blocks
 
 [output]                           # what each row writes, besides its summary and its table of blocks
 # frames = 0                       # besides both ends of every stage

@@ -80,6 +80,9 @@ MeasureKind read_measure_kind(const ConfigTable& table) {
         {"front", MeasureKind::front},
         {"run-out", MeasureKind::run_out},
         {"travel-angle", MeasureKind::travel_angle},
+        {"surface", MeasureKind::surface},
+        {"deposit-height", MeasureKind::deposit_height},
+        {"deposit-thickness", MeasureKind::deposit_thickness},
         {"first-slip", MeasureKind::first_slip},
         {"factor-of-safety", MeasureKind::factor_of_safety}};
     std::vector<std::string> words;
@@ -104,13 +107,18 @@ Measure read_measure(const ConfigTable& table, const std::vector<Measure>& befor
         measure.is_peak = table.choice("at", {"end", "peak"}, "end") == "peak";
         if (!measure.region.empty())
             measure.is_largest = table.choice("of", {"mean", "largest"}, "mean") == "largest";
-        if (measure.is_peak && measure.point.empty() && measure.region.empty())
-            table.fail("at", "the farthest block has no peak", "a point or a region, or at = \"end\"");
     }
     const bool needs_limit = measure.kind == MeasureKind::moved_volume ||
                              measure.kind == MeasureKind::front || measure.kind == MeasureKind::run_out ||
-                             measure.kind == MeasureKind::travel_angle;
+                             measure.kind == MeasureKind::travel_angle ||
+                             measure.kind == MeasureKind::deposit_thickness;
     if (needs_limit) measure.limit = positive(table, "limit", Dimension::length);
+    const bool may_have_station =
+        measure.kind == MeasureKind::deposit_height || measure.kind == MeasureKind::deposit_thickness;
+    if (measure.kind == MeasureKind::surface || (may_have_station && table.has("x")))
+        measure.x = table.number("x", Dimension::length);
+    if (measure.kind == MeasureKind::deposit_height && !measure.x)
+        measure.width = positive(table, "width", Dimension::length);
     table.finish();
     return measure;
 }
@@ -125,6 +133,15 @@ FragilityPlan read_fragility(const ConfigTable& table, const std::vector<Measure
     fragility.by_demands = table.choice("method", {"outcomes", "demands"}, "outcomes") == "demands";
     table.finish();
     return fragility;
+}
+
+std::optional<ProfilePlan> read_profile(const ConfigTable& root) {
+    if (!root.has("profile")) return std::nullopt;
+    const ConfigTable table = root.table("profile");
+    const ProfilePlan profile{positive(table, "interval", Dimension::length),
+                              positive(table, "limit", Dimension::length)};
+    table.finish();
+    return profile;
 }
 
 RowOutput read_row_output(const ConfigTable& table) {
@@ -232,6 +249,7 @@ Plan read_plan(const fs::path& file) {
     const ConfigTable design = root.table_or_empty("design");
     plan.design = read_design(design);
     check_design(design, plan);
+    plan.profile = read_profile(root);
     plan.output = read_row_output(root.table_or_empty("output"));
     if (root.has("row_time")) plan.row_time = positive(root, "row_time", Dimension::time);
     root.finish();

@@ -91,8 +91,12 @@ std::vector<Row> incremental_rows(const Plan& plan) {
     std::erase(others, intensity);
     others.push_back(intensity);
     std::vector<Row> rows = combinations(plan, others);
-    for (std::size_t k = 0; k < rows.size(); ++k)
-        if (rows[k].levels[intensity] > 0) rows[k].previous = static_cast<int>(k) - 1;
+    const std::size_t length = plan.factors[intensity].values.size();
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        rows[k].block = std::to_string(k / length + 1);
+        rows[k].place = rows[k].levels[intensity];
+        if (rows[k].place > 0) rows[k].previous = static_cast<int>(k) - 1;
+    }
     return rows;
 }
 

@@ -13,8 +13,8 @@ struct Row {
     std::vector<int> levels;          ///< per factor, index of its value; -1: drawn from a distribution
     int replicate = 0;                ///< 0: unperturbed
     /// The part of a design that the row belongs to: "A", "B", or the name of the factor whose column of B is
-    /// in A; the number of Morris's trajectory; of one at a time, the factor that is changed. Empty
-    /// otherwise.
+    /// in A; the number of Morris's trajectory; of one at a time, the factor that is changed; incremental,
+    /// the number of the record and its realisation, whose rows differ in the intensity. Empty otherwise.
     std::string block;
     int place = 0;      ///< within its block, from 0
     int previous = -1;  ///< incremental: index of the row of the next smaller intensity

@@ -10,6 +10,7 @@
 #include "common/base/input_error.hpp"
 #include "common/base/read_file.hpp"
 #include "common/base/text.hpp"
+#include "study/table/deposit.hpp"
 #include "study/table/moved_blocks.hpp"
 
 namespace rockslope::study {
@@ -57,7 +58,9 @@ std::optional<double> displacement_in(const Json& summary, const Measure& measur
         return measure.is_peak ? number_in(point, "peak_relative_displacement")
                                : length_of(point, "permanent_displacement");
     }
-    if (measure.region.empty()) return number_in(summary.value("farthest_block", Json()), "displacement");
+    if (measure.region.empty())
+        return number_in(summary.value("farthest_block", Json()),
+                         measure.is_peak ? "peak_displacement" : "displacement");
     const std::string key = std::string(measure.is_peak ? "peak_" : "") +
                             (measure.is_largest ? "largest" : "mean") + "_displacement";
     return number_in(named(summary, "regions", measure.region), key.c_str());
@@ -72,24 +75,49 @@ std::optional<double> factor_of_safety(const Json& summary) {
     return stands ? stands : fails;
 }
 
-std::optional<double> value_of(const Json& summary, const fs::path& folder, const Measure& measure) {
-    switch (measure.kind) {
-        case MeasureKind::displacement:
-            return displacement_in(summary, measure);
-        case MeasureKind::first_slip:
-            return number_in(summary.value("first_slip", Json()), "first_time_of_shaking");
-        case MeasureKind::factor_of_safety:
-            return factor_of_safety(summary);
-        default:
-            break;
+/// A row that is done. Its files are read where a measure needs them.
+class DoneRow {
+  public:
+    DoneRow(const Json& summary, fs::path folder) : summary_(summary), folder_(std::move(folder)) {}
+
+    std::optional<double> value_of(const Measure& measure) {
+        switch (measure.kind) {
+            case MeasureKind::displacement:
+                return displacement_in(summary_, measure);
+            case MeasureKind::first_slip:
+                return number_in(summary_.value("first_slip", Json()), "first_time_of_shaking");
+            case MeasureKind::factor_of_safety:
+                return factor_of_safety(summary_);
+            case MeasureKind::surface:
+                return deposit().surface(*measure.x);
+            case MeasureKind::deposit_height:
+                return measure.x ? deposit().height(*measure.x) : deposit().largest_height(measure.width);
+            case MeasureKind::deposit_thickness:
+                return measure.x ? deposit().thickness(*measure.x, measure.limit)
+                                 : deposit().largest_thickness(measure.limit);
+            default:
+                return of_moved_blocks(measure);
+        }
     }
-    const MovedBlocks moved = moved_blocks(folder / "blocks.csv", measure.limit);
-    if (measure.kind == MeasureKind::moved_volume) return moved.volume;
-    if (measure.kind == MeasureKind::front) return moved.front;
-    if (measure.kind == MeasureKind::run_out) return moved.run_out;
-    if (!moved.travel_angle) return std::nullopt;
-    return *moved.travel_angle / degree;
-}
+
+  private:
+    std::optional<double> of_moved_blocks(const Measure& measure) const {
+        const MovedBlocks moved = moved_blocks(folder_ / "blocks.csv", measure.limit);
+        if (measure.kind == MeasureKind::moved_volume) return moved.volume;
+        if (measure.kind == MeasureKind::front) return moved.front;
+        if (measure.kind == MeasureKind::run_out) return moved.run_out;
+        if (!moved.travel_angle) return std::nullopt;
+        return *moved.travel_angle / degree;
+    }
+    const Deposit& deposit() {
+        if (!deposit_) deposit_.emplace(read_outlines(folder_));
+        return *deposit_;
+    }
+
+    const Json& summary_;
+    fs::path folder_;
+    std::optional<Deposit> deposit_;
+};
 
 const char* const intensity_keys[] = {"peak_acceleration",    "peak_velocity",
                                       "peak_displacement",    "arias_intensity",
@@ -97,6 +125,8 @@ const char* const intensity_keys[] = {"peak_acceleration",    "peak_velocity",
                                       "mean_period"};
 const char* const intensity_names[] = {"PGA (m/s2)", "PGV (m/s)", "PGD (m)", "Arias (m/s)",
                                        "D5-95 (s)",  "CAV (m/s)", "Tm (s)"};
+/// The power of the motion that each of them grows with; spectral accelerations grow with the first.
+constexpr int intensity_powers[] = {1, 1, 1, 2, 0, 1, 0};
 const char* const spectral_names[] = {"0.1", "0.2", "0.3", "0.5", "1", "2", "3"};  // s, as in summaries
 
 /// The measures of the motion with the largest acceleration.
@@ -129,6 +159,16 @@ std::string last_line(const fs::path& file) {
     return last;
 }
 
+/// Whether a process of this machine is there, and has not ended without being waited for.
+bool is_process(int process) {
+    if (::kill(process, 0) != 0) return false;
+    std::ifstream file("/proc/" + std::to_string(process) + "/stat");
+    std::string text;
+    std::getline(file, text);
+    const std::size_t name_end = text.rfind(')');  // the name may have spaces and parentheses
+    return name_end == std::string::npos || text.substr(name_end, 3) != ") Z";
+}
+
 /// Whether the process that a note names goes on: one of another machine is taken to.
 bool is_alive(const fs::path& note) {
     std::ifstream text(note), kernel("/proc/sys/kernel/hostname");
@@ -136,26 +176,36 @@ bool is_alive(const fs::path& note) {
     int process = 0;
     if (!(text >> host >> process)) return false;
     kernel >> here;
-    return host != here || ::kill(process, 0) == 0;
+    return host != here || is_process(process);
+}
+
+RowInputs inputs_in(const Json& summary) {
+    RowInputs inputs;
+    for (const Json& file : summary.value("inputs", Json::array()))
+        inputs.files.push_back({text_in(file, "file"), text_in(file, "sha256")});
+    for (const Json& text : summary.value("overrides", Json::array()))
+        if (text.is_string()) inputs.overrides.push_back(text.get<std::string>());
+    inputs.fingerprint = text_in(summary, "fingerprint");
+    return inputs;
 }
 
 void read_done(const fs::path& folder, const std::vector<Measure>& measures, RowResult& result) {
     const Json summary = read_json(folder / "summary.json");
     const std::string status = text_in(summary, "status");
-    result.state = status == "collapsed"    ? RowState::collapsed
-                   : status == "not needed" ? RowState::not_needed
-                                            : RowState::completed;
+    result.state = status == "collapsed" ? RowState::collapsed : RowState::completed;
     result.message = text_in(summary, "message");
     result.wall_time = number_in(summary, "wall_time").value_or(0);
     result.commit = text_in(summary, "commit");
+    result.inputs = inputs_in(summary);
     if (summary.contains("collapse")) {
         result.collapse_time = number_in(summary.at("collapse"), "time");
         result.collapse_limit = number_in(summary.at("collapse"), "limit");
     }
     result.intensities = intensities_in(summary);
-    if (result.state == RowState::not_needed || !fs::exists(folder / "blocks.csv")) return;
-    for (std::size_t k = 0; k < measures.size(); ++k)
-        result.measures[k] = value_of(summary, folder, measures[k]);
+    // A row whose start has collapsed has its summary alone.
+    if (!fs::exists(folder / "blocks.csv")) return;
+    DoneRow row(summary, folder);
+    for (std::size_t k = 0; k < measures.size(); ++k) result.measures[k] = row.value_of(measures[k]);
 }
 
 /// The state of a folder without a summary. @param what to say before the reason: "", "start: ".
@@ -180,8 +230,9 @@ bool read_unfinished(const fs::path& folder, const std::string& what, RowResult&
     }
     if (!fs::exists(folder / "log")) return false;
     result.state = RowState::failed;
-    result.cause = what + "bad input, or not run";
     result.message = last_line(folder / "log");
+    const bool is_unwritten = result.message.find(": cannot be written") != std::string::npos;
+    result.cause = what + (is_unwritten ? "not written" : "bad input, or not run");
     return true;
 }
 
@@ -217,6 +268,14 @@ RowResult read_row(const RowFolders& folders, const std::vector<Measure>& measur
     result.cause = "cut";
     result.message = last_line(log);
     return result;
+}
+
+void scale_intensities(double ratio, std::vector<std::optional<double>>& intensities) {
+    for (std::size_t k = 0; k < intensities.size(); ++k) {
+        if (!intensities[k] || (k < std::size(intensity_powers) && intensity_powers[k] == 0)) continue;
+        const bool is_square = k < std::size(intensity_powers) && intensity_powers[k] == 2;
+        *intensities[k] *= is_square ? ratio * ratio : ratio;
+    }
 }
 
 std::vector<std::string> intensity_headings() {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "study/folder/input_check.hpp"
 #include "study/plan/plan.hpp"
 
 namespace rockslope::study {
@@ -13,7 +14,7 @@ namespace rockslope::study {
 enum class RowState {
     completed,   ///< done
     collapsed,   ///< done: a displacement passed the limit of its stage
-    not_needed,  ///< done: incremental, and the row of the next smaller intensity has failed
+    not_needed,  ///< done: incremental, and a row of a smaller intensity has failed
     failed,      ///< ended without a result, for a reason; make tries it again
     stopped,     ///< interrupted; make goes on from its checkpoint, or anew
     running,     ///< a process of this machine, or of another one, computes it
@@ -43,11 +44,15 @@ struct RowResult {
     std::optional<double> collapse_limit;            ///< m
     double wall_time = 0;                            ///< s
     std::string commit;                              ///< of the program that computed it
+    RowInputs inputs;                                ///< what it was computed from
 };
 
 /// Reads what is known of a row. A row whose start or cut failed has failed, for their reason.
 /// @throws InputError for a summary that is none.
 RowResult read_row(const RowFolders& folders, const std::vector<Measure>& measures);
+
+/// Intensities, in the order of intensity_headings(), of the same motion times `ratio`.
+void scale_intensities(double ratio, std::vector<std::optional<double>>& intensities);
 
 /// Headings of the intensity measures of a row's record: "PGA (m/s2)", ..., "Sa(0.5) (m/s2)".
 std::vector<std::string> intensity_headings();

@@ -3,6 +3,7 @@
 #include <sqlite3.h>
 
 #include <memory>
+#include <utility>
 
 #include "common/base/output_error.hpp"
 #include "common/base/text.hpp"
@@ -22,7 +23,10 @@ std::string sql_name(const std::string& name) {
 
 class Database {
   public:
-    explicit Database(const fs::path& file) : file_(file) { check(::sqlite3_open(file.c_str(), &handle_)); }
+    /// @param shown in messages.
+    Database(const fs::path& file, fs::path shown) : file_(std::move(shown)) {
+        check(::sqlite3_open(file.c_str(), &handle_));
+    }
     ~Database() { ::sqlite3_close(handle_); }
     Database(const Database&) = delete;
     Database& operator=(const Database&) = delete;
@@ -62,23 +66,34 @@ class Database {
     sqlite3* handle_ = nullptr;
 };
 
+void add_table(Database& database, const NamedTable& added) {
+    std::string columns, places;
+    for (const std::string& heading : added.table.heading) {
+        columns += (columns.empty() ? "" : ", ") + sql_name(heading);
+        places += places.empty() ? "?" : ", ?";
+    }
+    database.execute("CREATE TABLE " + sql_name(added.name) + " (" + columns + ")");
+    database.insert("INSERT INTO " + sql_name(added.name) + " VALUES (" + places + ")", added.table.rows);
+}
+
+void write_database(const fs::path& temporary, const fs::path& file, const std::vector<NamedTable>& tables) {
+    Database database(temporary, file);
+    database.execute("BEGIN");
+    for (const NamedTable& added : tables) add_table(database, added);
+    database.execute("COMMIT");
+}
+
 }  // namespace
 
-void write_sqlite(const fs::path& file, const std::string& name, const TextTable& table) {
+void write_sqlite(const fs::path& file, const std::vector<NamedTable>& tables) {
     const fs::path temporary = file.string() + ".tmp";
     std::error_code error;
     fs::remove(temporary, error);
-    {
-        Database database(temporary);
-        std::string columns, places;
-        for (const std::string& heading : table.heading) {
-            columns += (columns.empty() ? "" : ", ") + sql_name(heading);
-            places += places.empty() ? "?" : ", ?";
-        }
-        database.execute("BEGIN");
-        database.execute("CREATE TABLE " + sql_name(name) + " (" + columns + ")");
-        database.insert("INSERT INTO " + sql_name(name) + " VALUES (" + places + ")", table.rows);
-        database.execute("COMMIT");
+    try {
+        write_database(temporary, file, tables);
+    } catch (const OutputError&) {
+        for (const char* end : {"", "-journal"}) fs::remove(temporary.string() + end, error);
+        throw;
     }
     fs::rename(temporary, file, error);
     if (error) throw OutputError(file, "cannot be replaced: " + error.message());

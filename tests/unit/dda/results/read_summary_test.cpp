@@ -28,6 +28,12 @@ TEST(ReadSummary, FindsNoneInACompletedRun) {
     EXPECT_FALSE(read(R"({"status": "completed"})"));
 }
 
+TEST(ReadSummary, FindsTheStatus) {
+    const io_test::Folder folder;
+    EXPECT_EQ(dda::read_status(folder.write("summary.json", R"({"status": "collapsed"})")), "collapsed");
+    EXPECT_THROW(dda::read_status(folder.write("summary.json", R"({"status": 3})")), InputError);
+}
+
 TEST(ReadSummary, RefusesOtherFiles) {
     for (const char* text :
          {"", "{", "[]", "3", "{}", R"({"worst_contact": {}})", R"({"status": "x", "worst_contact": 3})",

@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <sstream>
 
 #include "common/base/output_error.hpp"
@@ -15,6 +16,7 @@
 #include "common/base/text.hpp"
 #include "dda/checkpoint/state_archive.hpp"
 #include "dda/input/read_run.hpp"
+#include "dda/monitor/farthest_block.hpp"
 #include "dda/results/block_table.hpp"
 #include "dda/results/summary.hpp"
 #include "dda/writers/frame_data.hpp"
@@ -74,20 +76,43 @@ TEST_F(ResultsTest, FramesOfContactsAndTheStepLogMayBeLeftOut) {
     EXPECT_TRUE(fs::exists(folder / "a" / "run.vtkhdf"));
 }
 
-TEST_F(ResultsTest, ARegionHasItsDisplacementAndItsPeak) {
-    input.model.measured_regions.push_back({"all", {1}});
-    fs::create_directories(folder / "a");
-    Results results(input.model, input.stages, input.output,
-                    {folder / "a", false, "", [](const Progress&) { return true; }});
-    State state = initial_state(input.model);
-    ASSERT_EQ(run(input.model, input.stages, state, results).status, RunStatus::completed);
-    const Vec2 base = state.blocks.centroid(0) - state.centroid_origin[0];
+/// A run with the measured region "all" of its free block.
+class ResultsOfABlock : public ResultsTest {
+  protected:
+    void SetUp() override {
+        ResultsTest::SetUp();
+        input.model.measured_regions.push_back({"all", {1}});
+        fs::create_directories(folder / "a");
+        results.emplace(input.model, input.stages, input.output,
+                        ResultsOptions{folder / "a", false, "", [](const Progress&) { return true; }});
+        state = initial_state(input.model);
+        ASSERT_EQ(run(input.model, input.stages, state, *results).status, RunStatus::completed);
+        base = state.blocks.centroid(0) - state.centroid_origin[0];
+    }
+
+    std::optional<Results> results;
+    State state;
+    Vec2 base = Vec2::Zero();  ///< displacement of the base
+};
+
+TEST_F(ResultsOfABlock, ARegionHasItsDisplacementAndItsPeak) {
     const double moved = (state.blocks.centroid(1) - state.centroid_origin[1] - base).norm();
     const RegionDisplacement end = displacement_of(state, input.model.measured_regions[0], base);
     EXPECT_DOUBLE_EQ(end.mean, moved) << "one block";
     EXPECT_DOUBLE_EQ(end.largest, moved);
-    EXPECT_GE(results.state().regions[0].mean, moved);
-    EXPECT_GT(results.state().regions[0].mean_time, 0);
+    EXPECT_GE(results->state().regions[0].mean, moved);
+    EXPECT_GT(results->state().regions[0].mean_time, 0);
+}
+
+// The shaken base moves by more than the block slides on it: what counts is the way relative to it.
+TEST_F(ResultsOfABlock, TheFarthestBlockCountsFromTheBase) {
+    const auto end = farthest_block(input.model, state, base);
+    const RegionDisplacement region = displacement_of(state, input.model.measured_regions[0], base);
+    EXPECT_EQ(end->block, 1);
+    EXPECT_EQ(end->displacement, region.largest);
+    EXPECT_GT(farthest_block(input.model, state, Vec2::Zero())->displacement, 2 * region.largest);
+    EXPECT_EQ(results->state().farthest->displacement, results->state().regions[0].largest);
+    EXPECT_EQ(results->state().farthest->time, results->state().regions[0].largest_time);
 }
 
 TEST_F(ResultsTest, TheSameRunWritesTheSameBytes) {

@@ -31,8 +31,9 @@ TEST(SlurmText, BatchesHaveTheExpectedTimeOfATask) {
 
 TEST(SlurmText, SmallModelsTakeOneThread) {
     EXPECT_EQ(threads_for(400), 1);
-    EXPECT_EQ(threads_for(5000), 2);
-    EXPECT_EQ(threads_for(100000), 4);
+    EXPECT_EQ(threads_for(9'999), 1);
+    EXPECT_EQ(threads_for(10'000), 2);
+    EXPECT_EQ(threads_for(1'000'000), 2);
 }
 
 TEST(SlurmText, TasksAreSignalledAndQueuedAgain) {
@@ -43,6 +44,7 @@ TEST(SlurmText, TasksAreSignalledAndQueuedAgain) {
     const std::string job = job_script(options);
     EXPECT_THAT(job, HasSubstr("make -k -j3 THREADS=2"));
     EXPECT_THAT(job, HasSubstr("scontrol requeue"));
+    EXPECT_THAT(job, HasSubstr("asked to stop: runs write checkpoints"));
     const std::string submit = submit_script("/home/a b", options, 2, 7);
     for (const char* part :
          {"--requeue", "--signal=B:TERM@60", "--time=120", "--cpus-per-task=6", "'--partition=my part'",

@@ -61,7 +61,7 @@ TEST(MakefileText, RowsRunFromTheBeginningWhereNothingIsShared) {
     study.starts.clear();
     const std::string text = makefile_text(study, "/home/a b/study", {"/opt/bin"});
     EXPECT_THAT(text, HasSubstr("$(call row,"));
-    EXPECT_THAT(text, Not(HasSubstr("$(call branch,-")));
+    EXPECT_THAT(text, Not(HasSubstr("--from starts")));
 }
 
 TEST(StudyFolder, TheTableOfRunsHasLabelsAndAddresses) {

@@ -142,6 +142,10 @@ point = "crest"
 )";
     const auto all = rows("replicates = 2\n" + text);
     ASSERT_EQ(all.size(), 12u);
+    EXPECT_EQ(all[4].block, "1");
+    EXPECT_EQ(all[4].place, 2);
+    EXPECT_EQ(all[7].block, "2");
+    EXPECT_EQ(all[7].place, 0);
     for (std::size_t k = 0; k < 12; ++k)
         EXPECT_EQ(all[k].previous, k % 6 < 2 ? -1 : static_cast<int>(k) - 2) << k;
     EXPECT_EQ(plan(text).factors[1].targets[0].key, "stage[1].base_motion.x.scale");
@@ -168,8 +172,10 @@ TEST_F(RowsTest, RefusesPlansThatCannotBe) {
     EXPECT_THAT(refused("[design]\nkind = \"sobol\"\n"), HasSubstr("samples"));
     EXPECT_THAT(refused("[design]\nkind = \"morris\"\nlevels = 3\n"), HasSubstr("'levels' is odd"));
     EXPECT_THAT(refused("[[measure]]\nname = \"v\"\nkind = \"moved-volume\"\n"), HasSubstr("limit"));
-    EXPECT_THAT(refused("[[measure]]\nname = \"v\"\nat = \"peak\"\n"),
-                HasSubstr("the farthest block has no peak"));
+    EXPECT_THAT(refused("[[measure]]\nname = \"v\"\nkind = \"surface\"\n"), HasSubstr("'x'"));
+    EXPECT_THAT(refused("[[measure]]\nname = \"v\"\nkind = \"deposit-height\"\n"), HasSubstr("'width'"));
+    EXPECT_THAT(refused("[profile]\ninterval = 1\n"), HasSubstr("limit"));
+    EXPECT_THAT(refused("[profile]\ninterval = 0\nlimit = 1\n"), HasSubstr("a positive number"));
     EXPECT_THAT(refused("[[measure]]\nname = \"v\"\nlimit = 1\n"), HasSubstr("unknown key 'limit'"));
     EXPECT_THAT(refused(two_factors + two_factors), HasSubstr("two factors 'seed'"));
 }
