@@ -37,7 +37,7 @@ std::string describe(const Model& model, const StepAttempt& attempt) {
     if (attempt.rejection == Rejection::undetected_penetration) {
         std::snprintf(text, sizeof text,
                       "a vertex of block %d penetrates block %d by %.3g m at (%.6g, %.6g), and no contact "
-                      "was detected; use a smaller step",
+                      "was detected",
                       contact.corner_block.value(), contact.edge_block.value(), -contact.gap,
                       contact.point.x() + model.origin.x(), contact.point.y() + model.origin.y());
         return text;
@@ -59,6 +59,11 @@ constexpr double static_step_ratio = 50;
 /// First step of a static stage over the step of its control. Blocks that fall far in the first steps
 /// strike each other, and the slope loosens.
 constexpr double first_static_step_ratio = 0.1;
+
+/// A dynamic stage that takes so many steps in a row, each below this share of the stage's step, does not get
+/// on: at a step of 5 ms they are a millisecond.
+constexpr double crawling_share = 1e-4;
+constexpr std::int64_t crawling_steps = 2000;
 
 /// Adapts the step, Eq. (41): cut after a rejection, grown after steps that needed none. A static stage has
 /// no time to resolve: its step grows as long as no vertex moves farther in it than a body falls from rest in
@@ -146,6 +151,16 @@ RunOutcome energy_failure(const Model& model, const Stage& stage, const State& s
     return {RunStatus::energy_created, text + describe_returned(model, state.energy), {}};
 }
 
+RunOutcome crawling_failure(const Model& model, const Stage& stage, const State& state,
+                            const StepAttempt& cut) {
+    char text[200];
+    std::snprintf(
+        text, sizeof text,
+        "stage '%s', t = %.9g s: the last %lld steps were each below %g of the stage's step; the last cut: ",
+        stage.name.c_str(), state.time, static_cast<long long>(crawling_steps), crawling_share);
+    return {RunStatus::not_converged, text + describe(model, cut), cut.worst_contact};
+}
+
 RunOutcome collapsed(const Model& model, const Stage& stage, const State& state, const Collapse& collapse) {
     return {RunStatus::collapsed, describe(model, stage, state, collapse), {}, collapse};
 }
@@ -156,6 +171,7 @@ void begin_stage(State& state) {
     state.stage_time = 0;
     state.next_step = 0;
     state.stage_steps = 0;
+    state.short_steps = 0;
     state.stage_origin.clear();
     for (const AreaMoments& moments : state.blocks.moments) state.stage_origin.push_back(moments.centroid);
 }
@@ -167,6 +183,7 @@ RunOutcome run_stage(const Model& model, const Stage& stage, TimeStepper& steppe
     StepSize step(stage, reference_acceleration(model, state.blocks), holds, state.next_step);
     int cuts = 0;
     StepCounts counts;                                             // since the last accepted step
+    StepAttempt last_cut;                                          // without its state
     if (const auto collapse = find_collapse(model, stage, state))  // of a run resumed after that step
         return collapsed(model, stage, state, *collapse);
     while (is_static || state.stage_time < stage.duration * (1 - 1e-12)) {
@@ -176,7 +193,10 @@ RunOutcome run_stage(const Model& model, const Stage& stage, TimeStepper& steppe
         if (attempt.rejection != Rejection::none) {
             ++cuts;
             step.cut(dt);
-            if (!step.too_small()) continue;
+            if (!step.too_small()) {
+                last_cut = {attempt.rejection, attempt.worst_contact, {}, attempt.report};
+                continue;
+            }
             char text[128];
             std::snprintf(text, sizeof text,
                           "stage '%s', t = %.9g s: no step above %.3g s is accepted: ", stage.name.c_str(),
@@ -191,6 +211,7 @@ RunOutcome run_stage(const Model& model, const Stage& stage, TimeStepper& steppe
         cuts = 0;
         counts = {};
         ++state.stage_steps;
+        state.short_steps = dt < crawling_share * stage.control.step ? state.short_steps + 1 : 0;
         const bool bonds_break = holds && break_worst_bonds(model, state) > 0;
         attempt.report.at_rest = is_static && !bonds_break && is_at_rest(model, state, stage);
         if (attempt.report.at_rest) {
@@ -206,6 +227,8 @@ RunOutcome run_stage(const Model& model, const Stage& stage, TimeStepper& steppe
         if (attempt.report.at_rest) break;
         if (!lost.empty() && model.removes_lost_blocks) return {RunStatus::blocks_lost, {}, {}};
         if (!is_static && creates_energy(state.energy)) return energy_failure(model, stage, state);
+        if (!is_static && state.short_steps >= crawling_steps)
+            return crawling_failure(model, stage, state, last_cut);
         if (is_static)
             if (const auto failure = settling_failure(model, stage, state))
                 return {RunStatus::not_settled, *failure, {}};

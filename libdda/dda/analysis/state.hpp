@@ -40,6 +40,7 @@ struct StateWithoutContacts {
     double next_step = 0;          ///< s, size of the next trial step; 0: the stage's step
     std::int64_t step_count = 0;   ///< since the start of the run
     std::int64_t stage_steps = 0;  ///< since the start of the stage
+    std::int64_t short_steps = 0;  ///< the last steps in a row that were far below the stage's step
     BlockSystem blocks;
     PerPoint<Vec2> displacement_origin;    ///< m, per material point: position of zero displacement
     PerBlock<Vec2> centroid_origin;        ///< m, per block: centroid of zero displacement

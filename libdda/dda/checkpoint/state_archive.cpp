@@ -201,12 +201,12 @@ void energy(Walker& walker, E& value) {
 
 template <class Walker, class S>
 void state_of_blocks(Walker& walker, S& value) {
-    auto& [time, stage_time, dynamic_time, next_step, step_count, stage_steps, all_blocks,
+    auto& [time, stage_time, dynamic_time, next_step, step_count, stage_steps, short_steps, all_blocks,
            displacement_origin, centroid_origin, vertex_origin, stage_origin, bolt_force, boundary_reactions,
            free_fields, ledger, broken_bonds, lost_blocks, deepest_contact, removed] = value;
     reals(walker, time, stage_time, dynamic_time, next_step);
     auto& [broken_contacts, breaking_events] = broken_bonds;
-    integers(walker, step_count, stage_steps, broken_contacts, breaking_events);
+    integers(walker, step_count, stage_steps, short_steps, broken_contacts, breaking_events);
     blocks(walker, all_blocks);
     all_components(walker, displacement_origin);
     all_components(walker, centroid_origin);

@@ -211,5 +211,28 @@ TEST(RunStage, SaysWhyNoStepIsAccepted) {
     EXPECT_EQ(run.state.blocks.velocity[0][0], 10) << "the last accepted state";
 }
 
+/// A block at 1 m/s, which may move by so much in a step (m).
+dda::RunOutcome flight(double largest_displacement, StageRun& run) {
+    run.state.blocks.velocity[dda::BlockIndex(0)][0] = 1;
+    dda::Stage stage = stage_of(1e-3, 1e-3);
+    stage.control.displacement_ratio = largest_displacement / 0.5;  // over the half-height
+    return run.run(stage);
+}
+
+TEST(RunStage, EndsWhereItCrawls) {
+    StageRun run(one_block());
+    const dda::RunOutcome outcome = flight(0.5e-7, run);
+    EXPECT_EQ(outcome.status, RunStatus::not_converged);
+    EXPECT_THAT(outcome.message, HasSubstr("the last 2000 steps were each below 0.0001 of the stage's step"));
+    EXPECT_THAT(outcome.message, HasSubstr("a vertex moves"));
+    EXPECT_EQ(run.reports.size(), 2000);
+}
+
+TEST(RunStage, GoesOnInShortSteps) {
+    StageRun run(one_block());
+    EXPECT_EQ(flight(4e-7, run).status, RunStatus::completed);
+    EXPECT_GT(run.reports.size(), 2000);
+}
+
 }  // namespace
 }  // namespace rockslope::run_stage_test
