@@ -154,11 +154,12 @@ RunOutcome energy_failure(const Model& model, const Stage& stage, const State& s
 RunOutcome crawling_failure(const Model& model, const Stage& stage, const State& state,
                             const StepAttempt& cut) {
     char text[200];
-    std::snprintf(
-        text, sizeof text,
-        "stage '%s', t = %.9g s: the last %lld steps were each below %g of the stage's step; the last cut: ",
-        stage.name.c_str(), state.time, static_cast<long long>(crawling_steps), crawling_share);
-    return {RunStatus::not_converged, text + describe(model, cut), cut.worst_contact};
+    std::snprintf(text, sizeof text,
+                  "stage '%s', t = %.9g s: the last %lld steps were each below %g of the stage's step",
+                  stage.name.c_str(), state.time, static_cast<long long>(crawling_steps), crawling_share);
+    // A run resumed just before has seen no cut.
+    const std::string why = cut.rejection == Rejection::none ? "" : "; the last cut: " + describe(model, cut);
+    return {RunStatus::not_converged, text + why, cut.worst_contact};
 }
 
 RunOutcome collapsed(const Model& model, const Stage& stage, const State& state, const Collapse& collapse) {
