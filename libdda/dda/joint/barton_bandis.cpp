@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "dda/joint/linear_angle.hpp"
+#include "dda/joint/locked_slope.hpp"
 #include "dda/joint/mated.hpp"
 #include "dda/joint/parameter_table.hpp"
 
@@ -132,6 +133,7 @@ BartonBandis::History BartonBandis::advance(const History& history, const Contac
     History after = history;
     after.spring = history.spring.loaded(
         {motion.normal_force, motion.length, motion.length, motion.duration == 0}, barton, peak_displacement);
+    after.locked_slope = slope_under(history, motion.normal_force, motion.length);
     if (motion.displacement == 0) return after;
     after.position += motion.displacement;
     after.furthest = std::max(outline(history), std::abs(after.position));
@@ -167,8 +169,9 @@ void BartonBandis::dilate(const History& history, const ContactMotion& motion, H
     }
     // Slip against the displacement is what the spring has shortened by where the strength has fallen: the
     // walls move as those of a locked joint.
+    const double locked_slope = after.locked_slope;
     if (motion.slip == 0 || (motion.slip < 0) != (motion.displacement < 0)) {
-        after.dilation += history.locked_slope * motion.displacement;
+        after.dilation += locked_slope * motion.displacement;
         return;
     }
     // The locked joint dilates and contracts with its slope, and slip dilates it outside the largest
@@ -194,8 +197,21 @@ void BartonBandis::dilate(const History& history, const ContactMotion& motion, H
     const double climbed =
         dilation_between(slides_from, after.furthest, rough, std::numeric_limits<double>::infinity());
     after.dilation +=
-        std::min(climbed, steepest * (after.furthest - slides_from)) + sign * locked * history.locked_slope;
-    if (outward > 0) after.locked_slope = side * std::min(rate, steepest);
+        std::min(climbed, steepest * (after.furthest - slides_from)) + sign * locked * locked_slope;
+    if (outward > 0) {
+        const double rise = (strength_at(after.furthest, motion.normal_force, motion.length) -
+                             strength_at(slides_from, motion.normal_force, motion.length)) /
+                            motion.normal_force;
+        after.locked_slope =
+            slope_paid_by_slip(side * std::min(rate, steepest), locked_slope, side,
+                               {motion.normal_force, motion.stiffness, after.furthest - slides_from, rise});
+    }
+}
+
+double BartonBandis::slope_under(const History& history, double normal_force, double length) const {
+    if (history.locked_slope == 0 || is_fresh(history)) return history.locked_slope;
+    const double strength = strength_at(outline(history), normal_force, length);
+    return slope_within(history.locked_slope, {strength, strength, 0}, normal_force);
 }
 
 double BartonBandis::reference_roughness(const History& history) const {
@@ -221,9 +237,10 @@ BartonBandis::History BartonBandis::fly(const History& history, const ContactMot
     const double at_origin = std::max(history.dilation - (crosses ? height(history.position) : 0), lowest);
     after.dilation = std::max(at_origin + height(after.position) - (crosses ? 0 : height(history.position)),
                               std::min(at_origin, 0.0));
+    // Inside its largest distance the worn joint is even: there a joint that lands leans on no slope.
     const int side = after.position > 0 ? 1 : after.position < 0 ? -1 : 0;
-    if (std::abs(after.position) > history.furthest)
-        after.locked_slope = side * dilation_rate(std::abs(after.position), rough);
+    const double distance = std::abs(after.position);
+    after.locked_slope = distance > history.furthest ? side * dilation_rate(distance, rough) : 0;
     return after;
 }
 

@@ -78,6 +78,8 @@ struct BartonBandis {
     double dilation_rate(double distance, double roughness) const;
     double largest_climb(double roughness) const;
     void dilate(const History& history, const ContactMotion& motion, History& after) const;
+    /// The locked slope under a normal force, no steeper than the strength.
+    double slope_under(const History& history, double normal_force, double length) const;
     /// Roughness angle of the stress at which the spring was found, rad.
     double reference_roughness(const History& history) const;
     double strength_at(double furthest, double normal_force, double length) const;

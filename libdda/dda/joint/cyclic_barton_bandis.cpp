@@ -6,6 +6,7 @@
 
 #include "dda/joint/cyclic_closed_form.hpp"
 #include "dda/joint/cyclic_shear_path.hpp"
+#include "dda/joint/locked_slope.hpp"
 #include "dda/joint/mated.hpp"
 #include "dda/joint/parameter_table.hpp"
 
@@ -129,17 +130,22 @@ CyclicBartonBandis::History CyclicBartonBandis::advance(const History& history,
     return moved;
 }
 
-CyclicBartonBandis::History CyclicBartonBandis::displaced(const History& loaded,
-                                                          const ContactMotion& motion) const {
+CyclicBartonBandis::History CyclicBartonBandis::displaced(History loaded, const ContactMotion& motion) const {
+    double force = motion.shear_force;
+    if (const bool intact = loaded.forward == 0 && loaded.opened == 0;
+        !intact && loaded.locked_slope != 0 && motion.normal_force > 0) {
+        const double slope = loaded.locked_slope;
+        loaded.locked_slope = slope_within(slope, strength(loaded, motion.normal_force, motion.length, {}),
+                                           motion.normal_force);
+        force += (loaded.locked_slope - slope) * motion.normal_force;
+    }
     if (motion.stiffness > 0 && motion.displacement != 0) {
-        if (const auto found =
-                closed_form_history(*this, loaded, motion.normal_force, motion.length,
-                                    {motion.displacement, motion.shear_force, motion.stiffness}))
+        if (const auto found = closed_form_history(*this, loaded, motion.normal_force, motion.length,
+                                                   {motion.displacement, force, motion.stiffness}))
             return *found;
     }
     CyclicShearPath path(*this, loaded, motion.normal_force, motion.length,
-                         {.stiffness = motion.stiffness, .force = motion.shear_force},
-                         CyclicShearPath::Purpose::history);
+                         {.stiffness = motion.stiffness, .force = force}, CyclicShearPath::Purpose::history);
     if (motion.stiffness > 0)
         path.displace(motion.displacement);
     else

@@ -95,7 +95,7 @@ struct CyclicBartonBandis {
 
   private:
     /// The history after a motion with the spring of `loaded`.
-    History displaced(const History& loaded, const ContactMotion& motion) const;
+    History displaced(History loaded, const ContactMotion& motion) const;
 };
 
 }  // namespace rockslope::dda

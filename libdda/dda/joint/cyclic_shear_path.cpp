@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "dda/joint/cyclic_history.hpp"
+#include "dda/joint/locked_slope.hpp"
 
 namespace rockslope::dda {
 
@@ -359,20 +360,12 @@ void CyclicShearPath::record_motion(const Place& place, const Piece& piece, doub
         const double here =
             side *
             climbed(dilation_tangent(mobilised_.advance_ratio({end, place.side, true})), tan_(bound.last));
-        history_.locked_slope = flying_ ? here : slope_after_slip(here, piece.bound, from, to);
+        const double rise = tan_(piece.bound.angle_at(to)) - tan_(piece.bound.angle_at(from));
+        history_.locked_slope = flying_ ? here
+                                        : slope_paid_by_slip(here, history_.locked_slope, direction_,
+                                                             {normal_force_, stiffness_, to - from, rise});
     }
     if (law_.floor_dilation) history_.dilation = std::max(history_.dilation, 0.0);
-}
-
-/// The locked slope after sliding along a part of a piece. It follows that of the place no faster than the
-/// slip pays for, theory sec. 18: a change of the slope at the same shear force changes the spring's force,
-/// and stores energy.
-double CyclicShearPath::slope_after_slip(double slope_of_place, const LinearAngle& bound, double from,
-                                         double to) const {
-    if (!(stiffness_ > 0)) return slope_of_place;
-    const double rise = tan_(bound.angle_at(to)) - tan_(bound.angle_at(from));
-    const double most = std::max(stiffness_ * (to - from) / normal_force_ - rise, 0.0);
-    return direction_ * std::max(direction_ * slope_of_place, direction_ * history_.locked_slope - most);
 }
 
 double CyclicShearPath::dilation_tangent(double ratio) const {

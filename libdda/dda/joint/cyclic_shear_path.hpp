@@ -86,7 +86,6 @@ class CyclicShearPath {
     double fresh_dilation(const Place& place, double from, double to) const;
     double locked_stiffness(const Place& place, double from, double to) const;
     double dilation_tangent(double ratio) const;
-    double slope_after_slip(double slope_of_place, const LinearAngle& bound, double from, double to) const;
     void finish();
 
     const CyclicBartonBandis& law_;
