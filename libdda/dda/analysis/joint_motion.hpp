@@ -56,23 +56,29 @@ inline bool any_closed(std::span<const ContactIndex> members, ContactSpan<const 
                        [&](ContactIndex k) { return contacts[k].state != ContactState::open; });
 }
 
-/// The history that a joint segment continues. Contacts that have just become one segment continue that of
-/// the one with the largest force, of the contacts that count in `segment_motion`.
+/// The contact whose history and dilation a joint segment continues. Contacts that have just become one
+/// segment continue those of the one with the largest force, of the contacts that count in `segment_motion`.
 /// @param contacts at the step's start.
-inline const SharedHistory& continued_history(std::span<const ContactIndex> members,
-                                              ContactSpan<const Contact> contacts) {
+inline ContactIndex continued_contact(std::span<const ContactIndex> members,
+                                      ContactSpan<const Contact> contacts) {
     const bool any_was_closed = any_closed(members, contacts);
-    const SharedHistory* history = &contacts[members.front()].history;
+    ContactIndex continued = members.front();
     double largest_normal_force = -1;
     for (const ContactIndex k : members) {
         const Contact& contact = contacts[k];
         if (any_was_closed && contact.state == ContactState::open) continue;
         const double normal_force = std::max(contact.normal_force, 0.0);
         if (!(normal_force > largest_normal_force)) continue;
-        history = &contact.history;
+        continued = k;
         largest_normal_force = normal_force;
     }
-    return *history;
+    return continued;
+}
+
+/// The history that a joint segment continues. @param contacts at the step's start.
+inline const SharedHistory& continued_history(std::span<const ContactIndex> members,
+                                              ContactSpan<const Contact> contacts) {
+    return contacts[continued_contact(members, contacts)].history;
 }
 
 /// Motion of the joint segment with the contacts `members`, with its normal force, 0 if it is open. Only

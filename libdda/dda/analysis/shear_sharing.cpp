@@ -42,9 +42,10 @@ void share_shear_force(const Model& model, const JointSegments& segments, bool i
         const auto members = segments.contacts_of(segment);
         const JointMaterialIndex joint_material = contacts[members[0]].joint_material;
         const JointMaterial& material = model.joint_material_at(joint_material);
-        const SharedHistory history = continued_history(members, contacts);
-        for (const ContactIndex k : members)
-            contacts[k].inherit_history(history, dilation(material.law, history));
+        const Contact& continued = contacts[continued_contact(members, contacts)];
+        const SharedHistory history = continued.history;
+        const double dilation = continued.dilation;
+        for (const ContactIndex k : members) contacts[k].inherit_history(history, dilation);
         const Totals total = totals_of(model, material, members, contacts);
         const bool by_force = total.normal_force > 0 && !model.is_augmented(joint_material);
         for (const ContactIndex k : members) {
