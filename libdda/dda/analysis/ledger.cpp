@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "dda/analysis/joint_motion.hpp"
+#include "dda/analysis/shear_energy.hpp"
 #include "dda/contact/contact_stiffness.hpp"
 
 namespace rockslope::dda {
@@ -32,15 +33,6 @@ double strain_energy(const Model& model, const RowMap& rows, const BlockSystem& 
 
 double spring_energy(double force, double stiffness) {
     return force * force / (2 * stiffness);
-}
-
-/// Energy of a contact's shear spring, and of the dilation of a joint that has not slipped, Eq. (78).
-double shear_energy(const Model& model, const Contact& contact, double stiffness) {
-    const LockedDilation dilating = locked_dilation(model, contact.joint_material, contact.history);
-    if (dilating.slope == 0) return spring_energy(contact.shear_force, stiffness);
-    const double force =
-        contact.shear_force - dilating.shear_force(contact.normal_force, contact.joint_share);
-    return dilating.stored_energy(force, stiffness, contact.dilation, contact.joint_share);
 }
 
 /// Whether a closed contact bears nothing because its dashpot pulls. Its shear spring is released.
@@ -93,12 +85,6 @@ double gravity_energy(const Model& model, const RowMap& rows, const BlockSystem&
     return sum;
 }
 
-/// Adds what a contact's friction takes in a step.
-void record_friction(double loss, Energy& energy) {
-    energy.friction_loss += loss;
-    energy.friction_returned += std::max(-loss, 0.0);
-}
-
 /// Splits the work that the force at the end of the step does on an elastic-plastic spring. The slip's part
 /// is friction loss, the change of the stored energy stays, and the remainder is the loss of the end-of-step
 /// evaluation, Eq. (42). That loss is never negative where the stiffness is constant.
@@ -139,19 +125,50 @@ void Ledger::record_transfer(ContactSpan<const Contact> before, ContactSpan<cons
 
 void Ledger::record_contacts(const StepWork& step, const PerContact<Contact>& advanced,
                              Energy& energy) const {
-    for (const ContactIndex k : step.before.indices()) {
-        const double returned = energy.friction_returned;
-        record_contact(step, k, advanced[k], energy);
-        const double given = energy.friction_returned - returned;
-        if (given <= energy.largest_gain.amount) continue;
+    const auto record_friction = [&](ContactIndex k, double loss) {
+        energy.friction_loss += loss;
+        energy.friction_returned += std::max(-loss, 0.0);
+        if (-loss <= energy.largest_gain.amount) return;
         const Contact& contact = step.before[k];
-        energy.largest_gain = {given, step.time, contact.corner_block, contact.edge_block,
+        energy.largest_gain = {-loss, step.time, contact.corner_block, contact.edge_block,
                                contact.joint_material};
+    };
+    const auto slips = [&](ContactIndex k) { return step.result.contacts[k].slip != 0; };
+    for (const ContactIndex k : step.before.indices()) {
+        if (has_segment_history(model_.joint_material_at(step.before[k].joint_material).law)) continue;
+        record_friction(k, record_contact(step, k, advanced[k], slips(k), energy));
+    }
+    // A joint segment slips and dilates as a whole, and its contacts pass energy to each other.
+    for (std::size_t segment = 0; segment < step.segments.count(); ++segment) {
+        const auto members = step.segments.contacts_of(segment);
+        const bool any_slips = std::any_of(members.begin(), members.end(), slips);
+        // In static stages the springs are shared by length, the force by normal force.
+        const bool shared = any_slips && step.duration > 0;
+        double loss = 0;
+        SharedSpring spring;
+        for (const ContactIndex k : members) {
+            loss += record_contact(step, k, advanced[k], any_slips, energy);
+            if (shared && stores_dilation(step.result.contacts[k], advanced[k]))
+                spring.add(sheared(advanced[k])
+                               .spring_force(
+                                   locked_dilation(model_, advanced[k].joint_material, advanced[k].history)),
+                           step.springs[k].shear_stiffness);
+        }
+        loss += spring.uneven();
+        energy.released -= spring.uneven();
+        record_friction(members[0], loss);
     }
 }
 
-void Ledger::record_contact(const StepWork& step, ContactIndex k, const Contact& advanced,
-                            Energy& energy) const {
+/// Whether the dilation of a contact's joint is part of what its shearing stores.
+bool Ledger::stores_dilation(const EvaluatedContact& after, const Contact& contact) const {
+    return after.state != ContactState::open && !is_rebounding(after) &&
+           !model_.is_augmented(contact.joint_material) &&
+           dilates(model_.joint_material_at(contact.joint_material).law);
+}
+
+double Ledger::record_contact(const StepWork& step, ContactIndex k, const Contact& advanced, bool slips,
+                              Energy& energy) const {
     const Contact& before = step.before[k];
     const EvaluatedContact& after = step.result.contacts[k];
     const ContactSprings& s = step.springs[k];
@@ -170,14 +187,13 @@ void Ledger::record_contact(const StepWork& step, ContactIndex k, const Contact&
             record_normal_loss(step, k, stored_normal, energy);
         if (after.shear_force == 0) {
             energy.released += stored_shear;
-            return;
+            return 0;
         }
         // Its cohesion acted to the end of the step, Eq. (75), and its shear spring is released there.
         const double stored_at_end = stores ? spring_energy(after.shear_force, s.shear_stiffness) : 0;
-        record_friction(after.shear_force * after.displacement - (stored_at_end - stored_shear), energy);
         energy.released += stored_at_end;
         energy.external_work += after.shear_force * s.shear.prescribed;
-        return;
+        return after.shear_force * after.displacement - (stored_at_end - stored_shear);
     }
     const double opening = s.rows.measure(s.normal, step.result.displacement);
     const double shear_work = after.shear_force * after.displacement;
@@ -187,18 +203,16 @@ void Ledger::record_contact(const StepWork& step, ContactIndex k, const Contact&
     record_normal_loss(step, k, normal_loss, energy);
     if (is_rebounding(after)) {
         energy.released += stored_shear;
-        return;
-    }
-    if (dilates(model_.joint_material_at(before.joint_material).law) && stores) {
-        record_dilating_shear(advanced, after, s.shear_stiffness, shear_work + dilation_work, stored_shear,
-                              energy);
-    } else {
-        const double stored = stores ? spring_energy(after.shear_force, s.shear_stiffness) : 0;
-        const double slip_work = after.shear_force * after.slip;
-        record_friction(slip_work + dilation_work, energy);
-        energy.numerical_loss += shear_work - slip_work - (stored - stored_shear);
+        return 0;
     }
     energy.external_work += after.shear_force * s.shear.prescribed - after.normal_force * s.normal.prescribed;
+    if (stores_dilation(after, before))
+        return record_dilating_shear(step, k, advanced, {shear_work + dilation_work, stored_shear, slips},
+                                     energy);
+    const double stored = stores ? spring_energy(after.shear_force, s.shear_stiffness) : 0;
+    const double slip_work = after.shear_force * after.slip;
+    energy.numerical_loss += shear_work - slip_work - (stored - stored_shear);
+    return slip_work + dilation_work;
 }
 
 /// Divides what a contact loses in its normal motion between its dashpot and the integration, Eq. (88).
@@ -222,21 +236,30 @@ void Ledger::record_normal_loss(const StepWork& step, ContactIndex k, double los
 }
 
 /// Splits the work of shearing and dilating a joint: what neither its spring and its dilation store, Eq.
-/// (78), nor the end-of-step evaluation of the spring loses, Eq. (42), is friction loss if the joint slips. A
-/// locked joint releases energy where its spring is found anew; its other difference is that of the
-/// evaluation.
-void Ledger::record_dilating_shear(const Contact& advanced, const EvaluatedContact& after, double stiffness,
-                                   double work, double stored_before, Energy& energy) const {
+/// (78), nor the end-of-step evaluation of the spring loses, Eq. (42), is friction loss if the joint segment
+/// slips. A locked one releases energy
+/// where its spring is found anew; its other difference is that of the evaluation. What the dilation of a
+/// joint stored before its first slip is released.
+double Ledger::record_dilating_shear(const StepWork& step, ContactIndex k, const Contact& advanced,
+                                     const Shearing& shearing, Energy& energy) const {
+    const EvaluatedContact& after = step.result.contacts[k];
+    const double stiffness = step.springs[k].shear_stiffness;
+    const LockedDilation dilating = locked_dilation(model_, advanced.joint_material, advanced.history);
+    const bool was_closed = step.before[k].state != ContactState::open;
+    const double matched =
+        was_closed ? shear_energy_before_slip(model_, step.before[k], dilating, stiffness) : 0;
+    energy.released += shearing.stored_before - matched;
     const double elastic = after.displacement - after.slip;
     const double evaluation_loss = stiffness * elastic * elastic / 2;
-    const double rest = work - evaluation_loss - (shear_energy(model_, advanced, stiffness) - stored_before);
+    const double rest =
+        shearing.work - evaluation_loss - (shear_energy(model_, advanced, stiffness) - matched);
     energy.numerical_loss += evaluation_loss;
-    if (after.slip != 0)
-        record_friction(rest, energy);
-    else if (shear_stiffness(model_, advanced) != stiffness)
+    if (shearing.segment_slips) return rest;
+    if (shear_stiffness(model_, advanced) != stiffness)
         energy.released += rest;
     else
         energy.numerical_loss += rest;
+    return 0;
 }
 
 void Ledger::record_spring_changes(const StepWork& step, const PerContact<Contact>& after,

@@ -13,6 +13,7 @@ struct StepWork {
     const BlockSystem& blocks;  ///< at the start of the step
     const MidStep& mid;
     ContactSpan<const Contact> before;  ///< at the start of the step
+    const JointSegments& segments;
     ContactSpan<const ContactSprings> springs;
     ContactSpan<const NormalDashpot> dashpots;  ///< see StepProblem
     std::span<const BoltSpring> bolts;
@@ -24,6 +25,7 @@ struct StepWork {
     double velocity_factor = 1;  ///< fraction of the velocity that the next step starts with
     double time = 0;             ///< s, at the end of the step
     LoadInstant loads;           ///< at the end of the step
+    double duration = 0;         ///< s, physical time of the step; 0 in static stages
 };
 
 /// Updates the energy balance, theory sec. 8. Stored energies follow from the state alone, losses and work
@@ -54,10 +56,20 @@ class Ledger {
     void record_boundaries(const StepWork& step, Energy& energy) const;
 
   private:
-    void record_contact(const StepWork& step, ContactIndex k, const Contact& advanced, Energy& energy) const;
+    /// Adds the losses of a contact but that of its friction, and external work on it. @return what its
+    /// friction takes, J per metre. @param slips whether it, or its joint segment, slips.
+    double record_contact(const StepWork& step, ContactIndex k, const Contact& advanced, bool slips,
+                          Energy& energy) const;
+    bool stores_dilation(const EvaluatedContact& after, const Contact& contact) const;
     void record_normal_loss(const StepWork& step, ContactIndex k, double loss, Energy& energy) const;
-    void record_dilating_shear(const Contact& advanced, const EvaluatedContact& after, double stiffness,
-                               double work, double stored_before, Energy& energy) const;
+    /// The shearing and dilating of a contact in a step.
+    struct Shearing {
+        double work = 0;           ///< J per metre, of shear force and dilation
+        double stored_before = 0;  ///< J per metre
+        bool segment_slips = false;
+    };
+    double record_dilating_shear(const StepWork& step, ContactIndex k, const Contact& advanced,
+                                 const Shearing& shearing, Energy& energy) const;
 
     const Model& model_;
     const RowMap& rows_;

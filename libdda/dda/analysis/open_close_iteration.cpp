@@ -32,6 +32,8 @@ constexpr int bound_memory = 6;
 /// in the next step.
 constexpr int dilation_iterations = 8;
 constexpr int dilation_minima = 2;
+/// Number of times in a step that the dilation of segments whose friction gives energy is limited.
+constexpr int limit_rounds = 3;
 
 /// Largest number of augmented Lagrangian updates in a step. The penetration that remains is left to the next
 /// step.
@@ -296,13 +298,16 @@ class OpenCloseIteration {
         return is_at_minimum();
     }
 
-    /// Updates the dilation at a minimum of the potential, and postpones it after the last one allowed.
+    /// Updates the dilation at a minimum of the potential. After the last minimum allowed it is postponed
+    /// where it does not settle. Then it is limited where friction would give energy.
     /// @param minimum its number since the last augmentation, from 1. @return whether any dilation changed.
     bool update_dilation_at(int minimum) {
-        if (minimum > dilation_minima) return trials_.postpone_dilation();
-        if (!trials_.dilation_exceeds_tolerance()) return false;
-        trials_.update_dilation();
-        return true;
+        if (minimum <= dilation_minima && trials_.dilation_exceeds_tolerance()) {
+            trials_.update_dilation();
+            return true;
+        }
+        if (minimum > dilation_minima && trials_.postpone_dilation()) return true;
+        return limits_++ < limit_rounds && trials_.limit_dilation();
     }
 
     void finish() {
@@ -335,6 +340,7 @@ class OpenCloseIteration {
     int augmentations_ = 0;
     int short_steps_ = 0;  ///< step lengths below short_length
     bool interior_point_failed_ = false;
+    int limits_ = 0;  ///< rounds in which the dilation was limited
     int minima_ = 0;  ///< minima of the potential since the last augmentation
     AndersonMixing bound_mixing_;
     AndersonMixing augmentation_mixing_;

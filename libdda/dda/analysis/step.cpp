@@ -8,6 +8,7 @@
 #include "dda/analysis/advance_contacts.hpp"
 #include "dda/analysis/base_motion.hpp"
 #include "dda/analysis/bonds.hpp"
+#include "dda/analysis/energy_watch.hpp"
 #include "dda/analysis/rotation_prediction.hpp"
 #include "dda/analysis/shear_sharing.hpp"
 #include "dda/contact/candidates.hpp"
@@ -39,6 +40,10 @@ constexpr double clipping_depth = 1e-5;
 /// Forces converge no closer than this rounding, so with stiffer springs any state would pass for
 /// equilibrium.
 constexpr double rounding_force_limit = 0.1;
+
+/// Friction that gives energy in a step by more than this fraction of what was turned over so far has its
+/// dilation limited.
+constexpr double tolerated_gain = 1e-7;
 
 double extent(CornerSpan<const Vec2> vertices, int axis) {
     double low = std::numeric_limits<double>::infinity();
@@ -344,7 +349,8 @@ OpenCloseResult TimeStepper::solve(const Stage& stage, const State& state, const
         duration_of(stage, step.dt),
         coordinate_rounding_ * std::max(max_spring_stiffness(step.springs), model_.normal_penalty),
         step.dashpots,
-        held};
+        held,
+        tolerated_gain * turned_over(state.energy)};
     return iterate_open_close(problem, pattern_, *solver_, matrix_, pool_, times_);
 }
 
@@ -414,10 +420,22 @@ State TimeStepper::updated_state(const Stage& stage, const State& state, const S
                       .duration = duration_of(stage, step.dt),
                       .bonds_hold = bonds_hold(model_, stage)},
                      pool_, after.contacts.contacts);
-    const StepWork work{state.blocks,  step.mid,     step.contacts.contacts, step.springs,
-                        step.dashpots, step.bolts,   state.bolt_force,       step.boundaries,
-                        result,        step.newmark, stage.mass_damping,     factor,
-                        after.time,    step.loads};
+    const StepWork work{state.blocks,
+                        step.mid,
+                        step.contacts.contacts,
+                        step.segments,
+                        step.springs,
+                        step.dashpots,
+                        step.bolts,
+                        state.bolt_force,
+                        step.boundaries,
+                        result,
+                        step.newmark,
+                        stage.mass_damping,
+                        factor,
+                        after.time,
+                        step.loads,
+                        duration_of(stage, step.dt)};
     ledger_.record_transfer(state.contacts.contacts, step.contacts.contacts, after.time, after.energy);
     after.energy.numerical_loss += straining_loss;
     ledger_.record_contacts(work, after.contacts.contacts, after.energy);

@@ -52,6 +52,8 @@ struct StepProblem {
     /// Per contact: the share of its bond's strength at which the bond yields, Eq. (97). Empty: bonds break
     /// in the step at their whole strength.
     ContactSpan<const double> held_shares = {};
+    /// J per metre; friction that gives no more in a step is a rounding error.
+    double tolerated_gain = 0;
 
     /// Whether no bond breaks in the step.
     bool bonds_hold() const { return !held_shares.empty(); }

@@ -310,9 +310,12 @@ void TrialContacts::compute_bounds(double change_tolerance) {
 double TrialContacts::elastic_shear(ContactIndex k) const {
     const Trial& trial = trials_[k];
     const double spring = trial.shear_origin + p_.springs[k].shear_stiffness * trial.shearing;
-    if (trial.dilating.slope == 0) return spring;
-    return spring +
-           trial.dilating.shear_force(std::max(current_forces(k).normal, 0.0), p_.contacts[k].joint_share);
+    return trial.dilating.slope == 0 ? spring : spring + by_slope(k);
+}
+
+double TrialContacts::by_slope(ContactIndex k) const {
+    return trials_[k].dilating.shear_force(std::max(current_forces(k).normal, 0.0),
+                                           p_.contacts[k].joint_share);
 }
 
 Eigen::VectorXd TrialContacts::shear_bounds() const {
@@ -368,8 +371,7 @@ bool TrialContacts::update_active_set_of(ContactIndex k) {
     }
     trial.active = active;
     trial.locked = locked;
-    const double slope = locked ? trial.dilating.slope : trial.sliding_slope;
-    if (const double tilt = trial.postponed ? 0 : slope; tilt != trial.tilt) {
+    if (const double tilt = locked ? trial.dilating.slope : trial.sliding_slope; tilt != trial.tilt) {
         set_tilt(k, tilt);
         changed = changed || active;
     }
@@ -380,8 +382,12 @@ bool TrialContacts::update_active_set_of(ContactIndex k) {
 
 double TrialContacts::slip(ContactIndex k, double elastic, double force) const {
     if (is_within(elastic, trials_[k].bounds)) return 0;
-    if (!p_.model.is_augmented(p_.contacts[k].joint_material))
-        return (elastic - force) / p_.springs[k].shear_stiffness;
+    if (!p_.model.is_augmented(p_.contacts[k].joint_material)) {
+        // The spring bears nothing of what is too steep for the strength.
+        const double climbing = by_slope(k);
+        const double climbed = std::clamp(climbing, -trials_[k].bounds.backward, trials_[k].bounds.forward);
+        return (elastic - (climbing - climbed) - force) / p_.springs[k].shear_stiffness;
+    }
     if (elastic == force) return 0;
     return force >= 0 ? std::max(trials_[k].shearing, 0.0) : std::min(trials_[k].shearing, 0.0);
 }

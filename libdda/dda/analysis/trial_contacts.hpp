@@ -7,6 +7,7 @@
 
 #include "dda/analysis/joint_motion.hpp"
 #include "dda/analysis/segment_friction.hpp"
+#include "dda/analysis/shear_energy.hpp"
 #include "dda/analysis/step_problem.hpp"
 #include "dda/linear/anderson.hpp"
 
@@ -210,9 +211,12 @@ class TrialContacts {
     /// Whether update_dilation() would change a normal force by more than ten times the tolerance, also one
     /// that it would close.
     bool dilation_exceeds_tolerance() const;
-    /// Sets the dilation of the step to zero where it is farther from the law's value than zero is. The
-    /// dilation of the joint history then acts from the next step on. @return whether any was changed.
+    /// Sets the dilation of the step to that of the locked part of its displacement, where it is farther from
+    /// the law's value than that is. The rest acts from the next step on. @return whether any was changed.
     bool postpone_dilation();
+    /// Lowers the dilation of the segments whose friction would give energy, so that it gives none at the
+    /// present forces. @return whether any was changed.
+    bool limit_dilation();
     /// The shear bounds, N per metre: forward and backward of each contact in turn.
     Eigen::VectorXd shear_bounds() const;
     /// Sets the shear bounds; negative values become zero.
@@ -249,7 +253,7 @@ class TrialContacts {
         bool bond_broken = false;
         bool may_close = true;
         bool coheres = false;           ///< its cohesion acts in this step until a bond breaks
-        bool postponed = false;         ///< its dilation acts from the next step on
+        bool postponed = false;         ///< the rest of its dilation acts from the next step on
         double friction_force = 0;      ///< N per metre, shear force in the linear system when not locked
         Strength bounds;                ///< N per metre, shear bounds and tensile strength
         double stress_free_gap = 0;     ///< m, gap at zero normal force
@@ -313,6 +317,13 @@ class TrialContacts {
     /// itself, at the present displacement. @return the motion of the segment with that force.
     SegmentMotion find_dilation(const JointLaw& law, std::span<const ContactIndex> members,
                                 const SegmentMotion& present);
+    /// The dilation of the step if only the locked part of its displacement dilates the joint, m.
+    double locked_dilation_of(ContactIndex k) const;
+    /// The contact at the step's end, at the last evaluation.
+    ShearedContact sheared(ContactIndex k) const;
+    /// What friction takes from a contact of a dilating joint, J per metre. @param after its locked dilation
+    /// at the step's end.
+    double dilating_loss(ContactIndex k, const LockedDilation& after) const;
     /// Calls visit(law, contacts, motion) for each segment whose law dilates, with its motion in the step;
     /// none without a normal force.
     template <class Visit>
@@ -346,6 +357,8 @@ class TrialContacts {
     }
     /// The elastic shear force, Eq. (77), at the last evaluation, before the law bounds it.
     double elastic_shear(ContactIndex k) const;
+    /// The part of it that the slope of the locked joint gives, the second term of Eq. (77), N per metre.
+    double by_slope(ContactIndex k) const;
     /// The forces of the law at the last evaluation: the whole shear force.
     Forces current_forces(ContactIndex k) const;
     /// Whether an augmented contact violates the conditions of rigid contact by more than `tolerance`, m: it

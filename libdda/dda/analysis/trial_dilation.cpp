@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "dda/analysis/joint_motion.hpp"
+#include "dda/analysis/shear_energy.hpp"
 #include "dda/analysis/trial_contacts.hpp"
 
 namespace rockslope::dda {
@@ -13,6 +14,11 @@ namespace {
 /// Largest error of a normal force by dilation at the end of a step, over the force tolerance. The remaining
 /// dilation acts in the next step.
 constexpr double dilation_tolerance = 10;
+
+/// The share of an opening, left from the step before, that a dynamic step releases even where friction does
+/// not pay for it. With all of it a block may land on its opening at once and gain its work; with none of it
+/// slopes do not come to rest.
+constexpr double released_share = 0.5;
 
 /// Displacement over that of the step with which the slope of the dilation along further slip is found, and
 /// its least value, m.
@@ -155,15 +161,81 @@ void TrialContacts::set_dilation_change(std::size_t index, double change) {
     dilation.change = change;
 }
 
+double TrialContacts::locked_dilation_of(ContactIndex k) const {
+    const Contact& contact = p_.contacts[k];
+    const Trial& trial = trials_[k];
+    const double elastic = trial.shearing - slip(k, elastic_shear(k), current_forces(k).shear);
+    const double slope =
+        (locked_dilation(p_.model, contact.joint_material, contact.history).slope + trial.dilating.slope) / 2;
+    const double left = left_dilation(p_.model, contact);
+    const bool opens = left > 0 && p_.duration > 0;
+    return (opens ? released_share * left : left) + slope * elastic;
+}
+
 bool TrialContacts::postpone_dilation() {
     bool any = false;
     visit_dilation_by_law([&](ContactIndex k, double by_law) {
         Trial& trial = trials_[k];
-        const double left = left_dilation(p_.model, p_.contacts[k]);
-        if (trial.postponed || std::abs(by_law - trial.dilation_increment) <= std::abs(by_law - left)) return;
-        trial.dilation_increment = left;
+        const double as_locked = locked_dilation_of(k);
+        if (trial.postponed || std::abs(by_law - trial.dilation_increment) <= std::abs(by_law - as_locked))
+            return;
+        trial.dilation_increment = as_locked;
         trial.sliding_slope = 0;  // update_active_set() tilts the spring, and the matrix follows
         trial.postponed = true;
+        any = true;
+    });
+    if (any) dilations_by_force_.clear();
+    return any;
+}
+
+ShearedContact TrialContacts::sheared(ContactIndex k) const {
+    const Contact& contact = p_.contacts[k];
+    const Forces forces = current_forces(k);
+    return {forces.shear, forces.normal, contact.dilation + trials_[k].dilation_increment,
+            contact.joint_share};
+}
+
+double TrialContacts::dilating_loss(ContactIndex k, const LockedDilation& after) const {
+    const Contact& contact = p_.contacts[k];
+    const Trial& trial = trials_[k];
+    const Forces forces = current_forces(k);
+    const double stiffness = p_.springs[k].shear_stiffness;
+    const double elastic = trial.shearing - slip(k, elastic_shear(k), forces.shear);
+    const bool was_closed = contact.state != ContactState::open;
+    const double before = was_closed ? shear_energy_before_slip(p_.model, contact, after, stiffness) : 0;
+    const double stored = shear_energy(after, sheared(k), stiffness);
+    return forces.shear * trial.shearing - forces.normal * trial.dilation_increment -
+           stiffness * elastic * elastic / 2 - (stored - before);
+}
+
+bool TrialContacts::limit_dilation() {
+    bool any = false;
+    visit_dilating_segments([&](const JointLaw& law, std::span<const ContactIndex> members,
+                                const SegmentMotion& combined) {
+        if (p_.model.is_augmented(p_.contacts[members[0]].joint_material)) return;
+        const LockedDilation after = locked_dilation(law, advance(law, *combined.history, combined.motion));
+        double loss = 0, normal = 0, moved = 0, excess = 0;
+        SharedSpring spring;
+        for (const ContactIndex k : members) {
+            const Forces forces = current_forces(k);
+            if (!trials_[k].may_close || !(forces.normal > 0)) continue;
+            const Trial& trial = trials_[k];
+            loss += dilating_loss(k, after);
+            spring.add(sheared(k).spring_force(after), p_.springs[k].shear_stiffness);
+            normal += forces.normal;
+            excess += forces.normal * (trial.dilation_increment - locked_dilation_of(k));
+            moved = std::max({moved, std::abs(trial.shearing), std::abs(trial.dilation_increment)});
+        }
+        // A locked joint only pays for what it dilates beyond its slope.
+        loss = combined.motion.slip == 0 ? -excess : loss + (p_.duration > 0 ? spring.uneven() : 0);
+        const double tolerated = p_.tolerated_gain + tolerance() * moved;
+        if (!(normal > 0) || loss >= -tolerated || excess <= tolerated) return;
+        for (const ContactIndex k : members) {
+            Trial& trial = trials_[k];
+            trial.dilation_increment += std::max(loss, -excess) / normal;
+            trial.sliding_slope = 0;
+            trial.postponed = true;
+        }
         any = true;
     });
     if (any) dilations_by_force_.clear();

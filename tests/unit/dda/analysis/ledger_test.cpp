@@ -126,6 +126,7 @@ struct RecordedStep {
         return {step.state.blocks,
                 step.mid,
                 step.set.contacts,
+                step.found.segments,
                 step.springs,
                 {},
                 step.bolts,

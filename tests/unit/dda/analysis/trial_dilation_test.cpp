@@ -101,10 +101,25 @@ TEST_F(TrialDilation, IsPostponedWhereItIsFartherFromTheLawThanZero) {
     EXPECT_FALSE(block.trials.postpone_dilation());
 }
 
-// A locked joint of even roughness dilates with its displacement, however it goes. What is postponed stays so
-// when the active set is updated: a tilt that came back would let the dilation grow from where it was
-// postponed.
-TEST(TrialDilationOfALockedJoint, KeepsNoTiltWhereItIsPostponed) {
+// Friction takes S u - N dU - ... of a step, no less than nothing: five times the dilation of the law would
+// give energy, and what friction does not pay for is left.
+TEST_F(TrialDilation, IsLimitedWhereFrictionDoesNotPayForIt) {
+    solve(along);
+    EXPECT_FALSE(block.trials.limit_dilation()) << "friction pays for that of the law";
+    const double of_law = block.evaluated()[0].dilation_increment;
+    block.trials.set_dilation_change(0, 4 * dilation);
+    const double given = block.evaluated()[0].dilation_increment;
+    EXPECT_TRUE(block.trials.limit_dilation());
+    EXPECT_LT(block.evaluated()[0].dilation_increment, given);
+    EXPECT_GE(block.evaluated()[0].dilation_increment, 0);
+    EXPECT_GT(given, of_law);
+    EXPECT_TRUE(block.trials.dilations_by_force().empty());
+}
+
+// A locked joint of even roughness dilates with its displacement, however it goes. What is postponed dilates
+// with the slope of the locked joint, for its shear force follows the normal force with that slope, too. A
+// joint that has not slipped has the mean slope of the way.
+TEST(TrialDilationOfALockedJoint, KeepsItsSlopeWhereItIsPostponed) {
     dda::CyclicBartonBandis law;
     law.barton = {2, 50e6, radians(18)};
     law.peak_displacement = 2e-3;
@@ -125,13 +140,15 @@ TEST(TrialDilationOfALockedJoint, KeepsNoTiltWhereItIsPostponed) {
     block.trials.update_bounds();
     block.trials.update_active_set();
     ASSERT_EQ(block.evaluated()[0].state, dda::ContactState::locked);
-    ASSERT_GT(std::abs(block.trials.tilt(0)), 1e-4);
+    const double slope = block.trials.tilt(0);
+    ASSERT_GT(std::abs(slope), 1e-4);
     update(-elastic);  // the tilt continues to three times the law's value, with the other sign
     ASSERT_TRUE(block.trials.postpone_dilation());
     block.trials.update_active_set();
-    EXPECT_EQ(block.trials.tilt(0), 0);
+    EXPECT_EQ(block.trials.tilt(0), slope);
+    EXPECT_NEAR(block.evaluated()[0].dilation_increment, -slope * elastic / 2, 1e-9 * elastic);
     update(elastic);
-    EXPECT_EQ(block.evaluated()[0].dilation_increment, 0);
+    EXPECT_NEAR(block.evaluated()[0].dilation_increment, 1.5 * slope * elastic, 1e-9 * elastic);
 }
 
 }  // namespace
