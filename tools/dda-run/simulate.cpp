@@ -122,7 +122,8 @@ dda::Provenance provenance_of(const CommandLine& line, const dda::RunInput& inpu
             .overrides = line.overrides,
             .saved_state = saved_file(line),
             .threads = line.threads,
-            .kernel = dda::front_kernels<double>().front().name,
+            .kernel = dda::chosen_front_kernels<double>().name,
+            .fused = dda::chosen_front_kernels<double>().fused,
             .warnings = warnings.lines()};
 }
 
