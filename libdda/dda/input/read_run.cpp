@@ -68,10 +68,10 @@ void read_analysis(const ConfigTable& analysis, Model& model) {
     model.default_joint_material = read_default_joint_material(analysis, model);
     model.removes_lost_blocks = analysis.choice("lost_blocks", {"keep", "remove"}, "keep") == "remove";
     const std::string solver =
-        analysis.choice("solver", {"multifrontal", "refined", "cholmod"}, "multifrontal");
-    model.solver = solver == "cholmod"   ? SolverKind::cholmod
-                   : solver == "refined" ? SolverKind::refined
-                                         : SolverKind::multifrontal;
+        analysis.choice("solver", {"multifrontal", "refined", "simplicial"}, "multifrontal");
+    model.solver = solver == "simplicial" ? SolverKind::simplicial
+                   : solver == "refined"  ? SolverKind::refined
+                                          : SolverKind::multifrontal;
 }
 
 int count_up_to_a_million(const ConfigTable& output, std::string_view key, int fallback) {
