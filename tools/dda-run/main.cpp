@@ -12,6 +12,7 @@
 #include "run_log.hpp"
 #include "simulate.hpp"
 #include "support/parse_arguments.hpp"
+#include "support/standard_streams.hpp"
 #ifdef __GLIBC__  // defined by any header of the C library
 #include <malloc.h>
 #endif
@@ -88,8 +89,10 @@ ExitCode act_on_arguments(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    return reported([&] {
-        disable_heap_trimming();
-        return act_on_arguments(argc, argv);
+    return tool_support::run_program("dda-run", [&]() -> int {
+        return reported([&] {
+            disable_heap_trimming();
+            return act_on_arguments(argc, argv);
+        });
     });
 }
