@@ -296,6 +296,9 @@ void add_provenance(const Provenance& provenance, Json& json) {
     json["commit"] = provenance.commit;
     json["kernel"] = provenance.kernel;
     json["same_bytes_on"] = same_bytes_on(provenance.fused) + ", with any number of threads";
+    json["displacements"] =
+        "one sample: where blocks slide or fall, a change in the last digit moves them elsewhere, by a fifth "
+        "or by metres; a study with replicates gives the distribution";
     json["threads"] = provenance.threads;
     json["fingerprint"] = provenance.fingerprint;
     json["overrides"] = provenance.overrides;
