@@ -41,7 +41,8 @@ void handle(int number, void (*handler)(int)) {
 
 void install_signal_handlers() {
     for (const int number : {SIGINT, SIGTERM, SIGHUP}) handle(number, request_stop_or_end);
-    // Of a batch system whose time runs out, of a limit on processor time (each second anew), of a timer.
+    // Signals of a batch system whose time runs out, of a limit on processor time (each second anew), of a
+    // timer.
     for (const int number : {SIGUSR1, SIGUSR2, SIGXCPU, SIGALRM, SIGVTALRM}) handle(number, request_stop);
     std::signal(SIGXFSZ, SIG_IGN);
 }

@@ -8,9 +8,9 @@ namespace {
 
 /// A part of a message with its middle left out where it is longer than can be read.
 std::string shortened(const std::string& text) {
-    constexpr std::size_t longest = 2000;
+    constexpr std::size_t longest_part = 2000;
     constexpr std::size_t kept = 600;  // at each end
-    if (text.size() <= longest) return text;
+    if (text.size() <= longest_part) return text;
     return text.substr(0, kept) + " ... " + text.substr(text.size() - kept);
 }
 

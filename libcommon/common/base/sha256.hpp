@@ -10,6 +10,7 @@ namespace rockslope {
 /// The SHA-256 digest (FIPS 180-4) of bytes that come in pieces.
 class Sha256 {
   public:
+    /// Begins with no bytes.
     Sha256();
     /// Takes further bytes.
     void add(std::string_view bytes);

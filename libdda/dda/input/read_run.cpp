@@ -155,8 +155,8 @@ void check_overlaps(const blockgen::BlockMesh& mesh, const std::filesystem::path
     if (!found) return;
     throw InputError({block_file.string()},
                      "blocks " + std::to_string(found->first.value()) + " and " +
-                         std::to_string(found->second.value()) + " overlap at (" + shortest_text(found->at.x) +
-                         ", " + shortest_text(found->at.y) + ")",
+                         std::to_string(found->second.value()) + " overlap at (" +
+                         shortest_text(found->at.x) + ", " + shortest_text(found->at.y) + ")",
                      "blocks that touch at most");
 }
 

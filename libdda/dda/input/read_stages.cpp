@@ -29,11 +29,11 @@ int count(const ConfigTable& table, std::string_view key, int fallback) {
 
 /// A positive time, s. Beyond thirty years the clock of a run would stand still.
 double time_of(const ConfigTable& table, const char* key, std::optional<double> missing = std::nullopt) {
-    constexpr double longest = 1e9;
+    constexpr double longest_time = 1e9;
     const double time =
         missing ? positive(table, key, Dimension::time, *missing) : positive(table, key, Dimension::time);
     return table.checked(
-        key, time, [](double v) { return v <= longest; }, "a time of at most 1e9 s");
+        key, time, [](double v) { return v <= longest_time; }, "a time of at most 1e9 s");
 }
 
 StepControl read_step_control(const ConfigTable& table) {
