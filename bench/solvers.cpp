@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "cholmod_solver.hpp"
 #include "dda/linear/linear_solver.hpp"
 #include "dda/linear/multifrontal_factor.hpp"
 #include "options.hpp"
@@ -52,7 +53,7 @@ void print(const scene::StepSystem& system, const char* solver, const Row& row) 
 }
 
 Row cholmod(const scene::StepSystem& system) {
-    const auto solver = dda::make_cholmod_solver();
+    const auto solver = bench::make_cholmod_solver();
     Row row;
     std::vector<dda::Vec6> x;
     const double start = cpu_time();

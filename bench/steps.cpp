@@ -27,7 +27,7 @@ namespace {
 constexpr const char* usage =
     "bench_steps --wall COLUMNSxROWS [--penalty TIMES-E] | --model RUN.toml --blocks FILE [--name SCENE]\n"
     "    [--step S] [--steps N] [--warm N] [--iterations N] [--threads N]\n"
-    "    [--solver multifrontal|refined|cholmod] [--no-heading]\n"
+    "    [--solver multifrontal|refined|simplicial] [--no-heading]\n"
     "Runs all stages of the model except the last, then WARM steps of the last stage, then N timed steps.\n"
     "Prints the times of their phases as CSV, in us per block and step: CPU time on one thread, wall time\n"
     "on several. `at four` is the time of a step of four open-close iterations: the phases of the iteration\n"
@@ -223,8 +223,8 @@ int main(int argc, char** argv) {
                                                      {"--iterations", "0"},
                                                      {"--solver", "multifrontal"}});
         Scene scene = options.count("--wall") ? wall(options) : slope(options);
-        if (const std::string& solver = options.at("--solver"); solver == "cholmod")
-            scene.model.solver = dda::SolverKind::cholmod;
+        if (const std::string& solver = options.at("--solver"); solver == "simplicial")
+            scene.model.solver = dda::SolverKind::simplicial;
         else if (solver == "refined")
             scene.model.solver = dda::SolverKind::refined;
         else if (solver != "multifrontal")

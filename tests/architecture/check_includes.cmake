@@ -43,7 +43,8 @@ set(private_packages
     "(gdal|cpl_[a-z]*|ogr_[a-z_]*)\\.h|libblockgen/blockgen/input"
     "nlohmann/|libdda/dda/results libblockgen/blockgen/input libblockgen/blockgen/report tools/blockgen libstudy/study/folder libstudy/study/table tools/dda-study tools/dda-plot"
     "sqlite3|libstudy/study/table"
-    "(suitesparse/)?(cholmod|SuiteSparse_config|amd|camd|ccolamd|metis)\\.h|libdda/dda/linear")
+    "(suitesparse/)?(cholmod|SuiteSparse_config|amd|camd|ccolamd)\\.h|bench"
+    "metis\\.h|libdda/dda/linear")
 
 set(violations "")
 macro(violation text)

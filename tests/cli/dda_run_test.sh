@@ -42,6 +42,32 @@ sed 's/ddablk 1/ddablk 99/' two.blocks >newer.blocks
 present=$(ls)
 refused 'short.blocks' 's/two.blocks/short.blocks/'
 refused 'newer.blocks:1.*99' 's/two.blocks/newer.blocks/'
+
+# Blocks 0.3 m in one another, which were settled for 20 000 steps.
+cat >overlap.blocks <<'BLOCKS'
+ddablk 1
+counts provenance 0 block_materials 1 joint_materials 1 joints 1 vertices 8 blocks 2 rings 2 corners 8 measured_points 0 bolts 0
+block_material rock
+joint_material bedding
+joint set
+vertex 0 0
+vertex 4 0
+vertex 4 1
+vertex 0 1
+vertex 1 0.7
+vertex 3 0.7
+vertex 3 1.7
+vertex 1 1.7
+block 0 1 prescribed base
+ring 0 1 2 3
+edges - - - -
+block 0 1 free
+ring 4 5 6 7
+edges - - - -
+end
+BLOCKS
+present=$(ls)
+refused 'overlap.blocks: blocks 0 and 1 overlap at (.*, .*); expected blocks that touch at most' 's/two.blocks/overlap.blocks/'
 touch occupied
 code=0
 "$run" run.toml -o occupied/out 2>err.txt || code=$?

@@ -10,7 +10,7 @@ cpack --config "$build/CPackConfig.cmake" -G DEB -B "$folder" >cpack.log 2>&1 ||
 deb=$(echo rockslope_*.deb)
 [ -f "$deb" ] || fail "no package: $(ls)"
 dpkg-deb -f "$deb" Depends >depends.txt
-for library in libc6 libcairo2 libhdf5-103-1 libcholmod3 fonts-dejavu-core; do
+for library in libc6 libcairo2 libhdf5-103-1 libmetis5 fonts-dejavu-core; do
     grep -q "$library" depends.txt || fail "the package does not depend on $library: $(cat depends.txt)"
 done
 dpkg-deb -x "$deb" root

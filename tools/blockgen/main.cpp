@@ -11,6 +11,7 @@
 #include "common/base/output_error.hpp"
 #include "options.hpp"
 #include "provenance.hpp"
+#include "support/standard_streams.hpp"
 
 namespace rockslope::blockgen_tool {
 namespace {
@@ -96,13 +97,8 @@ int run(const Options& options) {
     return done;
 }
 
-}  // namespace
-}  // namespace rockslope::blockgen_tool
-
-using namespace rockslope;
-using namespace rockslope::blockgen_tool;
-
-int main(int argc, char** argv) {
+/// Does what the arguments ask for; prints why it failed. @return the exit code.
+int act_on_arguments(int argc, char** argv) {
     try {
         return run(parse_options(argc, argv));
     } catch (const UsageError& error) {
@@ -118,4 +114,14 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "blockgen: %s\n", error.what());
         return failed;
     }
+}
+
+}  // namespace
+}  // namespace rockslope::blockgen_tool
+
+using namespace rockslope;
+using namespace rockslope::blockgen_tool;
+
+int main(int argc, char** argv) {
+    return tool_support::run_program("blockgen", [&] { return act_on_arguments(argc, argv); });
 }

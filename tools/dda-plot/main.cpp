@@ -10,6 +10,7 @@
 #include "plot_options.hpp"
 #include "report.hpp"
 #include "support/parse_arguments.hpp"
+#include "support/standard_streams.hpp"
 
 using namespace rockslope;
 
@@ -161,9 +162,8 @@ int plot(PlotOptions options) {
     return options.movie ? make_movie(options) : plot_run(options);
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+/// Does what the arguments ask for; prints why it failed. @return the exit code.
+int act_on_arguments(int argc, char** argv) {
     try {
         const tool_support::CommandPage page = command_page();
         const std::vector<std::string> arguments = tool_support::arguments_of(argc, argv);
@@ -179,4 +179,10 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "%s\n", error.what());
         return 1;
     }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    return tool_support::run_program("dda-plot", [&] { return act_on_arguments(argc, argv); });
 }

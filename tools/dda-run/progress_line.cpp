@@ -36,8 +36,9 @@ std::string formatted(const char* format, auto... values) {
 
 std::string time_left(std::optional<double> seconds) {
     constexpr double longest = 100.0 * 3600;
-    if (seconds && *seconds >= longest) return "over 100 h left";
-    return seconds ? duration_text(*seconds) + " left" : "? left";
+    if (!seconds || std::isnan(*seconds)) return "? left";
+    if (*seconds >= longest) return "over 100 h left";
+    return duration_text(std::max(*seconds, 0.0)) + " left";
 }
 
 /// As many of the fields, in their order, as a line has room for.

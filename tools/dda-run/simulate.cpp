@@ -122,7 +122,8 @@ dda::Provenance provenance_of(const CommandLine& line, const dda::RunInput& inpu
             .overrides = line.overrides,
             .saved_state = saved_file(line),
             .threads = line.threads,
-            .kernel = dda::front_kernels<double>().front().name,
+            .kernel = dda::chosen_front_kernels<double>().name,
+            .fused = dda::chosen_front_kernels<double>().fused,
             .warnings = warnings.lines()};
 }
 
@@ -155,8 +156,10 @@ void remove_earlier_results(const fs::path& folder) {
 /// those of the saved run. @return what the run begins with.
 Beginning prepare_folder(const CommandLine& line, const dda::RunInput& input,
                          const std::optional<dda::Checkpoint>& saved,
-                         const std::optional<dda::Checkpoint>& checkpoint) {
+                         const std::optional<dda::Checkpoint>& checkpoint, std::optional<FolderLock>& lock) {
     make_output_folder(line.output);
+    if (!lock) lock.emplace(line.output);
+    remove_abandoned_files(line.output);
     std::error_code ignored;
     fs::remove(line.output / "failed.json", ignored);
     if (checkpoint) return {checkpoint, false};
@@ -410,15 +413,16 @@ void write_summary_files(const CommandLine& line, const dda::RunOutcome& outcome
 
 }  // namespace
 
-ExitCode simulate(const CommandLine& line, const std::string& version) {
+ExitCode simulate(const CommandLine& line, const std::string& version, std::optional<FolderLock>& lock) {
     install_signal_handlers();
+    dda::chosen_front_kernels<double>();  // refused before anything is touched
     if (has_collapsed_before(line)) return done;
     const dda::RunInput input = dda::read_run(line.run_file, {line.overrides, line.blocks, line.output});
     check_outputs(line, input);
     const std::optional<dda::Checkpoint> saved = read_saved(line, input);
     const std::string hash = input_hash(input, saved);
     const std::optional<int> last = last_stage(line, input.stages, saved ? saved->results.stage + 1 : 0);
-    const Beginning beginning = prepare_folder(line, input, saved, find_checkpoint(line, input, hash));
+    const Beginning beginning = prepare_folder(line, input, saved, find_checkpoint(line, input, hash), lock);
 
     write_file_atomically(line.output / "run.toml", input.effective);
     if (line.depfile)

@@ -16,22 +16,34 @@ volatile std::time_t first_signal = 0;  // s; it is set before `signalled`
 /// on to its children, which then get two.
 constexpr std::time_t one_request = 1;  // s
 
-void handle_signal(int number) {
+void request_stop(int) {
     if (signalled == 0) {
         first_signal = std::time(nullptr);
         signalled = 1;
-    } else if (std::time(nullptr) - first_signal > one_request) {
+    }
+}
+
+/// Ends the program where a stop has been requested before.
+void request_stop_or_end(int number) {
+    if (signalled != 0 && std::time(nullptr) - first_signal > one_request) {
         std::signal(number, SIG_DFL);
         std::raise(number);
     }
+    request_stop(number);
+}
+
+/// Handles a signal, unless whoever started this program has it ignored, as nohup does.
+void handle(int number, void (*handler)(int)) {
+    if (std::signal(number, handler) == SIG_IGN) std::signal(number, SIG_IGN);
 }
 
 }  // namespace
 
 void install_signal_handlers() {
-    std::signal(SIGINT, handle_signal);
-    std::signal(SIGTERM, handle_signal);
-    std::signal(SIGHUP, handle_signal);
+    for (const int number : {SIGINT, SIGTERM, SIGHUP}) handle(number, request_stop_or_end);
+    // Signals of a batch system whose time runs out, of a limit on processor time (each second anew), of a
+    // timer.
+    for (const int number : {SIGUSR1, SIGUSR2, SIGXCPU, SIGALRM, SIGVTALRM}) handle(number, request_stop);
     std::signal(SIGXFSZ, SIG_IGN);
 }
 

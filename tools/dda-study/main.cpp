@@ -8,6 +8,7 @@
 #include "study_commands.hpp"
 #include "support/command_page.hpp"
 #include "support/commit.hpp"
+#include "support/standard_streams.hpp"
 
 using namespace rockslope;
 
@@ -52,9 +53,8 @@ int run(const std::vector<std::string>& arguments) {
                      nearest ? "perhaps '" + *nearest + "'" : "one that dda-study --help lists");
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+/// Does what the arguments ask for; prints why it failed. @return the exit code.
+int act_on_arguments(int argc, char** argv) {
     try {
         return run({argv + 1, argv + argc});
     } catch (const InputError& error) {
@@ -67,4 +67,10 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "dda-study: %s\n", error.what());
         return rows_failed;
     }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    return tool_support::run_program("dda-study", [&] { return act_on_arguments(argc, argv); });
 }

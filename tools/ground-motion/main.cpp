@@ -6,6 +6,7 @@
 #include "common/base/text.hpp"
 #include "record_commands.hpp"
 #include "support/command_page.hpp"
+#include "support/standard_streams.hpp"
 
 using namespace rockslope;
 
@@ -49,9 +50,8 @@ int run(const std::vector<std::string>& arguments) {
     return refuse_command(command);
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+/// Does what the arguments ask for; prints why it failed. @return the exit code.
+int act_on_arguments(int argc, char** argv) {
     try {
         return run({argv + 1, argv + argc});
     } catch (const std::invalid_argument& error) {
@@ -64,4 +64,10 @@ int main(int argc, char** argv) {
         std::cerr << "ground-motion: " << error.what() << '\n';
         return 1;
     }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    return tool_support::run_program("ground-motion", [&] { return act_on_arguments(argc, argv); });
 }

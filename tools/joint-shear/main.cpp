@@ -16,6 +16,7 @@
 #include "support/command_page.hpp"
 #include "support/parse_arguments.hpp"
 #include "support/picture_options.hpp"
+#include "support/standard_streams.hpp"
 
 using namespace rockslope;
 
@@ -126,9 +127,8 @@ int run(const po::variables_map& values) {
     return 0;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+/// Does what the arguments ask for; prints why it failed. @return the exit code.
+int act_on_arguments(int argc, char** argv) {
     try {
         const tool_support::CommandPage page = command_page();
         const std::vector<std::string> arguments = tool_support::arguments_of(argc, argv);
@@ -149,4 +149,10 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "%s\n", error.what());
         return 1;
     }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    return tool_support::run_program("joint-shear", [&] { return act_on_arguments(argc, argv); });
 }

@@ -1,79 +1,124 @@
 #include "common/base/atomic_file.hpp"
 
 #include <fcntl.h>
+#include <sys/random.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <string>
+#include <utility>
 
 #include "common/base/output_error.hpp"
 
 namespace rockslope {
 
+namespace fs = std::filesystem;
+
 namespace {
 
-/// An open file descriptor that is closed at the end of its scope.
-class Descriptor {
-  public:
-    Descriptor(const std::filesystem::path& path, int flags)
-        : number_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {}
-    ~Descriptor() {
-        if (number_ >= 0) ::close(number_);
-    }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
+/// The end of a random name: ".tmp" and so many hexadecimal digits.
+constexpr std::string_view mark = ".tmp";
+constexpr std::size_t random_digits = 12;
 
-    bool open() const { return number_ >= 0; }
-    bool write(std::string_view content) const {
-        while (!content.empty()) {
-            const ssize_t count = ::write(number_, content.data(), content.size());
-            if (count < 0 && errno == EINTR) continue;
-            if (count < 0) return false;
-            content.remove_prefix(count);
-        }
-        return true;
-    }
-    bool sync() const { return ::fsync(number_) == 0; }
-    bool close() {
-        const int number = number_;
-        number_ = -1;
-        return ::close(number) == 0;
-    }
+std::string random_ending() {
+    std::uint64_t bits = 0;
+    // Without a source of random numbers the address and the process have to do; O_EXCL still holds.
+    if (::getrandom(&bits, sizeof bits, 0) != sizeof bits)
+        bits = reinterpret_cast<std::uintptr_t>(&bits) * 0x9e3779b97f4a7c15u + ::getpid();
+    std::string ending(mark);
+    for (std::size_t k = 0; k < random_digits; ++k, bits >>= 4u) ending += "0123456789abcdef"[bits & 15u];
+    return ending;
+}
 
-  private:
-    int number_;
-};
+bool is_random_name(const std::string& name) {
+    constexpr std::size_t length = mark.size() + random_digits;
+    if (name.size() <= length || name.compare(name.size() - length, mark.size(), mark) != 0) return false;
+    return name.find_first_not_of("0123456789abcdef", name.size() - random_digits) == std::string::npos;
+}
 
-[[noreturn]] void fail(const std::filesystem::path& path) {
+bool write_all(int descriptor, std::string_view content) {
+    while (!content.empty()) {
+        const ssize_t count = ::write(descriptor, content.data(), content.size());
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0) return false;
+        content.remove_prefix(static_cast<std::size_t>(count));
+    }
+    return true;
+}
+
+[[noreturn]] void cannot_write(const fs::path& path) {
     throw OutputError(path, std::string("cannot be written: ") + std::strerror(errno));
 }
 
-bool is_special(const std::filesystem::path& path) {
+bool is_special(const fs::path& path) {
     std::error_code error;
-    const auto status = std::filesystem::status(path, error);
-    return std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
+    const auto status = fs::status(path, error);
+    return fs::exists(status) && !fs::is_regular_file(status);
 }
 
-void write_in_place(const std::filesystem::path& path, std::string_view content) {
-    Descriptor file(path, O_WRONLY);
-    if (!file.open() || !file.write(content) || !file.close()) fail(path);
+void write_in_place(const fs::path& path, std::string_view content) {
+    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+    if (descriptor < 0) cannot_write(path);
+    const bool is_written = write_all(descriptor, content);
+    const int reason = errno;
+    const bool is_closed = ::close(descriptor) == 0;
+    if (!is_written) errno = reason;
+    if (!is_written || !is_closed) cannot_write(path);
+}
+
+/// Waits until the names in a folder are on the disk. Not every file system can do this for a folder.
+bool sync_folder(const fs::path& folder) {
+    const int descriptor = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0) return errno == EACCES;  // a folder may be written to and not be read
+    const bool is_synced = ::fsync(descriptor) == 0 || errno == EINVAL || errno == ENOTSUP || errno == EBADF;
+    const int reason = errno;
+    ::close(descriptor);
+    errno = reason;
+    return is_synced;
 }
 
 }  // namespace
 
-void write_file_atomically(const std::filesystem::path& path, std::string_view content) {
+PendingFile::PendingFile(fs::path path) : path_(std::move(path)) {
+    do {
+        temporary_ = path_.string() + random_ending();
+        descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    } while (descriptor_ < 0 && errno == EEXIST);
+    if (descriptor_ < 0) fail();
+}
+
+PendingFile::~PendingFile() {
+    if (descriptor_ < 0) return;
+    ::close(descriptor_);
+    ::unlink(temporary_.c_str());
+}
+
+void PendingFile::fail() const {
+    cannot_write(path_);
+}
+
+void PendingFile::append(std::string_view bytes) {
+    if (::lseek(descriptor_, 0, SEEK_END) < 0 || !write_all(descriptor_, bytes)) fail();
+}
+
+void PendingFile::put_in_place() {
+    if (::fsync(descriptor_) != 0 || ::rename(temporary_.c_str(), path_.c_str()) != 0) fail();
+    if (::close(std::exchange(descriptor_, -1)) != 0 || !sync_folder(path_.parent_path())) fail();
+}
+
+void write_file_atomically(const fs::path& path, std::string_view content) {
     if (is_special(path)) return write_in_place(path, content);
-    const std::filesystem::path temporary = path.string() + ".tmp" + std::to_string(::getpid());
-    Descriptor file(temporary, O_WRONLY | O_CREAT | O_TRUNC);
-    if (!file.open()) fail(path);
-    const bool written = file.write(content) && file.sync() && file.close();
-    if (!written || ::rename(temporary.c_str(), path.c_str()) != 0) {
-        const int reason = errno;
-        ::unlink(temporary.c_str());
-        errno = reason;
-        fail(path);
-    }
+    PendingFile file(path);
+    file.append(content);
+    file.put_in_place();
+}
+
+void remove_abandoned_files(const fs::path& folder) {
+    std::error_code ignored;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
+        if (is_random_name(entry.path().filename().string())) fs::remove(entry.path(), ignored);
 }
 
 }  // namespace rockslope

@@ -57,7 +57,7 @@ void check_output(const fs::path& file, const std::vector<fs::path>& inputs, con
     if (!created_later.empty() && is_same(folder, created_later)) return;
     if (!is_folder(folder)) fail(file, "no such folder", expected);
     check_access(file, folder, W_OK | X_OK, expected);
-    // write_file_atomically appends ".tmp" and the process id to the name.
+    // PendingFile appends ".tmp" and twelve digits to the name.
     constexpr std::size_t longest_name = 255 - 16;
     if (file.filename().string().size() > longest_name) fail(file, std::strerror(ENAMETOOLONG), expected);
 }

@@ -1,6 +1,6 @@
 #include "common/base/sha256.hpp"
 
-#include <array>
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 
@@ -10,6 +10,8 @@ namespace {
 
 using Word = std::uint32_t;
 using State = std::array<Word, 8>;
+
+constexpr std::size_t block_bytes = 64;
 
 constexpr bool is_prime(Word n) {
     for (Word d = 2; d * d <= n; ++d)
@@ -90,31 +92,44 @@ void compress(State& state, const unsigned char* block) {
     for (std::size_t i = 0; i < 8; ++i) state[i] += added[i];
 }
 
-/// The bytes after the last whole block, padded: a one bit, zeros, and the length in bits.
-std::string padded_tail(std::string_view bytes) {
-    std::string tail(bytes.substr(bytes.size() / 64 * 64));
-    tail += '\x80';
-    while (tail.size() % 64 != 56) tail += '\0';
-    const std::uint64_t bits = std::uint64_t{bytes.size()} * 8;
-    for (int shift = 56; shift >= 0; shift -= 8) tail += static_cast<char>(bits >> shift & 0xff);
-    return tail;
-}
-
 }  // namespace
 
-std::string sha256(std::string_view bytes) {
-    State state = initial_state();
-    const auto consume = [&](std::string_view blocks) {
-        for (std::size_t i = 0; i + 64 <= blocks.size(); i += 64)
-            compress(state, reinterpret_cast<const unsigned char*>(blocks.data() + i));
-    };
-    consume(bytes.substr(0, bytes.size() / 64 * 64));
-    consume(padded_tail(bytes));
+Sha256::Sha256() : state_(initial_state()) {}
 
+void Sha256::add(std::string_view bytes) {
+    length_ += bytes.size();
+    if (!rest_.empty()) {
+        const std::size_t count = std::min(block_bytes - rest_.size(), bytes.size());
+        rest_ += bytes.substr(0, count);
+        bytes.remove_prefix(count);
+        if (rest_.size() < block_bytes) return;
+        compress(state_, reinterpret_cast<const unsigned char*>(rest_.data()));
+        rest_.clear();
+    }
+    for (; bytes.size() >= block_bytes; bytes.remove_prefix(block_bytes))
+        compress(state_, reinterpret_cast<const unsigned char*>(bytes.data()));
+    rest_ = bytes;
+}
+
+std::string Sha256::digest() const {
+    // The padding: a one bit, zeros, and the length in bits.
+    std::string tail = rest_ + '\x80';
+    while (tail.size() % block_bytes != block_bytes - 8) tail += '\0';
+    const std::uint64_t bits = length_ * 8;
+    for (int shift = 56; shift >= 0; shift -= 8) tail += static_cast<char>(bits >> shift & 0xff);
+    State state = state_;
+    for (std::size_t i = 0; i < tail.size(); i += block_bytes)
+        compress(state, reinterpret_cast<const unsigned char*>(tail.data() + i));
     std::string text;
     for (const Word word : state)
         for (int shift = 28; shift >= 0; shift -= 4) text += "0123456789abcdef"[word >> shift & 15];
     return text;
+}
+
+std::string sha256(std::string_view bytes) {
+    Sha256 digest;
+    digest.add(bytes);
+    return digest.digest();
 }
 
 }  // namespace rockslope

@@ -1,6 +1,9 @@
 #include "common/base/worker_threads.hpp"
 
 #include <chrono>
+#include <stdexcept>
+#include <string>
+#include <system_error>
 
 namespace rockslope {
 
@@ -58,10 +61,21 @@ void close_and_wait(std::atomic<int>& gate) {
 WorkerThreads::WorkerThreads(std::size_t count) {
     failures_.resize(count + 1);
     threads_.reserve(count);
-    for (std::size_t k = 0; k < count; ++k) threads_.emplace_back([this] { wait_for_work(); });
+    try {
+        for (std::size_t k = 0; k < count; ++k) threads_.emplace_back([this] { wait_for_work(); });
+    } catch (const std::system_error& error) {
+        const std::size_t started = threads_.size();
+        stop();
+        throw std::runtime_error(std::to_string(count + 1) + " threads cannot be started, only " +
+                                 std::to_string(started + 1) + ": " + error.code().message());
+    }
 }
 
 WorkerThreads::~WorkerThreads() {
+    stop();
+}
+
+void WorkerThreads::stop() {
     stopping_ = true;
     generation_.fetch_add(1);
     generation_.notify_all();

@@ -15,6 +15,7 @@ namespace rockslope {
 /// the call, so a call costs little when no worker is free.
 class WorkerThreads {
   public:
+    /// @throws std::runtime_error when the system does not start so many; none is left then.
     explicit WorkerThreads(std::size_t count);
     ~WorkerThreads();
     WorkerThreads(const WorkerThreads&) = delete;
@@ -26,6 +27,7 @@ class WorkerThreads {
     void run_on_all(FunctionRef<void(std::size_t)> work);
 
   private:
+    void stop();
     void wait_for_work();
     /// Runs the parts that no thread has started.
     void run_remaining_parts();

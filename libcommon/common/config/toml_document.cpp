@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <optional>
 
@@ -78,6 +80,61 @@ toml::table override_value(std::string_view value, const std::string& source) {
     return toml::parse("v = " + toml_string(value), std::string_view(source));
 }
 
+/// The names in a row, joined by points, that a key may have: toml++ and what reads its tables call
+/// themselves for each table in a table.
+constexpr int most_names = 64;
+
+/// Walks over a TOML text outside strings and comments.
+class KeyScanner {
+  public:
+    explicit KeyScanner(std::string_view text) : text_(text) {}
+
+    /// The line, from 1, of the first key with more than most_names names; 0 when there is none.
+    int line_of_longest_key() {
+        int names = 0;
+        while (at_ < text_.size()) {
+            const char c = text_[at_];
+            if (c == '"' || c == '\'') {
+                skip_string(c);
+                continue;
+            }
+            if (c == '#') {
+                at_ = std::min(text_.find('\n', at_), text_.size());
+                continue;
+            }
+            if (c == '.' && ++names >= most_names) return line_;
+            const bool in_key = c == '.' || c == '_' || c == '-' || c == ' ' || c == '\t' ||
+                                std::isalnum(static_cast<unsigned char>(c)) != 0;
+            if (!in_key) names = 0;
+            line_ += c == '\n' ? 1 : 0;
+            ++at_;
+        }
+        return 0;
+    }
+
+  private:
+    void skip_string(char quote) {
+        const bool is_long = text_.substr(at_, 3) == std::string(3, quote);
+        const std::size_t width = is_long ? 3 : 1;
+        for (at_ += width; at_ < text_.size(); ++at_) {
+            if (text_[at_] == '\n' && !is_long) return;  // no string: the parser says so
+            if (text_[at_] == '\n') ++line_;
+            if (text_[at_] == '\\' && quote == '"') {
+                if (at_ + 1 < text_.size() && text_[at_ + 1] == '\n') continue;
+                ++at_;
+            } else if (text_.substr(at_, width) == std::string(width, quote)) {
+                at_ += width;
+                return;
+            }
+        }
+        at_ = std::min(at_, text_.size());
+    }
+
+    std::string_view text_;
+    std::size_t at_ = 0;
+    int line_ = 1;
+};
+
 [[noreturn]] void reject_step(const SourceLocation& place, const std::string& parent,
                               const std::string& found, const std::string& expected) {
     throw InputError(place, "'" + parent + "' is " + found, expected);
@@ -112,6 +169,9 @@ std::string_view type_name(const toml::node& node) {
 }
 
 toml::table parse_toml(std::string_view text, const std::string& file_name) {
+    if (const int line = KeyScanner(text).line_of_longest_key(); line > 0)
+        throw InputError({file_name, line}, "a key has more than " + std::to_string(most_names) + " names",
+                         "tables that are not as deep");
     try {
         return toml::parse(text, std::string_view(file_name));
     } catch (const toml::parse_error& error) {
@@ -127,6 +187,9 @@ void apply_override(toml::table& root, const std::string& assignment) {
     if (equals == std::string::npos) throw InputError(place, "there is no '='", "key=value");
     const std::vector<PathStep> steps =
         OverridePath(std::string_view(assignment).substr(0, equals), place).steps();
+    if (steps.size() > most_names)
+        throw InputError(place, "the key has more than " + std::to_string(most_names) + " names",
+                         "a shorter key");
     toml::table value = override_value(std::string_view(assignment).substr(equals + 1), place.file);
 
     toml::node* node = &root;

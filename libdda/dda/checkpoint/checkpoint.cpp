@@ -1,9 +1,15 @@
 #include "dda/checkpoint/checkpoint.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <stdexcept>
+#include <string_view>
+#include <type_traits>
+#include <utility>
 
+#include "common/base/atomic_file.hpp"
 #include "common/base/input_error.hpp"
-#include "common/base/output_error.hpp"
 #include "common/base/sha256.hpp"
 #include "dda/checkpoint/state_archive.hpp"
 #include "dda/hdf/hdf.hpp"
@@ -11,9 +17,11 @@
 
 namespace rockslope::dda {
 
+namespace fs = std::filesystem;
+
 namespace {
 
-constexpr std::int64_t checkpoint_version = 18;
+constexpr std::int64_t checkpoint_version = 19;
 constexpr std::size_t chunk_elements = 1 << 16;  // elements
 
 template <class T>
@@ -63,9 +71,18 @@ std::vector<double> farthest_values(const std::optional<FarthestBlock>& farthest
     return {static_cast<double>(farthest->block.value()), farthest->displacement, farthest->time};
 }
 
+/// An integer that is stored as a real. @throws std::runtime_error when it is none.
+template <class Integer = int>
+Integer integer_of(double value) {
+    constexpr double largest = std::is_same_v<Integer, int> ? 2147483647.0 : 0x1p53;
+    if (!(std::abs(value) <= largest) || value != std::trunc(value))
+        throw std::runtime_error("a number of it is no index");
+    return static_cast<Integer>(value);
+}
+
 std::optional<FarthestBlock> farthest_of(const std::vector<double>& values) {
     if (values.size() < 3) return std::nullopt;
-    return FarthestBlock{static_cast<int>(values[0]), values[1], values[2]};
+    return FarthestBlock{integer_of(values[0]), values[1], values[2]};
 }
 
 std::vector<double> slip_values(const std::vector<FirstSlip>& slips) {
@@ -80,8 +97,8 @@ std::vector<double> slip_values(const std::vector<FirstSlip>& slips) {
 PerBlock<FirstSlip> slips_of(const std::vector<double>& values) {
     PerBlock<FirstSlip> slips;
     for (std::size_t i = 0; i + 5 <= values.size(); i += 5)
-        slips.push_back({values[i], values[i + 1], values[i + 2], static_cast<int>(values[i + 3]),
-                         static_cast<int>(values[i + 4])});
+        slips.push_back(
+            {values[i], values[i + 1], values[i + 2], integer_of(values[i + 3]), integer_of(values[i + 4])});
     return slips;
 }
 
@@ -98,8 +115,8 @@ std::vector<double> plane_values(const std::vector<BlockOnPlane>& planes) {
 std::vector<BlockOnPlane> planes_of(const std::vector<double>& values) {
     std::vector<BlockOnPlane> planes;
     for (std::size_t i = 0; i + 9 <= values.size(); i += 9)
-        planes.push_back({static_cast<int>(values[i]),
-                          static_cast<int>(values[i + 1]),
+        planes.push_back({integer_of(values[i]),
+                          integer_of(values[i + 1]),
                           {values[i + 2], values[i + 3]},
                           values[i + 4],
                           {values[i + 5], values[i + 6]},
@@ -123,9 +140,9 @@ std::vector<CloseReversal> reversals_of(const std::vector<double>& values) {
     std::vector<CloseReversal> reversals;
     for (std::size_t i = 0; i + 9 <= values.size(); i += 9)
         reversals.push_back({values[i],
-                             {static_cast<int>(values[i + 1]),
-                              static_cast<int>(values[i + 2]),
-                              static_cast<int>(values[i + 3]),
+                             {integer_of(values[i + 1]),
+                              integer_of(values[i + 2]),
+                              integer_of(values[i + 3]),
                               {values[i + 4], values[i + 5]},
                               {values[i + 6], values[i + 7], values[i + 8] != 0}}});
     return reversals;
@@ -142,7 +159,7 @@ std::vector<double> trial_values(const std::vector<ReductionTrial>& trials) {
 std::vector<ReductionTrial> trials_of(const std::vector<double>& values) {
     std::vector<ReductionTrial> trials;
     for (std::size_t i = 0; i + 5 <= values.size(); i += 5)
-        trials.push_back({values[i], values[i + 1] != 0, static_cast<std::int64_t>(values[i + 2]),
+        trials.push_back({values[i], values[i + 1] != 0, integer_of<std::int64_t>(values[i + 2]),
                           values[i + 3], values[i + 4]});
     return trials;
 }
@@ -158,8 +175,8 @@ std::vector<double> left_values(const std::vector<LeftMoving>& left) {
 std::vector<LeftMoving> left_of(const std::vector<double>& values) {
     std::vector<LeftMoving> left;
     for (std::size_t i = 0; i + 7 <= values.size(); i += 7)
-        left.push_back({static_cast<int>(values[i]),
-                        static_cast<int>(values[i + 1]),
+        left.push_back({integer_of(values[i]),
+                        integer_of(values[i + 1]),
                         {values[i + 2], values[i + 3]},
                         values[i + 4],
                         values[i + 5],
@@ -183,33 +200,6 @@ std::vector<double> reals_of(const ResultsState& results) {
     return {results.wall_time, results.remaining_dilation};
 }
 
-template <class T>
-void append_bytes(std::string& text, const std::vector<T>& values) {
-    text.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
-}
-
-/// SHA-256 of all data of a checkpoint. HDF5 does not detect a damaged number, and a wrong index in a state
-/// would corrupt memory.
-std::string digest_of(const Checkpoint& checkpoint, const StateArchive& state) {
-    std::string text = checkpoint.input_hash + checkpoint.start_of_run;
-    append_bytes(text, state.reals);
-    append_bytes(text, state.integers);
-    append_bytes(text, state.bytes);
-    append_bytes(text, counts_of(checkpoint.results));
-    append_bytes(text, reals_of(checkpoint.results));
-    append_bytes(text, peak_values(checkpoint.results.peaks));
-    append_bytes(text, region_values(checkpoint.results.regions));
-    append_bytes(text, farthest_values(checkpoint.results.farthest));
-    append_bytes(text, trial_values(checkpoint.results.trials));
-    append_bytes(text, slip_values(checkpoint.results.first_slips));
-    append_bytes(text, plane_values(checkpoint.results.planes));
-    append_bytes(text, reversal_values(checkpoint.results.close_reversals.nearest));
-    append_bytes(text, left_values(checkpoint.results.left_moving));
-    for (const auto& [name, position] : checkpoint.positions)
-        text += name + " " + std::to_string(position) + "\n";
-    return sha256(text);
-}
-
 void write_results_state(HdfFile& file, const ResultsState& results) {
     store(file, "/results", counts_of(results));
     store(file, "/figures", reals_of(results));
@@ -227,6 +217,7 @@ ResultsState read_results_state(const HdfFile& file) {
     const auto counts = file.read<std::int64_t>("/results", 0, 8);
     const auto figures = file.read<double>("/figures", 0, 2);
     ResultsState results;
+    if (!std::in_range<int>(counts[0])) throw std::runtime_error("the number of its stage is none");
     results.stage = static_cast<int>(counts[0]);
     results.next_frame = counts[1];
     results.next_history = counts[2];
@@ -248,60 +239,92 @@ ResultsState read_results_state(const HdfFile& file) {
     return results;
 }
 
-}  // namespace
+/// Ends a checkpoint: the digest of all bytes before it. HDF5 does not detect a damaged number, a wrong index
+/// in a state would corrupt memory, and the library itself fails on damaged bytes.
+constexpr std::string_view seal_mark = "\nsha256 ";
+constexpr std::size_t seal_length = seal_mark.size() + 64;
 
-void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint) {
-    const std::filesystem::path temporary = path.string() + ".tmp";
-    const StateArchive state = archive(checkpoint.state);
-    try {
-        HdfFile file = HdfFile::create(temporary);
-        file.reserve(8 * (state.reals.size() + state.integers.size()) + state.bytes.size() + (1 << 18));
-        file.set_attribute("/", "version", checkpoint_version);
-        file.set_attribute("/", "input_hash", checkpoint.input_hash);
-        file.set_attribute("/", "digest", digest_of(checkpoint, state));
-        store(file, "/start_of_run",
-              std::vector<std::uint8_t>(checkpoint.start_of_run.begin(), checkpoint.start_of_run.end()));
-        store(file, "/reals", state.reals);
-        store(file, "/integers", state.integers);
-        store(file, "/bytes", state.bytes);
-        write_results_state(file, checkpoint.results);
-        file.add_group("/positions");
-        for (const auto& [name, position] : checkpoint.positions)
-            file.set_attribute("/positions", name, position);
-        file.flush();
-    } catch (const OutputError&) {
-        std::error_code ignored;
-        std::filesystem::remove(temporary, ignored);
-        throw;
+/// What a checkpoint of so many bytes before it ends with. @throws std::runtime_error.
+std::string seal_of(const fs::path& path, std::uintmax_t length) {
+    Sha256 digest;
+    std::ifstream file(path, std::ios::binary);
+    std::vector<char> piece(1 << 16);
+    while (length > 0) {
+        const auto wanted = std::min<std::uintmax_t>(length, piece.size());
+        if (!file.read(piece.data(), static_cast<std::streamsize>(wanted)))
+            throw std::runtime_error("it cannot be read");
+        digest.add({piece.data(), wanted});
+        length -= wanted;
     }
-    std::error_code error;
-    std::filesystem::rename(temporary, path, error);
-    if (error) throw OutputError(path, "cannot be replaced: " + error.message());
+    return std::string(seal_mark) + digest.digest();
 }
 
-Checkpoint read_checkpoint(const std::filesystem::path& path) {
-    if (!std::filesystem::exists(path))
+/// @throws std::runtime_error unless the file ends with the digest of the bytes before.
+void check_seal(const fs::path& path) {
+    std::error_code error;
+    const std::uintmax_t size = fs::is_regular_file(path, error) ? fs::file_size(path, error) : 0;
+    if (error || size < seal_length) throw std::runtime_error("it is no whole checkpoint");
+    std::ifstream file(path, std::ios::binary);
+    std::string seal(seal_length, '\0');
+    file.seekg(static_cast<std::streamoff>(size - seal_length));
+    file.read(seal.data(), static_cast<std::streamsize>(seal_length));
+    if (!seal.starts_with(seal_mark)) throw std::runtime_error("it does not end with its digest");
+    if (seal != seal_of(path, size - seal_length)) throw std::runtime_error("the file is damaged");
+}
+
+void write_content(HdfFile& file, const Checkpoint& checkpoint) {
+    const StateArchive state = archive(checkpoint.state);
+    file.reserve(8 * (state.reals.size() + state.integers.size()) + state.bytes.size() + (1 << 18));
+    file.set_attribute("/", "version", checkpoint_version);
+    file.set_attribute("/", "input_hash", checkpoint.input_hash);
+    store(file, "/start_of_run",
+          std::vector<std::uint8_t>(checkpoint.start_of_run.begin(), checkpoint.start_of_run.end()));
+    store(file, "/reals", state.reals);
+    store(file, "/integers", state.integers);
+    store(file, "/bytes", state.bytes);
+    write_results_state(file, checkpoint.results);
+    file.add_group("/positions");
+    for (const auto& [name, position] : checkpoint.positions)
+        file.set_attribute("/positions", name, position);
+    file.flush();
+}
+
+Checkpoint read_content(const HdfFile& file) {
+    const std::int64_t version = file.integer_attribute("/", "version");
+    if (version != checkpoint_version)
+        throw std::runtime_error("the checkpoint has version " + std::to_string(version));
+    Checkpoint checkpoint;
+    checkpoint.input_hash = file.string_attribute("/", "input_hash");
+    const auto start = file.read_all<std::uint8_t>("/start_of_run");
+    checkpoint.start_of_run.assign(start.begin(), start.end());
+    checkpoint.results = read_results_state(file);
+    for (const WriterEntry& writer : writer_table())
+        if (file.has_attribute("/positions", writer.name))
+            checkpoint.positions[writer.name] = file.integer_attribute("/positions", writer.name);
+    checkpoint.state = restore({file.read_all<double>("/reals"), file.read_all<std::int64_t>("/integers"),
+                                file.read_all<std::uint8_t>("/bytes")});
+    return checkpoint;
+}
+
+}  // namespace
+
+void write_checkpoint(const fs::path& path, const Checkpoint& checkpoint) {
+    PendingFile pending(path);
+    {
+        HdfFile file = HdfFile::create(pending.temporary());
+        write_content(file, checkpoint);
+    }
+    pending.append(seal_of(pending.temporary(), fs::file_size(pending.temporary())));
+    pending.put_in_place();
+}
+
+Checkpoint read_checkpoint(const fs::path& path) {
+    if (!fs::exists(path))
         throw InputError({path.string()}, "there is no checkpoint to resume from",
                          "the output folder of a run that was stopped");
     try {
-        const HdfFile file = HdfFile::open_to_read(path);
-        const std::int64_t version = file.integer_attribute("/", "version");
-        if (version != checkpoint_version)
-            throw std::runtime_error("the checkpoint has version " + std::to_string(version));
-        Checkpoint checkpoint;
-        checkpoint.input_hash = file.string_attribute("/", "input_hash");
-        const StateArchive state{file.read_all<double>("/reals"), file.read_all<std::int64_t>("/integers"),
-                                 file.read_all<std::uint8_t>("/bytes")};
-        const auto start = file.read_all<std::uint8_t>("/start_of_run");
-        checkpoint.start_of_run.assign(start.begin(), start.end());
-        checkpoint.results = read_results_state(file);
-        for (const WriterEntry& writer : writer_table())
-            if (file.has_attribute("/positions", writer.name))
-                checkpoint.positions[writer.name] = file.integer_attribute("/positions", writer.name);
-        if (file.string_attribute("/", "digest") != digest_of(checkpoint, state))
-            throw std::runtime_error("the file is damaged");
-        checkpoint.state = restore(state);
-        return checkpoint;
+        check_seal(path);
+        return read_content(HdfFile::open_to_read(path));
     } catch (const std::runtime_error& error) {
         throw InputError({path.string()}, std::string("cannot be resumed from: ") + error.what(),
                          "a checkpoint written by this version of dda-run");

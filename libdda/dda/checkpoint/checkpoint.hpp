@@ -63,7 +63,7 @@ struct Checkpoint {
     std::string start_of_run = {};
 };
 
-/// Writes a checkpoint under a temporary name and renames it. @throws OutputError.
+/// Writes a checkpoint as a PendingFile, with the digest of its bytes at its end. @throws OutputError.
 void write_checkpoint(const std::filesystem::path& path, const Checkpoint& checkpoint);
 /// @throws InputError if there is none, or if it is damaged or of another version.
 Checkpoint read_checkpoint(const std::filesystem::path& path);

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "common/base/output_error.hpp"
+#include "dda/hdf/library_guard.hpp"
 
 namespace rockslope::dda {
 
@@ -38,7 +39,7 @@ class HdfHandle {
     hid_t id() const { return id_; }
     explicit operator bool() const { return id_ >= 0; }
     void reset() {
-        if (id_ >= 0) closer_(id_);
+        if (id_ >= 0 && !library_has_failed()) closer_(id_);
         id_ = -1;
     }
 
@@ -77,10 +78,16 @@ hid_t file_type(HdfType type) {
 void prepare_library() {
     static std::once_flag once;
     std::call_once(once, [] {
+        H5dont_atexit();  // every file is closed, and a library that has failed must not be called at the end
         ::setenv("HDF5_USE_FILE_LOCKING", "FALSE", 1);
         H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
     });
 }
+
+/// A declared size, bytes, is believed up to so many times what is stored: deflated zeros take a thousandth.
+constexpr double largest_deflation = 1100;
+/// Bytes of one chunk, which may be stored as nothing where it is all zeros.
+constexpr double least_believed = 1 << 24;
 
 /// @param size bytes, or H5T_VARIABLE.
 HdfHandle string_type(std::size_t size) {
@@ -100,6 +107,12 @@ struct HdfFile::Access {
     /// Handle of a dataset; invalid if there is none.
     HdfHandle dataset(const std::string& name) const {
         return {H5Dopen2(id(), name.c_str(), H5P_DEFAULT), H5Dclose};
+    }
+    /// The same for a file of unknown origin.
+    HdfHandle dataset_of(const HdfFile& owner, const std::string& name) const {
+        HdfHandle set(owner.guarded([&] { return H5Dopen2(id(), name.c_str(), H5P_DEFAULT); }), H5Dclose);
+        owner.check(set.id(), "has no dataset " + name);
+        return set;
     }
 };
 
@@ -126,9 +139,28 @@ HdfFile HdfFile::open_to_read(const std::filesystem::path& path) {
     prepare_library();
     errno = 0;
     HdfFile file(path);
-    file.file_->file = HdfHandle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+    file.file_->file =
+        HdfHandle(file.guarded([&] { return H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT); }), H5Fclose);
     file.check(file.file_->id(), "cannot be read as HDF5");
     return file;
+}
+
+template <class Call>
+std::int64_t HdfFile::guarded(const Call& call) const {
+    struct Result {
+        const Call& call;
+        std::int64_t value;
+    } result{call, -1};
+    if (library_has_failed() || !survives(
+                                    [](void* data) {
+                                        auto* const made = static_cast<Result*>(data);
+                                        made->value = made->call();
+                                    },
+                                    &result)) {
+        errno = 0;
+        fail("cannot be read as HDF5: it is damaged, and the library fails on it");
+    }
+    return result.value;
 }
 
 void HdfFile::fail(const std::string& what) const {
@@ -182,31 +214,38 @@ void HdfFile::set_attribute(const std::string& object, const std::string& name, 
 }
 
 bool HdfFile::has_attribute(const std::string& object, const std::string& name) const {
-    return H5Aexists_by_name(file_->id(), object.c_str(), name.c_str(), H5P_DEFAULT) > 0;
+    return guarded(
+               [&] { return H5Aexists_by_name(file_->id(), object.c_str(), name.c_str(), H5P_DEFAULT); }) > 0;
+}
+
+std::int64_t HdfFile::open_attribute(const std::string& object, const std::string& name) const {
+    return check(guarded([&] {
+                     return H5Aopen_by_name(file_->id(), object.c_str(), name.c_str(), H5P_DEFAULT,
+                                            H5P_DEFAULT);
+                 }),
+                 "has no attribute " + name);
 }
 
 std::int64_t HdfFile::integer_attribute(const std::string& object, const std::string& name) const {
-    const HdfHandle attribute(
-        check(H5Aopen_by_name(file_->id(), object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
-              "has no attribute " + name),
-        H5Aclose);
+    const HdfHandle attribute(open_attribute(object, name), H5Aclose);
+    const HdfHandle space(H5Aget_space(attribute.id()), H5Sclose);
+    if (H5Sget_simple_extent_npoints(space.id()) != 1) fail("attribute " + name + " is not one number");
     std::int64_t value = 0;
-    check(H5Aread(attribute.id(), H5T_NATIVE_INT64, &value), "attribute " + name);
+    check(guarded([&] { return H5Aread(attribute.id(), H5T_NATIVE_INT64, &value); }), "attribute " + name);
     return value;
 }
 
 std::string HdfFile::string_attribute(const std::string& object, const std::string& name) const {
-    const HdfHandle attribute(
-        check(H5Aopen_by_name(file_->id(), object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
-              "has no attribute " + name),
-        H5Aclose);
+    const HdfHandle attribute(open_attribute(object, name), H5Aclose);
+    const HdfHandle space(H5Aget_space(attribute.id()), H5Sclose);
+    if (H5Sget_simple_extent_npoints(space.id()) != 1) fail("attribute " + name + " is not one text");
     const HdfHandle type(H5Aget_type(attribute.id()), H5Tclose);
     constexpr std::size_t longest_text_bytes = 1 << 16;
     if (H5Tget_class(type.id()) != H5T_STRING || H5Tis_variable_str(type.id()) != 0 ||
         H5Tget_size(type.id()) > longest_text_bytes)
         fail("attribute " + name + " is not a fixed-length string of at most 65536 bytes");
     std::string text(H5Tget_size(type.id()), '\0');
-    check(H5Aread(attribute.id(), type.id(), text.data()), "attribute " + name);
+    check(guarded([&] { return H5Aread(attribute.id(), type.id(), text.data()); }), "attribute " + name);
     return text;
 }
 
@@ -236,12 +275,11 @@ void HdfFile::create_dataset(const std::string& name, std::int64_t type, int wid
 }
 
 bool HdfFile::has(const std::string& name) const {
-    return H5Lexists(file_->id(), name.c_str(), H5P_DEFAULT) > 0;
+    return guarded([&] { return H5Lexists(file_->id(), name.c_str(), H5P_DEFAULT); }) > 0;
 }
 
 std::pair<std::size_t, std::size_t> HdfFile::shape_of(const std::string& name) const {
-    const HdfHandle set = file_->dataset(name);
-    check(set.id(), "has no dataset " + name);
+    const HdfHandle set = file_->dataset_of(*this, name);
     const HdfHandle space(H5Dget_space(set.id()), H5Sclose);
     hsize_t size[2] = {0, 1};
     const int rank = H5Sget_simple_extent_ndims(space.id());
@@ -254,6 +292,24 @@ std::pair<std::size_t, std::size_t> HdfFile::shape_of(const std::string& name) c
 void HdfFile::check_rows(const std::string& name, std::size_t first, std::size_t count) const {
     const std::size_t rows = row_count(name);
     if (first > rows || count > rows - first) fail("dataset " + name + " ends early");
+}
+
+void HdfFile::check_size(const std::string& name, double bytes) const {
+    if (bytes <= least_believed) return;
+    const HdfHandle set = file_->dataset_of(*this, name);
+    std::uint64_t stored = 0;
+    guarded([&] {
+        stored = H5Dget_storage_size(set.id());
+        return 0;
+    });
+    errno = 0;
+    if (bytes > largest_deflation * static_cast<double>(stored))
+        fail("dataset " + name + " declares more than it holds");
+}
+
+void HdfFile::has_no_memory(const std::string& name) const {
+    errno = 0;
+    fail("dataset " + name + " takes more memory than there is");
 }
 
 void HdfFile::append_bytes(const std::string& name, HdfType type, const void* data,
@@ -273,14 +329,14 @@ void HdfFile::append_text(const std::string& name, const std::string& text) {
 }
 
 std::vector<std::string> HdfFile::read_texts(const std::string& name) const {
-    const HdfHandle set = file_->dataset(name);
-    check(set.id(), "has no dataset " + name);
+    const HdfHandle set = file_->dataset_of(*this, name);
     const HdfHandle stored(H5Dget_type(set.id()), H5Tclose);
     if (H5Tis_variable_str(stored.id()) <= 0) fail("dataset " + name + " does not hold texts");
     const HdfHandle type = string_type(H5T_VARIABLE);
+    check_size(name, static_cast<double>(row_count(name)) * sizeof(char*));
     std::vector<char*> data(row_count(name));
     errno = 0;
-    check(H5Dread(set.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, data.data()),
+    check(guarded([&] { return H5Dread(set.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, data.data()); }),
           "dataset " + name + " cannot be read");
     std::vector<std::string> texts;
     for (char* text : data) {
@@ -311,8 +367,7 @@ void HdfFile::append_values(const std::string& name, std::int64_t memory_type, c
 void HdfFile::read_bytes(const std::string& name, HdfType type, std::size_t first, std::size_t count,
                          void* data) const {
     if (count == 0) return;
-    const HdfHandle set = file_->dataset(name);
-    check(set.id(), "has no dataset " + name);
+    const HdfHandle set = file_->dataset_of(*this, name);
     const hsize_t width = width_of(name);
     const hsize_t start[] = {first, 0};
     const hsize_t counts[] = {count, width};
@@ -321,7 +376,9 @@ void HdfFile::read_bytes(const std::string& name, HdfType type, std::size_t firs
     check(H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, start, nullptr, counts, nullptr),
           "dataset " + name);
     const HdfHandle memory(H5Screate_simple(width == 1 ? 1 : 2, counts, nullptr), H5Sclose);
-    check(H5Dread(set.id(), memory_type(type), memory.id(), space.id(), H5P_DEFAULT, data),
+    check(guarded([&] {
+              return H5Dread(set.id(), memory_type(type), memory.id(), space.id(), H5P_DEFAULT, data);
+          }),
           "dataset " + name + " cannot be read");
 }
 
@@ -332,8 +389,10 @@ std::vector<std::string> HdfFile::names_in(const std::string& group) const {
         return 0;
     };
     errno = 0;
-    check(H5Literate_by_name(file_->id(), group.c_str(), H5_INDEX_NAME, H5_ITER_INC, nullptr, collect, &names,
-                             H5P_DEFAULT),
+    check(guarded([&] {
+              return H5Literate_by_name(file_->id(), group.c_str(), H5_INDEX_NAME, H5_ITER_INC, nullptr,
+                                        collect, &names, H5P_DEFAULT);
+          }),
           "has no group " + group);
     return names;
 }

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <new>
 #include <string>
 #include <utility>
 #include <vector>
@@ -75,7 +76,14 @@ class HdfFile {
     template <class T>
     std::vector<T> read(const std::string& name, std::size_t first, std::size_t count) const {
         check_rows(name, first, count);
-        std::vector<T> values(count * width_of(name));
+        const std::size_t width = width_of(name);
+        check_size(name, static_cast<double>(count) * static_cast<double>(width) * sizeof(T));
+        std::vector<T> values;
+        try {
+            values.resize(count * width);
+        } catch (const std::bad_alloc&) {
+            has_no_memory(name);
+        }
         read_bytes(name, hdf_type_of<T>(), first, count, values.data());
         return values;
     }
@@ -104,6 +112,14 @@ class HdfFile {
     explicit HdfFile(std::filesystem::path path);
 
     [[noreturn]] void fail(const std::string& what) const;
+    /// The result of a call that reads. @throws OutputError where the library fails on damaged bytes.
+    template <class Call>
+    std::int64_t guarded(const Call& call) const;
+    /// @throws OutputError when so many bytes cannot be in what the file stores of a dataset.
+    void check_size(const std::string& name, double bytes) const;
+    [[noreturn]] void has_no_memory(const std::string& name) const;
+    /// HDF5's identifier of an attribute.
+    std::int64_t open_attribute(const std::string& object, const std::string& name) const;
     /// Returns an HDF5 result. @throws OutputError if it is negative, which means failure.
     std::int64_t check(std::int64_t result, const std::string& what) const;
     /// Rows and width of a dataset.

@@ -1,9 +1,13 @@
 #include "dda/input/read_run.hpp"
 
 #include <algorithm>
+#include <optional>
+#include <string>
 
 #include "blockgen/mesh/block_file.hpp"
 #include "blockgen/mesh/check_mesh.hpp"
+#include "blockgen/mesh/find_overlap.hpp"
+#include "common/base/text.hpp"
 #include "common/config/config_table.hpp"
 #include "dda/input/read_loads.hpp"
 #include "dda/input/read_materials.hpp"
@@ -68,10 +72,10 @@ void read_analysis(const ConfigTable& analysis, Model& model) {
     model.default_joint_material = read_default_joint_material(analysis, model);
     model.removes_lost_blocks = analysis.choice("lost_blocks", {"keep", "remove"}, "keep") == "remove";
     const std::string solver =
-        analysis.choice("solver", {"multifrontal", "refined", "cholmod"}, "multifrontal");
-    model.solver = solver == "cholmod"   ? SolverKind::cholmod
-                   : solver == "refined" ? SolverKind::refined
-                                         : SolverKind::multifrontal;
+        analysis.choice("solver", {"multifrontal", "refined", "simplicial"}, "multifrontal");
+    model.solver = solver == "simplicial" ? SolverKind::simplicial
+                   : solver == "refined"  ? SolverKind::refined
+                                          : SolverKind::multifrontal;
 }
 
 int count_up_to_a_million(const ConfigTable& output, std::string_view key, int fallback) {
@@ -145,6 +149,17 @@ void check_excavations(const Model& model, int stages, const std::filesystem::pa
         }
 }
 
+/// @throws InputError with both blocks and the place, where two blocks overlap.
+void check_overlaps(const blockgen::BlockMesh& mesh, const std::filesystem::path& block_file) {
+    const std::optional<blockgen::Overlap> found = blockgen::find_overlap(mesh);
+    if (!found) return;
+    throw InputError({block_file.string()},
+                     "blocks " + std::to_string(found->first.value()) + " and " +
+                         std::to_string(found->second.value()) + " overlap at (" +
+                         shortest_text(found->at.x) + ", " + shortest_text(found->at.y) + ")",
+                     "blocks that touch at most");
+}
+
 }  // namespace
 
 RunInput read_run(const std::filesystem::path& run_file, const RunReadOptions& options) {
@@ -163,6 +178,7 @@ RunInput read_run(const std::filesystem::path& run_file, const RunReadOptions& o
     const blockgen::BlockMesh mesh = blockgen::read_block_file(block_file);
     if (mesh.block_count() == 0) throw InputError({block_file.string()}, "has no block", "one block or more");
     blockgen::check_mesh(mesh, block_file.string());
+    check_overlaps(mesh, block_file);
     add_mesh(mesh, block_file.string(), bolt_materials, read_straight_corners(analysis), model);
     if (std::find(model.motion.begin(), model.motion.end(), Motion::free) == model.motion.end())
         throw InputError({block_file.string()}, "every block is fixed or prescribed",

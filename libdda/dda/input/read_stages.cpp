@@ -1,6 +1,7 @@
 #include "dda/input/read_stages.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "common/base/text.hpp"
 #include "dda/input/read_materials.hpp"
@@ -26,9 +27,18 @@ int count(const ConfigTable& table, std::string_view key, int fallback) {
     return value;
 }
 
+/// A positive time, s. Beyond thirty years the clock of a run would stand still.
+double time_of(const ConfigTable& table, const char* key, std::optional<double> missing = std::nullopt) {
+    constexpr double longest_time = 1e9;
+    const double time =
+        missing ? positive(table, key, Dimension::time, *missing) : positive(table, key, Dimension::time);
+    return table.checked(
+        key, time, [](double v) { return v <= longest_time; }, "a time of at most 1e9 s");
+}
+
 StepControl read_step_control(const ConfigTable& table) {
     StepControl control;
-    control.step = positive(table, "step", Dimension::time, control.step);
+    control.step = time_of(table, "step", control.step);
     control.smallest_step = positive(table, "smallest_step", Dimension::time, control.smallest_step);
     control.cut = table.checked(
         "cut", table.number("cut", Dimension::none, control.cut), [](double v) { return v > 0 && v < 1; },
@@ -110,7 +120,7 @@ Stage read_stage(const ConfigTable& table, std::size_t index, const Model& model
     }
     stage.stop = read_stop_limit(table, model);
     const bool lasts_as_record = table.is_string("duration") && table.string("duration") == "record";
-    if (!lasts_as_record) stage.duration = positive(table, "duration", Dimension::time);
+    if (!lasts_as_record) stage.duration = time_of(table, "duration");
     stage.dynamic_coefficient =
         in_range(table, "dynamic_coefficient", stage.dynamic_coefficient, 0, 1, "a number from 0 to 1");
     stage.newmark_beta =

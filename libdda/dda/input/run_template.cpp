@@ -96,7 +96,7 @@ friction_angle = "35 deg"
 # fixed_point_penalty = "50 GPa"   # default: normal_penalty
 # strength_reduction = 1           # joints' cohesion, tan(friction angle), tensile strength are divided by this
 # default_joint_material = "joint" # for contacts of free faces; default: the first in this file
-# solver = "multifrontal"          # or "refined": small systems, too; "cholmod": slower, to compare with
+# solver = "multifrontal"          # or "refined": small systems, too; "simplicial": slower, to compare with
 # lost_blocks = "keep"             # or "remove": blocks that have fallen below all fixed and prescribed blocks
 # straight_corners = "keep"        # "drop": no contacts where another block's corner cuts a straight face
 

@@ -1,7 +1,10 @@
 #include "dda/linear/front_kernels.hpp"
 
 #include <cmath>
+#include <cstdlib>
+#include <string>
 
+#include "common/base/input_error.hpp"
 #include "dda/linear/substitution_kernels.hpp"
 
 namespace rockslope::dda {
@@ -210,7 +213,7 @@ struct Kernels : Strips<Scalar, Bytes> {
 
 // An attribute cannot stand in parentheses. NOLINTBEGIN(bugprone-macro-parentheses)
 /// A set of kernels compiled for the processors named by `attribute`.
-#define DDA_KERNEL_SET(name, text, attribute, bytes, rows)                                                  \
+#define DDA_KERNEL_SET(name, text, attribute, bytes, rows, fused)                                           \
     template <class Scalar>                                                                                 \
     struct name {                                                                                           \
         using K = Kernels<Scalar, bytes, rows>;                                                             \
@@ -227,14 +230,23 @@ struct Kernels : Strips<Scalar, Bytes> {
             S::backward(p, k, s, x);                                                                        \
         }                                                                                                   \
         static constexpr FrontKernels<Scalar> set{factor_pivots, solve_rows, form_update, invert_groups,    \
-                                                  forward,       backward,   text};                         \
+                                                  forward,       backward,   text,        fused};           \
     }
 // NOLINTEND(bugprone-macro-parentheses)
 
-DDA_KERNEL_SET(Plain, "plain", , 16, 2);
+// Compilers contract s += a * b to a fused multiply-add where the processor has one, since this file is
+// compiled with -ffp-contract=fast. Sums begin with a number, never with a product: of two products that are
+// added, the compiler might fuse either.
+#if defined(__FMA__) || defined(__aarch64__)
+DDA_KERNEL_SET(Plain, "plain", , 16, 2, true);
+#else
+DDA_KERNEL_SET(Plain, "plain", , 16, 2, false);
+#endif
 #if defined(__x86_64__)
-DDA_KERNEL_SET(Avx2, "avx2", [[gnu::target("avx2,fma")]], 32, 2);
-DDA_KERNEL_SET(Avx512, "avx512", [[gnu::target("avx512f,avx2,fma")]], 64, 3);
+// A third width, to check that the width does not matter.
+DDA_KERNEL_SET(Fma, "fma", [[gnu::target("avx,fma")]], 16, 2, true);
+DDA_KERNEL_SET(Avx2, "avx2", [[gnu::target("avx2,fma")]], 32, 2, true);
+DDA_KERNEL_SET(Avx512, "avx512", [[gnu::target("avx512f,avx2,fma")]], 64, 3, true);
 #endif
 
 }  // namespace
@@ -242,18 +254,37 @@ DDA_KERNEL_SET(Avx512, "avx512", [[gnu::target("avx512f,avx2,fma")]], 64, 3);
 template <class Scalar>
 std::span<const FrontKernels<Scalar>> front_kernels() {
 #if defined(__x86_64__)
-    static const FrontKernels<Scalar> sets[] = {Avx512<Scalar>::set, Avx2<Scalar>::set, Plain<Scalar>::set};
-    const std::span<const FrontKernels<Scalar>> all(sets);
+    static const FrontKernels<Scalar> fused[] = {Avx512<Scalar>::set, Avx2<Scalar>::set, Fma<Scalar>::set};
+    static const FrontKernels<Scalar> separate[] = {Plain<Scalar>::set};
     static const bool has_avx2 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
     static const bool has_avx512 = has_avx2 && __builtin_cpu_supports("avx512f");
-    return all.subspan(has_avx512 ? 0 : has_avx2 ? 1 : 2);
+    if (!has_avx2) return separate;
+    return std::span<const FrontKernels<Scalar>>(fused).subspan(has_avx512 ? 0 : 1);
 #else
     static const FrontKernels<Scalar> sets[] = {Plain<Scalar>::set};
     return sets;
 #endif
 }
 
+template <class Scalar>
+const FrontKernels<Scalar>& chosen_front_kernels() {
+    static const FrontKernels<Scalar>& chosen = []() -> const FrontKernels<Scalar>& {
+        const char* const wanted = std::getenv("ROCKSLOPE_KERNEL");
+        if (wanted == nullptr) return front_kernels<Scalar>().front();
+        std::string names;
+        for (const FrontKernels<Scalar>& kernels : front_kernels<Scalar>()) {
+            if (kernels.name == std::string(wanted)) return kernels;
+            names += (names.empty() ? "" : ", ") + std::string(kernels.name);
+        }
+        throw InputError({"ROCKSLOPE_KERNEL"}, "is '" + std::string(wanted) + "'",
+                         "one of the kernels that this processor can run: " + names);
+    }();
+    return chosen;
+}
+
 template std::span<const FrontKernels<float>> front_kernels();
 template std::span<const FrontKernels<double>> front_kernels();
+template const FrontKernels<float>& chosen_front_kernels();
+template const FrontKernels<double>& chosen_front_kernels();
 
 }  // namespace rockslope::dda

@@ -17,7 +17,8 @@ struct FrontUpdate {
 /// blocks precede the strips, 36 scalars each by rows, with the reciprocals of their diagonals.
 ///
 /// There is one set of kernels for each vector width of the processor. A set gives the same bytes for the
-/// same panel on any thread and in any chunks.
+/// same panel on any thread and in any chunks. All sets with fused arithmetic give the same bytes: each sum
+/// has the same terms in the same order for any width, and each of its terms is one fused multiply-add.
 template <class Scalar>
 struct FrontKernels {
     /// Factorises the pivot block A11 = L11 L11^T. @return false when it is not positive definite.
@@ -34,14 +35,25 @@ struct FrontKernels {
     void (*forward)(const Scalar* panel, int pivots, int strips, Scalar* x);
     /// Backward substitution: x1 = L11^-T (x1 - L21^T x2).
     void (*backward)(const Scalar* panel, int pivots, int strips, Scalar* x);
-    const char* name;  ///< of the vector extension: "avx512", "avx2", "plain"
+    const char* name;  ///< of the vector extension: "avx512", "avx2", "fma", "plain"
+    /// Whether products are added without being rounded first. False for processors without fused
+    /// multiply-adds only, whose results differ in the last digits.
+    bool fused;
 };
 
-/// The sets that this processor can run, the widest vectors first.
+/// The sets that this processor can run, the widest vectors first. They give the same bytes.
 template <class Scalar>
 std::span<const FrontKernels<Scalar>> front_kernels();
 
+/// The set that solvers use: the first of front_kernels(), or the one that the environment variable
+/// ROCKSLOPE_KERNEL names, for comparisons.
+/// @throws InputError when that is none of front_kernels().
+template <class Scalar>
+const FrontKernels<Scalar>& chosen_front_kernels();
+
 extern template std::span<const FrontKernels<float>> front_kernels();
 extern template std::span<const FrontKernels<double>> front_kernels();
+extern template const FrontKernels<float>& chosen_front_kernels();
+extern template const FrontKernels<double>& chosen_front_kernels();
 
 }  // namespace rockslope::dda

@@ -67,8 +67,9 @@ inline constexpr double double_precision_limit = 8e3;
 std::unique_ptr<LinearSolver> make_multifrontal_solver(const ThreadPool& pool,
                                                        double max_submatrices = double_precision_limit);
 
-/// CHOLMOD's supernodal Cholesky factorisation, ordered by fill_reducing_order.
-std::unique_ptr<LinearSolver> make_cholmod_solver();
+/// Eigen's simplicial Cholesky factorisation, ordered by fill_reducing_order. Gives the same bytes on any
+/// processor.
+std::unique_ptr<LinearSolver> make_simplicial_solver();
 
 /// Fill-reducing order of a block graph: order[k] is the block eliminated k-th. Nested dissection by METIS
 /// with a fixed seed, then a postorder of the elimination tree, which makes each subtree contiguous.

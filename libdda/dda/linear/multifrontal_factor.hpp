@@ -62,7 +62,7 @@ class MultifrontalFactor {
         return symbolic_.order[column];
     }
 
-    const FrontKernels<Scalar>& kernels_ = front_kernels<Scalar>().front();
+    const FrontKernels<Scalar>& kernels_ = chosen_front_kernels<Scalar>();
     SymbolicFactor symbolic_;
     bool has_factor_ = false;
     std::vector<char> outdated_;  ///< per front, whether it has to be factorised again

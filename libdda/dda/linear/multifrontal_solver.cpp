@@ -109,8 +109,8 @@ std::unique_ptr<LinearSolver> make_multifrontal_solver(const ThreadPool& pool, d
 
 std::unique_ptr<LinearSolver> make_linear_solver(SolverKind kind, const ThreadPool& pool) {
     switch (kind) {
-        case SolverKind::cholmod:
-            return make_cholmod_solver();
+        case SolverKind::simplicial:
+            return make_simplicial_solver();
         case SolverKind::refined:
             return make_multifrontal_solver(pool, 0);
         default:

@@ -15,9 +15,14 @@ struct Substitution : Strips<Scalar, Bytes> {
     using Vector = typename S::Vector;
     using S::lanes, S::load, S::per_strip, S::row_at, S::store, S::unknowns, S::vector_at, S::w;
 
-    /// Block columns in a group. Its partial sums fill the registers.
-    static constexpr int group = Bytes == 64 ? 3 : 2;
+    /// Block columns in a group, for vectors of any width: sums are grouped alike. With 64 bytes the partial
+    /// sums of a group fill the registers.
+    static constexpr int group = 3;
     static constexpr int group_columns = group * unknowns;
+    /// Columns whose partial sums, one for each row of a strip, fit the registers at a time.
+    static constexpr int columns_at_once = Bytes == 64   ? group_columns
+                                           : Bytes == 32 ? unknowns
+                                                         : unknowns / 2;
     /// Largest number of vectors that contain rows of a group. A group begins at an even row.
     static constexpr int group_vectors = (lanes - 2 + group_columns + lanes - 1) / lanes;
 
@@ -41,7 +46,7 @@ struct Substitution : Strips<Scalar, Bytes> {
             const int in_square = c % unknowns;
             const int next = c - in_square + unknowns;
             Vector sum[group_vectors];
-            __builtin_memcpy(sum, ones + height - before - c, sizeof(sum));
+            __builtin_memcpy(sum, ones + (height - before - c), sizeof(sum));
             for (int k = last - first; k-- > c + 1;) {
                 const Scalar factor = k < next ? square[(k - next + unknowns) * unknowns + in_square]
                                                : rows[k][static_cast<long>(first + c) * w];
@@ -89,10 +94,9 @@ struct Substitution : Strips<Scalar, Bytes> {
         Vector odd[R];
         for (int r = 0; r < R; ++r) {
             rows[r] = a.in_vector(first_vector + r);
-            sum[r] = load(rows[r]) * y[0];
-            odd[r] = load(rows[r] + w) * y[1];
+            sum[r] = odd[r] = Vector{};
         }
-        for (int c = 2; c < a.count; c += 2) {
+        for (int c = 0; c < a.count; c += 2) {
             const long p = static_cast<long>(c) * w;
             const Scalar y0 = y[c];
             const Scalar y1 = y[c + 1];
@@ -129,7 +133,7 @@ struct Substitution : Strips<Scalar, Bytes> {
                 multiply<1>(sum, group_of_columns, v, x + first);
                 store(sum[0], own + (v - begin) * lanes);
             }
-            const Scalar* y = own + first - begin * lanes;
+            const Scalar* y = own + (first - begin * lanes);
             int v = last < columns ? last / lanes : vectors_up_to(last);
             for (; v + 4 <= strips * per_strip; v += 4) subtract_products<4>(group_of_columns, v, y, x);
             if (v + 2 <= strips * per_strip) {
@@ -141,16 +145,20 @@ struct Substitution : Strips<Scalar, Bytes> {
         }
     }
 
-    /// sum += L^T x for N columns and vectors [begin, end) of rows, before the lanes are summed.
-    /// @param x begins with the vector of rows `origin`.
+    /// sum += L^T x for N columns and strips [begin, end) of rows, before the lanes are summed. Each row of a
+    /// strip has a partial sum of its own, whatever the width of the vectors.
+    /// @param x begins with the strip of rows `origin`.
     template <int N>
-    DDA_KERNEL static void add_products(Vector (&sum)[N], const PanelColumns& l, int begin, int end,
-                                        const Scalar* x, int origin) {
-        for (int v = begin; v < end; ++v) {
-            const Scalar* at = l.in_vector(v);
-            const Vector factor = load(x + static_cast<long>(v - origin) * lanes);
+    DDA_KERNEL static void add_products(Vector (&sum)[N][per_strip], const PanelColumns& l, int begin,
+                                        int end, const Scalar* x, int origin) {
+        for (int s = begin; s < end; ++s) {
+#pragma GCC unroll 4
+            for (int v = 0; v < per_strip; ++v) {
+                const Scalar* at = l.in_vector(s * per_strip + v);
+                const Vector factor = load(x + static_cast<long>(s - origin) * w + v * lanes);
 #pragma GCC unroll 18
-            for (int q = 0; q < N; ++q) sum[q] += load(at + q * w) * factor;
+                for (int q = 0; q < N; ++q) sum[q][v] += load(at + q * w) * factor;
+            }
         }
     }
 
@@ -178,29 +186,51 @@ struct Substitution : Strips<Scalar, Bytes> {
         }
     }
 
+    /// sums = L^T x for `count` columns and strips [begin, end) of rows, see add_products(). The rows of a
+    /// strip are summed by halves, the same for vectors of any width.
+    template <int count>
+    DDA_KERNEL static void products(const PanelColumns& l, int begin, int end, const Scalar* x, int origin,
+                                    Scalar* sums) {
+        constexpr int N = count < columns_at_once ? count : columns_at_once;
+        static_assert(count % N == 0);
+        Vector whole[count];
+        for (int first = 0; first < count; first += N) {
+            Vector sum[N][per_strip] = {};
+            const PanelColumns some{l.strips, l.columns, l.first + first, N};
+            add_products<N>(sum, some, begin, end, x, origin);
+#pragma GCC unroll 18
+            for (int q = 0; q < N; ++q) {
+#pragma GCC unroll 2
+                for (int half = per_strip / 2; half > 0; half /= 2) {
+                    for (int v = 0; v < half; ++v) sum[q][v] += sum[q][v + half];
+                }
+                whole[first + q] = sum[q][0];
+            }
+        }
+        sum_lanes<count>(whole, sums);
+    }
+
     /// Backward substitution of a group of N block columns.
+    /// @param strip_count of the whole panel.
     template <int N>
-    DDA_KERNEL static void group_backward(const Scalar* strips, int columns, int first, int vectors,
+    DDA_KERNEL static void group_backward(const Scalar* strips, int columns, int first, int strip_count,
                                           Scalar* x) {
         constexpr int count = N * unknowns;
         const int last = first + count;
-        const int begin = first / lanes;
-        alignas(Vector) Scalar y[group_vectors * lanes] = {};
-        Scalar* own = y + first - begin * lanes;
+        const int begin = first / w;
+        const int end = (last + w - 1) / w;
+        constexpr int group_strips = (w - 2 + group_columns + w - 1) / w;
+        alignas(Vector) Scalar y[group_strips * w] = {};
+        Scalar* own = y + (first - begin * w);
         for (int c = 0; c < count; ++c) own[c] = x[first + c];
         if (last < columns) {
             for (int c = 0; c < count; ++c) x[first + c] = 0;
         }
         const PanelColumns group_of_columns{strips, columns, first, count};
         alignas(Vector) Scalar sums[(count + lanes - 1) / lanes * lanes];
-        Vector below[count] = {};
-        add_products<count>(below, group_of_columns, last < columns ? last / lanes : vectors_up_to(last),
-                            vectors, x, 0);
-        sum_lanes<count>(below, sums);
+        products<count>(group_of_columns, last < columns ? last / w : end, strip_count, x, 0, sums);
         for (int c = 0; c < count; ++c) own[c] -= sums[c];
-        Vector inverse[count] = {};
-        add_products<count>(inverse, group_of_columns, begin, vectors_up_to(last), y, begin);
-        sum_lanes<count>(inverse, sums);
+        products<count>(group_of_columns, begin, end, y, begin, sums);
         for (int c = 0; c < count; ++c) x[first + c] = sums[c];
     }
 
@@ -209,10 +239,10 @@ struct Substitution : Strips<Scalar, Bytes> {
         const Scalar* below = panel + diagonal_blocks_size<Scalar>(pivots);
         const int rest = pivots % group;
         const int first = (pivots - rest) * unknowns;
-        if (rest == 1) group_backward<1>(below, columns, first, strips * per_strip, x);
-        if (rest == 2) group_backward<2>(below, columns, first, strips * per_strip, x);
+        if (rest == 1) group_backward<1>(below, columns, first, strips, x);
+        if (rest == 2) group_backward<2>(below, columns, first, strips, x);
         for (int column = first - group_columns; column >= 0; column -= group_columns)
-            group_backward<group>(below, columns, column, strips * per_strip, x);
+            group_backward<group>(below, columns, column, strips, x);
     }
 };
 

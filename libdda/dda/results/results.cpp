@@ -137,9 +137,18 @@ Checkpoint Results::checkpoint_of(const State& state) const {
     return checkpoint;
 }
 
+/// A disk that takes long to say that the bytes are on it takes a fifth of the run at most.
+bool Results::checkpoint_is_due() const {
+    constexpr double times_between = 4;  // over the time that a checkpoint takes
+    return seconds(Clock::now() - last_checkpoint_) >=
+           std::max(output_.checkpoint_interval, times_between * checkpoint_time_);
+}
+
 void Results::save_checkpoint(const State& state) {
+    const Clock::time_point begin = Clock::now();
     write_checkpoint(options_.folder / "checkpoint.h5", checkpoint_of(state));
     last_checkpoint_ = Clock::now();
+    checkpoint_time_ = seconds(last_checkpoint_ - begin);
 }
 
 /// Saves the state for runs that branch off here. Their wall time is their own.
@@ -195,8 +204,7 @@ bool Results::step_done(const Model&, const State& state, const Stage& stage, co
 
     const bool go_on = options_.progress(progress_of(state, stage, report));
     if (ends) return true;
-    if (!go_on || seconds(Clock::now() - last_checkpoint_) >= output_.checkpoint_interval)
-        save_checkpoint(state);
+    if (!go_on || checkpoint_is_due()) save_checkpoint(state);
     return go_on;
 }
 

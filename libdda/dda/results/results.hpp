@@ -83,6 +83,7 @@ class Results : public RunObserver {
     void update_peaks(const State& state, double step);
     void update_sliding(const State& state, const StepReport& report);
     Checkpoint checkpoint_of(const State& state) const;
+    bool checkpoint_is_due() const;
     void save_checkpoint(const State& state);
     void save_end_of_stage(const State& state, int stage_index);
     Progress progress_of(const State& state, const Stage& stage, const StepReport& report) const;
@@ -106,6 +107,7 @@ class Results : public RunObserver {
     bool resuming_;
     Clock::time_point start_;
     Clock::time_point last_checkpoint_;
+    double checkpoint_time_ = 0;  ///< s of wall time that the last one took
 };
 
 /// Estimated size on disk of the frames of a run, bytes, without those inside static stages. It is correct to

@@ -283,10 +283,22 @@ Json motions_json(const std::vector<Stage>& stages) {
     return list;
 }
 
+/// Where the same input gives the same results, byte for byte.
+std::string same_bytes_on(bool fused) {
+#if defined(__x86_64__)
+    if (fused) return "every x86-64-v3 processor";
+#endif
+    return fused ? "processors of this architecture" : "x86-64 processors without fused multiply-adds";
+}
+
 void add_provenance(const Provenance& provenance, Json& json) {
     json["version"] = provenance.version;
     json["commit"] = provenance.commit;
     json["kernel"] = provenance.kernel;
+    json["same_bytes_on"] = same_bytes_on(provenance.fused) + ", with any number of threads";
+    json["displacements"] =
+        "one sample: where blocks slide or fall, a change in the last digit moves them elsewhere, by a fifth "
+        "or by metres; a study with replicates gives the distribution";
     json["threads"] = provenance.threads;
     json["fingerprint"] = provenance.fingerprint;
     json["overrides"] = provenance.overrides;

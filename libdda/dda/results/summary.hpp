@@ -20,6 +20,7 @@ struct Provenance {
     std::optional<InputFile> saved_state = {};  ///< that the run began with
     int threads = 1;
     std::string kernel = {};                 ///< vector extension of the solver, see FrontKernels::name
+    bool fused = true;                       ///< FrontKernels::fused of that kernel
     std::vector<std::string> warnings = {};  ///< what the program said of the run
 };
 

@@ -17,17 +17,20 @@ std::vector<std::string> names_of(const std::vector<GridColumn>& columns) {
     return names;
 }
 
-/// The file of a resumed run. The frames up to the checkpoint are written again by the same calls, so that
-/// the bytes are those of an uninterrupted run. The old file is replaced when the copy is complete.
+std::filesystem::path copy_of(const std::filesystem::path& path) {
+    return path.string() + ".resumed";
+}
+
+/// The file of a resumed run, a copy of the old one. The frames up to the checkpoint are written again by the
+/// same calls, so that the bytes are those of an uninterrupted run.
 VtkHdfFile resumed_file(const std::filesystem::path& path, const MakeFile& make, const GridLayout& layout,
                         std::int64_t frames) {
-    const std::filesystem::path copy = path.string() + ".resumed";
+    const std::filesystem::path copy = copy_of(path);
     try {
         VtkHdfFile file = make(copy);
         const VtkHdfReader old(path);
         for (std::int64_t k = 0; k < frames; ++k)
             file.append(old.frame(k, names_of(layout.columns), names_of(layout.point_columns)));
-        file.rename_to(path);
         return file;
     } catch (const OutputError&) {
         std::error_code ignored;
@@ -36,27 +39,48 @@ VtkHdfFile resumed_file(const std::filesystem::path& path, const MakeFile& make,
     }
 }
 
+/// A resumed run leaves the file that it finds, which may hold frames from after the checkpoint, until it has
+/// written as many itself.
 class FrameWriter : public ResultWriter {
   public:
     FrameWriter(const WriterContext& context, const std::string& extension, const GridLayout& layout,
                 const MakeFile& make, FrameOf frame_of)
         : model_(context.model),
           frame_of_(std::move(frame_of)),
-          file_(context.resume_from ? resumed_file(context.folder / (context.name + extension), make, layout,
-                                                   *context.resume_from)
-                                    : make(context.folder / (context.name + extension))) {}
+          path_(context.folder / (context.name + extension)),
+          old_frames_(context.resume_from ? VtkHdfReader(path_).frame_count() : 0),
+          file_(context.resume_from ? resumed_file(path_, make, layout, *context.resume_from) : make(path_)),
+          is_copy_(context.resume_from.has_value()) {
+        replace_old_file();
+    }
+    ~FrameWriter() override {
+        std::error_code ignored;
+        if (is_copy_) std::filesystem::remove(copy_of(path_), ignored);
+    }
+    FrameWriter(const FrameWriter&) = delete;
+    FrameWriter& operator=(const FrameWriter&) = delete;
 
     void frame(const State& state, const Stage& stage) override {
         GridFrame frame = frame_of_(model_, state);
         frame.stage = stage.name;
         file_.append(frame);
+        replace_old_file();
     }
     std::int64_t position() const override { return file_.frame_count(); }
 
   private:
+    void replace_old_file() {
+        if (!is_copy_ || file_.frame_count() < old_frames_) return;
+        file_.rename_to(path_);
+        is_copy_ = false;
+    }
+
     const Model& model_;
     FrameOf frame_of_;
+    std::filesystem::path path_;
+    std::int64_t old_frames_;  ///< in the file that a resumed run found
     VtkHdfFile file_;
+    bool is_copy_;  ///< the file is still beside the one that was found
 };
 
 /// Frames of a run with excavations: each has the cells of its blocks.

@@ -47,6 +47,25 @@ TEST_F(AtomicFile, FailureKeepsTheOldFile) {
     EXPECT_THROW(write_file_atomically(folder / "missing" / "f", "x"), OutputError);
 }
 
+// The name was that of the process, which an attacker, or a run of the same number on another machine, has.
+TEST_F(AtomicFile, TheTemporaryNameIsRandomAndNeverThatOfALink) {
+    fs::path first;
+    {
+        const PendingFile a(folder / "f"), b(folder / "f");
+        EXPECT_NE(a.temporary(), b.temporary());
+        EXPECT_EQ(a.temporary().parent_path(), folder);
+        EXPECT_TRUE(fs::is_regular_file(a.temporary()));
+        first = a.temporary();
+    }
+    EXPECT_EQ(files_in_folder(), 0u) << "files that are not put in place are removed";
+    write_file_atomically(folder / "f.tmp0123456789ab", "left by a kill");
+    write_file_atomically(folder / "f.tmp", "a user's");
+    write_file_atomically(folder / "f.tmp0123456789xy", "a user's");
+    remove_abandoned_files(folder);
+    EXPECT_FALSE(fs::exists(folder / "f.tmp0123456789ab"));
+    EXPECT_EQ(files_in_folder(), 2u);
+}
+
 TEST_F(AtomicFile, ReportsAFullDevice) {
     EXPECT_EQ(error_of<OutputError>([] { write_file_atomically("/dev/full", "x"); }),
               "/dev/full: cannot be written: No space left on device");

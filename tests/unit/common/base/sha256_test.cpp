@@ -15,5 +15,16 @@ TEST(Sha256, GivesThePublishedDigests) {
               "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
 }
 
+TEST(Sha256, TakesBytesInPiecesOfAnyLength) {
+    std::string bytes;
+    for (int k = 0; k < 1000; ++k) bytes += static_cast<char>(k * k);
+    for (const std::size_t length : {1, 7, 63, 64, 65, 129, 1000}) {
+        Sha256 digest;
+        for (std::size_t at = 0; at < bytes.size(); at += length)
+            digest.add(std::string_view(bytes).substr(at, length));
+        EXPECT_EQ(digest.digest(), sha256(bytes)) << "pieces of " << length;
+    }
+}
+
 }  // namespace
 }  // namespace rockslope::sha256_test

@@ -60,6 +60,35 @@ TEST_F(ContinuedRun, EndsInTheSameBytes) {
     }
 }
 
+// A run that went on after its checkpoint and was killed has later frames and rows.
+TEST_F(ContinuedRun, KeepsLaterFramesUntilItHasWrittenAsMany) {
+    simulate("whole");
+    const std::int64_t frames = frames_of("whole").frame_count();
+    const auto steps = static_cast<int>(lines_of(folder / "whole" / "steps.csv").size()) - 1;
+    int step = 0;
+    simulate("killed", [&](const Progress&) { return ++step < steps / 3; });
+    const fs::path old_checkpoint = folder / "killed" / "checkpoint.h5";
+    ASSERT_LT(frames_of("killed").frame_count(), frames - 1);
+    for (const char* file : {"run.vtkhdf", "run.joints.vtkhdf", "history.csv", "steps.csv"})
+        fs::copy_file(folder / "whole" / file, folder / "killed" / file,
+                      fs::copy_options::overwrite_existing);
+    const auto resume = [&](int stop) {
+        const Checkpoint checkpoint = read_checkpoint(old_checkpoint);
+        int done = 0;
+        Results results(input.model, input.stages, input.output,
+                        {folder / "killed", false, "hash", [&](const Progress&) { return ++done < stop; }},
+                        &checkpoint);
+        State state = checkpoint.state;
+        EXPECT_EQ(frames_of("killed").frame_count(), frames) << "at the start";
+        return run(input.model, input.stages, state, results, {1, checkpoint.results.stage, true}).status;
+    };
+    EXPECT_EQ(resume(steps / 3), RunStatus::stopped);
+    EXPECT_EQ(frames_of("killed").frame_count(), frames) << "after a resumed run that was stopped early";
+    EXPECT_FALSE(fs::exists(folder / "killed" / "run.vtkhdf.resumed"));
+    EXPECT_EQ(resume(steps), RunStatus::completed);
+    expect_same_files("killed", "whole");
+}
+
 TEST_F(ContinuedRun, RestoresExcavatedBlocks) {
     blockgen::BlockMesh mesh = io_test::two_block_mesh();
     const blockgen::VertexIndex first = mesh.vertices.size();

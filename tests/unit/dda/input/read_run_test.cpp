@@ -192,7 +192,7 @@ TEST_F(ReadRun, AppliesOverridesAndBlockFileOfTheCommandLine) {
 TEST_F(ReadRun, ChoosesTheSolver) {
     EXPECT_EQ(read(full_model).model.solver, SolverKind::multifrontal);
     for (const auto& [name, kind] :
-         {std::pair{"cholmod", SolverKind::cholmod}, std::pair{"refined", SolverKind::refined},
+         {std::pair{"simplicial", SolverKind::simplicial}, std::pair{"refined", SolverKind::refined},
           std::pair{"multifrontal", SolverKind::multifrontal}}) {
         RunReadOptions options;
         options.overrides = {std::string("analysis.solver=") + name};
@@ -200,7 +200,7 @@ TEST_F(ReadRun, ChoosesTheSolver) {
     }
     EXPECT_THAT(error_with("plane = \"stress\"", "solver = \"mumps\""),
                 StartsWith("run.toml:17:10: 'solver' in [analysis] is \"mumps\"; expected one of"));
-    EXPECT_THAT(error_with("plane = \"stress\"", "solver = \"cholmot\""), HasSubstr("cholmod"));
+    EXPECT_THAT(error_with("plane = \"stress\"", "solver = \"simplical\""), HasSubstr("simplicial"));
     EXPECT_THAT(error_with("plane = \"stress\"", "solver = 2"), StartsWith("run.toml:17:10: 'solver'"));
 }
 

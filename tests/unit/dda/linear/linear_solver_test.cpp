@@ -24,7 +24,7 @@ struct Kind {
     dda::SolverKind kind;
     std::unique_ptr<dda::LinearSolver> make() const { return dda::make_linear_solver(kind, two_threads); }
 };
-const Kind solver_kinds[] = {{"cholmod", dda::SolverKind::cholmod},
+const Kind solver_kinds[] = {{"simplicial", dda::SolverKind::simplicial},
                              {"multifrontal", dda::SolverKind::multifrontal},
                              {"refined", dda::SolverKind::refined}};
 

@@ -263,7 +263,7 @@ TEST_F(ResultsTest, TheSummaryReportsTheOutcome) {
          {"\"status\": \"completed\"", "\"version\": \"9.9\"", "\"name\": \"crest\"", "\"sha256\": \"",
           "\"sliding\":", "\"fallbacks\": 0,", "\"largest_dilation_left\": 0.0", "\"commit\": \"0a1b2c\"",
           "analysis.gravity=[0,-9]", "\"file\": \"settled.h5\"", "\"threads\": 3", "\"kernel\": \"plain\"",
-          "\"a warning\""})
+          "\"same_bytes_on\": ", "\"displacements\": \"one sample", "\"a warning\""})
         EXPECT_THAT(text, HasSubstr(part));
     EXPECT_GT(results.state().peaks[0].displacement, 0.01);
 }

@@ -1,3 +1,5 @@
+#include "cholmod_solver.hpp"
+
 #include <cholmod.h>
 #include <dlfcn.h>
 #include <omp.h>
@@ -6,9 +8,9 @@
 #include <new>
 #include <stdexcept>
 
-#include "dda/linear/linear_solver.hpp"
+namespace rockslope::bench {
 
-namespace rockslope::dda {
+using namespace dda;
 
 namespace {
 
@@ -171,4 +173,4 @@ std::unique_ptr<LinearSolver> make_cholmod_solver() {
     return std::make_unique<CholmodSolver>();
 }
 
-}  // namespace rockslope::dda
+}  // namespace rockslope::bench
