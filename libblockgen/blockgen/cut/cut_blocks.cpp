@@ -227,10 +227,9 @@ class Cutter {
         report.changes = joint_changes(cut);
         report.changes.insert(report.changes.end(), merges_.changes.begin(), merges_.changes.end());
         report.warnings.insert(report.warnings.end(), network.warnings.begin(), network.warnings.end());
-        for (const Tunnel& tunnel : model_.tunnels)
-            if (is_outside_domain(tunnel.outline, model_))
-                report.warnings.push_back("tunnel '" + tunnel.name +
-                                          "' lies outside the outline and removes nothing");
+        for (const std::size_t k : faces_.idle_tunnels)
+            report.warnings.push_back("tunnel '" + model_.tunnels[k].name +
+                                      "' lies outside the outline and removes nothing");
     }
 
     void fill_report(CutResult& result) const {

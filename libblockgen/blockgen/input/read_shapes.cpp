@@ -118,9 +118,6 @@ void check_ring(const ConfigTable& domain, const std::string& key, const std::st
 void add_part(const ConfigTable& domain, const std::string& key, const std::string& what, Ring outer,
               SlopeModel& model) {
     check_ring(domain, key, what, outer);
-    if (!model.outline.empty() && !is_outside_domain(outer, model))
-        domain.fail(key, what + " overlaps an earlier part",
-                    "parts of the domain that do not overlap; a hole as an inner ring or in holes");
     (model.outline.empty() ? model.outline : model.further_outlines.emplace_back()) = std::move(outer);
 }
 
@@ -128,8 +125,7 @@ void add_hole(const ConfigTable& domain, const std::string& key, const std::stri
               SlopeModel& model) {
     const std::string what = "hole " + std::to_string(model.holes.size() + 1) + where;
     check_ring(domain, key, what, hole);
-    if (is_outside_domain(hole, model))
-        domain.fail(key, what + " lies outside the outline", "a hole that removes rock");
+    model.holes_location = domain.place(key);
     model.holes.push_back(std::move(hole));
 }
 
@@ -158,6 +154,7 @@ void read_outline(const ConfigTable& domain, SlopeModel& model) {
     } else {
         parts.push_back({ring_of(domain.pairs(key, Dimension::length))});
     }
+    model.outlines_location = domain.place(key);
     for (std::size_t k = 0; k < parts.size(); ++k)
         add_part(domain, key,
                  (parts.size() == 1 ? "the outline" : "outline " + std::to_string(k + 1)) + where,

@@ -152,6 +152,8 @@ struct SlopeModel {
     IslandPolicy islands = IslandPolicy::keep;
     SmallBlocks small_blocks;
     SourceLocation domain_location;
+    SourceLocation outlines_location;  ///< of the key that gives the parts of the domain
+    SourceLocation holes_location;     ///< of the key that gives the last hole
     std::vector<Region> regions;
     std::vector<Tunnel> tunnels;
     std::vector<Excavation> excavations;

@@ -242,7 +242,7 @@ TEST(DegenerateGeometry, NodesAndDensities) {
 TEST(DegenerateGeometry, AHoleOrTunnelOutsideTheRockIsReported) {
     const std::string domain =
         "[domain]\noutline = [[0, 0], [2, 0], [2, 1], [0, 1]]\nblock_material = \"rock\"\n";
-    EXPECT_THAT(error_of([&] { slope(domain + "holes = [[[3, 0], [4, 0], [4, 1]]]\n"); }),
+    EXPECT_THAT(error_of([&] { cut(slope(domain + "holes = [[[3, 0], [4, 0], [4, 1]]]\n")); }),
                 HasSubstr("slope.toml:4:9: hole 1 lies outside the outline"));
     const SlopeModel model =
         slope(domain + "[[tunnel]]\nname = \"far\"\nshape = \"circle\"\ncentre = [9, 9]\nradius = 1\n");
