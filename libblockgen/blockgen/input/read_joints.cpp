@@ -1,9 +1,43 @@
+#include "blockgen/input/domain.hpp"
 #include "blockgen/input/geometry_file.hpp"
+#include "blockgen/input/place_coordinates.hpp"
 #include "blockgen/input/read_shapes.hpp"
 
 namespace rockslope::blockgen {
 
 namespace {
+
+/// @throws InputError when none of the traces meets the bounding box of the domain.
+void refuse_traces_elsewhere(const PlacedFile& file, const SlopeModel& model) {
+    Ring all;
+    const Bounds domain = domain_bounds(model);
+    for (const std::vector<Point>* line : file.lines) {
+        const Bounds bounds = Bounds::of(*line);
+        if (bounds.low.x <= domain.high.x && domain.low.x <= bounds.high.x && bounds.low.y <= domain.high.y &&
+            domain.low.y <= bounds.high.y)
+            return;
+        all.insert(all.end(), line->begin(), line->end());
+    }
+    const auto text = [](const Bounds& box) { return text_of(box.low) + " to " + text_of(box.high); };
+    file.table.fail(file.key,
+                    "no trace of " + file.path.string() + " is near the domain: they lie in " +
+                        text(Bounds::of(all)) + ", the domain in " + text(domain),
+                    "traces in the coordinates of the domain");
+}
+
+void read_file_of_traces(const ConfigTable& table, const std::string& name, const std::string& material,
+                         SlopeModel& model) {
+    model.files.push_back(table.file_path("file"));
+    PlacedFile file{table, "file", model.files.back(), {}, {}};
+    std::vector<Trace> traces = read_trace_file(file.path, name, material, &file.notes);
+    for (Trace& trace : traces) file.lines.push_back(&trace.points);
+    place_coordinates(file, model);
+    refuse_traces_elsewhere(file, model);
+    for (Trace& trace : traces) {
+        check_coordinate_range(table, "file", trace.points, model);
+        model.traces.push_back(std::move(trace));
+    }
+}
 
 void read_traces(const ConfigTable& table, SlopeModel& model) {
     const std::string fallback = "traces " + std::to_string(model.traces.size() + 1);
@@ -12,11 +46,7 @@ void read_traces(const ConfigTable& table, SlopeModel& model) {
     if (table.has("points") == table.has("file"))
         table.fail("points", "traces need points or a file", "exactly one of them");
     if (table.has("file")) {
-        model.files.push_back(table.file_path("file"));
-        for (Trace& trace : read_trace_file(model.files.back(), name, material)) {
-            check_coordinate_range(table, "file", trace.points, model);
-            model.traces.push_back(std::move(trace));
-        }
+        read_file_of_traces(table, name, material, model);
         return;
     }
     if (material.empty())

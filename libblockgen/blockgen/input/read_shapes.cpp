@@ -6,6 +6,7 @@
 
 #include "blockgen/input/domain.hpp"
 #include "blockgen/input/geometry_file.hpp"
+#include "blockgen/input/place_coordinates.hpp"
 #include "common/base/text.hpp"
 
 namespace rockslope::blockgen {
@@ -147,7 +148,11 @@ void read_outline(const ConfigTable& domain, SlopeModel& model) {
     if (key == "outline_file") {
         model.files.push_back(domain.file_path(key));
         where = " in " + model.files.back().string();
-        parts = read_outline_file(model.files.back());
+        PlacedFile file{domain, key, model.files.back(), {}, {}};
+        parts = read_outline_file(file.path, &file.notes);
+        for (std::vector<Ring>& rings : parts)
+            for (Ring& ring : rings) file.lines.push_back(&ring);
+        place_coordinates(std::move(file), model);
     } else if (key == "outlines") {
         for (const auto& pairs : domain.rings(key)) parts.push_back({ring_of(pairs)});
         if (parts.empty()) domain.fail(key, "no part of the domain", "[[[x, y], ...], ...]");
@@ -261,6 +266,7 @@ void read_domain(const ConfigTable& root, const EnclosedAreaFunction& enclosed_a
     const ConfigTable domain = root.table("domain");
     model.domain_location = domain.place();
     model.grid = read_grid(domain);
+    read_project(domain, model);
     if (domain.has("geo_file")) {
         for (const char* key : {"outline", "outlines", "outline_file", "holes"})
             if (domain.has(key))

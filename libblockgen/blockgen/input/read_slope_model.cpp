@@ -15,7 +15,8 @@ seed = 42                                  # seed of all random draws; the same 
 [domain]
 outline = [[0, 0], [120, 0], [120, 30], [60, 70], [0, 70]]
 # outlines = [[[0, 0], ...], [[90, 0], ...]]   # instead: a domain of several parts
-# outline_file = "profile.csv"             # instead: columns x,y; or a GeoJSON file with Polygons
+# outline_file = "profile.csv"             # instead: columns x,y; or .geojson, .dxf, .shp, .gpkg
+# project = "EPSG:32634"                   # the coordinates of files are converted to this system
 # geo_file = "old.geo"                     # instead: a line file of Shi's programs
 # holes = [[[10, 10], [14, 10], [12, 14]]]
 block_material = "sandstone"

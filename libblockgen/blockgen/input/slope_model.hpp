@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "blockgen/input/coordinate_system.hpp"
 #include "blockgen/input/orientation.hpp"
 #include "common/base/input_error.hpp"
 #include "common/geometry/polygon.hpp"
@@ -151,6 +152,9 @@ struct SlopeModel {
     std::string block_material;
     IslandPolicy islands = IslandPolicy::keep;
     SmallBlocks small_blocks;
+    CoordinateSystem project;  ///< to which the coordinates of files are converted
+    CoordinateSystem system;   ///< without `project`: that of the files which state one
+    std::string system_file;   ///< the first of these files
     SourceLocation domain_location;
     SourceLocation outlines_location;  ///< of the key that gives the parts of the domain
     SourceLocation holes_location;     ///< of the key that gives the last hole

@@ -6,28 +6,18 @@
 #include <cmath>
 #include <filesystem>
 
-#include "blockgen/input/gdal_file.hpp"
 #include "blockgen/input/geometry_file.hpp"
 #include "common/base/input_error.hpp"
 #include "support/error_of.hpp"
+#include "unit/blockgen/slopes.hpp"
 
-#ifdef HAS_GDAL
 #include <cpl_error.h>
 #include <gdal.h>
 #include <ogr_api.h>
 #include <ogr_srs_api.h>
-#endif
 
 namespace rockslope::blockgen::gdal_formats_test {
 namespace {
-
-#ifndef HAS_GDAL
-
-TEST(GdalFormats, AreReadAsGdalWritesThem) {
-    GTEST_SKIP() << "this build has no GDAL to write them with";
-}
-
-#else
 
 using testing::HasSubstr;
 namespace fs = std::filesystem;
@@ -170,27 +160,72 @@ TEST(GdalFormats, ClosedLinesOfADrawingAreParts) {
     EXPECT_EQ(twice_signed_area(parts[1][0]), 12);
 }
 
-std::string error_of(const fs::path& path, bool outline) {
-    return rockslope::error_of([&] {
-        if (outline)
-            read_outline_file(path);
-        else
-            read_trace_file(path, "map", "joint");
-    });
+TEST(GdalFormats, LinesOfADrawingThatFormAChainAreAnOutlineAndThoseInsideAreItsHoles) {
+    Format format("DXF", ".dxf");
+    const auto parts = read_outline_file(format.with({{"LINESTRING (0 0, 9 0)", ""},
+                                                      {"LINESTRING (9 8, 9 0)", ""},
+                                                      {"LINESTRING (9 8, 0 0)", ""},
+                                                      {"LINESTRING (6 1, 8 1, 8 2, 6 1)", ""}}));
+    ASSERT_EQ(parts.size(), 1u);
+    ASSERT_EQ(parts[0].size(), 2u);
+    EXPECT_EQ(std::abs(twice_signed_area(parts[0][0])), 72);
+    EXPECT_EQ(std::abs(twice_signed_area(parts[0][1])), 2);
 }
 
-TEST(GdalFormats, DegreesAndOpenOutlinesAreRefused) {
-    Format degrees("GPKG", ".gpkg", 0);
-    EXPECT_THAT(error_of(degrees.with(lines), false), HasSubstr("the coordinates are in degrees"));
+std::string error_of_outline(const fs::path& path) {
+    return error_of([&] { read_outline_file(path); });
+}
+std::string error_of_traces(const fs::path& path) {
+    return error_of([&] { read_trace_file(path, "map", "joint"); });
+}
+
+TEST(GdalFormats, OpenOutlinesAndEmptyFilesAreRefused) {
     Format open("GPKG", ".gpkg");
-    EXPECT_THAT(error_of(open.with(lines), true), HasSubstr("not closed"));
+    EXPECT_THAT(error_of_outline(open.with(lines)), HasSubstr("not closed"));
     Format empty("GPKG", ".gpkg");
     const fs::path path = empty.with({});
-    EXPECT_THAT(error_of(path, true), HasSubstr("no polygon"));
-    EXPECT_THAT(error_of(path, false), HasSubstr("no trace"));
+    EXPECT_THAT(error_of_outline(path), HasSubstr("no polygon"));
+    EXPECT_THAT(error_of_traces(path), HasSubstr("no trace"));
 }
 
-#endif
+std::string model_text(const std::string& domain, const fs::path& traces) {
+    return "[domain]\nblock_material = \"rock\"\n" + domain +
+           "\n[[traces]]\njoint_material = \"joint\"\nfile = \"" + traces.string() + "\"\n";
+}
+
+TEST(GdalFormats, SystemsAreTheirOwn) {
+    const std::string outline =
+        "outline = [[465990, 6691570], [466020, 6691570], [466020, 6691610], [465990, 6691610]]";
+    for (const auto& [driver, extension] :
+         {std::pair("GPKG", ".gpkg"), std::pair("ESRI Shapefile", ".shp")}) {
+        Format degrees(driver, extension, 0);
+        EXPECT_THAT(error_of([&] { slope(model_text(outline, degrees.with(lines))); }),
+                    HasSubstr("the coordinates are in degrees"))
+            << driver;
+        Format metres(driver, extension);
+        const fs::path path = metres.with(lines);
+        EXPECT_EQ(slope(model_text(outline, path)).traces.size(), 2u) << driver;
+        // The system of the file is that of the project, and a neighbouring zone is converted to it.
+        EXPECT_EQ(slope(model_text("project = \"EPSG:32635\"\n" + outline, path)).traces[0].points[0],
+                  (Point{466000.25, 6691582.5}))
+            << driver;
+        EXPECT_THAT(error_of([&] { slope(model_text("project = \"EPSG:32634\"\n" + outline, path)); }),
+                    HasSubstr("is near the domain"))
+            << driver;
+    }
+}
+
+TEST(GdalFormats, HeightsAndEmptyGeometriesAreCounted) {
+    Format format("GPKG", ".gpkg");
+    MapNotes notes;
+    const auto traces = read_trace_file(
+        format.with(
+            {{"LINESTRING Z (0 0 5, 1 1 6)", ""}, {"LINESTRING EMPTY", ""}, {"LINESTRING (0 0, 1 0)", ""}}),
+        "map", "joint", &notes);
+    EXPECT_EQ(traces.size(), 2u);
+    EXPECT_EQ(notes.empty, 1u);
+    EXPECT_EQ(notes.with_heights, 1u);
+}
 
 }  // namespace
 }  // namespace rockslope::blockgen::gdal_formats_test
