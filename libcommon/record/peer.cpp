@@ -11,7 +11,7 @@ namespace {
 // The header ends with the line of NPTS and DT, the fourth in PEER's files. Others that are written for the
 // same programs have text before it: "Data for El Centro 1940", "The units are (g)", "NPTS=  1559, DT= .02000
 // SEC".
-constexpr std::size_t longest_header = 40;
+constexpr std::size_t longest_text_header = 40;
 constexpr std::size_t usual_kind_line = 2;   // "ACCELERATION TIME SERIES IN UNITS OF G"
 constexpr std::size_t usual_count_line = 3;  // NPTS and DT, in three spellings
 
@@ -64,7 +64,7 @@ struct PeerHeader {
 
 /// Nothing when none of the first lines states NPTS and DT.
 std::optional<PeerHeader> header_of(const RecordLines& lines) {
-    for (std::size_t i = 0; i < std::min(longest_header, lines.size()); ++i) {
+    for (std::size_t i = 0; i < std::min(longest_text_header, lines.size()); ++i) {
         if (!sampling_of(lines[i])) continue;
         PeerHeader header{i, i, std::nullopt, {}};
         for (std::size_t k = 0; k < i; ++k) {

@@ -237,6 +237,7 @@ class Cutter {
         const BlockMesh& mesh = result.mesh;
         report.blocks = mesh.block_count();
         report.merges = merges_;
+        report.trace_ends = model_.trace_ends;
         report.noding_rounds = noded_.rounds;
         report.largest_snap = noded_.largest_snap;
         report.merged_vertices = std::count(removed_.begin(), removed_.end(), 1);

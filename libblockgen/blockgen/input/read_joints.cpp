@@ -1,5 +1,6 @@
 #include "blockgen/input/domain.hpp"
 #include "blockgen/input/geometry_file.hpp"
+#include "blockgen/input/join_ends.hpp"
 #include "blockgen/input/place_coordinates.hpp"
 #include "blockgen/input/read_shapes.hpp"
 
@@ -64,6 +65,11 @@ void read_traces(const ConfigTable& table, SlopeModel& model) {
 void read_joints(const ConfigTable& root, SlopeModel& model) {
     // Traces are read first, because joints of a set may end on them.
     for (const ConfigTable& table : root.array_of_tables("traces")) read_traces(table, model);
+    const ConfigTable domain = root.table("domain");
+    const double snap = domain.checked(
+        "snap", domain.number("snap", Dimension::length, 0.0), [](double d) { return d >= 0; },
+        "a distance of zero or more");
+    if (!model.outline_of_traces) join_ends(snap, model);
     read_joint_sets(root, model);
 }
 

@@ -21,6 +21,7 @@ outline = [[0, 0], [120, 0], [120, 30], [60, 70], [0, 70]]
 # holes = [[[10, 10], [14, 10], [12, 14]]]
 block_material = "sandstone"
 # grid = 9.5367431640625e-7                # m, a power of two: joints nearer to each other than this are joined
+# snap = "1 cm"                            # ends of [[traces]] within it of another trace or an outline are joined
 # islands = "keep"                         # blocks enclosed by one block; or "cut" to its boundary, "fill", "error"
 
 # [small_blocks]                           # absent: blocks below 1e-4 of the median area are merged

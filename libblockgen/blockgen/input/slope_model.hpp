@@ -88,6 +88,22 @@ struct Trace {
     std::vector<Point> points;
 };
 
+/// An end of a given trace, and what it was joined to or stops short of.
+struct NearEnd {
+    Point at;           ///< where it lies now
+    double gap = 0;     ///< m, by which it moved, or by which it stops short
+    std::string joint;  ///< name of its trace
+    std::string other;  ///< name of the other trace, or "outline"
+};
+
+/// What became of the ends of the given traces.
+struct TraceEnds {
+    std::vector<NearEnd> joined;       ///< moved to another end, trace or outline
+    std::vector<NearEnd> near_misses;  ///< stop short of something by `reach` or less
+    double reach = 0;                  ///< m
+    double suggested_snap = 0;  ///< m, which would join these; 0: they are hardly more than chance explains
+};
+
 /// Selects fixed or prescribed blocks by exactly one of: a point inside the block, a polygon that contains
 /// their centroids, a line through the blocks, or a side of the domain's bounding box along which they lie.
 struct BlockSelector {
@@ -163,6 +179,7 @@ struct SlopeModel {
     std::vector<Excavation> excavations;
     std::vector<JointSet> joint_sets;
     std::vector<Trace> traces;
+    TraceEnds trace_ends;
     std::vector<BlockSelector> selectors;
     std::vector<NamedPoint> measured_points;
     std::vector<BoltLine> bolts;

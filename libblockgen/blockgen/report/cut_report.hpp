@@ -42,6 +42,7 @@ struct CutReport {
     ShapeSummary shapes;
     std::vector<JointBalance> joints;  ///< in the order of the model: traces, then sets
     NodeCounts nodes;
+    TraceEnds trace_ends;
     std::optional<KinematicReport> kinematics;  ///< present if the model has [kinematics]
     std::vector<std::string> warnings;
 };

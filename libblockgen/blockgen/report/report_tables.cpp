@@ -69,6 +69,8 @@ void changes_table(Page& page, const CutReport& r) {
     page.line("  small blocks kept             %zu", r.merges.kept_small);
     page.line("  islands kept, cuts, filled    %zu, %zu, %zu", r.islands, r.island_cuts,
               r.merges.filled_islands);
+    page.line("  ends moved by snap, short     %zu, %zu within %s m", r.trace_ends.joined.size(),
+              r.trace_ends.near_misses.size(), target_text(r.trace_ends.reach).c_str());
     if (!r.changes.empty())
         page.line(
             "\n  what                                      x m           y m    area m2   length m   joint");

@@ -132,6 +132,11 @@ std::string report_text(const CutReport& report) {
         {"joints", joints_json(report.joints)},
         {"nodes",
          {{"i", report.nodes.i}, {"y", report.nodes.y}, {"x", report.nodes.x}, {"edge", report.nodes.edge}}},
+        {"trace_ends",
+         {{"moved_by_snap", report.trace_ends.joined.size()},
+          {"stop_short", report.trace_ends.near_misses.size()},
+          {"within_m", report.trace_ends.reach},
+          {"suggested_snap_m", report.trace_ends.suggested_snap}}},
         {"excavations", excavations_json(report.excavations)},
         {"changes", changes_json(report.changes)},
         {"warnings", report.warnings}};
