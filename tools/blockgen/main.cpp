@@ -90,9 +90,16 @@ int run(const Options& options) {
         std::printf("%zu small blocks merged with their neighbours, %.3g m2 in all, the largest %.3g m2\n",
                     merges.merged_blocks, merges.merged_area, merges.largest_merged);
 
+    if (result.report.slivers > 0)
+        std::printf(
+            "%zu slivers with 4 pi area / perimeter^2 below %g; [small_blocks] with policy = \"merge\" "
+            "removes them\n",
+            result.report.slivers, model.small_blocks.below_roundness);
+
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     std::printf("%s: %zu blocks, D50 %.3g m2, %.3g s%s\n", options.output.c_str(), result.report.blocks,
-                result.report.sizes.d50, seconds.count(), options.verify ? ", verified" : "");
+                result.report.free_sizes.area > 0 ? result.report.free_sizes.d50 : result.report.sizes.d50,
+                seconds.count(), options.verify ? ", verified" : "");
     return done;
 }
 

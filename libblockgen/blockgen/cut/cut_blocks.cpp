@@ -6,7 +6,9 @@
 #include <stdexcept>
 
 #include "blockgen/arrangement/arrange.hpp"
+#include "blockgen/cut/add_base.hpp"
 #include "blockgen/cut/apply_block_selectors.hpp"
+#include "blockgen/cut/check_boundaries.hpp"
 #include "blockgen/cut/merge_blocks.hpp"
 #include "blockgen/cut/simplify_boundaries.hpp"
 #include "blockgen/faces/cut_context.hpp"
@@ -62,6 +64,9 @@ class Cutter {
         result.report.warnings = model_.notes;
         add_excavations(result);
         apply_block_selectors(result.mesh, model_, result.report.warnings);
+        for (const auto& warnings :
+             {boundary_warnings(result.mesh, model_), region_warnings(context_of(faces_))})
+            result.report.warnings.insert(result.report.warnings.end(), warnings.begin(), warnings.end());
         check(result.mesh);
         fill_report(result);
         verify_area(result.report);
@@ -221,7 +226,7 @@ class Cutter {
 
     void add_network(CutReport& report) const {
         const CutContext cut = context_of(faces_);
-        NetworkReport network = measure_network(cut, report.domain_area);
+        NetworkReport network = measure_network(cut, report.domain_area - model_.unjointed_area);
         report.joints = std::move(network.joints);
         report.nodes = network.nodes;
         report.changes = joint_changes(cut);
@@ -245,6 +250,7 @@ class Cutter {
             ++(mark == EdgeMark{} ? report.boundary_edges : report.interior_edges);
         report.interior_edges /= 2;
         report.sizes = size_summary(mesh);
+        report.free_sizes = size_summary(mesh, true);
         report.shapes = shape_summary(mesh);
         for (const ExcavatedBlocks& e : mesh.excavations) {
             report.excavations.push_back({e.name, e.stage, e.blocks.size(), 0});
@@ -325,6 +331,10 @@ Change island_cut_change(const Trace& cut) {
 CutResult cut_blocks(const SlopeModel& model, const std::vector<Trace>& traces, const CutOptions& options) {
     // A cut may divide a block that contains another island; the next round finds that island.
     constexpr int max_rounds = 20;
+    if (model.base) {
+        const SlopeWithBase slope = add_base(model, traces);
+        return cut_blocks(slope.model, slope.traces, options);
+    }
     std::vector<Trace> all = traces;
     for (int round = 0;; ++round) {
         CutResult result = Cutter(model, all, options).cut(options);

@@ -99,6 +99,11 @@ gap = 1.0                                  # rock bridge; or persistence = 0.9
 # joint_material = "fault"
 # points = [[10, 0], [40, 70]]             # or file = "faults.csv" (x1,y1,x2,y2[,joint_material]), .geojson, .dxf, ...
 
+# [base]                                   # instead of [[prescribed_block]]: a block round the slope, of another rock
+# below = 12                               # m
+# behind = 20                              # m, at the side of the crest; ahead: at that of the toe
+# material = "bedrock"
+
 [[fixed_block]]
 side = "bottom"                            # or at = [x, y], or inside = polygon
 
@@ -133,6 +138,7 @@ SlopeModel read_slope_model(const ConfigTable& root, const EnclosedAreaFunction&
     read_domain(root, enclosed_area, model);
     read_regions(root, model);
     read_tunnels(root, model);
+    read_base(root, model);
     read_joints(root, model);
     read_block_assignments(root, model);
     root.finish();

@@ -116,6 +116,19 @@ struct BlockSelector {
     SourceLocation place;
 };
 
+/// A block below and behind the slope, on which it stands.
+struct BaseBlock {
+    std::string name;
+    std::string block_material;
+    std::string joint_material;  ///< of its contact with the slope
+    bool is_fixed = false;       ///< rather than prescribed
+    Ring outline;
+    std::vector<Point>
+        contact;   ///< the part of the slope's outline along which they touch, from left to right
+    Point inside;  ///< a point of the base
+    SourceLocation place;
+};
+
 struct NamedPoint {
     std::string name;
     Point at;
@@ -180,6 +193,9 @@ struct SlopeModel {
     std::vector<JointSet> joint_sets;
     std::vector<Trace> traces;
     TraceEnds trace_ends;
+    std::optional<BaseBlock> base;
+    double unjointed_area =
+        0;  ///< m2 of the domain in which no joints are asked for: the base, once it is part of it
     std::vector<BlockSelector> selectors;
     std::vector<NamedPoint> measured_points;
     std::vector<BoltLine> bolts;

@@ -48,6 +48,9 @@ void blocks_table(Page& page, const CutReport& r) {
               r.area_proved ? "filled exactly by the blocks" : "not verified");
     if (r.verified) page.line("  exact construction        agrees");
     page.line("  D10, D50, D90 by area     %.4g, %.4g, %.4g m2", r.sizes.d10, r.sizes.d50, r.sizes.d90);
+    if (r.free_sizes.area < r.sizes.area)
+        page.line("  of those not held         %.4g, %.4g, %.4g m2", r.free_sizes.d10, r.free_sizes.d50,
+                  r.free_sizes.d90);
     page.line("  smallest, largest         %.4g, %.4g m2", r.sizes.smallest_area, r.sizes.largest_area);
     page.line("  roundness P10, P50, P90   %.3f, %.3f, %.3f", r.shapes.roundness.p10, r.shapes.roundness.p50,
               r.shapes.roundness.p90);
