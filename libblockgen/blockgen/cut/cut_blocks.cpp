@@ -44,6 +44,42 @@ Subdivision subdivide(const NodedEdges& noded) {
                      "at most " + std::to_string(limit) + " (--max-blocks sets the limit)");
 }
 
+/// Numbers joints and their materials in the order in which the edges of the blocks use them, which does not
+/// depend on the order of the joints.
+class EdgesInUse {
+  public:
+    explicit EdgesInUse(const EdgeMarks& edges)
+        : edges_(edges),
+          joint_(edges.joints.size(), JointIndex::none()),
+          material_(edges.joint_materials.size(), JointMaterialIndex::none()) {}
+
+    EdgeMark mark(EdgeIndex edge) {
+        EdgeMark mark = edges_.marks[edge];
+        if (mark.joint_material.exists())
+            mark.joint_material =
+                number(mark.joint_material, edges_.joint_materials, material_, joint_materials);
+        if (mark.joint.exists()) mark.joint = number(mark.joint, edges_.joints, joint_, joints);
+        return mark;
+    }
+
+    PerJointMaterial<std::string> joint_materials;
+    PerJoint<Joint> joints;
+
+  private:
+    template <class Index, class All>
+    static Index number(Index old, const All& all, IndexedVector<Index, Index>& numbers, All& used) {
+        if (!numbers[old].exists()) {
+            numbers[old] = used.size();
+            used.push_back(all[old]);
+        }
+        return numbers[old];
+    }
+
+    const EdgeMarks& edges_;
+    PerJoint<JointIndex> joint_;
+    PerJointMaterial<JointMaterialIndex> material_;
+};
+
 class Cutter {
   public:
     Cutter(const SlopeModel& model, const std::vector<Trace>& traces, const CutOptions& options)
@@ -142,8 +178,7 @@ class Cutter {
         PerNode<VertexIndex> number(noded_.vertices.size(), VertexIndex::none());
         std::vector<VertexIndex> ring;
         std::vector<EdgeMark> marks;
-        mesh.joint_materials = edges_.joint_materials;
-        mesh.joints = edges_.joints;
+        EdgesInUse in_use(edges_);
         for (const BlockRings& block : blocks_) {
             mesh.begin_block(material_index(mesh, block.block));
             for (const auto& half_edges : block.rings) {
@@ -158,12 +193,14 @@ class Cutter {
                         grid_points_.push_back(noded_.vertices[v]);
                     }
                     ring.push_back(number[v]);
-                    marks.push_back(edges_.marks[edge_of(h)]);
+                    marks.push_back(in_use.mark(edge_of(h)));
                 }
                 mesh.add_ring(ring, marks);
                 twice_block_area_ += twice_ring_area(ring);
             }
         }
+        mesh.joint_materials = std::move(in_use.joint_materials);
+        mesh.joints = std::move(in_use.joints);
     }
 
     /// Adds the excavations that remove rock, in the order of the model.

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "blockgen/input/domain.hpp"
 #include "blockgen/input/geometry_file.hpp"
 #include "blockgen/input/join_ends.hpp"
@@ -60,6 +62,43 @@ void read_traces(const ConfigTable& table, SlopeModel& model) {
     model.traces.push_back(std::move(trace));
 }
 
+/// The points of a trace in the direction in which they come first.
+std::vector<std::pair<double, double>> directed_points(const Trace& trace) {
+    std::vector<std::pair<double, double>> forward;
+    for (const Point& p : trace.points) forward.emplace_back(p.x, p.y);
+    std::vector<std::pair<double, double>> backward(forward.rbegin(), forward.rend());
+    return std::min(forward, backward);
+}
+
+/// Removes traces that repeat an earlier one, in either direction, and notes how many: their lengths would be
+/// counted twice.
+void drop_repeated_traces(SlopeModel& model) {
+    using Keyed = std::pair<std::vector<std::pair<double, double>>, std::size_t>;
+    std::vector<Keyed> keyed;
+    keyed.reserve(model.traces.size());
+    for (std::size_t t = 0; t < model.traces.size(); ++t)
+        keyed.emplace_back(directed_points(model.traces[t]), t);
+    std::sort(keyed.begin(), keyed.end());
+    std::vector<char> is_repeated(model.traces.size(), 0);
+    const Trace* first = nullptr;
+    std::size_t repeated = 0;
+    for (std::size_t k = 1; k < keyed.size(); ++k) {
+        if (keyed[k].first != keyed[k - 1].first) continue;
+        is_repeated[keyed[k].second] = 1;
+        ++repeated;
+        if (first == nullptr) first = &model.traces[keyed[k].second];
+    }
+    if (repeated == 0) return;
+    model.notes.push_back(std::to_string(repeated) +
+                          (repeated == 1 ? " trace repeats an earlier one" : " traces repeat earlier ones") +
+                          " and " + (repeated == 1 ? "is" : "are") + " dropped, the first of '" +
+                          first->name + "' at " + text_of(first->points.front()));
+    std::vector<Trace> kept;
+    for (std::size_t t = 0; t < model.traces.size(); ++t)
+        if (!is_repeated[t]) kept.push_back(std::move(model.traces[t]));
+    model.traces = std::move(kept);
+}
+
 }  // namespace
 
 void read_joints(const ConfigTable& root, SlopeModel& model) {
@@ -69,6 +108,7 @@ void read_joints(const ConfigTable& root, SlopeModel& model) {
     const double snap = domain.checked(
         "snap", domain.number("snap", Dimension::length, 0.0), [](double d) { return d >= 0; },
         "a distance of zero or more");
+    if (!model.outline_of_traces) drop_repeated_traces(model);
     if (!model.outline_of_traces) join_ends(snap, model);
     read_joint_sets(root, model);
 }

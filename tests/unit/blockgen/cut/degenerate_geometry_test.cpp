@@ -249,6 +249,20 @@ TEST(DegenerateGeometry, AHoleOrTunnelOutsideTheRockIsReported) {
     EXPECT_THAT(cut(model).report.warnings, ElementsAre(HasSubstr("tunnel 'far' lies outside the outline")));
 }
 
+TEST(DegenerateGeometry, ATraceDrawnTwiceIsCountedOnceAndTold) {
+    const std::string trace = "[[traces]]\njoint_material = \"fault\"\npoints = ";
+    const CutReport report =
+        cut(slope("[domain]\noutline = [[0, 0], [10, 0], [10, 10], [0, 10]]\nblock_material = \"rock\"\n" +
+                  trace + "[[0, 5], [4, 5.5], [10, 5]]\n" + trace + "[[10, 5], [4, 5.5], [0, 5]]\n" + trace +
+                  "[[0, 5], [4, 5.5], [10, 5]]\n" + trace + "[[0, 5], [4, 5.5]]\n"))
+            .report;
+    EXPECT_EQ(report.blocks, 2u);
+    EXPECT_EQ(report.joints[0].traces, 2u);
+    EXPECT_THAT(
+        report.warnings,
+        ElementsAre(HasSubstr("2 traces repeat earlier ones and are dropped, the first of 'fault' at (")));
+}
+
 TEST(DegenerateGeometry, KeptIslandIsReportedWithPositionAndArea) {
     SlopeModel model = rectangle(10, 10);
     add_trace(model, {{4, 4}, {6, 4}, {6, 7}, {4, 7}, {4, 4}});
