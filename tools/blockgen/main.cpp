@@ -6,6 +6,7 @@
 #include "blockgen/faces/enclosed_area.hpp"
 #include "blockgen/mesh/block_file.hpp"
 #include "blockgen/picture/block_picture.hpp"
+#include "blockgen/report/geojson_text.hpp"
 #include "blockgen/sampling/sample_joints.hpp"
 #include "common/base/atomic_file.hpp"
 #include "common/base/output_error.hpp"
@@ -57,6 +58,10 @@ void write_results(const Options& options, const SlopeModel& model, const CutRes
     if (!options.kinematic_picture.empty())
         draw_blocks(result.mesh, kinematic_layer(*result.report.kinematics), style)
             .write(options.kinematic_picture);
+    if (!options.geojson.empty()) {
+        const CoordinateSystem& system = model.project.exists() ? model.project : model.system;
+        write_file_atomically(options.geojson, geojson_text(result.mesh, system.urn()));
+    }
     if (!options.report.empty()) write_report(options.report, result.report);
     if (!options.depfile.empty()) write_file_atomically(options.depfile, make_rule(options, model));
     write_block_file(options.output, result.mesh);

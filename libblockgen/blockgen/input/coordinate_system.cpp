@@ -33,11 +33,15 @@ std::string text_or_empty(const char* text) {
     return text == nullptr ? std::string() : std::string(text);
 }
 
-std::string name_of(void* system) {
-    const std::string name = text_or_empty(gdal().OSRGetName(system));
-    const std::string authority = text_or_empty(gdal().OSRGetAuthorityName(system, nullptr));
+/// The authority and the number of a system between which a text stands; empty for a system without a number.
+std::string code_of(void* system, const std::string& between) {
     const std::string code = text_or_empty(gdal().OSRGetAuthorityCode(system, nullptr));
-    return code.empty() ? name : authority + ":" + code + " (" + name + ")";
+    return code.empty() ? "" : text_or_empty(gdal().OSRGetAuthorityName(system, nullptr)) + between + code;
+}
+
+std::string name_of(void* system) {
+    const std::string name = text_or_empty(gdal().OSRGetName(system)), code = code_of(system, ":");
+    return code.empty() ? name : code + " (" + name + ")";
 }
 
 std::string definition_of(void* system) {
@@ -58,6 +62,7 @@ CoordinateSystem::CoordinateSystem(const std::string& text, const SourceLocation
     const GdalErrorSilencer silence;
     definition_ = definition_of(system.get());
     name_ = name_of(system.get());
+    if (const std::string code = code_of(system.get(), "::"); !code.empty()) urn_ = "urn:ogc:def:crs:" + code;
     is_in_degrees_ = gdal().OSRIsGeographic(system.get()) != 0;
     metres_per_unit_ = is_in_degrees_ ? 1 : gdal().OSRGetLinearUnits(system.get(), nullptr);
 }

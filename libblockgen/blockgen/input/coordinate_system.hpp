@@ -25,6 +25,8 @@ class CoordinateSystem {
     double metres_per_unit() const { return metres_per_unit_; }
     /// "EPSG:3067 (ETRS89 / TM35FIN(E,N))"
     const std::string& name() const { return name_; }
+    /// "urn:ogc:def:crs:EPSG::3067", by which files name it; empty for a system without a number.
+    const std::string& urn() const { return urn_; }
     /// Whether coordinates mean the same in both.
     bool is_same(const CoordinateSystem& other) const;
 
@@ -34,7 +36,7 @@ class CoordinateSystem {
 
   private:
     std::string definition_;  ///< WKT
-    std::string name_;
+    std::string name_, urn_;
     bool is_in_degrees_ = false;
     double metres_per_unit_ = 1;
 };
