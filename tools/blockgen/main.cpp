@@ -97,9 +97,9 @@ int run(const Options& options) {
 
     if (result.report.slivers > 0)
         std::printf(
-            "%zu slivers with 4 pi area / perimeter^2 below %g; [small_blocks] with policy = \"merge\" "
+            "%zu sliver%s with 4 pi area / perimeter^2 below %g; [small_blocks] with policy = \"merge\" "
             "removes them\n",
-            result.report.slivers, model.small_blocks.below_roundness);
+            result.report.slivers, result.report.slivers == 1 ? "" : "s", model.small_blocks.below_roundness);
 
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     std::printf("%s: %zu blocks, D50 %.3g m2, %.3g s%s\n", options.output.c_str(), result.report.blocks,

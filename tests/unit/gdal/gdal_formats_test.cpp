@@ -5,12 +5,16 @@
 
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 
+#include "blockgen/input/coordinate_system.hpp"
 #include "blockgen/input/geometry_file.hpp"
-#include "common/base/input_error.hpp"
+#include "common/base/text.hpp"
 #include "support/error_of.hpp"
+#include "support/external_data.hpp"
 #include "unit/blockgen/slopes.hpp"
 
+#include <cpl_conv.h>
 #include <cpl_error.h>
 #include <gdal.h>
 #include <ogr_api.h>
@@ -225,6 +229,84 @@ TEST(GdalFormats, HeightsAndEmptyGeometriesAreCounted) {
     EXPECT_EQ(traces.size(), 2u);
     EXPECT_EQ(notes.empty, 1u);
     EXPECT_EQ(notes.with_heights, 1u);
+}
+
+std::string text_of_points(const std::vector<Point>& points) {
+    std::string text;
+    for (const Point& p : points)
+        text += (text.empty() ? "" : ", ") + shortest_text(p.x) + " " + shortest_text(p.y);
+    return "(" + text + ")";
+}
+
+std::string geojson_of(const std::vector<Shape>& shapes) {
+    std::string text;
+    for (const Shape& shape : shapes) {
+        OGRGeometryH geometry = nullptr;
+        std::string wkt = shape.text;
+        char* rest = wkt.data();
+        EXPECT_EQ(OGR_G_CreateFromWkt(&rest, nullptr, &geometry), OGRERR_NONE);
+        std::string precision = "COORDINATE_PRECISION=17";
+        char* options[] = {precision.data(), nullptr};
+        char* json = OGR_G_ExportToJsonEx(geometry, options);
+        text += (text.empty() ? "" : ",\n") +
+                std::string(R"({"type": "Feature", "properties": {}, "geometry": )") + json + "}";
+        CPLFree(json);
+        OGR_G_DestroyGeometry(geometry);
+    }
+    return R"({"type": "FeatureCollection", "features": [)" + text + "]}";
+}
+
+/// A polygon and lines as shapes of a map.
+struct MapShapes {
+    std::vector<Shape> area, joints;
+    MapShapes(Ring ring, const std::vector<Trace>& traces) {
+        ring.push_back(Point(ring.front()));
+        area = {{"POLYGON (" + text_of_points(ring) + ")", ""}};
+        for (const Trace& trace : traces)
+            joints.push_back({"LINESTRING " + text_of_points(trace.points), ""});
+    }
+};
+
+CutReport report_of(const fs::path& outline, const fs::path& traces) {
+    const std::string domain =
+        "project = \"EPSG:32635\"\nsnap = 1e-5\noutline_file = \"" + outline.string() + "\"";
+    return cut(slope(model_text(domain, traces))).report;
+}
+
+/// A real map in two formats in its own system, and in a third in degrees: all give the blocks that GEOS
+/// counts.
+TEST(GdalFormats, ARealMapInThreeFormatsAndTwoSystems) {
+    const auto maps = external_data("joint-maps");
+    if (!maps) GTEST_SKIP() << external_data_missing("joint-maps");
+    Ring ring = read_outline_file(*maps / "KB11_area.geojson")[0][0];
+    std::vector<Trace> traces = read_trace_file(*maps / "KB11_traces.geojson", "map", "joint");
+    const fs::path folder = fs::path(testing::TempDir()) / ("gdal_maps_" + std::to_string(::getpid()));
+    fs::create_directories(folder);
+    // A Format removes its folder at the end of its life.
+    const auto written = [&](const char* driver, const char* extension, const std::vector<Shape>& shapes,
+                             const std::string& name) {
+        Format format(driver, extension);
+        for (const auto& file : fs::directory_iterator(format.with(shapes).parent_path()))
+            fs::copy(file, folder / (name + file.path().extension().string()));
+        return folder / (name + extension);
+    };
+    const auto expect_blocks = [](const CutReport& report, const char* what) {
+        EXPECT_EQ(report.blocks, 529u) << what;
+        EXPECT_NEAR(report.domain_area, 1237.900, 1e-3) << what;
+    };
+    const MapShapes metric(ring, traces);
+    for (const auto& [driver, extension] : {std::pair("GPKG", ".gpkg"), std::pair("ESRI Shapefile", ".shp")})
+        expect_blocks(report_of(written(driver, extension, metric.area, "area"),
+                                written(driver, extension, metric.joints, "lines")),
+                      driver);
+    const CoordinateSystem metres("EPSG:32635", {}), degrees("OGC:CRS84", {});
+    metres.convert(ring, degrees, {});
+    for (Trace& trace : traces) metres.convert(trace.points, degrees, {});
+    const MapShapes geographic(ring, traces);
+    std::ofstream(folder / "area.geojson") << geojson_of(geographic.area);
+    std::ofstream(folder / "lines.geojson") << geojson_of(geographic.joints);
+    expect_blocks(report_of(folder / "area.geojson", folder / "lines.geojson"), "degrees");
+    fs::remove_all(folder);
 }
 
 }  // namespace
