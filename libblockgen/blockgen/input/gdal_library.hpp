@@ -12,6 +12,7 @@ namespace rockslope::blockgen {
 /// coordinate system needs it. Linked to the program it would load a hundred others each time: 57 ms instead
 /// of 5 ms for a cut of a few blocks.
 struct GdalLibrary {
+// NOLINTNEXTLINE(bugprone-macro-parentheses): the name of a function and of a member
 #define GDAL_FUNCTION(name) decltype(&::name) name = nullptr;
 #include "blockgen/input/gdal_functions.def"
 #undef GDAL_FUNCTION

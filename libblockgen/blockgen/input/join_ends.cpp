@@ -158,8 +158,7 @@ class EndJoiner {
         for (std::size_t k = 0; k < ends_.size(); ++k)
             points.push_back({ends_[k].at, ends_[k].at, static_cast<std::int32_t>(k), 0});
         const NearSegments near(std::move(points), snap_);
-        for (std::size_t k = 0; k < ends_.size(); ++k) {
-            TraceEnd& end = ends_[k];
+        for (TraceEnd& end : ends_) {
             if (end.is_done) continue;
             Neighbour other;
             near.visit_near(end.at, [&](const NearSegment& point, const Point& q, double d) {

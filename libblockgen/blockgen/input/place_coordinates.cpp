@@ -152,7 +152,7 @@ void read_project(const ConfigTable& domain, SlopeModel& model) {
                     "a projected system in metres, such as \"EPSG:32634\"");
 }
 
-void place_coordinates(PlacedFile file, SlopeModel& model) {
+void place_coordinates(const PlacedFile& file, SlopeModel& model) {
     note_what_was_left_out(file, model);
     const std::string crs = file.table.string("crs", "");
     scale(file, model);

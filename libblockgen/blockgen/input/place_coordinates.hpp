@@ -25,7 +25,7 @@ struct PlacedFile {
 /// what was converted, and for geometries and heights that were not read.
 /// @throws InputError for coordinates in degrees, feet or another system than an earlier file's, and for
 /// coordinates that state nothing and look like degrees.
-void place_coordinates(PlacedFile file, SlopeModel& model);
+void place_coordinates(const PlacedFile& file, SlopeModel& model);
 
 /// Reads `project` of [domain]. @throws InputError when it is unknown or not in metres.
 void read_project(const ConfigTable& domain, SlopeModel& model);

@@ -152,7 +152,7 @@ void read_outline(const ConfigTable& domain, SlopeModel& model) {
         parts = read_outline_file(file.path, &file.notes);
         for (std::vector<Ring>& rings : parts)
             for (Ring& ring : rings) file.lines.push_back(&ring);
-        place_coordinates(std::move(file), model);
+        place_coordinates(file, model);
     } else if (key == "outlines") {
         for (const auto& pairs : domain.rings(key)) parts.push_back({ring_of(pairs)});
         if (parts.empty()) domain.fail(key, "no part of the domain", "[[[x, y], ...], ...]");
