@@ -81,7 +81,21 @@ bool is_cosmos(const RecordLines& lines) {
     return false;
 }
 
+/// @throws InputError when the first integer header is that of a raw record: its samples need not be
+/// announced as those of a corrected one.
+void refuse_raw(const RecordLines& lines) {
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        if (!announces(lines[i], integer_header)) continue;
+        const auto count = field_count(words_of(lines[i]).front());
+        if (!count || *count == 0) return;
+        if (fixed_fields(lines, i + 1, *count, layout_at(lines, i), "header")[stage_number - 1] == 0)
+            lines.fail(i, "the record is raw: counts without instrument correction", "a V1 or V2 record");
+        return;
+    }
+}
+
 Record read_cosmos(const RecordLines& lines, const RecordDeclaration& declaration) {
+    refuse_raw(lines);
     const std::size_t line = choose_block(blocks_of(lines), declaration, lines).line;
     const Announcement announced = *announcement_of(lines[line]);
     check_count(announced.count, lines, line);

@@ -1,6 +1,8 @@
 // CSMIP/CDMG V2 format: for each channel a header, then acceleration, velocity and displacement, each after a
 // line such as
 //   3251 points of accel data equally spaced at  .020 sec.  (units: cm/sec/sec)
+// or, since about 2010,
+//   7000 points of accel data equally spaced at  .010 sec, in cm/sec2. (8f10.6)
 // in fields of ten characters, possibly without separators.
 
 #include "record/fixed_fields.hpp"
@@ -24,7 +26,8 @@ std::optional<CsmipAnnouncement> csmip_announcement(std::string_view line) {
     const std::string plain = lower_case(line.substr(0, 120));
     const auto words = words_of(plain, " \t():,");
     // "3251 points of accel data equally spaced at .020 sec. units cm/sec/sec"
-    if (words.size() < 11 || words[1] != "points" || words[2] != "of" || words[5] != "equally" ||
+    // "7000 points of accel data equally spaced at .010 sec in cm/sec2. 8f10.6"
+    if (words.size() < 9 || words[1] != "points" || words[2] != "of" || words[5] != "equally" ||
         words[7] != "at")
         return std::nullopt;
     const auto count = field_count(words[0]);
@@ -32,8 +35,12 @@ std::optional<CsmipAnnouncement> csmip_announcement(std::string_view line) {
     const auto dt = field_number(words[8]);
     if (!count || !quantity || !dt) return std::nullopt;
     for (std::size_t k = 9; k + 1 < words.size(); ++k)
-        if (words[k] == "units") return CsmipAnnouncement{*count, *quantity, *dt, std::string(words[k + 1])};
-    return std::nullopt;
+        if (words[k] == "units" || words[k] == "in") {
+            std::string_view unit = words[k + 1];
+            if (unit.ends_with('.')) unit.remove_suffix(1);
+            return CsmipAnnouncement{*count, *quantity, *dt, std::string(unit)};
+        }
+    return CsmipAnnouncement{*count, *quantity, *dt, {}};  // the model file may declare the unit
 }
 
 std::vector<StackedBlock> csmip_blocks(const RecordLines& lines) {

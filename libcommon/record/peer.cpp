@@ -8,9 +8,12 @@ namespace rockslope::record {
 
 namespace {
 
-constexpr std::size_t peer_header_lines = 4;
-constexpr std::size_t kind_line = 2;   // "ACCELERATION TIME SERIES IN UNITS OF G"
-constexpr std::size_t count_line = 3;  // NPTS and DT, in three spellings
+// The header ends with the line of NPTS and DT, the fourth in PEER's files. Others that are written for the
+// same programs have text before it: "Data for El Centro 1940", "The units are (g)", "NPTS=  1559, DT= .02000
+// SEC".
+constexpr std::size_t longest_text_header = 40;
+constexpr std::size_t usual_kind_line = 2;   // "ACCELERATION TIME SERIES IN UNITS OF G"
+constexpr std::size_t usual_count_line = 3;  // NPTS and DT, in three spellings
 
 struct Sampling {
     std::size_t count = 0;
@@ -40,18 +43,48 @@ std::optional<Sampling> sampling_of(std::string_view line) {
     return sampling;
 }
 
+/// The unit after "units of" or "units are", in brackets or not; empty when the line states none.
 std::string unit_of(std::string_view line) {
-    const auto words = words_of(line, " \t,.");
-    for (std::size_t i = 0; i + 2 < words.size(); ++i)
-        if (lower_case(words[i]) == "units" && lower_case(words[i + 1]) == "of")
+    const auto words = words_of(line, " \t,.():=");
+    for (std::size_t i = 0; i + 2 < words.size(); ++i) {
+        const std::string second = lower_case(words[i + 1]);
+        if (lower_case(words[i]) == "units" && (second == "of" || second == "are" || second == "in"))
             return std::string(words[i + 2]);
+    }
     return {};
 }
 
+/// What the lines before the samples state.
+struct PeerHeader {
+    std::size_t count_line = 0;  ///< the last line of the header
+    std::size_t kind_line = 0;   ///< the line that states the unit, or the last
+    std::optional<Quantity> quantity;
+    std::string unit;
+};
+
+/// Nothing when none of the first lines states NPTS and DT.
+std::optional<PeerHeader> header_of(const RecordLines& lines) {
+    for (std::size_t i = 0; i < std::min(longest_text_header, lines.size()); ++i) {
+        if (!sampling_of(lines[i])) continue;
+        PeerHeader header{i, i, std::nullopt, {}};
+        for (std::size_t k = 0; k < i; ++k) {
+            if (header.unit.empty()) header.unit = unit_of(lines[k]);
+            if (header.kind_line == i && !header.unit.empty()) header.kind_line = k;
+        }
+        const auto words = words_of(lines[header.kind_line]);
+        if (!words.empty()) header.quantity = quantity_of_name(words.front());
+        // A unit of acceleration alone, such as g, says what the values are.
+        if (!header.quantity && record_unit_factor(Quantity::acceleration, header.unit))
+            header.quantity = Quantity::acceleration;
+        return header;
+    }
+    return std::nullopt;
+}
+
 /// The free-format numbers after the header; text after the last of them is ignored.
-std::vector<double> numbers_of(const RecordLines& lines, std::size_t count) {
+std::vector<double> numbers_of(const RecordLines& lines, std::size_t first, std::size_t count) {
     std::vector<double> values;
-    for (std::size_t i = peer_header_lines; i < lines.size(); ++i) {
+    for (std::size_t i = first; i < lines.size(); ++i) {
         for (const std::string_view word : words_of(lines[i])) {
             const auto value = sample_number(word);
             if (!value && values.size() == count) return values;
@@ -72,27 +105,29 @@ std::vector<double> numbers_of(const RecordLines& lines, std::size_t count) {
 }
 
 bool is_peer(const RecordLines& lines) {
-    if (lines.size() < peer_header_lines) return false;
-    const auto words = words_of(lines[kind_line]);
-    return !words.empty() && quantity_of_name(words.front()) && !unit_of(lines[kind_line]).empty();
+    if (header_of(lines)) return true;
+    if (lines.size() <= usual_count_line) return false;
+    const auto words = words_of(lines[usual_kind_line]);
+    return !words.empty() && quantity_of_name(words.front()) && !unit_of(lines[usual_kind_line]).empty();
 }
 
 Record read_peer(const RecordLines& lines, const RecordDeclaration& declaration) {
     if (!is_peer(lines))
-        lines.fail(std::min(kind_line, std::max<std::size_t>(lines.size(), 1) - 1), "there is no PEER header",
-                   "line 3 such as ACCELERATION TIME SERIES IN UNITS OF G");
-    const auto sampling = sampling_of(lines[count_line]);
-    if (!sampling)
-        lines.fail(count_line, "the number of points and the time step are missing",
+        lines.fail(std::min(usual_kind_line, std::max<std::size_t>(lines.size(), 1) - 1),
+                   "there is no PEER header", "line 3 such as ACCELERATION TIME SERIES IN UNITS OF G");
+    const auto header = header_of(lines);
+    if (!header)
+        lines.fail(usual_count_line, "the number of points and the time step are missing",
                    "\"NPTS= 7999, DT= .0050 SEC\" or \"4096 0.0100 NPTS, DT\"");
-    if (sampling->count < 2)
-        lines.fail(count_line, "NPTS is " + std::to_string(sampling->count), "at least 2 values");
-    if (sampling->dt <= 0)
-        lines.fail(count_line, "the time step is " + shortest_text(sampling->dt), "a positive time in s");
-    check_sampling(sampling->dt, sampling->count, lines, count_line);
-    Record record{sampling->dt, numbers_of(lines, sampling->count), {}};
-    resolve_units(record, quantity_of_name(words_of(lines[kind_line]).front()), unit_of(lines[kind_line]),
-                  declaration, lines, kind_line);
+    const Sampling sampling = *sampling_of(lines[header->count_line]);
+    if (sampling.count < 2)
+        lines.fail(header->count_line, "NPTS is " + std::to_string(sampling.count), "at least 2 values");
+    if (sampling.dt <= 0)
+        lines.fail(header->count_line, "the time step is " + shortest_text(sampling.dt),
+                   "a positive time in s");
+    check_sampling(sampling.dt, sampling.count, lines, header->count_line);
+    Record record{sampling.dt, numbers_of(lines, header->count_line + 1, sampling.count), {}};
+    resolve_units(record, header->quantity, header->unit, declaration, lines, header->kind_line);
     return record;
 }
 

@@ -14,7 +14,7 @@ RecordLines::RecordLines(std::string_view text, std::string file_name)
     while (!text.empty()) {
         const std::size_t end = std::min(text.find('\n'), text.size());
         std::string_view line = text.substr(0, end);
-        if (line.ends_with('\r')) line.remove_suffix(1);
+        while (line.ends_with('\r')) line.remove_suffix(1);  // files sent twice as text have two
         lines_.push_back(line);
         text.remove_prefix(std::min(end + 1, text.size()));
     }

@@ -9,7 +9,7 @@
 
 namespace rockslope::record {
 
-/// A text split into lines (LF or CRLF; a byte order mark is skipped), with the location of each for
+/// A text split into lines (LF, CRLF or CRCRLF; a byte order mark is skipped), with the location of each for
 /// messages.
 class RecordLines {
   public:

@@ -29,6 +29,10 @@ joint_material = "fault"
 file = "faults of the slope.csv"
 [[fixed_block]]
 side = "bottom"
+[[fixed_block]]
+side = "left"
+[[fixed_block]]
+side = "right"
 END
 printf 'x1,y1,x2,y2\n3,-1,20,31\n' >'faults of the slope.csv'
 

@@ -6,6 +6,7 @@
 #include "blockgen/faces/enclosed_area.hpp"
 #include "blockgen/mesh/block_file.hpp"
 #include "blockgen/picture/block_picture.hpp"
+#include "blockgen/report/geojson_text.hpp"
 #include "blockgen/sampling/sample_joints.hpp"
 #include "common/base/atomic_file.hpp"
 #include "common/base/output_error.hpp"
@@ -58,6 +59,10 @@ void write_results(const Options& options, const SlopeModel& model, const CutRes
     if (!options.kinematic_picture.empty())
         draw_blocks(result.mesh, kinematic_layer(*result.report.kinematics), style)
             .write(options.kinematic_picture);
+    if (!options.geojson.empty()) {
+        const CoordinateSystem& system = model.project.exists() ? model.project : model.system;
+        write_file_atomically(options.geojson, geojson_text(result.mesh, system.urn()));
+    }
     if (!options.report.empty()) write_report(options.report, result.report);
     if (!options.depfile.empty()) write_file_atomically(options.depfile, make_rule(options, model));
     write_block_file(options.output, result.mesh);
@@ -91,9 +96,16 @@ int run(const Options& options) {
         std::printf("%zu small blocks merged with their neighbours, %.3g m2 in all, the largest %.3g m2\n",
                     merges.merged_blocks, merges.merged_area, merges.largest_merged);
 
+    if (result.report.slivers > 0)
+        std::printf(
+            "%zu sliver%s with 4 pi area / perimeter^2 below %g; [small_blocks] with policy = \"merge\" "
+            "removes them\n",
+            result.report.slivers, result.report.slivers == 1 ? "" : "s", model.small_blocks.below_roundness);
+
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     std::printf("%s: %zu blocks, D50 %.3g m2, %.3g s%s\n", options.output.c_str(), result.report.blocks,
-                result.report.sizes.d50, seconds.count(), options.verify ? ", verified" : "");
+                result.report.free_sizes.area > 0 ? result.report.free_sizes.d50 : result.report.sizes.d50,
+                seconds.count(), options.verify ? ", verified" : "");
     return done;
 }
 

@@ -28,6 +28,8 @@ po::options_description visible_options() {
     add("kinematic-picture", po::value<std::string>()->value_name("FILE"),
         "draw the blocks coloured by the mode of their first movement; needs [kinematics]");
     tool_support::add_picture_options(all);
+    add("geojson", po::value<std::string>()->value_name("FILE"),
+        "write the blocks and the joints between them as GeoJSON, in the coordinate system of the input");
     add("report", po::value<std::string>()->value_name("FILE"),
         "write a report of the cut and the block sizes, as JSON; as tables if the name ends in .txt");
     add("depfile", po::value<std::string>()->value_name("FILE"),
@@ -74,6 +76,7 @@ Options read_options(const po::variables_map& given) {
     options.picture = path_or_empty(given, "picture");
     options.report = path_or_empty(given, "report");
     options.depfile = path_or_empty(given, "depfile");
+    options.geojson = path_or_empty(given, "geojson");
     if (given.count("seed")) options.seed = given["seed"].as<std::int64_t>();
     if (options.seed && *options.seed < 0) throw UsageError("--seed: expected an integer of zero or more");
     if (given.count("set")) options.overrides = given["set"].as<std::vector<std::string>>();

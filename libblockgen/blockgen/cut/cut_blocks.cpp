@@ -6,7 +6,9 @@
 #include <stdexcept>
 
 #include "blockgen/arrangement/arrange.hpp"
+#include "blockgen/cut/add_base.hpp"
 #include "blockgen/cut/apply_block_selectors.hpp"
+#include "blockgen/cut/check_boundaries.hpp"
 #include "blockgen/cut/merge_blocks.hpp"
 #include "blockgen/cut/simplify_boundaries.hpp"
 #include "blockgen/faces/cut_context.hpp"
@@ -42,6 +44,42 @@ Subdivision subdivide(const NodedEdges& noded) {
                      "at most " + std::to_string(limit) + " (--max-blocks sets the limit)");
 }
 
+/// Numbers joints and their materials in the order in which the edges of the blocks use them, which does not
+/// depend on the order of the joints.
+class EdgesInUse {
+  public:
+    explicit EdgesInUse(const EdgeMarks& edges)
+        : edges_(edges),
+          joint_(edges.joints.size(), JointIndex::none()),
+          material_(edges.joint_materials.size(), JointMaterialIndex::none()) {}
+
+    EdgeMark mark(EdgeIndex edge) {
+        EdgeMark mark = edges_.marks[edge];
+        if (mark.joint_material.exists())
+            mark.joint_material =
+                number(mark.joint_material, edges_.joint_materials, material_, joint_materials);
+        if (mark.joint.exists()) mark.joint = number(mark.joint, edges_.joints, joint_, joints);
+        return mark;
+    }
+
+    PerJointMaterial<std::string> joint_materials;
+    PerJoint<Joint> joints;
+
+  private:
+    template <class Index, class All>
+    static Index number(Index old, const All& all, IndexedVector<Index, Index>& numbers, All& used) {
+        if (!numbers[old].exists()) {
+            numbers[old] = used.size();
+            used.push_back(all[old]);
+        }
+        return numbers[old];
+    }
+
+    const EdgeMarks& edges_;
+    PerJoint<JointIndex> joint_;
+    PerJointMaterial<JointMaterialIndex> material_;
+};
+
 class Cutter {
   public:
     Cutter(const SlopeModel& model, const std::vector<Trace>& traces, const CutOptions& options)
@@ -62,6 +100,9 @@ class Cutter {
         result.report.warnings = model_.notes;
         add_excavations(result);
         apply_block_selectors(result.mesh, model_, result.report.warnings);
+        for (const auto& warnings :
+             {boundary_warnings(result.mesh, model_), region_warnings(context_of(faces_))})
+            result.report.warnings.insert(result.report.warnings.end(), warnings.begin(), warnings.end());
         check(result.mesh);
         fill_report(result);
         verify_area(result.report);
@@ -137,8 +178,7 @@ class Cutter {
         PerNode<VertexIndex> number(noded_.vertices.size(), VertexIndex::none());
         std::vector<VertexIndex> ring;
         std::vector<EdgeMark> marks;
-        mesh.joint_materials = edges_.joint_materials;
-        mesh.joints = edges_.joints;
+        EdgesInUse in_use(edges_);
         for (const BlockRings& block : blocks_) {
             mesh.begin_block(material_index(mesh, block.block));
             for (const auto& half_edges : block.rings) {
@@ -153,12 +193,14 @@ class Cutter {
                         grid_points_.push_back(noded_.vertices[v]);
                     }
                     ring.push_back(number[v]);
-                    marks.push_back(edges_.marks[edge_of(h)]);
+                    marks.push_back(in_use.mark(edge_of(h)));
                 }
                 mesh.add_ring(ring, marks);
                 twice_block_area_ += twice_ring_area(ring);
             }
         }
+        mesh.joint_materials = std::move(in_use.joint_materials);
+        mesh.joints = std::move(in_use.joints);
     }
 
     /// Adds the excavations that remove rock, in the order of the model.
@@ -221,16 +263,15 @@ class Cutter {
 
     void add_network(CutReport& report) const {
         const CutContext cut = context_of(faces_);
-        NetworkReport network = measure_network(cut, report.domain_area);
+        NetworkReport network = measure_network(cut, report.domain_area - model_.unjointed_area);
         report.joints = std::move(network.joints);
         report.nodes = network.nodes;
         report.changes = joint_changes(cut);
         report.changes.insert(report.changes.end(), merges_.changes.begin(), merges_.changes.end());
         report.warnings.insert(report.warnings.end(), network.warnings.begin(), network.warnings.end());
-        for (const Tunnel& tunnel : model_.tunnels)
-            if (is_outside_domain(tunnel.outline, model_))
-                report.warnings.push_back("tunnel '" + tunnel.name +
-                                          "' lies outside the outline and removes nothing");
+        for (const std::size_t k : faces_.idle_tunnels)
+            report.warnings.push_back("tunnel '" + model_.tunnels[k].name +
+                                      "' lies outside the outline and removes nothing");
     }
 
     void fill_report(CutResult& result) const {
@@ -238,6 +279,7 @@ class Cutter {
         const BlockMesh& mesh = result.mesh;
         report.blocks = mesh.block_count();
         report.merges = merges_;
+        report.trace_ends = model_.trace_ends;
         report.noding_rounds = noded_.rounds;
         report.largest_snap = noded_.largest_snap;
         report.merged_vertices = std::count(removed_.begin(), removed_.end(), 1);
@@ -245,6 +287,7 @@ class Cutter {
             ++(mark == EdgeMark{} ? report.boundary_edges : report.interior_edges);
         report.interior_edges /= 2;
         report.sizes = size_summary(mesh);
+        report.free_sizes = size_summary(mesh, true);
         report.shapes = shape_summary(mesh);
         for (const ExcavatedBlocks& e : mesh.excavations) {
             report.excavations.push_back({e.name, e.stage, e.blocks.size(), 0});
@@ -325,6 +368,10 @@ Change island_cut_change(const Trace& cut) {
 CutResult cut_blocks(const SlopeModel& model, const std::vector<Trace>& traces, const CutOptions& options) {
     // A cut may divide a block that contains another island; the next round finds that island.
     constexpr int max_rounds = 20;
+    if (model.base) {
+        const SlopeWithBase slope = add_base(model, traces);
+        return cut_blocks(slope.model, slope.traces, options);
+    }
     std::vector<Trace> all = traces;
     for (int round = 0;; ++round) {
         CutResult result = Cutter(model, all, options).cut(options);

@@ -13,7 +13,8 @@ struct FaceBlocks {
     PerFace<FaceBlockIndex> block;  ///< `outside` where there is no rock
     PerFaceBlock<RockIndex> material;
     PerFaceBlock<ExcavationIndex> excavation;  ///< the excavation that removes the block, or none
-    bool has_disjoint_voids = true;  ///< no hole or tunnel crosses the outline or overlaps another one
+    bool has_disjoint_voids = true;         ///< no hole or tunnel crosses the outline or overlaps another one
+    std::vector<std::size_t> idle_tunnels;  ///< numbers of the tunnels that lie outside all outlines
 };
 
 /// The name of a block's material.
@@ -23,8 +24,11 @@ const std::string& material_of(const FaceBlocks& faces, const SlopeModel& model,
 bool have_same_rock(const FaceBlocks& faces, const SlopeModel& model, FaceBlockIndex block,
                     FaceBlockIndex other);
 
-/// Classifies faces by a flood fill from the unbounded face. Crossing an edge of an outline toggles whether
-/// the face lies inside that outline (even-odd rule).
+/// Classifies faces by a flood fill from the unbounded face. Crossing an edge of a hole, region, excavation
+/// or tunnel toggles whether the face lies inside it (even-odd rule). The parts of the domain are counted by
+/// the winding number instead, so that parts that overlap after noding are found exactly, and parts that only
+/// touch are not taken for them.
+/// @throws InputError when two parts overlap, with both named, or when a hole lies outside all parts.
 FaceBlocks classify_faces(const NodedEdges& noded, const Subdivision& subdivision, const SlopeModel& model,
                           const SourceTable& table);
 

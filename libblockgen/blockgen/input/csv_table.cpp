@@ -18,10 +18,29 @@ struct Field {
     int column = 1;
 };
 
-std::vector<Field> split(std::string_view line) {
-    std::vector<Field> fields;
+/// The first `character` that is outside double quotes, from `start` on, or the end of the line.
+std::size_t find_unquoted(std::string_view line, char character, std::size_t start) {
+    bool quoted = false;
+    for (std::size_t i = start; i < line.size(); ++i) {
+        if (line[i] == '"') quoted = !quoted;
+        if (line[i] == character && !quoted) return i;
+    }
+    return line.size();
+}
+
+/// A field without its double quotes; a doubled quote inside stands for one.
+std::string unquoted(std::string_view field) {
+    std::string text(field);
+    for (std::size_t at = text.find("\"\""); at != std::string::npos; at = text.find("\"\"", at + 1))
+        text.erase(at, 1);
+    return text;
+}
+
+/// Fills `fields` with those of a line between commas outside quotes, without blanks and quotes round them.
+void split(std::string_view line, std::vector<Field>& fields) {
+    fields.clear();
     for (std::size_t start = 0; start <= line.size();) {
-        const std::size_t comma = std::min(line.find(',', start), line.size());
+        const std::size_t comma = find_unquoted(line, ',', start);
         std::size_t first = start, last = comma;
         const auto is_blank = [&](std::size_t i) {
             return line[i] == ' ' || line[i] == '\t' || line[i] == '\r';
@@ -32,7 +51,6 @@ std::vector<Field> split(std::string_view line) {
         fields.push_back({line.substr(first, last - first), static_cast<int>(first) + 1});
         start = comma + 1;
     }
-    return fields;
 }
 
 constexpr std::size_t no_column = static_cast<std::size_t>(-1);
@@ -56,6 +74,7 @@ CsvTable read_csv(const std::filesystem::path& path, const std::vector<std::stri
     const std::string text = read_text_file(path);
     std::vector<std::size_t> position;  // per requested column, in a line
     CsvTable table;
+    std::vector<Field> fields;
     int line_number = 0;
     for (std::size_t start = 0; start < text.size();) {
         const std::size_t newline = std::min(text.find('\n', start), text.size());
@@ -63,8 +82,7 @@ CsvTable read_csv(const std::filesystem::path& path, const std::vector<std::stri
         start = newline + 1;
         ++line_number;
         if (line_number == 1 && line.starts_with("\xef\xbb\xbf")) line.remove_prefix(3);
-        line = line.substr(0, line.find('#'));
-        const std::vector<Field> fields = split(line);
+        split(line.substr(0, find_unquoted(line, '#', 0)), fields);
         if (fields.size() == 1 && fields[0].text.empty()) continue;
 
         if (position.empty()) {
@@ -86,7 +104,7 @@ CsvTable read_csv(const std::filesystem::path& path, const std::vector<std::stri
         for (std::size_t i = 0; i < position.size(); ++i) {
             const bool present = position[i] < fields.size();
             if (i >= number_columns.size()) {
-                row.texts.emplace_back(present ? fields[position[i]].text : std::string_view());
+                row.texts.push_back(present ? unquoted(fields[position[i]].text) : std::string());
                 if (!is_utf8(row.texts.back()))
                     throw InputError({path.string(), line_number, fields[position[i]].column},
                                      "a name is not UTF-8", "UTF-8 text");

@@ -16,10 +16,4 @@ bool is_in_outlines(const SlopeModel& model, const Point& p) {
            std::any_of(model.further_outlines.begin(), model.further_outlines.end(), contains_p);
 }
 
-bool is_outside_domain(const Ring& ring, const SlopeModel& model) {
-    const auto is_disjoint = [&ring](const Ring& part) { return have_disjoint_interiors(ring, part); };
-    return is_disjoint(model.outline) &&
-           std::all_of(model.further_outlines.begin(), model.further_outlines.end(), is_disjoint);
-}
-
 }  // namespace rockslope::blockgen

@@ -11,7 +11,4 @@ Bounds domain_bounds(const SlopeModel& model);
 /// Whether a point lies inside or on the outline of a part of the domain. Holes are ignored.
 bool is_in_outlines(const SlopeModel& model, const Point& p);
 
-/// Whether a ring overlaps no part of the domain.
-bool is_outside_domain(const Ring& ring, const SlopeModel& model);
-
 }  // namespace rockslope::blockgen

@@ -1,166 +1,193 @@
 #include "blockgen/input/gdal_file.hpp"
 
-#include "common/base/input_error.hpp"
-#include "common/base/magnitude.hpp"
-
-#ifdef BLOCKGEN_HAS_GDAL
-#include <cpl_error.h>
-#include <gdal.h>
-#include <ogr_api.h>
-#include <ogr_srs_api.h>
-
+#include <algorithm>
+#include <array>
 #include <functional>
 #include <memory>
-#endif
+
+#include "blockgen/input/closed_lines.hpp"
+#include "blockgen/input/coordinate_system.hpp"
+#include "blockgen/input/gdal_library.hpp"
+#include "common/base/input_error.hpp"
+#include "common/base/magnitude.hpp"
+#include "common/base/read_file.hpp"
+#include "common/base/text.hpp"
 
 namespace rockslope::blockgen {
 
-#ifdef BLOCKGEN_HAS_GDAL
-
 namespace {
 
-/// Keeps GDAL from writing to the standard error stream.
-class GdalErrorSilencer {
-  public:
-    GdalErrorSilencer() { CPLPushErrorHandler(CPLQuietErrorHandler); }
-    ~GdalErrorSilencer() { CPLPopErrorHandler(); }
-    GdalErrorSilencer(const GdalErrorSilencer&) = delete;
-    GdalErrorSilencer& operator=(const GdalErrorSilencer&) = delete;
+template <auto Member>
+struct GdalDeleter {
+    void operator()(void* object) const { (gdal().*Member)(object); }
 };
+template <auto Member>
+struct HandleDeleter {
+    template <class Handle>
+    void operator()(Handle* object) const {
+        (gdal().*Member)(object);
+    }
+};
+using Dataset = std::unique_ptr<void, GdalDeleter<&GdalLibrary::GDALClose>>;
+using Feature =
+    std::unique_ptr<std::remove_pointer_t<OGRFeatureH>, HandleDeleter<&GdalLibrary::OGR_F_Destroy>>;
+using Geometry =
+    std::unique_ptr<std::remove_pointer_t<OGRGeometryH>, HandleDeleter<&GdalLibrary::OGR_G_DestroyGeometry>>;
 
-using Dataset = std::unique_ptr<void, decltype(&GDALClose)>;
-using Feature = std::unique_ptr<std::remove_pointer_t<OGRFeatureH>, decltype(&OGR_F_Destroy)>;
-using Geometry = std::unique_ptr<std::remove_pointer_t<OGRGeometryH>, decltype(&OGR_G_DestroyGeometry)>;
+/// The units of drawings by the number after $INSUNITS in the header of a DXF file.
+constexpr std::array<const char*, 22> drawing_units = {"",    "in",  "ft", "mi", "mm", "cm",   "m",  "km",
+                                                       "uin", "mil", "yd", "A",  "nm", "um",   "dm", "dam",
+                                                       "hm",  "Gm",  "au", "ly", "pc", "us-ft"};
+
+/// The unit that the header of a DXF file states; empty when it states none.
+std::string drawing_unit(const std::filesystem::path& path) {
+    const std::string text = read_text_file(path);
+    const std::size_t key = text.find("$INSUNITS");
+    if (key == std::string::npos) return {};
+    // The lines after the key are the group code 70 and the number.
+    const std::size_t code = text.find('\n', key);
+    const std::size_t start = code == std::string::npos ? code : text.find('\n', code + 1);
+    if (start == std::string::npos) return {};
+    const std::string line = text.substr(start + 1, text.find('\n', start + 1) - start - 1);
+    const std::size_t first = line.find_first_not_of(" \t"), last = line.find_last_not_of(" \t\r");
+    if (first == std::string::npos) return {};
+    const auto number = parse_number(std::string_view(line).substr(first, last - first + 1));
+    if (!number || !(*number >= 0 && *number < static_cast<double>(drawing_units.size())))
+        throw InputError({path.string()}, "$INSUNITS is '" + line.substr(first, last - first + 1) + "'",
+                         "a number from 0 to 21");
+    return drawing_units[static_cast<std::size_t>(*number)];
+}
 
 class GdalReader {
   public:
     explicit GdalReader(const std::filesystem::path& path) : place_{path.string()} {
-        GDALAllRegister();
         std::error_code ignored;
         if (!std::filesystem::exists(path, ignored)) throw InputError(place_, "cannot be read", "a file");
-        dataset_ = Dataset(
-            GDALOpenEx(place_.file.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, nullptr, nullptr, nullptr),
-            &GDALClose);
+        dataset_ = Dataset(gdal().GDALOpenEx(place_.file.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, nullptr,
+                                             nullptr, nullptr));
         if (!dataset_)
             throw InputError(place_, "GDAL cannot read this file", "a vector file such as DXF or GeoPackage");
+        std::string extension = path.extension().string();
+        std::transform(extension.begin(), extension.end(), extension.begin(),
+                       [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+        if (extension == ".dxf") notes_.unit = drawing_unit(path);
     }
 
     /// Calls visit(geometry, feature, layer name) for each feature with a geometry. Curves are linearised.
     template <class Visit>
     void visit_features(const Visit& visit) {
-        for (int k = 0; k < GDALDatasetGetLayerCount(dataset_.get()); ++k) {
-            OGRLayerH layer = GDALDatasetGetLayer(dataset_.get(), k);
-            OGRSpatialReferenceH system = OGR_L_GetSpatialRef(layer);
-            if (system != nullptr && OSRIsGeographic(system))
-                throw InputError(place_, "the coordinates are in degrees",
-                                 "coordinates in metres: a projected reference system");
-            OGR_L_ResetReading(layer);
-            while (const Feature feature{OGR_L_GetNextFeature(layer), &OGR_F_Destroy}) {
-                OGRGeometryH shape = OGR_F_GetGeometryRef(feature.get());
-                if (shape == nullptr) continue;
-                const Geometry straight{OGR_G_GetLinearGeometry(shape, 0, nullptr), &OGR_G_DestroyGeometry};
-                if (straight) visit(straight.get(), feature.get(), std::string(OGR_L_GetName(layer)));
+        for (int k = 0; k < gdal().GDALDatasetGetLayerCount(dataset_.get()); ++k) {
+            OGRLayerH layer = gdal().GDALDatasetGetLayer(dataset_.get(), k);
+            note_system(gdal().OGR_L_GetSpatialRef(layer));
+            gdal().OGR_L_ResetReading(layer);
+            while (const Feature feature{
+                static_cast<std::remove_pointer_t<OGRFeatureH>*>(gdal().OGR_L_GetNextFeature(layer))}) {
+                OGRGeometryH shape = gdal().OGR_F_GetGeometryRef(feature.get());
+                if (shape == nullptr || gdal().OGR_G_IsEmpty(shape)) {
+                    ++notes_.empty;
+                    continue;
+                }
+                notes_.with_heights += gdal().OGR_G_Is3D(shape) != 0;
+                const Geometry straight{gdal().OGR_G_GetLinearGeometry(shape, 0, nullptr)};
+                if (straight) visit(straight.get(), feature.get(), std::string(gdal().OGR_L_GetName(layer)));
             }
         }
     }
 
     /// Calls visit(points) for each line and ring of a geometry.
     void visit_lines(OGRGeometryH shape, const std::function<void(std::vector<Point>)>& visit) const {
-        const OGRwkbGeometryType type = wkbFlatten(OGR_G_GetGeometryType(shape));
+        const OGRwkbGeometryType type = gdal().OGR_GT_Flatten(gdal().OGR_G_GetGeometryType(shape));
         if (type == wkbLineString || type == wkbLinearRing) {
             std::vector<Point> points;
-            for (int k = 0; k < OGR_G_GetPointCount(shape); ++k) {
-                points.push_back({OGR_G_GetX(shape, k), OGR_G_GetY(shape, k)});
+            for (int k = 0; k < gdal().OGR_G_GetPointCount(shape); ++k) {
+                points.push_back({gdal().OGR_G_GetX(shape, k), gdal().OGR_G_GetY(shape, k)});
                 if (!is_in_allowed_range(points.back().x) || !is_in_allowed_range(points.back().y))
                     throw InputError(place_, "a coordinate is too large", "coordinates in metres");
             }
             if (points.size() >= 2) visit(std::move(points));
             return;
         }
-        for (int k = 0; k < OGR_G_GetGeometryCount(shape); ++k)
-            visit_lines(OGR_G_GetGeometryRef(shape, k), visit);
+        for (int k = 0; k < gdal().OGR_G_GetGeometryCount(shape); ++k)
+            visit_lines(gdal().OGR_G_GetGeometryRef(shape, k), visit);
     }
 
     const SourceLocation& place() const { return place_; }
+    const MapNotes& notes() const { return notes_; }
 
   private:
+    /// Keeps the system of the first layer that states one. @throws InputError when another layer has
+    /// another.
+    void note_system(OGRSpatialReferenceH system) {
+        if (system == nullptr) return;
+        char* text = nullptr;
+        gdal().OSRExportToWkt(system, &text);
+        const std::string definition = text == nullptr ? "" : text;
+        gdal().VSIFree(text);
+        if (notes_.system.empty()) {
+            notes_.system = definition;
+            return;
+        }
+        const CoordinateSystem first(notes_.system, place_), other(definition, place_);
+        if (!first.is_same(other))
+            throw InputError(place_, "its layers are in " + first.name() + " and in " + other.name(),
+                             "one coordinate system");
+    }
+
     GdalErrorSilencer error_silencer_;
     SourceLocation place_;
-    Dataset dataset_{nullptr, &GDALClose};
+    Dataset dataset_;
+    MapNotes notes_;
 };
 
 std::string field_of(OGRFeatureH feature, const char* name) {
-    const int index = OGR_F_GetFieldIndex(feature, name);
-    if (index < 0 || !OGR_F_IsFieldSetAndNotNull(feature, index)) return {};
-    return OGR_F_GetFieldAsString(feature, index);
+    const int index = gdal().OGR_F_GetFieldIndex(feature, name);
+    if (index < 0 || !gdal().OGR_F_IsFieldSetAndNotNull(feature, index)) return {};
+    return gdal().OGR_F_GetFieldAsString(feature, index);
 }
 
 }  // namespace
 
-bool has_gdal() {
-    return true;
-}
-
-std::vector<GdalLine> read_gdal_lines(const std::filesystem::path& path) {
+MapLines read_gdal_lines(const std::filesystem::path& path) {
     GdalReader reader(path);
-    std::vector<GdalLine> lines;
+    MapLines map;
     reader.visit_features([&](OGRGeometryH shape, OGRFeatureH feature, const std::string& layer) {
         const std::string drawn_on = field_of(feature, "Layer");
         // A Shapefile truncates field names to ten letters.
         std::string material = field_of(feature, "joint_material");
         if (material.empty()) material = field_of(feature, "joint_mate");
         reader.visit_lines(shape, [&](std::vector<Point> points) {
-            lines.push_back({material, drawn_on.empty() ? layer : drawn_on, std::move(points)});
+            map.lines.push_back({material, drawn_on.empty() ? layer : drawn_on, std::move(points)});
         });
     });
-    return lines;
+    map.notes = reader.notes();
+    return map;
 }
 
-std::vector<std::vector<Ring>> read_gdal_polygons(const std::filesystem::path& path) {
+MapPolygons read_gdal_polygons(const std::filesystem::path& path) {
     GdalReader reader(path);
-    std::vector<std::vector<Ring>> polygons;
+    MapPolygons map;
+    std::vector<Ring> lines;
     const std::function<void(OGRGeometryH)> add = [&](OGRGeometryH shape) {
-        const OGRwkbGeometryType type = wkbFlatten(OGR_G_GetGeometryType(shape));
-        const bool is_one = type == wkbPolygon || type == wkbLineString || type == wkbLinearRing;
-        if (is_one) polygons.emplace_back();
-        for (int k = 0; !is_one && k < OGR_G_GetGeometryCount(shape); ++k)
-            add(OGR_G_GetGeometryRef(shape, k));
-        if (!is_one) return;
-        reader.visit_lines(shape, [&](std::vector<Point> points) {
-            if (!(points.front() == points.back()))
-                throw InputError(reader.place(), "a line that is not closed", "closed lines or polygons");
-            polygons.back().push_back(std::move(points));
-        });
-        if (polygons.back().empty()) polygons.pop_back();
+        const OGRwkbGeometryType type = gdal().OGR_GT_Flatten(gdal().OGR_G_GetGeometryType(shape));
+        if (type == wkbPolygon) {
+            map.polygons.emplace_back();
+            reader.visit_lines(
+                shape, [&](std::vector<Point> points) { map.polygons.back().push_back(std::move(points)); });
+            if (map.polygons.back().empty()) map.polygons.pop_back();
+        } else if (type == wkbLineString || type == wkbLinearRing) {
+            reader.visit_lines(shape, [&](std::vector<Point> points) { lines.push_back(std::move(points)); });
+        } else {
+            for (int k = 0; k < gdal().OGR_G_GetGeometryCount(shape); ++k)
+                add(gdal().OGR_G_GetGeometryRef(shape, k));
+        }
     };
     reader.visit_features([&](OGRGeometryH shape, OGRFeatureH, const std::string&) { add(shape); });
-    if (polygons.empty()) throw InputError(reader.place(), "no polygon", "closed lines or polygons");
-    return polygons;
+    if (!lines.empty())
+        for (std::vector<Ring>& polygon : nested_polygons(closed_lines(std::move(lines), reader.place())))
+            map.polygons.push_back(std::move(polygon));
+    if (map.polygons.empty()) throw InputError(reader.place(), "no polygon", "closed lines or polygons");
+    map.notes = reader.notes();
+    return map;
 }
-
-#else
-
-namespace {
-
-[[noreturn]] void fail(const std::filesystem::path& path) {
-    throw InputError({path.string()}, "this blockgen was built without GDAL, which reads files of this type",
-                     ".csv or .geojson");
-}
-
-}  // namespace
-
-bool has_gdal() {
-    return false;
-}
-
-std::vector<GdalLine> read_gdal_lines(const std::filesystem::path& path) {
-    fail(path);
-}
-
-std::vector<std::vector<Ring>> read_gdal_polygons(const std::filesystem::path& path) {
-    fail(path);
-}
-
-#endif
 
 }  // namespace rockslope::blockgen

@@ -1,6 +1,7 @@
 #include "blockgen/input/geojson.hpp"
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "common/base/input_error.hpp"
@@ -13,134 +14,297 @@ namespace {
 
 using nlohmann::json;
 
-/// Limit of the recursion; GeoJSON needs about ten levels.
-constexpr int max_nesting_depth = 100;
+/// GeoJSON needs about ten levels.
+constexpr std::size_t max_nesting_depth = 100;
 
-json parse(const std::filesystem::path& path) {
-    const std::string text = read_text_file(path);
-    const auto refuse_depth = [&](int depth, json::parse_event_t, json&) {
-        if (depth > max_nesting_depth)
-            throw InputError({path.string()}, "the JSON is nested too deeply", "a GeoJSON file");
-        return true;
-    };
-    try {
-        return json::parse(text, refuse_depth);
-    } catch (const json::parse_error& error) {
-        const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
-        const int line = 1 + static_cast<int>(std::count(text.begin(), end, '\n'));
-        throw InputError({path.string(), line}, "this is not JSON", "a GeoJSON file");
-    } catch (const json::out_of_range&) {
-        throw InputError({path.string()}, "a number is too large", "coordinates in metres");
-    }
-}
+/// The lists of positions in one member `coordinates`: lines, or the rings of polygons.
+struct Paths {
+    std::vector<Ring> paths;
+    std::vector<std::size_t> polygon_ends;  ///< in a MultiPolygon: number of paths up to the end of each
+    std::size_t position_depth = 0;         ///< lists round each number; 0 before the first number
+    bool has_heights = false;
+};
 
-class GeoJsonReader {
+/// A geometry with the joint material of its feature.
+struct Shape {
+    std::string type, joint_material;
+    std::size_t feature = 0;
+    Paths coordinates;
+};
+
+/// What an object of the file is to its reader.
+enum class Role { node, properties, crs, crs_properties, ignored };
+
+struct Object {
+    Role role = Role::node;
+    std::string key;   ///< of the member being read
+    std::string type;  ///< node: the member `type`
+    bool has_coordinates = false, has_features = false, has_geometries = false;
+    std::size_t first_shape = 0;  ///< node: shapes before it
+    std::string joint_material;   ///< Feature: of its properties
+    Paths coordinates;
+};
+
+/// Receives a GeoJSON file token by token and keeps the geometries only.
+class GeoJsonHandler : public nlohmann::json_sax<json> {
   public:
-    explicit GeoJsonReader(const std::filesystem::path& path) : path_(path.string()), root_(parse(path)) {}
+    explicit GeoJsonHandler(std::string path) : path_(std::move(path)) {}
 
-    /// Calls visit(geometry, properties) for each geometry.
-    template <class Visit>
-    void visit_geometries(const Visit& visit) {
-        visit_object(root_, json::object(), visit);
+    bool null() override { return scalar(); }
+    bool boolean(bool) override { return scalar(); }
+    bool number_integer(number_integer_t value) override { return number(static_cast<double>(value)); }
+    bool number_unsigned(number_unsigned_t value) override { return number(static_cast<double>(value)); }
+    bool number_float(number_float_t value, const string_t&) override { return number(value); }
+    bool binary(binary_t&) override { return scalar(); }
+
+    bool string(string_t& value) override {
+        if (in_coordinates_) fail_position();
+        scalar();
+        Object& object = objects_.back();
+        if (array_depth_ > 0) return true;
+        if (object.role == Role::node && object.key == "type") object.type = value;
+        if (object.role == Role::properties && object.key == "joint_material")
+            objects_[objects_.size() - 2].joint_material = value;
+        if (object.role == Role::crs_properties && object.key == "name") system_ = value;
+        return true;
     }
 
-    Ring points(const json& list) const {
-        if (!list.is_array()) fail("coordinates are not a list", "a list of [x, y]");
-        Ring result;
-        for (const json& position : list) {
-            if (!position.is_array() || position.size() < 2 || !position[0].is_number() ||
-                !position[1].is_number())
-                fail("a position is not a pair of numbers", "[x, y]");
-            result.push_back({position[0].get<double>(), position[1].get<double>()});
-            if (!is_in_allowed_range(result.back().x) || !is_in_allowed_range(result.back().y))
-                fail("a coordinate is too large", "coordinates in metres");
+    bool key(string_t& name) override {
+        objects_.back().key = name;
+        return true;
+    }
+
+    bool start_object(std::size_t) override {
+        if (in_coordinates_) fail_position();
+        check_depth();
+        Object object;
+        object.role = objects_.empty() ? Role::node : role_of_member();
+        object.first_shape = shapes_.size();
+        array_depths_.push_back(array_depth_);
+        array_depth_ = 0;
+        objects_.push_back(std::move(object));
+        return true;
+    }
+
+    bool end_object() override {
+        Object object = std::move(objects_.back());
+        objects_.pop_back();
+        array_depth_ = array_depths_.back();
+        array_depths_.pop_back();
+        if (object.role == Role::node) finish(std::move(object));
+        return true;
+    }
+
+    bool start_array(std::size_t) override {
+        check_depth();
+        if (objects_.empty()) fail("an object has no type", "a GeoJSON object");
+        Object& object = objects_.back();
+        ++array_depth_;
+        if (object.role != Role::node) return true;
+        if (in_coordinates_) {
+            if (coordinates().position_depth > 0 && array_depth_ > coordinates().position_depth)
+                fail_position();
+            if (array_depth_ == coordinates().position_depth) position_size_ = 0;
+        } else if (array_depth_ == 1 && object.key == "coordinates") {
+            in_coordinates_ = true;
+            object.has_coordinates = true;
+            object.coordinates = {};
+        } else if (array_depth_ == 1) {
+            object.has_features = object.has_features || object.key == "features";
+            object.has_geometries = object.has_geometries || object.key == "geometries";
         }
-        return result;
+        return true;
     }
 
-    const json& coordinates(const json& geometry) const {
-        const auto found = geometry.find("coordinates");
-        if (found == geometry.end() || !found->is_array()) fail("a geometry has no coordinates", "a list");
-        return *found;
+    bool end_array() override {
+        if (in_coordinates_) end_list();
+        if (--array_depth_ == 0) in_coordinates_ = false;
+        return true;
+    }
+
+    bool parse_error(std::size_t byte, const std::string&, const json::exception& error) override {
+        error_byte_ = byte;
+        if (dynamic_cast<const json::out_of_range*>(&error) != nullptr)
+            fail("a number is too large", "coordinates in metres");
+        return false;
     }
 
     [[noreturn]] void fail(const std::string& what, const std::string& expected) const {
         throw InputError({path_}, where_ + what, expected);
     }
 
+    /// Errors from now on name the feature of a shape.
+    void blame(const Shape& shape) { where_ = is_collection_ ? feature_text(shape.feature) : ""; }
+
+    MapNotes notes() const {
+        MapNotes result;
+        result.system = system_;
+        for (const Shape& shape : shapes_) {
+            result.empty += shape.coordinates.paths.empty();
+            result.with_heights += shape.coordinates.has_heights;
+        }
+        result.empty += without_geometry_;
+        return result;
+    }
+    std::vector<Shape>& shapes() { return shapes_; }
+    /// Where the text ceases to be JSON.
+    std::size_t error_byte() const { return error_byte_; }
+
   private:
-    template <class Visit>
-    void visit_object(const json& object, const json& properties, const Visit& visit) {
-        if (!object.is_object() || !object.contains("type") || !object["type"].is_string())
-            fail("an object has no type", "a GeoJSON object");
-        const std::string type = object["type"].get<std::string>();
-        if (type == "FeatureCollection" || type == "GeometryCollection") {
-            const char* key = type == "FeatureCollection" ? "features" : "geometries";
-            if (!object.contains(key) || !object[key].is_array())
-                fail("'" + type + "' has no " + key, "a list");
-            std::size_t number = 0;
-            for (const json& part : object[key]) {
-                where_ = type == "FeatureCollection" ? "feature " + std::to_string(number++) + ": " : where_;
-                visit_object(part, properties, visit);
+    static std::string feature_text(std::size_t number) { return "feature " + std::to_string(number) + ": "; }
+
+    Paths& coordinates() { return objects_.back().coordinates; }
+
+    void check_depth() const {
+        std::size_t depth = objects_.size() + array_depth_;
+        for (const std::size_t arrays : array_depths_) depth += arrays;
+        if (depth > max_nesting_depth) fail("the JSON is nested too deeply", "a GeoJSON file");
+    }
+
+    [[noreturn]] void fail_position() const { fail("a position is not a pair of numbers", "[x, y]"); }
+
+    /// A value that is not a number.
+    bool scalar() {
+        if (in_coordinates_) fail_position();
+        if (objects_.empty()) fail("an object has no type", "a GeoJSON object");
+        const Object& object = objects_.back();
+        if (object.role == Role::node && array_depth_ == 0 && object.key == "geometry") ++without_geometry_;
+        return true;
+    }
+
+    bool number(double value) {
+        if (!in_coordinates_) return scalar();
+        Paths& read = coordinates();
+        if (read.position_depth == 0) {
+            read.position_depth = array_depth_;
+            position_size_ = 0;
+        }
+        if (array_depth_ != read.position_depth) fail_position();
+        if (position_size_ < 2 && !is_in_allowed_range(value))
+            fail("a coordinate is too large", "coordinates in metres");
+        if (position_size_ < 2) position_[position_size_] = value;
+        ++position_size_;
+        return true;
+    }
+
+    /// At the end of a list in `coordinates`: a position, a path, or the paths of a polygon.
+    void end_list() {
+        Paths& read = coordinates();
+        const std::size_t depth = array_depth_;
+        if (read.position_depth == 0) return;
+        if (depth == read.position_depth) {
+            if (position_size_ < 2) fail_position();
+            if (!in_path_) read.paths.emplace_back();
+            in_path_ = true;
+            read.paths.back().push_back({position_[0], position_[1]});
+            read.has_heights = read.has_heights || position_size_ > 2;
+        } else if (depth + 1 == read.position_depth) {
+            in_path_ = false;
+        } else if (depth + 2 == read.position_depth) {
+            read.polygon_ends.push_back(read.paths.size());
+        }
+        if (depth == 1) in_path_ = false;
+    }
+
+    Role role_of_member() {
+        const Object& parent = objects_.back();
+        if (parent.role == Role::crs)
+            return parent.key == "properties" ? Role::crs_properties : Role::ignored;
+        if (parent.role != Role::node) return Role::ignored;
+        if (array_depth_ == 1 && (parent.key == "features" || parent.key == "geometries")) {
+            if (parent.key == "features") {
+                is_collection_ = true;
+                where_ = feature_text(features_++);
             }
-            where_.clear();
-        } else if (type == "Feature") {
-            const json own = object.contains("properties") ? object["properties"] : json::object();
-            if (object.contains("geometry") && !object["geometry"].is_null())
-                visit_object(object["geometry"], own, visit);
+            return Role::node;
+        }
+        if (array_depth_ > 0) return Role::ignored;
+        if (parent.key == "geometry") return Role::node;
+        if (parent.key == "properties") return Role::properties;
+        return parent.key == "crs" ? Role::crs : Role::ignored;
+    }
+
+    void finish(Object object) {
+        if (object.type.empty()) fail("an object has no type", "a GeoJSON object");
+        if (object.type == "Feature") {
+            for (std::size_t k = object.first_shape; k < shapes_.size(); ++k)
+                shapes_[k].joint_material = object.joint_material;
+        } else if (object.type == "FeatureCollection" || object.type == "GeometryCollection") {
+            const bool features = object.type == "FeatureCollection";
+            if (features) where_.clear();
+            if (!(features ? object.has_features : object.has_geometries))
+                fail("'" + object.type + "' has no " + (features ? "features" : "geometries"), "a list");
         } else {
-            visit(type, object, properties);
+            if (!object.has_coordinates) fail("a geometry has no coordinates", "a list");
+            shapes_.push_back(
+                {object.type, {}, features_ > 0 ? features_ - 1 : 0, std::move(object.coordinates)});
         }
     }
 
-    std::string path_;
-    std::string where_;
-    json root_;
+    std::string path_, where_, system_;
+    std::vector<Object> objects_;            ///< those being read, the outermost first
+    std::vector<std::size_t> array_depths_;  ///< lists open round each of them, within the object round it
+    std::size_t array_depth_ = 0;            ///< lists open in the innermost object
+    bool in_coordinates_ = false, in_path_ = false, is_collection_ = false;
+    std::array<double, 2> position_{};
+    std::size_t position_size_ = 0, features_ = 0, without_geometry_ = 0, error_byte_ = 0;
+    std::vector<Shape> shapes_;
 };
+
+GeoJsonHandler parsed(const std::filesystem::path& path) {
+    const std::string text = read_text_file(path);
+    GeoJsonHandler handler(path.string());
+    if (json::sax_parse(text, &handler)) return handler;
+    const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(handler.error_byte(), text.size()));
+    const int line = 1 + static_cast<int>(std::count(text.begin(), end, '\n'));
+    throw InputError({path.string(), line}, "this is not JSON", "a GeoJSON file");
+}
 
 }  // namespace
 
-std::vector<GeoJsonLine> read_geojson_lines(const std::filesystem::path& path) {
-    GeoJsonReader reader(path);
-    std::vector<GeoJsonLine> lines;
-    reader.visit_geometries([&](const std::string& type, const json& geometry, const json& properties) {
-        std::string material;
-        if (properties.is_object() && properties.contains("joint_material") &&
-            properties["joint_material"].is_string())
-            material = properties["joint_material"].get<std::string>();
-        const auto add = [&](const json& coordinates) {
-            lines.push_back({material, reader.points(coordinates)});
-            if (lines.back().points.size() < 2)
-                reader.fail("a line of fewer than two points", "two points or more");
-        };
-        if (type == "LineString")
-            add(reader.coordinates(geometry));
-        else if (type == "MultiLineString")
-            for (const json& part : reader.coordinates(geometry)) add(part);
-        else
-            reader.fail("geometry of type '" + type + "'", "LineString or MultiLineString");
-    });
-    return lines;
+MapLines read_geojson_lines(const std::filesystem::path& path) {
+    GeoJsonHandler file = parsed(path);
+    MapLines map;
+    map.notes = file.notes();
+    for (Shape& shape : file.shapes()) {
+        file.blame(shape);
+        const std::size_t depth = shape.type == "LineString" ? 2 : 3;
+        if (shape.type != "LineString" && shape.type != "MultiLineString")
+            file.fail("geometry of type '" + shape.type + "'", "LineString or MultiLineString");
+        if (shape.coordinates.paths.empty()) continue;
+        if (shape.coordinates.position_depth != depth)
+            file.fail("a position is not a pair of numbers", "[x, y]");
+        for (Ring& line : shape.coordinates.paths) {
+            if (line.size() < 2) file.fail("a line of fewer than two points", "two points or more");
+            map.lines.push_back({shape.joint_material, {}, std::move(line)});
+        }
+    }
+    return map;
 }
 
-std::vector<std::vector<Ring>> read_geojson_polygons(const std::filesystem::path& path) {
-    GeoJsonReader reader(path);
-    std::vector<std::vector<Ring>> polygons;
-    const auto add = [&](const json& polygon) {
-        if (!polygon.is_array() || polygon.empty()) reader.fail("a polygon without rings", "a list of rings");
-        polygons.emplace_back();
-        for (const json& ring : polygon) polygons.back().push_back(reader.points(ring));
-    };
-    reader.visit_geometries([&](const std::string& type, const json& geometry, const json&) {
-        if (type == "Polygon")
-            add(reader.coordinates(geometry));
-        else if (type == "MultiPolygon")
-            for (const json& part : reader.coordinates(geometry)) add(part);
-        else
-            reader.fail("geometry of type '" + type + "'", "Polygon or MultiPolygon");
-    });
-    if (polygons.empty()) reader.fail("no polygon", "a Polygon or a MultiPolygon");
-    return polygons;
+MapPolygons read_geojson_polygons(const std::filesystem::path& path) {
+    GeoJsonHandler file = parsed(path);
+    MapPolygons map;
+    map.notes = file.notes();
+    for (Shape& shape : file.shapes()) {
+        file.blame(shape);
+        Paths& rings = shape.coordinates;
+        if (shape.type != "Polygon" && shape.type != "MultiPolygon")
+            file.fail("geometry of type '" + shape.type + "'", "Polygon or MultiPolygon");
+        if (rings.paths.empty()) continue;
+        if (rings.position_depth != (shape.type == "Polygon" ? 3u : 4u))
+            file.fail("a position is not a pair of numbers", "[x, y]");
+        if (shape.type == "Polygon") rings.polygon_ends = {rings.paths.size()};
+        std::size_t ring = 0;
+        for (const std::size_t end : rings.polygon_ends) {
+            if (ring == end) continue;
+            map.polygons.emplace_back();
+            for (; ring < end; ++ring) map.polygons.back().push_back(std::move(rings.paths[ring]));
+        }
+    }
+    file.blame({});
+    if (map.polygons.empty()) throw InputError({path.string()}, "no polygon", "a Polygon or a MultiPolygon");
+    return map;
 }
 
 }  // namespace rockslope::blockgen

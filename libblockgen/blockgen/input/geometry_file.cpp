@@ -30,46 +30,56 @@ void open_ring(Ring& ring) {
 
 }  // namespace
 
-std::vector<std::vector<Ring>> read_outline_file(const std::filesystem::path& path) {
-    std::vector<std::vector<Ring>> parts;
-    if (kind_of(path) == FileKind::geojson) {
-        parts = read_geojson_polygons(path);
-    } else if (kind_of(path) == FileKind::gdal) {
-        parts = read_gdal_polygons(path);
-    } else {
-        const CsvTable table = read_csv(path, {"x", "y"}, {});
-        parts.push_back({Ring{}});
-        for (const CsvRow& row : table.rows) parts[0][0].push_back({row.numbers[0], row.numbers[1]});
+std::vector<std::vector<Ring>> read_outline_file(const std::filesystem::path& path, MapNotes* notes) {
+    MapPolygons map;
+    switch (kind_of(path)) {
+        case FileKind::geojson:
+            map = read_geojson_polygons(path);
+            break;
+        case FileKind::gdal:
+            map = read_gdal_polygons(path);
+            break;
+        case FileKind::csv:
+            map.polygons.push_back({Ring{}});
+            for (const CsvRow& row : read_csv(path, {"x", "y"}, {}).rows)
+                map.polygons[0][0].push_back({row.numbers[0], row.numbers[1]});
     }
-    for (std::vector<Ring>& rings : parts)
+    for (std::vector<Ring>& rings : map.polygons)
         for (Ring& ring : rings) open_ring(ring);
-    return parts;
+    if (notes != nullptr) *notes = std::move(map.notes);
+    return std::move(map.polygons);
 }
 
 std::vector<Trace> read_trace_file(const std::filesystem::path& path, const std::string& name,
-                                   const std::string& joint_material) {
-    std::vector<Trace> traces;
-    if (kind_of(path) == FileKind::geojson) {
-        for (GeoJsonLine& line : read_geojson_lines(path))
-            traces.push_back({name, line.joint_material.empty() ? joint_material : line.joint_material,
-                              std::move(line.points)});
-    } else if (kind_of(path) == FileKind::gdal) {
-        for (GdalLine& line : read_gdal_lines(path)) {
-            const std::string& own = line.joint_material.empty() ? joint_material : line.joint_material;
-            traces.push_back({name, own.empty() ? line.layer : own, std::move(line.points)});
-        }
-    } else {
-        const CsvTable table = read_csv(path, {"x1", "y1", "x2", "y2"}, {"joint_material"});
-        for (const CsvRow& row : table.rows)
-            traces.push_back({name,
-                              row.texts[0].empty() ? joint_material : row.texts[0],
-                              {{row.numbers[0], row.numbers[1]}, {row.numbers[2], row.numbers[3]}}});
+                                   const std::string& joint_material, MapNotes* notes) {
+    MapLines map;
+    switch (kind_of(path)) {
+        case FileKind::geojson:
+            map = read_geojson_lines(path);
+            break;
+        case FileKind::gdal:
+            map = read_gdal_lines(path);
+            break;
+        case FileKind::csv:
+            for (CsvRow& row : read_csv(path, {"x1", "y1", "x2", "y2"}, {"joint_material"}).rows)
+                map.lines.push_back({std::move(row.texts[0]),
+                                     {},
+                                     {{row.numbers[0], row.numbers[1]}, {row.numbers[2], row.numbers[3]}}});
     }
-    if (traces.empty()) throw InputError({path.string()}, "the file contains no trace", "one trace or more");
-    for (const Trace& trace : traces)
-        if (trace.joint_material.empty())
+    if (map.lines.empty())
+        throw InputError({path.string()}, "the file contains no trace", "one trace or more");
+    std::vector<Trace> traces;
+    traces.reserve(map.lines.size());
+    for (MapLine& line : map.lines) {
+        const std::string& material = !line.joint_material.empty() ? line.joint_material
+                                      : !joint_material.empty()    ? joint_material
+                                                                   : line.layer;
+        if (material.empty())
             throw InputError({path.string()}, "a trace has no joint material",
                              "joint_material in the file or in its [[traces]] table");
+        traces.push_back({name, material, std::move(line.points)});
+    }
+    if (notes != nullptr) *notes = std::move(map.notes);
     return traces;
 }
 

@@ -3,20 +3,24 @@
 #include <filesystem>
 #include <vector>
 
+#include "blockgen/input/map_file.hpp"
 #include "blockgen/input/slope_model.hpp"
 
 namespace rockslope::blockgen {
 
 /// The polygons of an outline file, in file order: for each, the outer ring and then its holes. The file is
 /// CSV with the columns x,y and one corner a line, GeoJSON with Polygons, or a .dxf, .shp or .gpkg file read
-/// by GDAL. A last corner that repeats the first is dropped. @throws InputError
-std::vector<std::vector<Ring>> read_outline_file(const std::filesystem::path& path);
+/// by GDAL. A last corner that repeats the first is dropped. Coordinates are those of the file.
+/// @throws InputError
+std::vector<std::vector<Ring>> read_outline_file(const std::filesystem::path& path,
+                                                 MapNotes* notes = nullptr);
 
 /// The traces of a file. The file is CSV with the columns x1,y1,x2,y2 and optionally joint_material, GeoJSON
 /// with LineStrings and MultiLineStrings (a feature's property joint_material names its material), or a file
 /// read by GDAL. A trace without a material in the file gets `joint_material`; if that is empty and GDAL read
-/// the file, it gets the name of its layer. @throws InputError, also when the file contains no trace.
+/// the file, it gets the name of its layer. Coordinates are those of the file. @throws InputError, also when
+/// the file contains no trace.
 std::vector<Trace> read_trace_file(const std::filesystem::path& path, const std::string& name,
-                                   const std::string& joint_material);
+                                   const std::string& joint_material, MapNotes* notes = nullptr);
 
 }  // namespace rockslope::blockgen

@@ -1,9 +1,46 @@
+#include <algorithm>
+
+#include "blockgen/input/domain.hpp"
 #include "blockgen/input/geometry_file.hpp"
+#include "blockgen/input/join_ends.hpp"
+#include "blockgen/input/place_coordinates.hpp"
 #include "blockgen/input/read_shapes.hpp"
 
 namespace rockslope::blockgen {
 
 namespace {
+
+/// @throws InputError when none of the traces meets the bounding box of the domain.
+void refuse_traces_elsewhere(const PlacedFile& file, const SlopeModel& model) {
+    Ring all;
+    const Bounds domain = domain_bounds(model);
+    for (const std::vector<Point>* line : file.lines) {
+        const Bounds bounds = Bounds::of(*line);
+        if (bounds.low.x <= domain.high.x && domain.low.x <= bounds.high.x && bounds.low.y <= domain.high.y &&
+            domain.low.y <= bounds.high.y)
+            return;
+        all.insert(all.end(), line->begin(), line->end());
+    }
+    const auto text = [](const Bounds& box) { return text_of(box.low) + " to " + text_of(box.high); };
+    file.table.fail(file.key,
+                    "no trace of " + file.path.string() + " is near the domain: they lie in " +
+                        text(Bounds::of(all)) + ", the domain in " + text(domain),
+                    "traces in the coordinates of the domain");
+}
+
+void read_file_of_traces(const ConfigTable& table, const std::string& name, const std::string& material,
+                         SlopeModel& model) {
+    model.files.push_back(table.file_path("file"));
+    PlacedFile file{table, "file", model.files.back(), {}, {}};
+    std::vector<Trace> traces = read_trace_file(file.path, name, material, &file.notes);
+    for (Trace& trace : traces) file.lines.push_back(&trace.points);
+    place_coordinates(file, model);
+    refuse_traces_elsewhere(file, model);
+    for (Trace& trace : traces) {
+        check_coordinate_range(table, "file", trace.points, model);
+        model.traces.push_back(std::move(trace));
+    }
+}
 
 void read_traces(const ConfigTable& table, SlopeModel& model) {
     const std::string fallback = "traces " + std::to_string(model.traces.size() + 1);
@@ -12,11 +49,7 @@ void read_traces(const ConfigTable& table, SlopeModel& model) {
     if (table.has("points") == table.has("file"))
         table.fail("points", "traces need points or a file", "exactly one of them");
     if (table.has("file")) {
-        model.files.push_back(table.file_path("file"));
-        for (Trace& trace : read_trace_file(model.files.back(), name, material)) {
-            check_coordinate_range(table, "file", trace.points, model);
-            model.traces.push_back(std::move(trace));
-        }
+        read_file_of_traces(table, name, material, model);
         return;
     }
     if (material.empty())
@@ -29,11 +62,54 @@ void read_traces(const ConfigTable& table, SlopeModel& model) {
     model.traces.push_back(std::move(trace));
 }
 
+/// The points of a trace in the direction in which they come first.
+std::vector<std::pair<double, double>> directed_points(const Trace& trace) {
+    std::vector<std::pair<double, double>> forward;
+    for (const Point& p : trace.points) forward.emplace_back(p.x, p.y);
+    std::vector<std::pair<double, double>> backward(forward.rbegin(), forward.rend());
+    return std::min(forward, backward);
+}
+
+/// Removes traces that repeat an earlier one, in either direction, and notes how many: their lengths would be
+/// counted twice.
+void drop_repeated_traces(SlopeModel& model) {
+    using Keyed = std::pair<std::vector<std::pair<double, double>>, std::size_t>;
+    std::vector<Keyed> keyed;
+    keyed.reserve(model.traces.size());
+    for (std::size_t t = 0; t < model.traces.size(); ++t)
+        keyed.emplace_back(directed_points(model.traces[t]), t);
+    std::sort(keyed.begin(), keyed.end());
+    std::vector<char> is_repeated(model.traces.size(), 0);
+    const Trace* first = nullptr;
+    std::size_t repeated = 0;
+    for (std::size_t k = 1; k < keyed.size(); ++k) {
+        if (keyed[k].first != keyed[k - 1].first) continue;
+        is_repeated[keyed[k].second] = 1;
+        ++repeated;
+        if (first == nullptr) first = &model.traces[keyed[k].second];
+    }
+    if (repeated == 0) return;
+    model.notes.push_back(std::to_string(repeated) +
+                          (repeated == 1 ? " trace repeats an earlier one" : " traces repeat earlier ones") +
+                          " and " + (repeated == 1 ? "is" : "are") + " dropped, the first of '" +
+                          first->name + "' at " + text_of(first->points.front()));
+    std::vector<Trace> kept;
+    for (std::size_t t = 0; t < model.traces.size(); ++t)
+        if (!is_repeated[t]) kept.push_back(std::move(model.traces[t]));
+    model.traces = std::move(kept);
+}
+
 }  // namespace
 
 void read_joints(const ConfigTable& root, SlopeModel& model) {
     // Traces are read first, because joints of a set may end on them.
     for (const ConfigTable& table : root.array_of_tables("traces")) read_traces(table, model);
+    const ConfigTable domain = root.table("domain");
+    const double snap = domain.checked(
+        "snap", domain.number("snap", Dimension::length, 0.0), [](double d) { return d >= 0; },
+        "a distance of zero or more");
+    if (!model.outline_of_traces) drop_repeated_traces(model);
+    if (!model.outline_of_traces) join_ends(snap, model);
     read_joint_sets(root, model);
 }
 

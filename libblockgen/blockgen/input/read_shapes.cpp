@@ -6,6 +6,7 @@
 
 #include "blockgen/input/domain.hpp"
 #include "blockgen/input/geometry_file.hpp"
+#include "blockgen/input/place_coordinates.hpp"
 #include "common/base/text.hpp"
 
 namespace rockslope::blockgen {
@@ -118,9 +119,6 @@ void check_ring(const ConfigTable& domain, const std::string& key, const std::st
 void add_part(const ConfigTable& domain, const std::string& key, const std::string& what, Ring outer,
               SlopeModel& model) {
     check_ring(domain, key, what, outer);
-    if (!model.outline.empty() && !is_outside_domain(outer, model))
-        domain.fail(key, what + " overlaps an earlier part",
-                    "parts of the domain that do not overlap; a hole as an inner ring or in holes");
     (model.outline.empty() ? model.outline : model.further_outlines.emplace_back()) = std::move(outer);
 }
 
@@ -128,8 +126,7 @@ void add_hole(const ConfigTable& domain, const std::string& key, const std::stri
               SlopeModel& model) {
     const std::string what = "hole " + std::to_string(model.holes.size() + 1) + where;
     check_ring(domain, key, what, hole);
-    if (is_outside_domain(hole, model))
-        domain.fail(key, what + " lies outside the outline", "a hole that removes rock");
+    model.holes_location = domain.place(key);
     model.holes.push_back(std::move(hole));
 }
 
@@ -151,13 +148,18 @@ void read_outline(const ConfigTable& domain, SlopeModel& model) {
     if (key == "outline_file") {
         model.files.push_back(domain.file_path(key));
         where = " in " + model.files.back().string();
-        parts = read_outline_file(model.files.back());
+        PlacedFile file{domain, key, model.files.back(), {}, {}};
+        parts = read_outline_file(file.path, &file.notes);
+        for (std::vector<Ring>& rings : parts)
+            for (Ring& ring : rings) file.lines.push_back(&ring);
+        place_coordinates(file, model);
     } else if (key == "outlines") {
         for (const auto& pairs : domain.rings(key)) parts.push_back({ring_of(pairs)});
         if (parts.empty()) domain.fail(key, "no part of the domain", "[[[x, y], ...], ...]");
     } else {
         parts.push_back({ring_of(domain.pairs(key, Dimension::length))});
     }
+    model.outlines_location = domain.place(key);
     for (std::size_t k = 0; k < parts.size(); ++k)
         add_part(domain, key,
                  (parts.size() == 1 ? "the outline" : "outline " + std::to_string(k + 1)) + where,
@@ -264,6 +266,7 @@ void read_domain(const ConfigTable& root, const EnclosedAreaFunction& enclosed_a
     const ConfigTable domain = root.table("domain");
     model.domain_location = domain.place();
     model.grid = read_grid(domain);
+    read_project(domain, model);
     if (domain.has("geo_file")) {
         for (const char* key : {"outline", "outlines", "outline_file", "holes"})
             if (domain.has(key))

@@ -21,6 +21,9 @@ Ring read_ring(const ConfigTable& table, std::string_view key);
 void check_coordinate_range(const ConfigTable& table, std::string_view key, const Ring& points,
                             const SlopeModel& model);
 
+/// Reads [base], for a domain of one part.
+void read_base(const ConfigTable& root, SlopeModel& model);
+
 /// [domain]: outline, holes, block material, grid, policies; and the files it names.
 void read_domain(const ConfigTable& root, const EnclosedAreaFunction& enclosed_area, SlopeModel& model);
 /// domain.geo_file: all records of a geometry file of Shi's. The grid must have been read.

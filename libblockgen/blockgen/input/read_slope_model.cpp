@@ -15,11 +15,13 @@ seed = 42                                  # seed of all random draws; the same 
 [domain]
 outline = [[0, 0], [120, 0], [120, 30], [60, 70], [0, 70]]
 # outlines = [[[0, 0], ...], [[90, 0], ...]]   # instead: a domain of several parts
-# outline_file = "profile.csv"             # instead: columns x,y; or a GeoJSON file with Polygons
+# outline_file = "profile.csv"             # instead: columns x,y; or .geojson, .dxf, .shp, .gpkg
+# project = "EPSG:32634"                   # the coordinates of files are converted to this system
 # geo_file = "old.geo"                     # instead: a line file of Shi's programs
 # holes = [[[10, 10], [14, 10], [12, 14]]]
 block_material = "sandstone"
 # grid = 9.5367431640625e-7                # m, a power of two: joints nearer to each other than this are joined
+# snap = "1 cm"                            # ends of [[traces]] within it of another trace or an outline are joined
 # islands = "keep"                         # blocks enclosed by one block; or "cut" to its boundary, "fill", "error"
 
 # [small_blocks]                           # absent: blocks below 1e-4 of the median area are merged
@@ -97,6 +99,11 @@ gap = 1.0                                  # rock bridge; or persistence = 0.9
 # joint_material = "fault"
 # points = [[10, 0], [40, 70]]             # or file = "faults.csv" (x1,y1,x2,y2[,joint_material]), .geojson, .dxf, ...
 
+# [base]                                   # instead of [[prescribed_block]]: a block round the slope, of another rock
+# below = 12                               # m
+# behind = 20                              # m, at the side of the crest; ahead: at that of the toe
+# material = "bedrock"
+
 [[fixed_block]]
 side = "bottom"                            # or at = [x, y], or inside = polygon
 
@@ -131,6 +138,7 @@ SlopeModel read_slope_model(const ConfigTable& root, const EnclosedAreaFunction&
     read_domain(root, enclosed_area, model);
     read_regions(root, model);
     read_tunnels(root, model);
+    read_base(root, model);
     read_joints(root, model);
     read_block_assignments(root, model);
     root.finish();

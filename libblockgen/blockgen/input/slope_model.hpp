@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "blockgen/input/coordinate_system.hpp"
 #include "blockgen/input/orientation.hpp"
 #include "common/base/input_error.hpp"
 #include "common/geometry/polygon.hpp"
@@ -87,6 +88,22 @@ struct Trace {
     std::vector<Point> points;
 };
 
+/// An end of a given trace, and what it was joined to or stops short of.
+struct NearEnd {
+    Point at;           ///< where it lies now
+    double gap = 0;     ///< m, by which it moved, or by which it stops short
+    std::string joint;  ///< name of its trace
+    std::string other;  ///< name of the other trace, or "outline"
+};
+
+/// What became of the ends of the given traces.
+struct TraceEnds {
+    std::vector<NearEnd> joined;       ///< moved to another end, trace or outline
+    std::vector<NearEnd> near_misses;  ///< stop short of something by `reach` or less
+    double reach = 0;                  ///< m
+    double suggested_snap = 0;  ///< m, which would join these; 0: they are hardly more than chance explains
+};
+
 /// Selects fixed or prescribed blocks by exactly one of: a point inside the block, a polygon that contains
 /// their centroids, a line through the blocks, or a side of the domain's bounding box along which they lie.
 struct BlockSelector {
@@ -96,6 +113,19 @@ struct BlockSelector {
     std::string side;          ///< bottom, top, left or right
     bool prescribed = false;
     std::string name;
+    SourceLocation place;
+};
+
+/// A block below and behind the slope, on which it stands.
+struct BaseBlock {
+    std::string name;
+    std::string block_material;
+    std::string joint_material;  ///< of its contact with the slope
+    bool is_fixed = false;       ///< rather than prescribed
+    Ring outline;
+    std::vector<Point>
+        contact;   ///< the part of the slope's outline along which they touch, from left to right
+    Point inside;  ///< a point of the base
     SourceLocation place;
 };
 
@@ -151,12 +181,21 @@ struct SlopeModel {
     std::string block_material;
     IslandPolicy islands = IslandPolicy::keep;
     SmallBlocks small_blocks;
+    CoordinateSystem project;  ///< to which the coordinates of files are converted
+    CoordinateSystem system;   ///< without `project`: that of the files which state one
+    std::string system_file;   ///< the first of these files
     SourceLocation domain_location;
+    SourceLocation outlines_location;  ///< of the key that gives the parts of the domain
+    SourceLocation holes_location;     ///< of the key that gives the last hole
     std::vector<Region> regions;
     std::vector<Tunnel> tunnels;
     std::vector<Excavation> excavations;
     std::vector<JointSet> joint_sets;
     std::vector<Trace> traces;
+    TraceEnds trace_ends;
+    std::optional<BaseBlock> base;
+    double unjointed_area =
+        0;  ///< m2 of the domain in which no joints are asked for: the base, once it is part of it
     std::vector<BlockSelector> selectors;
     std::vector<NamedPoint> measured_points;
     std::vector<BoltLine> bolts;

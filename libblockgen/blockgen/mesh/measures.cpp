@@ -129,15 +129,18 @@ ShapeSummary shape_summary(const BlockMesh& mesh) {
     return summary;
 }
 
-SizeSummary size_summary(const BlockMesh& mesh) {
+SizeSummary size_summary(const BlockMesh& mesh, bool free_only) {
     SizeSummary summary;
-    if (mesh.block_count() == 0) return summary;
+    const auto counts = [&](BlockIndex b) { return !free_only || mesh.motion[b] == BlockMotion::free; };
+    const auto blocks = mesh.blocks();
+    if (std::none_of(blocks.begin(), blocks.end(), counts)) return summary;
     summary.smallest_edge = std::numeric_limits<double>::infinity();
     summary.smallest_angle = std::numbers::pi;
     double tangent = std::numeric_limits<double>::infinity();
     std::vector<double> areas;
     areas.reserve(mesh.block_count());
-    for (const BlockIndex b : mesh.blocks()) {
+    for (const BlockIndex b : blocks) {
+        if (!counts(b)) continue;
         areas.push_back(block_area(mesh, b));
         summary.area += areas.back();
         for (std::size_t r = 0; r < mesh.ring_count(b); ++r) {

@@ -52,6 +52,6 @@ struct SizeSummary {
     double smallest_angle = 0;  ///< rad, the sharpest corner of a block, in (0, pi)
 };
 
-SizeSummary size_summary(const BlockMesh& mesh);
+SizeSummary size_summary(const BlockMesh& mesh, bool free_only = false);
 
 }  // namespace rockslope::blockgen

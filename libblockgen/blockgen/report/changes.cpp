@@ -76,6 +76,10 @@ class JointChanges {
 
     std::vector<Change> run() {
         join_ends();
+        for (const NearEnd& end : context_.model.trace_ends.joined)
+            changes_.push_back({ChangeKind::end_snapped, end.at, 0, end.gap, end.joint, end.other});
+        for (const NearEnd& end : context_.model.trace_ends.near_misses)
+            changes_.push_back({ChangeKind::near_miss, end.at, 0, end.gap, end.joint, end.other});
         for (const JointTraceIndex t : indices<JointTraceIndex>(context_.traces.size())) {
             prune(t);
             if (t < context_.model.traces.size()) drop(t);
@@ -250,6 +254,10 @@ const char* label_of(ChangeKind kind) {
             return "island cut";
         case ChangeKind::end_joined:
             return "end joined";
+        case ChangeKind::end_snapped:
+            return "end moved by snap";
+        case ChangeKind::near_miss:
+            return "end stops short (not changed)";
         case ChangeKind::piece_pruned:
             return "joint piece pruned";
         case ChangeKind::trace_outside:

@@ -17,6 +17,8 @@ enum class ChangeKind : std::uint8_t {
     island_filled,         ///< blocks enclosed by another block were merged with it
     island_cut,            ///< a joint was added to connect an island to the boundary of the block around it
     end_joined,            ///< an end just short of another joint or of an outline was joined to it
+    end_snapped,           ///< an end within `snap` of another joint or of an outline was moved to it
+    near_miss,             ///< no change: an end stops short of something, one of more than chance explains
     piece_pruned,          ///< a joint's piece was pruned: it has the same block on both sides
     trace_outside,         ///< a given trace outside the rock was dropped
     trace_on_free_face,    ///< a given trace along a free face was dropped

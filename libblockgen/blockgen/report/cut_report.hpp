@@ -39,9 +39,11 @@ struct CutReport {
     bool verified = false;     ///< an arrangement with exact construction has the same faces
     std::vector<ExcavationReport> excavations;
     SizeSummary sizes;
+    SizeSummary free_sizes;  ///< of the blocks that are neither fixed nor prescribed
     ShapeSummary shapes;
     std::vector<JointBalance> joints;  ///< in the order of the model: traces, then sets
     NodeCounts nodes;
+    TraceEnds trace_ends;
     std::optional<KinematicReport> kinematics;  ///< present if the model has [kinematics]
     std::vector<std::string> warnings;
 };

@@ -48,6 +48,9 @@ void blocks_table(Page& page, const CutReport& r) {
               r.area_proved ? "filled exactly by the blocks" : "not verified");
     if (r.verified) page.line("  exact construction        agrees");
     page.line("  D10, D50, D90 by area     %.4g, %.4g, %.4g m2", r.sizes.d10, r.sizes.d50, r.sizes.d90);
+    if (r.free_sizes.area < r.sizes.area)
+        page.line("  of those not held         %.4g, %.4g, %.4g m2", r.free_sizes.d10, r.free_sizes.d50,
+                  r.free_sizes.d90);
     page.line("  smallest, largest         %.4g, %.4g m2", r.sizes.smallest_area, r.sizes.largest_area);
     page.line("  roundness P10, P50, P90   %.3f, %.3f, %.3f", r.shapes.roundness.p10, r.shapes.roundness.p50,
               r.shapes.roundness.p90);
@@ -69,6 +72,8 @@ void changes_table(Page& page, const CutReport& r) {
     page.line("  small blocks kept             %zu", r.merges.kept_small);
     page.line("  islands kept, cuts, filled    %zu, %zu, %zu", r.islands, r.island_cuts,
               r.merges.filled_islands);
+    page.line("  ends moved by snap, short     %zu, %zu within %s m", r.trace_ends.joined.size(),
+              r.trace_ends.near_misses.size(), target_text(r.trace_ends.reach).c_str());
     if (!r.changes.empty())
         page.line(
             "\n  what                                      x m           y m    area m2   length m   joint");

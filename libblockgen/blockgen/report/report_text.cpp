@@ -26,6 +26,14 @@ const char* label_of(BlockMode mode) {
 
 namespace {
 
+nlohmann::ordered_json areas_json(const SizeSummary& s) {
+    return {{"smallest", s.smallest_area},
+            {"d10", s.d10},
+            {"d50", s.d50},
+            {"d90", s.d90},
+            {"largest", s.largest_area}};
+}
+
 nlohmann::ordered_json deciles_json(const Deciles& d) {
     return {{"p10", d.p10}, {"p50", d.p50}, {"p90", d.p90}};
 }
@@ -118,12 +126,8 @@ std::string report_text(const CutReport& report) {
         {"domain_area_m2", report.domain_area},
         {"area_proved", report.area_proved},
         {"verified_exactly", report.verified},
-        {"block_area_m2",
-         {{"smallest", s.smallest_area},
-          {"d10", s.d10},
-          {"d50", s.d50},
-          {"d90", s.d90},
-          {"largest", s.largest_area}}},
+        {"block_area_m2", areas_json(s)},
+        {"free_block_area_m2", areas_json(report.free_sizes)},
         {"roundness", deciles_json(report.shapes.roundness)},
         {"aspect", deciles_json(report.shapes.aspect)},
         {"mean_corners", report.shapes.mean_corners},
@@ -132,6 +136,11 @@ std::string report_text(const CutReport& report) {
         {"joints", joints_json(report.joints)},
         {"nodes",
          {{"i", report.nodes.i}, {"y", report.nodes.y}, {"x", report.nodes.x}, {"edge", report.nodes.edge}}},
+        {"trace_ends",
+         {{"moved_by_snap", report.trace_ends.joined.size()},
+          {"stop_short", report.trace_ends.near_misses.size()},
+          {"within_m", report.trace_ends.reach},
+          {"suggested_snap_m", report.trace_ends.suggested_snap}}},
         {"excavations", excavations_json(report.excavations)},
         {"changes", changes_json(report.changes)},
         {"warnings", report.warnings}};

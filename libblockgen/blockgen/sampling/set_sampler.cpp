@@ -57,7 +57,8 @@ void SetSampler::count_draw() {
 
 void SetSampler::fail_too_many(const std::string& count) const {
     throw InputError(set_.place, "joint set '" + set_.name + "' needs " + count + " lines and traces",
-                     "at most " + std::to_string(max_draws_) + " (--max-blocks sets the limit)");
+                     "at most " + std::to_string(max_draws_) +
+                         " (--max-blocks and 10000 more, less what the sets before it have)");
 }
 
 }  // namespace rockslope::blockgen

@@ -133,21 +133,4 @@ std::optional<RingFault> find_ring_fault(std::span<const Ring> rings) {
     return std::nullopt;
 }
 
-bool have_disjoint_interiors(std::span<const Point> ring, std::span<const Point> other) {
-    bool same = true;
-    for (const auto& [r, s] : {std::pair(ring, other), std::pair(other, ring)})
-        for (std::size_t k = 0; k < r.size(); ++k) {
-            const Point &a = r[k], &b = r[(k + 1) % r.size()];
-            for (const Point& p : {a, Point{(a.x + b.x) / 2, (a.y + b.y) / 2}}) {
-                const int side = side_of_ring(s, p);
-                if (side > 0) return false;
-                same = same && side == 0;
-            }
-            for (std::size_t m = 0; m < s.size(); ++m)
-                if (segment_relation(a, b, s[m], s[(m + 1) % s.size()]) == SegmentRelation::crossing)
-                    return false;
-        }
-    return !same;
-}
-
 }  // namespace rockslope

@@ -22,9 +22,6 @@ Point centroid(std::span<const Point> ring);
 /// Whether a point lies inside (+1), on (0) or outside (-1) a ring, by the even-odd rule. Exact.
 int side_of_ring(std::span<const Point> ring, const Point& point);
 
-/// Whether the interiors of two simple rings do not overlap.
-bool have_disjoint_interiors(std::span<const Point> ring, std::span<const Point> other);
-
 /// Two edges of a set of rings that meet where they must not. Edge k of a ring joins its vertices k and k +
 /// 1.
 struct RingFault {

@@ -11,7 +11,7 @@ namespace {
 const std::set<std::string> called_by_language = {"begin", "end", "size", "get", "what"};
 /// Functions by which tests see what no program asks for: whether GDAL is in the build, and how many lines a
 /// joint set drew.
-const std::set<std::string> called_by_tests = {"has_gdal", "draw_count"};
+const std::set<std::string> called_by_tests = {"draw_count"};
 
 /// Whether a name may be that of a function: called, given as an argument, or behind an operator that selects
 /// it. A variable of the name is not.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "blockgen/mesh/block_file.hpp"
 #include "blockgen/mesh/measures.hpp"
 #include "unit/blockgen/slopes.hpp"
 
@@ -61,6 +62,7 @@ TEST_P(CutProperties, TheOrderOfTheJoints) {
     EXPECT_EQ(mesh_.vertices, other.vertices);
     EXPECT_EQ(mesh_.corners, other.corners);
     EXPECT_EQ(mesh_.ring_corners, other.ring_corners);
+    EXPECT_EQ(block_file_text(mesh_), block_file_text(other));
 }
 
 TEST_P(CutProperties, TheDirectionOfTheJoints) {

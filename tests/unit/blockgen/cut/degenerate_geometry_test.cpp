@@ -242,11 +242,25 @@ TEST(DegenerateGeometry, NodesAndDensities) {
 TEST(DegenerateGeometry, AHoleOrTunnelOutsideTheRockIsReported) {
     const std::string domain =
         "[domain]\noutline = [[0, 0], [2, 0], [2, 1], [0, 1]]\nblock_material = \"rock\"\n";
-    EXPECT_THAT(error_of([&] { slope(domain + "holes = [[[3, 0], [4, 0], [4, 1]]]\n"); }),
+    EXPECT_THAT(error_of([&] { cut(slope(domain + "holes = [[[3, 0], [4, 0], [4, 1]]]\n")); }),
                 HasSubstr("slope.toml:4:9: hole 1 lies outside the outline"));
     const SlopeModel model =
         slope(domain + "[[tunnel]]\nname = \"far\"\nshape = \"circle\"\ncentre = [9, 9]\nradius = 1\n");
     EXPECT_THAT(cut(model).report.warnings, ElementsAre(HasSubstr("tunnel 'far' lies outside the outline")));
+}
+
+TEST(DegenerateGeometry, ATraceDrawnTwiceIsCountedOnceAndTold) {
+    const std::string trace = "[[traces]]\njoint_material = \"fault\"\npoints = ";
+    const CutReport report =
+        cut(slope("[domain]\noutline = [[0, 0], [10, 0], [10, 10], [0, 10]]\nblock_material = \"rock\"\n" +
+                  trace + "[[0, 5], [4, 5.5], [10, 5]]\n" + trace + "[[10, 5], [4, 5.5], [0, 5]]\n" + trace +
+                  "[[0, 5], [4, 5.5], [10, 5]]\n" + trace + "[[0, 5], [4, 5.5]]\n"))
+            .report;
+    EXPECT_EQ(report.blocks, 2u);
+    EXPECT_EQ(report.joints[0].traces, 2u);
+    EXPECT_THAT(
+        report.warnings,
+        ElementsAre(HasSubstr("2 traces repeat earlier ones and are dropped, the first of 'fault' at (")));
 }
 
 TEST(DegenerateGeometry, KeptIslandIsReportedWithPositionAndArea) {

@@ -36,17 +36,7 @@ const char* drawing =
     "0\nTEXT\n8\nnotes\n10\n1\n20\n1\n40\n1\n1\nhello\n"
     "0\nENDSEC\n0\nEOF\n";
 
-#define NEEDS_GDAL() \
-    if (!has_gdal()) GTEST_SKIP() << "this build has no GDAL"
-
-TEST(GdalFile, IsRefusedWithoutGdal) {
-    if (has_gdal()) GTEST_SKIP() << "this build has GDAL";
-    EXPECT_THAT(error_of([] { read_trace_file(written("drawing.dxf", drawing), "map", "joint"); }),
-                HasSubstr("without GDAL"));
-}
-
 TEST(GdalFile, LinesOfADrawing) {
-    NEEDS_GDAL();
     const std::vector<Trace> traces = read_trace_file(written("drawing.dxf", drawing), "map", "");
     ASSERT_EQ(traces.size(), 3u);
     EXPECT_EQ(traces[0].name, "map");
@@ -61,7 +51,6 @@ TEST(GdalFile, LinesOfADrawing) {
 }
 
 TEST(GdalFile, AClosedLineIsAnOutline) {
-    NEEDS_GDAL();
     const std::string outline =
         "0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n8\n0\n90\n3\n70\n1\n10\n0\n20\n0\n10\n4\n20\n0\n10\n4\n20\n3"
         "\n"
@@ -95,7 +84,6 @@ std::string shape_header(std::int32_t length) {
 }
 
 TEST(GdalFile, LinesOfAShapefile) {
-    NEEDS_GDAL();
     // One polyline of one part: type 3, its box, one part, two points.
     std::string content;
     put(content, 3, false);
@@ -116,7 +104,6 @@ TEST(GdalFile, LinesOfAShapefile) {
 }
 
 TEST(GdalFile, FilesWithoutGeometryAreRefused) {
-    NEEDS_GDAL();
     EXPECT_THROW(read_trace_file("no-such.dxf", "map", "joint"), InputError);
     EXPECT_THROW(read_trace_file(written("junk.gpkg", "junk"), "map", "joint"), InputError);
     EXPECT_THROW(

@@ -111,7 +111,8 @@ TEST(GeoFile, BecomesBlocks) {
     EXPECT_EQ(window.mesh.measured_points[1].name, "load 1");
     EXPECT_EQ(window.mesh.bolts.size(), 1u);
     EXPECT_THAT(window.report.warnings,
-                ElementsAre(HasSubstr("loads are given in the run file"), HasSubstr("bolt")));
+                ElementsAre(HasSubstr("loads are given in the run file"), HasSubstr("bolt"),
+                            HasSubstr("nothing holds 3 m"), HasSubstr("nothing holds 3 m")));
 }
 
 TEST(GeoFile, OtherTablesAddToTheGeoFile) {

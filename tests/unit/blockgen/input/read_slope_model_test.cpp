@@ -170,6 +170,15 @@ TEST_F(GeometryFile, TracesFromCsv) {
     EXPECT_THAT(error_of(path), HasSubstr("no joint material"));
 }
 
+TEST_F(GeometryFile, CommasAndHashesInQuotesAreText) {
+    const auto traces = read_trace_file(write("q.csv",
+                                              "x1,y1,x2,y2,\"note, of the day\",joint_material # header\n"
+                                              "0,0,1,1,\"wet, # 3\",\"fault, \"\"old\"\"\"\n"),
+                                        "t", "joint");
+    ASSERT_EQ(traces.size(), 1u);
+    EXPECT_EQ(traces[0].joint_material, "fault, \"old\"");
+}
+
 TEST_F(GeometryFile, CsvFaultsAreNamedWithTheirPlace) {
     EXPECT_THAT(error_of(write("b.csv", "x1,y1,x2\n0,0,1\n")), HasSubstr("no column 'y2'"));
     EXPECT_THAT(error_of(write("c.csv", "x1,y1,x2,y2\n0,0,1,nan\n")), HasSubstr("c.csv:2:7"));

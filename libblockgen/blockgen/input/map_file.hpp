@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "common/geometry/polygon.hpp"
+
+namespace rockslope::blockgen {
+
+/// A line of a map file.
+struct MapLine {
+    std::string joint_material;  ///< from the feature's field of that name; may be empty
+    std::string layer;           ///< DXF: layer of the drawing; otherwise layer of the file; may be empty
+    std::vector<Point> points;
+};
+
+/// What a map file says of its coordinates, and what of it was not read.
+struct MapNotes {
+    std::string system;            ///< coordinate reference system, as PROJ understands it; empty: not stated
+    std::string unit;              ///< of a drawing ($INSUNITS): "mm"; empty: not stated
+    std::size_t empty = 0;         ///< geometries without a point, skipped
+    std::size_t with_heights = 0;  ///< geometries with a third coordinate, which is ignored
+};
+
+struct MapLines {
+    MapNotes notes;
+    std::vector<MapLine> lines;
+};
+
+struct MapPolygons {
+    MapNotes notes;
+    std::vector<std::vector<Ring>> polygons;  ///< for each, the outer ring first
+};
+
+}  // namespace rockslope::blockgen

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "common/geometry/point.hpp"
+
+namespace rockslope::blockgen {
+
+/// A segment and the number of what it belongs to.
+struct NearSegment {
+    Point a, b;
+    std::int32_t owner = 0;
+    std::int32_t number = 0;  ///< of the segment within its owner
+};
+
+/// The point of a segment nearest to p.
+Point nearest_point(const NearSegment& segment, const Point& p);
+
+/// Finds the segments near a point by a uniform grid of buckets, about as many as segments. A segment of no
+/// length stands for a point.
+class NearSegments {
+  public:
+    /// @param radius the largest distance that is asked for, m.
+    NearSegments(std::vector<NearSegment> segments, double radius);
+
+    /// Calls visit(segment, nearest point, distance) for each segment within the radius of p, in the order in
+    /// which they were given.
+    template <class Visit>
+    void visit_near(const Point& p, const Visit& visit) const {
+        const std::size_t bucket = bucket_of(p);
+        for (std::int64_t k = first_[bucket]; k < first_[bucket + 1]; ++k) {
+            const NearSegment& segment = segments_[items_[k]];
+            const Point q = nearest_point(segment, p);
+            if (const double d = distance(p, q); d <= radius_) visit(segment, q, d);
+        }
+    }
+
+  private:
+    static double distance(const Point& p, const Point& q);
+    std::int64_t column(double x) const;
+    std::int64_t row(double y) const;
+    std::size_t bucket_of(const Point& p) const;
+    template <class Visit>
+    void for_each_bucket(const NearSegment& segment, const Visit& visit) const;
+
+    std::vector<NearSegment> segments_;
+    double radius_ = 0, width_ = 1;
+    Point low_;
+    std::int64_t columns_ = 1, rows_ = 1;
+    std::vector<std::int64_t> first_;
+    std::vector<std::int32_t> items_;
+};
+
+}  // namespace rockslope::blockgen
