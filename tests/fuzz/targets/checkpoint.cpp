@@ -1,6 +1,6 @@
 // A checkpoint whose digest is right, so that its bytes reach HDF5 and what restores a state.
-#include "common/base/sha256.hpp"
 #include "dda/checkpoint/checkpoint.hpp"
+#include "common/base/sha256.hpp"
 #include "dda/hdf/library_guard.hpp"
 #include "fuzz/targets/target.hpp"
 

@@ -1,5 +1,5 @@
-// Stands in for libFuzzer's main function where there is none: calls the target with the files that are named,
-// and with those in the folders that are named, each in a process of its own.
+// Stands in for libFuzzer's main function where there is none: calls the target with the files that are
+// named, and with those in the folders that are named, each in a process of its own.
 //   TARGET FILE_OR_FOLDER...
 #include <sys/wait.h>
 
