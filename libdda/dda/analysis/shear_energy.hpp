@@ -19,6 +19,7 @@ struct ShearedContact {
     }
 };
 
+/// A contact at the start or the end of a step.
 inline ShearedContact sheared(const Contact& contact) {
     return {contact.shear_force, contact.normal_force, contact.dilation, contact.joint_share};
 }
@@ -42,6 +43,7 @@ struct SharedSpring {
     double force = 0;      ///< N per metre
     double stiffness = 0;  ///< N/m per metre
     double stored = 0;     ///< J per metre
+    /// Adds the spring of a contact. @param spring_force N per metre; @param spring_stiffness N/m per metre.
     void add(double spring_force, double spring_stiffness) {
         force += spring_force;
         stiffness += spring_stiffness;

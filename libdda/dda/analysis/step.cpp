@@ -420,6 +420,13 @@ State TimeStepper::updated_state(const Stage& stage, const State& state, const S
                       .duration = duration_of(stage, step.dt),
                       .bonds_hold = bonds_hold(model_, stage)},
                      pool_, after.contacts.contacts);
+    record_energy(stage, state, step, result, after);
+    after.energy.numerical_loss += straining_loss;
+    return after;
+}
+
+void TimeStepper::record_energy(const Stage& stage, const State& state, const Step& step,
+                                const OpenCloseResult& result, State& after) const {
     const StepWork work{state.blocks,
                         step.mid,
                         step.contacts.contacts,
@@ -432,19 +439,17 @@ State TimeStepper::updated_state(const Stage& stage, const State& state, const S
                         result,
                         step.newmark,
                         stage.mass_damping,
-                        factor,
+                        velocity_factor(stage),
                         after.time,
                         step.loads,
                         duration_of(stage, step.dt)};
     ledger_.record_transfer(state.contacts.contacts, step.contacts.contacts, after.time, after.energy);
-    after.energy.numerical_loss += straining_loss;
     ledger_.record_contacts(work, after.contacts.contacts, after.energy);
     ledger_.record_spring_changes(work, after.contacts.contacts, after.energy);
     ledger_.record_constraints(work, after.energy);
     ledger_.record_blocks(work, after.energy);
     ledger_.record_boundaries(work, after.energy);
     ledger_.update_stored_energy(after, after.energy);
-    return after;
 }
 
 }  // namespace rockslope::dda

@@ -91,6 +91,9 @@ class TimeStepper {
     double largest_displacement(const State& state, BlockSpan<const Vec6> displacement) const;
     State updated_state(const Stage& stage, const State& state, const Step& step,
                         const OpenCloseResult& result, BlockSpan<const Vec6> displacement) const;
+    /// Adds the step to the energy balance of the state at its end.
+    void record_energy(const Stage& stage, const State& state, const Step& step,
+                       const OpenCloseResult& result, State& after) const;
 
     const Model& model_;
     ThreadPool pool_;
