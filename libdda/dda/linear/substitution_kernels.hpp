@@ -186,20 +186,20 @@ struct Substitution : Strips<Scalar, Bytes> {
         }
     }
 
-    /// sums = L^T x for `count` columns and strips [begin, end) of rows, see add_products(). The rows of a
+    /// sums = L^T x for `Count` columns and strips [begin, end) of rows, see add_products(). The rows of a
     /// strip are summed by halves, the same for vectors of any width.
-    template <int count>
+    template <int Count>
     DDA_KERNEL static void products(const PanelColumns& l, int begin, int end, const Scalar* x, int origin,
                                     Scalar* sums) {
-        constexpr int N = count < columns_at_once ? count : columns_at_once;
-        static_assert(count % N == 0);
-        Vector whole[count];
-        for (int first = 0; first < count; first += N) {
-            Vector sum[N][per_strip] = {};
-            const PanelColumns some{l.strips, l.columns, l.first + first, N};
-            add_products<N>(sum, some, begin, end, x, origin);
+        constexpr int group = Count < columns_at_once ? Count : columns_at_once;
+        static_assert(Count % group == 0);
+        Vector whole[Count];
+        for (int first = 0; first < Count; first += group) {
+            Vector sum[group][per_strip] = {};
+            const PanelColumns some{l.strips, l.columns, l.first + first, group};
+            add_products<group>(sum, some, begin, end, x, origin);
 #pragma GCC unroll 18
-            for (int q = 0; q < N; ++q) {
+            for (int q = 0; q < group; ++q) {
 #pragma GCC unroll 2
                 for (int half = per_strip / 2; half > 0; half /= 2) {
                     for (int v = 0; v < half; ++v) sum[q][v] += sum[q][v + half];
@@ -207,7 +207,7 @@ struct Substitution : Strips<Scalar, Bytes> {
                 whole[first + q] = sum[q][0];
             }
         }
-        sum_lanes<count>(whole, sums);
+        sum_lanes<Count>(whole, sums);
     }
 
     /// Backward substitution of a group of N block columns.
