@@ -237,9 +237,8 @@ void Ledger::record_normal_loss(const StepWork& step, ContactIndex k, double los
 
 /// Splits the work of shearing and dilating a joint: what neither its spring and its dilation store, Eq.
 /// (78), nor the end-of-step evaluation of the spring loses, Eq. (42), is friction loss if the joint segment
-/// slips. A locked one releases energy
-/// where its spring is found anew; its other difference is that of the evaluation. What the dilation of a
-/// joint stored before its first slip is released.
+/// slips. A locked one releases energy where its spring is found anew; its other difference is that of the
+/// evaluation. What the dilation of a joint stored before its first slip is released.
 double Ledger::record_dilating_shear(const StepWork& step, ContactIndex k, const Contact& advanced,
                                      const Shearing& shearing, Energy& energy) const {
     const EvaluatedContact& after = step.result.contacts[k];
