@@ -99,6 +99,16 @@ Ledger::Ledger(const Model& model, const RowMap& rows) : model_(model), rows_(ro
     for (const AreaMoments& moments : initial_block_system(model).moments) datum_.push_back(moments.centroid);
 }
 
+void Ledger::record_step(const StepWork& step, ContactSpan<const Contact> last, State& after) const {
+    record_transfer(last, step.before, after.time, after.energy);
+    record_contacts(step, after.contacts.contacts, after.energy);
+    record_spring_changes(step, after.contacts.contacts, after.energy);
+    record_constraints(step, after.energy);
+    record_blocks(step, after.energy);
+    record_boundaries(step, after.energy);
+    update_stored_energy(after, after.energy);
+}
+
 void Ledger::update_stored_energy(const State& state, Energy& energy) const {
     energy.kinetic = kinetic_energy(rows_, state.blocks);
     energy.strain = strain_energy(model_, rows_, state.blocks);

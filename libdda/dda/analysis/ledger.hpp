@@ -35,6 +35,10 @@ class Ledger {
   public:
     Ledger(const Model& model, const RowMap& rows);
 
+    /// Adds a step to the energy balance of the state at its end. @param last the contacts of the state at
+    /// its start, before they were found anew.
+    void record_step(const StepWork& step, ContactSpan<const Contact> last, State& after) const;
+
     /// Sets the stored energies to those of `state`.
     void update_stored_energy(const State& state, Energy& energy) const;
     /// Adds what the contacts' springs lose while those of a step replace those of the state before it.

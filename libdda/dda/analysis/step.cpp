@@ -443,13 +443,7 @@ void TimeStepper::record_energy(const Stage& stage, const State& state, const St
                         after.time,
                         step.loads,
                         duration_of(stage, step.dt)};
-    ledger_.record_transfer(state.contacts.contacts, step.contacts.contacts, after.time, after.energy);
-    ledger_.record_contacts(work, after.contacts.contacts, after.energy);
-    ledger_.record_spring_changes(work, after.contacts.contacts, after.energy);
-    ledger_.record_constraints(work, after.energy);
-    ledger_.record_blocks(work, after.energy);
-    ledger_.record_boundaries(work, after.energy);
-    ledger_.update_stored_energy(after, after.energy);
+    ledger_.record_step(work, state.contacts.contacts, after);
 }
 
 }  // namespace rockslope::dda
