@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "dda/analysis/run.hpp"
+#include "dda/analysis/run_observer.hpp"
 #include "dda/input/read_run.hpp"
 #include "dda/results/block_table.hpp"
 #include "dda/results/results.hpp"
