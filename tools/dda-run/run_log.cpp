@@ -24,6 +24,13 @@ std::string last_line(const std::filesystem::path& file) {
     return last;
 }
 
+/// Takes room for the line that tells why the run failed: a full disk has none left for it then.
+void reserve_last_line(int log, const std::filesystem::path& file) {
+    constexpr off_t room = 4096;
+    if (::fallocate(log, FALLOC_FL_KEEP_SIZE, 0, room) != 0 && errno == ENOSPC)
+        throw OutputError(file, std::string("cannot be written: ") + std::strerror(errno));
+}
+
 }  // namespace
 
 RunLog::RunLog(const std::filesystem::path& folder, std::string title)
@@ -32,6 +39,7 @@ RunLog::RunLog(const std::filesystem::path& folder, std::string title)
     const std::filesystem::path file = folder_ / "log";
     const int log = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0666);
     if (log < 0) throw OutputError(file, std::string("cannot be written: ") + std::strerror(errno));
+    reserve_last_line(log, file);
     std::array<char, 256> host{};
     ::gethostname(host.data(), host.size() - 1);
     std::ofstream(folder_ / "running") << host.data() << " " << ::getpid() << "\n";

@@ -230,7 +230,9 @@ bool read_unfinished(const fs::path& folder, const std::string& what, RowResult&
     }
     if (!fs::exists(folder / "log")) return false;
     result.state = RowState::failed;
-    result.message = last_line(folder / "log");
+    // A run takes room for its log before it begins.
+    const bool is_empty = fs::file_size(folder / "log") == 0;
+    result.message = is_empty ? "log: cannot be written: no space left" : last_line(folder / "log");
     const bool is_unwritten = result.message.find(": cannot be written") != std::string::npos;
     result.cause = what + (is_unwritten ? "not written" : "bad input, or not run");
     return true;

@@ -120,6 +120,9 @@ TEST_F(RowResultTest, KnowsWhereARowIs) {
     EXPECT_EQ(read().message, "run.toml:3: unknown key");
     write("row/log", "results/a/run.vtkhdf: cannot be written: No space left on device\n");
     EXPECT_EQ(read().cause, "not written");
+    write("row/log", "");
+    EXPECT_EQ(read().cause, "not written") << "the disk had no room for the first line";
+    EXPECT_EQ(read().message, "log: cannot be written: no space left");
     write("row/failed.json", R"({"status": "not converged", "message": "block 4"})");
     EXPECT_EQ(read().state, RowState::failed);
     EXPECT_EQ(read().cause, "not converged");
