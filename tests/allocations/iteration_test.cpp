@@ -75,8 +75,8 @@ TEST(Allocations, LaterIterationsAllocateOnlyNewDirections) {
         dda::TimeStepper stepper(model, threads);
         const dda::State state = dda::initial_state(model);
         large_allocations_in(stepper, {}, state, 2);
-        const long few = large_allocations_in(stepper, {}, state, 4);
-        for (const int iterations : {8, 12, 16}) {
+        const long few = large_allocations_in(stepper, {}, state, 3);
+        for (const int iterations : {4, 5, 6}) {
             EXPECT_LE(large_allocations_in(stepper, {}, state, iterations) - few,
                       max_directions * allocations_per_direction)
                 << iterations << " iterations, " << threads << " threads";

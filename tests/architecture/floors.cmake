@@ -2,7 +2,7 @@
 # The floors of each library from the ground up; floors on one line do not see each other.
 set(storeys_of_common "base" "geometry config" "drawing")
 set(storeys_of_blockgen "mesh" "input noding" "arrangement" "faces" "sampling" "report" "cut" "picture")
-set(storeys_of_dda "base" "geometry linear joint hdf" "model" "block" "contact" "terms" "analysis" "monitor" "input"
+set(storeys_of_dda "base" "geometry linear joint hdf" "model" "block" "contact" "terms" "solve" "analysis" "monitor" "input"
     "laboratory writers" "checkpoint" "results")
 set(storeys_of_record "record")
 set(storeys_of_study "statistics design csv" "plan" "folder" "table cluster" "analysis" "picture")
@@ -14,7 +14,7 @@ set(levels_of_analysis
     "bonds deepest_contact lost_blocks segment_friction step_report"
     "moving_block run_observer trial_contacts"
     "augmentation line_search shear_line step_matrix trial_dilation"
-    "friction_coupling interior_point"
+    "friction_coupling interior_point limited_contacts"
     "interior_coupling open_close_iteration"
     "ledger rotation_prediction"
     "excavate perturb step stop_limit"

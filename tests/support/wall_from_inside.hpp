@@ -12,7 +12,7 @@ namespace rockslope::scene {
 /// slide.
 struct LoadedWall {
     FirstStep step;
-    dda::BlockMatrix work;
+    dda::IterationWorkspace work;
     std::unique_ptr<dda::LinearSolver> solver;
     std::vector<Vec6> start;
 
@@ -49,7 +49,7 @@ struct WallFromInside {
     LoadedWall wall;
     dda::StepProblem problem = wall.step.problem();
     dda::TrialContacts trials = wall.trials(problem);
-    dda::StepMatrix matrix{problem, wall.step.pattern, wall.work, wall.step.pool};
+    dda::StepMatrix matrix{problem, wall.step.pattern, wall.work.matrix, wall.step.pool};
     dda::InteriorPoint interior{problem, trials, matrix, *wall.solver, wall.step.pool};
     dda::PerRow<Vec6> d{wall.start};
 

@@ -12,6 +12,8 @@ constexpr int max_directions = 12;
 /// Target of the largest residual over its first value. A smaller residual is useless, because the active set
 /// will change.
 constexpr double relative_tolerance = 0.02;
+/// Smallest residual over the force tolerance. Less accurate friction lets small blocks wander.
+constexpr double force_ratio = 0.05;
 /// A direction stagnates if the residual norm stays above this fraction of its previous value. The second
 /// stagnating direction is the last.
 constexpr double stagnation_ratio = 0.8;
@@ -227,7 +229,8 @@ void FrictionCoupling::minimize_residual(int count) {
 int FrictionCoupling::solve(std::span<Vec6> d) {
     find_sliding(d);
     double largest_residual = update_residuals();
-    const double target_residual = std::max(trials_.tolerance() / 2, relative_tolerance * largest_residual);
+    const double target_residual =
+        std::max(force_ratio * trials_.tolerance(), relative_tolerance * largest_residual);
     int count = 0;
     for (int stagnations = 0;
          largest_residual > target_residual && stagnations < max_stagnations && count < max_directions;) {

@@ -21,9 +21,9 @@ class FrictionCoupling {
     FrictionCoupling(const StepProblem& problem, TrialContacts& trials, LinearSolver& solver,
                      const ThreadPool& pool);
 
-    /// Changes the friction forces until the largest residual is below 2 % of its first value or half of the
-    /// force tolerance, or stagnates, in at most twelve back-substitutions. Then sets the contacts' bounds to
-    /// the friction forces.
+    /// Changes the friction forces until the largest residual is below 2 % of its first value or a
+    /// twentieth of the force tolerance, or stagnates, in at most twelve back-substitutions. Then sets the
+    /// contacts' bounds to the friction forces.
     /// @param d solution with the present friction forces on entry, with the new ones on return.
     /// @return number of back-substitutions.
     int solve(std::span<Vec6> d);

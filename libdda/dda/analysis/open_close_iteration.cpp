@@ -6,10 +6,12 @@
 
 #include "dda/analysis/friction_coupling.hpp"
 #include "dda/analysis/interior_point.hpp"
+#include "dda/analysis/limited_contacts.hpp"
 #include "dda/analysis/line_search.hpp"
 #include "dda/analysis/step_matrix.hpp"
 #include "dda/analysis/trial_contacts.hpp"
 #include "dda/linear/anderson.hpp"
+#include "dda/solve/patches.hpp"
 
 namespace rockslope::dda {
 
@@ -23,6 +25,16 @@ constexpr int bound_update_iterations = 16;
 /// contacts change their state at once.
 constexpr int short_length_limit = 3;
 constexpr double short_length = 0.1;
+/// Number of iterations that balance the blocks in patches; the others search along a line.
+constexpr int patch_iterations = 12;
+/// Share of the largest unbalanced force above which a block is balanced in a patch, in the first iteration
+/// and later. With 1e-3 instead of none in the first a slope of 381 blocks takes 40 % fewer patches.
+constexpr double first_patch_share = 1e-3;
+constexpr double patch_share = 0.02;
+/// Number of iterations in which first entrances and gaps follow every iterate.
+constexpr int entrance_iterations = 4;
+/// Number of times that first entrances are selected anew later, where the forces agree with the laws.
+constexpr int entrance_round_limit = 4;
 /// Number of earlier minima that the Anderson mixing of the bounds uses.
 constexpr int bound_memory = 6;
 
@@ -54,10 +66,11 @@ constexpr int interior_round_limit = 8;
 class OpenCloseIteration {
   public:
     OpenCloseIteration(const StepProblem& problem, const BlockPattern& pattern, LinearSolver& solver,
-                       BlockMatrix& work, const ThreadPool& pool, PhaseTimes* times)
+                       IterationWorkspace& work, const ThreadPool& pool, PhaseTimes* times)
         : p_(problem),
           solver_(solver),
-          matrix_(problem, pattern, work, pool),
+          work_(work),
+          matrix_(problem, pattern, work.matrix, pool),
           pool_(pool),
           times_(times),
           trials_(problem, pool),
@@ -70,6 +83,10 @@ class OpenCloseIteration {
           bound_mixing_(bound_memory),
           augmentation_mixing_(augmentation_memory) {
         displacement_.assign(p_.rows.count(), Vec6::Zero());
+        length_.resize(p_.rows.count());
+        for (const RowIndex row : length_.indices())
+            length_[row] = std::sqrt(p_.blocks.moments[p_.rows.block_of[row]].area);
+        if (!p_.bolts.empty()) find_contacts_and_bolts();
     }
 
     OpenCloseResult run() {
@@ -80,9 +97,13 @@ class OpenCloseIteration {
             const bool bounds_follow = iterations_since_restart() <= bound_update_iterations;
             bounds_follow ? solve_with_coupled_friction() : solve_with_fixed_friction();
             end_of(Phase::solution, times_);
-            advance_to_target();
-            trials_.set_displacement(displacement_, target_);
-            if (bounds_follow || is_at_minimum()) update_bounds_and_test(bounds_follow);
+            const bool in_patches = iterations_since_restart() <= patch_iterations;
+            in_patches ? advance_fully() : advance_to_target();
+            evaluate(in_patches);
+            if (in_patches)
+                test_and_relax();
+            else if (bounds_follow || is_at_minimum())
+                update_bounds_and_test(bounds_follow);
             if (result_.converged) break;
             matrix_changed = trials_.update_active_set();
             if (is_stalled()) {
@@ -167,13 +188,23 @@ class OpenCloseIteration {
     /// follow every iterate are mixed from one minimum of the potential to the next.
     void update_bounds_and_test(bool bounds_follow) {
         const Eigen::VectorXd previous_bounds = bounds_follow ? Eigen::VectorXd() : trials_.shear_bounds();
-        trials_.select_first_entrances();
+        follow_entrances();
         if (result_.iterations <= dilation_iterations) trials_.update_dilation();
         trials_.update_bounds();
         if (is_converged_exactly() && !trials_.break_bonds())
             accept_or_restart();
         else if (!bounds_follow)
             trials_.set_shear_bounds(bound_mixing_.next(previous_bounds, trials_.shear_bounds()));
+    }
+
+    /// Selects the first entrances at each of the first iterates, later only where the forces agree with the
+    /// laws: a line that is exchanged to and fro keeps the others from settling.
+    void follow_entrances() {
+        if (iterations_since_restart() <= entrance_iterations) {
+            trials_.select_first_entrances();
+        } else if (entrance_rounds_ < entrance_round_limit && is_at_minimum()) {
+            if (trials_.select_first_entrances()) ++entrance_rounds_;
+        }
     }
 
     /// Accepts a converged iterate, unless dilation or augmentation changes the problem: then restarts.
@@ -245,6 +276,53 @@ class OpenCloseIteration {
         is_at_target_ = remaining == 0;
         apply_step_length();
     }
+    /// Evaluates the laws at the iterate. @param in_patches gaps follow the first iterates exactly; later
+    /// they stay linear until the forces agree with the laws: a contact that hardly bears a force would open
+    /// and close by the second-order part of its gap.
+    void evaluate(bool in_patches) {
+        using Gaps = TrialContacts::Gaps;
+        const bool is_linear = in_patches && iterations_since_restart() > entrance_iterations;
+        trials_.set_displacement(displacement_, target_, is_linear ? Gaps::linear : Gaps::exact);
+        if (is_linear && is_at_minimum()) trials_.set_displacement(displacement_, target_);
+    }
+    /// Finds the contacts and bolts of all rows.
+    void find_contacts_and_bolts() {
+        PerContact<ContactSprings> springs(p_.springs.begin(), p_.springs.end());
+        for (const BoltSpring& bolt : p_.bolts) {
+            springs.emplace_back();
+            springs[ContactIndex(springs.size() - 1)].rows = bolt.rows;
+        }
+        work_.row_contacts.find(p_.rows.count(), springs);
+    }
+    void advance_fully() {
+        displacement_ = target_;
+        is_at_target_ = true;
+    }
+    /// Tests for convergence at the solution of the linear system. Otherwise balances the blocks there whose
+    /// forces do not, in patches, and updates the dilation from there.
+    void test_and_relax() {
+        follow_entrances();
+        trials_.update_bounds();
+        if (is_converged_exactly() && !trials_.break_bonds()) {
+            accept_or_restart();
+            return;
+        }
+        relax_in_patches();
+        if (result_.iterations <= dilation_iterations) trials_.update_dilation();
+        trials_.update_bounds();
+    }
+    void relax_in_patches() {
+        limit_contacts(p_, trials_, displacement_, pool_, work_.contacts);
+        const double share = iterations_since_restart() == 1 ? first_patch_share : patch_share;
+        const PatchAims aims{trials_.tolerance(), share, length_};
+        const LimitedStep step{p_.base, p_.bolts.empty() ? p_.row_contacts : work_.row_contacts,
+                               work_.contacts};
+        if (work_.patches.relax(step, aims, displacement_, pool_) == 0) return;
+        is_at_target_ = false;
+        remaining_displacement_.resize(target_.size());
+        for (const RowIndex r : target_.indices()) remaining_displacement_[r] = target_[r] - displacement_[r];
+        trials_.move_to(displacement_);
+    }
     void apply_step_length() {
         displacement_ = target_;
         if (is_at_target_) return;
@@ -290,7 +368,7 @@ class OpenCloseIteration {
         if (substitutions > 0) {
             apply_step_length();
             trials_.set_displacement(displacement_, target_);
-            trials_.select_first_entrances();
+            follow_entrances();
         } else if (!trials_.has_segments()) {
             return true;
         }
@@ -321,6 +399,7 @@ class OpenCloseIteration {
 
     const StepProblem& p_;
     LinearSolver& solver_;
+    IterationWorkspace& work_;
     StepMatrix matrix_;
     const ThreadPool& pool_;
     PhaseTimes* times_;
@@ -334,14 +413,16 @@ class OpenCloseIteration {
     PerRow<Vec6> displacement_;            ///< per row: the present iterate, m
     PerRow<Vec6> remaining_displacement_;  ///< per row: from the iterate to target_, m
     bool is_at_target_ = true;             ///< the iterate is target_
+    PerRow<double> length_;                ///< per row: square root of the block's area, m
     double iteration_residual_;            ///< residual of linear solutions over the load
     int substitutions_ = 0;
     int iterations_at_restart_ = 0;
     int augmentations_ = 0;
     int short_steps_ = 0;  ///< step lengths below short_length
     bool interior_point_failed_ = false;
-    int limits_ = 0;  ///< rounds in which the dilation was limited
-    int minima_ = 0;  ///< minima of the potential since the last augmentation
+    int limits_ = 0;           ///< rounds in which the dilation was limited
+    int entrance_rounds_ = 0;  ///< selections of first entrances at minima that exchanged lines
+    int minima_ = 0;           ///< minima of the potential since the last augmentation
     AndersonMixing bound_mixing_;
     AndersonMixing augmentation_mixing_;
     OpenCloseResult result_;
@@ -350,7 +431,7 @@ class OpenCloseIteration {
 }  // namespace
 
 OpenCloseResult iterate_open_close(const StepProblem& problem, const BlockPattern& pattern,
-                                   LinearSolver& solver, BlockMatrix& work, const ThreadPool& pool,
+                                   LinearSolver& solver, IterationWorkspace& work, const ThreadPool& pool,
                                    PhaseTimes* times) {
     return OpenCloseIteration(problem, pattern, solver, work, pool, times).run();
 }

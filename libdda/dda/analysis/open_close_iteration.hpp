@@ -6,6 +6,7 @@
 #include "dda/analysis/step_problem.hpp"
 #include "dda/base/phase_times.hpp"
 #include "dda/linear/linear_solver.hpp"
+#include "dda/solve/patches.hpp"
 
 namespace rockslope::dda {
 
@@ -19,6 +20,14 @@ struct OpenCloseResult : StepCounts {
     std::vector<double> bolt_force;         ///< per bolt
 };
 
+/// Memory that the caller keeps from step to step.
+struct IterationWorkspace {
+    BlockMatrix matrix;
+    Patches patches;
+    PerContact<LimitedContact> contacts;  ///< and bolts
+    RowContacts row_contacts;             ///< of them, where there are bolts
+};
+
 /// Shi's open-close iteration: an active-set (semi-smooth Newton) method with line search. Finds the
 /// displacement of the step in which every contact obeys its joint law (table of states, theory sec. 5).
 ///
@@ -30,9 +39,9 @@ struct OpenCloseResult : StepCounts {
 /// potential, with Anderson mixing. Penetration beyond the tolerance of the model is removed by augmented
 /// Lagrangian updates, Eq. (37). Converged means that no contact force changes by more than the tolerance,
 /// Eq. (36); the states open, sliding and locked are not compared.
-/// @param work receives the matrix; the caller keeps its memory. @param times null: no timing.
+/// @param times null: no timing.
 OpenCloseResult iterate_open_close(const StepProblem& problem, const BlockPattern& pattern,
-                                   LinearSolver& solver, BlockMatrix& work, const ThreadPool& pool,
+                                   LinearSolver& solver, IterationWorkspace& work, const ThreadPool& pool,
                                    PhaseTimes* times = nullptr);
 
 }  // namespace rockslope::dda

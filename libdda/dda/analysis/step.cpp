@@ -351,7 +351,7 @@ OpenCloseResult TimeStepper::solve(const Stage& stage, const State& state, const
         step.dashpots,
         held,
         tolerated_gain * turned_over(state.energy)};
-    return iterate_open_close(problem, pattern_, *solver_, matrix_, pool_, times_);
+    return iterate_open_close(problem, pattern_, *solver_, work_, pool_, times_);
 }
 
 PerBlock<Vec6> TimeStepper::all_displacements(const Step& step, const OpenCloseResult& result) const {

@@ -105,7 +105,7 @@ class TimeStepper {
     double edge_length_ = 0;          ///< m, median of the block edges
     BlockPattern pattern_;
     std::vector<CornerEdge> pattern_candidates_;  ///< the candidates that pattern_ was computed from
-    BlockMatrix matrix_;
+    IterationWorkspace work_;
     RowContacts row_contacts_;
     std::unique_ptr<LinearSolver> solver_;
     PhaseTimes* times_ = nullptr;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 #include "dda/analysis/joint_motion.hpp"
 #include "dda/contact/detect.hpp"
@@ -189,8 +190,24 @@ double TrialContacts::bound_at(ContactIndex k, double normal, RowSpan<const Vec6
 
 // --- evaluation
 
-void TrialContacts::set_displacement(RowSpan<const Vec6> d, RowSpan<const Vec6> target) {
+void TrialContacts::set_displacement(RowSpan<const Vec6> d, RowSpan<const Vec6> target, Gaps gaps) {
     evaluated_ = true;
+    for_contacts([&](ContactIndex k) {
+        const Vec2 balanced = p_.springs[k].rows.relative_displacement(target);
+        Trial& trial = trials_[k];
+        trial.linear = linear_forces(k, normal_measure(k).at(balanced), p_.springs[k].shear.at(balanced));
+        trial.linear.shear += trial.tilt * trial.linear.normal;
+    });
+    for (std::size_t k = 0; k < elongation_.size(); ++k) {
+        const BoltSpring& bolt = p_.bolts[k];
+        linear_bolt_[k] = linear_bolt_force(k, bolt.rows.measure(bolt.elongation, target));
+    }
+    move_to(d);
+    if (gaps == Gaps::exact) measure_gaps(d);
+}
+
+/// The offsets of Eq. (21).
+void TrialContacts::measure_gaps(RowSpan<const Vec6> d) {
     const Topology& topology = p_.model.topology;
     moved_vertices_.resize(p_.blocks.vertices.size());
     pool_.parallel_for(p_.prescribed.size(), [&](std::size_t begin, std::size_t end) {
@@ -203,33 +220,34 @@ void TrialContacts::set_displacement(RowSpan<const Vec6> d, RowSpan<const Vec6> 
     });
     for_contacts([&](ContactIndex k) {
         const Contact& contact = p_.contacts[k];
-        const ContactSprings& s = p_.springs[k];
         Trial& trial = trials_[k];
-        const Vec2 relative_displacement = s.rows.relative_displacement(d);
-        const RelativeMeasure normal = normal_measure(k);
-        const Vec2 balanced = s.rows.relative_displacement(target);
-        trial.linear = linear_forces(k, normal.at(balanced), s.shear.at(balanced));
-        trial.linear.shear += trial.tilt * trial.linear.normal;
-        // The linearised dilation continues to the new iterate.
-        const double shearing = s.shear.at(relative_displacement);
-        trial.dilation_increment += trial.tilt * (shearing - trial.shearing);
-        trial.opening = normal.at(relative_displacement);
-        trial.shearing = shearing;
         const CornerEdgeGeometry geometry =
             corner_edge_geometry(moved_vertices_[contact.corner], moved_vertices_[start_of(contact.edge)],
                                  moved_vertices_[topology.end_of(contact.edge)]);
         // The gap less its linear measure, Eq. (21).
         trial.gap_offset = geometry.gap - contact.dilation - trial.opening - trial.tilt * trial.shearing;
     });
+}
+
+void TrialContacts::move_to(RowSpan<const Vec6> d) {
+    for_contacts([&](ContactIndex k) {
+        const ContactSprings& s = p_.springs[k];
+        Trial& trial = trials_[k];
+        const Vec2 relative_displacement = s.rows.relative_displacement(d);
+        const double shearing = s.shear.at(relative_displacement);
+        // The linearised dilation continues to the new iterate.
+        trial.dilation_increment += trial.tilt * (shearing - trial.shearing);
+        trial.opening = normal_measure(k).at(relative_displacement);
+        trial.shearing = shearing;
+    });
     for (std::size_t k = 0; k < elongation_.size(); ++k) {
         const BoltSpring& bolt = p_.bolts[k];
         elongation_[k] = bolt.rows.measure(bolt.elongation, d);
-        linear_bolt_[k] = linear_bolt_force(k, bolt.rows.measure(bolt.elongation, target));
     }
 }
 
 /// First entrance, Eq. (28).
-void TrialContacts::select_first_entrances() {
+bool TrialContacts::select_first_entrances() {
     first_entrance_.assign(groups_, ContactIndex::none());
     for (const ContactIndex k : trials_.indices()) {
         const int group = p_.contacts[k].group;
@@ -240,10 +258,11 @@ void TrialContacts::select_first_entrances() {
         };
         if (!best.exists() || entrance_gap(k) > entrance_gap(best)) best = k;
     }
-    for_contacts([&](ContactIndex k) {
+    return for_any_contact([&](ContactIndex k) {
         const int group = p_.contacts[k].group;
-        if (group >= 0 && !p_.contacts[k].inhibited)
-            trials_[k].may_close = p_.contacts[first_entrance_[group]].line == p_.contacts[k].line;
+        if (group < 0 || p_.contacts[k].inhibited) return false;
+        const bool may_close = p_.contacts[first_entrance_[group]].line == p_.contacts[k].line;
+        return std::exchange(trials_[k].may_close, may_close) != may_close;
     });
 }
 

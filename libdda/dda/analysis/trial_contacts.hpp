@@ -69,6 +69,9 @@ struct ContactLaw {
 /// bounds couple the two forces; they are zero where the contact is open.
 class TrialContacts {
   public:
+    /// How gaps follow from a displacement.
+    enum class Gaps { exact, linear };
+
     TrialContacts(const StepProblem& problem, const ThreadPool& pool);
 
     std::size_t count() const { return trials_.size(); }
@@ -142,6 +145,12 @@ class TrialContacts {
         const double normal = current_forces(k).normal;
         return normal > 0 ? in_direction(k, trials_[k].bounds) / normal : 0;
     }
+    /// Both shear bounds over the normal force at which they were set; zero without one.
+    Strength bounds_over_normal_force(ContactIndex k) const {
+        const Trial& trial = trials_[k];
+        if (!(trial.held_normal > 0)) return {};
+        return {trial.bounds.forward / trial.held_normal, trial.bounds.backward / trial.held_normal, 0};
+    }
     const JointLaw& law_of(ContactIndex k) const {
         return p_.model.joint_material_at(p_.contacts[k].joint_material).law;
     }
@@ -187,11 +196,14 @@ class TrialContacts {
     /// Computes gaps and displacements of all contacts at an iterate. Gaps are exact there; Eq. (21) shifts
     /// their linearisation.
     /// @param d the iterate, per row; @param target the solution of the linear system, whose forces balance.
-    void set_displacement(RowSpan<const Vec6> d, RowSpan<const Vec6> target);
+    /// @param gaps linear: as linearised at the last iterate with exact ones.
+    void set_displacement(RowSpan<const Vec6> d, RowSpan<const Vec6> target, Gaps gaps = Gaps::exact);
+    /// Moves to another iterate near the last one: gaps are linear in the displacement in between.
+    void move_to(RowSpan<const Vec6> d);
     /// First entrance, Eq. (28): of each group of entrance lines at a vertex-vertex contact, only the line
     /// with the largest gap, which is crossed last, may close. Inherited penetration adds twice its depth to
-    /// the gap.
-    void select_first_entrances();
+    /// the gap. @return whether any line was exchanged.
+    bool select_first_entrances();
     /// The largest difference between a force of the linear system at its solution and the force of the law
     /// at the iterate, of contacts and bolts, N per metre.
     struct ForceChange {
@@ -277,6 +289,8 @@ class TrialContacts {
     template <class Predicate>
     bool for_any_contact(const Predicate& predicate) const;
     Trial initial_trial(ContactIndex k) const;
+    /// Measures the gaps at the iterate, with which they are linearised from there.
+    void measure_gaps(RowSpan<const Vec6> d);
     NormalDashpot dashpot(ContactIndex k) const {
         return p_.dashpots.empty() ? NormalDashpot() : p_.dashpots[k];
     }

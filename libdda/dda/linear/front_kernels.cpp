@@ -209,6 +209,32 @@ struct Kernels : Strips<Scalar, Bytes> {
                 form_tile<1>(rows, v, j * unknowns, columns, update.scalars, update.stride);
         }
     }
+
+    DDA_KERNEL static void subtract_product_of_columns(const SixColumns<Scalar>& c,
+                                                       const SixColumns<const Scalar>& a, const Scalar* b,
+                                                       int count) {
+        int r = 0;
+        for (; r + lanes <= count; r += lanes) {
+            Vector sum[unknowns];
+#pragma GCC unroll 6
+            for (int q = 0; q < unknowns; ++q) sum[q] = S::load(c.scalars + q * c.stride + r);
+#pragma GCC unroll 6
+            for (int p = 0; p < unknowns; ++p) {
+                const Vector row = S::load(a.scalars + p * a.stride + r);
+#pragma GCC unroll 6
+                for (int q = 0; q < unknowns; ++q) sum[q] -= row * b[q * unknowns + p];
+            }
+#pragma GCC unroll 6
+            for (int q = 0; q < unknowns; ++q) S::store(sum[q], c.scalars + q * c.stride + r);
+        }
+        for (; r < count; ++r) {
+            for (int q = 0; q < unknowns; ++q) {
+                Scalar sum = c.scalars[q * c.stride + r];
+                for (int p = 0; p < unknowns; ++p) sum -= a.scalars[p * a.stride + r] * b[q * unknowns + p];
+                c.scalars[q * c.stride + r] = sum;
+            }
+        }
+    }
 };
 
 // An attribute cannot stand in parentheses. NOLINTBEGIN(bugprone-macro-parentheses)
@@ -229,8 +255,13 @@ struct Kernels : Strips<Scalar, Bytes> {
         attribute static void backward(const Scalar* p, int k, int s, Scalar* x) {                          \
             S::backward(p, k, s, x);                                                                        \
         }                                                                                                   \
-        static constexpr FrontKernels<Scalar> set{factor_pivots, solve_rows, form_update, invert_groups,    \
-                                                  forward,       backward,   text,        fused};           \
+        attribute static void subtract_product(const SixColumns<Scalar>& c,                                 \
+                                               const SixColumns<const Scalar>& a, const Scalar* b, int r) { \
+            K::subtract_product_of_columns(c, a, b, r);                                                     \
+        }                                                                                                   \
+        static constexpr FrontKernels<Scalar> set{factor_pivots,    solve_rows, form_update,                \
+                                                  invert_groups,    forward,    backward,                   \
+                                                  subtract_product, text,       fused};                     \
     }
 // NOLINTEND(bugprone-macro-parentheses)
 

@@ -11,6 +11,13 @@ struct FrontUpdate {
     long stride;  ///< scalars from one column of the first block column to the next
 };
 
+/// Six columns of a matrix that is stored by columns.
+template <class Scalar>
+struct SixColumns {
+    Scalar* scalars;
+    long stride;  ///< scalars from one column to the next
+};
+
 /// The dense kernels of a front. The rows of a panel are stored in strips: scalar (r, c) of a panel of k
 /// block columns is at ((r / w) * 6 k + c) * w + r % w, w = strip_rows<Scalar>, so that work on a few rows
 /// reads memory sequentially. The panel is zero above its diagonal blocks. The factors of the diagonal
@@ -35,6 +42,9 @@ struct FrontKernels {
     void (*forward)(const Scalar* panel, int pivots, int strips, Scalar* x);
     /// Backward substitution: x1 = L11^-T (x1 - L21^T x2).
     void (*backward)(const Scalar* panel, int pivots, int strips, Scalar* x);
+    /// c -= a b for matrices of six columns, stored by columns: c and a have `rows` rows, b has six.
+    void (*subtract_product)(const SixColumns<Scalar>& c, const SixColumns<const Scalar>& a, const Scalar* b,
+                             int rows);
     const char* name;  ///< of the vector extension: "avx512", "avx2", "fma", "plain"
     /// Whether products are added without being rounded first. False for processors without fused
     /// multiply-adds only, whose results differ in the last digits.

@@ -32,7 +32,7 @@ struct LoadedBlock {
     }
     void iterate(int iteration_limit = 100) {
         step.control.iteration_limit = iteration_limit;
-        dda::BlockMatrix work;
+        dda::IterationWorkspace work;
         const auto solver = dda::make_linear_solver(dda::SolverKind::multifrontal, step.pool);
         solver->analyze(step.pattern);
         result = dda::iterate_open_close(step.problem(), step.pattern, *solver, work, step.pool);

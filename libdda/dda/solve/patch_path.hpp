@@ -1,0 +1,99 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "dda/linear/envelope_lu.hpp"
+#include "dda/solve/limited_contact.hpp"
+#include "dda/terms/row_contacts.hpp"
+
+namespace rockslope::dda {
+
+/// The contacts of a step with their laws frozen but for their limits.
+struct LimitedStep {
+    const BaseSystem& base;
+    const RowContacts& row_contacts;
+    ContactSpan<const LimitedContact> contacts;
+};
+
+/// The displacements of a step, and the elastic forces of the contacts there.
+struct LimitedIterate {
+    RowSpan<Vec6> displacement;  ///< m
+    ContactSpan<ElasticForces> elastic;
+};
+
+/// The path that leads the blocks of a patch to balance, while those around it stay: the unbalanced forces
+/// fall in proportion, F(d) = (1 - lambda) F(d0), Eq. (99). F is linear in pieces, so the path is straight
+/// from border to border. At each border the matrix changes by one product of two vectors. Where its
+/// determinant changes sign the path turns back in lambda [katzenelson1965; fujisawakuh1972]. Memory is
+/// kept from patch to patch.
+class PatchPath {
+  public:
+    struct Outcome {
+        bool balanced = false;
+        int borders = 0;  ///< crossed on the way
+    };
+    /// Follows the path to its end. Where that is not reached, the iterate stays as it was.
+    /// @param rows the patch.
+    Outcome follow(const LimitedStep& step, std::span<const RowIndex> rows, LimitedIterate iterate);
+
+  private:
+    /// A contact of the patch.
+    struct Local {
+        ContactIndex contact;
+        int first = -1;  ///< its blocks in the patch; -1 outside
+        int second = -1;
+        Vec6 opening_first, opening_second;  ///< gradients by the unknowns of its blocks
+        Vec6 shearing_first, shearing_second;
+        Piece piece;
+        ElasticForces at;    ///< on the path
+        ElasticForces rate;  ///< change for a change of lambda by 1
+    };
+    /// A change of the matrix: the forces of a contact follow its elastic forces in another way.
+    struct Change {
+        std::vector<Vec6> response;  ///< displacements by the forces' change
+        std::size_t contact = 0;     ///< index in contacts_
+        Vec2 normal;                 ///< of the border
+        double pivot = 1;            ///< ratio of the determinants after and before
+    };
+
+    const LimitedContact& limited(const Local& local) const { return step_->contacts[local.contact]; }
+    void order(std::span<const RowIndex> rows);
+    /// Walks from a block to its neighbours that are not met yet. @param met receives the blocks in the order
+    /// in which they are met, behind those that it has.
+    void walk_from(RowIndex root, std::vector<RowIndex>& met);
+    void find_contacts(const LimitedIterate& iterate);
+    void add_contact(ContactIndex contact, const LimitedIterate& iterate);
+    void find_unbalanced(RowSpan<const Vec6> displacement);
+    /// Adds the forces of a contact to the unbalanced forces. @param forces normal and shear, N per metre
+    static void add_forces(const Local& local, const Vec2& forces, std::span<Vec6> unbalanced);
+    /// Factorises the matrix of the present pieces, and finds the direction of the path.
+    /// @return the sign of the determinant.
+    int find_direction();
+    void add_springs(const Local& local);
+    /// Solves with the matrix of the present pieces.
+    void solve(std::span<Vec6> x) const;
+    ElasticForces change_of(const Local& local, std::span<const Vec6> x) const;
+    /// The next border. @param sense 1 or -1: lambda grows or falls. @return its contact's index, or none.
+    std::size_t next_border(int sense, Border& border) const;
+    void move(double distance);
+    /// Crosses a border. @return the ratio of the determinants after and before.
+    double cross(std::size_t contact, const Border& border);
+    void store(LimitedIterate iterate) const;
+
+    const LimitedStep* step_ = nullptr;
+    EnvelopeLu factors_;
+    std::vector<int> last_;       ///< per row of the matrix, the last one with a submatrix
+    PerRow<int> local_row_;       ///< per row: its place in rows_, or a mark below
+    std::vector<RowIndex> met_;   ///< work space
+    std::vector<RowIndex> rows_;  ///< the patch, in the order of the matrix
+    std::vector<Local> contacts_;
+    std::vector<Vec6> unbalanced_;      ///< at the start of the path
+    std::vector<Vec6> moved_;           ///< displacements since then
+    std::vector<Vec6> direction_;       ///< displacements for a change of lambda by 1
+    std::vector<ElasticForces> start_;  ///< per contact of the patch
+    std::vector<Change> changes_;       ///< since the last factorisation
+    std::size_t change_count_ = 0;
+};
+
+}  // namespace rockslope::dda

@@ -1,0 +1,110 @@
+#include "dda/solve/patches.hpp"
+
+#include <algorithm>
+
+namespace rockslope::dda {
+
+namespace {
+
+/// Unbalanced blocks of a patch, and rings of neighbours around them.
+constexpr std::size_t core_size = 10;
+constexpr int rings = 2;
+
+}  // namespace
+
+int Patches::relax(const LimitedStep& step, const PatchAims& aims, RowSpan<Vec6> displacement,
+                   const ThreadPool& pool) {
+    step_ = &step;
+    in_patch_.assign(displacement.size(), 0);
+    find_elastic_forces(displacement, pool);
+    find_unbalanced(aims, displacement, pool);
+    int patches = 0;
+    for (const RowIndex row : is_unbalanced_.indices()) {
+        if (is_unbalanced_[row] == 0) continue;
+        set_core(row);
+        for (int ring = 0; ring < rings; ++ring) add_ring();
+        for (const RowIndex each : patch_) in_patch_[each] = 0;
+        path_.follow(step, patch_, {displacement, elastic_});
+        ++patches;
+    }
+    return patches;
+}
+
+void Patches::find_elastic_forces(RowSpan<const Vec6> displacement, const ThreadPool& pool) {
+    elastic_.resize(step_->contacts.size());
+    forces_.resize(step_->contacts.size());
+    pool.parallel_for(elastic_.size(), [&](std::size_t begin, std::size_t end) {
+        for (const ContactIndex k : indices<ContactIndex>(begin, end)) {
+            const LimitedContact& contact = step_->contacts[k];
+            if (!contact.may_close) continue;
+            elastic_[k] = contact.elastic_at(displacement);
+            forces_[k] = contact.on(contact.piece_at(elastic_[k])).at(elastic_[k]);
+        }
+    });
+}
+
+void Patches::find_unbalanced(const PatchAims& aims, RowSpan<const Vec6> displacement,
+                              const ThreadPool& pool) {
+    unbalanced_.resize(displacement.size());
+    is_unbalanced_.resize(displacement.size());
+    pool.parallel_for(unbalanced_.size(), [&](std::size_t begin, std::size_t end) {
+        for (const RowIndex row : indices<RowIndex>(begin, end)) {
+            Vec6 force = unbalanced_force(row, displacement);
+            force.tail<4>() /= aims.length[row];
+            unbalanced_[row] = force.cwiseAbs().maxCoeff();
+        }
+    });
+    double largest = 0;
+    for (const double force : unbalanced_) largest = std::max(largest, force);
+    const double least = std::max(aims.tolerance / 2, aims.share * largest);
+    for (const RowIndex row : unbalanced_.indices()) is_unbalanced_[row] = unbalanced_[row] > least ? 1 : 0;
+}
+
+Vec6 Patches::unbalanced_force(RowIndex row, RowSpan<const Vec6> displacement) const {
+    Vec6 force = step_->base.stiffness[row] * displacement[row] - step_->base.load[row];
+    for (const ContactIndex k : step_->row_contacts.of(row)) {
+        const LimitedContact& contact = step_->contacts[k];
+        if (!contact.may_close) continue;
+        force -= contact.rows->project_on_row(
+            row, Vec2(forces_[k].x() * contact.opening - forces_[k].y() * contact.shearing));
+    }
+    return force;
+}
+
+template <class Visit>
+void Patches::for_neighbours(RowIndex row, const Visit& visit) const {
+    for (const ContactIndex k : step_->row_contacts.of(row)) {
+        const LimitedContact& contact = step_->contacts[k];
+        if (!contact.may_close || !(elastic_[k].normal > contact.least_normal)) continue;
+        const RowIndex other = contact.rows->first == row ? contact.rows->second : contact.rows->first;
+        if (other.exists()) visit(other);
+    }
+}
+
+void Patches::set_core(RowIndex row) {
+    const auto add = [&](RowIndex block) {
+        is_unbalanced_[block] = 0;
+        in_patch_[block] = 1;
+        patch_.push_back(block);
+    };
+    patch_.clear();
+    add(row);
+    for (std::size_t k = 0; k < patch_.size(); ++k) {
+        for_neighbours(patch_[k], [&](RowIndex other) {
+            if (is_unbalanced_[other] != 0 && patch_.size() < core_size) add(other);
+        });
+    }
+}
+
+void Patches::add_ring() {
+    const std::size_t inside = patch_.size();
+    for (std::size_t k = 0; k < inside; ++k) {
+        for_neighbours(patch_[k], [&](RowIndex other) {
+            if (in_patch_[other] != 0) return;
+            in_patch_[other] = 1;
+            patch_.push_back(other);
+        });
+    }
+}
+
+}  // namespace rockslope::dda

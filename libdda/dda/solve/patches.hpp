@@ -1,0 +1,51 @@
+#pragma once
+
+#include <vector>
+
+#include "common/base/thread_pool.hpp"
+#include "dda/solve/patch_path.hpp"
+
+namespace rockslope::dda {
+
+/// How far a relaxation goes.
+struct PatchAims {
+    double tolerance = 0;          ///< N per metre; unbalanced forces below half of it are left
+    double share = 0;              ///< those below this share of the largest are left as well
+    RowSpan<const double> length;  ///< m, per row: moments over it are compared with forces
+};
+
+/// Balances the blocks whose forces do not balance, in small patches that overlap, one after the other by
+/// PatchPath; everything outside a patch stays meanwhile. A patch is ten such blocks at most that hang
+/// together, and two rings of neighbours around them. The far field is left to the linear system of all
+/// blocks. Memory is kept from step to step.
+class Patches {
+  public:
+    /// @param displacement per row, m; changed in the patches. @return the number of patches.
+    int relax(const LimitedStep& step, const PatchAims& aims, RowSpan<Vec6> displacement,
+              const ThreadPool& pool);
+
+  private:
+    void find_elastic_forces(RowSpan<const Vec6> displacement, const ThreadPool& pool);
+    /// Marks the blocks whose unbalanced force is over the aims.
+    void find_unbalanced(const PatchAims& aims, RowSpan<const Vec6> displacement, const ThreadPool& pool);
+    Vec6 unbalanced_force(RowIndex row, RowSpan<const Vec6> displacement) const;
+    /// Sets the patch to unbalanced blocks that hang together, from one of them on; they are no longer
+    /// marked.
+    void set_core(RowIndex row);
+    /// Adds the neighbours of the patch to it.
+    void add_ring();
+    /// Calls visit(row) for each block that presses on a block, in the order of the contacts.
+    template <class Visit>
+    void for_neighbours(RowIndex row, const Visit& visit) const;
+
+    const LimitedStep* step_ = nullptr;
+    PatchPath path_;
+    std::vector<RowIndex> patch_;
+    PerContact<ElasticForces> elastic_;
+    PerContact<Vec2> forces_;
+    PerRow<double> unbalanced_;  ///< per row, N per metre
+    PerRow<char> is_unbalanced_;
+    PerRow<char> in_patch_;
+};
+
+}  // namespace rockslope::dda

@@ -1,0 +1,53 @@
+#include "dda/solve/patches.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "support/random_patch.hpp"
+
+namespace rockslope::patches_test {
+namespace {
+
+using namespace rockslope::dda;
+using rockslope::random_patch::RandomPatch;
+
+TEST(Patches, LeavesBlocksThatBalance) {
+    RandomPatch row(3);
+    const std::vector<double> length(row.blocks(), 1.0);
+    std::vector<Vec6> displacement(row.blocks(), Vec6::Zero());
+    EXPECT_EQ(Patches().relax(row.step(), {1e3, 0, length}, displacement, ThreadPool(1)), 0);
+    for (const Vec6& d : displacement) EXPECT_EQ(d, Vec6::Zero());
+}
+
+/// A patch of all blocks ends in balance; a few of a long row lower what is unbalanced.
+TEST(Patches, BalanceShortRowsAndLowerTheForcesOfLongOnes) {
+    Patches patches;
+    int balanced = 0, lowered = 0;
+    for (unsigned seed = 0; seed < 40; ++seed) {
+        for (const std::size_t blocks : {4, 40}) {
+            RandomPatch row(seed, blocks);
+            const std::vector<double> length(blocks, 1.0);
+            std::vector<Vec6> displacement(blocks, Vec6::Zero());
+            const double before = row.unbalanced(displacement);
+            EXPECT_GT(patches.relax(row.step(), {1e-9, 0, length}, displacement, ThreadPool(1)), 0);
+            const double after = row.unbalanced(displacement);
+            if (blocks == 4) balanced += after < 1e-7 * before ? 1 : 0;
+            if (blocks == 40) lowered += after < before ? 1 : 0;
+        }
+    }
+    EXPECT_GE(balanced, 30) << "blocks that nothing presses on are patches of their own";
+    EXPECT_GE(lowered, 38);
+}
+
+TEST(Patches, MovesTheSameBlocksWithAnyNumberOfThreads) {
+    RandomPatch row(5, 40);
+    const std::vector<double> length(row.blocks(), 1.0);
+    std::vector<Vec6> one(row.blocks(), Vec6::Zero()), two = one;
+    Patches().relax(row.step(), {1e-9, 0, length}, one, ThreadPool(1));
+    Patches().relax(row.step(), {1e-9, 0, length}, two, ThreadPool(2));
+    for (std::size_t k = 0; k < one.size(); ++k) EXPECT_EQ(one[k], two[k]);
+}
+
+}  // namespace
+}  // namespace rockslope::patches_test
