@@ -3,6 +3,7 @@
 #   cmake -D ROOT=<source tree> -D PICTURE=<file.svg> -D CHECK=ON -P draw_floors.cmake    fails when the file is another
 # A room stands above all that it includes. An arrow says "includes"; one that others imply is left out.
 cmake_minimum_required(VERSION 3.25)
+get_filename_component(ROOT "${ROOT}" ABSOLUTE)
 include(${CMAKE_CURRENT_LIST_DIR}/floors.cmake)
 
 function(node_of path variable)

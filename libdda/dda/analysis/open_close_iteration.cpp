@@ -302,6 +302,7 @@ class OpenCloseIteration {
     /// forces do not, in patches, and updates the dilation from there.
     void test_and_relax() {
         follow_entrances();
+        if (result_.iterations <= dilation_iterations && is_at_minimum()) trials_.update_dilation();
         trials_.update_bounds();
         if (is_converged_exactly() && !trials_.break_bonds()) {
             accept_or_restart();
