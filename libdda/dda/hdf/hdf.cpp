@@ -3,7 +3,7 @@
 #include <fcntl.h>
 #include <hdf5.h>
 #include <sys/resource.h>
-#include <unistd.h>
+#include <sys/stat.h>
 
 #include <cerrno>
 #include <cstdlib>
@@ -398,12 +398,14 @@ std::vector<std::string> HdfFile::names_in(const std::string& group) const {
 }
 
 void HdfFile::reserve(std::size_t bytes) const {
-    const int descriptor = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC);
-    if (descriptor < 0) fail("cannot be written");
-    const off_t end = ::lseek(descriptor, 0, SEEK_END);
+    void* handle = nullptr;
+    check(H5Fget_vfd_handle(file_->id(), H5P_DEFAULT, &handle), "cannot be written");
+    const int descriptor = *static_cast<int*>(handle);
+    struct stat status {};
+    if (::fstat(descriptor, &status) != 0) fail("cannot be written");
+    const off_t end = status.st_size;
     const int result = ::fallocate(descriptor, FALLOC_FL_KEEP_SIZE, end, static_cast<off_t>(bytes));
     int reason = result == 0 || errno == EOPNOTSUPP || errno == ENOSYS ? 0 : errno;
-    ::close(descriptor);
     // fallocate does not check the file size limit for room beyond the end of the file.
     rlimit limit{};
     if (::getrlimit(RLIMIT_FSIZE, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY &&
@@ -411,13 +413,6 @@ void HdfFile::reserve(std::size_t bytes) const {
         reason = EFBIG;
     errno = reason;
     if (reason != 0) fail("cannot be written");
-}
-
-void HdfFile::rename_to(const std::filesystem::path& path) {
-    std::error_code error;
-    std::filesystem::rename(path_, path, error);
-    if (error) throw OutputError(path, "cannot be replaced: " + error.message());
-    path_ = path;
 }
 
 void HdfFile::flush() {

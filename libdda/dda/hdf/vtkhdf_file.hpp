@@ -67,7 +67,8 @@ class VtkHdfFile {
     std::int64_t frame_count() const { return frame_count_; }
     /// The path that the file was opened with.
     const std::filesystem::path& path() const { return file_.path(); }
-    void rename_to(const std::filesystem::path& path) { file_.rename_to(path); }
+    /// Sets the path that messages name, for a file that will be renamed.
+    void show_as(const std::filesystem::path& path) { file_.show_as(path); }
 
   private:
     /// Rows that a frame takes of the datasets.

@@ -32,6 +32,7 @@ class HistoryCsv : public ResultWriter {
         }
         file_.append(row.line());
     }
+    void cut() override { file_.cut(); }
     std::int64_t position() const override { return file_.size(); }
 
   private:

@@ -55,6 +55,7 @@ class JointsCsv : public ResultWriter {
         }
         file_.append(row.line());
     }
+    void cut() override { file_.cut(); }
     std::int64_t position() const override { return file_.size(); }
 
   private:

@@ -62,6 +62,7 @@ class StepsCsv : public ResultWriter {
             row.number(value, "an energy");
         file_.append(row.line());
     }
+    void cut() override { file_.cut(); }
     std::int64_t position() const override { return file_.size(); }
 
   private:
