@@ -69,6 +69,8 @@ Results::Results(const Model& model, const std::vector<Stage>& stages, const Out
             context.resume_from = resume_from->positions.at(entry.name);
         writers_.push_back({entry.name, entry.make(context)});
     }
+    // What the files of the saved run have beyond its state is of another run.
+    if (options_.begins_stage) end_files();
 }
 
 Results::~Results() = default;
