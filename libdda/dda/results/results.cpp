@@ -138,9 +138,13 @@ void Results::update_sliding(const State& state, const StepReport& report) {
 }
 
 Checkpoint Results::checkpoint_of(const State& state) const {
-    Checkpoint checkpoint{state, progress_, {}, options_.input_hash};
+    Checkpoint checkpoint{state, progress_, {}, {}, options_.input_hash};
     checkpoint.results.wall_time = wall_time();
-    for (const NamedWriter& entry : writers_) checkpoint.positions[entry.name] = entry.writer->position();
+    for (const NamedWriter& entry : writers_) {
+        checkpoint.positions[entry.name] = entry.writer->position();
+        if (const std::string digest = entry.writer->digest(); !digest.empty())
+            checkpoint.digests[entry.name] = digest;
+    }
     return checkpoint;
 }
 

@@ -45,6 +45,7 @@ CsvFile::CsvFile(std::filesystem::path path, std::optional<std::int64_t> resume_
     old_size_ = ::lseek(descriptor_, 0, SEEK_END);
     if (old_size_ < size_)
         fail("has " + std::to_string(old_size_) + " bytes, the checkpoint " + std::to_string(size_), 0);
+    if (size_ > 0) written_ = sha256_of_beginning(path_, static_cast<std::uintmax_t>(size_));
 }
 
 CsvFile::~CsvFile() {
@@ -73,6 +74,7 @@ void CsvFile::append(std::string_view lines) {
         cut();
         write_at_end(lines);
     }
+    written_.add(lines);
     size_ += static_cast<std::int64_t>(lines.size());
 }
 

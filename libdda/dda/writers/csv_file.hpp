@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "common/base/sha256.hpp"
+
 namespace rockslope::dda {
 
 /// Builds a row of a CSV file.
@@ -44,6 +46,8 @@ class CsvFile {
     /// Cuts off the lines of an earlier run that were not written again.
     void cut();
     std::int64_t size() const { return size_; }
+    /// The digest of these bytes.
+    std::string digest() const { return written_.digest(); }
     const std::filesystem::path& path() const { return path_; }
     CsvRow row() const { return CsvRow(path_); }
 
@@ -55,6 +59,7 @@ class CsvFile {
     std::filesystem::path path_;
     int descriptor_ = -1;
     std::int64_t size_ = 0;      ///< bytes written, or found as they would be written
+    Sha256 written_;             ///< of these bytes
     std::int64_t old_size_ = 0;  ///< where the file that a resumed run found ends; 0 once it is cut
 };
 

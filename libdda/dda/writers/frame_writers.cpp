@@ -12,12 +12,6 @@ namespace {
 using FrameOf = std::function<GridFrame(const Model&, const State&)>;
 using MakeFile = std::function<VtkHdfFile(const std::filesystem::path&)>;
 
-std::vector<std::string> names_of(const std::vector<GridColumn>& columns) {
-    std::vector<std::string> names;
-    for (const GridColumn& column : columns) names.push_back(column.name);
-    return names;
-}
-
 /// The file of a resumed run, a copy of the old one. The frames up to the checkpoint are written again by the
 /// same calls, so that the bytes are those of an uninterrupted run.
 VtkHdfFile resumed_file(const std::filesystem::path& path, const std::filesystem::path& copy,
@@ -57,6 +51,7 @@ class FrameWriter : public ResultWriter {
         copy_.reset();
     }
     std::int64_t position() const override { return file_.frame_count(); }
+    std::string digest() const override { return file_.digest(); }
 
   private:
     const Model& model_;

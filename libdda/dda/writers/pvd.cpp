@@ -5,6 +5,8 @@
 
 #include "common/base/atomic_file.hpp"
 #include "common/base/output_error.hpp"
+#include "common/base/read_file.hpp"
+#include "common/base/sha256.hpp"
 #include "common/base/text.hpp"
 #include "dda/writers/frame_data.hpp"
 #include "dda/writers/result_writer.hpp"
@@ -83,7 +85,10 @@ class Pvd : public ResultWriter {
         if (!context.resume_from) return;
         const VtkHdfReader frames(folder_ / (stem_ + ".vtkhdf"));
         const auto count = static_cast<std::size_t>(*context.resume_from);
-        for (std::size_t k = 0; k < count; ++k) entries_.push_back(entry(frames.times()[k]));
+        for (std::size_t k = 0; k < count; ++k) {
+            written_.add(read_text_file(folder_ / frame_file_name(stem_, position())));
+            entries_.push_back(entry(frames.times()[k]));
+        }
         later_ = entries_of(list());
         later_.erase(later_.begin(), later_.begin() + std::min(count, later_.size()));
     }
@@ -98,7 +103,9 @@ class Pvd : public ResultWriter {
                         throw OutputError(folder_ / (stem_ + ".pvd"),
                                           "a value at t = " + shortest_text(state.time) +
                                               " s is not finite; the frame is not written");
-        write_file_atomically(folder_ / frame_file_name(stem_, position()), vtu_text(frame, layout_));
+        const std::string text = vtu_text(frame, layout_);
+        write_file_atomically(folder_ / frame_file_name(stem_, position()), text);
+        written_.add(text);
         add(entry(state.time));
         write_file_atomically(list(), list_text());
     }
@@ -108,6 +115,7 @@ class Pvd : public ResultWriter {
         write_file_atomically(list(), list_text());
     }
     std::int64_t position() const override { return static_cast<std::int64_t>(entries_.size()); }
+    std::string digest() const override { return written_.digest(); }
 
   private:
     std::filesystem::path list() const { return folder_ / (stem_ + ".pvd"); }
@@ -136,6 +144,7 @@ class Pvd : public ResultWriter {
     std::string stem_;
     GridLayout layout_;
     FrameOf frame_of_;
+    Sha256 written_;  ///< of the frames
     std::vector<std::string> entries_;
     std::vector<std::string> later_;  ///< of frames that a killed run wrote after its checkpoint
 };

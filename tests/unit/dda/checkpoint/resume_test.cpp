@@ -9,6 +9,7 @@
 #include "common/base/read_file.hpp"
 #include "common/base/text.hpp"
 #include "dda/analysis/step.hpp"
+#include "dda/checkpoint/resume_check.hpp"
 #include "dda/checkpoint/state_archive.hpp"
 #include "dda/results/block_table.hpp"
 #include "dda/results/summary.hpp"
@@ -143,6 +144,35 @@ TEST_F(KilledRun, ReplacesOtherRowsAndFrames) {
     folder.write("killed/run.pvd", list);
     EXPECT_EQ(resume_for(steps), RunStatus::completed);
     EXPECT_THAT(different(), ElementsAre());
+}
+
+// A changed number in a row or a frame went on into the results of the resumed run.
+TEST_F(KilledRun, IsRefusedWhereItsResultsAreNotThoseThatItWrote) {
+    const Checkpoint checkpoint = read_checkpoint(folder / "killed" / "checkpoint.h5");
+    const auto error = [&] {
+        return io_test::error_of([&] {
+            check_resumable(checkpoint, writer_context(input.model, folder / "killed", input.output, pvd));
+        });
+    };
+    EXPECT_EQ(error(), "no error");
+    for (const char* file : {"history.csv", "steps.csv", "joints.csv", "run.1.vtu", "run.joints.1.vtu"}) {
+        const std::string whole = read_text_file(folder / "killed" / file);
+        std::string damaged = whole;
+        damaged[damaged.size() / 50] ^= 1;
+        folder.write("killed/" + std::string(file), damaged);
+        EXPECT_THAT(error(), HasSubstr("cannot be resumed from: it is damaged")) << file;
+        folder.write("killed/" + std::string(file), whole);
+    }
+    input.model.gravity *= 1.001;
+    simulate("other");
+    for (const char* file : {"run.vtkhdf", "run.joints.vtkhdf"}) {
+        fs::copy_file(folder / "other" / file, folder / "killed" / file,
+                      fs::copy_options::overwrite_existing);
+        EXPECT_THAT(error(), HasSubstr("cannot be resumed from: it is damaged")) << file;
+        fs::copy_file(folder / "whole" / file, folder / "killed" / file,
+                      fs::copy_options::overwrite_existing);
+    }
+    EXPECT_EQ(error(), "no error");
 }
 
 TEST_F(ContinuedRun, RestoresExcavatedBlocks) {

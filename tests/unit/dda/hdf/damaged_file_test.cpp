@@ -92,6 +92,92 @@ TEST_F(DamagedFile, IsReadOrRefusedWhateverByteIsZero) {
     EXPECT_GT(refusals, 100);
 }
 
+/// One frame of a triangle as no program writes it.
+void write_numbers(const fs::path& path, double time, double coordinate, float stress) {
+    HdfFile file = HdfFile::create(path);
+    const std::string root = "/VTKHDF/", steps = root + "Steps/";
+    for (const char* group : {"/VTKHDF", "/VTKHDF/CellData", "/VTKHDF/PointData", "/VTKHDF/Steps",
+                              "/VTKHDF/Steps/CellDataOffsets"})
+        file.add_group(group);
+    const auto add = [&](const std::string& name, HdfType type, const auto& values) {
+        file.add_dataset(name, type, 1, 4, false);
+        file.append(name, values);
+    };
+    for (const char* name : {"PartOffsets", "NumberOfParts", "PointOffsets", "CellOffsets",
+                             "ConnectivityIdOffsets", "CellDataOffsets/stress"})
+        add(steps + name, HdfType::i8, std::vector<std::int64_t>{0});
+    add(steps + "Values", HdfType::f8, std::vector<double>{time});
+    add(root + "NumberOfPoints", HdfType::i8, std::vector<std::int64_t>{3});
+    add(root + "NumberOfCells", HdfType::i8, std::vector<std::int64_t>{1});
+    add(root + "NumberOfConnectivityIds", HdfType::i8, std::vector<std::int64_t>{3});
+    add(root + "Connectivity", HdfType::i8, std::vector<std::int64_t>{0, 1, 2});
+    add(root + "Offsets", HdfType::i8, std::vector<std::int64_t>{0, 3});
+    add(root + "Types", HdfType::u1, std::vector<std::uint8_t>{7});
+    add(root + "CellData/stress", HdfType::f4, std::vector<float>{stress});
+    file.add_dataset(root + "Points", HdfType::f8, 3, 4, false);
+    file.append(root + "Points", std::vector<double>{0, 0, 0, coordinate, 0, 0, 0, 1, 0});
+    file.set_attribute("/VTKHDF/Steps", "NSteps", std::int64_t{1});
+}
+
+// A coordinate beyond all bounds, of a damaged file, ended dda-plot by "drawing failed", code 1.
+TEST_F(DamagedFile, HasNumbersThatAreFinite) {
+    const double infinity = std::numeric_limits<double>::infinity();
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    write_numbers(path, 0.5, 1, 2);
+    EXPECT_EQ(outcome_of_reading(path), read_whole);
+    for (const double wrong : {infinity, -infinity, nan}) {
+        write_numbers(path, wrong, 1, 2);
+        EXPECT_EQ(outcome_of_reading(path), refused) << "time";
+        write_numbers(path, 0.5, wrong, 2);
+        EXPECT_EQ(outcome_of_reading(path), refused) << "coordinate";
+        write_numbers(path, 0.5, 1, static_cast<float>(wrong));
+        EXPECT_EQ(outcome_of_reading(path), refused) << "stress";
+    }
+    GridCells cells;
+    cells.add({0, 1, 2}, 7);
+    GridLayout layout;
+    layout.columns = {{"stress", 1}};
+    VtkHdfFile file(path, layout, cells, 3);
+    EXPECT_THROW(file.append({.points = {1e39, 0, 0, 1, 0, 0, 0, 1, 0}, .columns = {{4}}}), OutputError)
+        << "a coordinate that single precision does not hold";
+}
+
+// Of frames that are written and read again, whatever their order of columns; any other number shows.
+TEST_F(DamagedFile, HasTheDigestOfItsFrames) {
+    const fs::path other = path.string() + ".other";
+    const auto digest_of = [](const fs::path& file, std::int64_t frames) {
+        return VtkHdfReader(file).digest(frames);
+    };
+    write_numbers(path, 0.5, 1, 2);
+    const std::string digest = digest_of(path, 1);
+    write_numbers(other, 0.5, 1, 2);
+    EXPECT_EQ(digest_of(other, 1), digest);
+    write_numbers(other, 0.5, 1, 3);
+    EXPECT_NE(digest_of(other, 1), digest) << "stress";
+    write_numbers(other, 0.5, 1.5, 2);
+    EXPECT_NE(digest_of(other, 1), digest) << "coordinate";
+    write_numbers(other, 0.25, 1, 2);
+    EXPECT_NE(digest_of(other, 1), digest) << "time";
+    EXPECT_NE(digest_of(path, 0), digest) << "number of frames";
+
+    GridCells cells;
+    cells.add({0, 1, 2}, 7);
+    const GridFrame frame{.time = 0.1,
+                          .stage = "settle",
+                          .points = {0.1, 0, 0, 1, 0, 0, 0, 1, 0},
+                          .columns = {{1, 2, 3}, {4}},
+                          .point_columns = {{1, 2, 3}},
+                          .cells = cells};
+    for (const HdfType points : {HdfType::f4, HdfType::f8})
+        for (const bool fixed : {true, false}) {
+            const GridLayout layout{{{"z", 3}, {"a", 1}}, {{"m", 1}}, {}, points};
+            VtkHdfFile file = fixed ? VtkHdfFile(path, layout, cells, 3) : VtkHdfFile(path, layout, 1);
+            file.append(frame);
+            file.append(frame);
+            EXPECT_EQ(file.digest(), digest_of(path, 2)) << fixed;
+        }
+}
+
 TEST_F(DamagedFile, DeclaresNoMoreThanItHolds) {
     {
         HdfFile file = HdfFile::create(path);
