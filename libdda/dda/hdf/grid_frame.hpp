@@ -15,7 +15,9 @@ struct GridCells {
     std::vector<std::int64_t> offsets = {0};
     std::vector<std::uint8_t> types;  ///< VTK's: 1 vertex, 3 line, 7 polygon
 
+    /// Number of cells.
     std::size_t count() const { return types.size(); }
+    /// Adds a cell with these points. @param type VTK's.
     void add(const std::vector<std::int64_t>& points, std::uint8_t type);
 };
 

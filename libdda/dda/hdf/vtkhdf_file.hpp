@@ -70,8 +70,6 @@ class VtkHdfReader {
     std::int64_t frame_count() const { return static_cast<std::int64_t>(times_.size()); }
     /// The times of the frames, s.
     const std::vector<double>& times() const { return times_; }
-    /// The names of the data of a frame.
-    const std::vector<std::string>& column_names() const { return names_; }
     /// A frame with the given columns of the cells and of the points, in their order. @throws OutputError if
     /// a column is missing.
     GridFrame frame(std::int64_t index, const std::vector<std::string>& columns,

@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "common/base/atomic_file.hpp"
+#include "dda/hdf/vtkhdf_file.hpp"
 #include "dda/writers/frame_data.hpp"
 #include "dda/writers/result_writer.hpp"
 

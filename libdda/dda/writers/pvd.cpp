@@ -8,6 +8,7 @@
 #include "common/base/read_file.hpp"
 #include "common/base/sha256.hpp"
 #include "common/base/text.hpp"
+#include "dda/hdf/vtkhdf_file.hpp"
 #include "dda/writers/frame_data.hpp"
 #include "dda/writers/result_writer.hpp"
 

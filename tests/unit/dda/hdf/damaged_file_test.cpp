@@ -1,7 +1,9 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -13,6 +15,7 @@
 #include "common/base/output_error.hpp"
 #include "common/base/read_file.hpp"
 #include "dda/hdf/vtkhdf_file.hpp"
+#include "support/error_of.hpp"
 
 namespace rockslope::damaged_file_test {
 namespace {
@@ -60,7 +63,7 @@ int outcome_of_reading(const fs::path& path) {
         ::alarm(20);
         try {
             const VtkHdfReader reader(path);
-            for (std::int64_t k = 0; k < reader.frame_count(); ++k) reader.frame(k, reader.column_names());
+            reader.digest(reader.frame_count());
             ::_exit(read_whole);
         } catch (const OutputError&) {
             ::_exit(refused);
@@ -176,6 +179,32 @@ TEST_F(DamagedFile, HasTheDigestOfItsFrames) {
             file.append(frame);
             EXPECT_EQ(file.digest(), digest_of(path, 2)) << fixed;
         }
+}
+
+// A text that says to have 4 GB: they were allocated, and dda-plot held them, before the file was refused.
+TEST_F(DamagedFile, HasNoTextsLongerThanItself) {
+    write_frames(path);
+    EXPECT_EQ(VtkHdfReader(path).stages(), (std::vector<std::string>{"settle", "settle"}));
+    std::string bytes = read_text_file(path);
+    // The length of "settle" in the dataset of stages; behind it are the address of a heap and a number
+    // there.
+    const std::string length("\6\0\0\0", 4);
+    int damaged = 0;
+    for (std::size_t at = bytes.find(length); at != std::string::npos; at = bytes.find(length, at + 1)) {
+        std::uint64_t address = 0;
+        std::uint32_t number = 0;
+        if (at + 16 > bytes.size()) break;
+        std::memcpy(&address, &bytes[at + 4], sizeof address);
+        std::memcpy(&number, &bytes[at + 12], sizeof number);
+        if (address == 0 || address >= bytes.size() || number == 0 || number > 9) continue;
+        if (bytes.compare(address, 4, "GCOL") != 0) continue;
+        bytes[at + 3] = '\xff';
+        ++damaged;
+    }
+    ASSERT_EQ(damaged, 1);
+    std::ofstream(path, std::ios::binary) << bytes;
+    EXPECT_THAT(error_of<OutputError>([&] { VtkHdfReader{path}; }),
+                testing::HasSubstr("dataset /VTKHDF/FieldData/stage declares longer texts than it holds"));
 }
 
 TEST_F(DamagedFile, DeclaresNoMoreThanItHolds) {

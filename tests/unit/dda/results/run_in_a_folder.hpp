@@ -6,6 +6,7 @@
 
 #include "common/base/read_file.hpp"
 #include "dda/analysis/run.hpp"
+#include "dda/hdf/vtkhdf_file.hpp"  // IWYU pragma: export
 #include "dda/input/read_run.hpp"
 #include "dda/results/results.hpp"
 #include "dda/writers/frame_data.hpp"  // IWYU pragma: export
