@@ -14,6 +14,7 @@
 #include "common/base/atomic_file.hpp"
 #include "common/base/output_error.hpp"
 #include "common/base/read_file.hpp"
+#include "dda/hdf/library_guard.hpp"
 #include "dda/hdf/vtkhdf_file.hpp"
 #include "support/error_of.hpp"
 
@@ -120,6 +121,24 @@ void write_numbers(const fs::path& path, double time, double coordinate, float s
     file.add_dataset(root + "Points", HdfType::f8, 3, 4, false);
     file.append(root + "Points", std::vector<double>{0, 0, 0, coordinate, 0, 0, 0, 1, 0});
     file.set_attribute("/VTKHDF/Steps", "NSteps", std::int64_t{1});
+}
+
+// An object of no size in a heap of texts: HDF5 1.10 went round in it, and dda-plot never ended.
+TEST_F(DamagedFile, IsLeftWhereTheLibraryDoesNotEnd) {
+    const pid_t child = ::fork();
+    if (child == 0) {
+        ::alarm(20);
+        const auto goes_round = [](void*) {
+            for (volatile bool goes_on = true; goes_on;) {
+            }
+        };
+        const bool is_left = !survives(goes_round, nullptr, 0.05);
+        ::_exit(is_left && library_has_failed() ? 0 : 1);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status;
+    EXPECT_TRUE(survives([](void* data) { *static_cast<int*>(data) = 0; }, &status));
 }
 
 // A coordinate beyond all bounds, of a damaged file, ended dda-plot by "drawing failed", code 1.
