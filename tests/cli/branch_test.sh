@@ -61,6 +61,11 @@ cmp plain/history.csv moved/history.csv || fail "the place of the inputs matters
 "$run" run.toml -o renamed --from settled/stage-1.saved.h5 --set output.name=new --set output.frames=3 >/dev/null 2>&1
 [ -s renamed/new.vtkhdf ] || fail "no frames under another name"
 
+# What the saved run went on with is not the branch's: its frames stayed where a branch has fewer.
+"$run" run.toml -o shorter --set output.frames=3 --set 'stage[1].duration=0.5' >/dev/null 2>&1
+"$run" run.toml -o shorter-branch --from whole/stage-1.saved.h5 --set output.frames=3 --set 'stage[1].duration=0.5' >/dev/null 2>&1
+same_results shorter shorter-branch
+
 # What the state depends on may not.
 branch_refused() {
     expected=$1

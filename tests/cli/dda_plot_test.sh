@@ -69,6 +69,9 @@ refused 'without --movie' --speed 2
 run_refused 'ffmpeg, which makes films, is not installed' env PATH=/nowhere "$bin/dda-plot" out --movie film.mp4
 [ ! -e film.mp4 ] || fail "a film without ffmpeg"
 if command -v ffmpeg >/dev/null; then
+    # The name that a part of a film once had is a user's.
+    echo precious >victim
+    ln -s victim film.mp4.part
     for film in film.mp4 film.webm film.gif; do
         "$bin/dda-plot" out --movie "$film" --speed 0.4 --fps 12 --frames first,middle,last || fail "no $film"
         # From the first frame to the last, and a second of the run's end.
@@ -76,7 +79,23 @@ if command -v ffmpeg >/dev/null; then
         case $film in *.gif) width=720 ;; *) width=1280 ;; esac
         awk -F, -v width=$width '{ exit !($1 == width && $2 > 20 && $2 < 40) }' shown.txt || fail "$film has $(cat shown.txt)"
     done
-    ls film.*.part 2>/dev/null && fail "a part of a film is left"
+    [ "$(cat victim)" = precious ] || fail "a link is followed"
+    [ -L film.mp4.part ] || fail "a link is gone"
+    mkdir broken
+    cat >broken/ffmpeg <<'FFMPEG'
+#!/bin/sh
+for part; do :; done
+echo half >"${part#file:}"
+exit 3
+FFMPEG
+    chmod +x broken/ffmpeg
+    cp film.mp4 before.mp4
+    code=0
+    PATH=$PWD/broken:$PATH "$bin/dda-plot" out --movie film.mp4 --frames first 2>err.txt || code=$?
+    [ "$code" -eq 2 ] || fail "exit code $code of a broken ffmpeg"
+    grep -q 'film.mp4: is not made: ffmpeg failed with exit code 3' err.txt || fail "a broken ffmpeg: $(cat err.txt)"
+    cmp film.mp4 before.mp4 || fail "a broken ffmpeg spoils the film"
+    ls film.*tmp* 2>/dev/null && fail "a part of a film is left"
 else
     echo "ffmpeg is not here: no film is made"
 fi

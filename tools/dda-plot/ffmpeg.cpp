@@ -78,12 +78,12 @@ bool is_movie(const std::filesystem::path& path) {
 }
 
 Ffmpeg::Ffmpeg(std::filesystem::path film, const Pixels& size, double frames_per_second)
-    : film_(std::move(film)), part_(film_.string() + ".part") {
+    : film_(std::move(film)), part_(film_) {
     std::signal(SIGPIPE, SIG_IGN);  // a failed ffmpeg shows as a failed write
     int ends[2];
     if (::pipe2(ends, O_CLOEXEC) != 0) throw OutputError(film_, "cannot be written");
     pipe_ = ends[1];
-    process_ = start(command_of(film_, part_, size, frames_per_second), ends[0]);
+    process_ = start(command_of(film_, part_.temporary(), size, frames_per_second), ends[0]);
     const int reason = errno;
     ::close(ends[0]);
     if (process_ > 0) return;
@@ -98,8 +98,6 @@ Ffmpeg::~Ffmpeg() {
     if (process_ <= 0) return;
     ::kill(process_, SIGTERM);
     wait();
-    std::error_code ignored;
-    std::filesystem::remove(part_, ignored);
 }
 
 int Ffmpeg::wait() {
@@ -113,8 +111,6 @@ int Ffmpeg::wait() {
 
 void Ffmpeg::fail() {
     const int code = wait();
-    std::error_code ignored;
-    std::filesystem::remove(part_, ignored);
     throw OutputError(film_, "is not made: ffmpeg failed with exit code " + std::to_string(code));
 }
 
@@ -129,11 +125,9 @@ void Ffmpeg::add(const Pixels& picture) {
 
 void Ffmpeg::finish() {
     const int code = wait();
-    std::error_code error;
-    if (code == 0) std::filesystem::rename(part_, film_, error);
-    if (code == 0 && !error) return;
-    std::filesystem::remove(part_, error);
-    throw OutputError(film_, "is not made: ffmpeg failed with exit code " + std::to_string(code));
+    if (code != 0)
+        throw OutputError(film_, "is not made: ffmpeg failed with exit code " + std::to_string(code));
+    part_.put_in_place();
 }
 
 }  // namespace rockslope

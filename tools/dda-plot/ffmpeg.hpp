@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "common/base/atomic_file.hpp"
 #include "common/drawing/canvas.hpp"
 
 namespace rockslope {
@@ -32,7 +33,8 @@ class Ffmpeg {
     [[noreturn]] void fail();
     int wait();
 
-    std::filesystem::path film_, part_;
+    std::filesystem::path film_;
+    PendingFile part_;  ///< ffmpeg writes into it
     pid_t process_ = -1;
     int pipe_ = -1;
 };

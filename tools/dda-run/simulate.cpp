@@ -76,7 +76,7 @@ std::optional<dda::Checkpoint> find_checkpoint(const CommandLine& line, const dd
     }
 }
 
-/// @throws InputError if the results would overwrite those of the saved run.
+/// @throws InputError if the results would overwrite those of the saved run, or its own are damaged.
 std::optional<dda::Checkpoint> read_saved(const CommandLine& line, const dda::RunInput& input) {
     if (!line.from) return std::nullopt;
     std::error_code ignored;
@@ -84,7 +84,11 @@ std::optional<dda::Checkpoint> read_saved(const CommandLine& line, const dda::Ru
                        ignored))
         throw InputError({line.output.string()}, "is the folder of the run that --from begins with",
                          "another folder for the results");
-    return dda::read_saved_state(*line.from, input.fingerprint, static_cast<int>(input.stages.size()));
+    dda::Checkpoint saved =
+        dda::read_saved_state(*line.from, input.fingerprint, static_cast<int>(input.stages.size()));
+    dda::check_earlier_results(line.from->parent_path(),
+                               dda::writer_context(input.model, line.output, input.output, line.pvd), saved);
+    return saved;
 }
 
 /// For Make: where the run that should have saved the state for --from has collapsed before, this one has

@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <fstream>
+#include <vector>
+
+#include "common/base/output_error.hpp"
 
 namespace rockslope {
 
@@ -124,6 +128,20 @@ std::string Sha256::digest() const {
     for (const Word word : state)
         for (int shift = 28; shift >= 0; shift -= 4) text += "0123456789abcdef"[word >> shift & 15];
     return text;
+}
+
+Sha256 sha256_of_beginning(const std::filesystem::path& file, std::uintmax_t length) {
+    Sha256 digest;
+    std::ifstream stream(file, std::ios::binary);
+    std::vector<char> piece(1 << 16);
+    while (length > 0) {
+        const auto wanted = std::min<std::uintmax_t>(length, piece.size());
+        if (!stream.read(piece.data(), static_cast<std::streamsize>(wanted)))
+            throw OutputError(file, "cannot be read");
+        digest.add({piece.data(), wanted});
+        length -= wanted;
+    }
+    return digest;
 }
 
 std::string sha256(std::string_view bytes) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -22,6 +23,9 @@ class Sha256 {
     std::uint64_t length_ = 0;  ///< bytes so far
     std::string rest_;          ///< bytes after the last whole block
 };
+
+/// Takes the first bytes of a file. @throws OutputError when the file cannot be read so far.
+Sha256 sha256_of_beginning(const std::filesystem::path& file, std::uintmax_t length);
 
 /// The SHA-256 digest of the bytes, see Sha256::digest().
 std::string sha256(std::string_view bytes);

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::int64_t checkpoint_version = 19;
+constexpr std::int64_t checkpoint_version = 20;
 constexpr std::size_t chunk_elements = 1 << 16;  // elements
 
 template <class T>
@@ -244,19 +244,9 @@ ResultsState read_results_state(const HdfFile& file) {
 constexpr std::string_view seal_mark = "\nsha256 ";
 constexpr std::size_t seal_length = seal_mark.size() + 64;
 
-/// What a checkpoint of so many bytes before it ends with. @throws std::runtime_error.
+/// What a checkpoint of so many bytes before it ends with. @throws OutputError.
 std::string seal_of(const fs::path& path, std::uintmax_t length) {
-    Sha256 digest;
-    std::ifstream file(path, std::ios::binary);
-    std::vector<char> piece(1 << 16);
-    while (length > 0) {
-        const auto wanted = std::min<std::uintmax_t>(length, piece.size());
-        if (!file.read(piece.data(), static_cast<std::streamsize>(wanted)))
-            throw std::runtime_error("it cannot be read");
-        digest.add({piece.data(), wanted});
-        length -= wanted;
-    }
-    return std::string(seal_mark) + digest.digest();
+    return std::string(seal_mark) + sha256_of_beginning(path, length).digest();
 }
 
 /// @throws std::runtime_error unless the file ends with the digest of the bytes before.
@@ -286,6 +276,8 @@ void write_content(HdfFile& file, const Checkpoint& checkpoint) {
     file.add_group("/positions");
     for (const auto& [name, position] : checkpoint.positions)
         file.set_attribute("/positions", name, position);
+    file.add_group("/digests");
+    for (const auto& [name, digest] : checkpoint.digests) file.set_attribute("/digests", name, digest);
     file.flush();
 }
 
@@ -298,9 +290,12 @@ Checkpoint read_content(const HdfFile& file) {
     const auto start = file.read_all<std::uint8_t>("/start_of_run");
     checkpoint.start_of_run.assign(start.begin(), start.end());
     checkpoint.results = read_results_state(file);
-    for (const WriterEntry& writer : writer_table())
+    for (const WriterEntry& writer : writer_table()) {
         if (file.has_attribute("/positions", writer.name))
             checkpoint.positions[writer.name] = file.integer_attribute("/positions", writer.name);
+        if (file.has_attribute("/digests", writer.name))
+            checkpoint.digests[writer.name] = file.string_attribute("/digests", writer.name);
+    }
     checkpoint.state = restore({file.read_all<double>("/reals"), file.read_all<std::int64_t>("/integers"),
                                 file.read_all<std::uint8_t>("/bytes")});
     return checkpoint;

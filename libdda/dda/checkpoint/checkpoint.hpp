@@ -57,6 +57,7 @@ struct Checkpoint {
     State state;
     ResultsState results;
     std::map<std::string, std::int64_t> positions;  ///< ResultWriter::position() by WriterEntry::name
+    std::map<std::string, std::string> digests;     ///< ResultWriter::digest(), where there is one
     std::string input_hash;                         ///< hash of all input of the run
     /// The input that a state saved at the end of a stage depends on, see start_of_run(). Empty in a
     /// checkpoint from within a stage.

@@ -70,6 +70,16 @@ std::vector<std::string> files_up_to(const WriterEntry& entry, const std::string
     return files;
 }
 
+/// Whether a branch goes on in the results of a writer: they are there, and asked for.
+bool is_continued(const fs::path& from, const WriterContext& context, const WriterEntry& entry,
+                  std::int64_t position) {
+    const std::vector<std::string> files = files_up_to(entry, context.name, position);
+    return entry.is_enabled(context) && std::all_of(files.begin(), files.end(), [&](const std::string& file) {
+               std::error_code error;
+               return fs::is_regular_file(from / file, error);
+           });
+}
+
 }  // namespace
 
 std::string start_of_run(const std::string& fingerprint, int stages) {
@@ -124,20 +134,23 @@ std::string saved_state_name(int stage) {
     return "stage-" + std::to_string(stage + 1) + ".saved.h5";
 }
 
+void check_earlier_results(const fs::path& from, const WriterContext& context, const Checkpoint& saved) {
+    for (const WriterEntry& entry : writer_table()) {
+        const auto position = saved.positions.find(entry.name);
+        if (position != saved.positions.end() && is_continued(from, context, entry, position->second))
+            check_digest(saved, entry, from / result_file(entry, context.name));
+    }
+}
+
 void copy_earlier_results(const fs::path& from, const WriterContext& context, Checkpoint& saved) {
     for (const WriterEntry& entry : writer_table()) {
         const auto position = saved.positions.find(entry.name);
         if (position == saved.positions.end()) continue;
-        const std::vector<std::string> files = files_up_to(entry, context.name, position->second);
-        const bool are_there = std::all_of(files.begin(), files.end(), [&](const std::string& file) {
-            std::error_code error;
-            return fs::is_regular_file(from / file, error);
-        });
-        if (!are_there || !entry.is_enabled(context)) {
+        if (!is_continued(from, context, entry, position->second)) {
             saved.positions.erase(position);
             continue;
         }
-        for (const std::string& file : files) {
+        for (const std::string& file : files_up_to(entry, context.name, position->second)) {
             std::error_code error;
             fs::copy_file(from / file, context.folder / file, fs::copy_options::overwrite_existing, error);
             if (error) throw OutputError(context.folder / file, "cannot be written: " + error.message());

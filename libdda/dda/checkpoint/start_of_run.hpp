@@ -24,6 +24,11 @@ Checkpoint read_saved_state(const std::filesystem::path& path, const std::string
 /// The name of the file for the state at the end of a stage, counted from 0: "stage-1.saved.h5".
 std::string saved_state_name(int stage);
 
+/// Checks that the results which copy_earlier_results() will copy are those that the run wrote. @throws
+/// InputError that names the file.
+void check_earlier_results(const std::filesystem::path& from, const WriterContext& context,
+                           const Checkpoint& saved);
+
 /// Copies the results that the run of a saved state wrote up to it, so that a run that begins with it goes on
 /// with them. Results that are not there, or that `context` does not ask for, are taken out of the positions:
 /// they begin with the new run. @param from folder of the saved state. @throws OutputError.

@@ -3,7 +3,7 @@
 #include <fcntl.h>
 #include <hdf5.h>
 #include <sys/resource.h>
-#include <unistd.h>
+#include <sys/stat.h>
 
 #include <cerrno>
 #include <cstdlib>
@@ -328,12 +328,41 @@ void HdfFile::append_text(const std::string& name, const std::string& text) {
     append_values(name, type.id(), &data, 1);
 }
 
+/// The library allocates what a text says that it has, 4 GB in a damaged file, before it looks for the bytes.
+/// A row of a chunk has the length, 4 bytes, and 12 of where the text is.
+void HdfFile::check_texts(const std::string& name, std::int64_t set) const {
+    constexpr std::size_t row_bytes = 16;
+    errno = 0;
+    const auto declares_too_much = [&] { fail("dataset " + name + " declares longer texts than it holds"); };
+    hsize_t file_size = 0, chunk = 0;
+    check(H5Fget_filesize(file_->id(), &file_size), "cannot be read");
+    const HdfHandle creation(H5Dget_create_plist(set), H5Pclose);
+    if (H5Pget_layout(creation.id()) != H5D_CHUNKED || H5Pget_chunk(creation.id(), 1, &chunk) != 1 ||
+        chunk < 1 || H5Pget_nfilters(creation.id()) != 0)
+        fail("dataset " + name + " does not hold texts as dda-run writes them");
+    hsize_t declared = 0;
+    for (hsize_t first = 0; first < row_count(name); first += chunk) {
+        hsize_t stored = 0;
+        check(guarded([&] { return H5Dget_chunk_storage_size(set, &first, &stored); }), "dataset " + name);
+        if (stored > file_size) declares_too_much();
+        std::vector<unsigned char> rows(stored);
+        std::uint32_t filters = 0;
+        if (stored > 0)
+            check(guarded([&] { return H5Dread_chunk(set, H5P_DEFAULT, &first, &filters, rows.data()); }),
+                  "dataset " + name + " cannot be read");
+        for (std::size_t at = 0; at + row_bytes <= rows.size(); at += row_bytes)
+            for (std::size_t byte = 0; byte < 4; ++byte) declared += hsize_t{rows[at + byte]} << 8 * byte;
+    }
+    if (declared > file_size) declares_too_much();
+}
+
 std::vector<std::string> HdfFile::read_texts(const std::string& name) const {
     const HdfHandle set = file_->dataset_of(*this, name);
     const HdfHandle stored(H5Dget_type(set.id()), H5Tclose);
     if (H5Tis_variable_str(stored.id()) <= 0) fail("dataset " + name + " does not hold texts");
     const HdfHandle type = string_type(H5T_VARIABLE);
     check_size(name, static_cast<double>(row_count(name)) * sizeof(char*));
+    check_texts(name, set.id());
     std::vector<char*> data(row_count(name));
     errno = 0;
     check(guarded([&] { return H5Dread(set.id(), type.id(), H5S_ALL, H5S_ALL, H5P_DEFAULT, data.data()); }),
@@ -398,12 +427,14 @@ std::vector<std::string> HdfFile::names_in(const std::string& group) const {
 }
 
 void HdfFile::reserve(std::size_t bytes) const {
-    const int descriptor = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC);
-    if (descriptor < 0) fail("cannot be written");
-    const off_t end = ::lseek(descriptor, 0, SEEK_END);
+    void* handle = nullptr;
+    check(H5Fget_vfd_handle(file_->id(), H5P_DEFAULT, &handle), "cannot be written");
+    const int descriptor = *static_cast<int*>(handle);
+    struct stat status {};
+    if (::fstat(descriptor, &status) != 0) fail("cannot be written");
+    const off_t end = status.st_size;
     const int result = ::fallocate(descriptor, FALLOC_FL_KEEP_SIZE, end, static_cast<off_t>(bytes));
     int reason = result == 0 || errno == EOPNOTSUPP || errno == ENOSYS ? 0 : errno;
-    ::close(descriptor);
     // fallocate does not check the file size limit for room beyond the end of the file.
     rlimit limit{};
     if (::getrlimit(RLIMIT_FSIZE, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY &&
@@ -411,13 +442,6 @@ void HdfFile::reserve(std::size_t bytes) const {
         reason = EFBIG;
     errno = reason;
     if (reason != 0) fail("cannot be written");
-}
-
-void HdfFile::rename_to(const std::filesystem::path& path) {
-    std::error_code error;
-    std::filesystem::rename(path_, path, error);
-    if (error) throw OutputError(path, "cannot be replaced: " + error.message());
-    path_ = path;
 }
 
 void HdfFile::flush() {

@@ -46,7 +46,7 @@ class HdfFile {
     HdfFile(HdfFile&&) noexcept;
     HdfFile& operator=(HdfFile&&) noexcept;
 
-    /// The path that the file was opened with.
+    /// The path that messages name, by which the file was opened.
     const std::filesystem::path& path() const { return path_; }
 
     void add_group(const std::string& name);
@@ -104,8 +104,8 @@ class HdfFile {
     /// Reserves disk space for this many bytes beyond the end of the file. @throws OutputError without room.
     void reserve(std::size_t bytes) const;
     void flush();
-    /// Renames the file while it stays open. @throws OutputError.
-    void rename_to(const std::filesystem::path& path);
+    /// Sets the path that messages name, for a file that will be renamed.
+    void show_as(const std::filesystem::path& path) { path_ = path; }
 
   private:
     struct Access;  // keeps hdf5.h out of this header
@@ -117,6 +117,7 @@ class HdfFile {
     std::int64_t guarded(const Call& call) const;
     /// @throws OutputError when so many bytes cannot be in what the file stores of a dataset.
     void check_size(const std::string& name, double bytes) const;
+    void check_texts(const std::string& name, std::int64_t set) const;
     [[noreturn]] void has_no_memory(const std::string& name) const;
     /// HDF5's identifier of an attribute.
     std::int64_t open_attribute(const std::string& object, const std::string& name) const;

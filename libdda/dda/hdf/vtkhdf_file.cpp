@@ -44,6 +44,11 @@ std::size_t bytes_of(const GridFrame& frame) {
     return bytes;
 }
 
+template <class T>
+bool are_finite(const std::vector<T>& values) {
+    return std::all_of(values.begin(), values.end(), [](T value) { return std::isfinite(value); });
+}
+
 /// Whether offsets ascend within the connectivity and the connectivity refers to existing points.
 bool are_cells(const GridCells& cells, std::size_t point_count) {
     const auto is_below = [](std::int64_t value, std::size_t limit) {
@@ -56,6 +61,12 @@ bool are_cells(const GridCells& cells, std::size_t point_count) {
 }
 
 }  // namespace
+
+std::vector<std::string> names_of(const std::vector<GridColumn>& columns) {
+    std::vector<std::string> names;
+    for (const GridColumn& column : columns) names.push_back(column.name);
+    return names;
+}
 
 void GridCells::add(const std::vector<std::int64_t>& points, std::uint8_t type) {
     connectivity.insert(connectivity.end(), points.begin(), points.end());
@@ -86,6 +97,7 @@ VtkHdfFile::VtkHdfFile(const std::filesystem::path& path, GridLayout layout, std
 VtkHdfFile::VtkHdfFile(const std::filesystem::path& path, GridLayout layout, const GridCells& cells,
                        std::size_t point_count)
     : VtkHdfFile(path, std::move(layout), cells.count(), true) {
+    cells_ = FrameDigest::of_cells(cells);
     file_.reserve(bytes_of({.cells = cells}) + bookkeeping);
     file_.add_dataset(root + "Points", layout_.points, 3, point_count, true);
     file_.add_dataset(root + "Connectivity", HdfType::i8, 1, cells.connectivity.size(), true);
@@ -133,18 +145,18 @@ void VtkHdfFile::add_column_datasets(std::size_t cell_chunk, std::size_t point_c
 }
 
 void VtkHdfFile::check(const GridFrame& frame) const {
-    const auto finite = [](const auto& values) {
-        return std::all_of(values.begin(), values.end(), [](auto v) { return std::isfinite(v); });
-    };
     const auto refuse = [&](const std::string& what) {
         throw OutputError(path(), what + " are not finite at t = " + shortest_text(frame.time) +
                                       " s; the frame is not written");
     };
-    if (!finite(frame.points)) refuse("coordinates");
+    const bool fit = layout_.points == HdfType::f8 ||
+                     std::all_of(frame.points.begin(), frame.points.end(),
+                                 [](double v) { return std::isfinite(static_cast<float>(v)); });
+    if (!fit || !are_finite(frame.points)) refuse("coordinates");
     for (std::size_t i = 0; i < layout_.columns.size(); ++i)
-        if (!finite(frame.columns[i])) refuse("values of '" + layout_.columns[i].name + "'");
+        if (!are_finite(frame.columns[i])) refuse("values of '" + layout_.columns[i].name + "'");
     for (std::size_t i = 0; i < layout_.point_columns.size(); ++i)
-        if (!finite(frame.point_columns[i]))
+        if (!are_finite(frame.point_columns[i]))
             refuse("values of '" + layout_.point_columns[i].name + "' at points");
 }
 
@@ -221,6 +233,7 @@ void VtkHdfFile::append(const GridFrame& frame) {
         append_padded(point_data + layout_.point_columns[i].name, frame.point_columns[i],
                       rows.points * layout_.point_columns[i].width);
     if (!fixed_cells_) append_cells(frame, rows);
+    add_to_digest(frame);
     before_.points += rows.points;
     before_.cells += rows.cells;
     before_.connectivity += rows.connectivity;
@@ -231,9 +244,19 @@ void VtkHdfFile::append(const GridFrame& frame) {
     file_.flush();
 }
 
+/// Adds a frame as it will be read, with coordinates of the file's precision.
+void VtkHdfFile::add_to_digest(const GridFrame& frame) {
+    GridFrame stored = frame;
+    if (layout_.points == HdfType::f4)
+        for (double& coordinate : stored.points) coordinate = static_cast<float>(coordinate);
+    digest_.add(stored, names_of(layout_.columns), names_of(layout_.point_columns),
+                fixed_cells_ ? cells_ : FrameDigest::of_cells(frame.cells));
+}
+
 VtkHdfReader::VtkHdfReader(const std::filesystem::path& path) : file_(HdfFile::open_to_read(path)) {
     const auto count = static_cast<std::size_t>(file_.integer_attribute("/VTKHDF/Steps", "NSteps"));
     times_ = file_.read<double>(steps + "Values", 0, count);
+    if (!are_finite(times_)) throw OutputError(file_.path(), "the times of its frames are damaged");
     names_ = file_.names_in("/VTKHDF/CellData");
     stages_.resize(count);
     if (file_.has(field_data + "stage")) read_stages();
@@ -248,6 +271,16 @@ void VtkHdfReader::read_stages() {
             throw OutputError(file_.path(), "the stage of frame " + std::to_string(k) + " is damaged");
         stages_[k] = names[number];
     }
+}
+
+std::string VtkHdfReader::digest(std::int64_t frames) const {
+    const std::vector<std::string> point_names = file_.names_in("/VTKHDF/PointData");
+    FrameDigest digest;
+    for (std::int64_t k = 0; k < frames; ++k) {
+        const GridFrame read = frame(k, names_, point_names);
+        digest.add(read, names_, point_names, FrameDigest::of_cells(read.cells));
+    }
+    return digest.digest();
 }
 
 bool VtkHdfReader::has_point_column(const std::string& name) const {
@@ -287,6 +320,12 @@ GridFrame VtkHdfReader::frame(std::int64_t index, const std::vector<std::string>
     for (const std::string& name : point_columns)
         frame.point_columns.push_back(
             file_.read<float>(point_data + name, from("PointDataOffsets/" + name), count("NumberOfPoints")));
+    const auto are_finite_columns = [](const std::vector<std::vector<float>>& read) {
+        return std::all_of(read.begin(), read.end(), are_finite<float>);
+    };
+    if (!are_finite(frame.points) || !are_finite_columns(frame.columns) ||
+        !are_finite_columns(frame.point_columns))
+        throw OutputError(file_.path(), "numbers of frame " + std::to_string(index) + " are damaged");
     return frame;
 }
 

@@ -4,51 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "dda/hdf/frame_digest.hpp"
+#include "dda/hdf/grid_frame.hpp"  // IWYU pragma: export
 #include "dda/hdf/hdf.hpp"
 
 namespace rockslope::dda {
-
-/// The cells of an unstructured grid: cell c has the points connectivity[offsets[c]] ...
-/// connectivity[offsets[c + 1] - 1].
-struct GridCells {
-    std::vector<std::int64_t> connectivity;
-    std::vector<std::int64_t> offsets = {0};
-    std::vector<std::uint8_t> types;  ///< VTK's: 1 vertex, 3 line, 7 polygon
-
-    std::size_t count() const { return types.size(); }
-    void add(const std::vector<std::int64_t>& points, std::uint8_t type);
-};
-
-/// A quantity with `width` components per cell.
-struct GridColumn {
-    std::string name;
-    int width = 1;
-};
-
-/// A text about the whole file, such as the units of its columns.
-struct GridText {
-    std::string name;
-    std::string text;
-};
-
-/// What a file holds beside the cells.
-struct GridLayout {
-    std::vector<GridColumn> columns;        ///< quantities per cell
-    std::vector<GridColumn> point_columns;  ///< quantities per point
-    std::vector<GridText> texts;
-    HdfType points = HdfType::f4;  ///< type of the coordinates, f4 or f8
-};
-
-/// One frame: coordinates (x, y, z per point), the values of every column and, if they change from frame to
-/// frame, the cells.
-struct GridFrame {
-    double time = 0;
-    std::string stage = {};  ///< name of the stage that the frame belongs to
-    std::vector<double> points = {};
-    std::vector<std::vector<float>> columns = {};
-    std::vector<std::vector<float>> point_columns = {};
-    GridCells cells = {};
-};
 
 /// A VTKHDF 2.0 temporal UnstructuredGrid that grows frame by frame, see docs/formats/results.md. After
 /// append() the file on disk is complete: a killed process loses no frame.
@@ -65,9 +25,12 @@ class VtkHdfFile {
     void append(const GridFrame& frame);
     /// Number of frames in the file.
     std::int64_t frame_count() const { return frame_count_; }
+    /// The digest of these frames, that of a VtkHdfReader.
+    std::string digest() const { return digest_.digest(); }
     /// The path that the file was opened with.
     const std::filesystem::path& path() const { return file_.path(); }
-    void rename_to(const std::filesystem::path& path) { file_.rename_to(path); }
+    /// Sets the path that messages name, for a file that will be renamed.
+    void show_as(const std::filesystem::path& path) { file_.show_as(path); }
 
   private:
     /// Rows that a frame takes of the datasets.
@@ -80,6 +43,7 @@ class VtkHdfFile {
     void add_text_datasets();
     void add_column_datasets(std::size_t cell_chunk, std::size_t point_chunk);
     void check(const GridFrame& frame) const;
+    void add_to_digest(const GridFrame& frame);
     Rows rows_of(const GridFrame& frame) const;
     void append_steps(const GridFrame& frame);
     void append_cells(const GridFrame& frame, const Rows& rows);
@@ -90,6 +54,8 @@ class VtkHdfFile {
     GridLayout layout_;
     std::size_t cell_chunk_;  ///< rows of a chunk of the cells, where frames have their own
     bool fixed_cells_;
+    std::string cells_;  ///< digest of the fixed cells
+    FrameDigest digest_;
     std::vector<std::string> stages_;  ///< names of the stages so far
     std::int64_t frame_count_ = 0;
     Rows before_ = {};  ///< rows of the frames so far
@@ -104,12 +70,12 @@ class VtkHdfReader {
     std::int64_t frame_count() const { return static_cast<std::int64_t>(times_.size()); }
     /// The times of the frames, s.
     const std::vector<double>& times() const { return times_; }
-    /// The names of the data of a frame.
-    const std::vector<std::string>& column_names() const { return names_; }
     /// A frame with the given columns of the cells and of the points, in their order. @throws OutputError if
     /// a column is missing.
     GridFrame frame(std::int64_t index, const std::vector<std::string>& columns,
                     const std::vector<std::string>& point_columns = {}) const;
+    /// The digest of the first frames, all their data. @throws OutputError if one cannot be read.
+    std::string digest(std::int64_t frames) const;
     /// Whether the points have a quantity of that name.
     bool has_point_column(const std::string& name) const;
     /// Name of the stage of each frame; empty in a file of an older version.

@@ -90,7 +90,8 @@ std::vector<Candidate> fundamental_supernodes(const BlockPattern& pattern, const
     }
     for (std::size_t s = 0; s < found.size(); ++s) {
         Candidate& node = found[s];
-        node.rows.erase(node.rows.begin(), node.rows.begin() + static_cast<long>(node.columns.size()) - 1);
+        const auto own = static_cast<std::ptrdiff_t>(node.columns.size()) - 1;  // 0 where there is no row
+        node.rows.erase(node.rows.begin(), node.rows.begin() + own);
         const int up = parent[node.columns.back()];
         if (up >= 0) found[supernode_of[up]].children.push_back(s);
     }

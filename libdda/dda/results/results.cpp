@@ -69,6 +69,8 @@ Results::Results(const Model& model, const std::vector<Stage>& stages, const Out
             context.resume_from = resume_from->positions.at(entry.name);
         writers_.push_back({entry.name, entry.make(context)});
     }
+    // What the files of the saved run have beyond its state is of another run.
+    if (options_.begins_stage) end_files();
 }
 
 Results::~Results() = default;
@@ -102,6 +104,11 @@ void Results::write_history(const State& state, const Stage& stage) {
     for (const NamedWriter& entry : writers_) entry.writer->history(state, stage);
 }
 
+/// Removes what a run that is over does not have of those that it was resumed from.
+void Results::end_files() {
+    for (const NamedWriter& entry : writers_) entry.writer->cut();
+}
+
 void Results::update_peaks(const State& state, double step) {
     const Vec2 from =
         reference_ ? motion_of(model_, state, points_[*reference_]).displacement : Vec2(Vec2::Zero());
@@ -131,9 +138,13 @@ void Results::update_sliding(const State& state, const StepReport& report) {
 }
 
 Checkpoint Results::checkpoint_of(const State& state) const {
-    Checkpoint checkpoint{state, progress_, {}, options_.input_hash};
+    Checkpoint checkpoint{state, progress_, {}, {}, options_.input_hash};
     checkpoint.results.wall_time = wall_time();
-    for (const NamedWriter& entry : writers_) checkpoint.positions[entry.name] = entry.writer->position();
+    for (const NamedWriter& entry : writers_) {
+        checkpoint.positions[entry.name] = entry.writer->position();
+        if (const std::string digest = entry.writer->digest(); !digest.empty())
+            checkpoint.digests[entry.name] = digest;
+    }
     return checkpoint;
 }
 
@@ -240,21 +251,24 @@ void Results::mechanism_found(const Model&, const State& state, const Stage& sta
 }
 
 void Results::stage_ends(const Model&, const State& state, const Stage& stage, int stage_index) {
-    // mechanism_found wrote the frame of a strength reduction
-    if (stage.strength_reduction) return save_end_of_stage(state, stage_index);
-    const std::vector<LeftMoving> left = left_moving(model_, state, stage, stage_index);
-    progress_.left_moving.insert(progress_.left_moving.end(), left.begin(), left.end());
-    write_history(state, stage);
-    // A viewer finds a frame by its time: if displacements are zeroed, only the next stage's start is
-    // written.
     const bool is_last = static_cast<std::size_t>(stage_index) + 1 == stages_.size();
-    if (is_last || !resets_displacements(stage)) write_frame(state, stage);
+    // mechanism_found wrote the frame of a strength reduction
+    if (!stage.strength_reduction) {
+        const std::vector<LeftMoving> left = left_moving(model_, state, stage, stage_index);
+        progress_.left_moving.insert(progress_.left_moving.end(), left.begin(), left.end());
+        write_history(state, stage);
+        // A viewer finds a frame by its time: if displacements are zeroed, only the next stage's start is
+        // written.
+        if (is_last || !resets_displacements(stage)) write_frame(state, stage);
+    }
+    if (is_last || options_.save_end_of == stage_index) end_files();
     save_end_of_stage(state, stage_index);
 }
 
 void Results::stage_fails(const Model&, const State& state, const Stage& stage, int) {
     write_history(state, stage);
     write_frame(state, stage);
+    end_files();
 }
 
 namespace {

@@ -52,7 +52,8 @@ struct ResultsOptions {
 /// writes checkpoints.
 class Results : public RunObserver {
   public:
-    /// Opens the result files; with a checkpoint, truncates them to its positions. @throws OutputError.
+    /// Opens the result files; with a checkpoint, goes on in them from its positions. What a killed run wrote
+    /// beyond them stays until it is written again, or the run is over. @throws OutputError.
     Results(const Model& model, const std::vector<Stage>& stages, const OutputSpec& output,
             ResultsOptions options, const Checkpoint* resume_from = nullptr);
     ~Results() override;
@@ -80,6 +81,7 @@ class Results : public RunObserver {
     bool is_due(std::int64_t& next, double interval, double stage_time) const;
     void write_frame(const State& state, const Stage& stage);
     void write_history(const State& state, const Stage& stage);
+    void end_files();
     void update_peaks(const State& state, double step);
     void update_sliding(const State& state, const StepReport& report);
     Checkpoint checkpoint_of(const State& state) const;

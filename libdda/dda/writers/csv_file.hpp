@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "common/base/sha256.hpp"
+
 namespace rockslope::dda {
 
 /// Builds a row of a CSV file.
@@ -32,24 +34,33 @@ class CsvRow {
 /// disk are removed again.
 class CsvFile {
   public:
-    /// Creates a file or, with `resume_from`, truncates an existing one to that many bytes. @throws
-    /// OutputError.
+    /// Creates a file or, with `resume_from`, goes on in an existing one from so many bytes on. Lines that it
+    /// has beyond stay as long as append() writes the same ones, and are cut off before the first other one.
+    /// @throws OutputError.
     CsvFile(std::filesystem::path path, std::optional<std::int64_t> resume_from);
     ~CsvFile();
     CsvFile(const CsvFile&) = delete;
     CsvFile& operator=(const CsvFile&) = delete;
 
     void append(std::string_view lines);
+    /// Cuts off the lines of an earlier run that were not written again.
+    void cut();
     std::int64_t size() const { return size_; }
+    /// The digest of these bytes.
+    std::string digest() const { return written_.digest(); }
     const std::filesystem::path& path() const { return path_; }
     CsvRow row() const { return CsvRow(path_); }
 
   private:
+    bool has_next(std::string_view lines) const;
+    void write_at_end(std::string_view lines);
     [[noreturn]] void fail(const std::string& what, int reason) const;
 
     std::filesystem::path path_;
     int descriptor_ = -1;
-    std::int64_t size_ = 0;
+    std::int64_t size_ = 0;      ///< bytes written, or found as they would be written
+    Sha256 written_;             ///< of these bytes
+    std::int64_t old_size_ = 0;  ///< where the file that a resumed run found ends; 0 once it is cut
 };
 
 }  // namespace rockslope::dda

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "dda/analysis/state.hpp"
-#include "dda/hdf/vtkhdf_file.hpp"
+#include "dda/hdf/grid_frame.hpp"
 #include "dda/model/model.hpp"
 
 namespace rockslope::dda {

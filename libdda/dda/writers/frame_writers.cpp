@@ -1,6 +1,8 @@
 #include <functional>
+#include <memory>
 
-#include "common/base/output_error.hpp"
+#include "common/base/atomic_file.hpp"
+#include "dda/hdf/vtkhdf_file.hpp"
 #include "dda/writers/frame_data.hpp"
 #include "dda/writers/result_writer.hpp"
 
@@ -11,32 +13,16 @@ namespace {
 using FrameOf = std::function<GridFrame(const Model&, const State&)>;
 using MakeFile = std::function<VtkHdfFile(const std::filesystem::path&)>;
 
-std::vector<std::string> names_of(const std::vector<GridColumn>& columns) {
-    std::vector<std::string> names;
-    for (const GridColumn& column : columns) names.push_back(column.name);
-    return names;
-}
-
-std::filesystem::path copy_of(const std::filesystem::path& path) {
-    return path.string() + ".resumed";
-}
-
 /// The file of a resumed run, a copy of the old one. The frames up to the checkpoint are written again by the
 /// same calls, so that the bytes are those of an uninterrupted run.
-VtkHdfFile resumed_file(const std::filesystem::path& path, const MakeFile& make, const GridLayout& layout,
-                        std::int64_t frames) {
-    const std::filesystem::path copy = copy_of(path);
-    try {
-        VtkHdfFile file = make(copy);
-        const VtkHdfReader old(path);
-        for (std::int64_t k = 0; k < frames; ++k)
-            file.append(old.frame(k, names_of(layout.columns), names_of(layout.point_columns)));
-        return file;
-    } catch (const OutputError&) {
-        std::error_code ignored;
-        std::filesystem::remove(copy, ignored);
-        throw;
-    }
+VtkHdfFile resumed_file(const std::filesystem::path& path, const std::filesystem::path& copy,
+                        const MakeFile& make, const GridLayout& layout, std::int64_t frames) {
+    VtkHdfFile file = make(copy);
+    file.show_as(path);
+    const VtkHdfReader old(path);
+    for (std::int64_t k = 0; k < frames; ++k)
+        file.append(old.frame(k, names_of(layout.columns), names_of(layout.point_columns)));
+    return file;
 }
 
 /// A resumed run leaves the file that it finds, which may hold frames from after the checkpoint, until it has
@@ -49,38 +35,32 @@ class FrameWriter : public ResultWriter {
           frame_of_(std::move(frame_of)),
           path_(context.folder / (context.name + extension)),
           old_frames_(context.resume_from ? VtkHdfReader(path_).frame_count() : 0),
-          file_(context.resume_from ? resumed_file(path_, make, layout, *context.resume_from) : make(path_)),
-          is_copy_(context.resume_from.has_value()) {
-        replace_old_file();
+          copy_(context.resume_from ? std::make_unique<PendingFile>(path_) : nullptr),
+          file_(copy_ ? resumed_file(path_, copy_->temporary(), make, layout, *context.resume_from)
+                      : make(path_)) {
+        if (file_.frame_count() >= old_frames_) cut();
     }
-    ~FrameWriter() override {
-        std::error_code ignored;
-        if (is_copy_) std::filesystem::remove(copy_of(path_), ignored);
-    }
-    FrameWriter(const FrameWriter&) = delete;
-    FrameWriter& operator=(const FrameWriter&) = delete;
 
     void frame(const State& state, const Stage& stage) override {
         GridFrame frame = frame_of_(model_, state);
         frame.stage = stage.name;
         file_.append(frame);
-        replace_old_file();
+        if (file_.frame_count() >= old_frames_) cut();
+    }
+    void cut() override {
+        if (copy_) copy_->put_in_place();
+        copy_.reset();
     }
     std::int64_t position() const override { return file_.frame_count(); }
+    std::string digest() const override { return file_.digest(); }
 
   private:
-    void replace_old_file() {
-        if (!is_copy_ || file_.frame_count() < old_frames_) return;
-        file_.rename_to(path_);
-        is_copy_ = false;
-    }
-
     const Model& model_;
     FrameOf frame_of_;
     std::filesystem::path path_;
-    std::int64_t old_frames_;  ///< in the file that a resumed run found
+    std::int64_t old_frames_;            ///< in the file that a resumed run found
+    std::unique_ptr<PendingFile> copy_;  ///< the file, as long as it is beside the one that was found
     VtkHdfFile file_;
-    bool is_copy_;  ///< the file is still beside the one that was found
 };
 
 /// Frames of a run with excavations: each has the cells of its blocks.

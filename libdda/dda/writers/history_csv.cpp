@@ -1,26 +1,25 @@
 #include "dda/monitor/point_motion.hpp"
-#include "dda/writers/csv_file.hpp"
-#include "dda/writers/result_writer.hpp"
+#include "dda/writers/csv_writer.hpp"
 
 namespace rockslope::dda {
 
 namespace {
 
 /// The motion of the tracked points, absolute or relative to one of them.
-class HistoryCsv : public ResultWriter {
+class HistoryCsv : public CsvWriter {
   public:
     HistoryCsv(const WriterContext& context, const char* file, const std::string& relative_to)
-        : model_(context.model), file_(context.folder / file, context.resume_from) {
+        : CsvWriter(context, file), model_(context.model) {
         points_ = tracked_points(context.model);
         if (const auto reference = find_point(points_, relative_to)) {
             reference_ = points_[*reference];
             points_.erase(points_.begin() + static_cast<std::ptrdiff_t>(*reference));
         }
-        if (!context.resume_from) file_.append(heading());
+        if (!context.resume_from) table().append(heading());
     }
 
     void history(const State& state, const Stage& stage) override {
-        CsvRow row = file_.row();
+        CsvRow row = table().row();
         row.number(state.time, "the time").text(stage.name);
         const PointMotion reference_motion =
             reference_ ? motion_of(model_, state, *reference_) : PointMotion{};
@@ -30,9 +29,8 @@ class HistoryCsv : public ResultWriter {
                 row.number(v.x(), "the motion of '" + point.name + "'")
                     .number(v.y(), "the motion of '" + point.name + "'");
         }
-        file_.append(row.line());
+        table().append(row.line());
     }
-    std::int64_t position() const override { return file_.size(); }
 
   private:
     static PointMotion relative(const PointMotion& point, const PointMotion& to) {
@@ -40,7 +38,7 @@ class HistoryCsv : public ResultWriter {
                 point.acceleration - to.acceleration};
     }
     std::string heading() const {
-        CsvRow row = file_.row();
+        CsvRow row = table().row();
         row.text("time (s)").text("stage");
         for (const TrackedPoint& point : points_)
             for (const char* quantity :
@@ -52,7 +50,6 @@ class HistoryCsv : public ResultWriter {
     const Model& model_;
     std::vector<TrackedPoint> points_;
     std::optional<TrackedPoint> reference_;
-    CsvFile file_;
 };
 
 std::unique_ptr<ResultWriter> make_history_csv(const WriterContext& context) {

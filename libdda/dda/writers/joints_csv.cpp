@@ -1,6 +1,5 @@
 #include "dda/monitor/measured_joint.hpp"
-#include "dda/writers/csv_file.hpp"
-#include "dda/writers/result_writer.hpp"
+#include "dda/writers/csv_writer.hpp"
 
 namespace rockslope::dda {
 
@@ -32,15 +31,15 @@ const char* state_name(ContactState state) {
     return "";
 }
 
-class JointsCsv : public ResultWriter {
+class JointsCsv : public CsvWriter {
   public:
     explicit JointsCsv(const WriterContext& context)
-        : model_(context.model), file_(context.folder / "joints.csv", context.resume_from) {
-        if (!context.resume_from) file_.append(heading());
+        : CsvWriter(context, "joints.csv"), model_(context.model) {
+        if (!context.resume_from) table().append(heading());
     }
 
     void history(const State& state, const Stage& stage) override {
-        CsvRow row = file_.row();
+        CsvRow row = table().row();
         row.number(state.time, "the time").text(stage.name);
         for (const MeasuredJoint& joint : model_.measured_joints) {
             const JointReading reading = read_joint(model_, state, joint);
@@ -53,13 +52,12 @@ class JointsCsv : public ResultWriter {
             row.integer(reading.record.reversals).integer(reading.record.cycle);
             row.number(reading.shear_stress_over_joint, what).number(reading.normal_stress_over_joint, what);
         }
-        file_.append(row.line());
+        table().append(row.line());
     }
-    std::int64_t position() const override { return file_.size(); }
 
   private:
     std::string heading() const {
-        CsvRow row = file_.row();
+        CsvRow row = table().row();
         row.text("time (s)").text("stage");
         for (const MeasuredJoint& joint : model_.measured_joints)
             for (const char* quantity : joint_quantities) row.text(joint.name + " " + quantity);
@@ -67,7 +65,6 @@ class JointsCsv : public ResultWriter {
     }
 
     const Model& model_;
-    CsvFile file_;
 };
 
 }  // namespace

@@ -1,9 +1,14 @@
+#include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <functional>
 
 #include "common/base/atomic_file.hpp"
 #include "common/base/output_error.hpp"
+#include "common/base/read_file.hpp"
+#include "common/base/sha256.hpp"
 #include "common/base/text.hpp"
+#include "dda/hdf/vtkhdf_file.hpp"
 #include "dda/writers/frame_data.hpp"
 #include "dda/writers/result_writer.hpp"
 
@@ -59,6 +64,15 @@ std::string vtu_text(const GridFrame& frame, const GridLayout& layout) {
     return text + "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
 }
 
+/// The lines of a list that are frames; none where there is no list.
+std::vector<std::string> entries_of(const std::filesystem::path& list) {
+    std::ifstream file(list);
+    std::vector<std::string> entries;
+    for (std::string line; std::getline(file, line);)
+        if (line.starts_with("<DataSet ")) entries.push_back(line);
+    return entries;
+}
+
 /// STEM.pvd, a list of files STEM.K.vtu, for viewers that cannot read temporal VTKHDF.
 class Pvd : public ResultWriter {
   public:
@@ -71,7 +85,13 @@ class Pvd : public ResultWriter {
           frame_of_(std::move(frame_of)) {
         if (!context.resume_from) return;
         const VtkHdfReader frames(folder_ / (stem_ + ".vtkhdf"));
-        for (std::int64_t k = 0; k < *context.resume_from; ++k) times_.push_back(frames.times()[k]);
+        const auto count = static_cast<std::size_t>(*context.resume_from);
+        for (std::size_t k = 0; k < count; ++k) {
+            written_.add(read_text_file(folder_ / frame_file_name(stem_, position())));
+            entries_.push_back(entry(frames.times()[k]));
+        }
+        later_ = entries_of(list());
+        later_.erase(later_.begin(), later_.begin() + std::min(count, later_.size()));
     }
 
     void frame(const State& state, const Stage& stage) override {
@@ -84,19 +104,40 @@ class Pvd : public ResultWriter {
                         throw OutputError(folder_ / (stem_ + ".pvd"),
                                           "a value at t = " + shortest_text(state.time) +
                                               " s is not finite; the frame is not written");
-        write_file_atomically(folder_ / frame_file_name(stem_, position()), vtu_text(frame, layout_));
-        times_.push_back(state.time);
-        write_file_atomically(folder_ / (stem_ + ".pvd"), list_text());
+        const std::string text = vtu_text(frame, layout_);
+        write_file_atomically(folder_ / frame_file_name(stem_, position()), text);
+        written_.add(text);
+        add(entry(state.time));
+        write_file_atomically(list(), list_text());
     }
-    std::int64_t position() const override { return static_cast<std::int64_t>(times_.size()); }
+    void cut() override {
+        if (later_.empty()) return;
+        later_.clear();
+        write_file_atomically(list(), list_text());
+    }
+    std::int64_t position() const override { return static_cast<std::int64_t>(entries_.size()); }
+    std::string digest() const override { return written_.digest(); }
 
   private:
+    std::filesystem::path list() const { return folder_ / (stem_ + ".pvd"); }
+    /// The line of the next frame.
+    std::string entry(double time) const {
+        return "<DataSet timestep=\"" + shortest_text(time) + "\" file=\"" +
+               frame_file_name(stem_, position()) + "\"/>";
+    }
+    /// Adds the line of a frame. The later ones stay as long as they follow the same frames.
+    void add(const std::string& line) {
+        if (!later_.empty() && later_.front() == line)
+            later_.erase(later_.begin());
+        else
+            later_.clear();
+        entries_.push_back(line);
+    }
     std::string list_text() const {
         std::string text =
             "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n";
-        for (std::size_t k = 0; k < times_.size(); ++k)
-            text += "<DataSet timestep=\"" + shortest_text(times_[k]) + "\" file=\"" +
-                    frame_file_name(stem_, static_cast<std::int64_t>(k)) + "\"/>\n";
+        for (const auto& lines : {entries_, later_})
+            for (const std::string& line : lines) text += line + "\n";
         return text + "</Collection>\n</VTKFile>\n";
     }
 
@@ -104,7 +145,9 @@ class Pvd : public ResultWriter {
     std::string stem_;
     GridLayout layout_;
     FrameOf frame_of_;
-    std::vector<double> times_;
+    Sha256 written_;  ///< of the frames
+    std::vector<std::string> entries_;
+    std::vector<std::string> later_;  ///< of frames that a killed run wrote after its checkpoint
 };
 
 }  // namespace

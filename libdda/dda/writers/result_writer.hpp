@@ -45,6 +45,11 @@ class ResultWriter {
     virtual void history(const State&, const Stage&) {}
     /// Records an accepted step.
     virtual void step(const State&, const Stage&, const StepReport&) {}
+    /// Removes what the files that a resumed run found have beyond that which is written by now.
+    virtual void cut() {}
+    /// The digest of that which is written so far, by which a run is not resumed with damaged results, see
+    /// digest_of(). Empty: damage is not found.
+    virtual std::string digest() const { return {}; }
     /// Amount written so far, in the writer's PositionUnit; stored in checkpoints.
     virtual std::int64_t position() const = 0;
 };

@@ -1,5 +1,4 @@
-#include "dda/writers/csv_file.hpp"
-#include "dda/writers/result_writer.hpp"
+#include "dda/writers/csv_writer.hpp"
 
 namespace rockslope::dda {
 
@@ -35,19 +34,18 @@ constexpr const char* headings[] = {"time (s)",
                                     "external work (J/m)",
                                     "residual (J/m)"};
 
-class StepsCsv : public ResultWriter {
+class StepsCsv : public CsvWriter {
   public:
-    explicit StepsCsv(const WriterContext& context)
-        : file_(context.folder / "steps.csv", context.resume_from) {
+    explicit StepsCsv(const WriterContext& context) : CsvWriter(context, "steps.csv") {
         if (context.resume_from) return;
-        CsvRow row = file_.row();
+        CsvRow row = table().row();
         for (const char* heading : headings) row.text(heading);
-        file_.append(row.line());
+        table().append(row.line());
     }
 
     void step(const State& state, const Stage& stage, const StepReport& report) override {
         const Energy& e = state.energy;
-        CsvRow row = file_.row();
+        CsvRow row = table().row();
         row.number(report.time, "the time").text(stage.name).number(report.step, "the step");
         for (const int count : {report.iterations, report.factorizations, report.fallbacks, report.cuts,
                                 report.open, report.sliding, report.locked})
@@ -60,12 +58,8 @@ class StepsCsv : public ResultWriter {
                                    e.damping_loss, e.contact_damping_loss, e.numerical_loss, e.released,
                                    e.boundary_loss, e.excavated, e.external_work, e.residual()})
             row.number(value, "an energy");
-        file_.append(row.line());
+        table().append(row.line());
     }
-    std::int64_t position() const override { return file_.size(); }
-
-  private:
-    CsvFile file_;
 };
 
 }  // namespace

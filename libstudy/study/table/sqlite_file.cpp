@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "common/base/atomic_file.hpp"
 #include "common/base/output_error.hpp"
 #include "common/base/text.hpp"
 
@@ -23,9 +24,12 @@ std::string sql_name(const std::string& name) {
 
 class Database {
   public:
-    /// @param shown in messages.
+    /// Opens an empty file, which nobody misses when it is spoilt: it needs no journal. @param shown in
+    /// messages.
     Database(const fs::path& file, fs::path shown) : file_(std::move(shown)) {
-        check(::sqlite3_open(file.c_str(), &handle_));
+        check(
+            ::sqlite3_open_v2(file.c_str(), &handle_, SQLITE_OPEN_READWRITE | SQLITE_OPEN_NOFOLLOW, nullptr));
+        execute("PRAGMA journal_mode = OFF");
     }
     ~Database() { ::sqlite3_close(handle_); }
     Database(const Database&) = delete;
@@ -86,17 +90,9 @@ void write_database(const fs::path& temporary, const fs::path& file, const std::
 }  // namespace
 
 void write_sqlite(const fs::path& file, const std::vector<NamedTable>& tables) {
-    const fs::path temporary = file.string() + ".tmp";
-    std::error_code error;
-    fs::remove(temporary, error);
-    try {
-        write_database(temporary, file, tables);
-    } catch (const OutputError&) {
-        for (const char* end : {"", "-journal"}) fs::remove(temporary.string() + end, error);
-        throw;
-    }
-    fs::rename(temporary, file, error);
-    if (error) throw OutputError(file, "cannot be replaced: " + error.message());
+    PendingFile pending(file);
+    write_database(pending.temporary(), file, tables);
+    pending.put_in_place();
 }
 
 }  // namespace rockslope::study

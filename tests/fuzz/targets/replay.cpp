@@ -22,8 +22,12 @@ std::vector<fs::path> files_in(const fs::path& place) {
     return files;
 }
 
-/// @return whether the target takes the bytes of a file.
+/// @return whether there is a file, and the target takes its bytes.
 bool takes(const fs::path& path) {
+    if (!fs::is_regular_file(path)) {
+        std::fprintf(stderr, "%s: there is no such file\n", path.c_str());
+        return false;
+    }
     const pid_t child = ::fork();
     if (child == 0) {
         std::ifstream file(path, std::ios::binary);

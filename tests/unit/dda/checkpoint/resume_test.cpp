@@ -4,10 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
 
 #include "common/base/read_file.hpp"
 #include "common/base/text.hpp"
 #include "dda/analysis/step.hpp"
+#include "dda/checkpoint/resume_check.hpp"
 #include "dda/checkpoint/state_archive.hpp"
 #include "dda/results/block_table.hpp"
 #include "dda/results/summary.hpp"
@@ -17,6 +19,7 @@
 namespace rockslope::dda::resume_test {
 namespace {
 namespace fs = std::filesystem;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 class ContinuedRun : public RunInAFolder {
@@ -60,33 +63,116 @@ TEST_F(ContinuedRun, EndsInTheSameBytes) {
     }
 }
 
-// A run that went on after its checkpoint and was killed has later frames and rows.
-TEST_F(ContinuedRun, KeepsLaterFramesUntilItHasWrittenAsMany) {
-    simulate("whole");
-    const std::int64_t frames = frames_of("whole").frame_count();
-    const auto steps = static_cast<int>(lines_of(folder / "whole" / "steps.csv").size()) - 1;
-    int step = 0;
-    simulate("killed", [&](const Progress&) { return ++step < steps / 3; });
-    const fs::path old_checkpoint = folder / "killed" / "checkpoint.h5";
-    ASSERT_LT(frames_of("killed").frame_count(), frames - 1);
-    for (const char* file : {"run.vtkhdf", "run.joints.vtkhdf", "history.csv", "steps.csv"})
+/// A run that went on after its checkpoint and was killed: it has later frames, rows and files of frames.
+class KilledRun : public ContinuedRun {
+  protected:
+    void SetUp() override {
+        ContinuedRun::SetUp();
+        pvd = true;
+        simulate("whole");
+        steps = static_cast<int>(lines_of(folder / "whole" / "steps.csv").size()) - 1;
+        int step = 0;
+        simulate("killed", [&](const Progress&) { return ++step < steps / 3; });
+        ASSERT_LT(frames_of("killed").frame_count(), frames_of("whole").frame_count() - 1);
+        for (const fs::directory_entry& entry : fs::directory_iterator(folder / "whole"))
+            if (entry.path().filename() != "checkpoint.h5")
+                fs::copy_file(entry.path(), folder / "killed" / entry.path().filename(),
+                              fs::copy_options::overwrite_existing);
+    }
+    /// Resumes the run and stops it after some steps.
+    RunStatus resume_for(int steps_until_stop) {
+        const Checkpoint checkpoint = read_checkpoint(folder / "killed" / "checkpoint.h5");
+        int done = 0;
+        Results results(
+            input.model, input.stages, input.output,
+            {folder / "killed", pvd, "hash", [&](const Progress&) { return ++done < steps_until_stop; }},
+            &checkpoint);
+        State state = checkpoint.state;
+        begins();
+        return run(input.model, input.stages, state, results, {1, checkpoint.results.stage, true}).status;
+    }
+    /// The files of the whole run that the killed one does not have with the same bytes.
+    std::vector<std::string> different() const {
+        std::vector<std::string> files;
+        for (const fs::directory_entry& entry : fs::directory_iterator(folder / "whole")) {
+            const fs::path name = entry.path().filename();
+            if (name != "checkpoint.h5" &&
+                read_text_file(entry.path()) != read_text_file(folder / "killed" / name))
+                files.push_back(name.string());
+        }
+        return files;
+    }
+    bool has_temporary_files() const {
+        return std::any_of(fs::directory_iterator(folder / "killed"), fs::directory_iterator(),
+                           [](const auto& entry) {
+                               return entry.path().filename().string().find(".tmp") != std::string::npos;
+                           });
+    }
+
+    int steps = 0;
+    std::function<void()> begins = [] {};
+};
+
+// Tables and the list of files were cut back at once, so that a second kill lost what the first had left.
+TEST_F(KilledRun, KeepsWhatItHadUntilItIsWrittenAgain) {
+    begins = [&] { EXPECT_THAT(different(), ElementsAre()) << "at the start"; };
+    EXPECT_EQ(resume_for(steps / 3), RunStatus::stopped);
+    EXPECT_THAT(different(), ElementsAre()) << "after a resumed run that was stopped early";
+    EXPECT_FALSE(has_temporary_files());
+    EXPECT_EQ(resume_for(steps), RunStatus::completed);
+    EXPECT_THAT(different(), ElementsAre());
+}
+
+// The name of the copy of the frames was run.vtkhdf.resumed.
+TEST_F(KilledRun, FollowsNoLinkAtTheSideOfItsFrames) {
+    folder.write("killed/victim", "precious");
+    fs::create_symlink("victim", folder / "killed" / "run.vtkhdf.resumed");
+    EXPECT_EQ(resume_for(steps), RunStatus::completed);
+    EXPECT_EQ(read_text_file(folder / "killed" / "victim"), "precious");
+    EXPECT_THAT(different(), ElementsAre());
+}
+
+// Rows that a power cut spoilt, or that another version of the program wrote.
+TEST_F(KilledRun, ReplacesOtherRowsAndFrames) {
+    for (const char* file : {"history.csv", "steps.csv", "joints.csv"}) {
+        std::string text = read_text_file(folder / "killed" / file);
+        text[text.size() - 40] = '?';
+        folder.write("killed/" + std::string(file), text + "1,more,rows\n2,hal");
+    }
+    std::string list = read_text_file(folder / "killed" / "run.pvd");
+    list.insert(list.find("</Collection>"), "<DataSet timestep=\"9\" file=\"run.99.vtu\"/>\n");
+    folder.write("killed/run.pvd", list);
+    EXPECT_EQ(resume_for(steps), RunStatus::completed);
+    EXPECT_THAT(different(), ElementsAre());
+}
+
+// A changed number in a row or a frame went on into the results of the resumed run.
+TEST_F(KilledRun, IsRefusedWhereItsResultsAreNotThoseThatItWrote) {
+    const Checkpoint checkpoint = read_checkpoint(folder / "killed" / "checkpoint.h5");
+    const auto error = [&] {
+        return io_test::error_of([&] {
+            check_resumable(checkpoint, writer_context(input.model, folder / "killed", input.output, pvd));
+        });
+    };
+    EXPECT_EQ(error(), "no error");
+    for (const char* file : {"history.csv", "steps.csv", "joints.csv", "run.1.vtu", "run.joints.1.vtu"}) {
+        const std::string whole = read_text_file(folder / "killed" / file);
+        std::string damaged = whole;
+        damaged[damaged.size() / 50] ^= 1;
+        folder.write("killed/" + std::string(file), damaged);
+        EXPECT_THAT(error(), HasSubstr("cannot be resumed from: it is damaged")) << file;
+        folder.write("killed/" + std::string(file), whole);
+    }
+    input.model.gravity *= 1.001;
+    simulate("other");
+    for (const char* file : {"run.vtkhdf", "run.joints.vtkhdf"}) {
+        fs::copy_file(folder / "other" / file, folder / "killed" / file,
+                      fs::copy_options::overwrite_existing);
+        EXPECT_THAT(error(), HasSubstr("cannot be resumed from: it is damaged")) << file;
         fs::copy_file(folder / "whole" / file, folder / "killed" / file,
                       fs::copy_options::overwrite_existing);
-    const auto resume = [&](int stop) {
-        const Checkpoint checkpoint = read_checkpoint(old_checkpoint);
-        int done = 0;
-        Results results(input.model, input.stages, input.output,
-                        {folder / "killed", false, "hash", [&](const Progress&) { return ++done < stop; }},
-                        &checkpoint);
-        State state = checkpoint.state;
-        EXPECT_EQ(frames_of("killed").frame_count(), frames) << "at the start";
-        return run(input.model, input.stages, state, results, {1, checkpoint.results.stage, true}).status;
-    };
-    EXPECT_EQ(resume(steps / 3), RunStatus::stopped);
-    EXPECT_EQ(frames_of("killed").frame_count(), frames) << "after a resumed run that was stopped early";
-    EXPECT_FALSE(fs::exists(folder / "killed" / "run.vtkhdf.resumed"));
-    EXPECT_EQ(resume(steps), RunStatus::completed);
-    expect_same_files("killed", "whole");
+    }
+    EXPECT_EQ(error(), "no error");
 }
 
 TEST_F(ContinuedRun, RestoresExcavatedBlocks) {

@@ -6,6 +6,7 @@
 
 #include "common/base/read_file.hpp"
 #include "dda/analysis/run.hpp"
+#include "dda/hdf/vtkhdf_file.hpp"  // IWYU pragma: export
 #include "dda/input/read_run.hpp"
 #include "dda/results/results.hpp"
 #include "dda/writers/frame_data.hpp"  // IWYU pragma: export
@@ -13,8 +14,8 @@
 
 namespace rockslope::dda {
 
-inline const char* const result_files[] = {"history.csv", "relative.csv", "joints.csv",
-                                           "steps.csv",   "run.vtkhdf",   "run.joints.vtkhdf"};
+inline const char* const compared_files[] = {"history.csv", "relative.csv", "joints.csv",
+                                             "steps.csv",   "run.vtkhdf",   "run.joints.vtkhdf"};
 
 /// A block that settles on a base and is then shaken until it slides.
 class RunInAFolder : public ::testing::Test {
@@ -57,7 +58,7 @@ history_interval = 0.02
         return run(input.model, input.stages, state, results, {1, checkpoint.results.stage, true});
     }
     void expect_same_files(const std::string& a, const std::string& b) {
-        for (const char* file : result_files)
+        for (const char* file : compared_files)
             EXPECT_EQ(read_text_file(folder / a / file), read_text_file(folder / b / file)) << file;
     }
     static std::vector<std::string> lines_of(const std::filesystem::path& path) {
