@@ -62,6 +62,8 @@ cmp p.svg again.svg || fail 'not the same picture'
 grep -v '^provenance' slope.blocks >a.txt
 grep -v '^provenance' echo.blocks >b.txt
 cmp a.txt b.txt || fail 'the echoed model makes other blocks'
+"$program" slope.toml -o k.blocks --threads 3 >out.txt
+cmp k.blocks slope.blocks || fail 'three threads make other bytes'
 "$program" slope.toml -o k.blocks --set 'kinematics.friction_angle="30 deg"' --kinematic-picture k.svg \
     --size-picture s.svg --report k.txt >out.txt
 grep -q 'filled exactly by the blocks' k.txt || fail 'no tables in the report'
@@ -97,6 +99,7 @@ set_value 'below the grid' 'joint_set[0].spacing=1e-7'
 set_value 'blocks; expected at most' 'joint_set[0].spacing=0.001'
 set_value 'slope.toml:9:1.*needs about .*--max-blocks' 'joint_set[1].spacing=0.00003'
 refused 'slope.toml:2.*--max-blocks' slope.toml --max-blocks 10
+refused '--threads is 0; expected a number' slope.toml --threads 0
 refused 'no-such.toml' no-such.toml
 refused 'no such folder' slope.toml -o nowhere/slope.blocks
 refused 'new.gif' slope.toml --picture new.gif

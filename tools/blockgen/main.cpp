@@ -65,7 +65,7 @@ void write_results(const Options& options, const SlopeModel& model, const CutRes
     }
     if (!options.report.empty()) write_report(options.report, result.report);
     if (!options.depfile.empty()) write_file_atomically(options.depfile, make_rule(options, model));
-    write_block_file(options.output, result.mesh);
+    write_block_file(options.output, result.mesh, ThreadPool(options.threads));
 }
 
 int print(const std::string& text) {
@@ -85,8 +85,11 @@ int run(const Options& options) {
         config.fail("kinematics", "--kinematic-picture without [kinematics]",
                     "[kinematics] with a friction_angle");
 
-    CutResult result =
-        cut_blocks(model, all_traces(model, options.max_blocks), {options.max_blocks, options.verify});
+    CutResult result = cut_blocks(model, all_traces(model, options.max_blocks),
+                                  {.max_blocks = options.max_blocks,
+                                   .verify = options.verify,
+                                   .threads = options.threads,
+                                   .full_report = !options.report.empty()});
     result.mesh.provenance = provenance(model, config);
     for (const std::string& warning : result.report.warnings)
         std::fprintf(stderr, "warning: %s\n", warning.c_str());

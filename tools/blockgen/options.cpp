@@ -1,6 +1,8 @@
 #include "options.hpp"
 
+#include <algorithm>
 #include <boost/program_options.hpp>
+#include <thread>
 
 #include "blockgen/input/read_slope_model.hpp"
 #include "common/drawing/canvas.hpp"
@@ -37,6 +39,8 @@ po::options_description visible_options() {
     add("verify", "repeat the arrangement with exact construction and compare");
     add("max-blocks", po::value<std::int64_t>()->value_name("N")->default_value(1'000'000),
         "largest number of blocks; a model with more is refused");
+    add("threads", po::value<int>()->value_name("N"),
+        "number of threads (default: all cores); results do not depend on it");
     add("template", "print a commented model file and stop");
     add("print-config", "print the model with overrides and defaults and stop");
     add("version", "print the version and stop");
@@ -67,6 +71,16 @@ void check_picture(const char* option, const std::filesystem::path& picture) {
                          ": expected a name that ends in .svg, .png or .pdf");
 }
 
+int threads_of(const po::variables_map& given) {
+    constexpr int max_threads = 1024;
+    if (!given.count("threads"))
+        return std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, max_threads);
+    const int threads = given["threads"].as<int>();
+    if (threads < 1 || threads > max_threads)
+        throw UsageError("--threads is " + std::to_string(threads) + "; expected a number from 1 to 1024");
+    return threads;
+}
+
 Options read_options(const po::variables_map& given) {
     Options options;
     options.model = tool_support::model_file_of("blockgen", given, "blockgen SLOPE.toml [options]");
@@ -83,6 +97,7 @@ Options read_options(const po::variables_map& given) {
     const auto max_blocks = given["max-blocks"].as<std::int64_t>();
     if (max_blocks < 1) throw UsageError("--max-blocks: expected a positive integer");
     options.max_blocks = max_blocks;
+    options.threads = threads_of(given);
     options.verify = given.count("verify") > 0;
     options.print_config = given.count("print-config") > 0;
     options.size_picture = path_or_empty(given, "size-picture");

@@ -22,6 +22,7 @@ struct Options {
     bool verify = false;
     bool print_config = false;
     std::size_t max_blocks = 1'000'000;
+    int threads = 1;
     std::string text;  ///< help, version or template to print; empty: cut the model
 };
 

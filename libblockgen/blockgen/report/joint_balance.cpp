@@ -7,19 +7,12 @@
 
 #include "blockgen/faces/cut_context.hpp"
 #include "blockgen/input/domain.hpp"
+#include "blockgen/input/trace_length.hpp"
 #include "blockgen/sampling/rock_domain.hpp"
 
 namespace rockslope::blockgen {
 
 namespace {
-
-double length_of(const Trace& trace) {
-    double length = 0;
-    for (std::size_t k = 0; k + 1 < trace.points.size(); ++k)
-        length +=
-            std::hypot(trace.points[k + 1].x - trace.points[k].x, trace.points[k + 1].y - trace.points[k].y);
-    return length;
-}
 
 /// The point at half the length of a trace.
 Point middle_of(const Trace& trace) {
@@ -91,7 +84,6 @@ class NetworkMeasure {
             if (set != nullptr) set_targets(*set, b);
         }
         count_nodes();
-        warn();
         return std::move(report_);
     }
 
@@ -234,39 +226,6 @@ class NetworkMeasure {
             else if (branches[v] != 2)
                 ++(branches[v] == 1 ? n.i : branches[v] == 3 ? n.y : n.x);
         }
-    }
-
-    /// Warns of given traces without effect. Sampled sets fill the domain's box, so some of their traces
-    /// always lie outside the rock.
-    void warn() {
-        struct Dropped {
-            std::size_t points = 0, outside = 0, on_boundary = 0;
-        };
-        PerRow<Dropped> dropped(report_.joints.size());
-        const std::size_t given = std::min(context_.traces.size(), context_.model.traces.size());
-        for (const JointTraceIndex t : indices<JointTraceIndex>(given)) {
-            const TraceLengths& lengths = trace_lengths_[t];
-            Dropped& row = dropped[row_[t]];
-            if (lengths.in_rock() > 0) continue;
-            if (lengths.on_boundary > 0)
-                row.on_boundary += !context_.model.outline_of_traces;
-            else
-                ++(length_of(context_.traces[t]) < context_.noded.frame.step ? row.points : row.outside);
-        }
-        for (const RowIndex r : dropped.indices()) {
-            add_warning(r, dropped[r].points, "has no length on this grid and is dropped",
-                        "have no length on this grid and are dropped");
-            add_warning(r, dropped[r].outside, "lies outside the rock and is dropped",
-                        "lie outside the rock and are dropped");
-            add_warning(r, dropped[r].on_boundary, "runs along a free face only, which stays free",
-                        "run along a free face only, which stays free");
-        }
-    }
-
-    void add_warning(RowIndex row, std::size_t count, const std::string& one, const std::string& many) {
-        if (count > 0)
-            report_.warnings.push_back(std::to_string(count) + (count == 1 ? " trace" : " traces") + " of '" +
-                                       report_.joints[row].name + "' " + (count == 1 ? one : many));
     }
 
     CutContext context_;

@@ -36,7 +36,6 @@ struct NodeCounts {
 struct NetworkReport {
     std::vector<JointBalance> joints;  ///< in the order of the traces
     NodeCounts nodes;
-    std::vector<std::string> warnings;  ///< given traces without effect, counted by name
 };
 
 /// Measures the joints after noding. The densities are averages over all rock, or over the rock in the set's

@@ -57,8 +57,8 @@ void blocks_table(Page& page, const CutReport& r) {
     page.line("  width/length P10 to P90   %.3f, %.3f, %.3f", r.shapes.aspect.p10, r.shapes.aspect.p50,
               r.shapes.aspect.p90);
     page.line("  corners of a block        %.2f", r.shapes.mean_corners);
-    page.line("  smallest edge             %.4g m", r.sizes.smallest_edge);
-    page.line("  smallest angle            %.4g deg", r.sizes.smallest_angle * 180 / std::numbers::pi);
+    page.line("  smallest edge             %.4g m", r.corners.smallest_edge);
+    page.line("  smallest angle            %.4g deg", r.corners.smallest_angle * 180 / std::numbers::pi);
     page.line("  slivers                   %zu", r.slivers);
     page.line("  largest snap              %.3g m", r.largest_snap);
 }

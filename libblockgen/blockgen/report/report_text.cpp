@@ -26,7 +26,7 @@ const char* label_of(BlockMode mode) {
 
 namespace {
 
-nlohmann::ordered_json areas_json(const SizeSummary& s) {
+nlohmann::ordered_json areas_json(const AreaSummary& s) {
     return {{"smallest", s.smallest_area},
             {"d10", s.d10},
             {"d50", s.d50},
@@ -104,7 +104,7 @@ nlohmann::ordered_json excavations_json(const std::vector<ExcavationReport>& exc
 
 std::string report_text(const CutReport& report) {
     using Json = nlohmann::ordered_json;
-    const SizeSummary& s = report.sizes;
+    const AreaSummary& s = report.sizes;
     Json root = {
         {"blocks", report.blocks},
         {"holes", report.holes},
@@ -131,8 +131,8 @@ std::string report_text(const CutReport& report) {
         {"roundness", deciles_json(report.shapes.roundness)},
         {"aspect", deciles_json(report.shapes.aspect)},
         {"mean_corners", report.shapes.mean_corners},
-        {"smallest_edge_m", s.smallest_edge},
-        {"smallest_angle_deg", s.smallest_angle * 180 / std::numbers::pi},
+        {"smallest_edge_m", report.corners.smallest_edge},
+        {"smallest_angle_deg", report.corners.smallest_angle * 180 / std::numbers::pi},
         {"joints", joints_json(report.joints)},
         {"nodes",
          {{"i", report.nodes.i}, {"y", report.nodes.y}, {"x", report.nodes.x}, {"edge", report.nodes.edge}}},
