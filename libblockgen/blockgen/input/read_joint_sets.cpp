@@ -38,11 +38,12 @@ std::vector<Pole> read_poles(const ConfigTable& table, double azimuth, SlopeMode
     } else {
         model.files.push_back(table.file_path("orientation_file"));
         constexpr double degree = std::numbers::pi / 180;
-        for (const CsvRow& row : read_csv(model.files.back(), {"dip", "dip_direction"}, {}).rows) {
-            if (!(row.numbers[0] >= 0 && row.numbers[0] <= 90))
-                throw InputError({model.files.back().string(), row.line},
-                                 "a dip of " + shortest_text(row.numbers[0]) + " degrees", "0 to 90");
-            poles.push_back(pole_of(degree * row.numbers[0], degree * row.numbers[1], azimuth));
+        const CsvTable rows = read_csv(model.files.back(), {"dip", "dip_direction"}, {});
+        for (std::size_t k = 0; k < rows.row_count(); ++k) {
+            if (!(rows.number(k, 0) >= 0 && rows.number(k, 0) <= 90))
+                throw InputError({model.files.back().string(), rows.lines[k]},
+                                 "a dip of " + shortest_text(rows.number(k, 0)) + " degrees", "0 to 90");
+            poles.push_back(pole_of(degree * rows.number(k, 0), degree * rows.number(k, 1), azimuth));
         }
     }
     if (poles.empty())
