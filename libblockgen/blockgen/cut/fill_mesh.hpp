@@ -16,6 +16,7 @@ struct FilledMesh {
 /// The material of each kind of rock, as an index into the names of the materials that blocks have, which are
 /// in the order of the blocks.
 struct RockMaterials {
+    /// Finds the materials of all blocks.
     RockMaterials(const CutContext& cut, const BlockRings& rings);
 
     PerBlock<BlockMaterialIndex> of_block;

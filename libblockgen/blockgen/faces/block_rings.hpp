@@ -19,6 +19,7 @@ class BlockBoundary {
 
     PerEdge<char> is_boundary;
 
+    /// Number of half-edges, of the boundary or not.
     std::size_t half_edge_count() const { return subdivision_.next.size(); }
     /// All half-edges, of the boundary or not.
     IndexRange<HalfEdgeIndex> half_edges() const { return subdivision_.next.indices(); }
@@ -48,9 +49,13 @@ struct BlockRings {
     PerBlock<FaceBlockIndex> block;  ///< its number among the groups of faces
     PerBlock<RingIndex> first_ring = {0};
 
+    /// Number of blocks.
     std::size_t block_count() const { return block.size(); }
+    /// The indices of all blocks.
     IndexRange<BlockIndex> blocks() const { return block.indices(); }
+    /// Number of rings of a block.
     std::size_t ring_count(BlockIndex b) const { return first_ring[b + 1] - first_ring[b]; }
+    /// A ring of a block; ring 0 is the outer one.
     RingSpan ring(BlockIndex b, std::size_t ring) const {
         const Part& part = parts[first_ring[b] + ring];
         return std::span(half_edges).subspan(part.begin, part.size);

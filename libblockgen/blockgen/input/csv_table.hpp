@@ -14,10 +14,13 @@ struct CsvTable {
     std::vector<std::string> texts;  ///< empty where absent
     std::vector<int> lines;          ///< of each row in the file
 
+    /// Number of rows.
     std::size_t row_count() const { return lines.size(); }
+    /// The number in a row and a requested number column.
     double number(std::size_t row, std::size_t column) const {
         return numbers[row * number_columns + column];
     }
+    /// The text in a row and a requested text column.
     std::string& text(std::size_t row, std::size_t column) { return texts[row * text_columns + column]; }
 };
 

@@ -26,7 +26,7 @@ class MeshChecker {
         for (const VertexIndex v : mesh_.vertices.indices())
             if (!std::isfinite(mesh_.vertices[v].x) || !std::isfinite(mesh_.vertices[v].y))
                 fail("vertex " + std::to_string(v.value()) + " is not finite", "finite coordinates");
-        // Of the blocks at fault the first is told: ranges are ascending, and the first exception counts.
+        // The first block at fault is told: ranges are ascending, and the first exception counts.
         pool.parallel_for(mesh_.block_count(), [&](std::size_t begin, std::size_t end) {
             std::vector<Ring> rings;
             for (const BlockIndex b : indices<BlockIndex>(begin, end)) check_block(b, rings);

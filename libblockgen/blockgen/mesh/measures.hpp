@@ -54,6 +54,7 @@ struct AreaSummary {
 /// The areas of all blocks, m2.
 PerBlock<double> block_areas(const BlockMesh& mesh, const ThreadPool& pool = ThreadPool());
 
+/// Summarises the areas of blocks.
 AreaSummary area_summary(std::vector<double> areas, const ThreadPool& pool = ThreadPool());
 
 /// The edges and corners of blocks; zeros when there are none.
@@ -62,6 +63,7 @@ struct CornerSummary {
     double smallest_angle = 0;  ///< rad, the sharpest corner of a block, in (0, pi)
 };
 
+/// Finds the smallest edge and angle of all blocks.
 CornerSummary corner_summary(const BlockMesh& mesh, const ThreadPool& pool = ThreadPool());
 
 }  // namespace rockslope::blockgen

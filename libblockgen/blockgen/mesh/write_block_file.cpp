@@ -142,31 +142,18 @@ void append_all(std::size_t count, const TextOf& text_of, const ThreadPool& pool
     }
 }
 
-void append_file(const BlockMesh& mesh, const ThreadPool& pool, Append append) {
+void append_header_and_names(const BlockMesh& mesh, Append append) {
     std::string out;
     append_header(out, mesh);
     append_names(out, "provenance", mesh.provenance);
     append_names(out, "block_material", mesh.block_materials);
     append_names(out, "joint_material", mesh.joint_materials);
+    for (const Joint& joint : mesh.joints) ((out += "joint ") += quoted_name(joint.set)) += '\n';
     append(out);
-    append_all(
-        mesh.joints.size(),
-        [&](JointIndex k, std::string& text) {
-            ((text += "joint ") += quoted_name(mesh.joints[k].set)) += '\n';
-        },
-        pool, append);
-    append_all(
-        mesh.vertices.size(),
-        [&](VertexIndex k, std::string& text) {
-            text += "vertex";
-            append_point(text, mesh.vertices[k]);
-            text += '\n';
-        },
-        pool, append);
-    append_all(
-        mesh.block_count(), [&](BlockIndex k, std::string& text) { append_block(text, mesh, k); }, pool,
-        append);
-    out.clear();
+}
+
+void append_end(const BlockMesh& mesh, Append append) {
+    std::string out;
     for (const MeasuredPoint& point : mesh.measured_points) {
         ((out += "measured_point ") += quoted_name(point.name)) += ' ';
         append_number(out, point.block);
@@ -178,16 +165,32 @@ void append_file(const BlockMesh& mesh, const ThreadPool& pool, Append append) {
     append(out += "end\n");
 }
 
+void append_block_file(const BlockMesh& mesh, const ThreadPool& pool, Append append) {
+    append_header_and_names(mesh, append);
+    append_all(
+        mesh.vertices.size(),
+        [&](VertexIndex k, std::string& text) {
+            text += "vertex";
+            append_point(text, mesh.vertices[k]);
+            text += '\n';
+        },
+        pool, append);
+    append_all(
+        mesh.block_count(), [&](BlockIndex k, std::string& text) { append_block(text, mesh, k); }, pool,
+        append);
+    append_end(mesh, append);
+}
+
 }  // namespace
 
 std::string block_file_text(const BlockMesh& mesh) {
     std::string out;
-    append_file(mesh, ThreadPool(), [&](std::string_view text) { out += text; });
+    append_block_file(mesh, ThreadPool(), [&](std::string_view text) { out += text; });
     return out;
 }
 
 void write_block_file(const std::filesystem::path& path, const BlockMesh& mesh, const ThreadPool& pool) {
-    write_pieces_atomically(path, [&](Append append) { append_file(mesh, pool, append); });
+    write_pieces_atomically(path, [&](Append append) { append_block_file(mesh, pool, append); });
 }
 
 }  // namespace rockslope::blockgen

@@ -36,12 +36,12 @@ struct Bounded {
 };
 
 /// Error of a few operations relative to the largest intermediate result: eight roundings.
-constexpr double rounding = 0x1p-50;
+constexpr double relative_error = 0x1p-50;
 
 /// p q - r s of exact factors.
 Bounded difference(double p, double q, double r, double s) {
     const double first = p * q, second = r * s;
-    return {first - second, rounding * (std::abs(first) + std::abs(second))};
+    return {first - second, relative_error * (std::abs(first) + std::abs(second))};
 }
 
 enum class Answer { no, yes, uncertain };
@@ -59,8 +59,9 @@ bool certain_cell(std::int64_t start, double component, const Bounded& t, double
     const double from = static_cast<double>(start);
     const double place = (from + t.value * component) / units_per_cell + 0.5, below = std::floor(place);
     const double error =
-        (t.error * std::abs(component) + rounding * (std::abs(from) + std::abs(component))) / units_per_cell +
-        rounding;
+        (t.error * std::abs(component) + relative_error * (std::abs(from) + std::abs(component))) /
+            units_per_cell +
+        relative_error;
     cell = static_cast<std::int64_t>(below);
     return place - below > error && below + 1 - place > error;
 }
@@ -83,7 +84,8 @@ Answer fast_crossing_cell(const FineSegment& s, const FineSegment& t, std::int64
     if (within_s == Answer::no || within_t == Answer::no) return Answer::no;
     if (within_s == Answer::uncertain || within_t == Answer::uncertain) return Answer::uncertain;
     const double share = along_s.value / denominator.value;
-    const Bounded at{share, 2 * (along_s.error + share * denominator.error) / denominator.value + rounding};
+    const Bounded at{share,
+                     2 * (along_s.error + share * denominator.error) / denominator.value + relative_error};
     const auto width = static_cast<double>(units_per_cell);
     const bool is_certain =
         certain_cell(s.a.x, ux, at, width, cell.x) && certain_cell(s.a.y, uy, at, width, cell.y);
@@ -91,7 +93,7 @@ Answer fast_crossing_cell(const FineSegment& s, const FineSegment& t, std::int64
 }
 
 /// Floating-point filter: whether the line a-b certainly misses a square. True only when its distance from
-/// the centre exceeds that of every corner by more than the rounding error.
+/// the centre exceeds that of every corner by more than the relative_error error.
 bool certainly_misses(const GridPoint& a, const GridPoint& b, const GridPoint& middle, std::int64_t width) {
     const auto dx = static_cast<double>(b.x - a.x), dy = static_cast<double>(b.y - a.y);
     const double first = static_cast<double>(middle.x - a.x) * dy;
