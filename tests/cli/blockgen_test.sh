@@ -76,6 +76,16 @@ grep -q 'DejaVu Serif' n.svg || fail 'another font'
 "$program" --version | grep -q '^blockgen [0-9]' || fail version
 "$program" --help | grep -q -- --max-blocks || fail help
 
+# A map, fitted: the model that comes out is cut as it is.
+awk 'BEGIN { print "x1,y1,x2,y2"; srand(1)
+    for (k = 0; k < 200; ++k) { x = 20 * rand(); y = 20 * rand(); print x "," y "," x + 2 "," y + (k % 2 ? 1 : -2) } }' >map.csv
+"$program" fit map.csv -o fitted.toml --report fit.json >out.txt 2>error.txt || fail 'no fit'
+grep -q 'fitted.toml: 2 joint sets' out.txt || fail "the map has two sets: $(cat out.txt)"
+grep -q 'outline' error.txt || fail 'no word of the outline'
+grep -q '"p21"' fit.json || fail 'no P21 in the report of the fit'
+"$program" fitted.toml -o fitted.blocks >out.txt 2>error.txt || fail 'the fitted model is not cut'
+rm map.csv fitted.toml fit.json fitted.blocks
+
 # Failure: earlier results are unchanged, and no new file appears.
 echo old >slope.blocks
 list before.txt
@@ -101,6 +111,9 @@ set_value 'slope.toml:9:1.*needs about .*--max-blocks' 'joint_set[1].spacing=0.0
 refused 'slope.toml:2.*--max-blocks' slope.toml --max-blocks 10
 refused '--threads is 0; expected a number' slope.toml --threads 0
 refused 'no-such.toml' no-such.toml
+refused 'no-such.csv' fit no-such.csv -o new.toml
+refused '--sets: expected' fit no-such.csv --sets 0 -o new.toml
+refused "did you mean '--sets'?" fit slope.toml --stes 2
 refused 'no such folder' slope.toml -o nowhere/slope.blocks
 refused 'new.gif' slope.toml --picture new.gif
 refused "which is not installed; '.*' would be drawn" slope.toml --picture new.svg --font 'Font of Nowhere'

@@ -1,6 +1,7 @@
 #include <chrono>
 #include <cstdio>
 #include <exception>
+#include <string>
 
 #include "blockgen/cut/cut_blocks.hpp"
 #include "blockgen/faces/enclosed_area.hpp"
@@ -10,6 +11,7 @@
 #include "blockgen/sampling/sample_joints.hpp"
 #include "common/base/atomic_file.hpp"
 #include "common/base/output_error.hpp"
+#include "fit_command.hpp"
 #include "options.hpp"
 #include "provenance.hpp"
 #include "support/standard_streams.hpp"
@@ -115,6 +117,7 @@ int run(const Options& options) {
 /// Does what the arguments ask for; prints why it failed. @return the exit code.
 int act_on_arguments(int argc, char** argv) {
     try {
+        if (argc > 1 && std::string(argv[1]) == "fit") return run_fit({argv + 2, argv + argc});
         return run(parse_options(argc, argv));
     } catch (const UsageError& error) {
         std::fprintf(stderr, "blockgen: %s\n", error.what());

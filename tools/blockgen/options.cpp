@@ -6,6 +6,7 @@
 
 #include "blockgen/input/read_slope_model.hpp"
 #include "common/drawing/canvas.hpp"
+#include "fit_command.hpp"
 #include "support/command_page.hpp"
 #include "support/parse_arguments.hpp"
 #include "support/picture_options.hpp"
@@ -55,6 +56,7 @@ tool_support::CommandPage command_page() {
             .purpose = "Cuts a rock section by its joints into blocks and writes a block file for dda-run",
             .description = "",
             .options = visible_options(),
+            .subcommands = {{"fit", fit_purpose}},
             .exit_codes = {{"0", "done"}, {"1", "cutting failed"}, {"2", "bad command line or input"}}};
 }
 
