@@ -14,19 +14,6 @@ namespace rockslope::blockgen {
 
 namespace {
 
-/// The point at half the length of a trace.
-Point middle_of(const Trace& trace) {
-    double remaining = length_of(trace) / 2;
-    for (std::size_t k = 0; k + 1 < trace.points.size(); ++k) {
-        const Point &a = trace.points[k], &b = trace.points[k + 1];
-        const double length = std::hypot(b.x - a.x, b.y - a.y);
-        if (remaining <= length && length > 0)
-            return {a.x + remaining / length * (b.x - a.x), a.y + remaining / length * (b.y - a.y)};
-        remaining -= length;
-    }
-    return trace.points.back();
-}
-
 bool is_in_rock(const SlopeModel& model, const Point& p) {
     if (!is_in_outlines(model, p)) return false;
     for (const Ring& hole : model.holes)
@@ -82,6 +69,7 @@ class NetworkMeasure {
             b.p20 /= area;
             b.p21 = (b.retained + b.pruned) / area;
             if (set != nullptr) set_targets(*set, b);
+            b.weighted_by_section = set != nullptr && set->orientation.weighted_by_section;
         }
         count_nodes();
         return std::move(report_);

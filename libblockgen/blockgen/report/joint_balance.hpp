@@ -25,6 +25,7 @@ struct JointBalance {
     double p20_target = 0;   ///< 1/m2
     double p21_target = 0;   ///< m/m2
     double count_target = 0;
+    bool weighted_by_section = false;  ///< its planes were drawn as often as the section meets them
 };
 
 /// Numbers of nodes of the joint network inside the rock, by the number of branches (Sanderson and Nixon

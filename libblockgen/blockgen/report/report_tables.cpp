@@ -102,6 +102,10 @@ void joints_table(Page& page, const CutReport& r) {
         page.line("  %s%7.4g %8s   %10.4g %8s   %9.4g %8s", padded(b.name).c_str(), b.p10,
                   target_text(b.p10_target).c_str(), b.p20, target_text(b.p20_target).c_str(), b.p21,
                   target_text(b.p21_target).c_str());
+    for (const JointBalance& b : r.joints)
+        if (b.weighted_by_section)
+            page.line("  %sweighted by the chance that the section meets its planes (Terzaghi)",
+                      padded(b.name).c_str());
     page.line("\nNodes: %zu tips (I), %zu abutments (Y), %zu crossings (X), %zu at free faces", r.nodes.i,
               r.nodes.y, r.nodes.x, r.nodes.edge);
 }
