@@ -247,14 +247,17 @@ class EndJoiner {
         const NearSegments segments(segments_of(model_), reach);
         std::vector<std::pair<TraceEnd, Neighbour>> short_ends;
         std::size_t free_ends = 0;
-        for (const TraceEnd& end : all_ends()) {
-            if (box.nearest(end.at) != end.at) continue;
+        const std::vector<TraceEnd> ends = all_ends();
+        const auto place_of = [&](std::size_t k) { return ends[k].at; };
+        segments.visit_in_turn(ends.size(), place_of, [&](std::size_t k) {
+            const TraceEnd& end = ends[k];
+            if (box.nearest(end.at) != end.at) return;
             bool is_joined = false;
             const Neighbour other = nearest(end, segments, is_joined);
-            if (is_joined) continue;
+            if (is_joined) return;
             ++free_ends;
             if (other.exists()) short_ends.emplace_back(end, other);
-        }
+        });
         std::stable_sort(short_ends.begin(), short_ends.end(),
                          [](const auto& e, const auto& f) { return is_left_of(e.first, f.first); });
         TraceEnds& report = model_.trace_ends;

@@ -39,7 +39,7 @@ NearSegments::NearSegments(const std::vector<NearSegment>& segments, double radi
     for (const NearSegment& s : segments) for_each_bucket(s, [this](std::size_t b) { ++first_[b + 1]; });
     for (std::size_t b = 0; b + 1 < first_.size(); ++b) first_[b + 1] += first_[b];
     items_.resize(first_.back());
-    std::vector<std::int64_t> next(first_.begin(), first_.end() - 1);
+    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
     for (const NearSegment& s : segments) for_each_bucket(s, [&](std::size_t b) { items_[next[b]++] = s; });
 }
 

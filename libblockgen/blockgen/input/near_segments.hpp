@@ -29,7 +29,7 @@ class NearSegments {
     template <class Visit>
     void visit_near(const Point& p, std::int32_t but_of, const Visit& visit) const {
         const std::size_t bucket = bucket_of(p);
-        for (std::int64_t k = first_[bucket]; k < first_[bucket + 1]; ++k) {
+        for (std::size_t k = first_[bucket]; k < first_[bucket + 1]; ++k) {
             const NearSegment& segment = items_[k];
             if (segment.owner == but_of) continue;
             const Point q = nearest_point(segment, p);
@@ -37,6 +37,21 @@ class NearSegments {
             const double dx = q.x - p.x, dy = q.y - p.y;
             if (dx * dx + dy * dy > far_square_) continue;
             if (const double d = distance(p, q); d <= radius_) visit(segment, q, d);
+        }
+    }
+
+    /// Calls visit(k) for the points [0, count) in turn, and fetches the buckets of those to come: points in
+    /// no order wait for memory otherwise. @param point_of the point of which visit(k) asks visit_near().
+    template <class PointOf, class Visit>
+    void visit_in_turn(std::size_t count, const PointOf& point_of, const Visit& visit) const {
+        constexpr std::size_t ahead = 16;
+        std::vector<std::uint32_t> buckets(count);
+        for (std::size_t k = 0; k < count; ++k)
+            buckets[k] = static_cast<std::uint32_t>(bucket_of(point_of(k)));
+        for (std::size_t k = 0; k < count; ++k) {
+            if (k + 2 * ahead < count) __builtin_prefetch(&first_[buckets[k + 2 * ahead]]);
+            if (k + ahead < count) __builtin_prefetch(items_.data() + first_[buckets[k + ahead]]);
+            visit(k);
         }
     }
 
@@ -52,7 +67,7 @@ class NearSegments {
     double far_square_ = 0;  ///< of a distance just above the radius
     Point low_;
     std::int64_t columns_ = 1, rows_ = 1;
-    std::vector<std::int64_t> first_;
+    std::vector<std::uint32_t> first_;
     std::vector<NearSegment> items_;  ///< copies, so that those of a bucket are read together
 };
 
