@@ -62,7 +62,9 @@ cmp p.svg again.svg || fail 'not the same picture'
 grep -v '^provenance' slope.blocks >a.txt
 grep -v '^provenance' echo.blocks >b.txt
 cmp a.txt b.txt || fail 'the echoed model makes other blocks'
-"$program" slope.toml -o k.blocks --threads 3 >out.txt
+"$program" slope.toml -o k.blocks --threads 3 --vtk k.vtk >out.txt
+head -n 1 k.vtk | grep -q '^# vtk DataFile' || fail 'no VTK file'
+rm k.vtk
 cmp k.blocks slope.blocks || fail 'three threads make other bytes'
 "$program" slope.toml -o k.blocks --set 'kinematics.friction_angle="30 deg"' --kinematic-picture k.svg \
     --size-picture s.svg --report k.txt >out.txt
@@ -119,6 +121,7 @@ refused 'new.gif' slope.toml --picture new.gif
 refused "which is not installed; '.*' would be drawn" slope.toml --picture new.svg --font 'Font of Nowhere'
 refused 'friction_angle' slope.toml --kinematic-picture new.svg
 refused 'new.gif' slope.toml --size-picture new.gif
+refused 'ends in .vtk' slope.toml --vtk new.vtu
 refused 'model file' slope.toml -o slope.toml
 refused 'different names' slope.toml --report slope.blocks
 refused 'pictur' slope.toml --pictur new.svg

@@ -8,6 +8,7 @@
 #include "blockgen/mesh/block_file.hpp"
 #include "blockgen/picture/block_picture.hpp"
 #include "blockgen/report/geojson_text.hpp"
+#include "blockgen/report/vtk_text.hpp"
 #include "blockgen/sampling/sample_joints.hpp"
 #include "common/base/atomic_file.hpp"
 #include "common/base/output_error.hpp"
@@ -54,7 +55,8 @@ void write_report(const std::filesystem::path& path, const CutReport& report) {
     write_file_atomically(path, path.extension() == ".txt" ? report_tables(report) : report_text(report));
 }
 
-void write_results(const Options& options, const SlopeModel& model, const CutResult& result) {
+void write_results(const Options& options, const SlopeModel& model, const std::vector<Trace>& traces,
+                   const CutResult& result) {
     const PageStyle& style = options.picture_style;
     if (!options.picture.empty()) draw_blocks(result.mesh, {}, style).write(options.picture);
     if (!options.size_picture.empty()) draw_sizes(result.mesh, style).write(options.size_picture);
@@ -65,6 +67,7 @@ void write_results(const Options& options, const SlopeModel& model, const CutRes
         const CoordinateSystem& system = model.project.exists() ? model.project : model.system;
         write_file_atomically(options.geojson, geojson_text(result.mesh, system.urn()));
     }
+    if (!options.vtk.empty()) write_file_atomically(options.vtk, vtk_text(result.mesh, traces));
     if (!options.report.empty()) write_report(options.report, result.report);
     if (!options.depfile.empty()) write_file_atomically(options.depfile, make_rule(options, model));
     write_block_file(options.output, result.mesh, ThreadPool(options.threads));
@@ -87,7 +90,8 @@ int run(const Options& options) {
         config.fail("kinematics", "--kinematic-picture without [kinematics]",
                     "[kinematics] with a friction_angle");
 
-    CutResult result = cut_blocks(model, all_traces(model, options.max_blocks),
+    const std::vector<Trace> traces = all_traces(model, options.max_blocks);
+    CutResult result = cut_blocks(model, traces,
                                   {.max_blocks = options.max_blocks,
                                    .verify = options.verify,
                                    .threads = options.threads,
@@ -95,7 +99,7 @@ int run(const Options& options) {
     result.mesh.provenance = provenance(model, config);
     for (const std::string& warning : result.report.warnings)
         std::fprintf(stderr, "warning: %s\n", warning.c_str());
-    write_results(options, model, result);
+    write_results(options, model, traces, result);
 
     if (const MergeReport& merges = result.report.merges; merges.merged_blocks > 0)
         std::printf("%zu small blocks merged with their neighbours, %.3g m2 in all, the largest %.3g m2\n",

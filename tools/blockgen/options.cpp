@@ -33,6 +33,8 @@ po::options_description visible_options() {
     tool_support::add_picture_options(all);
     add("geojson", po::value<std::string>()->value_name("FILE"),
         "write the blocks and the joints between them as GeoJSON, in the coordinate system of the input");
+    add("vtk", po::value<std::string>()->value_name("FILE"),
+        "write the blocks and all traces for ParaView; .vtk");
     add("report", po::value<std::string>()->value_name("FILE"),
         "write a report of the cut and the block sizes, as JSON; as tables if the name ends in .txt");
     add("depfile", po::value<std::string>()->value_name("FILE"),
@@ -93,6 +95,9 @@ Options read_options(const po::variables_map& given) {
     options.report = path_or_empty(given, "report");
     options.depfile = path_or_empty(given, "depfile");
     options.geojson = path_or_empty(given, "geojson");
+    options.vtk = path_or_empty(given, "vtk");
+    if (!options.vtk.empty() && options.vtk.extension() != ".vtk")
+        throw UsageError("--vtk " + options.vtk.string() + ": expected a name that ends in .vtk");
     if (given.count("seed")) options.seed = given["seed"].as<std::int64_t>();
     if (options.seed && *options.seed < 0) throw UsageError("--seed: expected an integer of zero or more");
     if (given.count("set")) options.overrides = given["set"].as<std::vector<std::string>>();
