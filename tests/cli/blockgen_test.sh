@@ -67,12 +67,14 @@ head -n 1 k.vtk | grep -q '^# vtk DataFile' || fail 'no VTK file'
 rm k.vtk
 cmp k.blocks slope.blocks || fail 'three threads make other bytes'
 "$program" slope.toml -o k.blocks --set 'kinematics.friction_angle="30 deg"' --kinematic-picture k.svg \
-    --size-picture s.svg --report k.txt >out.txt
+    --size-picture s.svg --rose-picture r.svg --report k.txt >out.txt
 grep -q 'filled exactly by the blocks' k.txt || fail 'no tables in the report'
 [ -s k.svg ] || fail 'no kinematic picture'
-"$program" slope.toml -o k.blocks --picture n.svg --size-picture ns.svg --width 85mm --font 'DejaVu Serif' --font-size 8 >out.txt
+[ -s r.svg ] || fail 'no rose diagram'
+"$program" slope.toml -o k.blocks --picture n.svg --size-picture ns.svg --rose-picture nr.svg --width 85mm --font 'DejaVu Serif' --font-size 8 >out.txt
 for_a_column n.svg
 for_a_column ns.svg
+for_a_column nr.svg
 grep -q 'DejaVu Serif' n.svg || fail 'another font'
 [ -s s.svg ] || fail 'no picture of the sizes'
 "$program" --version | grep -q '^blockgen [0-9]' || fail version

@@ -7,6 +7,7 @@
 #include "blockgen/faces/enclosed_area.hpp"
 #include "blockgen/mesh/block_file.hpp"
 #include "blockgen/picture/block_picture.hpp"
+#include "blockgen/picture/rose_picture.hpp"
 #include "blockgen/report/geojson_text.hpp"
 #include "blockgen/report/vtk_text.hpp"
 #include "blockgen/sampling/sample_joints.hpp"
@@ -51,6 +52,12 @@ BlockLayer kinematic_layer(const KinematicReport& report) {
     return layer;
 }
 
+std::vector<RoseSet> rose_sets(const CutReport& report) {
+    std::vector<RoseSet> sets;
+    for (const JointBalance& b : report.joints) sets.push_back({b.name, b.length_by_direction});
+    return sets;
+}
+
 void write_report(const std::filesystem::path& path, const CutReport& report) {
     write_file_atomically(path, path.extension() == ".txt" ? report_tables(report) : report_text(report));
 }
@@ -60,6 +67,7 @@ void write_results(const Options& options, const SlopeModel& model, const std::v
     const PageStyle& style = options.picture_style;
     if (!options.picture.empty()) draw_blocks(result.mesh, {}, style).write(options.picture);
     if (!options.size_picture.empty()) draw_sizes(result.mesh, style).write(options.size_picture);
+    if (!options.rose_picture.empty()) draw_rose(rose_sets(result.report), style).write(options.rose_picture);
     if (!options.kinematic_picture.empty())
         draw_blocks(result.mesh, kinematic_layer(*result.report.kinematics), style)
             .write(options.kinematic_picture);
@@ -95,7 +103,7 @@ int run(const Options& options) {
                                   {.max_blocks = options.max_blocks,
                                    .verify = options.verify,
                                    .threads = options.threads,
-                                   .full_report = !options.report.empty()});
+                                   .full_report = !options.report.empty() || !options.rose_picture.empty()});
     result.mesh.provenance = provenance(model, config);
     for (const std::string& warning : result.report.warnings)
         std::fprintf(stderr, "warning: %s\n", warning.c_str());

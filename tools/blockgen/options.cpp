@@ -28,6 +28,8 @@ po::options_description visible_options() {
         "override a value of the model, e.g. joint_set[0].spacing=2; may be repeated");
     add("picture", po::value<std::string>()->value_name("FILE"), "draw the blocks; .svg, .png or .pdf");
     add("size-picture", po::value<std::string>()->value_name("FILE"), "draw the distribution of block areas");
+    add("rose-picture", po::value<std::string>()->value_name("FILE"),
+        "draw a rose diagram of the directions of the joints in the rock");
     add("kinematic-picture", po::value<std::string>()->value_name("FILE"),
         "draw the blocks coloured by the mode of their first movement; needs [kinematics]");
     tool_support::add_picture_options(all);
@@ -108,10 +110,12 @@ Options read_options(const po::variables_map& given) {
     options.verify = given.count("verify") > 0;
     options.print_config = given.count("print-config") > 0;
     options.size_picture = path_or_empty(given, "size-picture");
+    options.rose_picture = path_or_empty(given, "rose-picture");
     options.kinematic_picture = path_or_empty(given, "kinematic-picture");
     options.picture_style = tool_support::picture_style(given, "blockgen");
     check_picture("--picture", options.picture);
     check_picture("--size-picture", options.size_picture);
+    check_picture("--rose-picture", options.rose_picture);
     check_picture("--kinematic-picture", options.kinematic_picture);
     return options;
 }

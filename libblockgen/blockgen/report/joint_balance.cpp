@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 #include <unordered_map>
 
@@ -166,7 +167,13 @@ class NetworkMeasure {
             (context_.block_of(forward_half(e)) == context_.block_of(backward_half(e)) ? lengths.pruned
                                                                                        : lengths.retained) +=
                 length;
-        if (left && right) sums_[row_[t]].add(v.x, v.y);
+        if (!left || !right) return;
+        sums_[row_[t]].add(v.x, v.y);
+        auto& classes = report_.joints[row_[t]].length_by_direction;
+        // Edges run from left to right, straight up ones upwards.
+        const double turn = std::atan2(v.y, v.x) / std::numbers::pi + 0.5;
+        classes[static_cast<std::size_t>(turn * static_cast<double>(classes.size())) % classes.size()] +=
+            length;
     }
 
     void add_trace(JointTraceIndex t) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -25,6 +26,8 @@ struct JointBalance {
     double p20_target = 0;   ///< 1/m2
     double p21_target = 0;   ///< m/m2
     double count_target = 0;
+    /// Length in the rock, m, by classes of direction of 10 degrees, from -90 to 90.
+    std::array<double, 18> length_by_direction = {};
     bool weighted_by_section = false;  ///< its planes were drawn as often as the section meets them
 };
 

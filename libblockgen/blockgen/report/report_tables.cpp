@@ -92,6 +92,21 @@ void changes_table(Page& page, const CutReport& r) {
     }
 }
 
+/// Length by direction of the joints of each name.
+void directions_table(Page& page, const CutReport& r) {
+    if (r.joints.empty()) return;
+    page.line("\nDirections (m in the rock, from -90 to 90 deg by 10)");
+    for (const JointBalance& b : r.joints) {
+        std::string row;
+        for (const double length : b.length_by_direction) {
+            char text[32];
+            std::snprintf(text, sizeof text, " %.4g", length);
+            row += text;
+        }
+        page.line("  %s%s", padded(b.name).c_str(), row.c_str());
+    }
+}
+
 void joints_table(Page& page, const CutReport& r) {
     page.line("\nJoints (m)            traces      input   retained     pruned   free face    outside");
     for (const JointBalance& b : r.joints)
@@ -102,6 +117,7 @@ void joints_table(Page& page, const CutReport& r) {
         page.line("  %s%7.4g %8s   %10.4g %8s   %9.4g %8s", padded(b.name).c_str(), b.p10,
                   target_text(b.p10_target).c_str(), b.p20, target_text(b.p20_target).c_str(), b.p21,
                   target_text(b.p21_target).c_str());
+    directions_table(page, r);
     for (const JointBalance& b : r.joints)
         if (b.weighted_by_section)
             page.line("  %sweighted by the chance that the section meets its planes (Terzaghi)",

@@ -78,10 +78,18 @@ nlohmann::ordered_json joints_json(const std::vector<JointBalance>& balances) {
         if (b.p20_target > 0) asked["p20_per_m2"] = b.p20_target;
         if (b.p21_target > 0) asked["p21_m_per_m2"] = b.p21_target;
         if (b.count_target > 0) asked["count"] = b.count_target;
-        Json row = {{"name", b.name},           {"traces", b.traces},   {"input_m", b.input},
-                    {"retained_m", b.retained}, {"pruned_m", b.pruned}, {"on_boundary_m", b.on_boundary},
-                    {"outside_m", b.outside},   {"p10_per_m", b.p10},   {"p20_per_m2", b.p20},
-                    {"p21_m_per_m2", b.p21},    {"asked", asked}};
+        Json row = {{"name", b.name},
+                    {"traces", b.traces},
+                    {"input_m", b.input},
+                    {"retained_m", b.retained},
+                    {"pruned_m", b.pruned},
+                    {"on_boundary_m", b.on_boundary},
+                    {"outside_m", b.outside},
+                    {"p10_per_m", b.p10},
+                    {"p20_per_m2", b.p20},
+                    {"p21_m_per_m2", b.p21},
+                    {"length_by_direction_m", b.length_by_direction},
+                    {"asked", asked}};
         if (b.weighted_by_section) row["weighting"] = "section";
         joints.push_back(std::move(row));
     }
