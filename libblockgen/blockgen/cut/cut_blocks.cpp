@@ -266,7 +266,7 @@ class Cutter {
         const CutContext cut = context_of(faces_);
         NetworkReport network = measure_network(cut, report.domain_area - model_.unjointed_area);
         report.joints = std::move(network.joints);
-        report.nodes = network.nodes;
+        report.topology = topology_of(cut);
         report.changes = joint_changes(cut);
         report.changes.insert(report.changes.end(), merges_.changes.begin(), merges_.changes.end());
     }

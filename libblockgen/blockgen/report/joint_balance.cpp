@@ -72,7 +72,6 @@ class NetworkMeasure {
             if (set != nullptr) set_targets(*set, b);
             b.weighted_by_section = set != nullptr && set->orientation.weighted_by_section;
         }
-        count_nodes();
         return std::move(report_);
     }
 
@@ -197,30 +196,6 @@ class NetworkMeasure {
         // This includes the length clipped at the domain's box.
         b.outside += std::max(lengths.outside, input - lengths.in_rock() - lengths.on_boundary);
         b.p20 += is_in_rock(context_.model, middle_of(context_.traces[t]));
-    }
-
-    void count_nodes() {
-        PerNode<unsigned char> branches(context_.noded.vertices.size(), 0),
-            at_face(context_.noded.vertices.size(), 0);
-        for (const EdgeIndex e : context_.noded.edges.indices()) {
-            const auto sources = context_.noded.sources_of(e);
-            const bool is_joint = std::any_of(sources.begin(), sources.end(), [&](const EdgeSource& s) {
-                return context_.table.is_joint(s.source);
-            });
-            const bool left = is_rock(forward_half(e)), right = is_rock(backward_half(e));
-            for (const NodeIndex v : {context_.noded.edges[e].first, context_.noded.edges[e].second}) {
-                if (left != right) at_face[v] = 1;
-                if (is_joint && left && right && branches[v] < 255) ++branches[v];
-            }
-        }
-        NodeCounts& n = report_.nodes;
-        for (const NodeIndex v : branches.indices()) {
-            if (branches[v] == 0) continue;
-            if (at_face[v])
-                ++n.edge;
-            else if (branches[v] != 2)
-                ++(branches[v] == 1 ? n.i : branches[v] == 3 ? n.y : n.x);
-        }
     }
 
     CutContext context_;

@@ -31,15 +31,8 @@ struct JointBalance {
     bool weighted_by_section = false;  ///< its planes were drawn as often as the section meets them
 };
 
-/// Numbers of nodes of the joint network inside the rock, by the number of branches (Sanderson and Nixon
-/// 2015): tips (I), abutments (Y) and crossings (X); and of edge nodes, which lie on a free face.
-struct NodeCounts {
-    std::size_t i = 0, y = 0, x = 0, edge = 0;
-};
-
 struct NetworkReport {
     std::vector<JointBalance> joints;  ///< in the order of the traces
-    NodeCounts nodes;
 };
 
 /// Measures the joints after noding. The densities are averages over all rock, or over the rock in the set's

@@ -122,8 +122,11 @@ void joints_table(Page& page, const CutReport& r) {
         if (b.weighted_by_section)
             page.line("  %sweighted by the chance that the section meets its planes (Terzaghi)",
                       padded(b.name).c_str());
-    page.line("\nNodes: %zu tips (I), %zu abutments (Y), %zu crossings (X), %zu at free faces", r.nodes.i,
-              r.nodes.y, r.nodes.x, r.nodes.edge);
+    const NodeCounts& n = r.topology.nodes;
+    page.line("\nNodes: %zu tips (I), %zu abutments (Y), %zu crossings (X), %zu at free faces", n.i, n.y, n.x,
+              n.edge);
+    page.line("Network: %zu branches in %zu clusters, of which the largest has %.3g %% of the length",
+              r.topology.branches, r.topology.clusters, 100 * r.topology.largest_cluster);
 }
 
 void kinematics_table(Page& page, const KinematicReport& k) {
