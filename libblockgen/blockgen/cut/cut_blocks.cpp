@@ -164,6 +164,10 @@ class Cutter {
             fail_too_many(model_, estimate, options_.max_blocks);
         pass("segments");
         NodedEdges noded = node_joints(segments, model_.grid, pool_);
+        // By Euler's formula a connected network has E - V + 1 bounded faces, and others more.
+        const std::size_t vertices = noded.vertices.size(), edges = noded.edges.size();
+        if (edges + 1 > vertices + options_.max_blocks)
+            fail_too_many(model_, static_cast<double>(edges + 1 - vertices), options_.max_blocks);
         pass("noding");
         return noded;
     }
