@@ -1,7 +1,7 @@
 # The floors of the libraries, for the check of the includes and for the picture.
 # The floors of each library from the ground up; floors on one line do not see each other.
 set(storeys_of_common "base" "geometry config" "drawing")
-set(storeys_of_blockgen "mesh" "input noding" "arrangement" "faces" "sampling" "report" "cut" "picture")
+set(storeys_of_blockgen "mesh" "input noding" "arrangement" "faces" "sampling" "report fit" "cut" "picture")
 set(storeys_of_dda "base" "geometry linear joint hdf" "model" "block" "contact" "terms" "solve" "analysis" "monitor" "input"
     "laboratory writers" "checkpoint" "results")
 set(storeys_of_record "record")

@@ -62,17 +62,33 @@ cmp p.svg again.svg || fail 'not the same picture'
 grep -v '^provenance' slope.blocks >a.txt
 grep -v '^provenance' echo.blocks >b.txt
 cmp a.txt b.txt || fail 'the echoed model makes other blocks'
+"$program" slope.toml -o k.blocks --threads 3 --vtk k.vtk >out.txt
+head -n 1 k.vtk | grep -q '^# vtk DataFile' || fail 'no VTK file'
+rm k.vtk
+cmp k.blocks slope.blocks || fail 'three threads make other bytes'
 "$program" slope.toml -o k.blocks --set 'kinematics.friction_angle="30 deg"' --kinematic-picture k.svg \
-    --size-picture s.svg --report k.txt >out.txt
+    --size-picture s.svg --rose-picture r.svg --report k.txt >out.txt
 grep -q 'filled exactly by the blocks' k.txt || fail 'no tables in the report'
 [ -s k.svg ] || fail 'no kinematic picture'
-"$program" slope.toml -o k.blocks --picture n.svg --size-picture ns.svg --width 85mm --font 'DejaVu Serif' --font-size 8 >out.txt
+[ -s r.svg ] || fail 'no rose diagram'
+"$program" slope.toml -o k.blocks --picture n.svg --size-picture ns.svg --rose-picture nr.svg --width 85mm --font 'DejaVu Serif' --font-size 8 >out.txt
 for_a_column n.svg
 for_a_column ns.svg
+for_a_column nr.svg
 grep -q 'DejaVu Serif' n.svg || fail 'another font'
 [ -s s.svg ] || fail 'no picture of the sizes'
 "$program" --version | grep -q '^blockgen [0-9]' || fail version
 "$program" --help | grep -q -- --max-blocks || fail help
+
+# A map, fitted: the model that comes out is cut as it is.
+awk 'BEGIN { print "x1,y1,x2,y2"; srand(1)
+    for (k = 0; k < 200; ++k) { x = 20 * rand(); y = 20 * rand(); print x "," y "," x + 2 "," y + (k % 2 ? 1 : -2) } }' >map.csv
+"$program" fit map.csv -o fitted.toml --report fit.json >out.txt 2>error.txt || fail 'no fit'
+grep -q 'fitted.toml: 2 joint sets' out.txt || fail "the map has two sets: $(cat out.txt)"
+grep -q 'outline' error.txt || fail 'no word of the outline'
+grep -q '"p21"' fit.json || fail 'no P21 in the report of the fit'
+"$program" fitted.toml -o fitted.blocks >out.txt 2>error.txt || fail 'the fitted model is not cut'
+rm map.csv fitted.toml fit.json fitted.blocks
 
 # Failure: earlier results are unchanged, and no new file appears.
 echo old >slope.blocks
@@ -97,12 +113,17 @@ set_value 'below the grid' 'joint_set[0].spacing=1e-7'
 set_value 'blocks; expected at most' 'joint_set[0].spacing=0.001'
 set_value 'slope.toml:9:1.*needs about .*--max-blocks' 'joint_set[1].spacing=0.00003'
 refused 'slope.toml:2.*--max-blocks' slope.toml --max-blocks 10
+refused '--threads is 0; expected a number' slope.toml --threads 0
 refused 'no-such.toml' no-such.toml
+refused 'no-such.csv' fit no-such.csv -o new.toml
+refused '--sets: expected' fit no-such.csv --sets 0 -o new.toml
+refused "did you mean '--sets'?" fit slope.toml --stes 2
 refused 'no such folder' slope.toml -o nowhere/slope.blocks
 refused 'new.gif' slope.toml --picture new.gif
 refused "which is not installed; '.*' would be drawn" slope.toml --picture new.svg --font 'Font of Nowhere'
 refused 'friction_angle' slope.toml --kinematic-picture new.svg
 refused 'new.gif' slope.toml --size-picture new.gif
+refused 'ends in .vtk' slope.toml --vtk new.vtu
 refused 'model file' slope.toml -o slope.toml
 refused 'different names' slope.toml --report slope.blocks
 refused 'pictur' slope.toml --pictur new.svg

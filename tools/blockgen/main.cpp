@@ -1,15 +1,19 @@
 #include <chrono>
 #include <cstdio>
 #include <exception>
+#include <string>
 
 #include "blockgen/cut/cut_blocks.hpp"
 #include "blockgen/faces/enclosed_area.hpp"
 #include "blockgen/mesh/block_file.hpp"
 #include "blockgen/picture/block_picture.hpp"
+#include "blockgen/picture/rose_picture.hpp"
 #include "blockgen/report/geojson_text.hpp"
+#include "blockgen/report/vtk_text.hpp"
 #include "blockgen/sampling/sample_joints.hpp"
 #include "common/base/atomic_file.hpp"
 #include "common/base/output_error.hpp"
+#include "fit_command.hpp"
 #include "options.hpp"
 #include "provenance.hpp"
 #include "support/standard_streams.hpp"
@@ -48,14 +52,22 @@ BlockLayer kinematic_layer(const KinematicReport& report) {
     return layer;
 }
 
+std::vector<RoseSet> rose_sets(const CutReport& report) {
+    std::vector<RoseSet> sets;
+    for (const JointBalance& b : report.joints) sets.push_back({b.name, b.length_by_direction});
+    return sets;
+}
+
 void write_report(const std::filesystem::path& path, const CutReport& report) {
     write_file_atomically(path, path.extension() == ".txt" ? report_tables(report) : report_text(report));
 }
 
-void write_results(const Options& options, const SlopeModel& model, const CutResult& result) {
+void write_results(const Options& options, const SlopeModel& model, const std::vector<Trace>& traces,
+                   const CutResult& result) {
     const PageStyle& style = options.picture_style;
     if (!options.picture.empty()) draw_blocks(result.mesh, {}, style).write(options.picture);
     if (!options.size_picture.empty()) draw_sizes(result.mesh, style).write(options.size_picture);
+    if (!options.rose_picture.empty()) draw_rose(rose_sets(result.report), style).write(options.rose_picture);
     if (!options.kinematic_picture.empty())
         draw_blocks(result.mesh, kinematic_layer(*result.report.kinematics), style)
             .write(options.kinematic_picture);
@@ -63,9 +75,10 @@ void write_results(const Options& options, const SlopeModel& model, const CutRes
         const CoordinateSystem& system = model.project.exists() ? model.project : model.system;
         write_file_atomically(options.geojson, geojson_text(result.mesh, system.urn()));
     }
+    if (!options.vtk.empty()) write_file_atomically(options.vtk, vtk_text(result.mesh, traces));
     if (!options.report.empty()) write_report(options.report, result.report);
     if (!options.depfile.empty()) write_file_atomically(options.depfile, make_rule(options, model));
-    write_block_file(options.output, result.mesh);
+    write_block_file(options.output, result.mesh, ThreadPool(options.threads));
 }
 
 int print(const std::string& text) {
@@ -85,12 +98,16 @@ int run(const Options& options) {
         config.fail("kinematics", "--kinematic-picture without [kinematics]",
                     "[kinematics] with a friction_angle");
 
-    CutResult result =
-        cut_blocks(model, all_traces(model, options.max_blocks), {options.max_blocks, options.verify});
+    const std::vector<Trace> traces = all_traces(model, options.max_blocks);
+    CutResult result = cut_blocks(model, traces,
+                                  {.max_blocks = options.max_blocks,
+                                   .verify = options.verify,
+                                   .threads = options.threads,
+                                   .full_report = !options.report.empty() || !options.rose_picture.empty()});
     result.mesh.provenance = provenance(model, config);
     for (const std::string& warning : result.report.warnings)
         std::fprintf(stderr, "warning: %s\n", warning.c_str());
-    write_results(options, model, result);
+    write_results(options, model, traces, result);
 
     if (const MergeReport& merges = result.report.merges; merges.merged_blocks > 0)
         std::printf("%zu small blocks merged with their neighbours, %.3g m2 in all, the largest %.3g m2\n",
@@ -112,6 +129,7 @@ int run(const Options& options) {
 /// Does what the arguments ask for; prints why it failed. @return the exit code.
 int act_on_arguments(int argc, char** argv) {
     try {
+        if (argc > 1 && std::string(argv[1]) == "fit") return run_fit({argv + 2, argv + argc});
         return run(parse_options(argc, argv));
     } catch (const UsageError& error) {
         std::fprintf(stderr, "blockgen: %s\n", error.what());

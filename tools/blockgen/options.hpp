@@ -17,11 +17,13 @@ struct Options {
     std::filesystem::path output;
     std::optional<std::int64_t> seed;
     std::vector<std::string> overrides;
-    std::filesystem::path picture, size_picture, kinematic_picture, report, depfile, geojson;
+    std::filesystem::path picture, size_picture, rose_picture, kinematic_picture, report, depfile, geojson,
+        vtk;
     PageStyle picture_style;
     bool verify = false;
     bool print_config = false;
     std::size_t max_blocks = 1'000'000;
+    int threads = 1;
     std::string text;  ///< help, version or template to print; empty: cut the model
 };
 

@@ -26,7 +26,7 @@ Subdivision arrange(const NodedEdges& noded);
 /// down from the leftmost vertex of each connected component finds the face that contains the component. All
 /// predicates are exact. It is about ten times faster than the sweep, but does not detect edges that are not
 /// properly noded.
-Subdivision walk_faces(const NodedEdges& noded);
+Subdivision walk_faces(const NodedEdges& noded, const ThreadPool& pool = ThreadPool());
 
 /// Numbers of features, face areas and face adjacency of an arrangement, to compare two arrangements.
 struct ArrangementSummary {

@@ -11,14 +11,10 @@ namespace {
 /// A closed walk of half-edges along one face.
 using CycleIndex = Index<struct CycleKind>;
 
-/// 0 for directions in [0, 180) degrees, 1 for the others.
-int half_plane(const GridPoint& d) {
-    return d.y > 0 || (d.y == 0 && d.x > 0) ? 0 : 1;
-}
-
 class FaceTracer {
   public:
-    explicit FaceTracer(const NodedEdges& noded) : noded_(noded), components_(noded.vertices.size()) {
+    FaceTracer(const NodedEdges& noded, const ThreadPool& pool)
+        : noded_(noded), pool_(pool), components_(noded.vertices.size()) {
         for (const auto& [a, b] : noded.edges) components_.unite(a, b);
     }
 
@@ -26,8 +22,11 @@ class FaceTracer {
         link_half_edges();
         trace_cycles();
         nest_components();
-        result_.face.reserve(cycle_of_.size());
-        for (const CycleIndex cycle : cycle_of_) result_.face.push_back(face_of_cycle_[cycle]);
+        result_.face.resize(cycle_of_.size());
+        pool_.parallel_for(cycle_of_.size(), [&](std::size_t begin, std::size_t end) {
+            for (const HalfEdgeIndex h : indices<HalfEdgeIndex>(begin, end))
+                result_.face[h] = face_of_cycle_[cycle_of_[h]];
+        });
         return std::move(result_);
     }
 
@@ -41,9 +40,11 @@ class FaceTracer {
         const GridPoint &a = grid_point(origin(h)), &b = grid_point(origin(twin(h)));
         return {b.x - a.x, b.y - a.y};
     }
+    /// Counter-clockwise from straight down: half-edges to the right, which are forward, then those to the
+    /// left.
     bool comes_before(HalfEdgeIndex g, HalfEdgeIndex h) const {
+        if (is_forward(g) != is_forward(h)) return is_forward(g);
         const GridPoint d = direction(g), e = direction(h);
-        if (half_plane(d) != half_plane(e)) return half_plane(d) < half_plane(e);
         return static_cast<Int128>(d.x) * e.y - static_cast<Int128>(d.y) * e.x > 0;
     }
 
@@ -54,49 +55,64 @@ class FaceTracer {
         PerNode<std::int32_t> first(noded_.vertices.size() + 1, 0);
         std::vector<HalfEdgeIndex> around(n);
         result_.next.resize(n);
-        for (const HalfEdgeIndex h : result_.next.indices()) ++first[origin(h) + 1];
+        for (const auto& [a, b] : noded_.edges) ++first[a + 1], ++first[b + 1];
         for (const NodeIndex v : noded_.vertices.indices()) first[v + 1] += first[v];
         PerNode<std::int32_t> fill(first.begin(), first.end() - 1);
         for (const HalfEdgeIndex h : result_.next.indices()) around[fill[origin(h)]++] = h;
-        for (const NodeIndex v : noded_.vertices.indices()) {
-            const auto begin = around.begin() + first[v], end = around.begin() + first[v + 1];
-            std::sort(begin, end, [this](HalfEdgeIndex g, HalfEdgeIndex h) { return comes_before(g, h); });
-            for (auto h = begin; h != end; ++h) result_.next[twin(*h)] = h == begin ? *(end - 1) : *(h - 1);
-        }
+        outermost_.resize(noded_.vertices.size());
+        pool_.parallel_for(noded_.vertices.size(), [&](std::size_t from, std::size_t to) {
+            for (const NodeIndex v : indices<NodeIndex>(from, to)) {
+                const auto begin = around.begin() + first[v], end = around.begin() + first[v + 1];
+                if (begin == end) continue;
+                std::sort(begin, end,
+                          [this](HalfEdgeIndex g, HalfEdgeIndex h) { return comes_before(g, h); });
+                for (auto h = begin; h != end; ++h)
+                    result_.next[twin(*h)] = h == begin ? *(end - 1) : *(h - 1);
+                outermost_[v] = *(end - 1);
+            }
+        });
     }
 
-    /// Numbers the cycles of half-edges. A counter-clockwise cycle bounds a new face. A clockwise cycle, or
-    /// one of zero area, is the outer boundary of a connected component.
+    /// Numbers the cycles of half-edges. The outer boundary of a connected component is the cycle that passes
+    /// its leftmost vertex on the left, so along the last half-edge around that vertex. Each other cycle
+    /// is counter-clockwise and bounds a new face.
     void trace_cycles() {
         cycle_of_.assign(result_.next.size(), CycleIndex::none());
-        outer_cycle_.assign(noded_.vertices.size(), CycleIndex::none());
-        face_of_cycle_.clear();
-        result_.face_count = 1;
+        CycleIndex cycle = 0;
         for (const HalfEdgeIndex start : result_.next.indices()) {
             if (cycle_of_[start].exists()) continue;
-            const CycleIndex cycle = face_of_cycle_.size();
-            Int128 twice = 0;
-            const GridPoint& o = grid_point(origin(start));
-            for (HalfEdgeIndex h = start; !cycle_of_[h].exists(); h = result_.next[h]) {
-                cycle_of_[h] = cycle;
-                twice += twice_area(o, grid_point(origin(h)), grid_point(origin(twin(h))));
-            }
-            face_of_cycle_.push_back(twice > 0 ? result_.face_count++ : -1);
-            if (twice <= 0) outer_cycle_[components_.root(origin(start))] = cycle;
+            for (HalfEdgeIndex h = start; !cycle_of_[h].exists(); h = result_.next[h]) cycle_of_[h] = cycle;
+            ++cycle;
         }
+        face_of_cycle_.assign(cycle.value(), FaceIndex(0));
+        for (const NodeIndex v : noded_.vertices.indices())
+            if (components_.root(v) == std::size_t{v}) {
+                roots_.push_back(v);
+                face_of_cycle_[outer_cycle(v)] = FaceIndex::none();
+            }
+        result_.face_count = 1;
+        for (FaceIndex& face : face_of_cycle_)
+            if (face.exists()) face = result_.face_count++;
     }
+
+    CycleIndex outer_cycle(NodeIndex root) const { return cycle_of_[outermost_[root]]; }
 
     /// Finds the face that contains each connected component, in the order of the leftmost vertices. The
     /// component below such a vertex has a vertex further left, or lower, so that its face is already found.
     void nest_components() {
-        PerEdge<FineSegment> lines;
-        lines.reserve(noded_.edges.size());
-        for (const auto& [a, b] : noded_.edges) lines.push_back({grid_point(a), grid_point(b)});
-        const BucketGrid grid(std::span<const FineSegment>(lines), 1);
-        for (const NodeIndex v : outer_cycle_.indices()) {
-            if (!outer_cycle_[v].exists()) continue;  // v is not the smallest, so leftmost, of its component
+        if (roots_.size() == 1) {
+            face_of_cycle_[outer_cycle(roots_[0])] = 0;
+            return;
+        }
+        PerEdge<FineSegment> lines(noded_.edges.size());
+        pool_.parallel_for(lines.size(), [&](std::size_t begin, std::size_t end) {
+            for (const EdgeIndex e : indices<EdgeIndex>(begin, end))
+                lines[e] = {grid_point(noded_.edges[e].first), grid_point(noded_.edges[e].second)};
+        });
+        const BucketGrid grid(std::span<const FineSegment>(lines), 1, {}, pool_);
+        for (const NodeIndex v : roots_) {
             const EdgeIndex below = edge_below(v, lines, grid);
-            face_of_cycle_[outer_cycle_[v]] =
+            face_of_cycle_[outer_cycle(v)] =
                 below.exists() ? face_of_cycle_[cycle_of_[forward_half(below)]] : FaceIndex(0);
         }
     }
@@ -136,17 +152,19 @@ class FaceTracer {
     }
 
     const NodedEdges& noded_;
+    const ThreadPool& pool_;
     DisjointSets components_;
     Subdivision result_;
     PerHalfEdge<CycleIndex> cycle_of_;
-    PerNode<CycleIndex> outer_cycle_;  ///< of the component with that smallest vertex; none at other vertices
+    PerNode<HalfEdgeIndex> outermost_;  ///< the last half-edge around each vertex
+    std::vector<NodeIndex> roots_;      ///< the leftmost vertices of the connected components, ascending
     IndexedVector<CycleIndex, FaceIndex> face_of_cycle_;  ///< none until found
 };
 
 }  // namespace
 
-Subdivision walk_faces(const NodedEdges& noded) {
-    return FaceTracer(noded).run();
+Subdivision walk_faces(const NodedEdges& noded, const ThreadPool& pool) {
+    return FaceTracer(noded, pool).run();
 }
 
 }  // namespace rockslope::blockgen

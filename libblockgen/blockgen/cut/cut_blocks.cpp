@@ -9,13 +9,14 @@
 #include "blockgen/cut/add_base.hpp"
 #include "blockgen/cut/apply_block_selectors.hpp"
 #include "blockgen/cut/check_boundaries.hpp"
+#include "blockgen/cut/fill_mesh.hpp"
 #include "blockgen/cut/merge_blocks.hpp"
 #include "blockgen/cut/simplify_boundaries.hpp"
 #include "blockgen/faces/cut_context.hpp"
 #include "blockgen/faces/mark_edges.hpp"
 #include "blockgen/input/domain.hpp"
 #include "blockgen/mesh/check_mesh.hpp"
-#include "common/base/disjoint_sets.hpp"
+#include "blockgen/report/dropped_traces.hpp"
 #include "common/base/text.hpp"
 #include "common/geometry/polygon.hpp"
 
@@ -23,19 +24,11 @@ namespace rockslope::blockgen {
 
 namespace {
 
-/// Number of bounded faces of a planar graph by Euler's formula: E - V + connected components.
-std::size_t count_bounded_faces(const NodedEdges& noded) {
-    DisjointSets sets(noded.vertices.size());
-    std::size_t components = noded.vertices.size();
-    for (const auto& [a, b] : noded.edges) components -= sets.unite(a, b);
-    return noded.edges.size() + components - noded.vertices.size();
-}
-
 /// The subdivision by CGAL's plane sweep, which also checks the noding. Larger networks, for which the sweep
 /// would take most of the time, use walk_faces(). verify_area() checks both; --verify always sweeps.
-Subdivision subdivide(const NodedEdges& noded) {
+Subdivision subdivide(const NodedEdges& noded, const ThreadPool& pool) {
     constexpr std::size_t max_swept_edges = 100'000;
-    return noded.edges.size() <= max_swept_edges ? arrange(noded) : walk_faces(noded);
+    return noded.edges.size() <= max_swept_edges ? arrange(noded) : walk_faces(noded, pool);
 }
 
 [[noreturn]] void fail_too_many(const SlopeModel& model, double count, std::size_t limit) {
@@ -44,40 +37,10 @@ Subdivision subdivide(const NodedEdges& noded) {
                      "at most " + std::to_string(limit) + " (--max-blocks sets the limit)");
 }
 
-/// Numbers joints and their materials in the order in which the edges of the blocks use them, which does not
-/// depend on the order of the joints.
-class EdgesInUse {
-  public:
-    explicit EdgesInUse(const EdgeMarks& edges)
-        : edges_(edges),
-          joint_(edges.joints.size(), JointIndex::none()),
-          material_(edges.joint_materials.size(), JointMaterialIndex::none()) {}
-
-    EdgeMark mark(EdgeIndex edge) {
-        EdgeMark mark = edges_.marks[edge];
-        if (mark.joint_material.exists())
-            mark.joint_material =
-                number(mark.joint_material, edges_.joint_materials, material_, joint_materials);
-        if (mark.joint.exists()) mark.joint = number(mark.joint, edges_.joints, joint_, joints);
-        return mark;
-    }
-
-    PerJointMaterial<std::string> joint_materials;
-    PerJoint<Joint> joints;
-
-  private:
-    template <class Index, class All>
-    static Index number(Index old, const All& all, IndexedVector<Index, Index>& numbers, All& used) {
-        if (!numbers[old].exists()) {
-            numbers[old] = used.size();
-            used.push_back(all[old]);
-        }
-        return numbers[old];
-    }
-
-    const EdgeMarks& edges_;
-    PerJoint<JointIndex> joint_;
-    PerJointMaterial<JointMaterialIndex> material_;
+/// Sums of twice the rock's area, in cells.
+struct RockArea {
+    Int128 of_faces = 0;     ///< within the edges between rock and no rock
+    Int128 of_outlines = 0;  ///< within the noded outlines, each in its own direction
 };
 
 class Cutter {
@@ -85,51 +48,137 @@ class Cutter {
     Cutter(const SlopeModel& model, const std::vector<Trace>& traces, const CutOptions& options)
         : model_(model),
           traces_(traces),
+          options_(options),
+          pool_(options.threads),
           table_(model),
-          noded_(node(options)),
-          subdivision_(subdivide(noded_)),
+          noded_(node()),
+          subdivision_(subdivide_checked()),
           faces_(classify_and_merge_faces()),
-          boundary_(noded_, subdivision_, faces_),
-          edges_(mark_edges(context_of(faces_), boundary_)) {}
+          boundary_(noded_, subdivision_, faces_, pool_) {
+        pass("blocks");
+    }
 
-    CutResult cut(const CutOptions& options) {
-        blocks_ = block_rings(noded_, subdivision_, faces_, boundary_);
-        removed_ = redundant_vertices(noded_, subdivision_, faces_, boundary_, edges_.marks);
+    CutResult cut() {
         CutResult result;
-        fill_mesh(result.mesh);
-        result.report.warnings = model_.notes;
-        add_excavations(result);
-        apply_block_selectors(result.mesh, model_, result.report.warnings);
-        for (const auto& warnings :
-             {boundary_warnings(result.mesh, model_), region_warnings(context_of(faces_))})
-            result.report.warnings.insert(result.report.warnings.end(), warnings.begin(), warnings.end());
-        check(result.mesh);
-        fill_report(result);
-        verify_area(result.report);
-        add_network(result.report);
-        if (options.verify) verify(result.report);
+        CutReport& report = result.report;
+        EdgeMarks edges = mark_edges(context_of(faces_), boundary_);
+        PerNode<char> removed = redundant_vertices(context_of(faces_), boundary_, edges.marks);
+        report.merged_vertices = std::count(removed.begin(), removed.end(), 1);
+        pass("edges");
+        BlockRings rings = block_rings(noded_, subdivision_, faces_, boundary_);
+        RockMaterials materials(context_of(faces_), rings);
+        pass("rings");
+        const Warnings warnings = report_network(rings, result);
+        pass("network");
+        free_subdivision();
+        FilledMesh filled = fill_mesh(noded_, rings, edges, removed, std::move(materials), pool_);
+        filled.mesh.excavations = std::move(result.mesh.excavations);
+        result.mesh = std::move(filled.mesh);
+        if (filled.twice_area != rock_area_.of_faces)
+            throw std::logic_error("the areas of the blocks do not sum to the area of the rock");
+        noded_.edges = {};
+        noded_.vertices = {};
+        rings = {};
+        edges = {};
+        removed = {};
+        pass("mesh");
+        finish(warnings, result);
+        pass("checks");
         return result;
     }
 
   private:
+    /// Warnings, by where they come from.
+    struct Warnings {
+        std::vector<std::string> of_regions, of_islands, of_traces;
+    };
+
+    void pass(const char* phase) const {
+        if (options_.on_phase) options_.on_phase(phase);
+    }
+
+    /// What needs the network: proof, excavations, islands, and the balance of the joints where asked for.
+    Warnings report_network(const BlockRings& rings, CutResult& result) {
+        CutReport& report = result.report;
+        rock_area_ = add_up_rock();
+        if (faces_.has_disjoint_voids && rock_area_.of_faces != rock_area_.of_outlines)
+            throw std::logic_error("the area of the rock differs from the area that the outlines enclose");
+        report.domain_area =
+            static_cast<double>(rock_area_.of_faces) / 2 * noded_.frame.step * noded_.frame.step;
+        report.area_proved = true;
+        report.merges = merges_;
+        report.trace_ends = model_.trace_ends;
+        report.noding_rounds = noded_.rounds;
+        report.largest_snap = noded_.largest_snap;
+        report.warnings = model_.notes;
+        add_excavations(rings, result);
+        Warnings warnings;
+        warnings.of_regions = region_warnings(context_of(faces_));
+        count_islands(rings, report, warnings.of_islands);
+        warnings.of_traces = dropped_trace_warnings(context_of(faces_));
+        if (options_.full_report) add_network(report);
+        if (options_.verify) verify(report);
+        return warnings;
+    }
+
+    /// What needs the mesh: blocks fixed and measured points, checks, sizes.
+    void finish(const Warnings& warnings, CutResult& result) const {
+        std::vector<std::string>& all = result.report.warnings;
+        apply_block_selectors(result.mesh, model_, all);
+        const auto append = [&all](const std::vector<std::string>& more) {
+            all.insert(all.end(), more.begin(), more.end());
+        };
+        append(boundary_warnings(result.mesh, model_));
+        append(warnings.of_regions);
+        check(result.mesh);
+        fill_report(result);
+        append(warnings.of_islands);
+        append(warnings.of_traces);
+        for (const std::size_t k : faces_.idle_tunnels)
+            all.push_back("tunnel '" + model_.tunnels[k].name +
+                          "' lies outside the outline and removes nothing");
+    }
+
+    /// Frees what the mesh is not filled from.
+    void free_subdivision() {
+        subdivision_ = {};
+        faces_.block = {};
+        boundary_.is_boundary = {};
+        noded_.sources = {};
+        noded_.first_source = {};
+    }
+
     /// An invalid mesh is an error of this program, not of its input.
-    static void check(const BlockMesh& mesh) {
+    void check(const BlockMesh& mesh) const {
         try {
-            check_mesh(mesh, "the cut mesh");
+            check_mesh(mesh, "the cut mesh", pool_);
         } catch (const InputError& error) {
             throw std::logic_error(error.what());
         }
     }
 
-    NodedEdges node(const CutOptions& options) const {
+    NodedEdges node() const {
         const std::vector<SourceSegment> segments = source_segments(model_, traces_, table_);
         const double estimate = estimated_blocks(model_, segments, table_);
-        if (estimate > 4.0 * static_cast<double>(options.max_blocks) + 1000)
-            fail_too_many(model_, estimate, options.max_blocks);
-        NodedEdges noded = node_joints(segments, model_.grid);
-        const std::size_t faces = count_bounded_faces(noded);
-        if (faces > options.max_blocks) fail_too_many(model_, static_cast<double>(faces), options.max_blocks);
+        if (estimate > 4.0 * static_cast<double>(options_.max_blocks) + 1000)
+            fail_too_many(model_, estimate, options_.max_blocks);
+        pass("segments");
+        NodedEdges noded = node_joints(segments, model_.grid, pool_);
+        // By Euler's formula a connected network has E - V + 1 bounded faces, and others more.
+        const std::size_t vertices = noded.vertices.size(), edges = noded.edges.size();
+        if (edges + 1 > vertices + options_.max_blocks)
+            fail_too_many(model_, static_cast<double>(edges + 1 - vertices), options_.max_blocks);
+        pass("noding");
         return noded;
+    }
+
+    Subdivision subdivide_checked() const {
+        Subdivision subdivision = subdivide(noded_, pool_);
+        const std::size_t bounded = subdivision.face_count - 1;
+        if (bounded > options_.max_blocks)
+            fail_too_many(model_, static_cast<double>(bounded), options_.max_blocks);
+        pass("faces");
+        return subdivision;
     }
 
     /// The block of each face, after small blocks are merged and islands filled as the model requires.
@@ -154,61 +203,22 @@ class Cutter {
                 .faces = faces,
                 .model = model_,
                 .traces = traces_,
-                .table = table_};
+                .table = table_,
+                .pool = pool_};
     }
     FaceBlockIndex block_of(HalfEdgeIndex half_edge) const {
         return faces_.block[subdivision_.face[half_edge]];
     }
     const GridPoint& start(HalfEdgeIndex half_edge) const {
-        return noded_.vertices[boundary_.origin[half_edge]];
-    }
-
-    /// Index of a block's material in the mesh. Only materials that a block has are written to the file.
-    BlockMaterialIndex material_index(BlockMesh& mesh, FaceBlockIndex block) const {
-        const std::string& name = material_of(faces_, model_, block);
-        const auto found = std::find(mesh.block_materials.begin(), mesh.block_materials.end(), name);
-        if (found == mesh.block_materials.end()) {
-            mesh.block_materials.push_back(name);
-            return mesh.block_materials.size() - 1;
-        }
-        return found - mesh.block_materials.begin();
-    }
-
-    void fill_mesh(BlockMesh& mesh) {
-        PerNode<VertexIndex> number(noded_.vertices.size(), VertexIndex::none());
-        std::vector<VertexIndex> ring;
-        std::vector<EdgeMark> marks;
-        EdgesInUse in_use(edges_);
-        for (const BlockRings& block : blocks_) {
-            mesh.begin_block(material_index(mesh, block.block));
-            for (const auto& half_edges : block.rings) {
-                ring.clear();
-                marks.clear();
-                for (const HalfEdgeIndex h : half_edges) {
-                    const NodeIndex v = boundary_.origin[h];
-                    if (removed_[v]) continue;
-                    if (!number[v].exists()) {
-                        number[v] = mesh.vertices.size();
-                        mesh.vertices.push_back(noded_.frame.position(noded_.vertices[v]));
-                        grid_points_.push_back(noded_.vertices[v]);
-                    }
-                    ring.push_back(number[v]);
-                    marks.push_back(in_use.mark(edge_of(h)));
-                }
-                mesh.add_ring(ring, marks);
-                twice_block_area_ += twice_ring_area(ring);
-            }
-        }
-        mesh.joint_materials = std::move(in_use.joint_materials);
-        mesh.joints = std::move(in_use.joints);
+        return noded_.vertices[boundary_.origin(half_edge)];
     }
 
     /// Adds the excavations that remove rock, in the order of the model.
-    void add_excavations(CutResult& result) const {
+    void add_excavations(const BlockRings& rings, CutResult& result) const {
         std::vector<ExcavatedBlocks> excavations;
         for (const Excavation& e : model_.excavations) excavations.push_back({e.name, e.stage, {}});
-        for (const BlockIndex b : blocks_.indices())
-            if (const ExcavationIndex k = faces_.excavation[blocks_[b].block]; k.exists())
+        for (const BlockIndex b : rings.blocks())
+            if (const ExcavationIndex k = faces_.excavation[rings.block[b]]; k.exists())
                 excavations[k].blocks.push_back(b);
         for (ExcavatedBlocks& e : excavations) {
             if (e.blocks.empty())
@@ -218,36 +228,31 @@ class Cutter {
         }
     }
 
-    Int128 twice_ring_area(const std::vector<VertexIndex>& ring) const {
-        Int128 sum = 0;
-        const auto corner = [&](std::size_t k) { return grid_points_[ring[k]]; };
-        for (std::size_t k = 1; k + 1 < ring.size(); ++k)
-            sum += twice_area(corner(0), corner(k), corner(k + 1));
-        return sum;
+    /// In exact integers. When no hole or tunnel crosses the outline or overlaps another one, both sums must
+    /// be the same.
+    RockArea add_up_rock() const {
+        const auto part = [&](std::size_t begin, std::size_t end) {
+            RockArea sum;
+            for (const EdgeIndex e : indices<EdgeIndex>(begin, end)) add_edge(e, sum);
+            return sum;
+        };
+        return pool_.parallel_reduce(
+            noded_.edges.size(), RockArea{}, part, [](const RockArea& a, const RockArea& b) {
+                return RockArea{a.of_faces + b.of_faces, a.of_outlines + b.of_outlines};
+            });
     }
 
-    /// Checks in exact integers that the areas of the blocks sum to the area of the rock. When no hole or
-    /// tunnel crosses the outline or overlaps another one, the area enclosed by the noded outlines must be
-    /// the same.
-    void verify_area(CutReport& report) const {
-        Int128 twice_rock = 0, twice_outlines = 0;
-        for (const EdgeIndex e : noded_.edges.indices()) {
-            const Int128 area = twice_area({0, 0}, start(forward_half(e)), start(backward_half(e)));
-            const int left = block_of(forward_half(e)) != FaceBlocks::outside,
-                      right = block_of(backward_half(e)) != FaceBlocks::outside;
-            twice_rock += area * (left - right);
-            for (const EdgeSource& s : noded_.sources_of(e)) {
-                const bool is_void = (s.source >= table_.first_hole && s.source < table_.first_region) ||
-                                     (s.source >= table_.first_tunnel && s.source < table_.first_joint);
-                if (s.source == 0 || is_void) twice_outlines += (s.reversed != is_void ? -1 : 1) * area;
-            }
+    void add_edge(EdgeIndex e, RockArea& sum) const {
+        const int left = block_of(forward_half(e)) != FaceBlocks::outside,
+                  right = block_of(backward_half(e)) != FaceBlocks::outside;
+        const auto area = [&] { return twice_area({0, 0}, start(forward_half(e)), start(backward_half(e))); };
+        if (left != right) sum.of_faces += area() * (left - right);
+        for (const EdgeSource& s : noded_.sources_of(e)) {
+            if (table_.is_joint(s.source)) break;  // sources are sorted, and those of outlines come first
+            const bool is_void = (s.source >= table_.first_hole && s.source < table_.first_region) ||
+                                 (s.source >= table_.first_tunnel && s.source < table_.first_joint);
+            if (s.source == 0 || is_void) sum.of_outlines += (s.reversed != is_void ? -1 : 1) * area();
         }
-        if (twice_rock != twice_block_area_)
-            throw std::logic_error("the areas of the blocks do not sum to the area of the rock");
-        if (faces_.has_disjoint_voids && twice_rock != twice_outlines)
-            throw std::logic_error("the area of the rock differs from the area that the outlines enclose");
-        report.domain_area = static_cast<double>(twice_rock) / 2 * noded_.frame.step * noded_.frame.step;
-        report.area_proved = true;
     }
 
     void verify(CutReport& report) const {
@@ -265,51 +270,58 @@ class Cutter {
         const CutContext cut = context_of(faces_);
         NetworkReport network = measure_network(cut, report.domain_area - model_.unjointed_area);
         report.joints = std::move(network.joints);
-        report.nodes = network.nodes;
+        report.topology = topology_of(cut);
         report.changes = joint_changes(cut);
         report.changes.insert(report.changes.end(), merges_.changes.begin(), merges_.changes.end());
-        report.warnings.insert(report.warnings.end(), network.warnings.begin(), network.warnings.end());
-        for (const std::size_t k : faces_.idle_tunnels)
-            report.warnings.push_back("tunnel '" + model_.tunnels[k].name +
-                                      "' lies outside the outline and removes nothing");
     }
 
     void fill_report(CutResult& result) const {
         CutReport& report = result.report;
         const BlockMesh& mesh = result.mesh;
         report.blocks = mesh.block_count();
-        report.merges = merges_;
-        report.trace_ends = model_.trace_ends;
-        report.noding_rounds = noded_.rounds;
-        report.largest_snap = noded_.largest_snap;
-        report.merged_vertices = std::count(removed_.begin(), removed_.end(), 1);
-        for (const EdgeMark& mark : mesh.edge_marks)
-            ++(mark == EdgeMark{} ? report.boundary_edges : report.interior_edges);
-        report.interior_edges /= 2;
-        report.sizes = size_summary(mesh);
-        report.free_sizes = size_summary(mesh, true);
-        report.shapes = shape_summary(mesh);
+        report.boundary_edges = std::count(mesh.edge_marks.begin(), mesh.edge_marks.end(), EdgeMark{});
+        report.interior_edges = (mesh.edge_marks.size() - report.boundary_edges) / 2;
+        const PerBlock<double> areas = block_areas(mesh, pool_);
+        report.sizes = area_summary(areas, pool_);
+        std::vector<double> free_areas;
+        for (const BlockIndex b : areas.indices())
+            if (mesh.motion[b] == BlockMotion::free) free_areas.push_back(areas[b]);
+        report.free_sizes =
+            free_areas.size() == areas.size() ? report.sizes : area_summary(std::move(free_areas), pool_);
         for (const ExcavatedBlocks& e : mesh.excavations) {
             report.excavations.push_back({e.name, e.stage, e.blocks.size(), 0});
-            for (const BlockIndex b : e.blocks) report.excavations.back().area += block_area(mesh, b);
+            for (const BlockIndex b : e.blocks) report.excavations.back().area += areas[b];
         }
-        for (const BlockIndex b : mesh.blocks())
-            report.slivers += block_roundness(mesh, b) < model_.small_blocks.below_roundness;
-        count_islands(report);
+        report.slivers = count_slivers(mesh);
+        if (options_.full_report) {
+            report.shapes = shape_summary(mesh, pool_);
+            report.corners = corner_summary(mesh, pool_);
+        }
         if (model_.kinematics)
             report.kinematics = screen_blocks(mesh, *model_.kinematics, domain_bounds(model_), model_.grid);
     }
 
-    void count_islands(CutReport& report) const {
-        for (const BlockRings& block : blocks_)
-            for (std::size_t r = 1; r < block.rings.size(); ++r) {
+    std::size_t count_slivers(const BlockMesh& mesh) const {
+        const auto part = [&](std::size_t begin, std::size_t end) {
+            std::size_t slivers = 0;
+            for (const BlockIndex b : indices<BlockIndex>(begin, end))
+                slivers += block_roundness(mesh, b) < model_.small_blocks.below_roundness;
+            return slivers;
+        };
+        return pool_.parallel_reduce(mesh.block_count(), std::size_t{0}, part,
+                                     [](std::size_t a, std::size_t b) { return a + b; });
+    }
+
+    void count_islands(const BlockRings& rings, CutReport& report, std::vector<std::string>& warnings) const {
+        for (const BlockIndex block : rings.blocks())
+            for (std::size_t r = 1; r < rings.ring_count(block); ++r) {
+                const RingSpan ring = rings.ring(block, r);
                 ++report.holes;
-                if (!encloses_rock(block.rings[r], subdivision_, faces_)) continue;
+                if (!encloses_rock(ring, subdivision_, faces_)) continue;
                 ++report.islands;
-                if (model_.islands == IslandPolicy::keep) warn_of_island(block.rings[r], report);
+                if (model_.islands == IslandPolicy::keep) warn_of_island(ring, report.islands, warnings);
                 if (model_.islands != IslandPolicy::error) continue;
-                const HalfEdgeIndex h = block.rings[r][0];
-                const Point p = noded_.frame.position(start(h));
+                const Point p = noded_.frame.position(start(ring[0]));
                 throw InputError(
                     model_.domain_location,
                     "one block encloses others at (" + shortest_text(p.x) + ", " + shortest_text(p.y) + ")",
@@ -319,11 +331,11 @@ class Cutter {
     }
 
     /// Warns of each of the first islands that are kept; one more warning refers to the count in the report.
-    void warn_of_island(const std::vector<HalfEdgeIndex>& hole, CutReport& report) const {
+    void warn_of_island(RingSpan hole, std::size_t islands, std::vector<std::string>& warnings) const {
         constexpr std::size_t max_named = 5;
-        if (report.islands > max_named + 1) return;
-        if (report.islands == max_named + 1) {
-            report.warnings.push_back("further islands are kept: 'islands' in the report counts them");
+        if (islands > max_named + 1) return;
+        if (islands == max_named + 1) {
+            warnings.push_back("further islands are kept: 'islands' in the report counts them");
             return;
         }
         const GridPoint first = start(hole[0]);
@@ -334,23 +346,21 @@ class Cutter {
         std::snprintf(area, sizeof area, "%.4g",
                       static_cast<double>(twice) / 2 * noded_.frame.step * noded_.frame.step);
         const Point p = noded_.frame.position(first);
-        report.warnings.push_back(std::string("an island of ") + area + " m2 at (" + shortest_text(p.x) +
-                                  ", " + shortest_text(p.y) + ") is kept within one block");
+        warnings.push_back(std::string("an island of ") + area + " m2 at (" + shortest_text(p.x) + ", " +
+                           shortest_text(p.y) + ") is kept within one block");
     }
 
     const SlopeModel& model_;
     const std::vector<Trace>& traces_;
+    const CutOptions& options_;
+    ThreadPool pool_;
     SourceTable table_;
     NodedEdges noded_;
     Subdivision subdivision_;
     MergeReport merges_;
     FaceBlocks faces_;
     BlockBoundary boundary_;
-    EdgeMarks edges_;
-    PerBlock<BlockRings> blocks_;
-    PerNode<char> removed_;
-    PerVertex<GridPoint> grid_points_;  ///< of the mesh
-    Int128 twice_block_area_ = 0;
+    RockArea rock_area_;
 };
 
 Change island_cut_change(const Trace& cut) {
@@ -374,7 +384,7 @@ CutResult cut_blocks(const SlopeModel& model, const std::vector<Trace>& traces, 
     }
     std::vector<Trace> all = traces;
     for (int round = 0;; ++round) {
-        CutResult result = Cutter(model, all, options).cut(options);
+        CutResult result = Cutter(model, all, options).cut();
         result.report.island_cuts = all.size() - traces.size();
         for (std::size_t k = traces.size(); k < all.size(); ++k)
             result.report.changes.push_back(island_cut_change(all[k]));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "blockgen/input/slope_model.hpp"
@@ -12,6 +13,12 @@ namespace rockslope::blockgen {
 struct CutOptions {
     std::size_t max_blocks = 1'000'000;
     bool verify = false;  ///< repeat the arrangement with exact construction and compare
+    int threads = 1;      ///< the result does not depend on their number
+    /// Whether the report has the balance of the joints and their densities, the log of changes, and the
+    /// shapes and corners of the blocks, which take a third of the time.
+    bool full_report = true;
+    /// Called with the name of each phase when it is done, to measure time and memory.
+    std::function<void(const char* phase)> on_phase = {};
 };
 
 struct CutResult {

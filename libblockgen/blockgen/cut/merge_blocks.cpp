@@ -54,29 +54,72 @@ Point moment_of(const GridPoint& a, const GridPoint& b, double twice) {
     return {twice * static_cast<double>(a.x + b.x), twice * static_cast<double>(a.y + b.y)};
 }
 
-/// Adjacency graph of the blocks, with areas and centroids; a union-find merges blocks.
+/// The first of an edge's joints, or none.
+JointTraceIndex first_joint(const NodedEdges& noded, EdgeIndex edge, const SourceTable& table) {
+    for (const EdgeSource& s : noded.sources_of(edge))
+        if (table.is_joint(s.source)) return table.trace_of(s.source);
+    return JointTraceIndex::none();
+}
+
+/// The length along which each joint parts blocks, grid steps.
+PerJointTrace<double> lengths_between_blocks(const CutContext& cut) {
+    PerJointTrace<double> lengths(cut.traces.size(), 0);
+    for (const EdgeIndex e : cut.noded.edges.indices()) {
+        const JointTraceIndex joint = first_joint(cut.noded, e, cut.table);
+        if (!joint.exists() || cut.block_of(forward_half(e)) == cut.block_of(backward_half(e))) continue;
+        const GridPoint& a = cut.noded.vertices[cut.noded.edges[e].first];
+        const GridPoint& b = cut.noded.vertices[cut.noded.edges[e].second];
+        lengths[joint] += std::hypot(static_cast<double>(b.x - a.x), static_cast<double>(b.y - a.y));
+    }
+    return lengths;
+}
+
+/// Twice the area of each block, in cells. Each thread sums over a range of the edges; the sums are integers.
+PerFaceBlock<Int128> twice_areas(const CutContext& cut) {
+    const std::size_t edges = cut.noded.edges.size(), blocks = cut.faces.material.size();
+    const std::size_t ranges = cut.pool.size();
+    std::vector<PerFaceBlock<Int128>> sums(ranges);
+    cut.pool.parallel_for_dynamic(ranges, [&](std::size_t k, std::size_t) {
+        PerFaceBlock<Int128>& sum = sums[k];
+        sum.assign(blocks, 0);
+        for (const EdgeIndex e : indices<EdgeIndex>(edges * k / ranges, edges * (k + 1) / ranges)) {
+            const FaceBlockIndex left = cut.block_of(forward_half(e)), right = cut.block_of(backward_half(e));
+            if (left == right) continue;
+            const auto& [a, b] = cut.noded.edges[e];
+            const Int128 area = twice_area({0, 0}, cut.noded.vertices[a], cut.noded.vertices[b]);
+            if (left != FaceBlocks::outside) sum[left] += area;
+            if (right != FaceBlocks::outside) sum[right] -= area;
+        }
+    });
+    for (std::size_t k = 1; k < ranges; ++k)
+        for (const FaceBlockIndex b : sums[0].indices()) sums[0][b] += sums[k][b];
+    return std::move(sums[0]);
+}
+
+/// Adjacency graph of blocks that may be merged, with centroids, and the areas of all blocks; a union-find
+/// merges blocks.
 class BlockGraph {
   public:
-    explicit BlockGraph(const CutContext& cut)
+    /// @param may_merge flag per block: only these have sides and centroids.
+    BlockGraph(const CutContext& cut, PerFaceBlock<Int128> twice_areas, const PerFaceBlock<char>& may_merge)
         : sets_(cut.faces.material.size()),
-          twice_area_(cut.faces.material.size()),
-          moment_(cut.faces.material.size()),
+          twice_area_(std::move(twice_areas)),
+          moment_(cut.faces.material.size(), Point{0, 0}),
           sides_(cut.faces.material.size()) {
         const NodedEdges& noded = cut.noded;
         for (const EdgeIndex e : noded.edges.indices()) {
-            const FaceBlockIndex left = cut.block_of(forward_half(e));
-            const FaceBlockIndex right = cut.block_of(backward_half(e));
+            const FaceBlockIndex left = cut.block_of(forward_half(e)), right = cut.block_of(backward_half(e));
             if (left == right) continue;
+            const bool adds_left = left != FaceBlocks::outside && may_merge[left];
+            const bool adds_right = right != FaceBlocks::outside && may_merge[right];
+            if (!adds_left && !adds_right) continue;
             const GridPoint& a = noded.vertices[noded.edges[e].first];
             const GridPoint& b = noded.vertices[noded.edges[e].second];
             const double length = std::hypot(static_cast<double>(b.x - a.x), static_cast<double>(b.y - a.y));
-            const Int128 area = twice_area({0, 0}, a, b);
+            const Point moment = moment_of(a, b, static_cast<double>(twice_area({0, 0}, a, b)));
             const JointTraceIndex joint = first_joint(noded, e, cut.table);
-            if (joint.exists()) length_of_joint_[joint] += length;
-            const Point moment = moment_of(a, b, static_cast<double>(area));
-            if (left != FaceBlocks::outside) add(left, area, moment, {right, joint, length});
-            if (right != FaceBlocks::outside)
-                add(right, -area, {-moment.x, -moment.y}, {left, joint, length});
+            if (adds_left) add(left, moment, {right, joint, length});
+            if (adds_right) add(right, {-moment.x, -moment.y}, {left, joint, length});
         }
     }
 
@@ -87,7 +130,6 @@ class BlockGraph {
         const double six_areas = 3 * static_cast<double>(twice_area_[root]);
         return {moment_[root].x / six_areas, moment_[root].y / six_areas};
     }
-    double length_of_joint(JointTraceIndex joint) const { return length_of_joint_.at(joint); }
 
     /// The sides of a merged block; drops those that have become interior.
     const std::vector<Side>& sides(FaceBlockIndex root) {
@@ -121,14 +163,7 @@ class BlockGraph {
     DisjointSets& sets() { return sets_; }
 
   private:
-    static JointTraceIndex first_joint(const NodedEdges& noded, EdgeIndex edge, const SourceTable& table) {
-        for (const EdgeSource& s : noded.sources_of(edge))
-            if (table.is_joint(s.source)) return table.trace_of(s.source);
-        return JointTraceIndex::none();
-    }
-
-    void add(FaceBlockIndex block, Int128 area, const Point& moment, const Side& side) {
-        twice_area_[block] += area;
+    void add(FaceBlockIndex block, const Point& moment, const Side& side) {
         moment_[block].x += moment.x;
         moment_[block].y += moment.y;
         sides_[block].push_back(side);
@@ -138,7 +173,6 @@ class BlockGraph {
     PerFaceBlock<Int128> twice_area_;
     PerFaceBlock<Point> moment_;  ///< 6 area * centroid
     PerFaceBlock<std::vector<Side>> sides_;
-    std::map<JointTraceIndex, double> length_of_joint_;
 };
 
 /// The blocks with which a small block is merged, and the boundary between them.
@@ -148,19 +182,40 @@ struct MergeTargets {
     JointTraceIndex joint = JointTraceIndex::none();  ///< the joint whose piece is dropped, or none
 };
 
+/// The area below which a block is small, m2. @param cell area of a grid cell, m2.
+double small_area(const SmallBlocks& limits, const PerFaceBlock<Int128>& twice_areas, double cell) {
+    if (!(limits.below_share > 0)) return limits.below_area;
+    std::vector<Int128> sorted = twice_areas;
+    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+    std::nth_element(sorted.begin(), middle, sorted.end());
+    return std::max(limits.below_area, limits.below_share * (static_cast<double>(*middle) / 2 * cell));
+}
+
+/// Flags the blocks that may be small, alone or merged: those of a small area, or all where slivers count.
+PerFaceBlock<char> candidates(const SmallBlocks& limits, const PerFaceBlock<Int128>& twice_areas, double cell,
+                              double below_area) {
+    PerFaceBlock<char> flags(twice_areas.size(), limits.merges_slivers && limits.below_roundness > 0);
+    for (const FaceBlockIndex b : flags.indices())
+        if (static_cast<double>(twice_areas[b]) / 2 * cell < below_area) flags[b] = 1;
+    return flags;
+}
+
 class SmallBlockMerger {
   public:
-    explicit SmallBlockMerger(const CutContext& cut)
+    SmallBlockMerger(const CutContext& cut, PerFaceBlock<Int128> twice_areas,
+                     const PerFaceBlock<char>& may_merge, double below_area)
         : faces_(cut.faces),
           model_(cut.model),
           traces_(cut.traces),
-          graph_(cut),
+          graph_(cut, std::move(twice_areas), may_merge),
           frame_(cut.noded.frame),
-          cell_(cut.noded.frame.step * cut.noded.frame.step) {}
+          cell_(cut.noded.frame.step * cut.noded.frame.step),
+          below_area_(below_area) {
+        if (model_.small_blocks.policy == SmallBlockPolicy::drop)
+            length_of_joint_ = lengths_between_blocks(cut);
+    }
 
     FaceBlocks run(MergeReport& report) {
-        below_area_ =
-            std::max(model_.small_blocks.below_area, model_.small_blocks.below_share * median_area());
         std::set<std::pair<Int128, FaceBlockIndex>> small;
         for (const FaceBlockIndex b : faces_.material.indices())
             if (is_small(b)) small.emplace(graph_.twice_area_of(b), b);
@@ -188,15 +243,6 @@ class SmallBlockMerger {
 
   private:
     double area_of(Int128 twice_area) const { return static_cast<double>(twice_area) / 2 * cell_; }  ///< m2
-    /// The median area of the blocks before merging, m2.
-    double median_area() const {
-        std::vector<Int128> areas;
-        for (const FaceBlockIndex b : faces_.material.indices()) areas.push_back(graph_.twice_area_of(b));
-        const auto middle = areas.begin() + static_cast<std::ptrdiff_t>(areas.size() / 2);
-        std::nth_element(areas.begin(), middle, areas.end());
-        return area_of(*middle);
-    }
-
     bool is_small(FaceBlockIndex b) {
         const SmallBlocks& limits = model_.small_blocks;
         return area_of(graph_.twice_area_of(b)) < below_area_ ||
@@ -252,8 +298,7 @@ class SmallBlockMerger {
     }
 
     bool is_shorter(JointTraceIndex joint, JointTraceIndex other) const {
-        return std::pair(graph_.length_of_joint(joint), joint) <
-               std::pair(graph_.length_of_joint(other), other);
+        return std::pair(length_of_joint_[joint], joint) < std::pair(length_of_joint_[other], other);
     }
 
     const FaceBlocks& faces_;
@@ -261,12 +306,13 @@ class SmallBlockMerger {
     const std::vector<Trace>& traces_;
     BlockGraph graph_;
     GridFrame frame_;
-    double cell_;            ///< area of a grid cell, m2
-    double below_area_ = 0;  ///< m2, a block with less is small
+    double cell_;                            ///< area of a grid cell, m2
+    double below_area_;                      ///< m2, a block with less is small
+    PerJointTrace<double> length_of_joint_;  ///< between blocks, grid steps; empty unless the policy needs it
 };
 
 /// The change for a filled hole. Its ring is clockwise. The area includes holes of the islands.
-Change filled_hole(const std::vector<HalfEdgeIndex>& hole, const NodedEdges& noded) {
+Change filled_hole(RingSpan hole, const NodedEdges& noded) {
     Int128 twice = 0;
     Point moment{0, 0};
     for (const HalfEdgeIndex h : hole) {
@@ -291,17 +337,22 @@ Change filled_hole(const std::vector<HalfEdgeIndex>& hole, const NodedEdges& nod
 }  // namespace
 
 FaceBlocks merge_small_blocks(const CutContext& cut, MergeReport& report) {
-    return SmallBlockMerger(cut).run(report);
+    const SmallBlocks& limits = cut.model.small_blocks;
+    const double cell = cut.noded.frame.step * cut.noded.frame.step;
+    PerFaceBlock<Int128> areas = twice_areas(cut);
+    const double below_area = small_area(limits, areas, cell);
+    const PerFaceBlock<char> may_merge = candidates(limits, areas, cell, below_area);
+    if (std::find(may_merge.begin(), may_merge.end(), 1) == may_merge.end()) return cut.faces;
+    return SmallBlockMerger(cut, std::move(areas), may_merge, below_area).run(report);
 }
 
-bool encloses_rock(const std::vector<HalfEdgeIndex>& ring, const Subdivision& subdivision,
-                   const FaceBlocks& faces) {
+bool encloses_rock(RingSpan ring, const Subdivision& subdivision, const FaceBlocks& faces) {
     return std::any_of(ring.begin(), ring.end(), [&](HalfEdgeIndex h) {
         return faces.block[subdivision.face[twin(h)]] != FaceBlocks::outside;
     });
 }
 
-FaceBlocks fill_islands(const CutContext& cut, const std::vector<BlockRings>& blocks, MergeReport& report) {
+FaceBlocks fill_islands(const CutContext& cut, const BlockRings& blocks, MergeReport& report) {
     const FaceBlocks& faces = cut.faces;
     const NodedEdges& noded = cut.noded;
     const SlopeModel& model = cut.model;
@@ -312,21 +363,22 @@ FaceBlocks fill_islands(const CutContext& cut, const std::vector<BlockRings>& bl
             neighbours[b].push_back(n);
 
     DisjointSets sets(faces.material.size());
-    for (const BlockRings& block : blocks)
-        for (std::size_t r = 1; r < block.rings.size(); ++r) {
+    for (const BlockIndex block : blocks.blocks())
+        for (std::size_t r = 1; r < blocks.ring_count(block); ++r) {
+            const RingSpan ring = blocks.ring(block, r);
             const std::size_t before = report.filled_islands;
             // Blocks in the hole have no neighbour outside it except the enclosing block.
             std::vector<FaceBlockIndex> front;
-            for (const HalfEdgeIndex h : block.rings[r])
+            for (const HalfEdgeIndex h : ring)
                 if (const FaceBlockIndex n = cut.block_of(twin(h)); n != FaceBlocks::outside)
                     front.push_back(n);
             while (!front.empty()) {
                 const FaceBlockIndex b = front.back();
                 front.pop_back();
-                const FaceBlockIndex host = block.block;
+                const FaceBlockIndex host = blocks.block[block];
                 if (sets.root(b) == sets.root(host)) continue;
                 if (!have_same_rock(faces, model, b, host)) {
-                    const GridPoint& at = noded.vertices[noded.edges[edge_of(block.rings[r][0])].first];
+                    const GridPoint& at = noded.vertices[noded.edges[edge_of(ring[0])].first];
                     const Point p = noded.frame.position(at);
                     throw InputError(model.domain_location,
                                      "a block of " + rock_text(faces, model, host) + " encloses others of " +
@@ -337,9 +389,9 @@ FaceBlocks fill_islands(const CutContext& cut, const std::vector<BlockRings>& bl
                 sets.unite(b, host);
                 ++report.filled_islands;
                 for (const FaceBlockIndex n : neighbours[b])
-                    if (n != block.block) front.push_back(n);
+                    if (n != host) front.push_back(n);
             }
-            if (report.filled_islands > before) report.changes.push_back(filled_hole(block.rings[r], noded));
+            if (report.filled_islands > before) report.changes.push_back(filled_hole(ring, noded));
         }
     return report.filled_islands > 0 ? renumbered(faces, sets) : faces;
 }

@@ -17,7 +17,7 @@ FaceBlocks merge_small_blocks(const CutContext& cut, MergeReport& report);
 
 /// Merges all blocks that a block encloses with that block; cavities remain. @return the blocks after
 /// merging. @throws InputError located at [domain] when their materials or excavations differ.
-FaceBlocks fill_islands(const CutContext& cut, const std::vector<BlockRings>& blocks, MergeReport& report);
+FaceBlocks fill_islands(const CutContext& cut, const BlockRings& blocks, MergeReport& report);
 
 /// Joints that connect each island to the boundary of the block that encloses it. At the island's leftmost
 /// and rightmost corners one of its joints is extended in its own direction to the next edge of that block. A
@@ -26,7 +26,6 @@ FaceBlocks fill_islands(const CutContext& cut, const std::vector<BlockRings>& bl
 std::vector<Trace> island_cuts(const BlockMesh& mesh);
 
 /// Whether another block lies beyond at least one half-edge of a ring, so that the hole is not only a cavity.
-bool encloses_rock(const std::vector<HalfEdgeIndex>& ring, const Subdivision& subdivision,
-                   const FaceBlocks& faces);
+bool encloses_rock(RingSpan ring, const Subdivision& subdivision, const FaceBlocks& faces);
 
 }  // namespace rockslope::blockgen

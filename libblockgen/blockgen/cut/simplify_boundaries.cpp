@@ -10,7 +10,7 @@ namespace {
 
 constexpr double max_deviation = 2;  // grid cells
 
-/// A chain of boundary edges between two vertices that are not removable.
+/// A chain of boundary edges between two vertices that are not removable, with a removable vertex between.
 struct Chain {
     std::vector<NodeIndex> vertices;
     bool is_exact = false;     ///< along the outline of the rock
@@ -18,39 +18,35 @@ struct Chain {
 };
 using ChainIndex = Index<struct ChainKind>;
 
-/// The edges of all chains without the vertices to be removed.
+/// The boundary edges without the vertices to be removed.
 struct StraightEdges {
     PerEdge<EdgeEnds> edges;
-    PerEdge<ChainIndex> chain;
-    PerEdge<char> changed;  ///< whether the chain has lost a vertex
+    PerEdge<ChainIndex> chain;  ///< none for an edge that is in no chain
+    PerEdge<char> changed;      ///< whether the chain has lost a vertex
 };
 
 class BoundarySimplifier {
   public:
-    BoundarySimplifier(const NodedEdges& noded, const Subdivision& subdivision, const FaceBlocks& faces,
-                       const BlockBoundary& boundary, const PerEdge<EdgeMark>& marks)
-        : noded_(noded), subdivision_(subdivision), faces_(faces), boundary_(boundary), marks_(marks) {
+    BoundarySimplifier(const CutContext& cut, const BlockBoundary& boundary, const PerEdge<EdgeMark>& marks)
+        : noded_(cut.noded), cut_(cut), boundary_(boundary), marks_(marks) {
         find_removable_vertices();
-        find_chains();
+        if (std::find(is_removable_.begin(), is_removable_.end(), 1) != is_removable_.end()) find_chains();
     }
 
     PerNode<char> run() {
-        while (true) {
-            PerNode<char> out(noded_.vertices.size(), 0);
-            StraightEdges straight;
-            for (const ChainIndex c : chains_.indices()) {
-                const std::vector<NodeIndex>& all = chains_[c].vertices;
-                const std::vector<NodeIndex> kept = kept_vertices(chains_[c]);
-                for (std::size_t k = 1; k + 1 < all.size(); ++k) out[all[k]] = 1;
+        PerNode<char> out(noded_.vertices.size(), 0);
+        while (!chains_.empty()) {
+            bool any_removed = false;
+            for (const Chain& chain : chains_) {
+                for (std::size_t k = 1; k + 1 < chain.vertices.size(); ++k) out[chain.vertices[k]] = 1;
+                const std::vector<NodeIndex> kept = kept_vertices(chain);
                 for (const NodeIndex v : kept) out[v] = 0;
-                for (std::size_t k = 0; k + 1 < kept.size(); ++k) {
-                    straight.edges.push_back(std::minmax({kept[k], kept[k + 1]}));
-                    straight.chain.push_back(c);
-                    straight.changed.push_back(kept.size() < all.size());
-                }
+                any_removed = any_removed || kept.size() < chain.vertices.size();
             }
-            if (!restore_improperly_noded(straight) && !restore_inverted_rings(out)) return out;
+            if (!any_removed) break;
+            if (!restore_improperly_noded(straight_edges(out)) && !restore_inverted_rings(out)) break;
         }
+        return out;
     }
 
   private:
@@ -70,18 +66,23 @@ class BoundarySimplifier {
             is_removable_[v] = is_removable_[v] && degree[v] == 2;
     }
 
-    NodeIndex origin(HalfEdgeIndex h) const { return boundary_.origin[h]; }
+    NodeIndex origin(HalfEdgeIndex h) const { return boundary_.origin(h); }
+    HalfEdgeIndex next(HalfEdgeIndex h) const { return boundary_.next(h); }
+    bool has_removable_end(EdgeIndex e) const {
+        const auto& [a, b] = noded_.edges[e];
+        return boundary_.is_boundary[e] && (is_removable_[a] || is_removable_[b]);
+    }
 
     void find_chains() {
         PerEdge<char> used(noded_.edges.size(), 0);
         chain_of_.assign(noded_.edges.size(), ChainIndex::none());
-        for (const HalfEdgeIndex h : boundary_.next.indices())
-            if (boundary_.is_boundary[edge_of(h)] && !used[edge_of(h)] && !is_removable_[origin(h)])
+        for (const HalfEdgeIndex h : boundary_.half_edges())
+            if (has_removable_end(edge_of(h)) && !used[edge_of(h)] && !is_removable_[origin(h)])
                 walk(h, used);
         // The remaining edges form closed rings of removable vertices, which are opened at their smallest
         // vertex.
-        for (const HalfEdgeIndex h : boundary_.next.indices()) {
-            if (!boundary_.is_boundary[edge_of(h)] || used[edge_of(h)]) continue;
+        for (const HalfEdgeIndex h : boundary_.half_edges()) {
+            if (!has_removable_end(edge_of(h)) || used[edge_of(h)]) continue;
             HalfEdgeIndex smallest = h;
             for (HalfEdgeIndex k = next(h); k != h; k = next(k))
                 if (origin(k) < origin(smallest)) smallest = k;
@@ -90,12 +91,10 @@ class BoundarySimplifier {
         }
     }
 
-    HalfEdgeIndex next(HalfEdgeIndex h) const { return boundary_.next[h]; }
-
     void walk(HalfEdgeIndex h, PerEdge<char>& used) {
         Chain chain;
-        const auto block = [&](HalfEdgeIndex k) { return faces_.block[subdivision_.face[k]]; };
-        chain.is_exact = block(h) == FaceBlocks::outside || block(twin(h)) == FaceBlocks::outside;
+        chain.is_exact =
+            cut_.block_of(h) == FaceBlocks::outside || cut_.block_of(twin(h)) == FaceBlocks::outside;
         chain.vertices.push_back(origin(h));
         for (HalfEdgeIndex k = h;; k = next(k)) {
             used[edge_of(k)] = 1;
@@ -104,6 +103,30 @@ class BoundarySimplifier {
             if (!is_removable_[origin(twin(k))]) break;
         }
         chains_.push_back(std::move(chain));
+    }
+
+    /// @param out flag per vertex: removed.
+    StraightEdges straight_edges(const PerNode<char>& out) const {
+        StraightEdges straight;
+        const auto add = [&](NodeIndex a, NodeIndex b, ChainIndex chain, bool changed) {
+            straight.edges.push_back(std::minmax({a, b}));
+            straight.chain.push_back(chain);
+            straight.changed.push_back(changed);
+        };
+        for (const EdgeIndex e : noded_.edges.indices())
+            if (boundary_.is_boundary[e] && !chain_of_[e].exists())
+                add(noded_.edges[e].first, noded_.edges[e].second, ChainIndex::none(), false);
+        for (const ChainIndex c : chains_.indices()) {
+            const std::vector<NodeIndex>& all = chains_[c].vertices;
+            const bool changed =
+                std::any_of(all.begin() + 1, all.end() - 1, [&](NodeIndex v) { return out[v] != 0; });
+            for (std::size_t k = 1, last = 0; k < all.size(); ++k) {
+                if (k + 1 < all.size() && out[all[k]]) continue;
+                add(all[last], all[k], c, changed);
+                last = k;
+            }
+        }
+        return straight;
     }
 
     const GridPoint& grid_point(NodeIndex v) const { return noded_.vertices[v]; }
@@ -122,7 +145,7 @@ class BoundarySimplifier {
 
     /// Line simplification by Douglas and Peucker (1973) between the chain's ends.
     std::vector<NodeIndex> kept_vertices(const Chain& chain) const {
-        if (chain.is_restored || chain.vertices.size() == 2) return chain.vertices;
+        if (chain.is_restored) return chain.vertices;
         std::vector<char> keep(chain.vertices.size(), 0);
         keep.front() = keep.back() = 1;
         std::vector<std::pair<std::size_t, std::size_t>> open = {{0, chain.vertices.size() - 1}};
@@ -151,16 +174,17 @@ class BoundarySimplifier {
     /// Restores the vertices of chains that now share an edge, cross another chain or pass too near a vertex.
     /// @return whether a chain was restored.
     bool restore_improperly_noded(const StraightEdges& straight) {
-        const PerEdge<char>& changed = straight.changed;
-        if (std::find(changed.begin(), changed.end(), 1) == changed.end()) return false;
         bool any = false;
         const auto restore = [&](EdgeIndex edge) {
+            if (!straight.chain[edge].exists()) return;
             Chain& chain = chains_[straight.chain[edge]];
             any = any || !chain.is_restored;
             chain.is_restored = true;
         };
         for (const EdgeIndex e : duplicate_edges(straight)) restore(e);
-        for (const EdgeIndex e : improperly_noded_edges(noded_.vertices, straight.edges, changed)) restore(e);
+        for (const EdgeIndex e :
+             improperly_noded_edges(noded_.vertices, straight.edges, straight.changed, cut_.pool))
+            restore(e);
         return any;
     }
 
@@ -168,9 +192,9 @@ class BoundarySimplifier {
     /// can invert without a crossing. @return whether a chain was restored.
     bool restore_inverted_rings(const PerNode<char>& out) {
         bool any = false;
-        PerHalfEdge<char> seen(boundary_.next.size(), 0);
-        for (const HalfEdgeIndex h : boundary_.next.indices()) {
-            if (!boundary_.is_boundary[edge_of(h)] || seen[h]) continue;
+        PerHalfEdge<char> seen(boundary_.half_edge_count(), 0);
+        for (const HalfEdgeIndex h : boundary_.half_edges()) {
+            if (seen[h] || !boundary_.is_boundary[edge_of(h)] || !out[origin(h)]) continue;
             HalfEdgeIndex k = h;
             do {
                 seen[k] = 1;
@@ -178,9 +202,10 @@ class BoundarySimplifier {
             } while (k != h);
             if (!is_inverted(h, out)) continue;
             do {
-                Chain& chain = chains_[chain_of_[edge_of(k)]];
-                any = any || !chain.is_restored;
-                chain.is_restored = true;
+                if (const ChainIndex c = chain_of_[edge_of(k)]; c.exists()) {
+                    any = any || !chains_[c].is_restored;
+                    chains_[c].is_restored = true;
+                }
                 k = next(k);
             } while (k != h);
         }
@@ -193,21 +218,16 @@ class BoundarySimplifier {
         const GridPoint& start = grid_point(origin(h));
         Int128 before = 0, after = 0;
         NodeIndex first = NodeIndex::none(), last = NodeIndex::none();
-        bool has_removed = false;
         HalfEdgeIndex k = h;
         do {
             const NodeIndex v = origin(k);
             before += twice_area(start, grid_point(v), grid_point(origin(twin(k))));
             k = next(k);
-            if (out[v]) {
-                has_removed = true;
-                continue;
-            }
+            if (out[v]) continue;
             if (last.exists()) after += twice_area(start, grid_point(last), grid_point(v));
             if (!first.exists()) first = v;
             last = v;
         } while (k != h);
-        if (!has_removed) return false;
         if (last.exists()) after += twice_area(start, grid_point(last), grid_point(first));
         return before > 0 ? after <= 0 : after >= 0;
     }
@@ -229,21 +249,19 @@ class BoundarySimplifier {
     }
 
     const NodedEdges& noded_;
-    const Subdivision& subdivision_;
-    const FaceBlocks& faces_;
+    const CutContext cut_;
     const BlockBoundary& boundary_;
     const PerEdge<EdgeMark>& marks_;
     PerNode<char> is_removable_;
     IndexedVector<ChainIndex, Chain> chains_;
-    PerEdge<ChainIndex> chain_of_;  ///< none for an edge that is not on a block boundary
+    PerEdge<ChainIndex> chain_of_;  ///< none for an edge that is in no chain
 };
 
 }  // namespace
 
-PerNode<char> redundant_vertices(const NodedEdges& noded, const Subdivision& subdivision,
-                                 const FaceBlocks& faces, const BlockBoundary& boundary,
+PerNode<char> redundant_vertices(const CutContext& cut, const BlockBoundary& boundary,
                                  const PerEdge<EdgeMark>& marks) {
-    return BoundarySimplifier(noded, subdivision, faces, boundary, marks).run();
+    return BoundarySimplifier(cut, boundary, marks).run();
 }
 
 }  // namespace rockslope::blockgen

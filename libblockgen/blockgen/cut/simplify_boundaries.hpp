@@ -1,6 +1,7 @@
 #pragma once
 
 #include "blockgen/faces/block_rings.hpp"
+#include "blockgen/faces/cut_context.hpp"
 #include "blockgen/mesh/block_mesh.hpp"
 
 namespace rockslope::blockgen {
@@ -10,8 +11,7 @@ namespace rockslope::blockgen {
 /// deviation of up to two grid cells is allowed, because snap rounding bends a straight joint by as much.
 /// Removing the vertices leaves the edges properly noded and inverts no ring.
 /// @return whether to remove each vertex.
-PerNode<char> redundant_vertices(const NodedEdges& noded, const Subdivision& subdivision,
-                                 const FaceBlocks& faces, const BlockBoundary& boundary,
+PerNode<char> redundant_vertices(const CutContext& cut, const BlockBoundary& boundary,
                                  const PerEdge<EdgeMark>& marks);
 
 }  // namespace rockslope::blockgen

@@ -10,106 +10,144 @@ namespace {
 
 using HalfEdges = std::vector<HalfEdgeIndex>;
 
-/// Splits a closed walk of half-edges into rings that visit each vertex once. @param seen the position
-/// of each vertex in the open part of the walk; -1 for the other vertices, before and after the call.
-void split_walk(const HalfEdges& walk, const PerHalfEdge<NodeIndex>& origin, PerNode<std::int32_t>& seen,
-                std::vector<HalfEdges>& rings) {
-    HalfEdges open;
-    for (const HalfEdgeIndex h : walk) {
-        const NodeIndex vertex = origin[h];
-        if (seen[vertex] >= 0) {
-            const auto start = open.begin() + seen[vertex];
-            rings.emplace_back(start, open.end());
-            for (auto it = start; it != open.end(); ++it) seen[origin[*it]] = -1;
-            open.erase(start, open.end());
-        }
-        seen[vertex] = open.size();
-        open.push_back(h);
-    }
-    for (const HalfEdgeIndex h : open) seen[origin[h]] = -1;
-    rings.push_back(std::move(open));
-}
+/// A ring that was walked: where it lies among the half-edges, its block, and its first half-edge.
+struct WalkedRing {
+    BlockRings::Part part;
+    FaceBlockIndex block = 0;
+    HalfEdgeIndex first = 0;
+
+    /// By the first half-edges, which differ and are ordered as the vertices of the rings are.
+    friend bool operator<(const WalkedRing& r, const WalkedRing& s) { return r.first < s.first; }
+};
 
 class RingCollector {
   public:
-    RingCollector(const NodedEdges& noded, const BlockBoundary& boundary)
-        : noded_(noded), boundary_(boundary) {}
+    RingCollector(const NodedEdges& noded, const Subdivision& subdivision, const FaceBlocks& faces,
+                  const BlockBoundary& boundary)
+        : noded_(noded), subdivision_(subdivision), faces_(faces), boundary_(boundary) {}
 
-    bool is_outer(const HalfEdges& ring) const {
-        Int128 area = 0;
-        const GridPoint& o = grid_point(ring[0]);
-        for (std::size_t k = 1; k + 1 < ring.size(); ++k)
-            area += twice_area(o, grid_point(ring[k]), grid_point(ring[k + 1]));
-        return area > 0;
-    }
-
-    void rotate_to_smallest_vertex(HalfEdges& ring) const {
-        const auto smaller = [this](HalfEdgeIndex g, HalfEdgeIndex h) { return vertex(g) < vertex(h); };
-        std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end(), smaller), ring.end());
-    }
-
-    bool comes_before(const HalfEdges& r, const HalfEdges& s) const {
-        return std::lexicographical_compare(
-            r.begin(), r.end(), s.begin(), s.end(),
-            [this](HalfEdgeIndex g, HalfEdgeIndex h) { return vertex(g) < vertex(h); });
+    BlockRings run() {
+        walk_all();
+        order_outer_rings();
+        order_holes();
+        return std::move(rings_);
     }
 
   private:
-    NodeIndex vertex(HalfEdgeIndex h) const { return boundary_.origin[h]; }
-    const GridPoint& grid_point(HalfEdgeIndex h) const { return noded_.vertices[vertex(h)]; }
+    /// Each ring has a forward half-edge, that at its smallest vertex for instance.
+    void walk_all() {
+        std::vector<char> walked(boundary_.half_edge_count(), 0);
+        seen_.assign(noded_.vertices.size(), -1);
+        rings_.half_edges.reserve(boundary_.half_edge_count());
+        HalfEdges walk;
+        for (const EdgeIndex e : noded_.edges.indices()) {
+            const HalfEdgeIndex start = forward_half(e);
+            const FaceBlockIndex block = faces_.block[subdivision_.face[start]];
+            if (!boundary_.is_boundary[e] || block == FaceBlocks::outside || walked[start]) continue;
+            walk.clear();
+            for (HalfEdgeIndex h = start; !walked[h]; h = boundary_.next(h)) {
+                walked[h] = 1;
+                walk.push_back(h);
+            }
+            split(walk, block);
+        }
+    }
+
+    /// Splits a closed walk of half-edges into rings that visit each vertex once.
+    void split(const HalfEdges& walk, FaceBlockIndex block) {
+        open_.clear();
+        for (const HalfEdgeIndex h : walk) {
+            const NodeIndex vertex = boundary_.origin(h);
+            if (const std::int32_t start = seen_[vertex]; start >= 0) {
+                add_ring(start, block);
+                for (std::size_t k = start; k < open_.size(); ++k) seen_[boundary_.origin(open_[k])] = -1;
+                open_.resize(start);
+            }
+            seen_[vertex] = static_cast<std::int32_t>(open_.size());
+            open_.push_back(h);
+        }
+        for (const HalfEdgeIndex h : open_) seen_[boundary_.origin(h)] = -1;
+        add_ring(0, block);
+    }
+
+    /// Adds the open part of the walk from a position on, turned so that it starts at its smallest vertex. A
+    /// ring is convex there, so the turn tells an outer ring from a hole.
+    void add_ring(std::size_t start, FaceBlockIndex block) {
+        const auto begin = open_.begin() + static_cast<std::ptrdiff_t>(start);
+        const auto smallest = std::min_element(begin, open_.end(), [&](HalfEdgeIndex g, HalfEdgeIndex h) {
+            return boundary_.origin(g) < boundary_.origin(h);
+        });
+        const HalfEdgeIndex before = smallest == begin ? open_.back() : *(smallest - 1);
+        const auto corner = [&](HalfEdgeIndex h) { return noded_.vertices[boundary_.origin(h)]; };
+        const bool is_outer = side_of(corner(before), corner(*smallest), corner(twin(*smallest))) > 0;
+        HalfEdges& all = rings_.half_edges;
+        (is_outer ? outer_ : holes_)
+            .push_back(
+                {{static_cast<std::int32_t>(all.size()), static_cast<std::int32_t>(open_.end() - begin)},
+                 block,
+                 *smallest});
+        all.insert(all.end(), smallest, open_.end());
+        all.insert(all.end(), begin, smallest);
+    }
+
+    void order_outer_rings() {
+        if (!std::is_sorted(outer_.begin(), outer_.end())) std::sort(outer_.begin(), outer_.end());
+        outer_rings_.assign(faces_.material.size(), 0);
+        rings_.block.reserve(outer_.size());
+        for (const WalkedRing& ring : outer_) {
+            ++outer_rings_[ring.block];
+            rings_.block.push_back(ring.block);
+        }
+        for (const FaceBlockIndex b : outer_rings_.indices())
+            if (outer_rings_[b] != 1)
+                throw std::logic_error("block " + std::to_string(b.value()) + " has " +
+                                       std::to_string(outer_rings_[b]) + " outer rings, expected 1");
+    }
+
+    void order_holes() {
+        std::sort(holes_.begin(), holes_.end());
+        PerFaceBlock<std::vector<BlockRings::Part>> holes_of;
+        if (!holes_.empty()) holes_of.resize(faces_.material.size());
+        for (const WalkedRing& hole : holes_) holes_of[hole.block].push_back(hole.part);
+        rings_.first_ring.reserve(outer_.size() + 1);
+        rings_.parts.reserve(outer_.size() + holes_.size());
+        for (const WalkedRing& ring : outer_) {
+            rings_.parts.push_back(ring.part);
+            if (!holes_.empty())
+                rings_.parts.insert(rings_.parts.end(), holes_of[ring.block].begin(),
+                                    holes_of[ring.block].end());
+            rings_.first_ring.push_back(rings_.parts.size());
+        }
+    }
 
     const NodedEdges& noded_;
+    const Subdivision& subdivision_;
+    const FaceBlocks& faces_;
     const BlockBoundary& boundary_;
+    /// The position of each vertex in the open part of the walk; -1 for the other vertices, before and after
+    /// a walk.
+    PerNode<std::int32_t> seen_;
+    HalfEdges open_;  ///< the part of the walk that is in no ring yet
+    std::vector<WalkedRing> outer_, holes_;
+    PerFaceBlock<int> outer_rings_;  ///< number of outer rings of each block
+    BlockRings rings_;
 };
 
 }  // namespace
 
-BlockBoundary::BlockBoundary(const NodedEdges& noded, const Subdivision& subdivision, const FaceBlocks& faces)
-    : is_boundary(noded.edges.size()), origin(2 * noded.edges.size()), next(subdivision.next) {
+BlockBoundary::BlockBoundary(const NodedEdges& noded, const Subdivision& subdivision, const FaceBlocks& faces,
+                             const ThreadPool& pool)
+    : is_boundary(noded.edges.size()), noded_(noded), subdivision_(subdivision) {
     const auto block = [&](HalfEdgeIndex h) { return faces.block[subdivision.face[h]]; };
-    for (const EdgeIndex e : noded.edges.indices()) {
-        is_boundary[e] = block(forward_half(e)) != block(backward_half(e));
-        origin[forward_half(e)] = noded.edges[e].first;
-        origin[backward_half(e)] = noded.edges[e].second;
-    }
-    for (const HalfEdgeIndex h : next.indices()) {
-        if (!is_boundary[edge_of(h)]) continue;
-        while (!is_boundary[edge_of(next[h])]) next[h] = subdivision.next[twin(next[h])];
-    }
+    pool.parallel_for(noded.edges.size(), [&](std::size_t begin, std::size_t end) {
+        for (const EdgeIndex e : indices<EdgeIndex>(begin, end))
+            is_boundary[e] = block(forward_half(e)) != block(backward_half(e));
+    });
 }
 
-std::vector<BlockRings> block_rings(const NodedEdges& noded, const Subdivision& subdivision,
-                                    const FaceBlocks& faces, const BlockBoundary& boundary) {
-    std::vector<BlockRings> blocks(faces.material.size());
-    PerHalfEdge<char> walked(boundary.next.size(), 0);
-    PerNode<std::int32_t> seen(noded.vertices.size(), -1);
-    for (const HalfEdgeIndex h : boundary.next.indices()) {
-        const FaceBlockIndex block = faces.block[subdivision.face[h]];
-        if (!boundary.is_boundary[edge_of(h)] || block == FaceBlocks::outside || walked[h]) continue;
-        HalfEdges walk;
-        for (HalfEdgeIndex k = h; !walked[k]; k = boundary.next[k]) {
-            walked[k] = 1;
-            walk.push_back(k);
-        }
-        split_walk(walk, boundary.origin, seen, blocks[block].rings);
-    }
-    const RingCollector collector(noded, boundary);
-    for (const FaceBlockIndex b : faces.material.indices()) {
-        auto& rings = blocks[b].rings;
-        blocks[b].block = b;
-        for (HalfEdges& ring : rings) collector.rotate_to_smallest_vertex(ring);
-        const auto holes = std::partition(rings.begin(), rings.end(),
-                                          [&](const HalfEdges& r) { return collector.is_outer(r); });
-        if (holes - rings.begin() != 1)
-            throw std::logic_error("block " + std::to_string(b.value()) + " has " +
-                                   std::to_string(holes - rings.begin()) + " outer rings, expected 1");
-        std::sort(holes, rings.end(),
-                  [&](const HalfEdges& r, const HalfEdges& s) { return collector.comes_before(r, s); });
-    }
-    std::sort(blocks.begin(), blocks.end(), [&](const BlockRings& a, const BlockRings& b) {
-        return collector.comes_before(a.rings[0], b.rings[0]);
-    });
-    return blocks;
+BlockRings block_rings(const NodedEdges& noded, const Subdivision& subdivision, const FaceBlocks& faces,
+                       const BlockBoundary& boundary) {
+    return RingCollector(noded, subdivision, faces, boundary).run();
 }
 
 }  // namespace rockslope::blockgen

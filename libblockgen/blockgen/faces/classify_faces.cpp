@@ -11,8 +11,8 @@ namespace rockslope::blockgen {
 
 namespace {
 
-/// The outlines that contain each face: one bit for each source that is not a joint, and the number of parts
-/// of the domain (source 0).
+/// The outlines that contain each group of faces: one bit for each source that is not a joint, and the number
+/// of parts of the domain (source 0).
 class OutlineMembership {
   public:
     OutlineMembership(std::size_t faces, std::size_t outlines)
@@ -42,27 +42,54 @@ class OutlineMembership {
     PerFace<int> parts_;
 };
 
-PerFace<std::vector<HalfEdgeIndex>> half_edges_by_face(const Subdivision& subdivision) {
-    PerFace<std::vector<HalfEdgeIndex>> result(subdivision.face_count);
-    for (const HalfEdgeIndex h : subdivision.face.indices()) result[subdivision.face[h]].push_back(h);
-    return result;
+bool has_outline(const NodedEdges& noded, EdgeIndex edge, const SourceTable& table) {
+    // Sources are sorted, and those of outlines come first.
+    return !table.is_joint(noded.sources[noded.first_source[edge]].source);
 }
 
-OutlineMembership flood(const NodedEdges& noded, const Subdivision& subdivision, const SourceTable& table) {
-    const std::size_t faces = subdivision.face_count;
-    const auto by_face = half_edges_by_face(subdivision);
-    OutlineMembership in(faces, table.first_joint);
-    PerFace<char> reached(faces, 0);
+/// Groups of faces that no outline parts: the faces of a group lie in the same outlines.
+class FaceGroups {
+  public:
+    FaceGroups(const NodedEdges& noded, const Subdivision& subdivision, const SourceTable& table)
+        : group(subdivision.face_count) {
+        DisjointSets sets(subdivision.face_count);
+        for (const EdgeIndex e : noded.edges.indices()) {
+            if (has_outline(noded, e, table))
+                outline_edges.push_back(e);
+            else
+                sets.unite(subdivision.face[forward_half(e)], subdivision.face[backward_half(e)]);
+        }
+        // The root of a set is its smallest face.
+        for (const FaceIndex f : group.indices()) {
+            const FaceIndex root = sets.root(f);
+            group[f] = root == f ? count++ : group[root];
+        }
+    }
+
+    PerFace<FaceIndex> group;  ///< the unbounded face is in group 0
+    std::int32_t count = 0;
+    std::vector<EdgeIndex> outline_edges;
+};
+
+/// The outlines that contain each group.
+OutlineMembership flood(const NodedEdges& noded, const Subdivision& subdivision, const SourceTable& table,
+                        const FaceGroups& groups) {
+    OutlineMembership in(groups.count, table.first_joint);
+    PerFace<std::vector<HalfEdgeIndex>> by_group(groups.count);
+    const auto group_of = [&](HalfEdgeIndex h) { return groups.group[subdivision.face[h]]; };
+    for (const EdgeIndex e : groups.outline_edges)
+        for (const HalfEdgeIndex h : {forward_half(e), backward_half(e)}) by_group[group_of(h)].push_back(h);
+    PerFace<char> reached(groups.count, 0);
     std::vector<FaceIndex> front = {0};
     reached[0] = 1;
     while (!front.empty()) {
-        const FaceIndex face = front.back();
+        const FaceIndex group = front.back();
         front.pop_back();
-        for (const HalfEdgeIndex h : by_face[face]) {
-            const FaceIndex other = subdivision.face[twin(h)];
+        for (const HalfEdgeIndex h : by_group[group]) {
+            const FaceIndex other = group_of(twin(h));
             if (reached[other]) continue;
             reached[other] = 1;
-            in.copy(face, other);
+            in.copy(group, other);
             // Parts run counter-clockwise: one that runs along the half-edge contains the face on its left.
             const bool forward = h == forward_half(edge_of(h));
             for (const EdgeSource& s : noded.sources_of(edge_of(h))) {
@@ -158,13 +185,14 @@ std::vector<std::size_t> parts_at(const SlopeModel& model, const Point& p) {
 
 /// @throws InputError for the largest face that two parts of the domain contain.
 void refuse_overlapping_parts(const NodedEdges& noded, const Subdivision& subdivision,
-                              const OutlineMembership& in, const SlopeModel& model) {
+                              const FaceGroups& groups, const OutlineMembership& in,
+                              const SlopeModel& model) {
     if (model.further_outlines.empty()) return;
     const PerFace<Int128> areas = twice_areas(noded, subdivision);
     FaceIndex largest = FaceIndex::none();
     Int128 twice_overlap = 0;
     for (const FaceIndex f : areas.indices()) {
-        if (in.parts(f) < 2) continue;
+        if (in.parts(groups.group[f]) < 2) continue;
         twice_overlap += areas[f];
         if (!largest.exists() || areas[f] > areas[largest]) largest = f;
     }
@@ -181,7 +209,7 @@ void refuse_overlapping_parts(const NodedEdges& noded, const Subdivision& subdiv
                      "parts of the domain that do not overlap; a hole as an inner ring or in holes");
 }
 
-/// Whether an outline contains a face that lies in a part of the domain.
+/// Whether an outline contains a group of faces that lies in a part of the domain.
 bool covers_domain(const OutlineMembership& in, std::size_t faces, SourceIndex outline) {
     const auto all = indices<FaceIndex>(faces);
     return std::any_of(all.begin(), all.end(),
@@ -229,34 +257,38 @@ bool have_same_rock(const FaceBlocks& faces, const SlopeModel& model, FaceBlockI
 
 FaceBlocks classify_faces(const NodedEdges& noded, const Subdivision& subdivision, const SlopeModel& model,
                           const SourceTable& table) {
-    const std::size_t faces = subdivision.face_count;
-    const OutlineMembership in = flood(noded, subdivision, table);
-    refuse_overlapping_parts(noded, subdivision, in, model);
-    PerFace<RockOfFace> rock;
-    for (const FaceIndex f : indices<FaceIndex>(faces)) rock.push_back(rock_of(in, f, model, table));
+    const FaceGroups groups(noded, subdivision, table);
+    const OutlineMembership in = flood(noded, subdivision, table, groups);
+    refuse_overlapping_parts(noded, subdivision, groups, in, model);
+    PerFace<RockOfFace> rock_of_group;
+    for (const FaceIndex g : indices<FaceIndex>(groups.count))
+        rock_of_group.push_back(rock_of(in, g, model, table));
+    const auto rock = [&](FaceIndex f) -> const RockOfFace& { return rock_of_group[groups.group[f]]; };
 
-    DisjointSets sets(faces);
-    for (const EdgeIndex e : noded.edges.indices()) {
+    DisjointSets sets(subdivision.face_count);
+    for (const EdgeIndex e : groups.outline_edges) {
         const FaceIndex f = subdivision.face[forward_half(e)], g = subdivision.face[backward_half(e)];
-        if (!rock[f].is_rock || !rock[g].is_rock) continue;
-        if (!has_joint(noded, e, table) && rock[f].excavation == rock[g].excavation &&
-            name_of(model, rock[f].material) == name_of(model, rock[g].material))
+        if (!rock(f).is_rock || !rock(g).is_rock) continue;
+        if (!has_joint(noded, e, table) && rock(f).excavation == rock(g).excavation &&
+            name_of(model, rock(f).material) == name_of(model, rock(g).material))
             sets.unite(f, g);
     }
 
     FaceBlocks result;
-    result.idle_tunnels = idle_tunnels(in, faces, table);
-    refuse_idle_hole(in, faces, model, table);
-    result.block.assign(faces, FaceBlocks::outside);
-    PerFace<FaceBlockIndex> number(faces, FaceBlocks::outside);
-    for (const FaceIndex f : rock.indices()) {
-        result.has_disjoint_voids = result.has_disjoint_voids && rock[f].voids <= (in.parts(f) > 0 ? 1 : 0);
-        if (!rock[f].is_rock) continue;
-        FaceBlockIndex& block = number[sets.root(f)];
+    result.idle_tunnels = idle_tunnels(in, groups.count, table);
+    refuse_idle_hole(in, groups.count, model, table);
+    for (const FaceIndex g : rock_of_group.indices())
+        result.has_disjoint_voids =
+            result.has_disjoint_voids && rock_of_group[g].voids <= (in.parts(g) > 0 ? 1 : 0);
+    result.block.assign(subdivision.face_count, FaceBlocks::outside);
+    for (const FaceIndex f : result.block.indices()) {
+        if (!rock(f).is_rock) continue;
+        // The root of a set is its smallest face.
+        FaceBlockIndex& block = result.block[FaceIndex(sets.root(f))];
         if (block == FaceBlocks::outside) {
             block = result.material.size();
-            result.material.push_back(rock[f].material);
-            result.excavation.push_back(rock[f].excavation);
+            result.material.push_back(rock(f).material);
+            result.excavation.push_back(rock(f).excavation);
         }
         result.block[f] = block;
     }

@@ -15,6 +15,7 @@ struct CutContext {
     const SlopeModel& model;
     const std::vector<Trace>& traces;
     const SourceTable& table;
+    const ThreadPool& pool;
 
     FaceBlockIndex block_of(HalfEdgeIndex half_edge) const {
         return faces.block[subdivision.face[half_edge]];

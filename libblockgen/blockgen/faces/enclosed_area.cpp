@@ -13,14 +13,14 @@ namespace {
 std::vector<Ring> rings_of(const NodedEdges& noded, const Subdivision& subdivision, const FaceBlocks& faces) {
     const BlockBoundary boundary(noded, subdivision, faces);
     std::vector<Ring> rings;
-    PerHalfEdge<char> walked(boundary.next.size(), 0);
-    for (const HalfEdgeIndex start : boundary.next.indices()) {
+    PerHalfEdge<char> walked(boundary.half_edge_count(), 0);
+    for (const HalfEdgeIndex start : boundary.half_edges()) {
         const FaceBlockIndex block = faces.block[subdivision.face[start]];
         if (!boundary.is_boundary[edge_of(start)] || block == FaceBlocks::outside || walked[start]) continue;
         Ring ring;
-        for (HalfEdgeIndex h = start; !walked[h]; h = boundary.next[h]) {
+        for (HalfEdgeIndex h = start; !walked[h]; h = boundary.next(h)) {
             walked[h] = 1;
-            const NodeIndex vertex = boundary.origin[h];
+            const NodeIndex vertex = boundary.origin(h);
             ring.push_back(noded.frame.position(noded.vertices[vertex]));
         }
         if (twice_signed_area(ring) > 0) rings.push_back(std::move(ring));

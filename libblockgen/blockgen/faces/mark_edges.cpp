@@ -1,7 +1,8 @@
 #include "blockgen/faces/mark_edges.hpp"
 
-#include <algorithm>
 #include <stdexcept>
+#include <unordered_map>
+#include <utility>
 
 #include "common/base/text.hpp"
 
@@ -9,12 +10,20 @@ namespace rockslope::blockgen {
 
 namespace {
 
-JointMaterialIndex index_of(PerJointMaterial<std::string>& names, const std::string& name) {
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found != names.end()) return found - names.begin();
-    names.push_back(name);
-    return names.size() - 1;
-}
+/// Numbers the joint materials in the order in which they are met.
+class MaterialNumbers {
+  public:
+    JointMaterialIndex of(const std::string& name) {
+        const auto [found, is_new] = number_.try_emplace(name, names.size());
+        if (is_new) names.push_back(name);
+        return found->second;
+    }
+
+    PerJointMaterial<std::string> names;
+
+  private:
+    std::unordered_map<std::string, JointMaterialIndex> number_;
+};
 
 /// Joint material of an edge without a joint: that of the last region or excavation with a joint_material
 /// whose outline runs along the edge, excavations after regions.
@@ -87,14 +96,20 @@ EdgeMarks mark_edges(const CutContext& cut, const BlockBoundary& boundary) {
         joint_of_trace[t] = result.joints.size();
         result.joints.push_back({traces[t].name});
     }
+    MaterialNumbers materials;
+    PerJointTrace<JointMaterialIndex> material_of_trace(traces.size(), JointMaterialIndex::none());
     for (const EdgeIndex e : noded.edges.indices()) {
         if (!separates_blocks(e)) continue;
         const JointTraceIndex trace = trace_of_edge[e];
-        const std::string& material =
-            trace.exists() ? traces[trace].joint_material : outlines.joint_material(e);
-        result.marks[e] = {index_of(result.joint_materials, material),
-                           trace.exists() ? joint_of_trace[trace] : JointIndex::none()};
+        if (!trace.exists()) {
+            result.marks[e] = {materials.of(outlines.joint_material(e)), JointIndex::none()};
+            continue;
+        }
+        JointMaterialIndex& material = material_of_trace[trace];
+        if (!material.exists()) material = materials.of(traces[trace].joint_material);
+        result.marks[e] = {material, joint_of_trace[trace]};
     }
+    result.joint_materials = std::move(materials.names);
     return result;
 }
 

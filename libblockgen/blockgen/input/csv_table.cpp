@@ -74,6 +74,8 @@ CsvTable read_csv(const std::filesystem::path& path, const std::vector<std::stri
     const std::string text = read_text_file(path);
     std::vector<std::size_t> position;  // per requested column, in a line
     CsvTable table;
+    table.number_columns = number_columns.size();
+    table.text_columns = text_columns.size();
     std::vector<Field> fields;
     int line_number = 0;
     for (std::size_t start = 0; start < text.size();) {
@@ -99,13 +101,12 @@ CsvTable read_csv(const std::filesystem::path& path, const std::vector<std::stri
             }
             if (is_header) continue;
         }
-        CsvRow row;
-        row.line = line_number;
+        table.lines.push_back(line_number);
         for (std::size_t i = 0; i < position.size(); ++i) {
             const bool present = position[i] < fields.size();
             if (i >= number_columns.size()) {
-                row.texts.push_back(present ? unquoted(fields[position[i]].text) : std::string());
-                if (!is_utf8(row.texts.back()))
+                table.texts.push_back(present ? unquoted(fields[position[i]].text) : std::string());
+                if (!is_utf8(table.texts.back()))
                     throw InputError({path.string(), line_number, fields[position[i]].column},
                                      "a name is not UTF-8", "UTF-8 text");
                 continue;
@@ -121,9 +122,8 @@ CsvTable read_csv(const std::filesystem::path& path, const std::vector<std::stri
                 throw InputError({path.string(), line_number, fields[position[i]].column},
                                  "'" + std::string(fields[position[i]].text) + "' is too large",
                                  "a number for " + number_columns[i]);
-            row.numbers.push_back(*value);
+            table.numbers.push_back(*value);
         }
-        table.rows.push_back(std::move(row));
     }
     return table;
 }

@@ -1,19 +1,27 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 namespace rockslope::blockgen {
 
-struct CsvRow {
-    std::vector<double> numbers;     ///< one for each requested number column, finite
-    std::vector<std::string> texts;  ///< one for each requested text column; empty when absent
-    int line = 0;
-};
-
+/// The requested columns of a file, row by row.
 struct CsvTable {
-    std::vector<CsvRow> rows;
+    std::size_t number_columns = 0, text_columns = 0;
+    std::vector<double> numbers;     ///< finite
+    std::vector<std::string> texts;  ///< empty where absent
+    std::vector<int> lines;          ///< of each row in the file
+
+    /// Number of rows.
+    std::size_t row_count() const { return lines.size(); }
+    /// The number in a row and a requested number column.
+    double number(std::size_t row, std::size_t column) const {
+        return numbers[row * number_columns + column];
+    }
+    /// The text in a row and a requested text column.
+    std::string& text(std::size_t row, std::size_t column) { return texts[row * text_columns + column]; }
 };
 
 /// Reads comma-separated columns by the names in the header line; other columns are ignored. Without a header

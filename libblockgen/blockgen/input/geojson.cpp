@@ -260,6 +260,38 @@ GeoJsonHandler parsed(const std::filesystem::path& path) {
     throw InputError({path.string(), line}, "this is not JSON", "a GeoJSON file");
 }
 
+bool has_lines(const Shape& shape) {
+    return shape.type == "LineString" || shape.type == "MultiLineString";
+}
+
+bool has_polygons(const Shape& shape) {
+    return shape.type == "Polygon" || shape.type == "MultiPolygon";
+}
+
+void take_lines(const GeoJsonHandler& file, Shape& shape, MapLines& map) {
+    if (shape.coordinates.paths.empty()) return;
+    if (shape.coordinates.position_depth != (shape.type == "LineString" ? 2u : 3u))
+        file.fail("a position is not a pair of numbers", "[x, y]");
+    for (Ring& line : shape.coordinates.paths) {
+        if (line.size() < 2) file.fail("a line of fewer than two points", "two points or more");
+        map.lines.push_back({shape.joint_material, {}, std::move(line)});
+    }
+}
+
+void take_polygons(const GeoJsonHandler& file, Shape& shape, MapPolygons& map) {
+    Paths& rings = shape.coordinates;
+    if (rings.paths.empty()) return;
+    if (rings.position_depth != (shape.type == "Polygon" ? 3u : 4u))
+        file.fail("a position is not a pair of numbers", "[x, y]");
+    if (shape.type == "Polygon") rings.polygon_ends = {rings.paths.size()};
+    std::size_t ring = 0;
+    for (const std::size_t end : rings.polygon_ends) {
+        if (ring == end) continue;
+        map.polygons.emplace_back();
+        for (; ring < end; ++ring) map.polygons.back().push_back(std::move(rings.paths[ring]));
+    }
+}
+
 }  // namespace
 
 MapLines read_geojson_lines(const std::filesystem::path& path) {
@@ -268,16 +300,9 @@ MapLines read_geojson_lines(const std::filesystem::path& path) {
     map.notes = file.notes();
     for (Shape& shape : file.shapes()) {
         file.blame(shape);
-        const std::size_t depth = shape.type == "LineString" ? 2 : 3;
-        if (shape.type != "LineString" && shape.type != "MultiLineString")
+        if (!has_lines(shape))
             file.fail("geometry of type '" + shape.type + "'", "LineString or MultiLineString");
-        if (shape.coordinates.paths.empty()) continue;
-        if (shape.coordinates.position_depth != depth)
-            file.fail("a position is not a pair of numbers", "[x, y]");
-        for (Ring& line : shape.coordinates.paths) {
-            if (line.size() < 2) file.fail("a line of fewer than two points", "two points or more");
-            map.lines.push_back({shape.joint_material, {}, std::move(line)});
-        }
+        take_lines(file, shape, map);
     }
     return map;
 }
@@ -288,22 +313,28 @@ MapPolygons read_geojson_polygons(const std::filesystem::path& path) {
     map.notes = file.notes();
     for (Shape& shape : file.shapes()) {
         file.blame(shape);
-        Paths& rings = shape.coordinates;
-        if (shape.type != "Polygon" && shape.type != "MultiPolygon")
+        if (!has_polygons(shape))
             file.fail("geometry of type '" + shape.type + "'", "Polygon or MultiPolygon");
-        if (rings.paths.empty()) continue;
-        if (rings.position_depth != (shape.type == "Polygon" ? 3u : 4u))
-            file.fail("a position is not a pair of numbers", "[x, y]");
-        if (shape.type == "Polygon") rings.polygon_ends = {rings.paths.size()};
-        std::size_t ring = 0;
-        for (const std::size_t end : rings.polygon_ends) {
-            if (ring == end) continue;
-            map.polygons.emplace_back();
-            for (; ring < end; ++ring) map.polygons.back().push_back(std::move(rings.paths[ring]));
-        }
+        take_polygons(file, shape, map);
     }
     file.blame({});
     if (map.polygons.empty()) throw InputError({path.string()}, "no polygon", "a Polygon or a MultiPolygon");
+    return map;
+}
+
+GeoJsonMap read_geojson_map(const std::filesystem::path& path) {
+    GeoJsonHandler file = parsed(path);
+    GeoJsonMap map;
+    map.lines.notes = map.polygons.notes = file.notes();
+    for (Shape& shape : file.shapes()) {
+        file.blame(shape);
+        if (has_lines(shape))
+            take_lines(file, shape, map.lines);
+        else if (has_polygons(shape))
+            take_polygons(file, shape, map.polygons);
+        else
+            file.fail("geometry of type '" + shape.type + "'", "lines and polygons");
+    }
     return map;
 }
 

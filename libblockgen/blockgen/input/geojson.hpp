@@ -16,4 +16,13 @@ MapLines read_geojson_lines(const std::filesystem::path& path);
 /// The last point of a ring repeats its first point.
 MapPolygons read_geojson_polygons(const std::filesystem::path& path);
 
+/// Lines and polygons of a GeoJSON file that may have both, such as a map of joints with its outline.
+struct GeoJsonMap {
+    MapLines lines;
+    MapPolygons polygons;
+};
+
+/// As read_geojson_lines() and read_geojson_polygons() in one; either list may be empty.
+GeoJsonMap read_geojson_map(const std::filesystem::path& path);
+
 }  // namespace rockslope::blockgen

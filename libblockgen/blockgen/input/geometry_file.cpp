@@ -39,10 +39,12 @@ std::vector<std::vector<Ring>> read_outline_file(const std::filesystem::path& pa
         case FileKind::gdal:
             map = read_gdal_polygons(path);
             break;
-        case FileKind::csv:
+        case FileKind::csv: {
+            const CsvTable table = read_csv(path, {"x", "y"}, {});
             map.polygons.push_back({Ring{}});
-            for (const CsvRow& row : read_csv(path, {"x", "y"}, {}).rows)
-                map.polygons[0][0].push_back({row.numbers[0], row.numbers[1]});
+            for (std::size_t k = 0; k < table.row_count(); ++k)
+                map.polygons[0][0].push_back({table.number(k, 0), table.number(k, 1)});
+        }
     }
     for (std::vector<Ring>& rings : map.polygons)
         for (Ring& ring : rings) open_ring(ring);
@@ -60,11 +62,15 @@ std::vector<Trace> read_trace_file(const std::filesystem::path& path, const std:
         case FileKind::gdal:
             map = read_gdal_lines(path);
             break;
-        case FileKind::csv:
-            for (CsvRow& row : read_csv(path, {"x1", "y1", "x2", "y2"}, {"joint_material"}).rows)
-                map.lines.push_back({std::move(row.texts[0]),
-                                     {},
-                                     {{row.numbers[0], row.numbers[1]}, {row.numbers[2], row.numbers[3]}}});
+        case FileKind::csv: {
+            CsvTable table = read_csv(path, {"x1", "y1", "x2", "y2"}, {"joint_material"});
+            map.lines.reserve(table.row_count());
+            for (std::size_t k = 0; k < table.row_count(); ++k)
+                map.lines.push_back(
+                    {std::move(table.text(k, 0)),
+                     {},
+                     {{table.number(k, 0), table.number(k, 1)}, {table.number(k, 2), table.number(k, 3)}}});
+        }
     }
     if (map.lines.empty())
         throw InputError({path.string()}, "the file contains no trace", "one trace or more");

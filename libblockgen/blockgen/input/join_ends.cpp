@@ -18,7 +18,7 @@ namespace rockslope::blockgen {
 
 namespace {
 
-constexpr std::int32_t outline_owner = -1;
+constexpr std::int32_t outline_owner = -1, nobody = -2;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double distance(const Point& p, const Point& q) {
@@ -97,17 +97,19 @@ class EndJoiner {
         return length;
     }
 
-    /// The ends of all traces, from left to right.
+    /// The ends of all traces.
     std::vector<TraceEnd> all_ends() const {
         std::vector<TraceEnd> ends;
+        ends.reserve(2 * model_.traces.size());
         for (std::size_t t = 0; t < model_.traces.size(); ++t)
             for (const bool last : {false, true})
                 ends.push_back({static_cast<std::int32_t>(t), last,
                                 point_of({static_cast<std::int32_t>(t), last}), false, false});
-        std::stable_sort(ends.begin(), ends.end(), [](const TraceEnd& e, const TraceEnd& f) {
-            return std::pair(e.at.x, e.at.y) < std::pair(f.at.x, f.at.y);
-        });
         return ends;
+    }
+
+    static bool is_left_of(const TraceEnd& e, const TraceEnd& f) {
+        return std::pair(e.at.x, e.at.y) < std::pair(f.at.x, f.at.y);
     }
 
     struct EndOfTrace {
@@ -131,8 +133,7 @@ class EndJoiner {
     Neighbour nearest(const TraceEnd& end, const NearSegments& segments, bool& is_joined) const {
         Neighbour found;
         is_joined = false;
-        segments.visit_near(end.at, [&](const NearSegment& segment, const Point& q, double d) {
-            if (segment.owner == end.trace) return;
+        segments.visit_near(end.at, end.trace, [&](const NearSegment& segment, const Point& q, double d) {
             is_joined = is_joined || d <= model_.grid;
             if (d > model_.grid && !meets(end, segment)) found.take_nearer(segment, q, d);
         });
@@ -141,6 +142,7 @@ class EndJoiner {
 
     void join() {
         ends_ = all_ends();
+        std::stable_sort(ends_.begin(), ends_.end(), is_left_of);
         {
             const NearSegments segments(segments_of(model_), snap_);
             for (TraceEnd& end : ends_) {
@@ -157,11 +159,11 @@ class EndJoiner {
         std::vector<NearSegment> points;
         for (std::size_t k = 0; k < ends_.size(); ++k)
             points.push_back({ends_[k].at, ends_[k].at, static_cast<std::int32_t>(k), 0});
-        const NearSegments near(std::move(points), snap_);
+        const NearSegments near(points, snap_);
         for (TraceEnd& end : ends_) {
             if (end.is_done) continue;
             Neighbour other;
-            near.visit_near(end.at, [&](const NearSegment& point, const Point& q, double d) {
+            near.visit_near(end.at, nobody, [&](const NearSegment& point, const Point& q, double d) {
                 const TraceEnd& candidate = ends_[point.owner];
                 if (may_join(end, candidate)) other.take_nearer(point, q, d);
             });
@@ -176,7 +178,7 @@ class EndJoiner {
                 continue;
             }
             end.is_fixed = end.is_done = true;
-            near.visit_near(end.at, [&](const NearSegment& point, const Point&, double) {
+            near.visit_near(end.at, nobody, [&](const NearSegment& point, const Point&, double) {
                 TraceEnd& free = ends_[point.owner];
                 if (!free.is_done && may_join(end, free)) move(free, end.at, end.trace);
             });
@@ -245,14 +247,19 @@ class EndJoiner {
         const NearSegments segments(segments_of(model_), reach);
         std::vector<std::pair<TraceEnd, Neighbour>> short_ends;
         std::size_t free_ends = 0;
-        for (const TraceEnd& end : all_ends()) {
-            if (box.nearest(end.at) != end.at) continue;
+        const std::vector<TraceEnd> ends = all_ends();
+        const auto place_of = [&](std::size_t k) { return ends[k].at; };
+        segments.visit_in_turn(ends.size(), place_of, [&](std::size_t k) {
+            const TraceEnd& end = ends[k];
+            if (box.nearest(end.at) != end.at) return;
             bool is_joined = false;
             const Neighbour other = nearest(end, segments, is_joined);
-            if (is_joined) continue;
+            if (is_joined) return;
             ++free_ends;
             if (other.exists()) short_ends.emplace_back(end, other);
-        }
+        });
+        std::stable_sort(short_ends.begin(), short_ends.end(),
+                         [](const auto& e, const auto& f) { return is_left_of(e.first, f.first); });
         TraceEnds& report = model_.trace_ends;
         report.suggested_snap = suggested_snap(short_ends, free_ends, reach);
         // Where nothing is suggested, a tenth of that reach: one free end in a hundred lies so near by

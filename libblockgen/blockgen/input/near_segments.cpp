@@ -21,27 +21,26 @@ double NearSegments::distance(const Point& p, const Point& q) {
     return std::hypot(p.x - q.x, p.y - q.y);
 }
 
-NearSegments::NearSegments(std::vector<NearSegment> segments, double radius)
-    : segments_(std::move(segments)), radius_(radius) {
+NearSegments::NearSegments(const std::vector<NearSegment>& segments, double radius)
+    : radius_(radius), far_square_(std::max(radius * radius * (1 + 1e-9), 1e-300)) {
     Ring ends;
-    for (const NearSegment& s : segments_) ends.insert(ends.end(), {s.a, s.b});
+    ends.reserve(2 * segments.size() + 1);
+    for (const NearSegment& s : segments) ends.insert(ends.end(), {s.a, s.b});
     if (ends.empty()) ends.push_back({});
     const Bounds box = Bounds::of(ends).expanded(radius_);
     low_ = box.low;
     const double span_x = box.high.x - box.low.x, span_y = box.high.y - box.low.y;
-    const double buckets = std::clamp(static_cast<double>(segments_.size()), 1.0, 4e6);
+    const double buckets = std::clamp(static_cast<double>(segments.size()), 1.0, 4e6);
     width_ = std::max(
         {std::sqrt(span_x * span_y / buckets), std::max(span_x, span_y) / buckets, 2 * radius_, 1e-300});
     columns_ = static_cast<std::int64_t>(span_x / width_) + 1;
     rows_ = static_cast<std::int64_t>(span_y / width_) + 1;
     first_.assign(columns_ * rows_ + 1, 0);
-    for (const NearSegment& s : segments_) for_each_bucket(s, [this](std::size_t b) { ++first_[b + 1]; });
+    for (const NearSegment& s : segments) for_each_bucket(s, [this](std::size_t b) { ++first_[b + 1]; });
     for (std::size_t b = 0; b + 1 < first_.size(); ++b) first_[b + 1] += first_[b];
     items_.resize(first_.back());
-    std::vector<std::int64_t> next(first_.begin(), first_.end() - 1);
-    for (std::size_t k = 0; k < segments_.size(); ++k)
-        for_each_bucket(segments_[k],
-                        [&](std::size_t b) { items_[next[b]++] = static_cast<std::int32_t>(k); });
+    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+    for (const NearSegment& s : segments) for_each_bucket(s, [&](std::size_t b) { items_[next[b]++] = s; });
 }
 
 std::int64_t NearSegments::column(double x) const {

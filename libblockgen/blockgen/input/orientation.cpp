@@ -9,10 +9,6 @@ namespace rockslope::blockgen {
 
 namespace {
 
-double trace_angle(const Pole& pole) {
-    return std::atan2(-pole.x, pole.up);
-}
-
 double dot(const Pole& a, const Pole& b) {
     return a.x * b.x + a.up * b.up + a.out * b.out;
 }
@@ -31,11 +27,12 @@ Pole unit(const Pole& p) {
 
 /// Mean of axes (poles without sign): the direction with the largest sum of squared projections, by power
 /// iteration from the first pole.
-Pole mean_pole(const std::vector<Pole>& poles) {
+Pole mean_pole(const std::vector<Pole>& poles, bool weighted_by_section) {
     Pole mean = poles.front();
     for (int round = 0; round < 200; ++round) {
         Pole next{0, 0, 0};
-        for (const Pole& p : poles) next = sum(next, scaled(p, dot(p, mean)));
+        for (const Pole& p : poles)
+            next = sum(next, scaled(p, dot(p, mean) * (weighted_by_section ? section_chance(p) : 1)));
         mean = unit(next);
     }
     return mean;
@@ -55,6 +52,14 @@ Pole fisher_pole(const Pole& mean, double k, double u, double v) {
 
 }  // namespace
 
+double trace_angle(const Pole& pole) {
+    return std::atan2(-pole.x, pole.up);
+}
+
+double section_chance(const Pole& pole) {
+    return std::hypot(pole.x, pole.up);
+}
+
 Pole pole_of(double dip, double dip_direction, double azimuth) {
     const double turn = dip_direction - azimuth;
     return {std::sin(dip) * std::cos(turn), std::cos(dip), -std::sin(dip) * std::sin(turn)};
@@ -65,7 +70,7 @@ bool Orientation::has_scatter() const {
 }
 
 double Orientation::mean_angle() const {
-    return poles.empty() ? angle.untruncated_mean() : trace_angle(mean_pole(poles));
+    return poles.empty() ? angle.untruncated_mean() : trace_angle(mean_pole(poles, weighted_by_section));
 }
 
 double Orientation::max_deviation_tangent() const {
@@ -89,18 +94,21 @@ double Orientation::max_deviation_tangent() const {
 
 double Orientation::spacing_factor() const {
     if (poles.empty()) return 1;
-    const Pole mean = mean_pole(poles);
+    const Pole mean = mean_pole(poles, weighted_by_section);
     const double in_section = std::hypot(mean.x, mean.up);
     return in_section > 1e-9 ? 1 / in_section : std::numeric_limits<double>::infinity();
 }
 
 double Orientation::draw(double u, double v) const {
-    if (poles.empty()) return angle.quantile(u);
+    return poles.empty() ? angle.quantile(u) : trace_angle(draw_pole(u, v));
+}
+
+Pole Orientation::draw_pole(double u, double v) const {
     if (poles.size() > 1) {
         const auto row = static_cast<std::size_t>(u * static_cast<double>(poles.size()));
-        return trace_angle(poles[std::min(row, poles.size() - 1)]);
+        return poles[std::min(row, poles.size() - 1)];
     }
-    return trace_angle(fisher_k > 0 ? fisher_pole(poles[0], fisher_k, u, v) : poles[0]);
+    return fisher_k > 0 ? fisher_pole(poles[0], fisher_k, u, v) : poles[0];
 }
 
 }  // namespace rockslope::blockgen

@@ -21,6 +21,9 @@ struct Orientation {
     Distribution angle;       ///< rad; used when there are no poles
     std::vector<Pole> poles;  ///< one: the mean pole; several: measured poles, one of which each joint takes
     double fisher_k = 0;      ///< Fisher concentration of the poles about the mean pole; 0: no scatter
+    /// Whether joints take a pole as often as the section meets planes of it, rather than as often as there
+    /// are such planes: with the weight section_chance() (Terzaghi 1965).
+    bool weighted_by_section = false;
 
     /// Whether the direction of a joint may differ from the mean direction.
     bool has_scatter() const;
@@ -36,6 +39,15 @@ struct Orientation {
     /// distribution (1953): the angle a to the mean pole has the quantile
     /// cos a = 1 + ln(1 - u (1 - exp(-2 K))) / K.
     double draw(double u, double v) const;
+    /// The pole of one plane, for two uniform numbers in (0, 1) as above; there must be poles. Not weighted.
+    Pole draw_pole(double u, double v) const;
 };
+
+/// The angle in the section of a plane's trace, rad.
+double trace_angle(const Pole& pole);
+
+/// Chance that a section meets a plane of this pole, relative to one across it: sqrt(1 - (n.t)^2) with the
+/// plane's normal n and the section's normal t.
+double section_chance(const Pole& pole);
 
 }  // namespace rockslope::blockgen

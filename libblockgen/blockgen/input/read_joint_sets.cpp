@@ -38,11 +38,12 @@ std::vector<Pole> read_poles(const ConfigTable& table, double azimuth, SlopeMode
     } else {
         model.files.push_back(table.file_path("orientation_file"));
         constexpr double degree = std::numbers::pi / 180;
-        for (const CsvRow& row : read_csv(model.files.back(), {"dip", "dip_direction"}, {}).rows) {
-            if (!(row.numbers[0] >= 0 && row.numbers[0] <= 90))
-                throw InputError({model.files.back().string(), row.line},
-                                 "a dip of " + shortest_text(row.numbers[0]) + " degrees", "0 to 90");
-            poles.push_back(pole_of(degree * row.numbers[0], degree * row.numbers[1], azimuth));
+        const CsvTable rows = read_csv(model.files.back(), {"dip", "dip_direction"}, {});
+        for (std::size_t k = 0; k < rows.row_count(); ++k) {
+            if (!(rows.number(k, 0) >= 0 && rows.number(k, 0) <= 90))
+                throw InputError({model.files.back().string(), rows.lines[k]},
+                                 "a dip of " + shortest_text(rows.number(k, 0)) + " degrees", "0 to 90");
+            poles.push_back(pole_of(degree * rows.number(k, 0), degree * rows.number(k, 1), azimuth));
         }
     }
     if (poles.empty())
@@ -72,6 +73,7 @@ Orientation read_orientation(const ConfigTable& root, const ConfigTable& table, 
         orientation.fisher_k = table.checked(
             "fisher_k", table.number("fisher_k"), [](double k) { return k > 0; },
             "a positive concentration: 20 gives a wide scatter, 200 a narrow one");
+    orientation.weighted_by_section = table.choice("weighting", {"none", "section"}, "none") == "section";
     if (!(orientation.spacing_factor() < 1e6))
         table.fail(by_dip ? "dip" : "orientations", "the set lies parallel to the section",
                    "planes that the section cuts");
@@ -163,10 +165,29 @@ void read_voronoi(const ConfigTable& table, JointSet& set) {
     set.relaxation = relaxation;
 }
 
+/// The mapped traces of a set whose joints lie anywhere.
+void read_condition(const ConfigTable& table, JointSet& set, const SlopeModel& model) {
+    if (!table.has("conditioned_on")) {
+        if (table.has("mapped_area"))
+            table.fail("mapped_area", "a mapped area without mapped traces", "conditioned_on, their name");
+        return;
+    }
+    set.conditioned_on = read_name(table, "conditioned_on");
+    const auto has_name = [&](const Trace& trace) { return trace.name == set.conditioned_on; };
+    if (std::none_of(model.traces.begin(), model.traces.end(), has_name))
+        table.fail("conditioned_on", "there are no traces '" + set.conditioned_on + "'",
+                   "the name of [[traces]]");
+    if (!table.has("mapped_area")) return;
+    if (table.has("region")) table.fail("mapped_area", "a mapped area and a region", "one of them");
+    set.mapped_area = read_ring(table, "mapped_area");
+    check_coordinate_range(table, "mapped_area", set.mapped_area, model);
+}
+
 void read_members(const ConfigTable& root, const ConfigTable& table, JointSet& set, SlopeModel& model) {
     using Measure = StopRule::Measure;
     if (set.kind == SetKind::voronoi) return read_voronoi(table, set);
     set.orientation = read_orientation(root, table, model);
+    if (set.kind == SetKind::baecher || set.kind == SetKind::veneziano) read_condition(table, set, model);
     if (set.kind == SetKind::baecher) {
         set.trace_length = read_length(table, "trace_length", false);
         set.stop = read_stop(

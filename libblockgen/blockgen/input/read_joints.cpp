@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 
 #include "blockgen/input/domain.hpp"
 #include "blockgen/input/geometry_file.hpp"
@@ -62,31 +64,46 @@ void read_traces(const ConfigTable& table, SlopeModel& model) {
     model.traces.push_back(std::move(trace));
 }
 
-/// The points of a trace in the direction in which they come first.
-std::vector<std::pair<double, double>> directed_points(const Trace& trace) {
-    std::vector<std::pair<double, double>> forward;
-    for (const Point& p : trace.points) forward.emplace_back(p.x, p.y);
-    std::vector<std::pair<double, double>> backward(forward.rbegin(), forward.rend());
-    return std::min(forward, backward);
+/// Whether two traces have the same points, in the same direction or in opposite ones.
+bool are_same(const std::vector<Point>& a, const std::vector<Point>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end()) ||
+           std::equal(a.begin(), a.end(), b.rbegin(), b.rend());
+}
+
+/// A hash of a trace's ends that does not depend on its direction, for a table of a power of two.
+std::size_t hash_of(const std::vector<Point>& points) {
+    const auto hash = [](const Point& p) {
+        // -0 equals 0.
+        const std::uint64_t x = std::bit_cast<std::uint64_t>(p.x + 0.0),
+                            y = std::bit_cast<std::uint64_t>(p.y + 0.0);
+        std::uint64_t bits = (x ^ (x >> 32u)) * 0x9e3779b97f4a7c15u ^ (y ^ (y >> 29u)) * 0xc2b2ae3d27d4eb4fu;
+        bits = (bits ^ (bits >> 31u)) * 0x94d049bb133111ebu;
+        return bits ^ (bits >> 30u);
+    };
+    return hash(points.front()) + hash(points.back());
 }
 
 /// Removes traces that repeat an earlier one, in either direction, and notes how many: their lengths would be
 /// counted twice.
 void drop_repeated_traces(SlopeModel& model) {
-    using Keyed = std::pair<std::vector<std::pair<double, double>>, std::size_t>;
-    std::vector<Keyed> keyed;
-    keyed.reserve(model.traces.size());
-    for (std::size_t t = 0; t < model.traces.size(); ++t)
-        keyed.emplace_back(directed_points(model.traces[t]), t);
-    std::sort(keyed.begin(), keyed.end());
-    std::vector<char> is_repeated(model.traces.size(), 0);
+    constexpr std::uint32_t vacant = 0xffffffffu;
+    const std::vector<Trace>& traces = model.traces;
+    // Open addressing in a table at most half full.
+    std::vector<std::uint32_t> table(std::bit_ceil(2 * traces.size() + 2), vacant);
+    std::vector<char> is_repeated(traces.size(), 0);
     const Trace* first = nullptr;
     std::size_t repeated = 0;
-    for (std::size_t k = 1; k < keyed.size(); ++k) {
-        if (keyed[k].first != keyed[k - 1].first) continue;
-        is_repeated[keyed[k].second] = 1;
+    for (std::size_t t = 0; t < traces.size(); ++t) {
+        std::size_t place = hash_of(traces[t].points) & (table.size() - 1);
+        while (table[place] != vacant && !are_same(traces[table[place]].points, traces[t].points))
+            place = (place + 1) & (table.size() - 1);
+        if (table[place] == vacant) {
+            table[place] = static_cast<std::uint32_t>(t);
+            continue;
+        }
+        is_repeated[t] = 1;
         ++repeated;
-        if (first == nullptr) first = &model.traces[keyed[k].second];
+        if (first == nullptr) first = &traces[t];
     }
     if (repeated == 0) return;
     model.notes.push_back(std::to_string(repeated) +

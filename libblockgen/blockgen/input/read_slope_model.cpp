@@ -77,8 +77,11 @@ gap = 1.0                                  # rock bridge; or persistence = 0.9
 # dip = "60 deg"                           # instead of angle; or orientations = [["60 deg", "120 deg"]],
 # dip_direction = "120 deg"                # or orientation_file = "readings.csv" (dip,dip_direction in degrees)
 # fisher_k = 100                           # scatter of the planes; absent: none
+# weighting = "section"                    # planes are drawn as often as the section meets them; absent: as they are
 # trace_length = { law = "lognormal", mean = 6, sd = 3 }
 # p21 = 0.4                                # m/m2; or p20 (1/m2), p10 (1/m), count
+# conditioned_on = "faults"                # [[traces]] of that name count as joints of the set
+# mapped_area = [[0, 0], ...]              # where they are all there are: the rest gets the density
 
 # [[joint_set]]
 # name = "cross"

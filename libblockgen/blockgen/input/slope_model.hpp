@@ -78,6 +78,9 @@ struct JointSet {
     double stagger = 0.5;    ///< largest lateral offset of a piece from its line, fraction of the spacing
     int relaxation = 0;      ///< number of relaxations of the Voronoi cells (Lloyd 1982)
     std::string region;      ///< name of the region that limits the set; empty: the whole domain
+    std::string
+        conditioned_on;  ///< name of mapped traces of the set, which the sampled ones add to; or empty
+    Ring mapped_area;    ///< where the mapped traces are all there are; empty: nowhere
     SourceLocation place;
 };
 

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "blockgen/mesh/block_mesh.hpp"
+#include "common/base/thread_pool.hpp"
 
 namespace rockslope::blockgen {
 
@@ -22,7 +23,8 @@ BlockMesh parse_block_file(std::string_view text, const std::string& file_name);
 
 /// As parse_block_file(), of a file.
 BlockMesh read_block_file(const std::filesystem::path& path);
-/// Writes the block file of a mesh.
-void write_block_file(const std::filesystem::path& path, const BlockMesh& mesh);
+/// Writes the block file of a mesh, piece by piece. The bytes do not depend on the number of threads.
+void write_block_file(const std::filesystem::path& path, const BlockMesh& mesh,
+                      const ThreadPool& pool = ThreadPool());
 
 }  // namespace rockslope::blockgen

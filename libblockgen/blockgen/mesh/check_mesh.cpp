@@ -21,12 +21,16 @@ class MeshChecker {
   public:
     MeshChecker(const BlockMesh& mesh, const std::string& file_name) : mesh_(mesh), file_name_(file_name) {}
 
-    void check() const {
+    void check(const ThreadPool& pool) const {
         check_arrays();
         for (const VertexIndex v : mesh_.vertices.indices())
             if (!std::isfinite(mesh_.vertices[v].x) || !std::isfinite(mesh_.vertices[v].y))
                 fail("vertex " + std::to_string(v.value()) + " is not finite", "finite coordinates");
-        for (const BlockIndex b : mesh_.blocks()) check_block(b);
+        // The first block at fault is told: ranges are ascending, and the first exception counts.
+        pool.parallel_for(mesh_.block_count(), [&](std::size_t begin, std::size_t end) {
+            std::vector<Ring> rings;
+            for (const BlockIndex b : indices<BlockIndex>(begin, end)) check_block(b, rings);
+        });
         for (const MeasuredPoint& point : mesh_.measured_points)
             check_point("measured point '" + point.name + "'", point.block, point.position);
         for (const Bolt& bolt : mesh_.bolts) {
@@ -75,33 +79,37 @@ class MeshChecker {
     }
 
     void check_indices(BlockIndex b) const {
-        const std::string name = "block " + std::to_string(b.value());
         if (!is_index_into(mesh_.block_materials, mesh_.block_material[b]))
-            fail(name + " has a block material out of range", "an index into the block materials");
+            fail("block " + std::to_string(b.value()) + " has a block material out of range",
+                 "an index into the block materials");
         for (std::size_t r = 0; r < mesh_.ring_count(b); ++r) {
             for (const VertexIndex vertex : mesh_.ring(b, r))
                 if (!is_index_into(mesh_.vertices, vertex))
-                    fail(name + " has a vertex out of range", "an index into the vertices");
+                    fail("block " + std::to_string(b.value()) + " has a vertex out of range",
+                         "an index into the vertices");
             for (const EdgeMark& mark : mesh_.ring_marks(b, r)) {
                 const bool free = mark == EdgeMark{};
                 const bool joint_ok =
                     mark.joint == EdgeMark::no_joint || is_index_into(mesh_.joints, mark.joint);
                 if (!free && (!joint_ok || !is_index_into(mesh_.joint_materials, mark.joint_material)))
-                    fail(name + " has an edge mark out of range", "a joint material and a joint of the file");
+                    fail("block " + std::to_string(b.value()) + " has an edge mark out of range",
+                         "a joint material and a joint of the file");
             }
         }
     }
 
-    std::vector<Ring> rings_of(BlockIndex b) const {
-        std::vector<Ring> rings(mesh_.ring_count(b));
-        for (std::size_t r = 0; r < rings.size(); ++r)
+    void fill_rings(BlockIndex b, std::vector<Ring>& rings) const {
+        rings.resize(mesh_.ring_count(b));
+        for (std::size_t r = 0; r < rings.size(); ++r) {
+            rings[r].clear();
             for (const VertexIndex vertex : mesh_.ring(b, r)) rings[r].push_back(mesh_.vertices[vertex]);
-        return rings;
+        }
     }
 
-    void check_block(BlockIndex b) const {
+    /// @param rings work space.
+    void check_block(BlockIndex b, std::vector<Ring>& rings) const {
         check_indices(b);
-        const std::vector<Ring> rings = rings_of(b);
+        fill_rings(b, rings);
         if (const auto fault = find_ring_fault(rings)) {
             const std::string edges = "edge " + std::to_string(fault->first_edge) + " of ring " +
                                       std::to_string(fault->first_ring) + " and edge " +
@@ -142,7 +150,8 @@ class MeshChecker {
     void check_point(const std::string& name, BlockIndex block, const Point& p) const {
         if (!is_index_into(mesh_.block_material, block))
             fail(name + " has a block out of range", "an index into the blocks");
-        const std::vector<Ring> rings = rings_of(block);
+        std::vector<Ring> rings;
+        fill_rings(block, rings);
         bool inside = side_of_ring(rings[0], p) >= 0;
         for (std::size_t r = 1; r < rings.size(); ++r) inside = inside && side_of_ring(rings[r], p) <= 0;
         if (!inside)
@@ -156,8 +165,8 @@ class MeshChecker {
 
 }  // namespace
 
-void check_mesh(const BlockMesh& mesh, const std::string& file_name) {
-    MeshChecker(mesh, file_name).check();
+void check_mesh(const BlockMesh& mesh, const std::string& file_name, const ThreadPool& pool) {
+    MeshChecker(mesh, file_name).check(pool);
 }
 
 }  // namespace rockslope::blockgen

@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "common/base/parallel_sort.hpp"
+
 namespace rockslope::blockgen {
 
 namespace {
@@ -33,6 +35,21 @@ bool may_be_below(const Point& p, const Point& q, const Point& r, double tangent
     const double ax = p.x - q.x, ay = p.y - q.y, bx = r.x - q.x, by = r.y - q.y;
     const double along = bx * ax + by * ay, across = bx * ay - by * ax;
     return across >= 0 && along >= 0 && across <= (1 + 1e-9) * tangent * along;
+}
+
+constexpr CornerSummary none_seen{std::numeric_limits<double>::infinity(), std::numbers::pi};
+
+/// @param tangent of the smallest angle, infinite for 90 degrees or more.
+void add_corners(const Ring& ring, double& tangent, CornerSummary& smallest) {
+    const std::size_t n = ring.size();
+    for (std::size_t k = 0; k < n; ++k) {
+        const Point &last = ring[(k + n - 1) % n], &next = ring[(k + 1) % n];
+        const double length = std::hypot(next.x - ring[k].x, next.y - ring[k].y);
+        smallest.smallest_edge = std::min(smallest.smallest_edge, length);
+        if (!may_be_below(last, ring[k], next, tangent)) continue;
+        smallest.smallest_angle = std::min(smallest.smallest_angle, corner_angle(last, ring[k], next));
+        if (smallest.smallest_angle < std::numbers::pi / 2) tangent = std::tan(smallest.smallest_angle);
+    }
 }
 
 }  // namespace
@@ -103,17 +120,17 @@ double block_aspect(const BlockMesh& mesh, BlockIndex block) {
     return std::sqrt(std::max(mean - spread, 0.0) / (mean + spread));
 }
 
-ShapeSummary shape_summary(const BlockMesh& mesh) {
+ShapeSummary shape_summary(const BlockMesh& mesh, const ThreadPool& pool) {
     ShapeSummary summary;
     const std::size_t n = mesh.block_count();
     if (n == 0) return summary;
-    std::vector<double> roundness, aspect;
-    roundness.reserve(n);
-    aspect.reserve(n);
-    for (const BlockIndex b : mesh.blocks()) {
-        roundness.push_back(block_roundness(mesh, b));
-        aspect.push_back(block_aspect(mesh, b));
-    }
+    std::vector<double> roundness(n), aspect(n);
+    pool.parallel_for(n, [&](std::size_t begin, std::size_t end) {
+        for (const BlockIndex b : indices<BlockIndex>(begin, end)) {
+            roundness[b] = block_roundness(mesh, b);
+            aspect[b] = block_aspect(mesh, b);
+        }
+    });
     const auto deciles = [n](std::vector<double>& values) {
         const auto at = [&](double fraction) {
             const auto k = std::min(n - 1, static_cast<std::size_t>(fraction * static_cast<double>(n)));
@@ -129,43 +146,42 @@ ShapeSummary shape_summary(const BlockMesh& mesh) {
     return summary;
 }
 
-SizeSummary size_summary(const BlockMesh& mesh, bool free_only) {
-    SizeSummary summary;
-    const auto counts = [&](BlockIndex b) { return !free_only || mesh.motion[b] == BlockMotion::free; };
-    const auto blocks = mesh.blocks();
-    if (std::none_of(blocks.begin(), blocks.end(), counts)) return summary;
-    summary.smallest_edge = std::numeric_limits<double>::infinity();
-    summary.smallest_angle = std::numbers::pi;
-    double tangent = std::numeric_limits<double>::infinity();
-    std::vector<double> areas;
-    areas.reserve(mesh.block_count());
-    for (const BlockIndex b : blocks) {
-        if (!counts(b)) continue;
-        areas.push_back(block_area(mesh, b));
-        summary.area += areas.back();
-        for (std::size_t r = 0; r < mesh.ring_count(b); ++r) {
-            const Ring ring = ring_points(mesh, b, r);
-            const std::size_t n = ring.size();
-            for (std::size_t k = 0; k < n; ++k) {
-                const Point &last = ring[(k + n - 1) % n], &next = ring[(k + 1) % n];
-                const double length = std::hypot(next.x - ring[k].x, next.y - ring[k].y);
-                summary.smallest_edge = std::min(summary.smallest_edge, length);
-                if (may_be_below(last, ring[k], next, tangent)) {
-                    summary.smallest_angle =
-                        std::min(summary.smallest_angle, corner_angle(last, ring[k], next));
-                    if (summary.smallest_angle < std::numbers::pi / 2)
-                        tangent = std::tan(summary.smallest_angle);
-                }
-            }
-        }
-    }
-    std::sort(areas.begin(), areas.end());
+PerBlock<double> block_areas(const BlockMesh& mesh, const ThreadPool& pool) {
+    PerBlock<double> areas(mesh.block_count());
+    pool.parallel_for(areas.size(), [&](std::size_t begin, std::size_t end) {
+        for (const BlockIndex b : indices<BlockIndex>(begin, end)) areas[b] = block_area(mesh, b);
+    });
+    return areas;
+}
+
+AreaSummary area_summary(std::vector<double> areas, const ThreadPool& pool) {
+    AreaSummary summary;
+    if (areas.empty()) return summary;
+    for (const double area : areas) summary.area += area;
+    parallel_sort(pool, areas);
     summary.smallest_area = areas.front();
     summary.largest_area = areas.back();
     summary.d10 = weighted_quantile(areas, summary.area, 0.1);
     summary.d50 = weighted_quantile(areas, summary.area, 0.5);
     summary.d90 = weighted_quantile(areas, summary.area, 0.9);
     return summary;
+}
+
+CornerSummary corner_summary(const BlockMesh& mesh, const ThreadPool& pool) {
+    if (mesh.block_count() == 0) return {};
+    const auto part = [&](std::size_t begin, std::size_t end) {
+        CornerSummary smallest = none_seen;
+        double tangent = std::numeric_limits<double>::infinity();
+        for (const BlockIndex b : indices<BlockIndex>(begin, end))
+            for (std::size_t r = 0; r < mesh.ring_count(b); ++r)
+                add_corners(ring_points(mesh, b, r), tangent, smallest);
+        return smallest;
+    };
+    const auto smaller = [](const CornerSummary& a, const CornerSummary& b) {
+        return CornerSummary{std::min(a.smallest_edge, b.smallest_edge),
+                             std::min(a.smallest_angle, b.smallest_angle)};
+    };
+    return pool.parallel_reduce(mesh.block_count(), none_seen, part, smaller);
 }
 
 }  // namespace rockslope::blockgen

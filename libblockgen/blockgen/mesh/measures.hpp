@@ -3,6 +3,7 @@
 #include <cstddef>
 
 #include "blockgen/mesh/block_mesh.hpp"
+#include "common/base/thread_pool.hpp"
 #include "common/geometry/polygon.hpp"
 
 namespace rockslope::blockgen {
@@ -38,20 +39,31 @@ struct ShapeSummary {
     double mean_corners = 0;  ///< of a block
 };
 
-ShapeSummary shape_summary(const BlockMesh& mesh);
+ShapeSummary shape_summary(const BlockMesh& mesh, const ThreadPool& pool = ThreadPool());
 
-/// Sizes of all blocks of a mesh; zeros when it has none.
-struct SizeSummary {
-    double area = 0;            ///< of all blocks, m2
-    double smallest_area = 0;   ///< m2
-    double largest_area = 0;    ///< m2
-    double d10 = 0;             ///< m2: blocks up to this area make up 10 % of the total area
-    double d50 = 0;             ///< m2: blocks up to this area make up 50 %
-    double d90 = 0;             ///< m2: blocks up to this area make up 90 %
+/// Areas of blocks; zeros when there are none.
+struct AreaSummary {
+    double area = 0;           ///< of all blocks, m2
+    double smallest_area = 0;  ///< m2
+    double largest_area = 0;   ///< m2
+    double d10 = 0;            ///< m2: blocks up to this area make up 10 % of the total area
+    double d50 = 0;            ///< m2: blocks up to this area make up 50 %
+    double d90 = 0;            ///< m2: blocks up to this area make up 90 %
+};
+
+/// The areas of all blocks, m2.
+PerBlock<double> block_areas(const BlockMesh& mesh, const ThreadPool& pool = ThreadPool());
+
+/// Summarises the areas of blocks.
+AreaSummary area_summary(std::vector<double> areas, const ThreadPool& pool = ThreadPool());
+
+/// The edges and corners of blocks; zeros when there are none.
+struct CornerSummary {
     double smallest_edge = 0;   ///< m
     double smallest_angle = 0;  ///< rad, the sharpest corner of a block, in (0, pi)
 };
 
-SizeSummary size_summary(const BlockMesh& mesh, bool free_only = false);
+/// Finds the smallest edge and angle of all blocks.
+CornerSummary corner_summary(const BlockMesh& mesh, const ThreadPool& pool = ThreadPool());
 
 }  // namespace rockslope::blockgen

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <charconv>
 
 #include "blockgen/mesh/block_file.hpp"
@@ -123,22 +124,36 @@ void append_excavation(std::string& out, const ExcavatedBlocks& excavation) {
     out += '\n';
 }
 
-}  // namespace
+using Append = FunctionRef<void(std::string_view)>;
 
-std::string block_file_text(const BlockMesh& mesh) {
+/// Appends the texts of [0, count), each written by text_of(index, out), in order. Threads write the texts of
+/// ranges, a few at a time.
+template <class TextOf>
+void append_all(std::size_t count, const TextOf& text_of, const ThreadPool& pool, Append append) {
+    constexpr std::size_t range = 4096;
+    std::vector<std::string> texts(2 * static_cast<std::size_t>(pool.size()));
+    for (std::size_t start = 0; start < count; start += range * texts.size()) {
+        pool.parallel_for_dynamic(texts.size(), [&](std::size_t k, std::size_t) {
+            texts[k].clear();
+            const std::size_t begin = start + range * k;
+            for (std::size_t i = begin; i < std::min(begin + range, count); ++i) text_of(i, texts[k]);
+        });
+        for (const std::string& text : texts) append(text);
+    }
+}
+
+void append_header_and_names(const BlockMesh& mesh, Append append) {
     std::string out;
-    out.reserve(256 + 40 * mesh.vertices.size() + 16 * mesh.corners.size() + 32 * mesh.block_count());
     append_header(out, mesh);
     append_names(out, "provenance", mesh.provenance);
     append_names(out, "block_material", mesh.block_materials);
     append_names(out, "joint_material", mesh.joint_materials);
     for (const Joint& joint : mesh.joints) ((out += "joint ") += quoted_name(joint.set)) += '\n';
-    for (const Point& vertex : mesh.vertices) {
-        out += "vertex";
-        append_point(out, vertex);
-        out += '\n';
-    }
-    for (const BlockIndex block : mesh.blocks()) append_block(out, mesh, block);
+    append(out);
+}
+
+void append_end(const BlockMesh& mesh, Append append) {
+    std::string out;
     for (const MeasuredPoint& point : mesh.measured_points) {
         ((out += "measured_point ") += quoted_name(point.name)) += ' ';
         append_number(out, point.block);
@@ -147,11 +162,35 @@ std::string block_file_text(const BlockMesh& mesh) {
     }
     for (const Bolt& bolt : mesh.bolts) append_bolt(out, bolt);
     for (const ExcavatedBlocks& excavation : mesh.excavations) append_excavation(out, excavation);
-    return out += "end\n";
+    append(out += "end\n");
 }
 
-void write_block_file(const std::filesystem::path& path, const BlockMesh& mesh) {
-    write_file_atomically(path, block_file_text(mesh));
+void append_block_file(const BlockMesh& mesh, const ThreadPool& pool, Append append) {
+    append_header_and_names(mesh, append);
+    append_all(
+        mesh.vertices.size(),
+        [&](VertexIndex k, std::string& text) {
+            text += "vertex";
+            append_point(text, mesh.vertices[k]);
+            text += '\n';
+        },
+        pool, append);
+    append_all(
+        mesh.block_count(), [&](BlockIndex k, std::string& text) { append_block(text, mesh, k); }, pool,
+        append);
+    append_end(mesh, append);
+}
+
+}  // namespace
+
+std::string block_file_text(const BlockMesh& mesh) {
+    std::string out;
+    append_block_file(mesh, ThreadPool(), [&](std::string_view text) { out += text; });
+    return out;
+}
+
+void write_block_file(const std::filesystem::path& path, const BlockMesh& mesh, const ThreadPool& pool) {
+    write_pieces_atomically(path, [&](Append append) { append_block_file(mesh, pool, append); });
 }
 
 }  // namespace rockslope::blockgen

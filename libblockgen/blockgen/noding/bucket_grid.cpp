@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace rockslope::blockgen {
 
@@ -11,27 +12,50 @@ namespace {
 constexpr double segments_per_bucket = 2;
 constexpr double short_segments_per_bucket = 4;
 constexpr double max_buckets = 1 << 26;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// The box around segments, and their length.
+struct Extent {
+    double low_x = infinity, low_y = infinity, high_x = -infinity, high_y = -infinity, length = 0;
+};
+
+Extent extent_of(SegmentSpan<const FineSegment> segments, std::size_t begin, std::size_t end) {
+    Extent extent;
+    for (const SegmentIndex k : indices<SegmentIndex>(begin, end)) {
+        const auto ax = static_cast<double>(segments[k].a.x), ay = static_cast<double>(segments[k].a.y);
+        const auto bx = static_cast<double>(segments[k].b.x), by = static_cast<double>(segments[k].b.y);
+        extent.low_x = std::min({extent.low_x, ax, bx});
+        extent.low_y = std::min({extent.low_y, ay, by});
+        extent.high_x = std::max({extent.high_x, ax, bx});
+        extent.high_y = std::max({extent.high_y, ay, by});
+        extent.length += std::sqrt((bx - ax) * (bx - ax) + (by - ay) * (by - ay));
+    }
+    return extent;
+}
+
+Extent joined(const Extent& e, const Extent& f) {
+    return {std::min(e.low_x, f.low_x), std::min(e.low_y, f.low_y), std::max(e.high_x, f.high_x),
+            std::max(e.high_y, f.high_y), e.length + f.length};
+}
 
 }  // namespace
 
 BucketGrid::BucketGrid(SegmentSpan<const FineSegment> segments, std::int64_t margin,
-                       SegmentSpan<const char> listed)
+                       SegmentSpan<const char> listed, const ThreadPool& pool)
     : margin_(static_cast<double>(margin)) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    double high_x = -infinity, high_y = -infinity, length = 0;
-    low_x_ = low_y_ = infinity;
-    for (const FineSegment& s : segments) {
-        for (const GridPoint& p : {s.a, s.b}) {
-            low_x_ = std::min(low_x_, static_cast<double>(p.x));
-            low_y_ = std::min(low_y_, static_cast<double>(p.y));
-            high_x = std::max(high_x, static_cast<double>(p.x));
-            high_y = std::max(high_y, static_cast<double>(p.y));
-        }
-        length += std::hypot(static_cast<double>(s.b.x - s.a.x), static_cast<double>(s.b.y - s.a.y));
-    }
-    if (segments.empty()) low_x_ = low_y_ = high_x = high_y = 0;
-    const double span_x = high_x - low_x_ + 2 * margin_, span_y = high_y - low_y_ + 2 * margin_;
-    width_ = length > 0 ? segments_per_bucket * span_x * span_y / length : std::max(span_x, span_y);
+    choose_width(segments, pool);
+    fill(segments, listed, pool);
+}
+
+void BucketGrid::choose_width(SegmentSpan<const FineSegment> segments, const ThreadPool& pool) {
+    const auto part = [&](std::size_t begin, std::size_t end) { return extent_of(segments, begin, end); };
+    Extent extent = pool.parallel_reduce(segments.size(), Extent{}, part, joined);
+    if (segments.empty()) extent = {0, 0, 0, 0, 0};
+    low_x_ = extent.low_x;
+    low_y_ = extent.low_y;
+    const double span_x = extent.high_x - low_x_ + 2 * margin_, span_y = extent.high_y - low_y_ + 2 * margin_;
+    width_ =
+        extent.length > 0 ? segments_per_bucket * span_x * span_y / extent.length : std::max(span_x, span_y);
     // When segments are short compared with their spacing, their number limits the width, not their length.
     width_ = std::min(width_, std::sqrt(short_segments_per_bucket * span_x * span_y /
                                         static_cast<double>(std::max<std::size_t>(segments.size(), 1))));
@@ -39,16 +63,35 @@ BucketGrid::BucketGrid(SegmentSpan<const FineSegment> segments, std::int64_t mar
                        std::max(span_x, span_y) / max_buckets});
     columns_ = static_cast<std::int64_t>(span_x / width_) + 1;
     rows_ = static_cast<std::int64_t>(span_y / width_) + 1;
+}
 
-    first_.assign(columns_ * rows_ + 1, 0);
-    const auto is_listed = [&](SegmentIndex k) { return listed.empty() || listed[k]; };
-    for (const SegmentIndex k : segments.indices())
-        if (is_listed(k)) for_each_bucket(segments[k], [this](std::size_t b) { ++first_[b + 1]; });
-    for (std::size_t b = 0; b + 1 < first_.size(); ++b) first_[b + 1] += first_[b];
+/// A counting sort: each thread counts a range of the segments for every bucket, then writes them behind
+/// those of the ranges before. A bucket lists its segments in ascending order with any number of threads.
+void BucketGrid::fill(SegmentSpan<const FineSegment> segments, SegmentSpan<const char> listed,
+                      const ThreadPool& pool) {
+    const std::size_t buckets = columns_ * rows_, threads = pool.size();
+    const auto visit_range = [&](std::size_t range, const auto& visit) {
+        const std::size_t n = segments.size();
+        for (const SegmentIndex k : indices<SegmentIndex>(n * range / threads, n * (range + 1) / threads))
+            if (listed.empty() || listed[k])
+                for_each_bucket(segments[k], [&](std::size_t b) { visit(b, k); });
+    };
+    std::vector<std::vector<std::uint32_t>> next(threads);
+    pool.parallel_for_dynamic(threads, [&](std::size_t range, std::size_t) {
+        next[range].assign(buckets, 0);
+        visit_range(range, [&](std::size_t b, SegmentIndex) { ++next[range][b]; });
+    });
+    first_.resize(buckets + 1);
+    first_[0] = 0;
+    for (std::size_t b = 0; b < buckets; ++b) {
+        first_[b + 1] = first_[b];
+        for (std::vector<std::uint32_t>& range : next)
+            first_[b + 1] += std::exchange(range[b], static_cast<std::uint32_t>(first_[b + 1]));
+    }
     items_.resize(first_.back());
-    std::vector<std::int64_t> next(first_.begin(), first_.end() - 1);
-    for (const SegmentIndex k : segments.indices())
-        if (is_listed(k)) for_each_bucket(segments[k], [&](std::size_t b) { items_[next[b]++] = k; });
+    pool.parallel_for_dynamic(threads, [&](std::size_t range, std::size_t) {
+        visit_range(range, [&](std::size_t b, SegmentIndex k) { items_[next[range][b]++] = k; });
+    });
 }
 
 bool BucketGrid::overlaps_occupied_bucket(const FineSegment& segment) const {

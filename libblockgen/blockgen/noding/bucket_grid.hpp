@@ -16,10 +16,8 @@ class BucketGrid {
     /// @param listed flag per segment: only flagged segments are listed. Empty: all are. All segments count
     /// for the bucket width.
     BucketGrid(SegmentSpan<const FineSegment> segments, std::int64_t margin,
-               SegmentSpan<const char> listed = {});
+               SegmentSpan<const char> listed = {}, const ThreadPool& pool = ThreadPool());
 
-    /// Number of buckets.
-    std::size_t bucket_count() const { return first_.size() - 1; }
     /// The segments that pass through a bucket.
     std::span<const SegmentIndex> segments_of(std::size_t bucket) const {
         return std::span(items_).subspan(first_[bucket], first_[bucket + 1] - first_[bucket]);
@@ -31,12 +29,19 @@ class BucketGrid {
     /// Row of a bucket, counted from the bottom. Buckets are numbered column by column, upwards in each, so
     /// the bucket below bucket k in the same column is k - 1.
     std::int64_t row_of(std::size_t bucket) const { return static_cast<std::int64_t>(bucket) % rows_; }
+    /// Number of columns of buckets.
+    std::size_t column_count() const { return columns_; }
+    /// Number of rows of buckets.
+    std::size_t row_count() const { return rows_; }
     /// y coordinate of a bucket's lower side.
     double bottom_of(std::size_t bucket) const {
         return low_y_ + width_ * static_cast<double>(row_of(bucket));
     }
 
   private:
+    void choose_width(SegmentSpan<const FineSegment> segments, const ThreadPool& pool);
+    void fill(SegmentSpan<const FineSegment> segments, SegmentSpan<const char> listed,
+              const ThreadPool& pool);
     template <class Visit>
     void for_each_bucket(const FineSegment& segment, const Visit& visit) const;
     std::int64_t column(double x) const;

@@ -1,9 +1,13 @@
 #include "blockgen/noding/link_chains.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
+#include <optional>
 
 #include "blockgen/noding/bucket_grid.hpp"
+#include "blockgen/noding/cells.hpp"
+#include "common/base/parallel_collect.hpp"
 
 namespace rockslope::blockgen {
 
@@ -57,44 +61,70 @@ void for_each_link(const SnappedChains& chains, const LineSources& along, const 
 
 /// All links, grouped by their first vertex (counting sort) and sorted within each group.
 std::vector<Link> sorted_links(const SnappedChains& chains, const LineSources& along,
-                               const PerCell<NodeIndex>& vertex_at, std::size_t vertices) {
+                               const PerCell<NodeIndex>& vertex_at, std::size_t vertices,
+                               const ThreadPool& pool) {
     PerNode<std::int32_t> first(vertices + 1, 0);
     for_each_link(chains, along, vertex_at, [&](const Link& link) { ++first[link.a + 1]; });
     std::partial_sum(first.begin(), first.end(), first.begin());
     std::vector<Link> links(first.back());
     PerNode<std::int32_t> fill(first.begin(), first.end() - 1);
     for_each_link(chains, along, vertex_at, [&](const Link& link) { links[fill[link.a]++] = link; });
-    for (const NodeIndex v : indices<NodeIndex>(vertices))
-        std::sort(links.begin() + first[v], links.begin() + first[v + 1],
-                  [](const Link& l, const Link& m) { return l.is_before(m); });
+    pool.parallel_for(vertices, [&](std::size_t begin, std::size_t end) {
+        for (const NodeIndex v : indices<NodeIndex>(begin, end))
+            std::sort(links.begin() + first[v], links.begin() + first[v + 1],
+                      [](const Link& l, const Link& m) { return l.is_before(m); });
+    });
     return links;
 }
 
-/// The changed edges and the edges that share a bucket with one; all edges when more than a quarter changed.
-/// Two edges that cross or nearly touch share a bucket.
-std::vector<EdgeIndex> edges_near_changed(EdgeSpan<const FineSegment> lines, EdgeSpan<const char> changed) {
-    std::vector<EdgeIndex> edges(lines.size());
-    std::iota(edges.begin(), edges.end(), EdgeIndex(0));
+/// The changed edges and the edges that share a bucket with one, ascending; nothing, which stands for all
+/// edges, when more than a quarter changed. Two edges that cross or nearly touch share a bucket.
+std::optional<std::vector<EdgeIndex>> edges_near_changed(EdgeSpan<const FineSegment> lines,
+                                                         EdgeSpan<const char> changed,
+                                                         const ThreadPool& pool) {
     const auto all = static_cast<std::ptrdiff_t>(lines.size());
-    if (changed.empty() || 4 * std::count(changed.begin(), changed.end(), 1) > all) return edges;
-    const BucketGrid grid(std::span<const FineSegment>(lines), cell_width, std::span<const char>(changed));
-    std::erase_if(edges,
-                  [&](EdgeIndex e) { return !changed[e] && !grid.overlaps_occupied_bucket(lines[e]); });
-    return edges;
+    if (changed.empty() || 4 * std::count(changed.begin(), changed.end(), 1) > all) return std::nullopt;
+    const BucketGrid grid(std::span<const FineSegment>(lines), cell_width, std::span<const char>(changed),
+                          pool);
+    const auto collect = [&](std::size_t begin, std::size_t end, std::vector<EdgeIndex>& edges) {
+        for (const EdgeIndex e : indices<EdgeIndex>(begin, end))
+            if (changed[e] || grid.overlaps_occupied_bucket(lines[e])) edges.push_back(e);
+    };
+    return parallel_collect<EdgeIndex>(pool, lines.size(), collect);
+}
+
+/// The vertices at which edges end.
+std::vector<GridPoint> ends_of(NodeSpan<const GridPoint> vertices, EdgeSpan<const EdgeEnds> edges,
+                               const std::optional<std::vector<EdgeIndex>>& some) {
+    PerNode<char> is_end(vertices.size(), 0);
+    if (some) {
+        for (const EdgeIndex e : *some) is_end[edges[e].first] = is_end[edges[e].second] = 1;
+    } else {
+        for (const auto& [a, b] : edges) is_end[a] = is_end[b] = 1;
+    }
+    std::vector<GridPoint> ends;
+    ends.reserve(std::count(is_end.begin(), is_end.end(), 1));
+    for (const NodeIndex v : vertices.indices())
+        if (is_end[v]) ends.push_back(vertices[v]);
+    return ends;
 }
 
 }  // namespace
 
-PerEdge<char> link_chains(const SnappedChains& chains, const LineSources& along, NodedEdges& network) {
+PerEdge<char> link_chains(const SnappedChains& chains, const LineSources& along, NodedEdges& network,
+                          const ThreadPool& pool) {
     PerNode<GridPoint> vertices;
     const PerCell<NodeIndex> vertex_at = vertices_at_cells(chains, vertices);
-    const std::vector<Link> links = sorted_links(chains, along, vertex_at, vertices.size());
+    const std::vector<Link> links = sorted_links(chains, along, vertex_at, vertices.size(), pool);
     network.vertices = std::move(vertices);
     network.edges.clear();
     network.first_source = {0};
     network.sources.clear();
+    network.edges.reserve(links.size());
+    network.first_source.reserve(links.size() + 1);
     network.sources.reserve(links.size());
     PerEdge<char> changed;
+    changed.reserve(links.size());
     for (const Link& link : links) {
         const EdgeEnds edge(link.a, link.b);
         if (network.edges.empty() || network.edges.back() != edge) {
@@ -110,28 +140,25 @@ PerEdge<char> link_chains(const SnappedChains& chains, const LineSources& along,
 }
 
 SnapRoundingPass snap_round_edges(NodeSpan<const GridPoint> vertices, EdgeSpan<const EdgeEnds> edges,
-                                  EdgeSpan<const char> changed) {
-    PerEdge<FineSegment> lines;
-    lines.reserve(edges.size());
-    const auto middle = [&](NodeIndex v) {
-        const GridPoint& p = vertices[v];
-        return GridPoint{cell_width * p.x, cell_width * p.y};
-    };
-    for (const auto& [a, b] : edges) lines.push_back({middle(a), middle(b)});
-
-    SnapRoundingPass round;
-    round.edges = edges_near_changed(lines, changed);
-    PerNode<char> is_end(vertices.size(), 0);
-    std::size_t kept = 0;
-    for (const EdgeIndex e : round.edges) {
-        lines[kept++] = lines[e];
-        is_end[edges[e].first] = is_end[edges[e].second] = 1;
+                                  EdgeSpan<const char> changed, const ThreadPool& pool) {
+    PerEdge<FineSegment> lines(edges.size());
+    pool.parallel_for(edges.size(), [&](std::size_t begin, std::size_t end) {
+        for (const EdgeIndex e : indices<EdgeIndex>(begin, end))
+            lines[e] = {centre_of(vertices[edges[e].first], cell_width),
+                        centre_of(vertices[edges[e].second], cell_width)};
+    });
+    const auto some = edges_near_changed(lines, changed, pool);
+    const std::vector<GridPoint> ends = ends_of(vertices, edges, some);
+    if (some) {
+        for (std::size_t k = 0; k < some->size(); ++k) lines[k] = lines[(*some)[k]];
+        lines.resize(some->size());
     }
-    lines.resize(kept);
-    std::vector<GridPoint> ends;
-    for (const NodeIndex v : vertices.indices())
-        if (is_end[v]) ends.push_back(vertices[v]);
-    round.chains = snap_round(std::span<const FineSegment>(lines), cell_width, std::move(ends));
+    BentSegments bent = bend_segments(std::span<const FineSegment>(lines), cell_width, ends, pool);
+    SnapRoundingPass round;
+    round.edges.reserve(bent.segments.size());
+    for (const SegmentIndex k : bent.segments)
+        round.edges.push_back(some ? (*some)[k] : EdgeIndex(k.value()));
+    round.chains = std::move(bent.chains);
     return round;
 }
 

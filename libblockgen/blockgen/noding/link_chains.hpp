@@ -17,22 +17,22 @@ struct LineSources {
 /// merged into one edge; a chain collapsed to one cell is dropped.
 /// @param along the sources of the lines. @return whether each edge came from a chain with more than two
 /// cells, and so changed.
-PerEdge<char> link_chains(const SnappedChains& chains, const LineSources& along, NodedEdges& network);
+PerEdge<char> link_chains(const SnappedChains& chains, const LineSources& along, NodedEdges& network,
+                          const ThreadPool& pool = ThreadPool());
 
-/// One round of snap rounding: the edges that may have come near another edge since the previous round, and
-/// their chains.
+/// One round of snap rounding: the edges that it bends, and their chains.
 struct SnapRoundingPass {
     PerSegment<EdgeIndex> edges;  ///< ascending
     SnappedChains chains;         ///< one for each of `edges`
 
-    bool is_fully_noded() const { return chains.items.size() == 2 * chains.size(); }
+    bool is_fully_noded() const { return edges.empty(); }
 };
 
 /// One round of snap rounding of edges between cells. Unchanged edges are properly noded among themselves, so
 /// only changed edges and unchanged edges near them are rounded.
 /// @param changed flag per edge; empty when all edges may have changed.
 SnapRoundingPass snap_round_edges(NodeSpan<const GridPoint> vertices, EdgeSpan<const EdgeEnds> edges,
-                                  EdgeSpan<const char> changed);
+                                  EdgeSpan<const char> changed, const ThreadPool& pool = ThreadPool());
 
 /// The chains of all edges of a network: those of the round, and two vertices for each edge not in it.
 SnappedChains chains_of_all_edges(const SnapRoundingPass& round, const NodedEdges& network);

@@ -7,6 +7,7 @@
 
 #include "blockgen/noding/link_chains.hpp"
 #include "blockgen/noding/snap_round.hpp"
+#include "common/base/parallel_sort.hpp"
 
 namespace rockslope::blockgen {
 
@@ -97,8 +98,8 @@ struct Lines {
     LineSources along;
 };
 
-Lines distinct_lines(std::vector<Piece> pieces) {
-    std::sort(pieces.begin(), pieces.end());
+Lines distinct_lines(std::vector<Piece> pieces, const ThreadPool& pool) {
+    parallel_sort(pool, pieces);
     Lines result;
     for (const Piece& piece : pieces) {
         if (result.lines.empty() || piece.line != result.lines.back()) {
@@ -131,10 +132,21 @@ double largest_move(const FineSegment& line, const SnappedChains& chains, Segmen
     return largest;
 }
 
+/// The same over all chains.
+double largest_move(SegmentSpan<const FineSegment> lines, const SnappedChains& chains,
+                    std::int64_t units_per_cell, const ThreadPool& pool) {
+    const auto part = [&](std::size_t begin, std::size_t end) {
+        double largest = 0;
+        for (const SegmentIndex k : indices<SegmentIndex>(begin, end))
+            largest = std::max(largest, largest_move(lines[k], chains, k, units_per_cell));
+        return largest;
+    };
+    return pool.parallel_reduce(lines.size(), 0.0, part, [](double a, double b) { return std::max(a, b); });
+}
+
 double largest_move(const SnapRoundingPass& round, const NodedEdges& network) {
     double largest = 0;
     for (const SegmentIndex k : round.edges.indices()) {
-        if (round.chains.chain(k).size() == 2) continue;
         const auto& [a, b] = network.edges[round.edges[k]];
         const FineSegment line{network.vertices[a], network.vertices[b]};
         largest = std::max(largest, largest_move(line, round.chains, k, 1));
@@ -171,7 +183,7 @@ std::span<const EdgeSource> NodedEdges::sources_of(EdgeIndex edge) const {
     return std::span(sources).subspan(first_source[edge], first_source[edge + 1] - first_source[edge]);
 }
 
-NodedEdges node_joints(std::span<const SourceSegment> segments, double step) {
+NodedEdges node_joints(std::span<const SourceSegment> segments, double step, const ThreadPool& pool) {
     NodedEdges result;
     if (segments.empty()) return result;
     const Box box = box_of(segments);
@@ -181,33 +193,27 @@ NodedEdges node_joints(std::span<const SourceSegment> segments, double step) {
         double rounded = 0;
         std::vector<Piece> pieces = fine_pieces(segments, result.frame, units_per_cell, rounded);
         const std::vector<GridPoint> anchors = anchors_of(pieces, units_per_cell);
-        const Lines lines = distinct_lines(std::move(pieces));
-        const SnappedChains chains = snap_round_merging_cells(lines.lines, units_per_cell, anchors);
-        for (const SegmentIndex k : lines.lines.indices())
-            result.largest_snap =
-                std::max(result.largest_snap, step * largest_move(lines.lines[k], chains, k, units_per_cell));
-        result.largest_snap += rounded;
-        link_chains(chains, lines.along, result);
+        const Lines lines = distinct_lines(std::move(pieces), pool);
+        const SnappedChains chains = snap_round_merging_cells(lines.lines, units_per_cell, anchors, pool);
+        result.largest_snap = step * largest_move(lines.lines, chains, units_per_cell, pool) + rounded;
+        link_chains(chains, lines.along, result, pool);
     }
     PerEdge<char> changed;  // empty: all edges, in the first round
     for (result.rounds = 1;; ++result.rounds) {
-        const SnapRoundingPass round = snap_round_edges(result.vertices, result.edges, changed);
+        const SnapRoundingPass round = snap_round_edges(result.vertices, result.edges, changed, pool);
         if (round.is_fully_noded()) return result;
         result.largest_snap += step * largest_move(round, result);
         // The lines of this round are the edges of the last.
         const LineSources along{std::vector<std::int32_t>(std::move(result.first_source)),
                                 std::move(result.sources)};
-        changed = link_chains(chains_of_all_edges(round, result), along, result);
+        changed = link_chains(chains_of_all_edges(round, result), along, result, pool);
     }
 }
 
 std::vector<EdgeIndex> improperly_noded_edges(NodeSpan<const GridPoint> vertices,
-                                              EdgeSpan<const EdgeEnds> edges, EdgeSpan<const char> changed) {
-    const SnapRoundingPass round = snap_round_edges(vertices, edges, changed);
-    std::vector<EdgeIndex> improper;
-    for (const SegmentIndex k : round.edges.indices())
-        if (round.chains.chain(k).size() != 2) improper.push_back(round.edges[k]);
-    return improper;
+                                              EdgeSpan<const EdgeEnds> edges, EdgeSpan<const char> changed,
+                                              const ThreadPool& pool) {
+    return snap_round_edges(vertices, edges, changed, pool).edges;
 }
 
 }  // namespace rockslope::blockgen

@@ -7,6 +7,7 @@
 
 #include "blockgen/noding/grid.hpp"
 #include "blockgen/noding/indices.hpp"
+#include "common/base/thread_pool.hpp"
 
 namespace rockslope::blockgen {
 
@@ -46,10 +47,11 @@ struct NodedEdges {
 /// rounding with hot pixels (Hobby 1999; Halperin and Packer 2002). An edge that passes through the hot pixel
 /// of a vertex is bent to that vertex; rounds repeat until no edge does. The first round takes segment ends
 /// on a finer grid and merges crossings in adjacent cells into one vertex, so that joints meant to meet in
-/// one point do so. The result does not depend on the order or direction of the segments. All predicates are
-/// exact. @param step m, a power of two. @throws std::invalid_argument when the extent of the segments
-/// exceeds 2^38 steps, or a coordinate exceeds 2^52 steps.
-NodedEdges node_joints(std::span<const SourceSegment> segments, double step);
+/// one point do so. The result does not depend on the order or direction of the segments, nor on the number
+/// of threads. All predicates are exact. @param step m, a power of two. @throws std::invalid_argument when
+/// the extent of the segments exceeds 2^38 steps, or a coordinate exceeds 2^52 steps.
+NodedEdges node_joints(std::span<const SourceSegment> segments, double step,
+                       const ThreadPool& pool = ThreadPool());
 
 /// The edges that violate the invariant of NodedEdges: they cross another edge, or pass through the hot pixel
 /// of a vertex that is not their end.
@@ -57,6 +59,7 @@ NodedEdges node_joints(std::span<const SourceSegment> segments, double step);
 /// have changed. @return ascending; empty when the edges are properly noded.
 std::vector<EdgeIndex> improperly_noded_edges(NodeSpan<const GridPoint> vertices,
                                               EdgeSpan<const EdgeEnds> edges,
-                                              EdgeSpan<const char> changed = {});
+                                              EdgeSpan<const char> changed = {},
+                                              const ThreadPool& pool = ThreadPool());
 
 }  // namespace rockslope::blockgen

@@ -1,95 +1,18 @@
 #include "blockgen/noding/snap_round.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <optional>
+#include <iterator>
 #include <unordered_map>
+#include <utility>
 
 #include "blockgen/noding/bucket_grid.hpp"
+#include "blockgen/noding/cells.hpp"
+#include "common/base/parallel_collect.hpp"
+#include "common/base/parallel_sort.hpp"
 
 namespace rockslope::blockgen {
 
 namespace {
-
-Int128 floor_division(Int128 numerator, Int128 denominator) {
-    const Int128 quotient = numerator / denominator;
-    return numerator % denominator < 0 ? quotient - 1 : quotient;
-}
-
-/// The cell of a point of the fine grid.
-GridPoint cell_of(const GridPoint& p, std::int64_t units_per_cell) {
-    const auto cell = [units_per_cell](std::int64_t x) {
-        const std::int64_t shifted = x + units_per_cell / 2;
-        return shifted >= 0 ? shifted / units_per_cell : -((-shifted + units_per_cell - 1) / units_per_cell);
-    };
-    return {cell(p.x), cell(p.y)};
-}
-
-/// The cell that contains the crossing of two segments that are not parallel; nothing when they do not meet,
-/// or meet in a common end, whose cell is hot anyway. For segments a-b and c-d the crossing is a + t (b - a)
-/// with t = ((c - a) x (d - c)) / ((b - a) x (d - c)).
-std::optional<GridPoint> crossing_cell(const FineSegment& s, const FineSegment& t,
-                                       std::int64_t units_per_cell) {
-    if (std::max(s.a.x, s.b.x) < std::min(t.a.x, t.b.x) || std::max(t.a.x, t.b.x) < std::min(s.a.x, s.b.x) ||
-        std::max(s.a.y, s.b.y) < std::min(t.a.y, t.b.y) || std::max(t.a.y, t.b.y) < std::min(s.a.y, s.b.y))
-        return std::nullopt;
-    if (s.a == t.a || s.b == t.b || s.a == t.b || s.b == t.a) return std::nullopt;
-    const Int128 ux = s.b.x - s.a.x, uy = s.b.y - s.a.y, vx = t.b.x - t.a.x, vy = t.b.y - t.a.y;
-    const Int128 wx = t.a.x - s.a.x, wy = t.a.y - s.a.y;
-    Int128 denominator = ux * vy - uy * vx;
-    if (denominator == 0) return std::nullopt;
-    Int128 along_s = wx * vy - wy * vx, along_t = wx * uy - wy * ux;
-    if (denominator < 0) denominator = -denominator, along_s = -along_s, along_t = -along_t;
-    if (along_s < 0 || along_s > denominator || along_t < 0 || along_t > denominator) return std::nullopt;
-    const auto cell = [&](std::int64_t start, Int128 component) {
-        const Int128 numerator = along_s * component + (start + units_per_cell / 2) * denominator;
-        return static_cast<std::int64_t>(floor_division(numerator, denominator * units_per_cell));
-    };
-    return GridPoint{cell(s.a.x, ux), cell(s.a.y, uy)};
-}
-
-/// Floating-point filter: whether the line a-b certainly misses a square. True only when its distance from
-/// the centre exceeds that of every corner by more than the rounding error.
-bool certainly_misses(const GridPoint& a, const GridPoint& b, const GridPoint& middle, std::int64_t width) {
-    const auto dx = static_cast<double>(b.x - a.x), dy = static_cast<double>(b.y - a.y);
-    const double first = static_cast<double>(middle.x - a.x) * dy;
-    const double second = static_cast<double>(middle.y - a.y) * dx;
-    const double reach = (std::abs(dx) + std::abs(dy)) * static_cast<double>(width) / 2;
-    return std::abs(first - second) > reach * (1 + 1e-12) + 1e-14 * (std::abs(first) + std::abs(second));
-}
-
-/// Whether a closed segment meets the half-open square of even width around a point.
-bool intersects_square(const FineSegment& segment, const GridPoint& middle, std::int64_t width) {
-    const std::int64_t half = width / 2;
-    const std::int64_t left = middle.x - half, right = left + width;
-    const std::int64_t bottom = middle.y - half, top = bottom + width;
-    GridPoint a = segment.a, b = segment.b;
-    if (b < a) std::swap(a, b);
-    const std::int64_t low_y = std::min(a.y, b.y), high_y = std::max(a.y, b.y);
-    if (b.x < left || a.x >= right || high_y < bottom || low_y >= top) return false;
-    if (a.x == b.x || low_y == high_y) return true;
-    const auto holds = [&](const GridPoint& p) {
-        return p.x >= left && p.x < right && p.y >= bottom && p.y < top;
-    };
-    if (holds(a) || holds(b)) return true;
-    if (certainly_misses(a, b, middle, width)) return false;
-
-    const int lower_left = side_of(a, b, {left, bottom}), lower_right = side_of(a, b, {right, bottom});
-    const int upper_left = side_of(a, b, {left, top}), upper_right = side_of(a, b, {right, top});
-    const int lowest = std::min({lower_left, lower_right, upper_left, upper_right});
-    const int highest = std::max({lower_left, lower_right, upper_left, upper_right});
-    if (lowest < 0 && highest > 0 && b.x > left && a.x < right && high_y > bottom && low_y < top) return true;
-    // Left and bottom sides belong to the square. The segment runs from left to right.
-    if (a.x <= left && b.x >= left && lower_left <= 0 && upper_left > 0) return true;
-    const bool rises = a.y < b.y;
-    return low_y <= bottom && high_y >= bottom &&
-           (rises ? lower_left >= 0 && lower_right < 0 : lower_left <= 0 && lower_right > 0);
-}
-
-/// Whether a closed segment meets the half-open square of a cell.
-bool intersects_cell(const FineSegment& segment, const GridPoint& cell, std::int64_t units_per_cell) {
-    return intersects_square(segment, {cell.x * units_per_cell, cell.y * units_per_cell}, units_per_cell);
-}
 
 struct CellHash {
     std::size_t operator()(const GridPoint& p) const {
@@ -98,7 +21,9 @@ struct CellHash {
     }
 };
 
-std::vector<GridPoint> end_cells(SegmentSpan<const FineSegment> segments, std::int64_t units_per_cell) {
+/// The cells of all ends, sorted and distinct.
+std::vector<GridPoint> end_cells(SegmentSpan<const FineSegment> segments, std::int64_t units_per_cell,
+                                 const ThreadPool& pool) {
     std::vector<GridPoint> cells;
     cells.reserve(2 * segments.size());
     for (const FineSegment& s : segments) {
@@ -107,37 +32,45 @@ std::vector<GridPoint> end_cells(SegmentSpan<const FineSegment> segments, std::i
         if (cells.empty() || cells.back() != first) cells.push_back(first);
     }
     for (const FineSegment& s : segments) cells.push_back(cell_of(s.b, units_per_cell));
-    return cells;
-}
-
-void sort_distinct(std::vector<GridPoint>& cells) {
-    std::sort(cells.begin(), cells.end());
+    parallel_sort(pool, cells);
     cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
-}
-
-std::vector<GridPoint> crossing_cells(SegmentSpan<const FineSegment> segments, const BucketGrid& grid,
-                                      std::int64_t units_per_cell) {
-    std::vector<GridPoint> cells;
-    for (std::size_t bucket = 0; bucket < grid.bucket_count(); ++bucket) {
-        const auto near = grid.segments_of(bucket);
-        for (std::size_t i = 0; i < near.size(); ++i)
-            for (std::size_t j = i + 1; j < near.size(); ++j)
-                if (const auto cell = crossing_cell(segments[near[i]], segments[near[j]], units_per_cell))
-                    cells.push_back(*cell);
-    }
     return cells;
 }
 
-/// @param ends sorted and distinct. @return the union of ends and crossings, sorted and distinct.
-std::vector<GridPoint> with_crossings(std::vector<GridPoint> ends, std::vector<GridPoint> crossings) {
-    std::erase_if(crossings,
-                  [&](const GridPoint& c) { return std::binary_search(ends.begin(), ends.end(), c); });
-    if (crossings.empty()) return ends;
-    sort_distinct(crossings);
-    const auto middle = static_cast<std::ptrdiff_t>(ends.size());
-    ends.insert(ends.end(), crossings.begin(), crossings.end());
-    std::inplace_merge(ends.begin(), ends.begin() + middle, ends.end());
-    return ends;
+/// Appends the cells of the crossings of a bucket's segments that lie in the bucket. Two segments that cross
+/// are listed together in the bucket of their crossing's cell, so that each crossing is found once.
+void add_crossings(SegmentSpan<const FineSegment> segments, const BucketGrid& grid, std::size_t bucket,
+                   std::int64_t units_per_cell, std::vector<GridPoint>& cells) {
+    const auto near = grid.segments_of(bucket);
+    for (std::size_t i = 0; i < near.size(); ++i)
+        for (std::size_t j = i + 1; j < near.size(); ++j)
+            if (const auto cell = crossing_cell(segments[near[i]], segments[near[j]], units_per_cell);
+                cell && grid.bucket_of(centre_of(*cell, units_per_cell)) == bucket)
+                cells.push_back(*cell);
+}
+
+/// The cells of all crossings, sorted and distinct. Columns of buckets follow each other in x, and no cell
+/// has its centre in two of them.
+std::vector<GridPoint> crossing_cells(SegmentSpan<const FineSegment> segments, const BucketGrid& grid,
+                                      std::int64_t units_per_cell, const ThreadPool& pool) {
+    const auto collect = [&](std::size_t begin, std::size_t end, std::vector<GridPoint>& cells) {
+        for (std::size_t column = begin; column < end; ++column) {
+            const auto start = static_cast<std::ptrdiff_t>(cells.size());
+            for (std::size_t row = 0; row < grid.row_count(); ++row)
+                add_crossings(segments, grid, column * grid.row_count() + row, units_per_cell, cells);
+            std::sort(cells.begin() + start, cells.end());
+            cells.erase(std::unique(cells.begin() + start, cells.end()), cells.end());
+        }
+    };
+    return parallel_collect<GridPoint>(pool, grid.column_count(), collect);
+}
+
+/// The union of two sorted lists.
+PerCell<GridPoint> all_cells(std::span<const GridPoint> ends, std::span<const GridPoint> crossings) {
+    PerCell<GridPoint> cells;
+    cells.reserve(ends.size() + crossings.size());
+    std::set_union(ends.begin(), ends.end(), crossings.begin(), crossings.end(), std::back_inserter(cells));
+    return cells;
 }
 
 /// Flags the cells of a sorted list that touch another cell of the list at a side or a corner.
@@ -185,15 +118,21 @@ struct Hit {
     CellIndex cell;
 };
 
+/// The hot cells that segments pass through, ordered by cell. @param only_inner leaves out cells at whose
+/// centre the segment ends.
 std::vector<Hit> find_hits(SegmentSpan<const FineSegment> segments, CellSpan<const GridPoint> cells,
-                           const BucketGrid& grid, std::int64_t units_per_cell) {
-    std::vector<Hit> hits;
-    for (const CellIndex c : cells.indices()) {
-        const GridPoint centre{cells[c].x * units_per_cell, cells[c].y * units_per_cell};
-        for (const SegmentIndex s : grid.segments_of(grid.bucket_of(centre)))
-            if (intersects_cell(segments[s], cells[c], units_per_cell)) hits.push_back({s, c});
-    }
-    return hits;
+                           const BucketGrid& grid, std::int64_t units_per_cell, bool only_inner,
+                           const ThreadPool& pool) {
+    const auto collect = [&](std::size_t begin, std::size_t end, std::vector<Hit>& hits) {
+        for (const CellIndex c : indices<CellIndex>(begin, end)) {
+            const GridPoint centre = centre_of(cells[c], units_per_cell);
+            for (const SegmentIndex s : grid.segments_of(grid.bucket_of(centre))) {
+                if (only_inner && (segments[s].a == centre || segments[s].b == centre)) continue;
+                if (intersects_cell(segments[s], cells[c], units_per_cell)) hits.push_back({s, c});
+            }
+        }
+    };
+    return parallel_collect<Hit>(pool, cells.size(), collect);
 }
 
 /// Position of a cell's centre along a segment, scaled by the segment's length.
@@ -210,13 +149,13 @@ bool lies_between_ends(const FineSegment& s, const GridPoint& cell, std::int64_t
            distance < distance_along(s, cell_of(s.b, units_per_cell), units_per_cell);
 }
 
-/// Adds hits of segments that pass an end within an eighth of a cell but miss the end's cell. An end that
+/// The hits of segments that pass an end within an eighth of a cell but miss the end's cell. An end that
 /// near another joint is then joined to it, wherever the end lies in its cell.
-void add_hits_near_ends(SegmentSpan<const FineSegment> segments, CellSpan<const GridPoint> cells,
-                        const BucketGrid& grid, std::int64_t units_per_cell, std::vector<Hit>& hits) {
+std::vector<Hit> hits_near_ends(SegmentSpan<const FineSegment> segments, CellSpan<const GridPoint> cells,
+                                const BucketGrid& grid, std::int64_t units_per_cell, const ThreadPool& pool) {
     // Wider squares bend segments so far that an outline may overlap itself on coarse grids.
     const std::int64_t width = units_per_cell / 8 * 2;
-    const auto add = [&](SegmentIndex ending, const GridPoint& end) {
+    const auto add = [&](SegmentIndex ending, const GridPoint& end, std::vector<Hit>& hits) {
         for (const SegmentIndex s : grid.segments_of(grid.bucket_of(end))) {
             if (s == ending || !intersects_square(segments[s], end, width)) continue;
             const GridPoint cell = cell_of(end, units_per_cell);
@@ -227,16 +166,20 @@ void add_hits_near_ends(SegmentSpan<const FineSegment> segments, CellSpan<const 
             hits.push_back({s, found - cells.begin()});
         }
     };
-    for (const SegmentIndex k : segments.indices()) add(k, segments[k].a), add(k, segments[k].b);
+    return parallel_collect<Hit>(pool, segments.size(),
+                                 [&](std::size_t begin, std::size_t end, std::vector<Hit>& hits) {
+                                     for (const SegmentIndex k : indices<SegmentIndex>(begin, end))
+                                         add(k, segments[k].a, hits), add(k, segments[k].b, hits);
+                                 });
 }
 
-/// The cells that each segment passes through, unordered: those of segment k are [first[k], first[k + 1]).
+/// The cells that each segment passes through: those of segment k are [first[k], first[k + 1]).
 struct CellsOfSegments {
     PerSegment<std::int64_t> first;
     std::vector<CellIndex> cells;
 };
 
-/// The hits grouped by segment (counting sort).
+/// The hits grouped by segment (counting sort), otherwise in their order.
 CellsOfSegments group_by_segment(const std::vector<Hit>& hits, std::size_t segments) {
     CellsOfSegments result{PerSegment<std::int64_t>(segments + 1, 0), std::vector<CellIndex>(hits.size())};
     for (const Hit& hit : hits) ++result.first[hit.segment + 1];
@@ -246,55 +189,101 @@ CellsOfSegments group_by_segment(const std::vector<Hit>& hits, std::size_t segme
     return result;
 }
 
-/// Orders the hits along each segment. @param representative_of empty when no cells are merged.
-SnappedChains chains_of(SegmentSpan<const FineSegment> segments, PerCell<GridPoint> cells,
-                        const std::vector<Hit>& hits, std::int64_t units_per_cell,
+/// Orders the cells that each segment passes through along it.
+void order_along(SegmentSpan<const FineSegment> segments, CellSpan<const GridPoint> cells,
+                 std::int64_t units_per_cell, CellsOfSegments& near, const ThreadPool& pool) {
+    pool.parallel_for(segments.size(), [&](std::size_t begin, std::size_t end) {
+        std::vector<std::pair<Int128, CellIndex>> ordered;
+        for (const SegmentIndex k : indices<SegmentIndex>(begin, end)) {
+            const auto part = std::span(near.cells).subspan(near.first[k], near.first[k + 1] - near.first[k]);
+            ordered.clear();
+            for (const CellIndex c : part)
+                ordered.emplace_back(distance_along(segments[k], cells[c], units_per_cell), c);
+            // Cells come from left to right, as most segments pass through them.
+            if (std::is_sorted(ordered.begin(), ordered.end())) continue;
+            std::sort(ordered.begin(), ordered.end());
+            for (std::size_t i = 0; i < part.size(); ++i) part[i] = ordered[i].second;
+        }
+    });
+}
+
+/// The chains of cells along the segments, in which a cell stands for those merged with it.
+SnappedChains chains_of(CellsOfSegments near, PerCell<GridPoint> cells,
                         CellSpan<const CellIndex> representative_of) {
-    const CellsOfSegments near = group_by_segment(hits, segments.size());
     SnappedChains chains;
-    chains.first.reserve(segments.size() + 1);
-    chains.items.reserve(near.cells.size());
-    std::vector<std::pair<Int128, CellIndex>> ordered;
-    for (const SegmentIndex k : segments.indices()) {
-        ordered.clear();
-        for (std::int64_t i = near.first[k]; i < near.first[k + 1]; ++i) {
-            const CellIndex cell = near.cells[i];
-            ordered.emplace_back(distance_along(segments[k], cells[cell], units_per_cell), cell);
-        }
-        std::sort(ordered.begin(), ordered.end());
-        const std::size_t start = chains.items.size();
-        for (const auto& [distance, c] : ordered) {
-            const CellIndex cell = representative_of.empty() ? c : representative_of[c];
-            if (chains.items.size() == start || chains.items.back() != cell) chains.items.push_back(cell);
-        }
-        chains.first.push_back(chains.items.size());
-    }
     chains.cells = std::move(cells);
+    chains.first.reserve(near.first.size());
+    std::size_t kept = 0;
+    for (const SegmentIndex k : indices<SegmentIndex>(near.first.size() - 1)) {
+        const std::size_t start = kept;
+        for (std::int64_t i = near.first[k]; i < near.first[k + 1]; ++i) {
+            const CellIndex cell = representative_of[near.cells[i]];
+            if (kept == start || near.cells[kept - 1] != cell) near.cells[kept++] = cell;
+        }
+        chains.first.push_back(kept);
+    }
+    near.cells.resize(kept);
+    chains.items = std::move(near.cells);
     return chains;
+}
+
+/// The hits of bent segments, and of their ends, with these segments numbered anew in `bent`.
+std::vector<Hit> hits_of_bent(SegmentSpan<const FineSegment> segments, CellSpan<const GridPoint> cells,
+                              std::int64_t units_per_cell, std::vector<Hit> inner,
+                              std::vector<SegmentIndex>& bent) {
+    for (const Hit& hit : inner) bent.push_back(hit.segment);
+    std::sort(bent.begin(), bent.end());
+    bent.erase(std::unique(bent.begin(), bent.end()), bent.end());
+    for (Hit& hit : inner)
+        hit.segment = std::lower_bound(bent.begin(), bent.end(), hit.segment) - bent.begin();
+    for (std::size_t k = 0; k < bent.size(); ++k)
+        for (const GridPoint& end : {segments[bent[k]].a, segments[bent[k]].b}) {
+            const auto found = std::lower_bound(cells.begin(), cells.end(), cell_of(end, units_per_cell));
+            inner.push_back({k, found - cells.begin()});
+        }
+    return inner;
 }
 
 }  // namespace
 
-SnappedChains snap_round(SegmentSpan<const FineSegment> segments, std::int64_t units_per_cell,
-                         std::vector<GridPoint> ends) {
-    const BucketGrid grid(segments, units_per_cell);
-    PerCell<GridPoint> cells =
-        with_crossings(std::move(ends), crossing_cells(segments, grid, units_per_cell));
-    const std::vector<Hit> hits = find_hits(segments, cells, grid, units_per_cell);
-    return chains_of(segments, std::move(cells), hits, units_per_cell, {});
+BentSegments bend_segments(SegmentSpan<const FineSegment> segments, std::int64_t units_per_cell,
+                           std::span<const GridPoint> ends, const ThreadPool& pool) {
+    const BucketGrid grid(segments, units_per_cell, {}, pool);
+    std::vector<GridPoint> crossings = crossing_cells(segments, grid, units_per_cell, pool);
+    std::erase_if(crossings,
+                  [&](const GridPoint& c) { return std::binary_search(ends.begin(), ends.end(), c); });
+    PerCell<GridPoint> with_crossings;
+    if (!crossings.empty()) with_crossings = all_cells(ends, crossings);
+    const CellSpan<const GridPoint> cells =
+        crossings.empty() ? CellSpan<const GridPoint>(ends) : CellSpan<const GridPoint>(with_crossings);
+    const std::vector<Hit> inner = find_hits(segments, cells, grid, units_per_cell, true, pool);
+
+    BentSegments result;
+    if (inner.empty()) return result;
+    const std::vector<Hit> hits = hits_of_bent(segments, cells, units_per_cell, inner, result.segments);
+    PerSegment<FineSegment> lines;
+    for (const SegmentIndex k : result.segments) lines.push_back(segments[k]);
+    CellsOfSegments near = group_by_segment(hits, lines.size());
+    order_along(lines, cells, units_per_cell, near, pool);
+    result.chains.cells.assign(cells.begin(), cells.end());
+    result.chains.first = std::move(near.first);
+    result.chains.items = std::move(near.cells);
+    return result;
 }
 
 SnappedChains snap_round_merging_cells(SegmentSpan<const FineSegment> segments, std::int64_t units_per_cell,
-                                       std::span<const GridPoint> anchors) {
-    const BucketGrid grid(segments, units_per_cell);
-    std::vector<GridPoint> cells = end_cells(segments, units_per_cell);
-    const std::vector<GridPoint> crossings = crossing_cells(segments, grid, units_per_cell);
-    cells.insert(cells.end(), crossings.begin(), crossings.end());
-    sort_distinct(cells);
+                                       std::span<const GridPoint> anchors, const ThreadPool& pool) {
+    const BucketGrid grid(segments, units_per_cell, {}, pool);
+    PerCell<GridPoint> cells = all_cells(end_cells(segments, units_per_cell, pool),
+                                         crossing_cells(segments, grid, units_per_cell, pool));
     const PerCell<CellIndex> representative_of = representatives(cells, anchors);
-    std::vector<Hit> hits = find_hits(segments, cells, grid, units_per_cell);
-    add_hits_near_ends(segments, cells, grid, units_per_cell, hits);
-    return chains_of(segments, std::move(cells), hits, units_per_cell, representative_of);
+    std::vector<Hit> hits = find_hits(segments, cells, grid, units_per_cell, false, pool);
+    const std::vector<Hit> more = hits_near_ends(segments, cells, grid, units_per_cell, pool);
+    hits.insert(hits.end(), more.begin(), more.end());
+    CellsOfSegments near = group_by_segment(hits, segments.size());
+    hits = {};
+    order_along(segments, cells, units_per_cell, near, pool);
+    return chains_of(std::move(near), std::move(cells), representative_of);
 }
 
 }  // namespace rockslope::blockgen

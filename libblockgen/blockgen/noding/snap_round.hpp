@@ -6,6 +6,7 @@
 
 #include "blockgen/noding/grid.hpp"
 #include "blockgen/noding/indices.hpp"
+#include "common/base/thread_pool.hpp"
 
 namespace rockslope::blockgen {
 
@@ -28,19 +29,25 @@ struct SnappedChains {
     }
 };
 
-/// One round of snap rounding. A cell that contains an end or a crossing is hot; each segment becomes the
-/// chain of the hot cells that it passes through. Cell c covers [c - 1/2, c + 1/2) in both directions.
-/// Coordinates of the segments are below 2^40. Time is linear in the number of segments, crossings and chain
-/// items for evenly spread joints.
+/// The segments that a round of snap rounding bends, ascending, and their chains, one for each.
+struct BentSegments {
+    std::vector<SegmentIndex> segments;
+    SnappedChains chains;
+};
+
+/// One round of snap rounding of segments between the centres of cells. A cell that contains an end or a
+/// crossing is hot; a segment that passes through a further hot cell becomes the chain of the hot cells that
+/// it passes through. Cell c covers [c - 1/2, c + 1/2) in both directions. Coordinates of the segments are
+/// below 2^40. Time is linear in the number of segments, crossings and chain items for evenly spread joints.
 /// @param units_per_cell width of a cell in fine-grid units, even.
 /// @param ends the cells of all ends, sorted and distinct.
-SnappedChains snap_round(SegmentSpan<const FineSegment> segments, std::int64_t units_per_cell,
-                         std::vector<GridPoint> ends);
+BentSegments bend_segments(SegmentSpan<const FineSegment> segments, std::int64_t units_per_cell,
+                           std::span<const GridPoint> ends, const ThreadPool& pool);
 
-/// As snap_round(), with two additions. A segment also passes through the hot cell of an end that it passes
-/// within an eighth of a cell in x and y. Hot cells that touch are merged: the first in `anchors` is kept,
-/// otherwise the smallest.
+/// One round of snap rounding of segments that end anywhere, with two additions. A segment also passes
+/// through the hot cell of an end that it passes within an eighth of a cell in x and y. Hot cells that touch
+/// are merged: the first in `anchors` is kept, otherwise the smallest.
 SnappedChains snap_round_merging_cells(SegmentSpan<const FineSegment> segments, std::int64_t units_per_cell,
-                                       std::span<const GridPoint> anchors);
+                                       std::span<const GridPoint> anchors, const ThreadPool& pool);
 
 }  // namespace rockslope::blockgen

@@ -134,7 +134,7 @@ class BlockPicture {
 
     /// Line width, narrower when the blocks are small on the page.
     double line_width() const {
-        const double block_size = std::sqrt(size_summary(mesh_).d10) * axes_.scale();
+        const double block_size = std::sqrt(area_summary(block_areas(mesh_)).d10) * axes_.scale();
         return std::clamp(block_size / 16, 0.25, 1.2);
     }
 

@@ -98,7 +98,7 @@ Canvas draw_sizes(const BlockMesh& mesh, const PageStyle& style) {
     const std::vector<LegendEntry> entries = {
         {"fraction of the area", std::nullopt, Stroke{line_colour(0), 1.8}, true},
         {"fraction of the number", std::nullopt, Stroke{line_colour(1), 1.4}, true}};
-    const SizeSummary sizes = size_summary(mesh);
+    const AreaSummary sizes = area_summary(block_areas(mesh));
     Labels labels(upper_left, lower_right);
     const Point legend = is_wide ? Point{upper_left.x + 12, upper_left.y + 10} : Point{upper_left.x, below};
     draw_legend(canvas, legend, "Blocks up to this size", entries, lower_right.x - legend.x);

@@ -9,6 +9,7 @@
 #include "blockgen/report/changes.hpp"
 #include "blockgen/report/joint_balance.hpp"
 #include "blockgen/report/kinematics.hpp"
+#include "blockgen/report/topology.hpp"
 
 namespace rockslope::blockgen {
 
@@ -38,11 +39,12 @@ struct CutReport {
     bool area_proved = false;  ///< the areas of the blocks sum to domain_area in exact integers
     bool verified = false;     ///< an arrangement with exact construction has the same faces
     std::vector<ExcavationReport> excavations;
-    SizeSummary sizes;
-    SizeSummary free_sizes;  ///< of the blocks that are neither fixed nor prescribed
+    AreaSummary sizes;
+    AreaSummary free_sizes;  ///< of the blocks that are neither fixed nor prescribed
+    CornerSummary corners;
     ShapeSummary shapes;
     std::vector<JointBalance> joints;  ///< in the order of the model: traces, then sets
-    NodeCounts nodes;
+    Topology topology;
     TraceEnds trace_ends;
     std::optional<KinematicReport> kinematics;  ///< present if the model has [kinematics]
     std::vector<std::string> warnings;

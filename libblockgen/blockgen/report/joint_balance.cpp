@@ -2,37 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 #include <unordered_map>
 
 #include "blockgen/faces/cut_context.hpp"
 #include "blockgen/input/domain.hpp"
+#include "blockgen/input/trace_length.hpp"
 #include "blockgen/sampling/rock_domain.hpp"
 
 namespace rockslope::blockgen {
 
 namespace {
-
-double length_of(const Trace& trace) {
-    double length = 0;
-    for (std::size_t k = 0; k + 1 < trace.points.size(); ++k)
-        length +=
-            std::hypot(trace.points[k + 1].x - trace.points[k].x, trace.points[k + 1].y - trace.points[k].y);
-    return length;
-}
-
-/// The point at half the length of a trace.
-Point middle_of(const Trace& trace) {
-    double remaining = length_of(trace) / 2;
-    for (std::size_t k = 0; k + 1 < trace.points.size(); ++k) {
-        const Point &a = trace.points[k], &b = trace.points[k + 1];
-        const double length = std::hypot(b.x - a.x, b.y - a.y);
-        if (remaining <= length && length > 0)
-            return {a.x + remaining / length * (b.x - a.x), a.y + remaining / length * (b.y - a.y)};
-        remaining -= length;
-    }
-    return trace.points.back();
-}
 
 bool is_in_rock(const SlopeModel& model, const Point& p) {
     if (!is_in_outlines(model, p)) return false;
@@ -89,9 +70,8 @@ class NetworkMeasure {
             b.p20 /= area;
             b.p21 = (b.retained + b.pruned) / area;
             if (set != nullptr) set_targets(*set, b);
+            b.weighted_by_section = set != nullptr && set->orientation.weighted_by_section;
         }
-        count_nodes();
-        warn();
         return std::move(report_);
     }
 
@@ -186,7 +166,13 @@ class NetworkMeasure {
             (context_.block_of(forward_half(e)) == context_.block_of(backward_half(e)) ? lengths.pruned
                                                                                        : lengths.retained) +=
                 length;
-        if (left && right) sums_[row_[t]].add(v.x, v.y);
+        if (!left || !right) return;
+        sums_[row_[t]].add(v.x, v.y);
+        auto& classes = report_.joints[row_[t]].length_by_direction;
+        // Edges run from left to right, straight up ones upwards.
+        const double turn = std::atan2(v.y, v.x) / std::numbers::pi + 0.5;
+        classes[static_cast<std::size_t>(turn * static_cast<double>(classes.size())) % classes.size()] +=
+            length;
     }
 
     void add_trace(JointTraceIndex t) {
@@ -210,63 +196,6 @@ class NetworkMeasure {
         // This includes the length clipped at the domain's box.
         b.outside += std::max(lengths.outside, input - lengths.in_rock() - lengths.on_boundary);
         b.p20 += is_in_rock(context_.model, middle_of(context_.traces[t]));
-    }
-
-    void count_nodes() {
-        PerNode<unsigned char> branches(context_.noded.vertices.size(), 0),
-            at_face(context_.noded.vertices.size(), 0);
-        for (const EdgeIndex e : context_.noded.edges.indices()) {
-            const auto sources = context_.noded.sources_of(e);
-            const bool is_joint = std::any_of(sources.begin(), sources.end(), [&](const EdgeSource& s) {
-                return context_.table.is_joint(s.source);
-            });
-            const bool left = is_rock(forward_half(e)), right = is_rock(backward_half(e));
-            for (const NodeIndex v : {context_.noded.edges[e].first, context_.noded.edges[e].second}) {
-                if (left != right) at_face[v] = 1;
-                if (is_joint && left && right && branches[v] < 255) ++branches[v];
-            }
-        }
-        NodeCounts& n = report_.nodes;
-        for (const NodeIndex v : branches.indices()) {
-            if (branches[v] == 0) continue;
-            if (at_face[v])
-                ++n.edge;
-            else if (branches[v] != 2)
-                ++(branches[v] == 1 ? n.i : branches[v] == 3 ? n.y : n.x);
-        }
-    }
-
-    /// Warns of given traces without effect. Sampled sets fill the domain's box, so some of their traces
-    /// always lie outside the rock.
-    void warn() {
-        struct Dropped {
-            std::size_t points = 0, outside = 0, on_boundary = 0;
-        };
-        PerRow<Dropped> dropped(report_.joints.size());
-        const std::size_t given = std::min(context_.traces.size(), context_.model.traces.size());
-        for (const JointTraceIndex t : indices<JointTraceIndex>(given)) {
-            const TraceLengths& lengths = trace_lengths_[t];
-            Dropped& row = dropped[row_[t]];
-            if (lengths.in_rock() > 0) continue;
-            if (lengths.on_boundary > 0)
-                row.on_boundary += !context_.model.outline_of_traces;
-            else
-                ++(length_of(context_.traces[t]) < context_.noded.frame.step ? row.points : row.outside);
-        }
-        for (const RowIndex r : dropped.indices()) {
-            add_warning(r, dropped[r].points, "has no length on this grid and is dropped",
-                        "have no length on this grid and are dropped");
-            add_warning(r, dropped[r].outside, "lies outside the rock and is dropped",
-                        "lie outside the rock and are dropped");
-            add_warning(r, dropped[r].on_boundary, "runs along a free face only, which stays free",
-                        "run along a free face only, which stays free");
-        }
-    }
-
-    void add_warning(RowIndex row, std::size_t count, const std::string& one, const std::string& many) {
-        if (count > 0)
-            report_.warnings.push_back(std::to_string(count) + (count == 1 ? " trace" : " traces") + " of '" +
-                                       report_.joints[row].name + "' " + (count == 1 ? one : many));
     }
 
     CutContext context_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -25,18 +26,13 @@ struct JointBalance {
     double p20_target = 0;   ///< 1/m2
     double p21_target = 0;   ///< m/m2
     double count_target = 0;
-};
-
-/// Numbers of nodes of the joint network inside the rock, by the number of branches (Sanderson and Nixon
-/// 2015): tips (I), abutments (Y) and crossings (X); and of edge nodes, which lie on a free face.
-struct NodeCounts {
-    std::size_t i = 0, y = 0, x = 0, edge = 0;
+    /// Length in the rock, m, by classes of direction of 10 degrees, from -90 to 90.
+    std::array<double, 18> length_by_direction = {};
+    bool weighted_by_section = false;  ///< its planes were drawn as often as the section meets them
 };
 
 struct NetworkReport {
     std::vector<JointBalance> joints;  ///< in the order of the traces
-    NodeCounts nodes;
-    std::vector<std::string> warnings;  ///< given traces without effect, counted by name
 };
 
 /// Measures the joints after noding. The densities are averages over all rock, or over the rock in the set's

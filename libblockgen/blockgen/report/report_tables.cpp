@@ -57,8 +57,8 @@ void blocks_table(Page& page, const CutReport& r) {
     page.line("  width/length P10 to P90   %.3f, %.3f, %.3f", r.shapes.aspect.p10, r.shapes.aspect.p50,
               r.shapes.aspect.p90);
     page.line("  corners of a block        %.2f", r.shapes.mean_corners);
-    page.line("  smallest edge             %.4g m", r.sizes.smallest_edge);
-    page.line("  smallest angle            %.4g deg", r.sizes.smallest_angle * 180 / std::numbers::pi);
+    page.line("  smallest edge             %.4g m", r.corners.smallest_edge);
+    page.line("  smallest angle            %.4g deg", r.corners.smallest_angle * 180 / std::numbers::pi);
     page.line("  slivers                   %zu", r.slivers);
     page.line("  largest snap              %.3g m", r.largest_snap);
 }
@@ -92,6 +92,21 @@ void changes_table(Page& page, const CutReport& r) {
     }
 }
 
+/// Length by direction of the joints of each name.
+void directions_table(Page& page, const CutReport& r) {
+    if (r.joints.empty()) return;
+    page.line("\nDirections (m in the rock, from -90 to 90 deg by 10)");
+    for (const JointBalance& b : r.joints) {
+        std::string row;
+        for (const double length : b.length_by_direction) {
+            char text[32];
+            std::snprintf(text, sizeof text, " %.4g", length);
+            row += text;
+        }
+        page.line("  %s%s", padded(b.name).c_str(), row.c_str());
+    }
+}
+
 void joints_table(Page& page, const CutReport& r) {
     page.line("\nJoints (m)            traces      input   retained     pruned   free face    outside");
     for (const JointBalance& b : r.joints)
@@ -102,8 +117,16 @@ void joints_table(Page& page, const CutReport& r) {
         page.line("  %s%7.4g %8s   %10.4g %8s   %9.4g %8s", padded(b.name).c_str(), b.p10,
                   target_text(b.p10_target).c_str(), b.p20, target_text(b.p20_target).c_str(), b.p21,
                   target_text(b.p21_target).c_str());
-    page.line("\nNodes: %zu tips (I), %zu abutments (Y), %zu crossings (X), %zu at free faces", r.nodes.i,
-              r.nodes.y, r.nodes.x, r.nodes.edge);
+    directions_table(page, r);
+    for (const JointBalance& b : r.joints)
+        if (b.weighted_by_section)
+            page.line("  %sweighted by the chance that the section meets its planes (Terzaghi)",
+                      padded(b.name).c_str());
+    const NodeCounts& n = r.topology.nodes;
+    page.line("\nNodes: %zu tips (I), %zu abutments (Y), %zu crossings (X), %zu at free faces", n.i, n.y, n.x,
+              n.edge);
+    page.line("Network: %zu branches in %zu clusters, of which the largest has %.3g %% of the length",
+              r.topology.branches, r.topology.clusters, 100 * r.topology.largest_cluster);
 }
 
 void kinematics_table(Page& page, const KinematicReport& k) {

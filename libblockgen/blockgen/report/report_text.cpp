@@ -26,7 +26,7 @@ const char* label_of(BlockMode mode) {
 
 namespace {
 
-nlohmann::ordered_json areas_json(const SizeSummary& s) {
+nlohmann::ordered_json areas_json(const AreaSummary& s) {
     return {{"smallest", s.smallest_area},
             {"d10", s.d10},
             {"d50", s.d50},
@@ -78,17 +78,20 @@ nlohmann::ordered_json joints_json(const std::vector<JointBalance>& balances) {
         if (b.p20_target > 0) asked["p20_per_m2"] = b.p20_target;
         if (b.p21_target > 0) asked["p21_m_per_m2"] = b.p21_target;
         if (b.count_target > 0) asked["count"] = b.count_target;
-        joints.push_back({{"name", b.name},
-                          {"traces", b.traces},
-                          {"input_m", b.input},
-                          {"retained_m", b.retained},
-                          {"pruned_m", b.pruned},
-                          {"on_boundary_m", b.on_boundary},
-                          {"outside_m", b.outside},
-                          {"p10_per_m", b.p10},
-                          {"p20_per_m2", b.p20},
-                          {"p21_m_per_m2", b.p21},
-                          {"asked", asked}});
+        Json row = {{"name", b.name},
+                    {"traces", b.traces},
+                    {"input_m", b.input},
+                    {"retained_m", b.retained},
+                    {"pruned_m", b.pruned},
+                    {"on_boundary_m", b.on_boundary},
+                    {"outside_m", b.outside},
+                    {"p10_per_m", b.p10},
+                    {"p20_per_m2", b.p20},
+                    {"p21_m_per_m2", b.p21},
+                    {"length_by_direction_m", b.length_by_direction},
+                    {"asked", asked}};
+        if (b.weighted_by_section) row["weighting"] = "section";
+        joints.push_back(std::move(row));
     }
     return joints;
 }
@@ -104,46 +107,48 @@ nlohmann::ordered_json excavations_json(const std::vector<ExcavationReport>& exc
 
 std::string report_text(const CutReport& report) {
     using Json = nlohmann::ordered_json;
-    const SizeSummary& s = report.sizes;
-    Json root = {
-        {"blocks", report.blocks},
-        {"holes", report.holes},
-        {"islands", report.islands},
-        {"island_cuts", report.island_cuts},
-        {"filled_islands", report.merges.filled_islands},
-        {"small_blocks",
-         {{"found", report.merges.small_blocks},
-          {"merged", report.merges.merged_blocks},
-          {"merged_area_m2", report.merges.merged_area},
-          {"largest_merged_m2", report.merges.largest_merged},
-          {"kept", report.merges.kept_small}}},
-        {"interior_edges", report.interior_edges},
-        {"boundary_edges", report.boundary_edges},
-        {"slivers", report.slivers},
-        {"merged_vertices", report.merged_vertices},
-        {"noding_rounds", report.noding_rounds},
-        {"largest_snap_m", report.largest_snap},
-        {"domain_area_m2", report.domain_area},
-        {"area_proved", report.area_proved},
-        {"verified_exactly", report.verified},
-        {"block_area_m2", areas_json(s)},
-        {"free_block_area_m2", areas_json(report.free_sizes)},
-        {"roundness", deciles_json(report.shapes.roundness)},
-        {"aspect", deciles_json(report.shapes.aspect)},
-        {"mean_corners", report.shapes.mean_corners},
-        {"smallest_edge_m", s.smallest_edge},
-        {"smallest_angle_deg", s.smallest_angle * 180 / std::numbers::pi},
-        {"joints", joints_json(report.joints)},
-        {"nodes",
-         {{"i", report.nodes.i}, {"y", report.nodes.y}, {"x", report.nodes.x}, {"edge", report.nodes.edge}}},
-        {"trace_ends",
-         {{"moved_by_snap", report.trace_ends.joined.size()},
-          {"stop_short", report.trace_ends.near_misses.size()},
-          {"within_m", report.trace_ends.reach},
-          {"suggested_snap_m", report.trace_ends.suggested_snap}}},
-        {"excavations", excavations_json(report.excavations)},
-        {"changes", changes_json(report.changes)},
-        {"warnings", report.warnings}};
+    const AreaSummary& s = report.sizes;
+    const NodeCounts& n = report.topology.nodes;
+    Json root = {{"blocks", report.blocks},
+                 {"holes", report.holes},
+                 {"islands", report.islands},
+                 {"island_cuts", report.island_cuts},
+                 {"filled_islands", report.merges.filled_islands},
+                 {"small_blocks",
+                  {{"found", report.merges.small_blocks},
+                   {"merged", report.merges.merged_blocks},
+                   {"merged_area_m2", report.merges.merged_area},
+                   {"largest_merged_m2", report.merges.largest_merged},
+                   {"kept", report.merges.kept_small}}},
+                 {"interior_edges", report.interior_edges},
+                 {"boundary_edges", report.boundary_edges},
+                 {"slivers", report.slivers},
+                 {"merged_vertices", report.merged_vertices},
+                 {"noding_rounds", report.noding_rounds},
+                 {"largest_snap_m", report.largest_snap},
+                 {"domain_area_m2", report.domain_area},
+                 {"area_proved", report.area_proved},
+                 {"verified_exactly", report.verified},
+                 {"block_area_m2", areas_json(s)},
+                 {"free_block_area_m2", areas_json(report.free_sizes)},
+                 {"roundness", deciles_json(report.shapes.roundness)},
+                 {"aspect", deciles_json(report.shapes.aspect)},
+                 {"mean_corners", report.shapes.mean_corners},
+                 {"smallest_edge_m", report.corners.smallest_edge},
+                 {"smallest_angle_deg", report.corners.smallest_angle * 180 / std::numbers::pi},
+                 {"joints", joints_json(report.joints)},
+                 {"nodes", {{"i", n.i}, {"y", n.y}, {"x", n.x}, {"edge", n.edge}}},
+                 {"branches", report.topology.branches},
+                 {"clusters", report.topology.clusters},
+                 {"largest_cluster", report.topology.largest_cluster},
+                 {"trace_ends",
+                  {{"moved_by_snap", report.trace_ends.joined.size()},
+                   {"stop_short", report.trace_ends.near_misses.size()},
+                   {"within_m", report.trace_ends.reach},
+                   {"suggested_snap_m", report.trace_ends.suggested_snap}}},
+                 {"excavations", excavations_json(report.excavations)},
+                 {"changes", changes_json(report.changes)},
+                 {"warnings", report.warnings}};
     if (report.kinematics) root["kinematics"] = kinematics_json(*report.kinematics);
     return root.dump(2) + "\n";
 }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "blockgen/input/trace_length.hpp"
 #include "blockgen/sampling/rock_domain.hpp"
 #include "blockgen/sampling/set_sampler.hpp"
 
@@ -25,13 +26,11 @@ class StopRuleProgress {
     double contribution_of(const std::vector<Trace>& group, bool is_line) const {
         double sum = 0;
         for (const Trace& trace : group) {
-            const Point &a = trace.points[0], &b = trace.points[1];
-            const double length = std::hypot(b.x - a.x, b.y - a.y);
-            const double along = std::abs((b.x - a.x) * u_.x + (b.y - a.y) * u_.y);
             if (is_counted() && !is_line)
-                sum += rock_.contains({(a.x + b.x) / 2, (a.y + b.y) / 2});
-            else if (length > 0)
-                sum += rock_.length_in(a, b) * (set_.stop.measure == Measure::p10 ? along / length : 1);
+                sum += rock_.contains(middle_of(trace));
+            else
+                for (std::size_t k = 0; k + 1 < trace.points.size(); ++k)
+                    sum += measure_of(trace.points[k], trace.points[k + 1]);
         }
         return is_line && is_counted() ? sum > 0 : sum;
     }
@@ -42,10 +41,19 @@ class StopRuleProgress {
     }
     void add(double contribution) { sum_ += contribution; }
     bool is_met_with(double contribution) const { return sum_ + contribution >= target_; }
+    bool is_met() const { return sum_ > 0 && is_met_with(0); }
 
   private:
     bool is_counted() const {
         return set_.stop.measure == Measure::count || set_.stop.measure == Measure::p20;
+    }
+
+    /// What a piece of a trace adds to P21, or to P10.
+    double measure_of(const Point& a, const Point& b) const {
+        const double length = std::hypot(b.x - a.x, b.y - a.y);
+        if (!(length > 0)) return 0;
+        const double along = std::abs((b.x - a.x) * u_.x + (b.y - a.y) * u_.y);
+        return rock_.length_in(a, b) * (set_.stop.measure == Measure::p10 ? along / length : 1);
     }
 
     const JointSet& set_;
@@ -54,12 +62,15 @@ class StopRuleProgress {
     double target_ = 0, sum_ = 0;
 };
 
-/// Adds groups of traces in the order of their numbers until the stop rule is met.
+/// Adds groups of traces in the order of their numbers until, with the mapped traces, the stop rule is met.
 template <class Group>
 std::vector<Trace> sample_until_complete(SetSampler& sampler, const RockDomain& rock, bool lines,
-                                         const Group& group) {
+                                         const std::vector<Trace>& mapped, const Group& group) {
     StopRuleProgress progress(sampler.set(), rock);
+    // A mapped trace counts as a line of its own.
+    for (const Trace& trace : mapped) progress.add(progress.contribution_of({trace}, lines));
     std::vector<Trace> all;
+    if (progress.is_met()) return all;
     for (std::int64_t k = 0;; ++k) {
         sampler.count_draw();
         std::vector<Trace> traces = group(k);
@@ -83,11 +94,12 @@ Bounds baecher_window(const SetSampler& sampler) {
     return sampler.bounds().expanded(longest / 2);
 }
 
-std::vector<Trace> sample_baecher(SetSampler& sampler, const RockDomain& rock) {
+std::vector<Trace> sample_baecher(SetSampler& sampler, const RockDomain& rock,
+                                  const std::vector<Trace>& mapped) {
     const Distribution& length = *sampler.set().trace_length;
     const Bounds window = baecher_window(sampler);
     const RandomStream& draws = sampler.draws();
-    return sample_until_complete(sampler, rock, false, [&](std::int64_t k) {
+    return sample_until_complete(sampler, rock, false, mapped, [&](std::int64_t k) {
         const Point middle{window.low.x + draws.draw(draw_place, k, 0) * (window.high.x - window.low.x),
                            window.low.y + draws.draw(draw_place, k, 1) * (window.high.y - window.low.y)};
         const Point u = sampler.direction(k);
@@ -97,9 +109,10 @@ std::vector<Trace> sample_baecher(SetSampler& sampler, const RockDomain& rock) {
     });
 }
 
-std::vector<Trace> sample_veneziano(SetSampler& sampler, const RockDomain& rock) {
+std::vector<Trace> sample_veneziano(SetSampler& sampler, const RockDomain& rock,
+                                    const std::vector<Trace>& mapped) {
     // Lines through the circle around the box, at a uniformly distributed signed distance from its centre.
-    return sample_until_complete(sampler, rock, true, [&](std::int64_t k) {
+    return sample_until_complete(sampler, rock, true, mapped, [&](std::int64_t k) {
         const Point u = sampler.direction(k);
         const double shift = (2 * sampler.draws().draw(draw_place, k, 0) - 1) * sampler.radius();
         const Point middle{sampler.centre().x - shift * u.y, sampler.centre().y + shift * u.x};

@@ -1,6 +1,10 @@
 #include "blockgen/sampling/sample_joints.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <optional>
+#include <utility>
 
 #include "blockgen/sampling/expected_draws.hpp"
 #include "blockgen/sampling/rock_domain.hpp"
@@ -16,9 +20,9 @@ std::vector<Trace> sample(SetSampler& sampler, const std::optional<RockDomain>& 
         case SetKind::parallel:
             return sample_parallel(sampler);
         case SetKind::baecher:
-            return sample_baecher(sampler, *rock);
+            return sample_baecher(sampler, *rock, others);
         case SetKind::veneziano:
-            return sample_veneziano(sampler, *rock);
+            return sample_veneziano(sampler, *rock, others);
         case SetKind::cross_jointed:
             return sample_cross_joints(sampler, others);
         case SetKind::voronoi:
@@ -27,11 +31,53 @@ std::vector<Trace> sample(SetSampler& sampler, const std::optional<RockDomain>& 
     return {};
 }
 
+/// The rock that was not mapped, as a model: that without a tunnel of the mapped area.
+SlopeModel without_mapped_area(const SlopeModel& model, const JointSet& set) {
+    SlopeModel rest;
+    rest.grid = model.grid;
+    rest.outline = model.outline;
+    rest.further_outlines = model.further_outlines;
+    rest.holes = model.holes;
+    rest.holes_location = model.holes_location;
+    rest.tunnels = model.tunnels;
+    rest.tunnels.push_back({"mapped area", set.mapped_area, set.place});
+    return rest;
+}
+
+/// The pieces of traces outside the mapped area that are longer than a grid step.
+std::vector<Trace> outside_mapped_area(const std::vector<Trace>& traces, const Ring& area, double grid) {
+    std::vector<Trace> outside;
+    for (const Trace& trace : traces) {
+        const auto add = [&](const Point& a, const Point& b) {
+            if (std::hypot(b.x - a.x, b.y - a.y) > grid)
+                outside.push_back({trace.name, trace.joint_material, {a, b}});
+        };
+        Point from = trace.points[0];
+        for (const auto& [a, b] : clip_to_ring(from, trace.points[1], area)) {
+            add(from, a);
+            from = b;
+        }
+        add(from, trace.points[1]);
+    }
+    return outside;
+}
+
+/// Samples a set that fills up what was mapped: the rest of the rock where the mapped area is given.
+std::vector<Trace> sample_beside_mapped_area(SetSampler& sampler, const SlopeModel& model) {
+    const JointSet& set = sampler.set();
+    const SlopeModel rest = without_mapped_area(model, set);
+    std::optional<RockDomain> rock(std::in_place, rest, std::string());
+    if (!(rock->area() > 0)) return {};
+    check_expected_draws(sampler, &*rock, {});
+    return outside_mapped_area(sample(sampler, rock, {}), set.mapped_area, model.grid);
+}
+
 }  // namespace
 
 std::vector<Trace> sample_joint_set(const JointSet& set, const SlopeModel& model,
                                     const std::vector<Trace>& others, std::size_t max_draws) {
     SetSampler sampler(set, model, max_draws);
+    if (!set.mapped_area.empty()) return sample_beside_mapped_area(sampler, model);
     const bool measures_rock =
         set.kind == SetKind::baecher || set.kind == SetKind::veneziano || set.kind == SetKind::voronoi;
     std::optional<RockDomain> rock;
@@ -54,9 +100,10 @@ std::vector<Trace> all_traces(const SlopeModel& model, std::size_t max_blocks) {
     const std::size_t max_traces = max_draws_for(max_blocks) + traces.size();
     for (const JointSet& set : model.joint_sets) {
         std::vector<Trace> others;
-        if (set.kind == SetKind::cross_jointed)
+        const std::string& name = set.kind == SetKind::cross_jointed ? set.ends_on : set.conditioned_on;
+        if (!name.empty())
             std::copy_if(traces.begin(), traces.end(), std::back_inserter(others),
-                         [&](const Trace& trace) { return trace.name == set.ends_on; });
+                         [&](const Trace& trace) { return trace.name == name; });
         const std::size_t max_draws = max_traces - std::min(max_traces, traces.size());
         for (Trace& trace : sample_joint_set(set, model, others, max_draws))
             traces.push_back(std::move(trace));

@@ -17,7 +17,9 @@ constexpr std::size_t max_draws_for(std::size_t max_blocks) {
 
 /// Samples the traces of a joint set in the domain, or in the set's region. The draws depend on the seed and
 /// the set's name only, so editing one set does not change the others, except sets that end on it.
-/// @param others the traces at which joints of a cross-jointed set may end. @throws InputError when the set
+/// @param others the traces at which joints of a cross-jointed set may end, or the mapped traces to which a
+/// set adds until it has its density. In a mapped area nothing is added, and the density is that of the rest.
+/// @throws InputError when the set
 /// needs more than `max_draws` lines and traces; before sampling if its statistics show it.
 std::vector<Trace> sample_joint_set(const JointSet& set, const SlopeModel& model,
                                     const std::vector<Trace>& others = {},

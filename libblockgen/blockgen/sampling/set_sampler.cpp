@@ -24,8 +24,17 @@ SetSampler::SetSampler(const JointSet& set, const SlopeModel& model, std::size_t
 }
 
 Point SetSampler::direction(std::int64_t line) const {
-    const double angle =
-        set_.orientation.draw(draws_.draw(draw_direction, line, 0), draws_.draw(draw_direction, line, 1));
+    const Orientation& orientation = set_.orientation;
+    const auto number = [&](std::uint64_t k) { return draws_.draw(draw_direction, line, k); };
+    double angle = orientation.draw(number(0), number(1));
+    if (orientation.weighted_by_section) {
+        // Planes are drawn until the section meets one. The limit is reached only by sets parallel to it.
+        constexpr std::uint64_t most_planes = 100'000;
+        Pole pole = orientation.draw_pole(number(0), number(1));
+        for (std::uint64_t k = 1; k < most_planes && number(3 * k - 1) > section_chance(pole); ++k)
+            pole = orientation.draw_pole(number(3 * k), number(3 * k + 1));
+        angle = trace_angle(pole);
+    }
     return {std::cos(angle), std::sin(angle)};
 }
 

@@ -90,10 +90,12 @@ Bounds baecher_window(const SetSampler& sampler);
 /// Window for the points of a Voronoi set: the box, widened by ten cells, so that all cells in the box are
 /// bounded.
 Bounds voronoi_window(const SetSampler& sampler, double rock_area);
-/// Random traces or lines until the measure of the stop rule is as near to its target as possible.
-/// @param rock the rock in which areas and lengths are measured.
-std::vector<Trace> sample_baecher(SetSampler& sampler, const class RockDomain& rock);
-std::vector<Trace> sample_veneziano(SetSampler& sampler, const class RockDomain& rock);
+/// Random traces or lines until the measure of the stop rule, with that of mapped traces, is as near to its
+/// target as possible. @param rock the rock in which areas and lengths are measured.
+std::vector<Trace> sample_baecher(SetSampler& sampler, const class RockDomain& rock,
+                                  const std::vector<Trace>& mapped);
+std::vector<Trace> sample_veneziano(SetSampler& sampler, const class RockDomain& rock,
+                                    const std::vector<Trace>& mapped);
 /// @param others the traces at which the joints may end.
 std::vector<Trace> sample_cross_joints(SetSampler& sampler, const std::vector<Trace>& others);
 std::vector<Trace> sample_voronoi(SetSampler& sampler, const class RockDomain& rock);

@@ -58,15 +58,30 @@ bool is_special(const fs::path& path) {
     return fs::exists(status) && !fs::is_regular_file(status);
 }
 
-void write_in_place(const fs::path& path, std::string_view content) {
-    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
-    if (descriptor < 0) cannot_write(path);
-    const bool is_written = write_all(descriptor, content);
-    const int reason = errno;
-    const bool is_closed = ::close(descriptor) == 0;
-    if (!is_written) errno = reason;
-    if (!is_written || !is_closed) cannot_write(path);
-}
+/// Writes to an existing file, terminal, pipe or device, and closes it.
+class FileInPlace {
+  public:
+    explicit FileInPlace(const fs::path& path)
+        : path_(path), descriptor_(::open(path.c_str(), O_WRONLY | O_CLOEXEC)) {
+        if (descriptor_ < 0) cannot_write(path_);
+    }
+    ~FileInPlace() {
+        if (descriptor_ >= 0) ::close(descriptor_);
+    }
+    FileInPlace(const FileInPlace&) = delete;
+    FileInPlace& operator=(const FileInPlace&) = delete;
+
+    void append(std::string_view bytes) const {
+        if (!write_all(descriptor_, bytes)) cannot_write(path_);
+    }
+    void close() {
+        if (::close(std::exchange(descriptor_, -1)) != 0) cannot_write(path_);
+    }
+
+  private:
+    const fs::path& path_;
+    int descriptor_;
+};
 
 /// Waits until the names in a folder are on the disk. Not every file system can do this for a folder.
 bool sync_folder(const fs::path& folder) {
@@ -109,9 +124,19 @@ void PendingFile::put_in_place() {
 }
 
 void write_file_atomically(const fs::path& path, std::string_view content) {
-    if (is_special(path)) return write_in_place(path, content);
+    write_pieces_atomically(path, [&](FunctionRef<void(std::string_view)> append) { append(content); });
+}
+
+void write_pieces_atomically(const fs::path& path,
+                             FunctionRef<void(FunctionRef<void(std::string_view)>)> write_pieces) {
+    if (is_special(path)) {
+        FileInPlace file(path);
+        write_pieces([&](std::string_view bytes) { file.append(bytes); });
+        file.close();
+        return;
+    }
     PendingFile file(path);
-    file.append(content);
+    write_pieces([&](std::string_view bytes) { file.append(bytes); });
     file.put_in_place();
 }
 

@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <string_view>
 
+#include "common/base/function_ref.hpp"
+
 namespace rockslope {
 
 /// A file that takes a name when it is complete. Until then it has a random name in the same folder, which no
@@ -37,6 +39,11 @@ class PendingFile {
 /// regular file (a terminal, a pipe, a device) is written to directly.
 /// @throws OutputError with the path and the system's reason (not writable, disk full, no such directory).
 void write_file_atomically(const std::filesystem::path& path, std::string_view content);
+
+/// As above, from pieces, so that the whole content need not be in memory: write_pieces(append) calls append
+/// with one piece after the other.
+void write_pieces_atomically(const std::filesystem::path& path,
+                             FunctionRef<void(FunctionRef<void(std::string_view)> append)> write_pieces);
 
 /// Removes the files that killed programs left in a folder under the random names of a PendingFile. No other
 /// program may be writing there.

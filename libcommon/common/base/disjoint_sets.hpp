@@ -1,17 +1,18 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <numeric>
 #include <utility>
 #include <vector>
 
 namespace rockslope {
 
-/// Union-find with path halving. The root of a set is its smallest member.
+/// Union-find with path halving, of fewer than 2^32 members. The root of a set is its smallest member.
 class DisjointSets {
   public:
     explicit DisjointSets(std::size_t size) : parent_(size) {
-        std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+        std::iota(parent_.begin(), parent_.end(), std::uint32_t{0});
     }
 
     /// The member that represents the set of `k`.
@@ -25,12 +26,12 @@ class DisjointSets {
         j = root(j);
         if (i == j) return false;
         if (j < i) std::swap(i, j);
-        parent_[j] = i;
+        parent_[j] = static_cast<std::uint32_t>(i);
         return true;
     }
 
   private:
-    std::vector<std::size_t> parent_;
+    std::vector<std::uint32_t> parent_;
 };
 
 }  // namespace rockslope

@@ -169,8 +169,9 @@ class Planner {
             }
         study_.cuts.push_back({address, settings});
         if (!sample_file_.empty()) return;
-        const blockgen::CutResult result = blockgen::cut_blocks(
-            slope.model, blockgen::all_traces(slope.model, most_sample_blocks), {most_sample_blocks, false});
+        const blockgen::CutResult result =
+            blockgen::cut_blocks(slope.model, blockgen::all_traces(slope.model, most_sample_blocks),
+                                 {.max_blocks = most_sample_blocks, .full_report = false});
         blockgen::write_block_file(sample_.path(), result.mesh);
         sample_file_ = sample_.path();
     }

@@ -223,10 +223,10 @@ TEST(DegenerateGeometry, NodesAndDensities) {
     add_trace(model, {{8, -3}, {8, 5}}, "short");  // abuts and reaches the rim; its middle lies in the rock
     const CutReport report = cut(model).report;
     EXPECT_EQ(report.blocks, 3u);
-    EXPECT_EQ(report.nodes.i, 3u);
-    EXPECT_EQ(report.nodes.y, 2u);
-    EXPECT_EQ(report.nodes.x, 1u);
-    EXPECT_EQ(report.nodes.edge, 3u);
+    EXPECT_EQ(report.topology.nodes.i, 3u);
+    EXPECT_EQ(report.topology.nodes.y, 2u);
+    EXPECT_EQ(report.topology.nodes.x, 1u);
+    EXPECT_EQ(report.topology.nodes.edge, 3u);
     ASSERT_EQ(report.joints.size(), 2u);
     EXPECT_NEAR(report.joints[0].p10, 0.1, 1e-6);
     EXPECT_NEAR(report.joints[0].outside, 2, 1e-6);

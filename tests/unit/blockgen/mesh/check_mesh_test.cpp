@@ -105,10 +105,10 @@ TEST(Measures, OfASquareWithAHole) {
     EXPECT_DOUBLE_EQ(block_perimeter(mesh, 0), 20);
     // First moment of the square minus that of the hole: (16 * 2 - 1 * 1.5) / 15.
     EXPECT_NEAR(block_centroid(mesh, 0).x, 30.5 / 15, 1e-14);
-    const SizeSummary sizes = size_summary(mesh);
-    EXPECT_DOUBLE_EQ(sizes.smallest_edge, 1);
-    EXPECT_NEAR(sizes.smallest_angle, std::numbers::pi / 2, 1e-14);
-    EXPECT_DOUBLE_EQ(sizes.d50, 15);
+    const CornerSummary corners = corner_summary(mesh);
+    EXPECT_DOUBLE_EQ(corners.smallest_edge, 1);
+    EXPECT_NEAR(corners.smallest_angle, std::numbers::pi / 2, 1e-14);
+    EXPECT_DOUBLE_EQ(area_summary(block_areas(mesh)).d50, 15);
 }
 
 TEST(Measures, FarFromTheOriginKeepTheirDigits) {

@@ -15,7 +15,7 @@ double pairs_per_segment(std::int64_t columns, std::int64_t spacing, std::int64_
                 {{i * spacing, j * spacing}, {i * spacing + length, j * spacing + length / 3}});
     const BucketGrid grid(segments, 1);
     double pairs = 0;
-    for (std::size_t b = 0; b < grid.bucket_count(); ++b) {
+    for (std::size_t b = 0; b < grid.column_count() * grid.row_count(); ++b) {
         const auto near = static_cast<double>(grid.segments_of(b).size());
         pairs += near * (near - 1) / 2;
     }

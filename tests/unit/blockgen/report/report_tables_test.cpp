@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "blockgen/picture/block_picture.hpp"
+#include "blockgen/picture/rose_picture.hpp"
 #include "unit/blockgen/slopes.hpp"
 
 namespace rockslope::blockgen::report_tables_test {
@@ -29,9 +30,32 @@ TEST(ReportTables, AgreeWithTheJsonReport) {
     EXPECT_THAT(tables, HasSubstr("1 abutments (Y)"));
     EXPECT_THAT(tables, HasSubstr("enclosed                 3"));
     EXPECT_THAT(tables, HasSubstr("1 trace of 'stray' lies outside the rock"));
+    EXPECT_THAT(tables, HasSubstr("Directions"));
     EXPECT_THAT(json, HasSubstr("\"mean_corners\": 4.333"));
     EXPECT_THAT(json, HasSubstr("\"aspect\""));
     EXPECT_THAT(json, HasSubstr("\"enclosed\": 3"));
+}
+
+TEST(LengthByDirection, AddsUpToTheLengthInTheRock) {
+    const std::vector<JointBalance> joints = sample().report.joints;
+    for (const JointBalance& b : joints) {
+        double sum = 0;
+        for (const double length : b.length_by_direction) sum += length;
+        EXPECT_NEAR(sum, b.retained + b.pruned, 1e-9) << b.name;
+    }
+    // The horizontal bedding is in the class from 0 to 10 degrees, a vertical joint in that from -90.
+    EXPECT_NEAR(joints[0].length_by_direction[9], 8, 1e-9);
+    EXPECT_NEAR(joints[1].length_by_direction[0], 2, 1e-9);
+}
+
+TEST(Pictures, DrawARoseOfTheSetsThatThereAre) {
+    const std::vector<JointBalance> joints = sample().report.joints;
+    std::vector<RoseSet> sets;
+    EXPECT_LT(draw_rose(sets).bytes(PictureFormat::svg).size(), 1000u);
+    for (const JointBalance& b : joints) sets.push_back({b.name, b.length_by_direction});
+    const std::string rose = draw_rose(sets).bytes(PictureFormat::svg);
+    EXPECT_EQ(rose, draw_rose(sets).bytes(PictureFormat::svg));
+    for (const char* text : {"bedding", "cross", "-60\u00b0", "80 %"}) EXPECT_THAT(rose, HasSubstr(text));
 }
 
 TEST(Pictures, DrawSizesAndALayer) {

@@ -52,7 +52,7 @@ TEST(CrossJoints, EndOnTheBedding) {
     // Each cross joint separates two blocks of one bed, so no joint is pruned.
     const CutResult result = cut(model);
     EXPECT_LT(result.report.joints[1].pruned, 1e-6 * result.report.joints[1].retained);
-    EXPECT_EQ(result.report.nodes.i, 0u);
+    EXPECT_EQ(result.report.topology.nodes.i, 0u);
     EXPECT_EQ(result.report.slivers, 0u);
 }
 

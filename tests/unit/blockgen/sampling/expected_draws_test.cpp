@@ -31,8 +31,8 @@ Draws draws_of(const std::string& keys) {
     Draws draws{expected_draws(sampler, &rock, model.traces), 0};
     if (set.kind == SetKind::parallel) sample_parallel(sampler);
     if (set.kind == SetKind::cross_jointed) sample_cross_joints(sampler, model.traces);
-    if (set.kind == SetKind::baecher) sample_baecher(sampler, rock);
-    if (set.kind == SetKind::veneziano) sample_veneziano(sampler, rock);
+    if (set.kind == SetKind::baecher) sample_baecher(sampler, rock, {});
+    if (set.kind == SetKind::veneziano) sample_veneziano(sampler, rock, {});
     if (set.kind == SetKind::voronoi) sample_voronoi(sampler, rock);
     draws.needed = static_cast<double>(sampler.draw_count());
     return draws;

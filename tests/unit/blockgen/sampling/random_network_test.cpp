@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "blockgen/input/trace_length.hpp"
 #include "blockgen/sampling/rock_domain.hpp"
 #include "common/base/input_error.hpp"
 #include "unit/blockgen/slopes.hpp"
@@ -37,10 +38,6 @@ double length_in(const RockDomain& rock, const std::vector<Trace>& traces) {
     double length = 0;
     for (const Trace& t : traces) length += rock.length_in(t.points[0], t.points[1]);
     return length;
-}
-
-double length_of(const Trace& t) {
-    return std::hypot(t.points[1].x - t.points[0].x, t.points[1].y - t.points[0].y);
 }
 
 TEST(RockDomain, ExcludesCavities) {

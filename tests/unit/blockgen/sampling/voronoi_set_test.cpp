@@ -51,8 +51,9 @@ TEST(Voronoi, CellsFillTheDomain) {
     // times its length over the cell size of 1.55 m.
     EXPECT_NEAR(static_cast<double>(result.mesh.block_count()), 1000 + 0.7 * 200 / 1.55, 3 * std::sqrt(1000));
     EXPECT_LT(result.report.joints[0].pruned, 1e-4);
-    EXPECT_EQ(result.report.nodes.i, 0u);
-    EXPECT_LT(static_cast<double>(result.report.nodes.x), 0.01 * static_cast<double>(result.report.nodes.y));
+    EXPECT_EQ(result.report.topology.nodes.i, 0u);
+    EXPECT_LT(static_cast<double>(result.report.topology.nodes.x),
+              0.01 * static_cast<double>(result.report.topology.nodes.y));
     // Poisson-Voronoi edges have the length 2 sqrt(density) per area (Meijering 1953): 1.2910 1/m.
     EXPECT_NEAR(result.report.joints[0].p21, 2 * std::sqrt(1000 / 2400.0), 0.04);
 }
