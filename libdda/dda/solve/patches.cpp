@@ -89,8 +89,9 @@ void Patches::set_core(RowIndex row) {
     };
     patch_.clear();
     add(row);
-    for (std::size_t k = 0; k < patch_.size(); ++k) {
-        for_neighbours(patch_[k], [&](RowIndex other) {
+    std::size_t next = 0;
+    while (next < patch_.size()) {
+        for_neighbours(patch_[next++], [&](RowIndex other) {
             if (is_unbalanced_[other] != 0 && patch_.size() < core_size) add(other);
         });
     }
