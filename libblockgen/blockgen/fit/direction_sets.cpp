@@ -87,7 +87,8 @@ std::optional<Mixture> fit_mixture(const std::vector<double>& directions, const 
     constexpr double start_sd = 8 * pi / 180;
     Mixture mixture;
     for (std::size_t k = 0; k < count; ++k) {
-        const double offset = (static_cast<double>(k / std::max<std::size_t>(peaks.size(), 1)) * 0.3);
+        const std::size_t round_of_peaks = k / std::max<std::size_t>(peaks.size(), 1);
+        const double offset = 0.3 * static_cast<double>(round_of_peaks);
         const double start = peaks.empty() ? 0 : peaks[k % peaks.size()];
         mixture.sets.push_back({1 / static_cast<double>(count), start + offset, start_sd});
     }

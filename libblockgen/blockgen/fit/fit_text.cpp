@@ -73,7 +73,7 @@ std::string law_text(Law law, double mean, const std::optional<Estimate>& sd) {
 }
 
 std::string angle_text(const FittedSet& set) {
-    const std::string mean = "\"" + number_of_degrees(set.direction.value * degrees) + " deg\"";
+    std::string mean = "\"" + number_of_degrees(set.direction.value * degrees) + " deg\"";
     if (set.scatter.value < least_scatter) return mean;
     return "{ law = \"normal\", mean = " + mean + ", sd = \"" +
            number_of_degrees(set.scatter.value * degrees) + " deg\" }";

@@ -72,7 +72,10 @@ double depth_inside(const Outline& block, const Point& p) {
 void find_inner_point(Outline& block) {
     const Edge& e = block.edges.front();
     const double length = std::hypot(e.b.x - e.a.x, e.b.y - e.a.y);
-    for (double step = block.size / 2; step > 1e-3 * block.size; step /= 2) {
+    constexpr int halvings = 9;
+    double step = block.size;
+    for (int k = 0; k < halvings; ++k) {
+        step /= 2;
         const Point p{(e.a.x + e.b.x) / 2 - step * (e.b.y - e.a.y) / length,
                       (e.a.y + e.b.y) / 2 + step * (e.b.x - e.a.x) / length};
         const double found = depth_inside(block, p);
