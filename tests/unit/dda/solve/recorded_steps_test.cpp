@@ -7,6 +7,7 @@
 #include <Eigen/SparseLU>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -133,8 +134,13 @@ TEST(RecordedSteps, AreSolvedByPatchesAndAFewLinearSolutions) {
     const auto folder = external_data("contact-steps");
     if (!folder) GTEST_SKIP() << external_data_missing("contact-steps");
     std::vector<std::filesystem::path> files;
+#if defined(__SANITIZE_ADDRESS__)
+    constexpr std::uintmax_t largest = 250'000;  // the larger ones take a minute and a half
+#else
+    constexpr std::uintmax_t largest = 10'000'000;
+#endif
     for (const auto& entry : std::filesystem::directory_iterator(*folder))
-        if (entry.path().extension() == ".xz") files.push_back(entry.path());
+        if (entry.path().extension() == ".xz" && entry.file_size() < largest) files.push_back(entry.path());
     std::sort(files.begin(), files.end());
     ASSERT_FALSE(files.empty());
     constexpr int allowed = 15;
