@@ -23,12 +23,7 @@ using namespace rockslope::dda;
 using recorded_step::RecordedStep;
 using Sparse = Eigen::SparseMatrix<double>;
 
-/// The coupled system of given pieces: its matrix, and the unbalanced forces without a displacement.
-struct Tangent {
-    Sparse matrix;
-    Eigen::VectorXd load;
-};
-
+/// The displacements of a recorded step, solved for anew.
 class Solution {
   public:
     explicit Solution(const RecordedStep& recorded) : recorded_(recorded), step_(recorded.step()) {
@@ -42,8 +37,8 @@ class Solution {
             solve(pieces);
             const double tolerance = recorded_.tolerance(largest_force());
             if (unbalanced() < tolerance) return pass;
-            borders_ += patches_.relax(step_, {tolerance, pass == 1 ? 0 : 0.02, length}, displacement_,
-                                       ThreadPool(1));
+            patch_count_ += patches_.relax(step_, {tolerance, pass == 1 ? 0 : 0.02, length}, displacement_,
+                                           ThreadPool(1));
             for (std::size_t k = 0; k < pieces.size(); ++k) {
                 const LimitedContact& c = step_.contacts[k];
                 if (c.may_close) pieces[k] = c.piece_at(c.elastic_at(displacement_));
@@ -51,10 +46,10 @@ class Solution {
         }
         return allowed + 1;
     }
-    int patches() const { return borders_; }
+    int patches() const { return patch_count_; }
 
   private:
-    /// Calls visit(contact, gradients of opening and shear displacement by the rows of the contact).
+    /// Sets the displacement to the solution of the coupled linear system of given pieces.
     void solve(const std::vector<Piece>& pieces) {
         std::vector<Eigen::Triplet<double>> entries;
         const auto size = static_cast<Eigen::Index>(6 * displacement_.size());
@@ -127,7 +122,7 @@ class Solution {
     LimitedStep step_;
     Patches patches_;
     std::vector<Vec6> displacement_;
-    int borders_ = 0;
+    int patch_count_ = 0;
 };
 
 TEST(RecordedSteps, AreSolvedByPatchesAndAFewLinearSolutions) {
