@@ -141,26 +141,29 @@ class Slope {
 };
 
 // V21. From the top down, each block needs the larger of the forces that prevent toppling and sliding. At the
-// limit the toe block needs no force. The recursion reproduces the 38.152 degrees of the table.
+// limit the toe block needs no force. The recursion reproduces the 38.152 degrees of the table. The forces
+// are those of the limit only near it: 0.1° above it the friction is no longer full, and the state in which
+// the slope was settled moves them by 6 %. 0.02° above it they differ by 1 to 3 %.
 TEST(LongToppling, FailsAtTheFrictionOfGoodmanAndBray) {
+    constexpr double margin = .02;
     const double critical = critical_friction();
     EXPECT_NEAR(critical, 38.152, 1e-3);
     Slope slope;
     ASSERT_FALSE(slope.holds(critical - 1));
     ASSERT_TRUE(slope.holds(critical + 1));
     const double found =
-        threshold(critical - 1, critical + 1, 4, [&](double phi) { return slope.holds(phi); });
-    Case limit("V21", "sixteen blocks", "required; found by halving to 0.13°");
+        threshold(critical - 1, critical + 1, 7, [&](double phi) { return slope.holds(phi); });
+    Case limit("V21", "sixteen blocks", "required; found by halving to 0.02°");
     limit.contact_frequency_step(slope.frequency_step);
     limit.expect("φ at the limit", "°", found, critical, absolute(1));
 
-    ASSERT_TRUE(slope.holds(found + .1));
+    ASSERT_TRUE(slope.holds(found + margin));
     const LimitEquilibrium expected(.7855);
     EXPECT_NEAR(expected.force[7], 4837.0e3, 1e3);
-    Case forces("V21", "sixteen blocks, 0.1° above the limit found",
+    Case forces("V21", "sixteen blocks, 0.02° above the limit found",
                 "required of the table; blocks 14 to 16 stand by themselves");
     forces.contact_frequency_step(slope.frequency_step);
-    expect_energy_balance("V21", "sixteen blocks, 0.1° above the limit found", *slope.energy,
+    expect_energy_balance("V21", "sixteen blocks, 0.02° above the limit found", *slope.energy,
                           slope.frequency_step);
     const std::string indeterminate =
         "Blocks 1 to 3 slide together, so nothing makes the friction on the faces between them full, as the "
@@ -182,12 +185,12 @@ TEST(LongToppling, FailsAtTheFrictionOfGoodmanAndBray) {
     for (const int n : {4, 3, 2}) {
         const auto k = static_cast<std::size_t>(n);
         forces.inform("share of the friction borne by the lower face of block " + std::to_string(n), "",
-                      std::abs(slope.shear[k]) / (slope.force[k] * std::tan(radians(found + .1))), 1);
+                      std::abs(slope.shear[k]) / (slope.force[k] * std::tan(radians(found + margin))), 1);
     }
     for (const int n : {14, 15, 16})
         forces.expect_below("force below block " + std::to_string(n), "kN", slope.force[n] / 1e3, 1);
     Curve limit_forces{"limit equilibrium", {}, {}};
-    Curve engine_forces{"engine, 0.1° above its limit", {}, {}};
+    Curve engine_forces{"engine, 0.02° above its limit", {}, {}};
     for (int n = 1; n <= count; ++n) {
         const auto k = static_cast<std::size_t>(n);
         limit_forces.x.push_back(n);
