@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <utility>
 
 #include "dda/analysis/joint_motion.hpp"
@@ -276,8 +277,10 @@ TrialContacts::ForceChange TrialContacts::force_change() {
         for (const ContactIndex k : indices<ContactIndex>(begin, end)) {
             const Forces law = current_forces(k);
             const Forces& linear = trials_[k].linear;
-            const double difference =
-                std::max(std::abs(law.normal - linear.normal), std::abs(law.shear - linear.shear));
+            const double normal = std::abs(law.normal - linear.normal);
+            const double shear = std::abs(law.shear - linear.shear);
+            const double difference = std::isfinite(normal + shear) ? std::max(normal, shear)
+                                                                    : std::numeric_limits<double>::infinity();
             found.force = std::max({found.force, std::abs(law.normal), std::abs(law.shear)});
             if (difference > found.change.largest) found.change = {difference, k};
         }

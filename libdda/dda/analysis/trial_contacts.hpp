@@ -158,9 +158,11 @@ class TrialContacts {
     bool has_cohesion(ContactIndex k) const {
         return has_cohesion_[p_.contacts[k].joint_material] != 0 && p_.contacts[k].length > 0;
     }
-    /// Whether the cohesion of a contact acts in this step, Eq. (75): it was closed at the step's start, and
-    /// no bond of its has broken since.
-    bool coheres(ContactIndex k) const { return trials_[k].coheres && !trials_[k].bond_broken; }
+    /// Whether the cohesion of a contact acts in this step, Eq. (75): it was closed at the step's start, it
+    /// may close, and no bond of its has broken since.
+    bool coheres(ContactIndex k) const {
+        return trials_[k].coheres && may_close(k) && !trials_[k].bond_broken;
+    }
     bool is_bonded(ContactIndex k) const { return p_.contacts[k].bonded && !trials_[k].bond_broken; }
     /// The smallest normal force of a contact in the step, N per metre: 0 without a bond, no limit where the
     /// bond may break, the tensile strength where it holds.

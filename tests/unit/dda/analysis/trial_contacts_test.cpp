@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "support/resting_block.hpp"
 
@@ -78,6 +79,26 @@ TEST(TrialContacts, HaveCohesionOnlyIfTheyWereClosed) {
         std::vector<dda::EvaluatedContact> evaluated(2);
         trials.evaluate(evaluated);
         EXPECT_NEAR(evaluated[0].shear_force, 1e4 * tan30 + (was_closed ? 1e4 : 0), 1e-5) << was_closed;
+    }
+}
+
+// A line that is not entered first bears nothing, its cohesion included.
+TEST(TrialContacts, HaveNoCohesionWhereTheyMayNotClose) {
+    RestingContacts block(dda::MohrCoulomb{radians(30), 2e4, 0, radians(30), 2e4});
+    block.step.found.set.contacts[0].inhibited = true;
+    for (dda::Contact& contact : block.step.found.set.contacts) contact.state = ContactState::sliding;
+    const dda::TrialContacts trials(block.problem, block.step.pool);
+    EXPECT_FALSE(trials.may_close(0));
+    EXPECT_FALSE(trials.coheres(0));
+    EXPECT_TRUE(trials.coheres(1));
+}
+
+// A displacement that is no number, or so large that its forces are not, is no solution.
+TEST(TrialContacts, ForceChangeOfADisplacementWithoutForcesIsInfinite) {
+    for (const double no_displacement : {std::numeric_limits<double>::quiet_NaN(), 1e300}) {
+        RestingContacts block(Scene::mohr_coulomb(30));
+        block.move(2e-6, no_displacement);
+        EXPECT_EQ(block.trials.force_change().largest, std::numeric_limits<double>::infinity());
     }
 }
 
