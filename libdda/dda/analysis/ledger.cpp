@@ -49,9 +49,32 @@ double contact_energy(const Model& model, const Contact& contact) {
     return normal_spring(model, contact).energy(contact.normal_spring_force) + shear;
 }
 
-double contact_energy(const Model& model, ContactSpan<const Contact> contacts) {
+/// The shear springs of a joint segment. @param stiffness_of the stiffness of a contact's, N/m per metre.
+template <class StiffnessOf>
+SharedSpring shared_spring(const Model& model, std::span<const ContactIndex> members,
+                           ContactSpan<const Contact> contacts, const StiffnessOf& stiffness_of) {
+    SharedSpring spring;
+    if (model.is_augmented(contacts[members[0]].joint_material)) return spring;
+    for (const ContactIndex k : members) {
+        const Contact& contact = contacts[k];
+        if (contact.state == ContactState::open || is_rebounding(contact))
+            spring.add_open(stiffness_of(k));
+        else
+            spring.add(sheared(contact).spring_force(
+                           locked_dilation(model, contact.joint_material, contact.history)),
+                       stiffness_of(k));
+    }
+    return spring;
+}
+
+/// The energy of contacts, with one shear spring for each joint segment, Eq. (81).
+double contact_energy(const Model& model, ContactSpan<const Contact> contacts,
+                      const JointSegments& segments) {
     double sum = 0;
     for (const Contact& contact : contacts) sum += contact_energy(model, contact);
+    const auto stiffness_of = [&](ContactIndex k) { return shear_stiffness(model, contacts[k]); };
+    for (std::size_t segment = 0; segment < segments.count(); ++segment)
+        sum -= shared_spring(model, segments.contacts_of(segment), contacts, stiffness_of).uneven();
     return sum;
 }
 
@@ -100,26 +123,30 @@ Ledger::Ledger(const Model& model, const RowMap& rows) : model_(model), rows_(ro
 }
 
 void Ledger::record_step(const StepWork& step, ContactSpan<const Contact> last, State& after) const {
-    record_transfer(last, step.before, after.time, after.energy);
+    record_transfer(last, step.before, step.segments, after.time, after.energy);
     record_contacts(step, after.contacts.contacts, after.energy);
     record_spring_changes(step, after.contacts.contacts, after.energy);
     record_constraints(step, after.energy);
     record_blocks(step, after.energy);
     record_boundaries(step, after.energy);
-    update_stored_energy(after, after.energy);
+    update_stored_energy(after, step.segments, after.energy);
 }
 
 void Ledger::update_stored_energy(const State& state, Energy& energy) const {
+    update_stored_energy(state, JointSegments(model_, state.contacts.contacts), energy);
+}
+
+void Ledger::update_stored_energy(const State& state, const JointSegments& segments, Energy& energy) const {
     energy.kinetic = kinetic_energy(rows_, state.blocks);
     energy.strain = strain_energy(model_, rows_, state.blocks);
-    energy.contact = contact_energy(model_, state.contacts.contacts);
+    energy.contact = contact_energy(model_, state.contacts.contacts, segments);
     energy.constraint = constraint_energy(model_, state.blocks, state.bolt_force);
     energy.gravity = gravity_energy(model_, rows_, state.blocks, datum_);
 }
 
-void Ledger::record_transfer(ContactSpan<const Contact> before, ContactSpan<const Contact> after, double time,
-                             Energy& energy) const {
-    const double lost = contact_energy(model_, before) - contact_energy(model_, after);
+void Ledger::record_transfer(ContactSpan<const Contact> before, ContactSpan<const Contact> after,
+                             const JointSegments& segments, double time, Energy& energy) const {
+    const double lost = energy.contact - contact_energy(model_, after, segments);
     energy.released += lost;
     if (!(-lost > energy.largest_spring_gain.amount)) return;
     auto old = before.begin();
@@ -144,28 +171,27 @@ void Ledger::record_contacts(const StepWork& step, const PerContact<Contact>& ad
                                contact.joint_material};
     };
     const auto slips = [&](ContactIndex k) { return step.result.contacts[k].slip != 0; };
+    const auto opens = [&](ContactIndex k) {
+        return step.before[k].state != ContactState::open &&
+               (step.result.contacts[k].state == ContactState::open ||
+                is_rebounding(step.result.contacts[k]));
+    };
     for (const ContactIndex k : step.before.indices()) {
         if (has_segment_history(model_.joint_material_at(step.before[k].joint_material).law)) continue;
         record_friction(k, record_contact(step, k, advanced[k], slips(k), energy));
     }
     // A joint segment slips and dilates as a whole, and its contacts pass energy to each other.
+    const auto stiffness_of = [&](ContactIndex k) { return step.springs[k].shear_stiffness; };
     for (std::size_t segment = 0; segment < step.segments.count(); ++segment) {
         const auto members = step.segments.contacts_of(segment);
         const bool any_slips = std::any_of(members.begin(), members.end(), slips);
-        // In static stages the springs are shared by length, the force by normal force.
-        const bool shared = any_slips && step.duration > 0;
         double loss = 0;
-        SharedSpring spring;
-        for (const ContactIndex k : members) {
-            loss += record_contact(step, k, advanced[k], any_slips, energy);
-            if (shared && stores_dilation(step.result.contacts[k], advanced[k]))
-                spring.add(sheared(advanced[k])
-                               .spring_force(
-                                   locked_dilation(model_, advanced[k].joint_material, advanced[k].history)),
-                           step.springs[k].shear_stiffness);
-        }
-        loss += spring.uneven();
-        energy.released -= spring.uneven();
+        for (const ContactIndex k : members) loss += record_contact(step, k, advanced[k], any_slips, energy);
+        const double less_uneven = shared_spring(model_, members, advanced, stiffness_of).uneven() -
+                                   shared_spring(model_, members, step.before, stiffness_of).uneven();
+        // A contact that opens releases what it stored alone; the joint's spring stays.
+        const bool any_opens = std::any_of(members.begin(), members.end(), opens);
+        (any_slips && !any_opens ? loss : energy.released) += less_uneven;
         record_friction(members[0], loss);
     }
 }
@@ -273,13 +299,19 @@ double Ledger::record_dilating_shear(const StepWork& step, ContactIndex k, const
 
 void Ledger::record_spring_changes(const StepWork& step, const PerContact<Contact>& after,
                                    Energy& energy) const {
+    const auto before_of = [&](ContactIndex k) { return step.springs[k].shear_stiffness; };
+    const auto after_of = [&](ContactIndex k) { return shear_stiffness(model_, after[k]); };
     for (const ContactIndex k : after.indices()) {
         const Contact& contact = after[k];
         if (contact.state == ContactState::open || model_.is_augmented(contact.joint_material)) continue;
-        const double stiffness = shear_stiffness(model_, contact);
-        if (stiffness == step.springs[k].shear_stiffness) continue;
-        energy.released += shear_energy(model_, contact, step.springs[k].shear_stiffness) -
-                           shear_energy(model_, contact, stiffness);
+        if (after_of(k) == before_of(k)) continue;
+        energy.released +=
+            shear_energy(model_, contact, before_of(k)) - shear_energy(model_, contact, after_of(k));
+    }
+    for (std::size_t segment = 0; segment < step.segments.count(); ++segment) {
+        const auto members = step.segments.contacts_of(segment);
+        energy.released -= shared_spring(model_, members, after, before_of).uneven() -
+                           shared_spring(model_, members, after, after_of).uneven();
     }
 }
 

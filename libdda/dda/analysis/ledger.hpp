@@ -42,9 +42,10 @@ class Ledger {
     /// Sets the stored energies to those of `state`.
     void update_stored_energy(const State& state, Energy& energy) const;
     /// Adds what the contacts' springs lose while those of a step replace those of the state before it.
-    /// @param time s, at the end of the step.
-    void record_transfer(ContactSpan<const Contact> before, ContactSpan<const Contact> after, double time,
-                         Energy& energy) const;
+    /// @param before the contacts of that state; Energy::contact is what they stored; @param segments of
+    /// `after`; @param time s, at the end of the step.
+    void record_transfer(ContactSpan<const Contact> before, ContactSpan<const Contact> after,
+                         const JointSegments& segments, double time, Energy& energy) const;
 
     /// Adds the losses of contact springs and the work of prescribed blocks on them.
     /// @param advanced the contacts at the end of the step.
@@ -64,6 +65,8 @@ class Ledger {
     /// friction takes, J per metre. @param slips whether it, or its joint segment, slips.
     double record_contact(const StepWork& step, ContactIndex k, const Contact& advanced, bool slips,
                           Energy& energy) const;
+    /// As above. @param segments those of the contacts of `state`.
+    void update_stored_energy(const State& state, const JointSegments& segments, Energy& energy) const;
     bool stores_dilation(const EvaluatedContact& after, const Contact& contact) const;
     void record_normal_loss(const StepWork& step, ContactIndex k, double loss, Energy& energy) const;
     /// The shearing and dilating of a contact in a step.

@@ -37,19 +37,22 @@ inline double shear_energy(const Model& model, const Contact& contact, double st
                         stiffness);
 }
 
-/// The shear springs of the contacts of a joint segment at a step's end. They are one spring of the joint,
-/// Eq. (81), and the next step shares its force anew.
+/// The shear springs of the contacts of a joint segment. They are one spring of the joint, Eq. (81), with
+/// that of contacts which are open: it stores the energy, and how the contacts share its force does not
+/// count.
 struct SharedSpring {
     double force = 0;      ///< N per metre
     double stiffness = 0;  ///< N/m per metre
-    double stored = 0;     ///< J per metre
+    double stored = 0;     ///< J per metre, by the contacts one by one
     /// Adds the spring of a contact. @param spring_force N per metre; @param spring_stiffness N/m per metre.
     void add(double spring_force, double spring_stiffness) {
         force += spring_force;
         stiffness += spring_stiffness;
         stored += spring_force * spring_force / (2 * spring_stiffness);
     }
-    /// What the springs store beyond that of the joint, J per metre, not negative: the sharing releases it.
+    /// Adds the spring of a contact that is open. @param spring_stiffness N/m per metre.
+    void add_open(double spring_stiffness) { stiffness += spring_stiffness; }
+    /// What the springs store one by one beyond that of the joint, J per metre, not negative.
     double uneven() const { return stiffness > 0 ? stored - force * force / (2 * stiffness) : 0; }
 };
 

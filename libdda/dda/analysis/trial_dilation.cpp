@@ -215,19 +215,29 @@ bool TrialContacts::limit_dilation() {
         if (p_.model.is_augmented(p_.contacts[members[0]].joint_material)) return;
         const LockedDilation after = locked_dilation(law, advance(law, *combined.history, combined.motion));
         double loss = 0, normal = 0, moved = 0, excess = 0;
-        SharedSpring spring;
+        SharedSpring at_start, at_end;
         for (const ContactIndex k : members) {
             const Forces forces = current_forces(k);
-            if (!trials_[k].may_close || !(forces.normal > 0)) continue;
+            const double stiffness = p_.springs[k].shear_stiffness;
+            if (const Contact& contact = p_.contacts[k]; contact.state == ContactState::open)
+                at_start.add_open(stiffness);
+            else
+                at_start.add(dda::sheared(contact).spring_force(
+                                 locked_dilation(p_.model, contact.joint_material, contact.history)),
+                             stiffness);
+            if (!trials_[k].may_close || !(forces.normal > 0)) {
+                at_end.add_open(stiffness);
+                continue;
+            }
             const Trial& trial = trials_[k];
             loss += dilating_loss(k, after);
-            spring.add(sheared(k).spring_force(after), p_.springs[k].shear_stiffness);
+            at_end.add(sheared(k).spring_force(after), stiffness);
             normal += forces.normal;
             excess += forces.normal * (trial.dilation_increment - locked_dilation_of(k));
             moved = std::max({moved, std::abs(trial.shearing), std::abs(trial.dilation_increment)});
         }
         // A locked joint only pays for what it dilates beyond its slope.
-        loss = combined.motion.slip == 0 ? -excess : loss + (p_.duration > 0 ? spring.uneven() : 0);
+        loss = combined.motion.slip == 0 ? -excess : loss + at_end.uneven() - at_start.uneven();
         const double tolerated = p_.tolerated_gain + tolerance() * moved;
         if (!(normal > 0) || loss >= -tolerated || excess <= tolerated) return;
         for (const ContactIndex k : members) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "support/resting_block.hpp"
 
 namespace rockslope::ledger_test {
@@ -87,14 +89,58 @@ TEST(Ledger, RecordsWhatSpringsGainOrLoseWhileTheyAreReplaced) {
     const dda::RowMap rows(s.model.motion);
     const dda::Ledger ledger(s.model, rows);
     dda::Energy energy;
-    ledger.record_transfer(before, after, 2.5, energy);
+    energy.contact = whole;
+    ledger.record_transfer(before, after, {}, 2.5, energy);
     EXPECT_NEAR(energy.released, -whole / 4, 1e-9);
     EXPECT_NEAR(energy.largest_spring_gain.amount, whole, 1e-9);
     EXPECT_EQ(energy.largest_spring_gain.time, 2.5);
     EXPECT_EQ(energy.largest_spring_gain.corner_block, dda::BlockIndex(1));
-    ledger.record_transfer(after, before, 3, energy);
+    energy.contact = whole * 5 / 4;
+    ledger.record_transfer(after, before, {}, 3, energy);
     EXPECT_NEAR(energy.released, 0, 1e-9);
     EXPECT_EQ(energy.largest_spring_gain.time, 2.5) << "that lost energy";
+}
+
+/// The first step of a block on a rough joint whose two contacts are pressed by 10 kN each and share 8 kN of
+/// shear force.
+struct OnARoughJoint {
+    FirstStep step;
+
+    explicit OnARoughJoint(double first_share)
+        : step(resting_block(dda::Plesha{radians(30), radians(5), 1e-6}).model) {
+        double share = first_share;
+        for (dda::Contact& contact : step.found.set.contacts) {
+            contact.state = ContactState::locked;
+            contact.normal_force = contact.normal_spring_force = 1e4;
+            contact.shear_force = 8e3 * std::exchange(share, 1 - first_share);
+        }
+    }
+    dda::State state() const {
+        dda::State state = dda::initial_state(step.model);
+        state.contacts.contacts = step.set.contacts;
+        return state;
+    }
+};
+
+// Eq. (81): the joint's spring of 2 GN/m bears 8 kN, however its two contacts share that.
+TEST(Ledger, StoresTheEnergyOfOneSpringForEachJointSegment) {
+    const double stored = 2 * 1e8 / (2 * spring) + 64e6 / (2 * 2 * spring);
+    for (const double share : {0.5, 0.75, 1.0}) {
+        const OnARoughJoint block(share);
+        ASSERT_EQ(block.step.found.segments.count(), 1u);
+        EXPECT_NEAR(stored_in(block.step.model, block.state()).contact, stored, 1e-12) << share;
+    }
+}
+
+// Contacts that share the force of their joint anew neither gain nor lose energy.
+TEST(Ledger, ReleasesNothingWhereContactsShareTheForceOfTheirJointAnew) {
+    const OnARoughJoint before(0.5);
+    const OnARoughJoint after(0.9);
+    dda::Energy energy = stored_in(before.step.model, before.state());
+    dda::Ledger(before.step.model, before.step.rows)
+        .record_transfer(before.step.set.contacts, after.step.set.contacts, after.step.found.segments, 1,
+                         energy);
+    EXPECT_NEAR(energy.released, 0, 1e-15);
 }
 
 // A fixed point that has moved by 1 mm along the axis that it holds; a bolt of EA = 2e7 N and 2 m under 4 kN.
