@@ -61,7 +61,7 @@ struct FirstStep {
         dda::FoundContacts contacts =
             dda::find_contacts(model, state.contacts,
                                {state.blocks.vertices, mid.vertices, {}, 1e-3, 1, 1e-9, 0.005, true}, pool);
-        dda::share_shear_force(model, contacts.segments, false, contacts.set.contacts);
+        dda::share_shear_force(model, contacts.segments, contacts.set.contacts);
         return contacts;
     }
 };

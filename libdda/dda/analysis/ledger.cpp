@@ -171,11 +171,6 @@ void Ledger::record_contacts(const StepWork& step, const PerContact<Contact>& ad
                                contact.joint_material};
     };
     const auto slips = [&](ContactIndex k) { return step.result.contacts[k].slip != 0; };
-    const auto opens = [&](ContactIndex k) {
-        return step.before[k].state != ContactState::open &&
-               (step.result.contacts[k].state == ContactState::open ||
-                is_rebounding(step.result.contacts[k]));
-    };
     for (const ContactIndex k : step.before.indices()) {
         if (has_segment_history(model_.joint_material_at(step.before[k].joint_material).law)) continue;
         record_friction(k, record_contact(step, k, advanced[k], slips(k), energy));
@@ -189,9 +184,7 @@ void Ledger::record_contacts(const StepWork& step, const PerContact<Contact>& ad
         for (const ContactIndex k : members) loss += record_contact(step, k, advanced[k], any_slips, energy);
         const double less_uneven = shared_spring(model_, members, advanced, stiffness_of).uneven() -
                                    shared_spring(model_, members, step.before, stiffness_of).uneven();
-        // A contact that opens releases what it stored alone; the joint's spring stays.
-        const bool any_opens = std::any_of(members.begin(), members.end(), opens);
-        (any_slips && !any_opens ? loss : energy.released) += less_uneven;
+        (any_slips ? loss : energy.released) += less_uneven;
         record_friction(members[0], loss);
     }
 }

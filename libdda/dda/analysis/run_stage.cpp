@@ -26,6 +26,8 @@ std::string describe(const Model& model, const StepAttempt& attempt) {
             std::snprintf(text, sizeof text, "a vertex moves %.3g m in one step",
                           attempt.report.largest_displacement);
             return text;
+        case Rejection::driving_friction:
+            return "friction gives energy";
         case Rejection::too_stiff:
             return "the contact springs are too stiff: rounding of the coordinates alone changes a force by "
                    "a tenth of a block's weight; use smaller penalties or joint stiffnesses";

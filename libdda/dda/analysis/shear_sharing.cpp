@@ -36,8 +36,7 @@ Totals totals_of(const Model& model, const JointMaterial& material, std::span<co
 
 }  // namespace
 
-void share_shear_force(const Model& model, const JointSegments& segments, bool is_static,
-                       ContactSpan<Contact> contacts) {
+void share_shear_force(const Model& model, const JointSegments& segments, ContactSpan<Contact> contacts) {
     for (std::size_t segment = 0; segment < segments.count(); ++segment) {
         const auto members = segments.contacts_of(segment);
         const JointMaterialIndex joint_material = contacts[members[0]].joint_material;
@@ -55,7 +54,7 @@ void share_shear_force(const Model& model, const JointSegments& segments, bool i
             const double share =
                 by_force ? std::max(contact.normal_force, 0.0) / total.normal_force : by_length;
             if (by_force) contact.shear_force = total.shear_force * share;
-            contact.joint_share = std::max(is_static ? by_length : share, least_share);
+            contact.joint_share = std::max(share, least_share);
             contact.spring_share = contact.joint_share;
             // Springs that the model gives are those of the contacts.
             if (material.has_shear_spring() || joint_stiffness(model, contact) == 0)

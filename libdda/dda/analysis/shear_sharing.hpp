@@ -9,10 +9,8 @@ namespace rockslope::dda {
 /// Shares the shear force and the shear spring of each joint segment among its contacts in proportion to
 /// their normal forces, Eq. (81), so that all of them yield together. The contacts of a segment lie on one
 /// line: neither the force on a block nor its moment changes. Augmented contacts, and those of a segment
-/// without a normal force, have shares by length. So have the springs in static stages: a slope comes to rest
-/// sooner with springs that stay. Contacts that have just become one segment continue one history, see
-/// continued_history().
-void share_shear_force(const Model& model, const JointSegments& segments, bool is_static,
-                       ContactSpan<Contact> contacts);
+/// without a normal force, have shares by length. Contacts that have just become one segment continue one
+/// history, see continued_history().
+void share_shear_force(const Model& model, const JointSegments& segments, ContactSpan<Contact> contacts);
 
 }  // namespace rockslope::dda

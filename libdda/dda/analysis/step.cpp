@@ -44,6 +44,11 @@ constexpr double rounding_force_limit = 0.1;
 /// Friction that gives energy in a step by more than this fraction of what was turned over so far has its
 /// dilation limited.
 constexpr double tolerated_gain = 1e-7;
+/// A step in which friction still gives energy, by more than this fraction, is cut: a rough block that lands
+/// on one end turns the joint's forces round in it. It is accepted where the step is as short as the second
+/// value, over that of the control.
+constexpr double rejected_gain = 1e-4;
+constexpr double shortest_for_gain = 1.0 / 20;
 
 double extent(CornerSpan<const Vec2> vertices, int axis) {
     double low = std::numeric_limits<double>::infinity();
@@ -178,6 +183,10 @@ StepAttempt TimeStepper::attempt_with(const Stage& stage, const State& state, do
             prediction.retry_from(displacement, {step.contacts.contacts, std::move(result.contacts)});
         return attempt;
     }
+    if (friction_drives(stage, state, attempt.state)) {
+        attempt.rejection = Rejection::driving_friction;
+        return attempt;
+    }
     attempt.rejection = Rejection::none;
     attempt.report = report_step(model_, rows_, attempt.state, step.dt, max_stiffness);
     static_cast<StepCounts&>(attempt.report) = result;
@@ -271,7 +280,7 @@ TimeStepper::Step TimeStepper::prepare(const Stage& stage, const State& state, d
                       pool_, times_);
     step.contacts = std::move(found.set);
     step.segments = std::move(found.segments);
-    share_shear_force(model_, step.segments, duration_of(stage, dt) == 0, step.contacts.contacts);
+    share_shear_force(model_, step.segments, step.contacts.contacts);
     step.springs =
         contact_springs(model_, rows_, step.mid, step.prescribed.displacement, step.contacts.contacts, pool_);
     row_contacts_.find(rows_.count(), step.springs);
@@ -352,6 +361,13 @@ OpenCloseResult TimeStepper::solve(const Stage& stage, const State& state, const
         held,
         tolerated_gain * turned_over(state.energy)};
     return iterate_open_close(problem, pattern_, *solver_, work_, pool_, times_);
+}
+
+bool TimeStepper::friction_drives(const Stage& stage, const State& before, const State& after) const {
+    if (stage.kind != StageKind::dynamic) return false;
+    const double dt = after.time - before.time;
+    const double given = after.energy.friction_returned - before.energy.friction_returned;
+    return dt > shortest_for_gain * stage.control.step && given > rejected_gain * turned_over(after.energy);
 }
 
 PerBlock<Vec6> TimeStepper::all_displacements(const Step& step, const OpenCloseResult& result) const {

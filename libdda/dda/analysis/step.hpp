@@ -24,6 +24,7 @@ enum class Rejection {
     excessive_displacement,  ///< a vertex moves farther than the displacement ratio allows, or no
                              ///< prediction fits the motion
     undetected_penetration,  ///< a vertex penetrates a block without a contact
+    driving_friction,        ///< friction gives energy
     too_stiff                ///< rounding of coordinates changes a force by a tenth of the mean block weight
 };
 
@@ -86,6 +87,8 @@ class TimeStepper {
     OpenCloseResult solve(const Stage& stage, const State& state, const Step& step,
                           const InitialGuess& guess);
     /// The displacement of the step per block, prescribed and fixed blocks included.
+    /// Whether friction gives so much energy in a step that a shorter one is to be tried.
+    bool friction_drives(const Stage& stage, const State& before, const State& after) const;
     PerBlock<Vec6> all_displacements(const Step& step, const OpenCloseResult& result) const;
     /// The largest displacement of a vertex, m; infinite if a displacement is not finite.
     double largest_displacement(const State& state, BlockSpan<const Vec6> displacement) const;

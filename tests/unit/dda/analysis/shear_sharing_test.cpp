@@ -35,9 +35,9 @@ struct TwoEnds {
             contact.history = dda::fresh_history(law, true);
         }
     }
-    void share(bool is_static) {
+    void share() {
         const dda::JointSegments segments(model, contacts);
-        dda::share_shear_force(model, segments, is_static, contacts);
+        dda::share_shear_force(model, segments, contacts);
     }
 };
 
@@ -46,7 +46,7 @@ const dda::JointLaw rough = dda::Plesha{{0.5, 0.1, 0}};
 // Eq. (81): one quarter and three quarters of the normal force, so also of the 800 N of shear force.
 TEST(ShearSharing, IsInProportionToTheNormalForces) {
     TwoEnds ends(rough, 1000, 3000);
-    ends.share(false);
+    ends.share();
     EXPECT_DOUBLE_EQ(ends.contacts[0].shear_force, 200);
     EXPECT_DOUBLE_EQ(ends.contacts[1].shear_force, 600);
     EXPECT_DOUBLE_EQ(ends.contacts[0].joint_share, 0.25);
@@ -56,23 +56,14 @@ TEST(ShearSharing, IsInProportionToTheNormalForces) {
 // The springs that the model gives, 1e9 N/m for each contact, keep their sum.
 TEST(ShearSharing, KeepsTheSumOfTheSprings) {
     TwoEnds ends(rough, 1000, 3000);
-    ends.share(false);
+    ends.share();
     EXPECT_DOUBLE_EQ(dda::shear_stiffness(ends.model, ends.contacts[0]), 0.25 * 2e9);
     EXPECT_DOUBLE_EQ(dda::shear_stiffness(ends.model, ends.contacts[1]), 0.75 * 2e9);
 }
 
-// In a static stage the springs stay, those of the lengths; the force is shared all the same.
-TEST(ShearSharing, OfSpringsIsByLengthInStaticStages) {
-    TwoEnds ends(rough, 1000, 3000);
-    ends.share(true);
-    EXPECT_DOUBLE_EQ(ends.contacts[0].shear_force, 200);
-    EXPECT_DOUBLE_EQ(ends.contacts[0].joint_share, 0.3);
-    EXPECT_DOUBLE_EQ(dda::shear_stiffness(ends.model, ends.contacts[0]), 0.3 * 2e9);
-}
-
 TEST(ShearSharing, IsByLengthWithoutANormalForce) {
     TwoEnds ends(rough, 0, -10);
-    ends.share(false);
+    ends.share();
     EXPECT_EQ(ends.contacts[0].shear_force, 500) << "the forces stay";
     EXPECT_EQ(ends.contacts[1].shear_force, 300);
     EXPECT_DOUBLE_EQ(ends.contacts[0].joint_share, 0.3);
@@ -81,7 +72,7 @@ TEST(ShearSharing, IsByLengthWithoutANormalForce) {
 
 TEST(ShearSharing, LeavesAnEndWithoutNormalForceASpring) {
     TwoEnds ends(rough, 0, 4000);
-    ends.share(false);
+    ends.share();
     EXPECT_EQ(ends.contacts[0].shear_force, 0);
     EXPECT_DOUBLE_EQ(ends.contacts[1].shear_force, 800);
     EXPECT_DOUBLE_EQ(ends.contacts[0].joint_share, 1e-3);
@@ -91,7 +82,7 @@ TEST(ShearSharing, LeavesAnEndWithoutNormalForceASpring) {
 TEST(ShearSharing, LeavesAugmentedContactsTheirForces) {
     TwoEnds ends(rough, 1000, 3000);
     ends.model.penetration_tolerance = 1e-9;
-    ends.share(false);
+    ends.share();
     EXPECT_EQ(ends.contacts[0].shear_force, 500);
     EXPECT_DOUBLE_EQ(ends.contacts[0].joint_share, 0.3);
 }
@@ -99,7 +90,7 @@ TEST(ShearSharing, LeavesAugmentedContactsTheirForces) {
 // The contacts of a smooth joint have histories, forces and springs of their own.
 TEST(ShearSharing, DoesNotConcernLawsOfSingleContacts) {
     TwoEnds ends(scene::Scene::mohr_coulomb(30), 1000, 3000);
-    ends.share(false);
+    ends.share();
     EXPECT_EQ(ends.contacts[0].shear_force, 500);
     EXPECT_EQ(ends.contacts[0].joint_share, 1);
     EXPECT_EQ(dda::shear_stiffness(ends.model, ends.contacts[0]), 1e9);
