@@ -217,10 +217,10 @@ struct Kernels : Strips<Scalar, Bytes> {
         for (; r + lanes <= count; r += lanes) {
             Vector sum[unknowns];
 #pragma GCC unroll 6
-            for (int q = 0; q < unknowns; ++q) sum[q] = S::load(c.scalars + q * c.stride + r);
+            for (int q = 0; q < unknowns; ++q) sum[q] = S::load(c.scalars + q * c.stride + r).vector;
 #pragma GCC unroll 6
             for (int p = 0; p < unknowns; ++p) {
-                const Vector row = S::load(a.scalars + p * a.stride + r);
+                const Vector row = S::load(a.scalars + p * a.stride + r).vector;
 #pragma GCC unroll 6
                 for (int q = 0; q < unknowns; ++q) sum[q] -= row * b[q * unknowns + p];
             }

@@ -11,9 +11,12 @@ namespace rockslope::dda {
 template <class Scalar, int Bytes>
 struct Strips {
     typedef Scalar Vector __attribute__((vector_size(Bytes), may_alias));
-    /// Vector at any address: the sanitizer's stack frames do not keep the alignment of wide vectors. At an
-    /// aligned address it costs the same.
-    typedef Scalar UnalignedVector __attribute__((vector_size(Bytes), may_alias, aligned(alignof(Scalar))));
+    /// A vector at any address: the caller's array may begin anywhere, and the sanitizer's stack frames do
+    /// not keep the alignment of wide vectors. A struct, because clang forgets that a vector type is
+    /// unaligned when a function returns a reference to it. At an aligned address it costs the same.
+    struct [[gnu::packed, gnu::may_alias]] Unaligned {
+        Vector vector;
+    };
     static constexpr int unknowns = 6;
     static constexpr int lanes = Bytes / static_cast<int>(sizeof(Scalar));
     static constexpr int w = strip_rows<Scalar>;
@@ -29,11 +32,11 @@ struct Strips {
                static_cast<long>(vector % per_strip) * lanes;
     }
 
-    DDA_KERNEL static const UnalignedVector& load(const Scalar* at) {
-        return *reinterpret_cast<const UnalignedVector*>(at);
+    DDA_KERNEL static const Unaligned& load(const Scalar* at) {
+        return *reinterpret_cast<const Unaligned*>(at);
     }
     DDA_KERNEL static void store(const Vector& vector, Scalar* at) {
-        *reinterpret_cast<UnalignedVector*>(at) = vector;
+        reinterpret_cast<Unaligned*>(at)->vector = vector;
     }
 };
 

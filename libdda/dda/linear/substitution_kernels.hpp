@@ -61,7 +61,7 @@ struct Substitution : Strips<Scalar, Bytes> {
         for (int v = 0; v < count; ++v) {
             Scalar* at = strips + vector_at(begin + v, columns) + static_cast<long>(first) * w;
             for (int c = 0; c < last - first; ++c, at += w)
-                store(load(at) * load(others + v * lanes) + inverse[c][v], at);
+                store(load(at).vector * load(others + v * lanes).vector + inverse[c][v], at);
         }
     }
     DDA_KERNEL static void invert_groups(Scalar* panel, int pivots) {
@@ -102,8 +102,8 @@ struct Substitution : Strips<Scalar, Bytes> {
             const Scalar y1 = y[c + 1];
 #pragma GCC unroll 4
             for (int r = 0; r < R; ++r) {
-                sum[r] += load(rows[r] + p) * y0;
-                odd[r] += load(rows[r] + p + w) * y1;
+                sum[r] += load(rows[r] + p).vector * y0;
+                odd[r] += load(rows[r] + p + w).vector * y1;
             }
         }
         for (int r = 0; r < R; ++r) sum[r] += odd[r];
@@ -116,7 +116,7 @@ struct Substitution : Strips<Scalar, Bytes> {
         multiply<R>(sum, a, first_vector, y);
         for (int r = 0; r < R; ++r) {
             Scalar* at = x + static_cast<long>(first_vector + r) * lanes;
-            store(load(at) - sum[r], at);
+            store(load(at).vector - sum[r], at);
         }
     }
 
@@ -155,9 +155,9 @@ struct Substitution : Strips<Scalar, Bytes> {
 #pragma GCC unroll 4
             for (int v = 0; v < per_strip; ++v) {
                 const Scalar* at = l.in_vector(s * per_strip + v);
-                const Vector factor = load(x + static_cast<long>(s - origin) * w + v * lanes);
+                const Vector factor = load(x + static_cast<long>(s - origin) * w + v * lanes).vector;
 #pragma GCC unroll 18
-                for (int q = 0; q < N; ++q) sum[q][v] += load(at + q * w) * factor;
+                for (int q = 0; q < N; ++q) sum[q][v] += load(at + q * w).vector * factor;
             }
         }
     }
