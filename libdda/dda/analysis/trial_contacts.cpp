@@ -437,7 +437,8 @@ EvaluatedContact TrialContacts::evaluated(ContactIndex k) const {
         dashpot(k).stiffness > 0 && trial.may_close ? std::max(spring_force(k), 0.0) : forces.normal;
     const bool is_pressed = forces.normal > 0 || evaluated.normal_spring_force > 0;
     const bool is_held = stays_closed(k) && (is_bonded(k) || coheres(k));
-    evaluated.stress_free_gap = is_pressed || is_held ? trial.stress_free_gap : 0;
+    evaluated.stress_free_gap =
+        is_pressed || is_held ? trial.stress_free_gap : std::min(trial.stress_free_gap, 0.0);
     evaluated.shear_force = forces.shear;
     evaluated.displacement = trial.shearing;
     evaluated.dilation_increment = trial.dilation_increment;

@@ -20,11 +20,8 @@ namespace {
 constexpr double skin_ratio = 0.25;
 /// s, time in which the stress-free gap of a contact decays by the factor e, Eq. (29). Without a decay a
 /// block would sink deeper with every face that it slides onto. An instant decay would shake the blocks and,
-/// in sliding to and fro, pump energy into them.
+/// in sliding to and fro, pump energy into them. A static stage has no time, so there it does not decay.
 constexpr double stress_free_gap_time = 5;
-/// Static steps, which have no duration, in which it decays by as much. An instant decay would lift blocks
-/// by more energy than gravity has turned over.
-constexpr double stress_free_gap_steps = 50;
 
 /// Largest displacement of a corner since the candidates were found, m; infinity if there are none.
 double displacement_since(const ContactSet& last, CornerSpan<const Vec2> vertices) {
@@ -106,8 +103,7 @@ FoundContacts find_contacts(const Model& model, const ContactSet& last, const Co
         if (!glued.empty()) segments = detect();
     }
     // Decay of the stress-free gap, Eq. (29).
-    const double stress_free_gap_decay =
-        std::exp(search.duration > 0 ? -search.duration / stress_free_gap_time : -1 / stress_free_gap_steps);
+    const double stress_free_gap_decay = std::exp(-search.duration / stress_free_gap_time);
     for (Contact& c : set.contacts) {
         initialise_spring(model, stress_free_gap_decay, c);
         const bool is_forced =

@@ -64,10 +64,13 @@ InheritedPenetrations::Found InheritedPenetrations::find(const Topology& topolog
     for (const ContactIndex k : contacts.indices()) {
         const Contact& contact = contacts[k];
         const std::optional<double> accounted = penetration_accounted_for(topology, vertices, contact);
-        // A contracted joint lets corners in by its contraction, in contact or not.
-        const double contracted = contact.inhibited ? 0 : std::max(-contact.dilation, 0.0);
-        if (!accounted && contracted == 0) continue;
-        const double depth = contracted + accounted.value_or(0);
+        // A contracted joint lets corners in by its contraction, in contact or not, and a contact that opened
+        // inside the rock by its stress-free gap. Of an entrance line the gap says nothing.
+        const bool opened_inside = contact.state == ContactState::open && contact.group < 0;
+        const double free_gap = contact.dilation + (opened_inside ? contact.stress_free_gap : 0);
+        const double let_in = contact.inhibited ? 0 : std::max(-free_gap, 0.0);
+        if (!accounted && let_in == 0) continue;
+        const double depth = let_in + accounted.value_or(0);
         const double stress_free_gap = contact.state == ContactState::open ? 0 : contact.stress_free_gap;
         const double spring_depth = depth + stress_free_gap;
         add(contact.corner, {k, contact.edge_block, depth, spring_depth});

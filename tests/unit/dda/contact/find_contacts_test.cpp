@@ -37,12 +37,12 @@ class FindContacts : public testing::Test {
 
 TEST_F(FindContacts, TheStressFreeGapDecays) {
     ASSERT_FALSE(first.contacts.empty());
-    for (const double duration : {0., 0.1}) {
-        const double decay = std::exp(-1. / 50);
+    for (const double duration : {0., 0.1}) {  // a static step has no duration
+        const double decay = std::exp(-duration / 5);
         for (const dda::Contact& c : found(duration, first).contacts) {
             EXPECT_NEAR(c.gap, -1e-4, 1e-12);
             EXPECT_NEAR(c.stress_free_gap, -1e-4 * decay, 1e-12) << "in a step of " << duration << " s";
-            EXPECT_GT(c.normal_force, 0);
+            EXPECT_EQ(c.normal_force > 0, duration > 0);
         }
     }
 }
