@@ -28,17 +28,19 @@ struct IterationWorkspace {
     RowContacts row_contacts;             ///< of them, where there are bolts
 };
 
-/// Shi's open-close iteration: an active-set (semi-smooth Newton) method with line search. Finds the
-/// displacement of the step in which every contact obeys its joint law (table of states, theory sec. 5).
+/// Shi's open-close iteration: an active-set (semi-smooth Newton) method. Finds the displacement of the step
+/// in which every contact obeys its joint law (table of states, theory sec. 5).
 ///
-/// With fixed shear bounds the step is the minimum of a convex, piecewise quadratic potential, Eq. (33). Each
-/// iteration solves the linear system of the present active set, and an exact line search, Eq. (34), makes
-/// this Newton method converge from any start. The shear bounds depend on the normal forces, Eq. (35). They
-/// are updated in every iteration at first. If that does not converge, a static step is solved by the
-/// interior-point method; in other steps, and where that fails, the bounds are updated only at minima of the
-/// potential, with Anderson mixing. Penetration beyond the tolerance of the model is removed by augmented
-/// Lagrangian updates, Eq. (37). Converged means that no contact force changes by more than the tolerance,
-/// Eq. (36); the states open, sliding and locked are not compared.
+/// Each iteration solves the linear system of the present active set; the friction of sliding contacts
+/// follows their normal forces, Eq. (35). The first iterations take that solution, and balance the blocks
+/// whose forces do not obey the laws there in patches, Eq. (99). Where the patches lead away from the
+/// solution the step begins anew without them. The other iterations search along the line to the linear
+/// solution, Eq. (34): with fixed shear bounds the step is the minimum of a convex potential, Eq. (33), and
+/// this Newton method converges from any start. Where following bounds do not converge, a static step is
+/// solved by the interior-point method; in other steps, and where that fails, the bounds are updated only at
+/// minima of the potential, with Anderson mixing. Penetration beyond the tolerance of the model is removed by
+/// augmented Lagrangian updates, Eq. (37). Converged means that no contact force changes by more than the
+/// tolerance, Eq. (36); the states open, sliding and locked are not compared.
 /// @param times null: no timing.
 OpenCloseResult iterate_open_close(const StepProblem& problem, const BlockPattern& pattern,
                                    LinearSolver& solver, IterationWorkspace& work, const ThreadPool& pool,
