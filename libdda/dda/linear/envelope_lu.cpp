@@ -66,12 +66,17 @@ void EnvelopeLu::solve(std::span<Vec6> x) const {
         const Column& of = columns_[column];
         const Vec6 factor = x[column];
         const double* scalars = scalars_.data() + of.at(begin);
+        const long stride = of.stride();
         double* sum = x[begin].data();
-        for (int q = 0; q < 6; ++q, scalars += of.stride())
-            for (int r = 0; r < 6 * (end - begin); ++r) sum[r] -= scalars[r] * factor[q];
+        for (int r = 0; r < 6 * (end - begin); ++r) {
+            double rest = sum[r];
+            for (int q = 0; q < 6; ++q) rest -= scalars[q * stride + r] * factor[q];
+            sum[r] = rest;
+        }
     };
+    // The forces of one contact are zero on the blocks before its own.
     for (int j = 0; j < size(); ++j)
-        if (columns_[j].last > j) subtract(j, j + 1, columns_[j].last + 1);
+        if (columns_[j].last > j && !x[j].isZero(0)) subtract(j, j + 1, columns_[j].last + 1);
     for (int j = size() - 1; j >= 0; --j) {
         x[j] = (inverses_[j] * x[j]).eval();
         if (columns_[j].first < j) subtract(j, columns_[j].first, j);
