@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "dda/solve/patch_path.hpp"
+#include "dda/solve/limited_forces.hpp"
 #include "support/random_shapes.hpp"
 
 namespace rockslope::random_patch {

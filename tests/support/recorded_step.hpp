@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "dda/solve/patch_path.hpp"
+#include "dda/solve/limited_forces.hpp"
 
 namespace rockslope::recorded_step {
 

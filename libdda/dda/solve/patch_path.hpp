@@ -4,17 +4,9 @@
 #include <vector>
 
 #include "dda/linear/envelope_lu.hpp"
-#include "dda/solve/limited_contact.hpp"
-#include "dda/terms/row_contacts.hpp"
+#include "dda/solve/limited_forces.hpp"
 
 namespace rockslope::dda {
-
-/// The contacts of a step with their laws frozen but for their limits.
-struct LimitedStep {
-    const BaseSystem& base;
-    const RowContacts& row_contacts;
-    ContactSpan<const LimitedContact> contacts;
-};
 
 /// The displacements of a step, and the elastic forces of the contacts there.
 struct LimitedIterate {

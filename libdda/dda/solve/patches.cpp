@@ -16,66 +16,37 @@ int Patches::relax(const LimitedStep& step, const PatchAims& aims, RowSpan<Vec6>
                    const ThreadPool& pool) {
     step_ = &step;
     in_patch_.assign(displacement.size(), 0);
-    find_elastic_forces(displacement, pool);
-    find_unbalanced(aims, displacement, pool);
+    forces_.evaluate(step, displacement, aims.length, pool);
+    find_unbalanced(aims);
     int patches = 0;
     for (const RowIndex row : is_unbalanced_.indices()) {
         if (is_unbalanced_[row] == 0) continue;
         set_core(row);
         for (int ring = 0; ring < rings; ++ring) add_ring();
         for (const RowIndex each : patch_) in_patch_[each] = 0;
-        path_.follow(step, patch_, {displacement, elastic_});
+        path_.follow(step, patch_, {displacement, forces_.elastic()});
         ++patches;
     }
     return patches;
 }
 
-void Patches::find_elastic_forces(RowSpan<const Vec6> displacement, const ThreadPool& pool) {
-    elastic_.resize(step_->contacts.size());
-    forces_.resize(step_->contacts.size());
-    pool.parallel_for(elastic_.size(), [&](std::size_t begin, std::size_t end) {
-        for (const ContactIndex k : indices<ContactIndex>(begin, end)) {
-            const LimitedContact& contact = step_->contacts[k];
-            if (!contact.may_close) continue;
-            elastic_[k] = contact.elastic_at(displacement);
-            forces_[k] = contact.on(contact.piece_at(elastic_[k])).at(elastic_[k]);
-        }
-    });
-}
-
-void Patches::find_unbalanced(const PatchAims& aims, RowSpan<const Vec6> displacement,
-                              const ThreadPool& pool) {
-    unbalanced_.resize(displacement.size());
-    is_unbalanced_.resize(displacement.size());
-    pool.parallel_for(unbalanced_.size(), [&](std::size_t begin, std::size_t end) {
-        for (const RowIndex row : indices<RowIndex>(begin, end)) {
-            Vec6 force = unbalanced_force(row, displacement);
-            force.tail<4>() /= aims.length[row];
-            unbalanced_[row] = force.cwiseAbs().maxCoeff();
-        }
-    });
+void Patches::find_unbalanced(const PatchAims& aims) {
+    largest_.resize(in_patch_.size());
+    is_unbalanced_.resize(in_patch_.size());
     double largest = 0;
-    for (const double force : unbalanced_) largest = std::max(largest, force);
-    const double least = std::max(aims.tolerance / 2, aims.share * largest);
-    for (const RowIndex row : unbalanced_.indices()) is_unbalanced_[row] = unbalanced_[row] > least ? 1 : 0;
-}
-
-Vec6 Patches::unbalanced_force(RowIndex row, RowSpan<const Vec6> displacement) const {
-    Vec6 force = step_->base.stiffness[row] * displacement[row] - step_->base.load[row];
-    for (const ContactIndex k : step_->row_contacts.of(row)) {
-        const LimitedContact& contact = step_->contacts[k];
-        if (!contact.may_close) continue;
-        force -= contact.rows->project_on_row(
-            row, Vec2(forces_[k].x() * contact.opening - forces_[k].y() * contact.shearing));
+    for (const RowIndex row : largest_.indices()) {
+        largest_[row] = forces_.unbalanced(row).cwiseAbs().maxCoeff();
+        largest = std::max(largest, largest_[row]);
     }
-    return force;
+    const double least = std::max(aims.tolerance / 2, aims.share * largest);
+    for (const RowIndex row : largest_.indices()) is_unbalanced_[row] = largest_[row] > least ? 1 : 0;
 }
 
 template <class Visit>
 void Patches::for_neighbours(RowIndex row, const Visit& visit) const {
     for (const ContactIndex k : step_->row_contacts.of(row)) {
         const LimitedContact& contact = step_->contacts[k];
-        if (!contact.may_close || !(elastic_[k].normal > contact.least_normal)) continue;
+        if (!contact.may_close || !(forces_.elastic()[k].normal > contact.least_normal)) continue;
         const RowIndex other = contact.rows->first == row ? contact.rows->second : contact.rows->first;
         if (other.exists()) visit(other);
     }

@@ -25,10 +25,8 @@ class Patches {
               const ThreadPool& pool);
 
   private:
-    void find_elastic_forces(RowSpan<const Vec6> displacement, const ThreadPool& pool);
     /// Marks the blocks whose unbalanced force is over the aims.
-    void find_unbalanced(const PatchAims& aims, RowSpan<const Vec6> displacement, const ThreadPool& pool);
-    Vec6 unbalanced_force(RowIndex row, RowSpan<const Vec6> displacement) const;
+    void find_unbalanced(const PatchAims& aims);
     /// Sets the patch to unbalanced blocks that hang together, from one of them on; they are no longer
     /// marked.
     void set_core(RowIndex row);
@@ -41,9 +39,8 @@ class Patches {
     const LimitedStep* step_ = nullptr;
     PatchPath path_;
     std::vector<RowIndex> patch_;
-    PerContact<ElasticForces> elastic_;
-    PerContact<Vec2> forces_;
-    PerRow<double> unbalanced_;  ///< per row, N per metre
+    LimitedForces forces_;
+    PerRow<double> largest_;  ///< per row: of its unbalanced forces, N per metre
     PerRow<char> is_unbalanced_;
     PerRow<char> in_patch_;
 };
