@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 #include "dda/solve/limited_forces.hpp"
@@ -108,6 +109,15 @@ class RandomPatch {
         c.origin = {random_.between(-0.5, 0.5), random_.between(-0.5, 0.5)};
         c.forward = c.backward = {random_.index_below(4) == 0 ? 0.2 : 0, random_.between(0.2, 1.2)};
         if (random_.index_below(4) == 0) c.tilt = random_.between(-0.3, 0.3);
+        if (random_.index_below(4) == 0) c.least_normal = -random_.between(0.1, 0.5);
+        // A bond that bears any tension, and a bolt that yields.
+        const auto special = random_.index_below(16);
+        if (special == 0) c.least_normal = -std::numeric_limits<double>::infinity();
+        if (special == 1) {
+            c.opening = dda::Vec2::Zero();
+            c.normal_stiffness = c.origin.normal = c.least_normal = c.tilt = 0;
+            c.forward = c.backward = {random_.between(0.1, 0.5), 0};
+        }
         contacts_.push_back(c);
     }
 

@@ -37,6 +37,10 @@ constexpr double largest_growth_at_end = 1;
 /// and later. With 1e-3 instead of none in the first a slope of 381 blocks takes 40 % fewer patches.
 constexpr double first_patch_share = 1e-3;
 constexpr double patch_share = 0.02;
+/// Number of iterations in which patches whose path from the iterate does not end are left as they are. The
+/// path from open contacts may end in another state than the next one, and most steps end before it is
+/// needed.
+constexpr int near_iterations = 8;
 /// Number of iterations in which first entrances and gaps follow every iterate.
 constexpr int entrance_iterations = 4;
 /// Number of times that first entrances are selected anew later, where the forces agree with the laws.
@@ -345,7 +349,10 @@ class OpenCloseIteration {
     void relax_in_patches() {
         limit_contacts(p_, trials_, displacement_, pool_, work_.contacts);
         const double share = iterations_since_restart() == 1 ? first_patch_share : patch_share;
-        const PatchAims aims{trials_.tolerance(), share, length_};
+        const PathStarts starts = iterations_since_restart() > near_iterations
+                                      ? PathStarts::iterate_then_apart
+                                      : PathStarts::iterate;
+        const PatchAims aims{trials_.tolerance(), share, length_, starts};
         const LimitedStep step{p_.base, p_.bolts.empty() ? p_.row_contacts : work_.row_contacts,
                                work_.contacts};
         if (work_.patches.relax(step, aims, displacement_, pool_) == 0) return;

@@ -11,48 +11,44 @@ namespace {
 
 /// Changes of the matrix after which it is factorised anew.
 constexpr std::size_t change_limit = 40;
-/// Most borders on a path, and the least lambda: a path beyond them is given up.
+/// Most borders on a path from the iterate, and the least lambda of any path: beyond them it is given up.
 constexpr int border_limit = 400;
 constexpr double lowest_lambda = -20;
+/// Most contacts of a patch in which a path from open contacts is followed, and most borders on it per
+/// contact.
+constexpr std::size_t apart_limit = 500;
+constexpr int apart_borders_per_contact = 20;
+/// Unbalanced forces at the end of a path, as a share of the loads, above which they are from rounding on a
+/// way of ill-conditioned matrices, and are removed.
+constexpr double rounding_share = 1e-9;
+/// A gap is so much wider, as a share, than needed: no contact begins on the border between open and closed.
+constexpr double gap_margin = 1e-9;
 
 constexpr std::size_t no_contact = std::numeric_limits<std::size_t>::max();
 /// Marks in local_row_: not in the patch; in it, but not yet met.
 constexpr int outside = -1;
 constexpr int unmet = -2;
 
+/// Whether a contact opens under enough tension; bolts and bonds without a limit do not.
+bool may_open(const LimitedContact& contact) {
+    return contact.normal_stiffness > 0 && std::isfinite(contact.least_normal);
+}
+
 }  // namespace
 
-/// The path of Eq. (99).
 PatchPath::Outcome PatchPath::follow(const LimitedStep& step, std::span<const RowIndex> rows,
-                                     LimitedIterate iterate) {
+                                     LimitedIterate iterate, PathStarts starts) {
     step_ = &step;
     local_row_.resize(step.base.stiffness.size(), outside);
     order(rows);
     find_contacts(iterate);
-    find_unbalanced(iterate.displacement);
-    Outcome outcome;
-    moved_.assign(rows_.size(), Vec6::Zero());
-    int sense = find_direction();
-    double lambda = 0;
-    while (sense != 0 && outcome.borders < border_limit) {
-        Border border;
-        const std::size_t contact = next_border(sense, border);
-        const double remaining = sense > 0 ? 1 - lambda : std::numeric_limits<double>::infinity();
-        if (border.distance >= remaining) {
-            outcome.balanced = std::isfinite(remaining);
-            if (outcome.balanced) move(remaining);
-            break;
-        }
-        move(sense * border.distance);
-        lambda += sense * border.distance;
-        if (!(lambda >= lowest_lambda)) break;
-        ++outcome.borders;
-        const double pivot = cross(contact, border);
-        if (pivot == 0 || !std::isfinite(pivot)) break;
-        if (pivot < 0) sense = -sense;
-        if (change_count_ == change_limit && find_direction() == 0) break;
+    Outcome outcome = follow_from_iterate(iterate);
+    const bool may_begin_apart = starts == PathStarts::iterate_then_apart && contacts_.size() <= apart_limit;
+    if (!outcome.balanced && may_begin_apart) outcome += follow_from_apart(iterate);
+    if (outcome.balanced) {
+        remove_rounding(iterate);
+        store(iterate);
     }
-    if (outcome.balanced) store(iterate);
     for (const RowIndex row : rows_) local_row_[row] = outside;
     return outcome;
 }
@@ -108,16 +104,15 @@ void PatchPath::add_contact(ContactIndex contact, const LimitedIterate& iterate)
     const BlockPair& pair = *limited.rows;
     Local local;
     local.contact = contact;
+    local.law = &limited;
     if (pair.first.exists()) local.first = local_row_[pair.first];
     if (pair.second.exists()) local.second = local_row_[pair.second];
     local.opening_first = project(limited.opening, pair.first_arm);
     local.opening_second = -project(limited.opening, pair.second_arm);
     local.shearing_first = project(limited.shearing, pair.first_arm);
     local.shearing_second = -project(limited.shearing, pair.second_arm);
-    local.at = iterate.elastic[contact];
-    local.piece = limited.piece_at(local.at);
     contacts_.push_back(local);
-    start_.push_back(local.at);
+    start_.push_back(iterate.elastic[contact]);
 }
 
 void PatchPath::add_forces(const Local& local, const Vec2& forces, std::span<Vec6> unbalanced) {
@@ -127,18 +122,136 @@ void PatchPath::add_forces(const Local& local, const Vec2& forces, std::span<Vec
         unbalanced[local.second] += forces.y() * local.shearing_second - forces.x() * local.opening_second;
 }
 
-void PatchPath::find_unbalanced(RowSpan<const Vec6> displacement) {
+void PatchPath::begin(RowSpan<const Vec6> displacement) {
+    lambda_ = 0;
+    find_elastic_forces();
     unbalanced_.resize(rows_.size());
-    for (std::size_t k = 0; k < rows_.size(); ++k)
-        unbalanced_[k] =
-            step_->base.stiffness[rows_[k]] * displacement[rows_[k]] - step_->base.load[rows_[k]];
+    for (std::size_t k = 0; k < rows_.size(); ++k) {
+        const Vec6 here = displacement[rows_[k]] + moved_[k];
+        unbalanced_[k] = step_->base.stiffness[rows_[k]] * here - step_->base.load[rows_[k]];
+    }
     for (const Local& local : contacts_)
-        add_forces(local, limited(local).on(local.piece).at(local.at), unbalanced_);
+        add_forces(local, local.law->on(local.piece).at(local.at), unbalanced_);
 }
 
 // --- the path
 
+/// The path of Eq. (99).
+PatchPath::Outcome PatchPath::follow_from_iterate(const LimitedIterate& iterate) {
+    moved_.assign(rows_.size(), Vec6::Zero());
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        contacts_[i].approach = 0;
+        contacts_[i].piece = contacts_[i].law->piece_at(start_[i]);
+    }
+    begin(iterate.displacement);
+    return walk(border_limit);
+}
+
+/// The path of Eq. (100).
+PatchPath::Outcome PatchPath::follow_from_apart(const LimitedIterate& iterate) {
+    hold_open();
+    Outcome outcome = follow_from_iterate(iterate);
+    release(iterate);
+    if (!outcome.balanced) return outcome;
+    set_gap();
+    begin(iterate.displacement);
+    outcome += walk(apart_borders_per_contact * static_cast<int>(contacts_.size()));
+    outcome.began_apart = true;
+    return outcome;
+}
+
+void PatchPath::hold_open() {
+    open_laws_.resize(contacts_.size());
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        if (!may_open(*contacts_[i].law)) continue;
+        open_laws_[i] = *contacts_[i].law;
+        open_laws_[i].normal_stiffness = 0;
+        start_[i].normal = open_laws_[i].least_normal;
+        contacts_[i].law = &open_laws_[i];
+    }
+}
+
+void PatchPath::release(const LimitedIterate& iterate) {
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        contacts_[i].law = &step_->contacts[contacts_[i].contact];
+        start_[i] = iterate.elastic[contacts_[i].contact];
+    }
+}
+
+void PatchPath::set_gap() {
+    double gap = 0;
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        const LimitedContact& law = *contacts_[i].law;
+        if (!may_open(law)) continue;
+        const double normal = start_[i].normal + change_of(contacts_[i], moved_).normal;
+        gap = std::max(gap, (normal - law.least_normal) / law.normal_stiffness);
+    }
+    for (Local& local : contacts_)
+        if (may_open(*local.law)) local.approach = (1 + gap_margin) * gap * local.law->normal_stiffness;
+}
+
+void PatchPath::remove_rounding(const LimitedIterate& iterate) {
+    for (Local& local : contacts_) local.approach = 0;
+    begin(iterate.displacement);
+    double largest = 0, load = 0;
+    for (std::size_t k = 0; k < rows_.size(); ++k) {
+        largest = std::max(largest, unbalanced_[k].cwiseAbs().maxCoeff());
+        load = std::max(load, step_->base.load[rows_[k]].cwiseAbs().maxCoeff());
+    }
+    if (largest <= rounding_share * load || find_direction() == 0) return;
+    Border border;
+    next_border(1, border);
+    if (border.distance >= 1) move(1);
+}
+
+PatchPath::Outcome PatchPath::walk(int most_borders) {
+    Outcome outcome;
+    int sense = find_direction();
+    while (sense != 0 && outcome.borders < most_borders) {
+        Border border;
+        const std::size_t contact = next_border(sense, border);
+        const double remaining = sense > 0 ? 1 - lambda_ : std::numeric_limits<double>::infinity();
+        if (border.distance >= remaining) {
+            outcome.balanced = std::isfinite(remaining);
+            if (outcome.balanced) move(remaining);
+            break;
+        }
+        move(sense * border.distance);
+        if (!(lambda_ >= lowest_lambda)) break;
+        ++outcome.borders;
+        const double pivot = cross(contact, border);
+        if (pivot == 0 || !std::isfinite(pivot)) break;
+        if (pivot < 0) sense = -sense;
+        if (change_count_ == change_limit && find_direction() == 0) break;
+    }
+    return outcome;
+}
+
 int PatchPath::find_direction() {
+    const int sign = factorize();
+    if (sign == 0) return 0;
+    direction_.resize(rows_.size());
+    for (std::size_t k = 0; k < rows_.size(); ++k) direction_[k] = -unbalanced_[k];
+    for (const Local& local : contacts_)
+        add_forces(local, -local.approach * local.law->on(local.piece).slope.col(0), direction_);
+    solve(direction_);
+    find_elastic_forces();
+    for (Local& local : contacts_) {
+        local.rate = change_of(local, direction_);
+        local.rate.normal += local.approach;
+    }
+    return sign;
+}
+
+void PatchPath::find_elastic_forces() {
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        Local& local = contacts_[i];
+        local.at = start_[i] + change_of(local, moved_);
+        local.at.normal -= (1 - lambda_) * local.approach;
+    }
+}
+
+int PatchPath::factorize() {
     last_.resize(rows_.size());
     for (std::size_t k = 0; k < last_.size(); ++k) last_[k] = static_cast<int>(k);
     for (const Local& local : contacts_) {
@@ -152,22 +265,11 @@ int PatchPath::find_direction() {
         factors_.add(static_cast<int>(k), static_cast<int>(k), step_->base.stiffness[rows_[k]]);
     for (const Local& local : contacts_) add_springs(local);
     change_count_ = 0;
-    const int sign = factors_.factorize();
-    if (sign == 0) return 0;
-    direction_.resize(rows_.size());
-    for (std::size_t k = 0; k < rows_.size(); ++k) direction_[k] = -unbalanced_[k];
-    solve(direction_);
-    for (std::size_t i = 0; i < contacts_.size(); ++i) {
-        Local& local = contacts_[i];
-        const ElasticForces moved = change_of(local, moved_);
-        local.at = {start_[i].normal + moved.normal, start_[i].shear + moved.shear};
-        local.rate = change_of(local, direction_);
-    }
-    return sign;
+    return factors_.factorize();
 }
 
 void PatchPath::add_springs(const Local& local) {
-    const Eigen::Matrix2d slope = limited(local).on(local.piece).slope;
+    const Eigen::Matrix2d slope = local.law->on(local.piece).slope;
     if (slope.isZero(0)) return;
     const auto add = [&](int row, const Vec6& opening, const Vec6& shearing) {
         if (row < 0) return;
@@ -175,8 +277,8 @@ void PatchPath::add_springs(const Local& local) {
         const Vec6 by_shear = slope(1, 1) * shearing - slope(0, 1) * opening;
         const auto add_column = [&](int column, const Vec6& opening_there, const Vec6& shearing_there) {
             if (column < 0) return;
-            const Mat6 part = by_normal * (-limited(local).normal_stiffness * opening_there).transpose() +
-                              by_shear * (limited(local).shear_stiffness * shearing_there).transpose();
+            const Mat6 part = by_normal * (-local.law->normal_stiffness * opening_there).transpose() +
+                              by_shear * (local.law->shear_stiffness * shearing_there).transpose();
             factors_.add(row, column, part);
         };
         add_column(local.first, local.opening_first, local.shearing_first);
@@ -207,7 +309,7 @@ ElasticForces PatchPath::change_of(const Local& local, std::span<const Vec6> x) 
         opening += local.opening_second.dot(x[local.second]);
         shearing += local.shearing_second.dot(x[local.second]);
     }
-    return {-limited(local).normal_stiffness * opening, limited(local).shear_stiffness * shearing};
+    return {-local.law->normal_stiffness * opening, local.law->shear_stiffness * shearing};
 }
 
 std::size_t PatchPath::next_border(int sense, Border& border) const {
@@ -216,7 +318,7 @@ std::size_t PatchPath::next_border(int sense, Border& border) const {
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
         const Local& local = contacts_[i];
         const ElasticForces rate{sense * local.rate.normal, sense * local.rate.shear};
-        const Border found = limited(local).first_border(local.piece, local.at, rate);
+        const Border found = local.law->first_border(local.piece, local.at, rate);
         if (found.distance >= border.distance) continue;
         border = found;
         next = i;
@@ -225,6 +327,7 @@ std::size_t PatchPath::next_border(int sense, Border& border) const {
 }
 
 void PatchPath::move(double distance) {
+    lambda_ += distance;
     for (std::size_t k = 0; k < moved_.size(); ++k) moved_[k] += distance * direction_[k];
     for (Local& local : contacts_) {
         local.at.normal += distance * local.rate.normal;
@@ -234,8 +337,8 @@ void PatchPath::move(double distance) {
 
 double PatchPath::cross(std::size_t contact, const Border& border) {
     Local& crossing = contacts_[contact];
-    const LimitedContact& laws = limited(crossing);
-    const Eigen::Matrix2d difference = laws.on(border.beyond).slope - laws.on(crossing.piece).slope;
+    const Eigen::Matrix2d difference =
+        crossing.law->on(border.beyond).slope - crossing.law->on(crossing.piece).slope;
     if (changes_.size() == change_count_) changes_.emplace_back();
     Change& change = changes_[change_count_];
     change.contact = contact;

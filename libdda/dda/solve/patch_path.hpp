@@ -14,32 +14,47 @@ struct LimitedIterate {
     ContactSpan<ElasticForces> elastic;
 };
 
-/// The path that leads the blocks of a patch to balance, while those around it stay: the unbalanced forces
-/// fall in proportion, F(d) = (1 - lambda) F(d0), Eq. (99). F is linear in pieces, so the path is straight
-/// from border to border. At each border the matrix changes by one product of two vectors. Where its
-/// determinant changes sign the path turns back in lambda [katzenelson1965; fujisawakuh1972]. Memory is
-/// kept from patch to patch.
+/// Which paths are followed in a patch: that from the iterate, Eq. (99), which arrives at the state next to
+/// it; or where this does not end that from open contacts, Eq. (100), as well. With much friction several
+/// states may balance, and the second path may arrive at another one.
+enum class PathStarts { iterate, iterate_then_apart };
+
+/// The path that leads the blocks of a patch to balance, while those around it stay. From where the blocks
+/// are the unbalanced forces fall in proportion, F(d) = (1 - lambda) F(d0), Eq. (99). Where this path does
+/// not end, one that begins with open contacts is followed: a gap in all of them closes, Eq. (100). F is
+/// linear in pieces, so a path is straight from border to border. At each border the matrix changes by one
+/// product of two vectors. Where its determinant changes sign the path turns back in lambda [katzenelson1965;
+/// fujisawakuh1972]. Memory is kept from patch to patch.
 class PatchPath {
   public:
     struct Outcome {
         bool balanced = false;
-        int borders = 0;  ///< crossed on the way
+        bool began_apart = false;  ///< the path that arrived began with open contacts
+        int borders = 0;           ///< crossed on the way
+
+        /// Adds the borders of a path that is followed next; the rest is of that path.
+        Outcome& operator+=(const Outcome& next) {
+            return *this = {next.balanced, next.began_apart, borders + next.borders};
+        }
     };
-    /// Follows the path to its end. Where that is not reached, the iterate stays as it was.
+    /// Follows the paths to the end of one. Where that is not reached, the iterate stays as it was.
     /// @param rows the patch.
-    Outcome follow(const LimitedStep& step, std::span<const RowIndex> rows, LimitedIterate iterate);
+    Outcome follow(const LimitedStep& step, std::span<const RowIndex> rows, LimitedIterate iterate,
+                   PathStarts starts);
 
   private:
     /// A contact of the patch.
     struct Local {
         ContactIndex contact;
+        const LimitedContact* law = nullptr;
         int first = -1;  ///< its blocks in the patch; -1 outside
         int second = -1;
         Vec6 opening_first, opening_second;  ///< gradients by the unknowns of its blocks
         Vec6 shearing_first, shearing_second;
         Piece piece;
-        ElasticForces at;    ///< on the path
-        ElasticForces rate;  ///< change for a change of lambda by 1
+        double approach = 0;  ///< normal force by which the contact's gap closes, N per metre
+        ElasticForces at;     ///< on the path
+        ElasticForces rate;   ///< change for a change of lambda by 1
     };
     /// A change of the matrix: the forces of a contact follow its elastic forces in another way.
     struct Change {
@@ -49,23 +64,39 @@ class PatchPath {
         double pivot = 1;            ///< ratio of the determinants after and before
     };
 
-    const LimitedContact& limited(const Local& local) const { return step_->contacts[local.contact]; }
     void order(std::span<const RowIndex> rows);
     /// Walks from a block to its neighbours that are not met yet. @param met receives the blocks in the order
     /// in which they are met, behind those that it has.
     void walk_from(RowIndex root, std::vector<RowIndex>& met);
     void find_contacts(const LimitedIterate& iterate);
     void add_contact(ContactIndex contact, const LimitedIterate& iterate);
-    void find_unbalanced(RowSpan<const Vec6> displacement);
     /// Adds the forces of a contact to the unbalanced forces. @param forces normal and shear, N per metre
     static void add_forces(const Local& local, const Vec2& forces, std::span<Vec6> unbalanced);
+    Outcome follow_from_iterate(const LimitedIterate& iterate);
+    Outcome follow_from_apart(const LimitedIterate& iterate);
+    /// Lets the contacts that may open bear their least normal force wherever the blocks are.
+    void hold_open();
+    /// Lets them follow their laws again.
+    void release(const LimitedIterate& iterate);
+    /// Sets the gap that opens these contacts at the present displacements.
+    void set_gap();
+    /// Begins a path at the present displacements and pieces: finds the forces that do not balance there.
+    void begin(RowSpan<const Vec6> displacement);
+    /// Takes away what rounding on the way left unbalanced, if no border is as near.
+    void remove_rounding(const LimitedIterate& iterate);
+    /// Follows a path until lambda is 1, or until it has crossed too many borders.
+    Outcome walk(int most_borders);
     /// Factorises the matrix of the present pieces, and finds the direction of the path.
     /// @return the sign of the determinant.
     int find_direction();
+    /// Factorises the matrix of the present pieces. @return the sign of its determinant.
+    int factorize();
     void add_springs(const Local& local);
     /// Solves with the matrix of the present pieces.
     void solve(std::span<Vec6> x) const;
     ElasticForces change_of(const Local& local, std::span<const Vec6> x) const;
+    /// Sets the elastic forces of the contacts to those of the displacements and the gap.
+    void find_elastic_forces();
     /// The next border. @param sense 1 or -1: lambda grows or falls. @return its contact's index, or none.
     std::size_t next_border(int sense, Border& border) const;
     void move(double distance);
@@ -81,10 +112,12 @@ class PatchPath {
     std::vector<RowIndex> rows_;  ///< the patch, in the order of the matrix
     std::vector<Local> contacts_;
     std::vector<Vec6> unbalanced_;      ///< at the start of the path
-    std::vector<Vec6> moved_;           ///< displacements since then
+    double lambda_ = 0;                 ///< on the path
+    std::vector<Vec6> moved_;           ///< displacements from the iterate
     std::vector<Vec6> direction_;       ///< displacements for a change of lambda by 1
-    std::vector<ElasticForces> start_;  ///< per contact of the patch
-    std::vector<Change> changes_;       ///< since the last factorisation
+    std::vector<ElasticForces> start_;  ///< per contact of the patch, at the iterate
+    std::vector<LimitedContact> open_laws_;
+    std::vector<Change> changes_;  ///< since the last factorisation
     std::size_t change_count_ = 0;
 };
 

@@ -24,7 +24,7 @@ int Patches::relax(const LimitedStep& step, const PatchAims& aims, RowSpan<Vec6>
         set_core(row);
         for (int ring = 0; ring < rings; ++ring) add_ring();
         for (const RowIndex each : patch_) in_patch_[each] = 0;
-        path_.follow(step, patch_, {displacement, forces_.elastic()});
+        path_.follow(step, patch_, {displacement, forces_.elastic()}, aims.starts);
         ++patches;
     }
     return patches;
