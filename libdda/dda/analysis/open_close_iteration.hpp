@@ -6,6 +6,7 @@
 #include "dda/analysis/step_problem.hpp"
 #include "dda/base/phase_times.hpp"
 #include "dda/linear/linear_solver.hpp"
+#include "dda/solve/damped_step.hpp"
 #include "dda/solve/patches.hpp"
 
 namespace rockslope::dda {
@@ -24,6 +25,7 @@ struct OpenCloseResult : StepCounts {
 struct IterationWorkspace {
     BlockMatrix matrix;
     Patches patches;
+    DampedStep damped_step;
     PerContact<LimitedContact> contacts;  ///< and bolts
     RowContacts row_contacts;             ///< of them, where there are bolts
 };

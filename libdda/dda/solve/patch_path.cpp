@@ -17,7 +17,7 @@ constexpr double lowest_lambda = -20;
 /// Most contacts of a patch in which a path from open contacts is followed, and most borders on it per
 /// contact.
 constexpr std::size_t apart_limit = 500;
-constexpr int apart_borders_per_contact = 20;
+constexpr int apart_borders_per_contact = 5;
 /// Unbalanced forces at the end of a path, as a share of the loads, above which they are from rounding on a
 /// way of ill-conditioned matrices, and are removed.
 constexpr double rounding_share = 1e-9;
