@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "dda/analysis/step_report.hpp"
+#include "dda/terms/loads.hpp"
 
 namespace rockslope::dda {
 
@@ -43,6 +44,18 @@ constexpr double free_fall_tolerance = 0.01;
 bool falls_freely(const Model& model, const State& state, BlockIndex block) {
     const Vec2 difference = state.blocks.acceleration[block].head<2>() - model.gravity;
     return difference.norm() <= free_fall_tolerance * model.gravity.norm();
+}
+
+/// A load pushes a block that owes it at least this share of its acceleration.
+constexpr double pushing_share = 0.5;
+
+/// The key of the load that pushes a block, or null.
+const char* pushing_load(const Model& model, const State& state, BlockIndex block) {
+    const Vec2 acceleration = state.blocks.acceleration[block].head<2>();
+    const double norm = acceleration.norm();
+    if (!(norm > 0)) return nullptr;
+    const Push push = largest_push(model, state.blocks, block, acceleration / norm, state.dynamic_time);
+    return push.force >= pushing_share * state.blocks.mass[block] * norm ? push.load : nullptr;
 }
 
 /// The free block with the largest value, if any value is above `least`.
@@ -95,7 +108,8 @@ MovingBlock moving_block(const Model& model, const State& state, BlockIndex bloc
             .unbalanced = unbalanced_force(state.blocks, block, reference),
             .on = slipping_contact(state, block),
             .against = locked_contact(state, block),
-            .falls_freely = falls_freely(model, state, block)};
+            .falls_freely = falls_freely(model, state, block),
+            .pushed_by = pushing_load(model, state, block)};
 }
 
 std::optional<MovingBlock> block_moved_beyond(const Model& model, const State& state, double limit,
@@ -115,13 +129,15 @@ std::optional<MovingBlock> least_balanced_block(const Model& model, const State&
 }
 
 std::string describe_manner(const Model& model, const MovingBlock& moving) {
-    if (moving.on) return "along '" + model.joint_material_at(moving.on->joint_material).name + "'";
+    const std::string push = moving.pushed_by ? std::string(", pushed by ") + moving.pushed_by : "";
+    if (moving.on) return "along '" + model.joint_material_at(moving.on->joint_material).name + "'" + push;
     if (moving.against) {
         const BlockIndex other = moving.against->corner_block == moving.block ? moving.against->edge_block
                                                                               : moving.against->corner_block;
-        return "in contact with block " + std::to_string(other.value()) + " without sliding on it";
+        return "in contact with block " + std::to_string(other.value()) + " without sliding on it" + push;
     }
-    return moving.falls_freely ? "in free fall" : "out of contact, under its loads";
+    if (moving.falls_freely) return "in free fall";
+    return moving.pushed_by ? "out of contact" + push : "out of contact, under its loads";
 }
 
 std::string describe(const Model& model, const State& state, const MovingBlock& moving) {

@@ -14,11 +14,12 @@ namespace rockslope::dda {
 /// A block that does not come to rest, and what holds it.
 struct MovingBlock {
     BlockIndex block;
-    double displacement = 0;         ///< m, of the centroid, in the stage
-    double unbalanced = 0;           ///< unbalanced force over the weight
-    std::optional<Contact> on;       ///< the sliding contact with the largest slip
-    std::optional<Contact> against;  ///< a closed contact that does not slide
-    bool falls_freely = false;       ///< its acceleration is that of gravity alone
+    double displacement = 0;          ///< m, of the centroid, in the stage
+    double unbalanced = 0;            ///< unbalanced force over the weight
+    std::optional<Contact> on;        ///< the sliding contact with the largest slip
+    std::optional<Contact> against;   ///< a closed contact that does not slide
+    bool falls_freely = false;        ///< its acceleration is that of gravity alone
+    const char* pushed_by = nullptr;  ///< key of the load that moves it on; null: no load does
 };
 
 /// The free blocks whose unbalanced force over the weight is above `tolerance`.
@@ -41,7 +42,8 @@ MovingBlock moving_block(const Model& model, const State& state, BlockIndex bloc
 /// The block with the largest unbalanced force. @return none without free blocks.
 std::optional<MovingBlock> least_balanced_block(const Model& model, const State& state);
 
-/// How a block moves: along a joint, against another block, in free fall, or under its loads alone.
+/// How a block moves: along a joint, against another block, in free fall, or under its loads alone; and which
+/// load pushes it.
 std::string describe_manner(const Model& model, const MovingBlock& moving);
 
 /// One line: block, place, displacement, what it moves along or is held by, and unbalanced force.

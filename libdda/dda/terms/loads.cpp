@@ -65,6 +65,13 @@ class LoadForces {
     PerRow<Vec6> forces_;
 };
 
+/// The present place of everything, for loads apart from a step.
+MidStep at_present(const BlockSystem& blocks) {
+    MidStep now{blocks.vertices, blocks.points, {}};
+    for (const AreaMoments& moments : blocks.moments) now.centroid.push_back(moments.centroid);
+    return now;
+}
+
 /// The masses, sizes and tractions for estimating the largest acceleration by a load.
 class LoadedBlocks {
   public:
@@ -77,8 +84,7 @@ class LoadedBlocks {
     /// The acceleration by the sum of the magnitudes of all tractions of a load on faces, m/s2.
     template <class FaceLoad>
     double max_traction_acceleration(const FaceLoad& load) const {
-        MidStep now{blocks_.vertices, blocks_.points, {}};
-        for (const AreaMoments& moments : blocks_.moments) now.centroid.push_back(moments.centroid);
+        const MidStep now = at_present(blocks_);
         PerBlock<double> total_force(blocks_.mass.size(), 0);
         visit_tractions(model_, now, load, [&](const FacePoint& point, const Vec2& traction) {
             total_force[point.block] += point.weight * traction.norm();
@@ -126,6 +132,24 @@ double max_load_acceleration(const Model& model, const BlockSystem& blocks) {
     for (const Load& load : model.loads)
         largest =
             std::max(largest, std::visit([&](const auto& l) { return l.max_acceleration(loaded); }, load));
+    return largest;
+}
+
+Push largest_push(const Model& model, const BlockSystem& blocks, BlockIndex block, const Vec2& direction,
+                  double time) {
+    const RowMap rows(model.motion);
+    const MidStep now = at_present(blocks);
+    Push largest;
+    for (const Load& load : model.loads) {
+        const PerRow<Vec6> forces = unit_load_forces(model, rows, blocks, now, load);
+        std::visit(
+            [&](const auto& l) {
+                const double along =
+                    l.history.at(time) * direction.dot(forces[rows.row_of[block]].template head<2>());
+                if (along > largest.force) largest = {l.key, along};
+            },
+            load);
+    }
     return largest;
 }
 

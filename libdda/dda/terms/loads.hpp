@@ -31,6 +31,17 @@ void add_loads(const Model& model, const RowMap& rows, const BlockSystem& blocks
 /// direction.
 double max_load_acceleration(const Model& model, const BlockSystem& blocks);
 
+/// A load that pushes a block.
+struct Push {
+    const char* load = nullptr;  ///< its key in the run model; null: no load does
+    double force = 0;            ///< N per metre, along the direction asked for
+};
+
+/// The load with the largest force on a free block along a direction. @param direction of length 1.
+/// @param time s, of the load histories.
+Push largest_push(const Model& model, const BlockSystem& blocks, BlockIndex block, const Vec2& direction,
+                  double time);
+
 /// Called with each integration point of a face and the traction on the rock there, Pa.
 using TractionVisit = std::function<void(const FacePoint& point, const Vec2& traction)>;
 

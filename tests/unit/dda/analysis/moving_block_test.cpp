@@ -111,6 +111,29 @@ TEST(MovingBlock, FallsFreelyOnlyAtTheAccelerationOfGravity) {
     EXPECT_NE(manner().find(" m in contact with block 0 without sliding on it and"), std::string::npos);
 }
 
+// Water along a face gives 1.5 g to the side, and the block is told as pushed where that is at least half of
+// its acceleration.
+TEST(MovingBlock, NamesTheLoadThatPushesIt) {
+    FourBlocks blocks;
+    const double mass = blocks.state.blocks.mass[1];
+    const dda::EdgeIndex left_face = 7;
+    blocks.s.model.loads.push_back(dda::JointWater{{left_face}, 1.5 * g * mass, {}});
+    blocks.move(1, {1, 0});
+    const auto manner = [&](double to_the_side, double down) {
+        blocks.state.blocks.acceleration[1].head<2>() = Vec2(to_the_side, -down);
+        return dda::describe_manner(blocks.s.model, dda::moving_block(blocks.s.model, blocks.state, 1));
+    };
+    EXPECT_EQ(manner(1.5 * g, g), "out of contact, pushed by joint_water");
+    EXPECT_EQ(manner(0, 0.5 * g), "out of contact, under its loads");
+    EXPECT_EQ(manner(0, 0), "out of contact, under its loads") << "at rest";
+    EXPECT_EQ(manner(0, g), "in free fall");
+    EXPECT_EQ(manner(3.1 * g, 0), "out of contact, under its loads") << "less than half of its acceleration";
+    blocks.add_contact(0, 1, dda::ContactState::locked, 0);
+    EXPECT_EQ(manner(2.9 * g, 0), "in contact with block 0 without sliding on it, pushed by joint_water");
+    blocks.add_contact(1, 0, dda::ContactState::sliding, 0.1);
+    EXPECT_EQ(manner(2.9 * g, 0), "along 'bedding', pushed by joint_water");
+}
+
 // Blocks 1 to 3 have one mass each: two that moved are 2/3 of it.
 TEST(MovingBlock, HasNotMovedBeyondTheLimitWhereTooLittleOfTheMassHas) {
     FourBlocks blocks;
