@@ -1,5 +1,6 @@
 #include "dda/analysis/energy_watch.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -88,6 +89,21 @@ TEST(EnergyWatch, TellsOfEveryAccountThatGaveMoreThanAThousandth) {
             "lengths or joints changed; most in one step, 0.5 J/m, at t = 3.25 s by block 7 on block 4, "
             "joint material 'bedding'",
             "the time integration gave 1.2 J/m of 1e+03 J/m turned over, which gamma = 1 would not"}));
+}
+
+// Energy that friction did not give is put into the account of a block that slides.
+TEST(EnergyWatch, EndsADynamicStageAndSaysWhy) {
+    Scene s;
+    s.box({-1, -1}, 20, 1, dda::Motion::fixed);
+    s.box({0, 0}, 1, 1);
+    s.friction(20);
+    Simulation run(s);
+    run.velocity(1)[0] = 3;
+    run.state.energy.friction_returned = 1e9;
+    const dda::RunOutcome outcome = run.shake(1, 1e-3);
+    EXPECT_EQ(outcome.status, dda::RunStatus::energy_created);
+    EXPECT_LT(run.state.time, 2e-3) << "in its first step";
+    EXPECT_THAT(outcome.message, testing::HasSubstr("t = 0.001 s: friction returned 1e+09 J/m of"));
 }
 
 // A block thrown along a smooth floor, and one that is dropped: friction returns nothing.
