@@ -138,14 +138,15 @@ double max_load_acceleration(const Model& model, const BlockSystem& blocks) {
 Push largest_push(const Model& model, const BlockSystem& blocks, BlockIndex block, const Vec2& direction,
                   double time) {
     const RowMap rows(model.motion);
+    const RowIndex row = rows.row_of[block];
+    if (!row.exists() || model.loads.empty()) return {};
     const MidStep now = at_present(blocks);
     Push largest;
     for (const Load& load : model.loads) {
         const PerRow<Vec6> forces = unit_load_forces(model, rows, blocks, now, load);
         std::visit(
             [&](const auto& l) {
-                const double along =
-                    l.history.at(time) * direction.dot(forces[rows.row_of[block]].template head<2>());
+                const double along = l.history.at(time) * direction.dot(forces[row].template head<2>());
                 if (along > largest.force) largest = {l.key, along};
             },
             load);

@@ -37,8 +37,8 @@ struct Push {
     double force = 0;            ///< N per metre, along the direction asked for
 };
 
-/// The load with the largest force on a free block along a direction. @param direction of length 1.
-/// @param time s, of the load histories.
+/// The load with the largest force on a block along a direction; none pushes a block without unknowns.
+/// @param direction of length 1. @param time s, of the load histories.
 Push largest_push(const Model& model, const BlockSystem& blocks, BlockIndex block, const Vec2& direction,
                   double time);
 

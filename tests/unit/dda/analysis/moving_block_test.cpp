@@ -134,6 +134,15 @@ TEST(MovingBlock, NamesTheLoadThatPushesIt) {
     EXPECT_EQ(manner(2.9 * g, 0), "along 'bedding', pushed by joint_water");
 }
 
+// A measured point of a block whose motion is prescribed may end a stage, too: no load moves that block.
+TEST(MovingBlock, IsNotPushedWhereItsMotionIsPrescribed) {
+    FourBlocks blocks;
+    const dda::EdgeIndex left_face = 3;
+    blocks.s.model.loads.push_back(dda::JointWater{{left_face}, 1e6, {}});
+    blocks.state.blocks.acceleration[0].head<2>() = Vec2(1, 0);
+    EXPECT_EQ(dda::moving_block(blocks.s.model, blocks.state, 0).pushed_by, nullptr);
+}
+
 // Blocks 1 to 3 have one mass each: two that moved are 2/3 of it.
 TEST(MovingBlock, HasNotMovedBeyondTheLimitWhereTooLittleOfTheMassHas) {
     FourBlocks blocks;
