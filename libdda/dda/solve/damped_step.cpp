@@ -6,8 +6,8 @@ namespace rockslope::dda {
 
 namespace {
 
-/// The step is halved until the unbalanced forces grow no more than so many times. With 1 the shipped slope
-/// takes twice the iterations to settle, for a solution that spreads a load of the patches lets them grow.
+/// The unbalanced forces may grow so many times. The patches leave forces at their rims, and the solution of
+/// all blocks spreads them: with 1 the shipped slope takes twice the iterations to settle.
 constexpr double allowed_growth = 10;
 /// Most halvings; the step of a sixty-fourth is taken whatever it does.
 constexpr int most_halvings = 6;

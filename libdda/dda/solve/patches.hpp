@@ -12,7 +12,7 @@ struct PatchAims {
     double tolerance = 0;          ///< N per metre; unbalanced forces below half of it are left
     double share = 0;              ///< those below this share of the largest are left as well
     RowSpan<const double> length;  ///< m, per row: moments over it are compared with forces
-    PathStarts starts = PathStarts::iterate_then_apart;
+    PathStarts starts = PathStarts::iterate_then_apart;  ///< which paths are followed
 };
 
 /// Balances the blocks whose forces do not balance, in small patches that overlap, one after the other by
