@@ -59,7 +59,8 @@ class PenetrationSearch {
         if (inside && !entrance.first) {
             // The corner was inside before, or slid around another corner and entered through an edge that
             // fails the angle test.
-            if (const CornerEdge* nearest = nearest_edge_passing_angle_test(corner_candidates))
+            const double deepest = std::max(found.depth, locate(corner_candidates, 0).depth) + allowed;
+            if (const CornerEdge* nearest = nearest_possible_entrance(corner_candidates, deepest))
                 found.pair = *nearest;
             else if (entrance.second < 0)
                 found.pair = end.nearest;
@@ -140,6 +141,11 @@ class PenetrationSearch {
         }
     }
 
+    double gap_before(const CornerEdge& pair) const {
+        return corner_edge_geometry(before(pair.corner), before(start_of(pair.edge)),
+                                    before(end_of(pair.edge)))
+            .gap;
+    }
     CornerEdgeGeometry geometry_after(const CornerEdge& pair) const {
         return corner_edge_geometry(after(pair.corner), after(start_of(pair.edge)), after(end_of(pair.edge)));
     }
@@ -147,14 +153,15 @@ class PenetrationSearch {
         return passes_entrance_angle_test(topology_, after_, pair.corner, geometry_after(pair).normal);
     }
     /// The nearest edge that the corner is behind, between its ends, and that passes the entrance-angle test;
-    /// null if there is none.
-    const CornerEdge* nearest_edge_passing_angle_test(CornerCandidates corner_candidates) const {
+    /// null if there is none. Before the step the corner was no deeper behind it than `deepest`: it did not
+    /// enter by an edge on the far side of the block.
+    const CornerEdge* nearest_possible_entrance(CornerCandidates corner_candidates, double deepest) const {
         const CornerEdge* nearest = nullptr;
         double least = search_radius_;
         for (const CornerEdge& pair : corner_candidates) {
             const CornerEdgeGeometry geometry = geometry_after(pair);
             if (geometry.gap >= 0 || -geometry.gap >= least || geometry.end_margin() < 0 ||
-                !passes_angle_test(pair))
+                !passes_angle_test(pair) || gap_before(pair) < -deepest)
                 continue;
             least = -geometry.gap;
             nearest = &pair;
