@@ -33,6 +33,9 @@ constexpr int patch_iterations = 24;
 /// of 992 blocks with cohesion 28 do.
 constexpr double largest_growth = 100;
 constexpr double largest_growth_at_end = 1;
+/// The patches have also taken too long when their search for borders has looked at every contact of the step
+/// so many times. That costs as much as some fifty iterations.
+constexpr double visits_per_contact = 1500;
 /// Share of the largest unbalanced force above which a block is balanced in a patch, in the first iteration
 /// and later. With 1e-3 instead of none in the first a slope of 381 blocks takes 40 % fewer patches.
 constexpr double first_patch_share = 1e-3;
@@ -91,6 +94,8 @@ class OpenCloseIteration {
           friction_coupling_(problem, trials_, solver, pool),
           fallbacks_before_(solver.fallbacks()),
           force_(problem.contacts.size()),
+          visits_left_(visits_per_contact *
+                       static_cast<double>(problem.contacts.size() + problem.bolts.size())),
           iteration_residual_(std::clamp(residual_over_tolerance * problem.control.force_tolerance,
                                          full_tolerance, largest_iteration_residual)),
           bound_mixing_(bound_memory),
@@ -152,7 +157,7 @@ class OpenCloseIteration {
         if (iterations_since_restart() == 1) first_force_change_ = result_.force_change;
         const bool is_last = iterations_since_restart() == patch_iterations;
         const double growth = is_last ? largest_growth_at_end : largest_growth;
-        is_astray_ = !(result_.force_change <= growth * first_force_change_);
+        is_astray_ = !(result_.force_change <= growth * first_force_change_) || visits_left_ <= 0;
         return is_astray_;
     }
 
@@ -360,8 +365,10 @@ class OpenCloseIteration {
         const PathStarts starts = iterations_since_restart() > near_iterations
                                       ? PathStarts::iterate_then_apart
                                       : PathStarts::iterate;
-        const PatchAims aims{trials_.tolerance(), share, length_, starts};
-        if (work_.patches.relax(limited_step(), aims, displacement_, pool_) == 0) return;
+        const PatchAims aims{trials_.tolerance(), share, length_, {starts, visits_left_}};
+        const Relaxation taken = work_.patches.relax(limited_step(), aims, displacement_, pool_);
+        visits_left_ -= taken.visits;
+        if (taken.patches == 0) return;
         is_at_target_ = false;
         remaining_displacement_.resize(target_.size());
         for (const RowIndex r : target_.indices()) remaining_displacement_[r] = target_[r] - displacement_[r];
@@ -464,6 +471,7 @@ class OpenCloseIteration {
     bool is_at_target_ = true;             ///< the iterate is target_
     double first_force_change_ = 0;        ///< N per metre, of the first iteration since the restart
     bool is_astray_ = false;
+    double visits_left_;         ///< of contacts, that the patches may still make in search of borders
     PerRow<double> length_;      ///< per row: square root of the block's area, m
     double iteration_residual_;  ///< residual of linear solutions over the load
     int substitutions_ = 0;

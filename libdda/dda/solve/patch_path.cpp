@@ -37,13 +37,15 @@ bool may_open(const LimitedContact& contact) {
 }  // namespace
 
 PatchPath::Outcome PatchPath::follow(const LimitedStep& step, std::span<const RowIndex> rows,
-                                     LimitedIterate iterate, PathStarts starts) {
+                                     LimitedIterate iterate, const PathAims& aims) {
     step_ = &step;
+    visits_left_ = aims.visit_limit;
     local_row_.resize(step.base.stiffness.size(), outside);
     order(rows);
     find_contacts(iterate);
     Outcome outcome = follow_from_iterate(iterate);
-    const bool may_begin_apart = starts == PathStarts::iterate_then_apart && contacts_.size() <= apart_limit;
+    const bool may_begin_apart =
+        aims.starts == PathStarts::iterate_then_apart && contacts_.size() <= apart_limit;
     if (!outcome.balanced && may_begin_apart) outcome += follow_from_apart(iterate);
     if (outcome.balanced) {
         remove_rounding(iterate);
@@ -207,7 +209,9 @@ void PatchPath::remove_rounding(const LimitedIterate& iterate) {
 PatchPath::Outcome PatchPath::walk(int most_borders) {
     Outcome outcome;
     int sense = find_direction();
-    while (sense != 0 && outcome.borders < most_borders) {
+    while (sense != 0 && outcome.borders < most_borders && visits_left_ > 0) {
+        outcome.visits += static_cast<double>(contacts_.size());
+        visits_left_ -= static_cast<double>(contacts_.size());
         Border border;
         const std::size_t contact = next_border(sense, border);
         const double remaining = sense > 0 ? 1 - lambda_ : std::numeric_limits<double>::infinity();

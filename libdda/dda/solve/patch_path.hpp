@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -19,6 +20,13 @@ struct LimitedIterate {
 /// states may balance, and the second path may arrive at another one.
 enum class PathStarts { iterate, iterate_then_apart };
 
+/// How paths are followed in a patch.
+struct PathAims {
+    PathStarts starts = PathStarts::iterate_then_apart;
+    /// The search for borders may look at so many contacts. Then the paths are given up.
+    double visit_limit = std::numeric_limits<double>::infinity();
+};
+
 /// The path that leads the blocks of a patch to balance, while those around it stay. From where the blocks
 /// are the unbalanced forces fall in proportion, F(d) = (1 - lambda) F(d0), Eq. (99). Where this path does
 /// not end, one that begins with open contacts is followed: a gap in all of them closes, Eq. (100). F is
@@ -31,16 +39,17 @@ class PatchPath {
         bool balanced = false;
         bool began_apart = false;  ///< the path that arrived began with open contacts
         int borders = 0;           ///< crossed on the way
+        double visits = 0;         ///< contacts that the search for borders looked at
 
-        /// Adds the borders of a path that is followed next; the rest is of that path.
+        /// Adds the borders and visits of a path that is followed next; the rest is of that path.
         Outcome& operator+=(const Outcome& next) {
-            return *this = {next.balanced, next.began_apart, borders + next.borders};
+            return *this = {next.balanced, next.began_apart, borders + next.borders, visits + next.visits};
         }
     };
     /// Follows the paths to the end of one. Where that is not reached, the iterate stays as it was.
     /// @param rows the patch.
     Outcome follow(const LimitedStep& step, std::span<const RowIndex> rows, LimitedIterate iterate,
-                   PathStarts starts);
+                   const PathAims& aims);
 
   private:
     /// A contact of the patch.
@@ -84,7 +93,7 @@ class PatchPath {
     void begin(RowSpan<const Vec6> displacement);
     /// Takes away what rounding on the way left unbalanced, if no border is as near.
     void remove_rounding(const LimitedIterate& iterate);
-    /// Follows a path until lambda is 1, or until it has crossed too many borders.
+    /// Follows a path until lambda is 1, or until it has crossed too many borders or visits_left_ is used up.
     Outcome walk(int most_borders);
     /// Factorises the matrix of the present pieces, and finds the direction of the path.
     /// @return the sign of the determinant.
@@ -119,6 +128,7 @@ class PatchPath {
     std::vector<LimitedContact> open_laws_;
     std::vector<Change> changes_;  ///< since the last factorisation
     std::size_t change_count_ = 0;
+    double visits_left_ = 0;
 };
 
 }  // namespace rockslope::dda

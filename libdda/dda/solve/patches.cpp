@@ -12,22 +12,24 @@ constexpr int rings = 2;
 
 }  // namespace
 
-int Patches::relax(const LimitedStep& step, const PatchAims& aims, RowSpan<Vec6> displacement,
-                   const ThreadPool& pool) {
+Relaxation Patches::relax(const LimitedStep& step, const PatchAims& aims, RowSpan<Vec6> displacement,
+                          const ThreadPool& pool) {
     step_ = &step;
     in_patch_.assign(displacement.size(), 0);
     forces_.evaluate(step, displacement, aims.length, pool);
     find_unbalanced(aims);
-    int patches = 0;
+    Relaxation taken;
     for (const RowIndex row : is_unbalanced_.indices()) {
         if (is_unbalanced_[row] == 0) continue;
+        if (taken.visits >= aims.path.visit_limit) break;
         set_core(row);
         for (int ring = 0; ring < rings; ++ring) add_ring();
         for (const RowIndex each : patch_) in_patch_[each] = 0;
-        path_.follow(step, patch_, {displacement, forces_.elastic()}, aims.starts);
-        ++patches;
+        const PathAims path{aims.path.starts, aims.path.visit_limit - taken.visits};
+        taken.visits += path_.follow(step, patch_, {displacement, forces_.elastic()}, path).visits;
+        ++taken.patches;
     }
-    return patches;
+    return taken;
 }
 
 void Patches::find_unbalanced(const PatchAims& aims) {

@@ -12,7 +12,13 @@ struct PatchAims {
     double tolerance = 0;          ///< N per metre; unbalanced forces below half of it are left
     double share = 0;              ///< those below this share of the largest are left as well
     RowSpan<const double> length;  ///< m, per row: moments over it are compared with forces
-    PathStarts starts = PathStarts::iterate_then_apart;  ///< which paths are followed
+    PathAims path;                 ///< its visits are those of all patches
+};
+
+/// What a relaxation took.
+struct Relaxation {
+    int patches = 0;
+    double visits = 0;  ///< contacts that the search for borders looked at
 };
 
 /// Balances the blocks whose forces do not balance, in small patches that overlap, one after the other by
@@ -21,9 +27,9 @@ struct PatchAims {
 /// blocks. Memory is kept from step to step.
 class Patches {
   public:
-    /// @param displacement per row, m; changed in the patches. @return the number of patches.
-    int relax(const LimitedStep& step, const PatchAims& aims, RowSpan<Vec6> displacement,
-              const ThreadPool& pool);
+    /// @param displacement per row, m; changed in the patches.
+    Relaxation relax(const LimitedStep& step, const PatchAims& aims, RowSpan<Vec6> displacement,
+                     const ThreadPool& pool);
 
   private:
     /// Marks the blocks whose unbalanced force is over the aims.

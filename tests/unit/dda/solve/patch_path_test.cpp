@@ -4,6 +4,7 @@
 
 #include <Eigen/LU>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "support/pressed_block.hpp"
@@ -21,8 +22,7 @@ Vec6 end_of_path(const PressedBlock& block, PatchPath::Outcome& outcome) {
     std::vector<Vec6> displacement{Vec6::Zero()};
     std::vector<ElasticForces> elastic{block.contact.elastic_at(displacement)};
     const std::vector<RowIndex> patch{RowIndex(0)};
-    outcome =
-        PatchPath().follow(block.step(), patch, {displacement, elastic}, PathStarts::iterate_then_apart);
+    outcome = PatchPath().follow(block.step(), patch, {displacement, elastic}, PathAims{});
     return displacement[0];
 }
 
@@ -52,9 +52,7 @@ TEST(PatchPath, LeavesWhatCannotBalance) {
     std::vector<ElasticForces> elastic{block.contact.elastic_at(displacement)};
     const ElasticForces before = elastic[0];
     const std::vector<RowIndex> patch{RowIndex(0)};
-    EXPECT_FALSE(PatchPath()
-                     .follow(block.step(), patch, {displacement, elastic}, PathStarts::iterate_then_apart)
-                     .balanced);
+    EXPECT_FALSE(PatchPath().follow(block.step(), patch, {displacement, elastic}, PathAims{}).balanced);
     EXPECT_EQ(displacement[0], Vec6::Constant(1e-3));
     EXPECT_EQ(elastic[0].normal, before.normal);
     EXPECT_EQ(elastic[0].shear, before.shear);
@@ -71,7 +69,7 @@ TEST(PatchPath, BalancesRandomPatches) {
         std::vector<ElasticForces> elastic = patch.elastic(displacement);
         const bool is_negative = patch.determinant_sign(displacement) < 0;
         const PatchPath::Outcome outcome =
-            path.follow(patch.step(), patch.rows(), {displacement, elastic}, PathStarts::iterate_then_apart);
+            path.follow(patch.step(), patch.rows(), {displacement, elastic}, PathAims{});
         EXPECT_TRUE(outcome.balanced) << "seed " << seed;
         begun_apart += outcome.began_apart ? 1 : 0;
         begun_negative += is_negative ? 1 : 0;
@@ -85,6 +83,31 @@ TEST(PatchPath, BalancesRandomPatches) {
     }
     EXPECT_GT(begun_apart, 4) << "some paths from the iterate close on themselves";
     EXPECT_GT(begun_negative, 10) << "against the direction of a positive determinant these would run away";
+}
+
+/// The least number of visits that leads to balance: so many contacts for each border, and once more.
+TEST(PatchPath, IsGivenUpWhereItsVisitsAreUsedUp) {
+    RandomPatch patch(1, 40);
+    const std::vector<Vec6> start = patch.random_displacement();
+    const auto follow = [&](double visit_limit) {
+        std::vector<Vec6> displacement = start;
+        std::vector<ElasticForces> elastic = patch.elastic(displacement);
+        const PatchPath::Outcome outcome = PatchPath().follow(
+            patch.step(), patch.rows(), {displacement, elastic}, PathAims{PathStarts::iterate, visit_limit});
+        if (!outcome.balanced) {
+            EXPECT_EQ(displacement, start);
+        }
+        return outcome;
+    };
+    const PatchPath::Outcome whole = follow(std::numeric_limits<double>::infinity());
+    ASSERT_TRUE(whole.balanced);
+    ASSERT_GT(whole.borders, 5);
+    const double contacts = whole.visits / (whole.borders + 1);
+    EXPECT_EQ(contacts, std::floor(contacts));
+    EXPECT_TRUE(follow(whole.visits).balanced);
+    const PatchPath::Outcome cut = follow(whole.visits - contacts);
+    EXPECT_FALSE(cut.balanced);
+    EXPECT_EQ(cut.borders, whole.borders);
 }
 
 }  // namespace

@@ -37,8 +37,8 @@ class Solution {
             solve(pieces);
             const double tolerance = recorded_.tolerance(largest_force());
             if (unbalanced() < tolerance) return pass;
-            patch_count_ += patches_.relax(step_, {tolerance, pass == 1 ? 0 : 0.02, length}, displacement_,
-                                           ThreadPool(1));
+            const PatchAims aims{tolerance, pass == 1 ? 0 : 0.02, length, {}};
+            patch_count_ += patches_.relax(step_, aims, displacement_, ThreadPool(1)).patches;
             for (std::size_t k = 0; k < pieces.size(); ++k) {
                 const LimitedContact& c = step_.contacts[k];
                 if (c.may_close) pieces[k] = c.piece_at(c.elastic_at(displacement_));
