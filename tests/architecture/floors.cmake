@@ -14,7 +14,7 @@ set(levels_of_analysis
     "bonds deepest_contact lost_blocks segment_friction step_report"
     "moving_block run_observer trial_contacts"
     "augmentation line_search shear_line step_matrix trial_dilation"
-    "friction_coupling interior_point limited_contacts"
+    "friction_coupling gap_settling interior_point limited_contacts"
     "interior_coupling open_close_iteration"
     "ledger rotation_prediction"
     "excavate perturb step stop_limit"

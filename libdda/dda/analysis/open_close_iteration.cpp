@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "dda/analysis/friction_coupling.hpp"
+#include "dda/analysis/gap_settling.hpp"
 #include "dda/analysis/interior_point.hpp"
 #include "dda/analysis/limited_contacts.hpp"
 #include "dda/analysis/line_search.hpp"
@@ -44,6 +45,10 @@ constexpr double patch_share = 0.02;
 /// path from open contacts may end in another state than the next one, and most steps end before it is
 /// needed.
 constexpr int near_iterations = 8;
+/// The first iteration whose patches are wide, and from then on every fourth one's: where small patches pass
+/// their unbalanced forces on to each other, a path through all of their blocks ends that.
+constexpr int first_wide_iteration = 14;
+constexpr int wide_period = 4;
 /// Number of iterations in which first entrances and gaps follow every iterate.
 constexpr int entrance_iterations = 4;
 /// Number of times that first entrances are selected anew later, where the forces agree with the laws.
@@ -122,6 +127,7 @@ class OpenCloseIteration {
             const bool in_patches = is_in_patches();
             in_patches ? advance_in_patches() : advance_to_target();
             evaluate(in_patches);
+            if (result_.gaps_unsettled || (!in_patches && !std::isfinite(result_.force_change))) break;
             if (in_patches)
                 test_and_relax();
             else if (bounds_follow || is_at_minimum())
@@ -333,7 +339,13 @@ class OpenCloseIteration {
         using Gaps = TrialContacts::Gaps;
         const bool is_linear = in_patches && iterations_since_restart() > entrance_iterations;
         trials_.set_displacement(displacement_, target_, is_linear ? Gaps::linear : Gaps::exact);
-        if (is_linear && is_at_minimum()) trials_.set_displacement(displacement_, target_);
+        if (is_linear && is_at_minimum()) follow_gaps();
+    }
+    /// Evaluates the gaps exactly at a minimum for linear ones.
+    void follow_gaps() {
+        trials_.set_displacement(displacement_, target_);
+        const bool fails = gap_settling_.fails(trials_.force_change().largest, trials_.tolerance());
+        result_.gaps_unsettled = fails && p_.may_predict_anew;
     }
     /// Finds the contacts and bolts of all rows.
     void find_contacts_and_bolts() {
@@ -365,7 +377,9 @@ class OpenCloseIteration {
         const PathStarts starts = iterations_since_restart() > near_iterations
                                       ? PathStarts::iterate_then_apart
                                       : PathStarts::iterate;
-        const PatchAims aims{trials_.tolerance(), share, length_, {starts, visits_left_}};
+        const int late = iterations_since_restart() - first_wide_iteration;
+        const bool is_wide = late >= 0 && late % wide_period == 0;
+        const PatchAims aims{trials_.tolerance(), share, length_, is_wide, {starts, visits_left_}};
         const Relaxation taken = work_.patches.relax(limited_step(), aims, displacement_, pool_);
         visits_left_ -= taken.visits;
         if (taken.patches == 0) return;
@@ -471,6 +485,7 @@ class OpenCloseIteration {
     bool is_at_target_ = true;             ///< the iterate is target_
     double first_force_change_ = 0;        ///< N per metre, of the first iteration since the restart
     bool is_astray_ = false;
+    GapSettling gap_settling_;
     double visits_left_;         ///< of contacts, that the patches may still make in search of borders
     PerRow<double> length_;      ///< per row: square root of the block's area, m
     double iteration_residual_;  ///< residual of linear solutions over the load

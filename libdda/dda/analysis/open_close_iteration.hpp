@@ -14,6 +14,7 @@ namespace rockslope::dda {
 struct OpenCloseResult : StepCounts {
     bool converged = false;
     bool singular = false;                              ///< the matrix was not positive definite
+    bool gaps_unsettled = false;                        ///< blocks turn too far from their predicted mid-step
     ContactIndex worst_contact = ContactIndex::none();  ///< the contact with the largest force change
     double force_change = 0;                ///< N per metre, the largest force change of the last iteration
     PerRow<Vec6> displacement;              ///< per row

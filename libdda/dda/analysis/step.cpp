@@ -153,9 +153,10 @@ StepAttempt TimeStepper::attempt_with(const Stage& stage, const State& state, do
         attempt.rejection = Rejection::too_stiff;
         return attempt;
     }
-    OpenCloseResult result = solve(stage, state, step, prediction.guess);
+    OpenCloseResult result = solve(stage, state, step, prediction);
     static_cast<StepCounts&>(attempt.report) = result;
     if (!result.converged) {
+        if (result.gaps_unsettled) correct_mid_step(stage, state, step, result, prediction);
         attempt.rejection = result.singular ? Rejection::singular : Rejection::not_converged;
         if (result.worst_contact.exists())
             attempt.worst_contact = step.contacts.contacts[result.worst_contact];
@@ -196,6 +197,16 @@ StepAttempt TimeStepper::attempt_with(const Stage& stage, const State& state, do
     attempt.report.ended_counter_slips =
         ended_counter_slips(model_, step.segments, step.contacts.contacts, attempt.state.contacts.contacts);
     return attempt;
+}
+
+void TimeStepper::correct_mid_step(const Stage& stage, const State& state, const Step& step,
+                                   OpenCloseResult& result, Prediction& prediction) {
+    const PerBlock<Vec6> displacement = all_displacements(step, result);
+    const double moved = largest_displacement(state, displacement);
+    if (!(moved <= displacement_limit(stage.control))) return;
+    ++prediction.rotation_corrections;
+    prediction.search_radius = std::max(prediction.search_radius, 2.5 * moved);
+    prediction.retry_from(displacement, {step.contacts.contacts, std::move(result.contacts)});
 }
 
 bool TimeStepper::correct_motion(const State& state, const Step& step, OpenCloseResult& result,
@@ -329,7 +340,7 @@ void TimeStepper::analyze_pattern(const ContactSet& contacts) {
 }
 
 OpenCloseResult TimeStepper::solve(const Stage& stage, const State& state, const Step& step,
-                                   const InitialGuess& guess) {
+                                   const Prediction& prediction) {
     if (rows_.count() == 0) {
         OpenCloseResult no_unknowns;
         no_unknowns.converged = true;
@@ -338,7 +349,7 @@ OpenCloseResult TimeStepper::solve(const Stage& stage, const State& state, const
     }
     analyze_pattern(step.contacts);
     end_of(Phase::analysis, times_);
-    const PerContact<const EvaluatedContact*> initial_guess = guess.match(step.contacts.contacts);
+    const PerContact<const EvaluatedContact*> initial_guess = prediction.guess.match(step.contacts.contacts);
     PerContact<double> held;
     if (bonds_hold(model_, stage)) held = held_shares(model_, step.contacts.contacts);
     const StepProblem problem{
@@ -359,7 +370,8 @@ OpenCloseResult TimeStepper::solve(const Stage& stage, const State& state, const
         coordinate_rounding_ * std::max(max_spring_stiffness(step.springs), model_.normal_penalty),
         step.dashpots,
         held,
-        tolerated_gain * turned_over(state.energy)};
+        tolerated_gain * turned_over(state.energy),
+        prediction.rotation_corrections < rotation_correction_limit};
     return iterate_open_close(problem, pattern_, *solver_, work_, pool_, times_);
 }
 

@@ -66,6 +66,9 @@ class TimeStepper {
     /// @param moved m, the largest displacement of a vertex. @return whether the prediction was corrected.
     static bool correct_motion(const State& state, const Step& step, OpenCloseResult& result,
                                const PerBlock<Vec6>& displacement, double moved, Prediction& prediction);
+    /// Predicts the mid-step with the displacements found, where gaps did not settle about the one predicted.
+    void correct_mid_step(const Stage& stage, const State& state, const Step& step, OpenCloseResult& result,
+                          Prediction& prediction);
     /// First estimate of the largest distance, m, at which a corner and an edge can still meet in the step.
     double initial_search_radius(const Stage& stage, const State& state, double dt) const;
     /// The largest displacement that a vertex may have in a step, m.
@@ -85,7 +88,7 @@ class TimeStepper {
     /// Symbolic analysis of the matrix pattern, if the pattern of the candidates has changed.
     void analyze_pattern(const ContactSet& contacts);
     OpenCloseResult solve(const Stage& stage, const State& state, const Step& step,
-                          const InitialGuess& guess);
+                          const Prediction& prediction);
     /// The displacement of the step per block, prescribed and fixed blocks included.
     /// Whether friction gives so much energy in a step that a shorter one is to be tried.
     bool friction_drives(const Stage& stage, const State& before, const State& after) const;

@@ -54,6 +54,8 @@ struct StepProblem {
     ContactSpan<const double> held_shares = {};
     /// J per metre; friction that gives no more in a step is a rounding error.
     double tolerated_gain = 0;
+    /// Whether the mid-step may be predicted anew: the iteration then ends where gaps do not settle.
+    bool may_predict_anew = false;
 
     /// Whether no bond breaks in the step.
     bool bonds_hold() const { return !held_shares.empty(); }

@@ -1,6 +1,7 @@
 #include "dda/solve/patches.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace rockslope::dda {
 
@@ -9,12 +10,15 @@ namespace {
 /// Unbalanced blocks of a patch, and rings of neighbours around them.
 constexpr std::size_t core_size = 10;
 constexpr int rings = 2;
+/// Blocks of a wide patch: no ring is added to so many.
+constexpr std::size_t wide_size = 250;
 
 }  // namespace
 
 Relaxation Patches::relax(const LimitedStep& step, const PatchAims& aims, RowSpan<Vec6> displacement,
                           const ThreadPool& pool) {
     step_ = &step;
+    is_wide_ = aims.wide;
     in_patch_.assign(displacement.size(), 0);
     forces_.evaluate(step, displacement, aims.length, pool);
     find_unbalanced(aims);
@@ -22,8 +26,9 @@ Relaxation Patches::relax(const LimitedStep& step, const PatchAims& aims, RowSpa
     for (const RowIndex row : is_unbalanced_.indices()) {
         if (is_unbalanced_[row] == 0) continue;
         if (taken.visits >= aims.path.visit_limit) break;
-        set_core(row);
-        for (int ring = 0; ring < rings; ++ring) add_ring();
+        set_core(row, aims.wide ? wide_size : core_size);
+        aims.wide ? add_rings(static_cast<int>(wide_size), wide_size)
+                  : add_rings(rings, std::numeric_limits<std::size_t>::max());
         for (const RowIndex each : patch_) in_patch_[each] = 0;
         const PathAims path{aims.path.starts, aims.path.visit_limit - taken.visits};
         taken.visits += path_.follow(step, patch_, {displacement, forces_.elastic()}, path).visits;
@@ -48,13 +53,14 @@ template <class Visit>
 void Patches::for_neighbours(RowIndex row, const Visit& visit) const {
     for (const ContactIndex k : step_->row_contacts.of(row)) {
         const LimitedContact& contact = step_->contacts[k];
-        if (!contact.may_close || !(forces_.elastic()[k].normal > contact.least_normal)) continue;
+        if (!contact.may_close) continue;
+        if (!is_wide_ && !(forces_.elastic()[k].normal > contact.least_normal)) continue;
         const RowIndex other = contact.rows->first == row ? contact.rows->second : contact.rows->first;
         if (other.exists()) visit(other);
     }
 }
 
-void Patches::set_core(RowIndex row) {
+void Patches::set_core(RowIndex row, std::size_t size) {
     const auto add = [&](RowIndex block) {
         is_unbalanced_[block] = 0;
         in_patch_[block] = 1;
@@ -65,8 +71,16 @@ void Patches::set_core(RowIndex row) {
     std::size_t next = 0;
     while (next < patch_.size()) {
         for_neighbours(patch_[next++], [&](RowIndex other) {
-            if (is_unbalanced_[other] != 0 && patch_.size() < core_size) add(other);
+            if (is_unbalanced_[other] != 0 && patch_.size() < size) add(other);
         });
+    }
+}
+
+void Patches::add_rings(int count, std::size_t size) {
+    for (int ring = 0; ring < count && patch_.size() < size; ++ring) {
+        const std::size_t before = patch_.size();
+        add_ring();
+        if (patch_.size() == before) break;
     }
 }
 

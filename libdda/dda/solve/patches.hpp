@@ -12,6 +12,7 @@ struct PatchAims {
     double tolerance = 0;          ///< N per metre; unbalanced forces below half of it are left
     double share = 0;              ///< those below this share of the largest are left as well
     RowSpan<const double> length;  ///< m, per row: moments over it are compared with forces
+    bool wide = false;             ///< patches of hundreds of blocks
     PathAims path;                 ///< its visits are those of all patches
 };
 
@@ -23,8 +24,9 @@ struct Relaxation {
 
 /// Balances the blocks whose forces do not balance, in small patches that overlap, one after the other by
 /// PatchPath; everything outside a patch stays meanwhile. A patch is ten such blocks at most that hang
-/// together, and two rings of neighbours around them. The far field is left to the linear system of all
-/// blocks. Memory is kept from step to step.
+/// together, and two rings of neighbours around them. A wide one has as many rings as 250 blocks fill, also
+/// over contacts that are open and may close. The far field is left to the linear system of all blocks.
+/// Memory is kept from step to step.
 class Patches {
   public:
     /// @param displacement per row, m; changed in the patches.
@@ -36,14 +38,18 @@ class Patches {
     void find_unbalanced(const PatchAims& aims);
     /// Sets the patch to unbalanced blocks that hang together, from one of them on; they are no longer
     /// marked.
-    void set_core(RowIndex row);
-    /// Adds the neighbours of the patch to it.
+    /// @param size most blocks.
+    void set_core(RowIndex row, std::size_t size);
+    /// Adds rings of neighbours to the patch while it is smaller than the size.
+    void add_rings(int count, std::size_t size);
     void add_ring();
-    /// Calls visit(row) for each block that presses on a block, in the order of the contacts.
+    /// Calls visit(row) for each block that presses on a block, or in a wide patch may, in the order of the
+    /// contacts.
     template <class Visit>
     void for_neighbours(RowIndex row, const Visit& visit) const;
 
     const LimitedStep* step_ = nullptr;
+    bool is_wide_ = false;
     PatchPath path_;
     std::vector<RowIndex> patch_;
     LimitedForces forces_;

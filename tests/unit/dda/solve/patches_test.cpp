@@ -17,7 +17,8 @@ TEST(Patches, LeavesBlocksThatBalance) {
     RandomPatch row(3);
     const std::vector<double> length(row.blocks(), 1.0);
     std::vector<Vec6> displacement(row.blocks(), Vec6::Zero());
-    EXPECT_EQ(Patches().relax(row.step(), {1e3, 0, length, {}}, displacement, ThreadPool(1)).patches, 0);
+    EXPECT_EQ(Patches().relax(row.step(), {1e3, 0, length, false, {}}, displacement, ThreadPool(1)).patches,
+              0);
     for (const Vec6& d : displacement) EXPECT_EQ(d, Vec6::Zero());
 }
 
@@ -31,8 +32,9 @@ TEST(Patches, BalanceShortRowsAndLowerTheForcesOfLongOnes) {
             const std::vector<double> length(blocks, 1.0);
             std::vector<Vec6> displacement(blocks, Vec6::Zero());
             const double before = row.unbalanced(displacement);
-            EXPECT_GT(patches.relax(row.step(), {1e-9, 0, length, {}}, displacement, ThreadPool(1)).patches,
-                      0);
+            EXPECT_GT(
+                patches.relax(row.step(), {1e-9, 0, length, false, {}}, displacement, ThreadPool(1)).patches,
+                0);
             const double after = row.unbalanced(displacement);
             if (blocks == 4) balanced += after < 1e-7 * before ? 1 : 0;
             if (blocks == 40) lowered += after < before ? 1 : 0;
@@ -42,12 +44,28 @@ TEST(Patches, BalanceShortRowsAndLowerTheForcesOfLongOnes) {
     EXPECT_GE(lowered, 38);
 }
 
+/// All blocks of a row are in one wide patch, and its path ends in balance.
+TEST(Patches, WideOnesBalanceLongRows) {
+    int balanced = 0, whole = 0;
+    for (unsigned seed = 0; seed < 40; ++seed) {
+        RandomPatch row(seed, 40);
+        const std::vector<double> length(row.blocks(), 1.0);
+        std::vector<Vec6> displacement(row.blocks(), Vec6::Zero());
+        const double before = row.unbalanced(displacement);
+        const PatchAims aims{1e-9, 0, length, true, {}};
+        whole += Patches().relax(row.step(), aims, displacement, ThreadPool(1)).patches == 1 ? 1 : 0;
+        balanced += row.unbalanced(displacement) < 1e-6 * before ? 1 : 0;
+    }
+    EXPECT_GE(balanced, 30);
+    EXPECT_GE(whole, 20);
+}
+
 TEST(Patches, EndWhereTheirVisitsAreUsedUp) {
     RandomPatch row(5, 40);
     const std::vector<double> length(row.blocks(), 1.0);
     const auto relax = [&](double visit_limit) {
         std::vector<Vec6> displacement(row.blocks(), Vec6::Zero());
-        const PatchAims aims{1e-9, 0, length, {PathStarts::iterate, visit_limit}};
+        const PatchAims aims{1e-9, 0, length, false, {PathStarts::iterate, visit_limit}};
         return Patches().relax(row.step(), aims, displacement, ThreadPool(1));
     };
     const Relaxation whole = relax(std::numeric_limits<double>::infinity());
@@ -61,8 +79,8 @@ TEST(Patches, MovesTheSameBlocksWithAnyNumberOfThreads) {
     RandomPatch row(5, 40);
     const std::vector<double> length(row.blocks(), 1.0);
     std::vector<Vec6> one(row.blocks(), Vec6::Zero()), two = one;
-    Patches().relax(row.step(), {1e-9, 0, length, {}}, one, ThreadPool(1));
-    Patches().relax(row.step(), {1e-9, 0, length, {}}, two, ThreadPool(2));
+    Patches().relax(row.step(), {1e-9, 0, length, false, {}}, one, ThreadPool(1));
+    Patches().relax(row.step(), {1e-9, 0, length, false, {}}, two, ThreadPool(2));
     for (std::size_t k = 0; k < one.size(); ++k) EXPECT_EQ(one[k], two[k]);
 }
 
