@@ -96,7 +96,7 @@ double mean_displacement(const Scene& scene, double step) {
 // 0.1 in the smallest. For the stiff wall it is 20. There each halving of the step down to 0.04 ms resolves
 // more of the waves that the sudden gravity causes and that larger steps damp. These waves move the wall with
 // and without dilation, and no order of convergence can be seen.
-TEST(DilatingWall, HasAnErrorOfFirstOrderInTheStep) {
+TEST(LongDilatingWall, HasAnErrorOfFirstOrderInTheStep) {
     for (const double degrees : {40., 45.}) {
         const Scene soft = tipped_wall(1, degrees, 5e7);
         std::vector<double> displacements;

@@ -116,7 +116,7 @@ TEST(FastImpacts, OfPolygonsInABoxCreateNoEnergy) {
 }
 
 // P16. Blocks of 1 m leave a plateau at 5 to 20 m/s and land with 35 m/s and more.
-TEST(FastImpacts, BelowACliffCreateNoEnergy) {
+TEST(LongFastImpacts, BelowACliffCreateNoEnergy) {
     RandomSource random(60);
     Scene s;
     s.friction(35);
