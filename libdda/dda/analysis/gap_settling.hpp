@@ -21,8 +21,10 @@ class GapSettling {
     }
 
   private:
+    /// Changes of fewer tolerances are left to the iteration: with one tolerance a wall of Voronoi cells is
+    /// cut 7800 times.
     static constexpr double change_over_tolerance = 1e3;
-    static constexpr double contraction = 0.5;
+    static constexpr double contraction = 0.5;  ///< largest ratio of a change to the one before that settles
     double last_ = std::numeric_limits<double>::infinity();
 };
 

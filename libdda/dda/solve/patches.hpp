@@ -29,7 +29,7 @@ struct Relaxation {
 /// Memory is kept from step to step.
 class Patches {
   public:
-    /// @param displacement per row, m; changed in the patches.
+    /// @param displacement per row, m; changed in the patches. @return the patches, and what they took.
     Relaxation relax(const LimitedStep& step, const PatchAims& aims, RowSpan<Vec6> displacement,
                      const ThreadPool& pool);
 

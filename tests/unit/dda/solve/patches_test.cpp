@@ -56,8 +56,8 @@ TEST(Patches, WideOnesBalanceLongRows) {
         whole += Patches().relax(row.step(), aims, displacement, ThreadPool(1)).patches == 1 ? 1 : 0;
         balanced += row.unbalanced(displacement) < 1e-6 * before ? 1 : 0;
     }
-    EXPECT_GE(balanced, 30);
-    EXPECT_GE(whole, 20);
+    EXPECT_EQ(whole, 40);
+    EXPECT_EQ(balanced, 40);
 }
 
 TEST(Patches, EndWhereTheirVisitsAreUsedUp) {
