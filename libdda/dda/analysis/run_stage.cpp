@@ -56,6 +56,8 @@ std::string describe(const Model& model, const StepAttempt& attempt) {
 /// Most iterations of a step after which a static stage may lengthen its step, if none of them was of the
 /// interior-point method. Where bonds hold, those that yield keep a step hard while next to nothing moves.
 constexpr int easy_iterations = 20;
+/// The largest step after one that was not easy, over that one; the step of the control is always permitted.
+constexpr double after_hard_step = 0.7;
 /// Largest step of a static stage over the step of its control.
 constexpr double static_step_ratio = 50;
 /// First step of a static stage over the step of its control. Blocks that fall far in the first steps
@@ -108,7 +110,8 @@ class StepSize {
     double largest_after(const StepReport& report) const {
         const bool is_easy =
             bonds_hold_ || (report.iterations <= easy_iterations && report.interior_iterations == 0);
-        if (!is_static_ || !is_easy) return control_.step;
+        if (!is_static_) return control_.step;
+        if (!is_easy) return std::max(control_.step, after_hard_step * report.step);
         const double longer = report.step * std::sqrt(free_fall_ / report.largest_displacement);
         return std::clamp(longer, control_.step, static_step_ratio * control_.step);
     }
