@@ -8,12 +8,11 @@
 #include "dda/analysis/friction_coupling.hpp"
 #include "dda/analysis/gap_settling.hpp"
 #include "dda/analysis/interior_point.hpp"
-#include "dda/analysis/limited_contacts.hpp"
 #include "dda/analysis/line_search.hpp"
+#include "dda/analysis/patch_balance.hpp"
 #include "dda/analysis/step_matrix.hpp"
 #include "dda/analysis/trial_contacts.hpp"
 #include "dda/linear/anderson.hpp"
-#include "dda/solve/patches.hpp"
 
 namespace rockslope::dda {
 
@@ -27,32 +26,14 @@ constexpr int bound_update_iterations = 16;
 /// contacts change their state at once.
 constexpr int short_length_limit = 3;
 constexpr double short_length = 0.1;
-/// Number of iterations that balance the blocks in patches; the others search along a line.
-constexpr int patch_iterations = 24;
-/// The patches lead astray where the largest force change is over so many times that of the first iteration,
-/// while they act and at their end. Then the step begins anew and searches along lines alone. Of 163 steps
-/// of 992 blocks with cohesion 28 do.
-constexpr double largest_growth = 100;
-constexpr double largest_growth_at_end = 1;
-/// The patches have also taken too long when their search for borders has looked at every contact of the step
-/// so many times. That costs as much as some fifty iterations.
-constexpr double visits_per_contact = 1500;
-/// Share of the largest unbalanced force above which a block is balanced in a patch, in the first iteration
-/// and later. With 1e-3 instead of none in the first a slope of 381 blocks takes 40 % fewer patches.
-constexpr double first_patch_share = 1e-3;
-constexpr double patch_share = 0.02;
-/// Number of iterations in which patches whose path from the iterate does not end are left as they are. The
-/// path from open contacts may end in another state than the next one, and most steps end before it is
-/// needed.
-constexpr int near_iterations = 8;
-/// The first iteration whose patches are wide, and from then on every fourth one's: where small patches pass
-/// their unbalanced forces on to each other, a path through all of their blocks ends that.
-constexpr int first_wide_iteration = 14;
-constexpr int wide_period = 4;
 /// Number of iterations in which first entrances and gaps follow every iterate.
 constexpr int entrance_iterations = 4;
 /// Number of times that first entrances are selected anew later, where the forces agree with the laws.
 constexpr int entrance_round_limit = 4;
+/// Number of damped steps in a row after which a dynamic step is accepted where the patches balance it, to
+/// half the tolerance of forces. Otherwise the linear system balances it to rounding, and momentum is
+/// conserved.
+constexpr int stuck_after = 2;
 /// Number of earlier minima that the Anderson mixing of the bounds uses.
 constexpr int bound_memory = 6;
 
@@ -90,26 +71,20 @@ class OpenCloseIteration {
                        IterationWorkspace& work, const ThreadPool& pool, PhaseTimes* times)
         : p_(problem),
           solver_(solver),
-          work_(work),
           matrix_(problem, pattern, work.matrix, pool),
           pool_(pool),
           times_(times),
           trials_(problem, pool),
           line_search_(problem, trials_, pool),
           friction_coupling_(problem, trials_, solver, pool),
+          patches_(problem, trials_, work.patches, pool),
           fallbacks_before_(solver.fallbacks()),
           force_(problem.contacts.size()),
-          visits_left_(visits_per_contact *
-                       static_cast<double>(problem.contacts.size() + problem.bolts.size())),
           iteration_residual_(std::clamp(residual_over_tolerance * problem.control.force_tolerance,
                                          full_tolerance, largest_iteration_residual)),
           bound_mixing_(bound_memory),
           augmentation_mixing_(augmentation_memory) {
         displacement_.assign(p_.rows.count(), Vec6::Zero());
-        length_.resize(p_.rows.count());
-        for (const RowIndex row : length_.indices())
-            length_[row] = std::sqrt(p_.blocks.moments[p_.rows.block_of[row]].area);
-        if (!p_.bolts.empty()) find_contacts_and_bolts();
     }
 
     OpenCloseResult run(Beginning beginning) {
@@ -132,7 +107,7 @@ class OpenCloseIteration {
                 test_and_relax();
             else if (bounds_follow || is_at_minimum())
                 update_bounds_and_test(bounds_follow);
-            if (result_.converged) break;
+            if (result_.converged || result_.gaps_unsettled) break;
             if (is_astray()) return std::move(result_);
             matrix_changed = trials_.update_active_set();
             if (is_stalled()) {
@@ -151,19 +126,17 @@ class OpenCloseIteration {
     bool went_astray() const { return is_astray_; }
 
   private:
+    bool is_static() const { return p_.duration == 0; }
     /// Iterations since the start, or since dilation or augmentation last changed the problem.
     int iterations_since_restart() const { return result_.iterations - iterations_at_restart_; }
     bool is_in_patches() const {
-        return beginning_ == Beginning::in_patches && iterations_since_restart() <= patch_iterations;
+        return beginning_ == Beginning::in_patches && iterations_since_restart() <= PatchBalance::iterations;
     }
 
     /// Whether the force change of a patch iteration shows that the patches lead astray.
     bool is_astray() {
         if (!is_in_patches()) return false;
-        if (iterations_since_restart() == 1) first_force_change_ = result_.force_change;
-        const bool is_last = iterations_since_restart() == patch_iterations;
-        const double growth = is_last ? largest_growth_at_end : largest_growth;
-        is_astray_ = !(result_.force_change <= growth * first_force_change_) || visits_left_ <= 0;
+        is_astray_ = patches_.leads_astray(iterations_since_restart(), result_.force_change);
         return is_astray_;
     }
 
@@ -185,8 +158,7 @@ class OpenCloseIteration {
     /// change, and the iteration needs no more solutions. The lines of rough joint segments do not represent
     /// their laws well enough for the interior-point method.
     bool is_stalled() const {
-        const bool is_static = p_.duration == 0;
-        return is_static && !interior_point_failed_ && !trials_.has_segments() &&
+        return is_static() && !is_in_patches() && !interior_point_failed_ && !trials_.has_segments() &&
                (iterations_since_restart() >= bound_update_iterations || short_steps_ >= short_length_limit);
     }
 
@@ -319,10 +291,14 @@ class OpenCloseIteration {
     /// Moves the displacement towards the solution of the linear system from blocks that were balanced in
     /// patches.
     void advance_in_patches() {
-        const bool is_first = iterations_since_restart() == 1;
-        advance(is_first ? 1
-                         : work_.damped_step.length(limited_step(), displacement_, target_, length_,
-                                                    trials_.tolerance(), pool_));
+        if (iterations_since_restart() == 1) {
+            damped_steps_ = 0;
+            advance(1);
+            return;
+        }
+        is_at_target_ = patches_.advance(target_, displacement_);
+        damped_steps_ = is_at_target_ ? 0 : damped_steps_ + 1;
+        find_remaining_displacement();
     }
     void advance(double step) {
         const double remaining = 1 - step;
@@ -344,21 +320,17 @@ class OpenCloseIteration {
     /// Evaluates the gaps exactly at a minimum for linear ones.
     void follow_gaps() {
         trials_.set_displacement(displacement_, target_);
-        const bool fails = gap_settling_.fails(trials_.force_change().largest, trials_.tolerance());
+        test_gaps(trials_.force_change().largest);
+    }
+    /// Notes whether gaps do not settle. @param change N per metre, by which forces follow their exact
+    /// values.
+    void test_gaps(double change) {
+        const bool fails = gap_settling_.fails(change, trials_.tolerance());
         result_.gaps_unsettled = fails && p_.may_predict_anew;
     }
-    /// Finds the contacts and bolts of all rows.
-    void find_contacts_and_bolts() {
-        PerContact<ContactSprings> springs(p_.springs.begin(), p_.springs.end());
-        for (const BoltSpring& bolt : p_.bolts) {
-            springs.emplace_back();
-            springs[ContactIndex(springs.size() - 1)].rows = bolt.rows;
-        }
-        work_.row_contacts.find(p_.rows.count(), springs);
-    }
     /// Tests for convergence where the step went all the way to the solution of the linear system, whose
-    /// forces balance exactly. Otherwise balances the blocks whose forces do not, in patches, and updates
-    /// the dilation from there.
+    /// forces balance exactly. Otherwise balances the blocks whose forces do not, in patches, tests again if
+    /// that was all, and updates the dilation from there.
     void test_and_relax() {
         follow_entrances();
         if (result_.iterations <= dilation_iterations && is_at_minimum()) trials_.update_dilation();
@@ -367,30 +339,36 @@ class OpenCloseIteration {
             accept_or_restart();
             return;
         }
-        relax_in_patches();
+        if (patches_.relax(iterations_since_restart(), displacement_)) {
+            is_at_target_ = false;
+            find_remaining_displacement();
+            trials_.move_to(displacement_);
+        }
+        if (accepts_patches() && patches_.is_complete(displacement_) && agrees_with_patches() &&
+            !trials_.break_bonds()) {
+            accept_or_restart();
+            return;
+        }
         if (result_.iterations <= dilation_iterations) trials_.update_dilation();
         trials_.update_bounds();
     }
-    void relax_in_patches() {
-        limit_contacts(p_, trials_, displacement_, pool_, work_.contacts);
-        const double share = iterations_since_restart() == 1 ? first_patch_share : patch_share;
-        const PathStarts starts = iterations_since_restart() > near_iterations
-                                      ? PathStarts::iterate_then_apart
-                                      : PathStarts::iterate;
-        const int late = iterations_since_restart() - first_wide_iteration;
-        const bool is_wide = late >= 0 && late % wide_period == 0;
-        const PatchAims aims{trials_.tolerance(), share, length_, is_wide, {starts, visits_left_}};
-        const Relaxation taken = work_.patches.relax(limited_step(), aims, displacement_, pool_);
-        visits_left_ -= taken.visits;
-        if (taken.patches == 0) return;
-        is_at_target_ = false;
+    /// Whether the balance that patches find suffices: in a static step, and where the solution of the linear
+    /// system throws blocks again and again.
+    bool accepts_patches() const { return is_static() || damped_steps_ >= stuck_after; }
+    /// Whether the laws at the iterate agree with the forces by which the patches balanced all blocks.
+    bool agrees_with_patches() {
+        target_ = displacement_;
+        is_at_target_ = true;
+        trials_.measure_gaps(displacement_);
+        follow_entrances();
+        trials_.update_all_bounds();
+        if (is_at_minimum()) return true;
+        test_gaps(result_.force_change);
+        return false;
+    }
+    void find_remaining_displacement() {
         remaining_displacement_.resize(target_.size());
         for (const RowIndex r : target_.indices()) remaining_displacement_[r] = target_[r] - displacement_[r];
-        trials_.move_to(displacement_);
-    }
-    /// The step as the patches last saw it.
-    LimitedStep limited_step() const {
-        return {p_.base, p_.bolts.empty() ? p_.row_contacts : work_.row_contacts, work_.contacts};
     }
     void apply_step_length() {
         displacement_ = target_;
@@ -468,7 +446,6 @@ class OpenCloseIteration {
 
     const StepProblem& p_;
     LinearSolver& solver_;
-    IterationWorkspace& work_;
     StepMatrix matrix_;
     const ThreadPool& pool_;
     PhaseTimes* times_;
@@ -476,6 +453,7 @@ class OpenCloseIteration {
     TrialContacts trials_;
     LineSearch line_search_;
     FrictionCoupling friction_coupling_;
+    PatchBalance patches_;
     int fallbacks_before_;
     PerContact<Vec2> force_;               ///< per contact, on the corner's block, N per metre
     PerRow<Vec6> load_;                    ///< per row: right-hand side
@@ -483,11 +461,9 @@ class OpenCloseIteration {
     PerRow<Vec6> displacement_;            ///< per row: the present iterate, m
     PerRow<Vec6> remaining_displacement_;  ///< per row: from the iterate to target_, m
     bool is_at_target_ = true;             ///< the iterate is target_
-    double first_force_change_ = 0;        ///< N per metre, of the first iteration since the restart
+    int damped_steps_ = 0;                 ///< in a row, from patches
     bool is_astray_ = false;
     GapSettling gap_settling_;
-    double visits_left_;         ///< of contacts, that the patches may still make in search of borders
-    PerRow<double> length_;      ///< per row: square root of the block's area, m
     double iteration_residual_;  ///< residual of linear solutions over the load
     int substitutions_ = 0;
     int iterations_at_restart_ = 0;

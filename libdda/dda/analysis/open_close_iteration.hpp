@@ -2,12 +2,11 @@
 
 #include <vector>
 
+#include "dda/analysis/patch_balance.hpp"
 #include "dda/analysis/step_counts.hpp"
 #include "dda/analysis/step_problem.hpp"
 #include "dda/base/phase_times.hpp"
 #include "dda/linear/linear_solver.hpp"
-#include "dda/solve/damped_step.hpp"
-#include "dda/solve/patches.hpp"
 
 namespace rockslope::dda {
 
@@ -25,10 +24,7 @@ struct OpenCloseResult : StepCounts {
 /// Memory that the caller keeps from step to step.
 struct IterationWorkspace {
     BlockMatrix matrix;
-    Patches patches;
-    DampedStep damped_step;
-    PerContact<LimitedContact> contacts;  ///< and bolts
-    RowContacts row_contacts;             ///< of them, where there are bolts
+    PatchBalance::Memory patches;
 };
 
 /// Shi's open-close iteration: an active-set (semi-smooth Newton) method. Finds the displacement of the step

@@ -195,11 +195,15 @@ class TrialContacts {
         trials_[k].linear = forces;
         trials_[k].linear.shear += trials_[k].tilt * forces.normal;
     }
+    /// Sets the force of a bolt in the linear system at its solution, N per metre.
+    void set_linear_bolt_force(std::size_t bolt, double force) { linear_bolt_[bolt] = force; }
     /// Computes gaps and displacements of all contacts at an iterate. Gaps are exact there; Eq. (21) shifts
     /// their linearisation.
     /// @param d the iterate, per row; @param target the solution of the linear system, whose forces balance.
     /// @param gaps linear: as linearised at the last iterate with exact ones.
     void set_displacement(RowSpan<const Vec6> d, RowSpan<const Vec6> target, Gaps gaps = Gaps::exact);
+    /// Measures the gaps at the iterate exactly; they are linearised from there.
+    void measure_gaps(RowSpan<const Vec6> d);
     /// Moves to another iterate near the last one: gaps are linear in the displacement in between.
     void move_to(RowSpan<const Vec6> d);
     /// First entrance, Eq. (28): of each group of entrance lines at a vertex-vertex contact, only the line
@@ -291,8 +295,6 @@ class TrialContacts {
     template <class Predicate>
     bool for_any_contact(const Predicate& predicate) const;
     Trial initial_trial(ContactIndex k) const;
-    /// Measures the gaps at the iterate, with which they are linearised from there.
-    void measure_gaps(RowSpan<const Vec6> d);
     NormalDashpot dashpot(ContactIndex k) const {
         return p_.dashpots.empty() ? NormalDashpot() : p_.dashpots[k];
     }

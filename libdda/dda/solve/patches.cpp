@@ -45,7 +45,7 @@ void Patches::find_unbalanced(const PatchAims& aims) {
         largest_[row] = forces_.unbalanced(row).cwiseAbs().maxCoeff();
         largest = std::max(largest, largest_[row]);
     }
-    const double least = std::max(aims.tolerance / 2, aims.share * largest);
+    const double least = std::max(aims.tolerance, aims.share * largest);
     for (const RowIndex row : largest_.indices()) is_unbalanced_[row] = largest_[row] > least ? 1 : 0;
 }
 

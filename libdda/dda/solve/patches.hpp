@@ -9,7 +9,7 @@ namespace rockslope::dda {
 
 /// How far a relaxation goes.
 struct PatchAims {
-    double tolerance = 0;          ///< N per metre; unbalanced forces below half of it are left
+    double tolerance = 0;          ///< N per metre; unbalanced forces below it are left
     double share = 0;              ///< those below this share of the largest are left as well
     RowSpan<const double> length;  ///< m, per row: moments over it are compared with forces
     bool wide = false;             ///< patches of hundreds of blocks

@@ -30,12 +30,15 @@ struct LoadedBlock {
         step.base.stiffness[0].diagonal().tail<4>().array() += 1e20;  // neither rotates nor strains
         step.base.load[0] = dda::project(Vec2(-along, -into), Vec2(0, -0.5));
     }
-    void iterate(int iteration_limit = 100) {
+    /// @param duration s, of the step; 0: a static one.
+    void iterate(int iteration_limit = 100, double duration = 1) {
         step.control.iteration_limit = iteration_limit;
+        dda::StepProblem problem = step.problem();
+        problem.duration = duration;
         dda::IterationWorkspace work;
         const auto solver = dda::make_linear_solver(dda::SolverKind::multifrontal, step.pool);
         solver->analyze(step.pattern);
-        result = dda::iterate_open_close(step.problem(), step.pattern, *solver, work, step.pool);
+        result = dda::iterate_open_close(problem, step.pattern, *solver, work, step.pool);
     }
     double moved_along() const { return -result.displacement[0][0]; }
     double moved_into() const { return -result.displacement[0][1]; }
@@ -69,6 +72,19 @@ TEST(OpenCloseIteration, LetsABlockSlideUnderMoreThanItsFriction) {
             EXPECT_NEAR(contact.slip, block.moved_along() - contact.shear_force / spring, 1e-12);
         }
     }
+}
+
+// The block begins locked and slides in the patch. A static step takes that; a dynamic one solves the linear
+// system of the sliding block as well.
+TEST(OpenCloseIteration, AcceptsTheBalanceOfPatchesInAStaticStep) {
+    const Scene s = resting_block(Scene::mohr_coulomb(30));
+    LoadedBlock at_rest(s, 8e4, 5e4), moving(s, 8e4, 5e4);
+    at_rest.iterate(100, 0);
+    moving.iterate(100, dt);
+    ASSERT_TRUE(at_rest.result.converged && moving.result.converged);
+    EXPECT_EQ(at_rest.result.iterations, 1);
+    EXPECT_EQ(moving.result.iterations, 2);
+    EXPECT_NEAR(at_rest.moved_along(), moving.moved_along(), 1e-9);
 }
 
 TEST(OpenCloseIteration, OpensTheContactsOfARisingBlock) {

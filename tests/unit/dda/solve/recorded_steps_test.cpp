@@ -37,7 +37,7 @@ class Solution {
             solve(pieces);
             const double tolerance = recorded_.tolerance(largest_force());
             if (unbalanced() < tolerance) return pass;
-            const PatchAims aims{tolerance, pass == 1 ? 0 : 0.02, length, false, {}};
+            const PatchAims aims{tolerance / 2, pass == 1 ? 0 : 0.02, length, false, {}};
             patch_count_ += patches_.relax(step_, aims, displacement_, ThreadPool(1)).patches;
             for (std::size_t k = 0; k < pieces.size(); ++k) {
                 const LimitedContact& c = step_.contacts[k];
