@@ -271,6 +271,7 @@ class Cutter {
         NetworkReport network = measure_network(cut, report.domain_area - model_.unjointed_area);
         report.joints = std::move(network.joints);
         report.topology = topology_of(cut);
+        report.scanlines = count_along_scanlines(cut);
         report.changes = joint_changes(cut);
         report.changes.insert(report.changes.end(), merges_.changes.begin(), merges_.changes.end());
     }

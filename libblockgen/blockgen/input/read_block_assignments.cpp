@@ -59,6 +59,17 @@ KinematicScreen read_kinematics(const ConfigTable& table, const SlopeModel& mode
     return screen;
 }
 
+Scanline read_scanline(const ConfigTable& table) {
+    Scanline line{read_name(table, "name"), point_of(table.pair("from", Dimension::length)),
+                  point_of(table.pair("to", Dimension::length))};
+    if (line.from == line.to)
+        table.fail("to", "both ends of the scanline are the same point", "a point other than 'from'");
+    line.sound_length = table.checked(
+        "sound_length", table.number("sound_length", Dimension::length, line.sound_length),
+        [](double length) { return length > 0; }, "a length above zero");
+    return line;
+}
+
 }  // namespace
 
 void read_block_assignments(const ConfigTable& root, SlopeModel& model) {
@@ -76,6 +87,8 @@ void read_block_assignments(const ConfigTable& root, SlopeModel& model) {
                 table.fail("name", "a second measured point '" + model.measured_points[k].name + "'",
                            "a name for each measured point");
     }
+    for (const ConfigTable& table : root.array_of_tables("scanline"))
+        model.scanlines.push_back(read_scanline(table));
     for (const ConfigTable& table : root.array_of_tables("bolt")) {
         model.bolts.push_back({table.string("name", "bolt " + std::to_string(model.bolts.size() + 1)),
                                read_name(table, "material"), point_of(table.pair("from", Dimension::length)),

@@ -124,6 +124,12 @@ side = "bottom"                            # or at = [x, y], or inside = polygon
 name = "crest"
 at = [59, 69]
 
+# [[scanline]]                             # joints along it are counted, in the report
+# name = "borehole 1"
+# from = [40, 60]
+# to = [40, 5]
+# sound_length = "10 cm"                   # longer pieces count for the RQD
+
 # [[bolt]]
 # name = "anchor 1"
 # material = "cable"

@@ -138,6 +138,13 @@ struct NamedPoint {
     SourceLocation place;
 };
 
+/// A line along which joints are counted.
+struct Scanline {
+    std::string name;
+    Point from, to;
+    double sound_length = 0.1;  ///< m; longer pieces between joints count for the rock quality designation
+};
+
 struct BoltLine {
     std::string name;
     std::string material;
@@ -202,6 +209,7 @@ struct SlopeModel {
     std::vector<BlockSelector> selectors;
     std::vector<NamedPoint> measured_points;
     std::vector<BoltLine> bolts;
+    std::vector<Scanline> scanlines;
     std::vector<MaterialLine> material_lines;
     bool outline_of_traces = false;  ///< the outline was computed from traces, so some traces run along it
     std::vector<std::string> notes;  ///< warnings of the reader

@@ -9,6 +9,7 @@
 #include "blockgen/report/changes.hpp"
 #include "blockgen/report/joint_balance.hpp"
 #include "blockgen/report/kinematics.hpp"
+#include "blockgen/report/scanlines.hpp"
 #include "blockgen/report/topology.hpp"
 
 namespace rockslope::blockgen {
@@ -45,6 +46,7 @@ struct CutReport {
     ShapeSummary shapes;
     std::vector<JointBalance> joints;  ///< in the order of the model: traces, then sets
     Topology topology;
+    std::vector<ScanlineCount> scanlines;
     TraceEnds trace_ends;
     std::optional<KinematicReport> kinematics;  ///< present if the model has [kinematics]
     std::vector<std::string> warnings;

@@ -212,4 +212,10 @@ NetworkReport measure_network(const CutContext& cut, double rock_area) {
     return NetworkMeasure(cut).run(rock_area);
 }
 
+double volumetric_joint_count(const std::vector<JointBalance>& joints) {
+    double sum = 0;
+    for (const JointBalance& b : joints) sum += b.p10;
+    return sum;
+}
+
 }  // namespace rockslope::blockgen

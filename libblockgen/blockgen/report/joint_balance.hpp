@@ -41,4 +41,9 @@ struct NetworkReport {
 /// allows.
 NetworkReport measure_network(const CutContext& cut, double rock_area);
 
+/// The volumetric joint count, joints per m3 [palmstrom2005]: the sum of the frequencies of all sets, each
+/// across its mean direction. It is that of the rock if all joints strike across the section; other joints
+/// are closer to each other than in the section.
+double volumetric_joint_count(const std::vector<JointBalance>& joints);
+
 }  // namespace rockslope::blockgen

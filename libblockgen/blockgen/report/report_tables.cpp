@@ -129,6 +129,17 @@ void joints_table(Page& page, const CutReport& r) {
               r.topology.branches, r.topology.clusters, 100 * r.topology.largest_cluster);
 }
 
+void scanlines_table(Page& page, const CutReport& r) {
+    if (!r.joints.empty())
+        page.line("Volumetric joint count: %.4g joints per m3, if all sets strike across the section",
+                  volumetric_joint_count(r.joints));
+    if (r.scanlines.empty()) return;
+    page.line("\nScanlines              rock m  joints   per m   RQD %%   RQD %% of random joints");
+    for (const ScanlineCount& s : r.scanlines)
+        page.line("  %s%9.2f %7zu %7.3g %7.1f   %7.1f", padded(s.name).c_str(), s.rock, s.joints,
+                  s.frequency(), s.rock_quality(), s.random_rock_quality());
+}
+
 void kinematics_table(Page& page, const KinematicReport& k) {
     page.line("\nKinematics");
     for (const BlockMode mode : {BlockMode::enclosed, BlockMode::tapered, BlockMode::stable,
@@ -151,6 +162,7 @@ std::string report_tables(const CutReport& report) {
     for (const ExcavationReport& e : report.excavations)
         page.line("  %s%7d %7zu %10.4g", padded(e.name).c_str(), e.stage, e.blocks, e.area);
     joints_table(page, report);
+    scanlines_table(page, report);
     if (report.kinematics) kinematics_table(page, *report.kinematics);
     if (!report.warnings.empty()) page.line("\nWarnings");
     for (const std::string& warning : report.warnings) page.line("  %s", warning.c_str());

@@ -96,6 +96,19 @@ nlohmann::ordered_json joints_json(const std::vector<JointBalance>& balances) {
     return joints;
 }
 
+nlohmann::ordered_json scanlines_json(const std::vector<ScanlineCount>& scanlines) {
+    nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+    for (const ScanlineCount& s : scanlines)
+        rows.push_back({{"name", s.name},
+                        {"rock_m", s.rock},
+                        {"joints", s.joints},
+                        {"joints_per_m", s.frequency()},
+                        {"rqd_percent", s.rock_quality()},
+                        {"rqd_of_random_joints_percent", s.random_rock_quality()},
+                        {"sound_length_m", s.sound_length}});
+    return rows;
+}
+
 nlohmann::ordered_json excavations_json(const std::vector<ExcavationReport>& excavations) {
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
     for (const ExcavationReport& e : excavations)
@@ -141,6 +154,8 @@ std::string report_text(const CutReport& report) {
                  {"branches", report.topology.branches},
                  {"clusters", report.topology.clusters},
                  {"largest_cluster", report.topology.largest_cluster},
+                 {"joints_per_m3", volumetric_joint_count(report.joints)},
+                 {"scanlines", scanlines_json(report.scanlines)},
                  {"trace_ends",
                   {{"moved_by_snap", report.trace_ends.joined.size()},
                    {"stop_short", report.trace_ends.near_misses.size()},

@@ -25,17 +25,11 @@ class NetworkWalk {
     }
 
   private:
-    bool is_rock(HalfEdgeIndex h) const { return cut_.block_of(h) != FaceBlocks::outside; }
-    bool is_joint(EdgeIndex e) const {
-        // Sources are sorted, and joints come last.
-        return cut_.table.is_joint(cut_.noded.sources_of(e).back().source);
-    }
-
     void add_edge(EdgeIndex e) {
-        const bool left = is_rock(forward_half(e)), right = is_rock(backward_half(e));
+        const bool left = cut_.is_rock(forward_half(e)), right = cut_.is_rock(backward_half(e));
         const auto& [a, b] = cut_.noded.edges[e];
         if (left != right) at_face_[a] = at_face_[b] = 1;
-        if (!left || !right || !is_joint(e)) return;
+        if (!left || !right || !cut_.is_joint(e)) return;
         for (const NodeIndex v : {a, b})
             if (degree_[v] < 255) ++degree_[v];
         clusters_.unite(a, b);
@@ -60,7 +54,8 @@ class NetworkWalk {
         PerNode<char> has_node(degree_.size(), 0);
         double total = 0, largest = 0;
         for (const EdgeIndex e : cut_.noded.edges.indices()) {
-            if (!is_rock(forward_half(e)) || !is_rock(backward_half(e)) || !is_joint(e)) continue;
+            if (!cut_.is_rock(forward_half(e)) || !cut_.is_rock(backward_half(e)) || !cut_.is_joint(e))
+                continue;
             const auto& [a, b] = cut_.noded.edges[e];
             const GridPoint &p = cut_.noded.vertices[a], &q = cut_.noded.vertices[b];
             const double edge = std::hypot(static_cast<double>(q.x - p.x), static_cast<double>(q.y - p.y));
