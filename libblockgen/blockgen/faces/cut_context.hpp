@@ -20,6 +20,7 @@ struct CutContext {
     FaceBlockIndex block_of(HalfEdgeIndex half_edge) const {
         return faces.block[subdivision.face[half_edge]];
     }
+    /// Whether there is rock on the left of a half-edge.
     bool is_rock(HalfEdgeIndex half_edge) const { return block_of(half_edge) != FaceBlocks::outside; }
     /// Whether a joint runs along the edge. Its sources are sorted, and joints come last.
     bool is_joint(EdgeIndex edge) const { return table.is_joint(noded.sources_of(edge).back().source); }
