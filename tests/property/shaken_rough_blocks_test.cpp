@@ -62,9 +62,9 @@ dda::TimeTable shaking(Random& random, double peak, double duration) {
 class ShakenRoughBlocks : public testing::TestWithParam<int> {};
 
 // A run tells of a thousandth of the energy turned over. Where the dilation does not converge in a step and
-// is left to the next one, it may do more work than friction takes: in 95 of 100 blocks friction returns less
-// than 1e-5 of the energy, in the worst 7e-4. With the slope of a step's dilation changed after its solution,
-// forces did not balance in some steps, and the residual was 5e-2.
+// is left to the next one, it may do more work than friction takes: in 98 of 100 blocks friction returns less
+// than 1e-5 of the energy, in the worst 4.3e-5. With the slope of a step's dilation changed after its
+// solution, forces did not balance in some steps, and the residual was 5e-2.
 TEST_P(ShakenRoughBlocks, CreateNoEnergy) {
     for (int k = 0; k < 5; ++k) {
         const int seed = 5 * GetParam() + k;
@@ -96,7 +96,7 @@ TEST_P(ShakenRoughBlocks, CreateNoEnergy) {
         const dda::Energy& energy = sim.state.energy;
         const double turned_over =
             std::abs(energy.external_work) + std::abs(energy.gravity) + energy.friction_loss;
-        EXPECT_LT(energy.friction_returned, 1e-3 * turned_over);
+        EXPECT_LT(energy.friction_returned, 1e-4 * turned_over);
         EXPECT_GT(energy.released, -1e-3 * turned_over);
         EXPECT_GT(energy.numerical_loss, -1e-3 * turned_over);
         EXPECT_LT(std::abs(energy.residual()), 1e-5 * turned_over) << "forces do not balance";
