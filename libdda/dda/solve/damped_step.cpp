@@ -12,8 +12,9 @@ namespace {
 constexpr double allowed_growth = 10;
 /// Most halvings; the step of a sixty-fourth is taken whatever it does.
 constexpr int most_halvings = 6;
-/// A block is thrown that goes farther, by this factor, than all blocks do on average, by area. With 5 slopes
-/// with cohesion take half as many steps again to settle, with 100 soft gouge is thrown unseen.
+/// A block is thrown that goes farther, by this factor, than all blocks do on average, by area. A slope with
+/// cohesion settles in 34 steps with 5 and in 21 with 10; with 100 ten of its steps go astray instead of
+/// four.
 constexpr double throw_ratio = 10;
 /// Most rounds in which thrown blocks are held. A block may throw others when it is held.
 constexpr int hold_rounds = 6;
