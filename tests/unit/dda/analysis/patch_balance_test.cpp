@@ -40,8 +40,8 @@ TEST(PatchBalance, OfABlockThatStandsOrSlides) {
     }
 }
 
-// Two springs of 1e9 N/m bear what the block does not: at its bottom 8e7 N/m, from its vertical motion and its
-// strain with an arm of 0.5 m.
+// Two springs of 1e9 N/m bear what the block does not: at its bottom 8e7 N/m, from its vertical motion and
+// its strain with an arm of 0.5 m.
 TEST(PatchBalance, GivesTheForcesThatTheLawsHaveThere) {
     Balance block(20);
     block.relax();
