@@ -30,9 +30,12 @@ export class CanvasView implements View {
             context.fill(block);
             outlines.addPath(block);
         }
-        context.lineWidth = 0.6 * ratio;
-        context.strokeStyle = css(outline);
-        context.stroke(outlines);
+        if (scene.hasRoomForOutlines(camera)) {
+            context.lineWidth = 0.6 * ratio;
+            context.strokeStyle = css(outline);
+            context.stroke(outlines);
+        }
+        if (!scene.hasRoomForPairs(camera)) return;
         context.lineWidth = 2 * ratio;
         for (const [colour, lines] of this.linesByColour(scene, x, y)) {
             context.strokeStyle = colour;

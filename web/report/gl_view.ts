@@ -209,15 +209,14 @@ export class GlView implements View {
         const edgeColour = gl.getUniformLocation(this.blockProgram, "outline");
         gl.uniform4f(edgeColour, 0, 0, 0, 0);
         gl.drawElements(gl.TRIANGLES, this.triangles, gl.UNSIGNED_INT, 0);
-        // Outlines closer to each other than pixels would hide the colours.
-        const usual = Math.sqrt((scene.model.width * scene.model.height) / scene.model.blocks.count) * camera.scale;
-        if (usual > 3) {
+        if (scene.hasRoomForOutlines(camera)) {
             gl.uniform4f(edgeColour, outline[0] / 255, outline[1] / 255, outline[2] / 255, 1);
             gl.drawElements(gl.LINES, this.edges, gl.UNSIGNED_INT, 4 * this.triangles);
         }
+        if (!scene.hasRoomForPairs(camera)) return;
         this.use(this.pairProgram, camera, 2);
-        gl.uniform2f(gl.getUniformLocation(this.pairProgram, "pixel"), (usual > 12 ? 2.4 : 1.2) / canvas.clientWidth,
-            (usual > 12 ? 2.4 : 1.2) / canvas.clientHeight);
+        const lineWidth = scene.blockPixels(camera) > 12 ? 2.4 : 1.2;
+        gl.uniform2f(gl.getUniformLocation(this.pairProgram, "pixel"), lineWidth / canvas.clientWidth, lineWidth / canvas.clientHeight);
         gl.bindVertexArray(this.pairShape);
         gl.drawArrays(gl.TRIANGLES, 0, 6 * scene.model.pairs.count);
     }

@@ -86,6 +86,19 @@ export class Scene {
         return state === PairState.open ? [0, 114, 178] : null;
     }
 
+    /** The size of most blocks, pixels. */
+    blockPixels(camera: Camera): number {
+        return Math.sqrt((this.model.width * this.model.height) / this.model.blocks.count) * camera.scale;
+    }
+    /** Whether blocks are so large that lines along them do not hide their colours. */
+    hasRoomForOutlines(camera: Camera): boolean {
+        return this.blockPixels(camera) > 3;
+    }
+    /** Whether the lines of pairs are drawn: where the colours are theirs, or hide no others. */
+    hasRoomForPairs(camera: Camera): boolean {
+        return this.field.ofPairs || this.hasRoomForOutlines(camera);
+    }
+
     /** x of a point of a block from its centroid, m from the origin of the grid. */
     private xOf(b: number, x: number, y: number): number {
         const angle = this.places[4 * b + 2];
