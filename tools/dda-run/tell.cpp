@@ -22,14 +22,24 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// "4.7 GB" or "35 MB".
+std::string memory_text(double bytes) {
+    char text[32];
+    const bool many = bytes >= 1e9;
+    const double amount = bytes / (many ? 1e9 : 1e6);
+    std::snprintf(text, sizeof text, amount < 10 ? "%.2g %s" : "%.0f %s", amount, many ? "GB" : "MB");
+    return text;
+}
+
 void print_plan(const dda::RunInput& input, const fs::path& folder) {
-    const double megabytes = dda::estimated_bytes(input.model, input.stages, input.output) / 1e6;
-    const double settling = dda::max_static_frame_bytes(input.model, input.stages, input.output) / 1e6;
-    char more[80] = "";
-    if (settling > 0)
-        std::snprintf(more, sizeof more, ", up to %.2g MB more while static stages settle,", settling);
-    std::fprintf(stderr, "dda-run: %d blocks, %zu stages, about %.2g MB of frames%s into %s\n",
-                 input.model.block_count(), input.stages.size(), megabytes, more, folder.string().c_str());
+    const double frames = dda::estimated_bytes(input.model, input.stages, input.output);
+    const double settling = dda::max_static_frame_bytes(input.model, input.stages, input.output);
+    const std::string more =
+        settling > 0 ? ", up to " + memory_text(settling) + " more while static stages settle," : "";
+    const std::size_t stages = input.stages.size();
+    std::fprintf(stderr, "dda-run: %d blocks, %zu stage%s, about %s of frames%s into %s\n",
+                 input.model.block_count(), stages, stages == 1 ? "" : "s", memory_text(frames).c_str(),
+                 more.c_str(), folder.string().c_str());
 }
 
 /// Reports the excavations of stages that this run does not have; their blocks stay.

@@ -130,7 +130,7 @@ void check_record(const Stage& stage, const TimeTable& table, std::vector<std::s
     const double left_out = energy_after(table, stage.duration * (1 + 1e-9));
     if (left_out > negligible_energy)
         warnings.push_back(
-            sentence("stage '%s' ends after %.6g s, the record after %.6g s: %.2g %% of its energy "
+            sentence("stage '%s' ends after %.6g s, the record after %.6g s: %.3g %% of its energy "
                      "is cut off; duration = \"record\" takes all of it",
                      stage.name.c_str(), stage.duration, table.times().back(), 100 * left_out));
 }

@@ -103,6 +103,10 @@ TEST(Plausibility, FindsStepsAndStagesThatMissPartsOfTheRecord) {
     cut.duration = 0.5;
     EXPECT_THAT(dda::implausible(block_on_floor().model, {cut}),
                 ElementsAre(AllOf(HasSubstr("50 % of its energy is cut off"), HasSubstr("\"record\""))));
+    cut.duration = 0.001;
+    EXPECT_THAT(dda::implausible(block_on_floor().model, {cut}),
+                ElementsAre(HasSubstr(": 100 % of its energy is cut off")))
+        << "in digits, without an exponent";
     dda::Stage rest = shaken();
     rest.duration = 5;
     EXPECT_THAT(dda::implausible(block_on_floor().model, {rest}), IsEmpty())
