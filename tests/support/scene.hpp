@@ -107,7 +107,7 @@ class Simulation : public dda::RunObserver {
 
     /// One energy monitor observes consecutive dynamic stages.
     void stage_begins(const dda::Model&, const dda::State& s, const dda::Stage& stage, int) override {
-        if (stage.kind == dda::StageKind::static_equilibrium)
+        if (stage.is_static())
             energy.reset();
         else if (!energy)
             energy.emplace(s.energy);

@@ -42,7 +42,7 @@ std::vector<std::string> ProgressLine::fields_of(const dda::Progress& now) {
     const dda::StepReport& report = now.report;
     const std::string left = time_left_text(time_left_.after(now));
     std::vector<std::string> fields = {now.stage.name};
-    if (now.stage.kind == dda::StageKind::dynamic) {
+    if (!now.stage.is_static()) {
         fields.push_back(formatted("t %.3f of %.6g s", now.state.stage_time, now.stage.duration));
         fields.push_back(left);
     } else {

@@ -168,7 +168,7 @@ void warn_of_lost_blocks(const dda::Model& model, const std::vector<dda::LostBlo
 void warn_of_still_moving(const dda::Model& model, const dda::State& state, const dda::Stage& last,
                           const dda::Results& results, Warnings& warnings) {
     constexpr double at_rest = 0.01;  // m/s
-    if (last.kind != dda::StageKind::dynamic) return;
+    if (last.is_static()) return;
     const dda::PointMotion from = results.reference()
                                       ? dda::motion_of(model, state, results.points()[*results.reference()])
                                       : dda::PointMotion{};

@@ -28,7 +28,7 @@ std::string time_left_text(std::optional<double> seconds) {
 }
 
 void TimeLeft::note(const dda::Progress& now) {
-    if (now.stage.kind == dda::StageKind::dynamic) {
+    if (!now.stage.is_static()) {
         if (first_done_) spent_ += now.wall_time - last_wall_;
         if (!first_done_) first_done_ = now.done;
     } else {
@@ -46,7 +46,7 @@ void TimeLeft::note(const dda::Progress& now) {
 
 std::optional<double> TimeLeft::after(const dda::Progress& now) {
     note(now);
-    if (now.stage.kind == dda::StageKind::dynamic) return of_dynamic_stages(now);
+    if (!now.stage.is_static()) return of_dynamic_stages(now);
     return now.trial ? of_trials(now) : of_static_stage(now);
 }
 

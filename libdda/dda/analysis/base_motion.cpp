@@ -13,7 +13,7 @@ double acceleration_at(const TimeTable& table, double time) {
 
 Vec2 base_acceleration(const Model& model, const Stage& stage, BlockIndex block, double stage_time) {
     Vec2 sum = Vec2::Zero();
-    if (stage.kind != StageKind::dynamic || model.motion[block] != Motion::prescribed) return sum;
+    if (stage.is_static() || model.motion[block] != Motion::prescribed) return sum;
     for (const BaseMotion& base : stage.base_motions) {
         if (!base.block.empty() && base.block != model.block_name[block]) continue;
         sum += Vec2(acceleration_at(base.x, stage_time), acceleration_at(base.y, stage_time));
@@ -23,7 +23,7 @@ Vec2 base_acceleration(const Model& model, const Stage& stage, BlockIndex block,
 
 Vec2 frame_acceleration(const Stage& stage, double stage_time) {
     Vec2 sum = Vec2::Zero();
-    if (stage.kind != StageKind::dynamic) return sum;
+    if (stage.is_static()) return sum;
     for (const BaseMotion& frame : stage.frame_motions)
         sum += Vec2(acceleration_at(frame.x, stage_time), acceleration_at(frame.y, stage_time));
     return sum;
@@ -37,7 +37,7 @@ PrescribedMotion prescribe_motion(const Model& model, const Stage& stage, const 
                                   double dt, double stage_time) {
     const PerBlock<Vec6> zero(model.block_count(), Vec6::Zero());
     PrescribedMotion motion{zero, zero, zero};
-    if (stage.kind != StageKind::dynamic) return motion;
+    if (stage.is_static()) return motion;
     const double later = next_step_multiple(stage, stage_time - dt / 2);
     for (const BlockIndex b : model.blocks()) {
         if (model.motion[b] != Motion::prescribed) continue;

@@ -126,7 +126,6 @@ class OpenCloseIteration {
     bool went_astray() const { return is_astray_; }
 
   private:
-    bool is_static() const { return p_.duration == 0; }
     /// Iterations since the start, or since dilation or augmentation last changed the problem.
     int iterations_since_restart() const { return result_.iterations - iterations_at_restart_; }
     bool is_in_patches() const {
@@ -158,7 +157,7 @@ class OpenCloseIteration {
     /// change, and the iteration needs no more solutions. The lines of rough joint segments do not represent
     /// their laws well enough for the interior-point method.
     bool is_stalled() const {
-        return is_static() && !is_in_patches() && !interior_point_failed_ && !trials_.has_segments() &&
+        return p_.is_static && !is_in_patches() && !interior_point_failed_ && !trials_.has_segments() &&
                (iterations_since_restart() >= bound_update_iterations || short_steps_ >= short_length_limit);
     }
 
@@ -354,7 +353,7 @@ class OpenCloseIteration {
     }
     /// Whether the balance that patches find suffices: in a static step, and where the solution of the linear
     /// system throws blocks again and again.
-    bool accepts_patches() const { return is_static() || damped_steps_ >= stuck_after; }
+    bool accepts_patches() const { return p_.is_static || damped_steps_ >= stuck_after; }
     /// Whether the laws at the iterate agree with the forces by which the patches balanced all blocks.
     bool agrees_with_patches() {
         target_ = displacement_;

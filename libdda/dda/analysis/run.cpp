@@ -14,7 +14,7 @@ namespace {
 /// stage begins, so that the last state of a run still has the blocks and displacements of its last stage.
 /// @return whether blocks were removed.
 bool apply_end_of(const Model& model, const Stage& stage, State& state) {
-    if (stage.kind != StageKind::static_equilibrium) return false;
+    if (!stage.is_static()) return false;
     if (stage.reset_displacements) {
         state.displacement_origin = state.blocks.points;
         state.vertex_origin = state.blocks.vertices;

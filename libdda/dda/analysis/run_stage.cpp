@@ -79,7 +79,7 @@ class StepSize {
     /// @param bonds_hold whether bonds hold in the stage.
     StepSize(const Stage& stage, double acceleration, bool bonds_hold, double resume)
         : control_(stage.control),
-          is_static_(stage.kind == StageKind::static_equilibrium),
+          is_static_(stage.is_static()),
           bonds_hold_(bonds_hold),
           free_fall_(acceleration * control_.step * control_.step / 2),
           size_(resume > 0 ? resume : first_step()) {
@@ -184,7 +184,7 @@ void begin_stage(State& state) {
 
 RunOutcome run_stage(const Model& model, const Stage& stage, TimeStepper& stepper, State& state,
                      RunObserver& observer) {
-    const bool is_static = stage.kind == StageKind::static_equilibrium;
+    const bool is_static = stage.is_static();
     const bool holds = bonds_hold(model, stage);
     StepSize step(stage, reference_acceleration(model, state.blocks), holds, state.next_step);
     int cuts = 0;

@@ -76,12 +76,12 @@ double mean_weight(const Model& model, const RowMap& rows) {
 }
 
 double velocity_factor(const Stage& stage) {
-    return stage.kind == StageKind::static_equilibrium ? 0.0 : stage.dynamic_coefficient;
+    return stage.is_static() ? 0.0 : stage.dynamic_coefficient;
 }
 
 /// The physical time of a step, s: dt in dynamic stages, 0 in static ones.
 double duration_of(const Stage& stage, double dt) {
-    return stage.kind == StageKind::dynamic ? dt : 0;
+    return stage.is_static() ? 0 : dt;
 }
 
 /// The time at which load histories are evaluated, s: the end of the step.
@@ -295,7 +295,7 @@ TimeStepper::Step TimeStepper::prepare(const Stage& stage, const State& state, d
     step.springs =
         contact_springs(model_, rows_, step.mid, step.prescribed.displacement, step.contacts.contacts, pool_);
     row_contacts_.find(rows_.count(), step.springs);
-    if (duration_of(stage, dt) > 0)
+    if (!stage.is_static())
         step.dashpots = contact_dashpots(model_, {rows_, state.blocks, step.mid}, step.newmark,
                                          {step.contacts.contacts, step.springs, row_contacts_}, pool_);
     step.bolts = bolt_springs(model_, rows_, step.mid, step.prescribed.displacement);
@@ -371,12 +371,13 @@ OpenCloseResult TimeStepper::solve(const Stage& stage, const State& state, const
         step.dashpots,
         held,
         tolerated_gain * turned_over(state.energy),
-        prediction.rotation_corrections < rotation_correction_limit};
+        prediction.rotation_corrections < rotation_correction_limit,
+        stage.is_static()};
     return iterate_open_close(problem, pattern_, *solver_, work_, pool_, times_);
 }
 
 bool TimeStepper::friction_drives(const Stage& stage, const State& before, const State& after) const {
-    if (stage.kind != StageKind::dynamic) return false;
+    if (stage.is_static()) return false;
     const double dt = after.time - before.time;
     const double given = after.energy.friction_returned - before.energy.friction_returned;
     return dt > shortest_for_gain * stage.control.step && given > rejected_gain * turned_over(after.energy);
@@ -427,7 +428,7 @@ State TimeStepper::updated_state(const Stage& stage, const State& state, const S
         after.blocks.acceleration[b] = a1;
     }
     for (const BlockIndex b : model_.blocks()) {
-        if (model_.motion[b] != Motion::prescribed || stage.kind != StageKind::dynamic) continue;
+        if (model_.motion[b] != Motion::prescribed || stage.is_static()) continue;
         after.blocks.velocity[b] += step.prescribed.velocity_change[b];
         after.blocks.acceleration[b] = step.prescribed.acceleration[b];
     }

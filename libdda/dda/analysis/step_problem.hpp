@@ -56,6 +56,7 @@ struct StepProblem {
     double tolerated_gain = 0;
     /// Whether the mid-step may be predicted anew: the iteration then ends where gaps do not settle.
     bool may_predict_anew = false;
+    bool is_static = false;  ///< the step is one of a static stage, see Stage::is_static
 
     /// Whether no bond breaks in the step.
     bool bonds_hold() const { return !held_shares.empty(); }

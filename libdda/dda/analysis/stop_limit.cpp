@@ -84,7 +84,7 @@ std::string describe(const Model& model, const Stage& stage, const State& state,
     const std::string what = collapse.point.empty() ? "block " + std::to_string(collapse.block.value())
                                                     : "point '" + collapse.point + "' of block " +
                                                           std::to_string(collapse.block.value());
-    const bool is_static = stage.kind == StageKind::static_equilibrium;
+    const bool is_static = stage.is_static();
     const char* goes_on = is_static && is_at_rest(model, state, stage) ? "" : ", and does not stop";
     char text[400];
     std::snprintf(text, sizeof text,

@@ -168,7 +168,7 @@ double TrialContacts::locked_dilation_of(ContactIndex k) const {
     const double slope =
         (locked_dilation(p_.model, contact.joint_material, contact.history).slope + trial.dilating.slope) / 2;
     const double left = left_dilation(p_.model, contact);
-    const bool opens = left > 0 && p_.duration > 0;
+    const bool opens = left > 0 && !p_.is_static;
     return (opens ? released_share * left : left) + slope * elastic;
 }
 

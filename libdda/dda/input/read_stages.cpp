@@ -99,7 +99,7 @@ Stage read_stage(const ConfigTable& table, std::size_t index, const Model& model
     stage.kind = kind == "dynamic" ? StageKind::dynamic : StageKind::static_equilibrium;
     stage.control = read_step_control(table);
     stage.mass_damping = not_negative(table, "mass_damping", Dimension::none, 0);
-    if (stage.kind == StageKind::static_equilibrium) {
+    if (stage.is_static()) {
         stage.tolerance = positive(table, "tolerance", Dimension::none, stage.tolerance);
         stage.step_limit = count(table, "step_limit", stage.step_limit);
         stage.bonds_break_at_rest =

@@ -97,6 +97,9 @@ struct Stage {
     std::vector<IncidentWave> incident_waves;
     std::int64_t perturbation = 0;  ///< dynamic: seed of a perturbation of the order of rounding; 0: none
     std::optional<StopLimit> stop;  ///< the stage ends there, with the status `collapsed`
+
+    /// Whether the stage seeks a state of rest: its steps have no inertia that is carried on, and no time.
+    bool is_static() const { return kind == StageKind::static_equilibrium; }
 };
 
 /// The smallest multiple k * step, k = 1, 2, ..., after the given time, s since the stage's start. The steps

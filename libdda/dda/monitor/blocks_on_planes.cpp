@@ -161,7 +161,7 @@ double rigid_slip(const Model& model, std::span<const Stage> stages, const Block
     const Vec2 down = plane_inward_normal(plane, model.gravity);
     double stage_start = 0;  // s of dynamic time
     for (const Stage& stage : stages) {
-        if (stage.kind != StageKind::dynamic) continue;
+        if (stage.is_static()) continue;
         const double length = std::min(stage.duration, dynamic_time - stage_start);
         if (!(length > 0)) break;
         const auto steps = static_cast<std::int64_t>(std::ceil(length / record::max_sliding_substep));

@@ -7,7 +7,7 @@ namespace rockslope::dda {
 std::vector<LeftMoving> left_moving(const Model& model, const State& state, const Stage& stage,
                                     int stage_index) {
     std::vector<LeftMoving> list;
-    if (stage.kind != StageKind::static_equilibrium || stage.strength_reduction) return list;
+    if (!stage.is_static() || stage.strength_reduction) return list;
     for (const BlockIndex block : moving_blocks(model, state, stage.tolerance)) {
         list.push_back({.stage = stage_index,
                         .block = block,

@@ -45,7 +45,7 @@ std::vector<SpringResolution> spring_resolutions(const Model& model, std::span<c
     const std::optional<TypicalBlock> block = typical_block(model);
     if (!block) return resolutions;
     for (std::size_t k = 0; k < stages.size(); ++k) {
-        if (stages[k].kind != StageKind::dynamic) continue;
+        if (stages[k].is_static()) continue;
         for (const JointMaterialIndex m : model.joint_materials.indices()) {
             resolutions.push_back(resolution_of(model, *block, m, stages[k]));
             resolutions.back().stage = k;

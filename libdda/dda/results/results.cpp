@@ -18,7 +18,7 @@ constexpr double due_tolerance = 1e-6;
 double dynamic_duration(const std::vector<Stage>& stages, std::size_t count) {
     double duration = 0;
     for (std::size_t i = 0; i < count; ++i)
-        if (stages[i].kind == StageKind::dynamic) duration += stages[i].duration;
+        if (!stages[i].is_static()) duration += stages[i].duration;
     return duration;
 }
 
@@ -35,13 +35,12 @@ void update_peak(double value, double time, double& peak, double& peak_time) {
 /// Whether a step ends a static stage. The report of the step decides, and a checkpoint does not contain it:
 /// no checkpoint is written between that step and the stage's end.
 bool ends_stage(const State& state, const Stage& stage, const StepReport& report) {
-    return stage.kind == StageKind::static_equilibrium &&
-           (report.at_rest || state.stage_steps >= stage.step_limit);
+    return stage.is_static() && (report.at_rest || state.stage_steps >= stage.step_limit);
 }
 
 /// Whether displacements are zeroed at the end of a stage.
 bool resets_displacements(const Stage& stage) {
-    return stage.kind == StageKind::static_equilibrium && stage.reset_displacements;
+    return stage.is_static() && stage.reset_displacements;
 }
 
 }  // namespace
@@ -87,7 +86,7 @@ bool Results::is_due(std::int64_t& next, double interval, double stage_time) con
 }
 
 bool Results::frame_is_due(const State& state, const Stage& stage) {
-    if (stage.kind == StageKind::dynamic)
+    if (!stage.is_static())
         return frame_interval_ > 0 && is_due(progress_.next_frame, frame_interval_, state.stage_time);
     return output_.static_frame_interval > 0 && state.stage_steps % output_.static_frame_interval == 0;
 }
@@ -173,7 +172,7 @@ void Results::save_end_of_stage(const State& state, int stage_index) {
 
 Progress Results::progress_of(const State& state, const Stage& stage, const StepReport& report) const {
     const double before = dynamic_duration(stages_, static_cast<std::size_t>(progress_.stage));
-    const double now = stage.kind == StageKind::dynamic ? state.stage_time : 0;
+    const double now = stage.is_static() ? 0 : state.stage_time;
     return {stage,
             state,
             report,
@@ -208,7 +207,7 @@ bool Results::step_done(const Model&, const State& state, const Stage& stage, co
     const bool ends = ends_stage(state, stage, report);
     if (!ends && frame_is_due(state, stage)) write_frame(state, stage);
     // Peaks are those of dynamic stages.
-    if (stage.kind == StageKind::dynamic) {
+    if (!stage.is_static()) {
         update_peaks(state, report.step);
         update_sliding(state, report);
     }
@@ -298,7 +297,7 @@ double max_static_frame_bytes(const Model& model, const std::vector<Stage>& stag
     if (output.static_frame_interval == 0) return 0;
     double frames = 0;
     for (const Stage& stage : stages)
-        if (stage.kind == StageKind::static_equilibrium && !stage.strength_reduction)
+        if (stage.is_static() && !stage.strength_reduction)
             frames += std::floor(static_cast<double>(stage.step_limit) / output.static_frame_interval);
     return frames * bytes_per_frame(model, output);
 }

@@ -115,7 +115,7 @@ std::optional<IneffectiveDamping> ineffective_damping(const Model& model, std::s
     const std::optional<TypicalBlock> typical = typical_block(model);
     if (!typical) return std::nullopt;
     for (std::size_t k = 0; k < stages.size(); ++k) {
-        if (stages[k].kind != StageKind::dynamic) continue;
+        if (stages[k].is_static()) continue;
         for (const JointMaterialIndex m : model.joint_materials.indices()) {
             const JointMaterial& material = model.joint_materials[m];
             const double stiffness = material.normal_spring(model.normal_penalty, typical->face).stiffness;

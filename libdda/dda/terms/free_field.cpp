@@ -122,7 +122,7 @@ FreeFieldMotions fields_at_rest(const Model& model) {
 FreeFieldMotions advance_fields(const Model& model, const StageInstant& end, const BlockSystem& blocks,
                                 const FreeFieldMotions& before, const Newmark& newmark) {
     FreeFieldMotions after = fields_at_rest(model);
-    if (end.stage.kind != StageKind::dynamic) return after;
+    if (end.stage.is_static()) return after;
     for (std::size_t k = 0; k < model.viscous_boundaries.size(); ++k) {
         const auto& field = model.viscous_boundaries[k].free_field;
         if (field) after[k] = advance_column(model, end, blocks, *field, before[k], newmark);

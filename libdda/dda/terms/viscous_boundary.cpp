@@ -82,7 +82,7 @@ BoundaryReactions no_reactions(const Model& model) {
 std::vector<BoundaryTerm> boundary_terms(const Model& model, const RowMap& rows, const MidStep& mid,
                                          const StageInstant& end, const BoundaryReactions& reactions,
                                          const FreeFieldMotions& fields) {
-    const bool dynamic = end.stage.kind == StageKind::dynamic;
+    const bool dynamic = !end.stage.is_static();
     std::vector<BoundaryTerm> terms;
     for_faces(model, [&](const ViscousBoundary& boundary, const FacePart& face, std::size_t reaction) {
         const BlockIndex block = model.topology.block_of_edge(face.edge);
@@ -123,7 +123,7 @@ void add_boundaries(std::span<const BoundaryTerm> terms, const RowMap& rows, con
 
 BoundaryReactions advance_reactions(const Model& model, const MidStep& mid, const Stage& stage,
                                     BlockSpan<const Vec6> displacement, BoundaryReactions reactions) {
-    if (stage.kind == StageKind::dynamic) return reactions;
+    if (!stage.is_static()) return reactions;
     for_faces(model, [&](const ViscousBoundary& boundary, const FacePart& face, std::size_t reaction) {
         for (const FacePoint& point : face_points(model, mid, face)) {
             const Vec2 moved = displacement_matrix(point.arm) * displacement[point.block];

@@ -186,7 +186,7 @@ class Planner {
         fingerprint_ = without_blocks(base.fingerprint);
         for (const dda::Stage& stage : base.stages) {
             stage_names_.push_back(stage.name);
-            is_dynamic_.push_back(stage.kind == dda::StageKind::dynamic);
+            is_dynamic_.push_back(!stage.is_static());
         }
         for (const fs::path& file : base.files)
             if (file != sample_file_) add_input(file);

@@ -35,6 +35,7 @@ struct LoadedBlock {
         step.control.iteration_limit = iteration_limit;
         dda::StepProblem problem = step.problem();
         problem.duration = duration;
+        problem.is_static = duration == 0;
         dda::IterationWorkspace work;
         const auto solver = dda::make_linear_solver(dda::SolverKind::multifrontal, step.pool);
         solver->analyze(step.pattern);

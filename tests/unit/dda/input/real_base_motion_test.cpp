@@ -27,7 +27,7 @@ class BaseMonitor : public RunObserver {
   public:
     explicit BaseMonitor(const TimeTable& table) : table_(table) {}
     bool step_done(const Model&, const State& state, const Stage& stage, const StepReport& report) override {
-        if (stage.kind != StageKind::dynamic) return true;
+        if (stage.is_static()) return true;
         const double t = state.stage_time;
         const double a = t > table_.times().back() ? 0 : table_.at(t);
         worst = std::max(worst, std::abs(state.blocks.acceleration[0][0] - a));
