@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace rockslope::dda {
 
@@ -50,44 +49,50 @@ PieceForces LimitedContact::on(const Piece& piece) const {
     return forces;
 }
 
-Border LimitedContact::first_border(const Piece& piece, const ElasticForces& from,
-                                    const ElasticForces& rate) const {
-    Border first;
-    first.distance = std::numeric_limits<double>::infinity();
-    if (!may_close) return first;
-    // The piece ends where normal * elastic + constant is zero; inside it is negative.
-    const auto end_at = [&](const Vec2& normal, double constant, const Piece& beyond) {
-        const double speed = normal.dot(rate.vector());
-        if (!(speed > 0)) return;
-        const double distance = std::max(-(normal.dot(from.vector()) + constant) / speed, 0.0);
-        if (distance < first.distance) first = {distance, normal, beyond};
-    };
+PieceBorders LimitedContact::borders(const Piece& piece) const {
+    PieceBorders found;
+    if (!may_close) return found;
     const bool is_pressed = piece.normal == Piece::Normal::pressed;
     const bool has_apex = ends_in_apex();
     for (const int direction : {1, -1}) {
         if (piece.slides == -direction || (has_apex && !is_pressed)) continue;
         const ForceLine line = bound(piece.normal, direction);
         const double sign = piece.slides == 0 ? direction : -direction;
-        end_at(sign * Vec2(-line.slope, 1), -sign * line.cohesion,
-               {piece.normal, piece.slides == 0 ? direction : 0});
+        found.add(sign * Vec2(-line.slope, 1), -sign * line.cohesion,
+                  {piece.normal, piece.slides == 0 ? direction : 0});
     }
     const bool has_low = floor > least_normal;
     // Upwards.
     if (piece.normal == Piece::Normal::least)
-        end_at({1, 0}, -least_normal, {has_low ? Piece::Normal::low : Piece::Normal::pressed, piece.slides});
-    if (piece.normal == Piece::Normal::low) end_at({1, 0}, -floor, {Piece::Normal::pressed, piece.slides});
-    if (has_apex && first.beyond.normal == Piece::Normal::pressed && !is_pressed) {
-        const double normal = from.normal + first.distance * rate.normal;
-        const double shear = from.shear + first.distance * rate.shear;
-        first.beyond.slides = shear >= bound(Piece::Normal::pressed, 1).at(normal) ? 1 : -1;
-    }
+        found.add({1, 0}, -least_normal,
+                  {has_low ? Piece::Normal::low : Piece::Normal::pressed, piece.slides});
+    if (piece.normal == Piece::Normal::low) found.add({1, 0}, -floor, {Piece::Normal::pressed, piece.slides});
     // Downwards. A locked contact without cohesion slides before it opens.
-    if (is_pressed && has_low && !(has_apex && piece.slides == 0))
-        end_at({-1, 0}, floor, {Piece::Normal::low, piece.slides});
+    if (has_apex && piece.slides == 0) return found;
+    if (is_pressed && has_low) found.add({-1, 0}, floor, {Piece::Normal::low, piece.slides});
     const bool may_open = piece.normal == Piece::Normal::low || (is_pressed && !has_low);
-    if (may_open && std::isfinite(least_normal) && !(has_apex && piece.slides == 0))
-        end_at({-1, 0}, least_normal, {Piece::Normal::least, piece.slides});
-    return first;
+    if (may_open && std::isfinite(least_normal))
+        found.add({-1, 0}, least_normal, {Piece::Normal::least, piece.slides});
+    return found;
+}
+
+Border LimitedContact::first_border(const Piece& piece, const ElasticForces& from,
+                                    const ElasticForces& rate) const {
+    const PieceBorders all = borders(piece);
+    Eigen::Index first = 0;
+    Border border;
+    border.distance = all.distances(from, rate).minCoeff(&first);
+    if (!std::isfinite(border.distance)) return border;
+    border.normal = {all.normal[first], all.shear[first]};
+    border.beyond = all.beyond[first];
+    // Beyond an apex a contact slides to the side that it comes from.
+    if (ends_in_apex() && piece.normal != Piece::Normal::pressed &&
+        border.beyond.normal == Piece::Normal::pressed) {
+        const double normal = from.normal + border.distance * rate.normal;
+        const double shear = from.shear + border.distance * rate.shear;
+        border.beyond.slides = shear >= bound(Piece::Normal::pressed, 1).at(normal) ? 1 : -1;
+    }
+    return border;
 }
 
 }  // namespace rockslope::dda

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <limits>
 
 #include "dda/terms/springs.hpp"
 
@@ -48,6 +50,32 @@ struct PieceForces {
     Vec2 at(const ElasticForces& elastic) const { return constant + slope * elastic.vector(); }
 };
 
+/// The borders of a piece, at most four: lines in the plane of the elastic forces. Inside the piece
+/// normal . elastic + constant is negative for each.
+struct PieceBorders {
+    Eigen::Array4d normal = Eigen::Array4d::Zero();  ///< by the normal elastic force; no border: zero
+    Eigen::Array4d shear = Eigen::Array4d::Zero();   ///< by the shear one
+    Eigen::Array4d constant = Eigen::Array4d::Zero();
+    std::array<Piece, 4> beyond;
+    int count = 0;
+
+    /// The distances of the borders on a straight way, as multiples of the rate; infinite if the way does not
+    /// lead there.
+    Eigen::Array4d distances(const ElasticForces& from, const ElasticForces& rate) const {
+        const Eigen::Array4d speed = normal * rate.normal + shear * rate.shear;
+        const Eigen::Array4d depth = -(normal * from.normal + shear * from.shear + constant);
+        return (speed > 0).select((depth / speed).max(0.0), std::numeric_limits<double>::infinity());
+    }
+    /// Adds a border. @param direction by the normal and the shear elastic force. @param piece_beyond of the
+    /// contact behind it.
+    void add(const Vec2& direction, double constant_part, const Piece& piece_beyond) {
+        normal[count] = direction.x();
+        shear[count] = direction.y();
+        constant[count] = constant_part;
+        beyond[count++] = piece_beyond;
+    }
+};
+
 /// The border of a piece that is reached first on a straight way.
 struct Border {
     double distance = 0;  ///< multiple of the rate; infinite if there is none
@@ -84,6 +112,8 @@ struct LimitedContact {
     Piece piece_at(const ElasticForces& elastic) const;
     /// The forces on a piece; also beyond its borders.
     PieceForces on(const Piece& piece) const;
+    /// The borders of a piece.
+    PieceBorders borders(const Piece& piece) const;
     /// The first border of a piece on the way from elastic forces inside it.
     /// @param rate change of the elastic forces over the distance.
     Border first_border(const Piece& piece, const ElasticForces& from, const ElasticForces& rate) const;

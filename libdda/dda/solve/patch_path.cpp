@@ -132,8 +132,10 @@ void PatchPath::begin(RowSpan<const Vec6> displacement) {
         const Vec6 here = displacement[rows_[k]] + moved_[k];
         unbalanced_[k] = step_->base.stiffness[rows_[k]] * here - step_->base.load[rows_[k]];
     }
-    for (const Local& local : contacts_)
+    for (Local& local : contacts_) {
         add_forces(local, local.law->on(local.piece).at(local.at), unbalanced_);
+        local.borders = local.law->borders(local.piece);
+    }
 }
 
 // --- the path
@@ -317,16 +319,22 @@ ElasticForces PatchPath::change_of(const Local& local, std::span<const Vec6> x) 
 }
 
 std::size_t PatchPath::next_border(int sense, Border& border) const {
-    border.distance = std::numeric_limits<double>::infinity();
+    const auto along = [&](const Local& local) {
+        return ElasticForces{sense * local.rate.normal, sense * local.rate.shear};
+    };
+    double least = std::numeric_limits<double>::infinity();
     std::size_t next = no_contact;
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
         const Local& local = contacts_[i];
-        const ElasticForces rate{sense * local.rate.normal, sense * local.rate.shear};
-        const Border found = local.law->first_border(local.piece, local.at, rate);
-        if (found.distance >= border.distance) continue;
-        border = found;
+        const double distance = local.borders.distances(local.at, along(local)).minCoeff();
+        if (distance >= least) continue;
+        least = distance;
         next = i;
     }
+    border.distance = least;
+    if (next == no_contact) return next;
+    const Local& local = contacts_[next];
+    border = local.law->first_border(local.piece, local.at, along(local));
     return next;
 }
 
@@ -353,6 +361,7 @@ double PatchPath::cross(std::size_t contact, const Border& border) {
     change.pivot = 1 + border.normal.dot(change_of(crossing, change.response).vector());
     ++change_count_;
     crossing.piece = border.beyond;
+    crossing.borders = crossing.law->borders(crossing.piece);
     const double part = border.normal.dot(crossing.rate.vector()) / change.pivot;
     for (std::size_t k = 0; k < direction_.size(); ++k) direction_[k] -= part * change.response[k];
     for (Local& local : contacts_) {

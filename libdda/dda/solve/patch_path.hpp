@@ -61,9 +61,10 @@ class PatchPath {
         Vec6 opening_first, opening_second;  ///< gradients by the unknowns of its blocks
         Vec6 shearing_first, shearing_second;
         Piece piece;
-        double approach = 0;  ///< normal force by which the contact's gap closes, N per metre
-        ElasticForces at;     ///< on the path
-        ElasticForces rate;   ///< change for a change of lambda by 1
+        PieceBorders borders;  ///< of the piece
+        double approach = 0;   ///< normal force by which the contact's gap closes, N per metre
+        ElasticForces at;      ///< on the path
+        ElasticForces rate;    ///< change for a change of lambda by 1
     };
     /// A change of the matrix: the forces of a contact follow its elastic forces in another way.
     struct Change {
