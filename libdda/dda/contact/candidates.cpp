@@ -91,6 +91,13 @@ double distance_to_segment(const Vec2& point, const Vec2& first, const Vec2& sec
     return (point - first - fraction * along).norm();
 }
 
+bool is_within(double distance, const Vec2& point, const Vec2& first, const Vec2& second) {
+    // Most points are not even near the box around the segment.
+    const Vec2 low = first.cwiseMin(second), high = first.cwiseMax(second);
+    if ((low - point).maxCoeff() > distance || (point - high).maxCoeff() > distance) return false;
+    return distance_to_segment(point, first, second) <= distance;
+}
+
 std::vector<CornerEdge> find_candidates(const Model& model, CornerSpan<const Vec2> vertices,
                                         double distance) {
     const Topology& topology = model.topology;
@@ -120,7 +127,7 @@ std::vector<CornerEdge> find_candidates(const Model& model, CornerSpan<const Vec
         grid.visit(vertex, [&](EdgeIndex edge) {
             const BlockIndex other = topology.block_of_edge(edge);
             if (other == block || !(moves(block) || moves(other))) return;
-            if (distance_to_segment(vertex, start_point(edge), end_point(edge)) <= distance)
+            if (is_within(distance, vertex, start_point(edge), end_point(edge)))
                 found.push_back({corner, edge});
         });
     }

@@ -20,4 +20,7 @@ double median_edge_length(const Topology& topology, CornerSpan<const Vec2> verti
 /// Distance of a point from a segment, m.
 double distance_to_segment(const Vec2& point, const Vec2& first, const Vec2& second);
 
+/// Whether a point is within a distance, m, of a segment.
+bool is_within(double distance, const Vec2& point, const Vec2& first, const Vec2& second);
+
 }  // namespace rockslope::dda

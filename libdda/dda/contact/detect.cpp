@@ -63,7 +63,7 @@ class ContactDetector {
     /// Whether a pair must be evaluated: it is within search_radius, was a contact before, or is forced.
     bool is_near(const CornerEdge& pair) const {
         const auto [corner, edge] = pair;
-        return distance_to_segment(at(corner), start(edge), end(edge)) <= input_.search_radius ||
+        return is_within(input_.search_radius, at(corner), start(edge), end(edge)) ||
                find_previous(pair) != nullptr || is_forced(pair);
     }
 
@@ -79,7 +79,7 @@ class ContactDetector {
             // An open contact beyond the search radius keeps its history but cannot close: its corner may be
             // past the end of the edge, on the edge's extension.
             candidate.inhibited = (old == nullptr || old->state == ContactState::open) &&
-                                  distance_to_segment(vertex, start(edge), end(edge)) > input_.search_radius;
+                                  !is_within(input_.search_radius, vertex, start(edge), end(edge));
             if (old == nullptr && candidate.inhibited) return false;
             // A contact that bears force is kept, whatever the angle, until it opens or slides off the edge.
             const bool bears_force = old != nullptr && old->state != ContactState::open &&

@@ -22,12 +22,25 @@ struct Crossing {
     bool inwards = false;
 };
 
+/// Largest sine of the angle at a corner that is taken to be straight but for rounding.
+constexpr double straight_tolerance = 1e-12;
+
 /// Tests the corners of a step, one against one block at a time, for penetration.
 class PenetrationSearch {
   public:
     PenetrationSearch(const Topology& topology, CornerSpan<const Vec2> before, CornerSpan<const Vec2> after,
                       double search_radius)
         : topology_(topology), before_(before), after_(after), search_radius_(search_radius) {}
+
+    /// Whether a line through an edge of a convex block keeps the corner out of it: during the whole step the
+    /// corner is no deeper behind the line than half of `allowed`, and the edge hardly turns.
+    bool stays_out(CornerCandidates corner_candidates, double allowed) const {
+        return std::any_of(corner_candidates.begin(), corner_candidates.end(), [&](const CornerEdge& pair) {
+            const Course course(*this, pair);
+            const double length = course.along.norm();
+            return course.along_rate.norm() <= length / 2 && course.most() <= allowed * length / 2;
+        });
+    }
 
     /// Whether the corner is deeper than `allowed` in the block, or passed through it deeper than
     /// `clip_depth`.
@@ -81,6 +94,29 @@ class PenetrationSearch {
         return before(corner) + time * (after(corner) - before(corner));
     }
 
+    /// How a corner passes a line through an edge in a step, all points moving on straight lines: cross(edge,
+    /// corner - first end) = a t^2 + b t + c at the fraction t of the step, positive behind the line.
+    struct Course {
+        Vec2 arm, along, arm_rate, along_rate;
+        double a, b, c;
+
+        Course(const PenetrationSearch& search, const CornerEdge& pair)
+            : arm(search.before(pair.corner) - search.before(start_of(pair.edge))),
+              along(search.before(search.end_of(pair.edge)) - search.before(start_of(pair.edge))),
+              arm_rate(search.after(pair.corner) - search.after(start_of(pair.edge)) - arm),
+              along_rate(search.after(search.end_of(pair.edge)) - search.after(start_of(pair.edge)) - along),
+              a(cross(along_rate, arm_rate)),
+              b(cross(along, arm_rate) + cross(along_rate, arm)),
+              c(cross(along, arm)) {}
+
+        /// The largest value in the step.
+        double most() const {
+            const double at_ends = std::max(c, a + b + c);
+            const double top = -b / (2 * a);
+            return top > 0 && top < 1 ? std::max(at_ends, c + b * top / 2) : at_ends;
+        }
+    };
+
     struct Location {
         double depth = 0;    ///< m, inside the block; zero outside
         CornerEdge nearest;  ///< the corner and the nearest edge
@@ -116,19 +152,12 @@ class PenetrationSearch {
                0;
     }
 
-    /// Calls visit(crossing) where the corner crosses the edge, all points moving on straight lines. There
-    /// cross(edge, corner - first end) = a t^2 + b t + c changes sign, between the ends of the edge. A corner
-    /// no deeper than `allowed` before the step is taken to be on the edge, c = 0.
+    /// Calls visit(crossing) where the corner crosses the edge: where its course changes sign between the
+    /// ends of the edge. A corner no deeper than `allowed` before the step is taken to be on the edge, c = 0.
     template <class Visit>
     void for_crossings(const CornerEdge& pair, double allowed, const Visit& visit) const {
-        const Vec2 arm = before(pair.corner) - before(start_of(pair.edge));
-        const Vec2 along = before(end_of(pair.edge)) - before(start_of(pair.edge));
-        const Vec2 arm_rate = after(pair.corner) - after(start_of(pair.edge)) - arm;
-        const Vec2 along_rate = after(end_of(pair.edge)) - after(start_of(pair.edge)) - along;
-        const double a = cross(along_rate, arm_rate);
-        const double b = cross(along, arm_rate) + cross(along_rate, arm);
-        double c = cross(along, arm);
-        if (c > 0 && c <= allowed * along.norm()) c = 0;
+        const auto [arm, along, arm_rate, along_rate, a, b, start] = Course(*this, pair);
+        const double c = start > 0 && start <= allowed * along.norm() ? 0 : start;
         if (c < 0 && c + b + a < 0 && (b <= 0 || a >= 0)) return;  // outside all the time
         const double square = b * b - 4 * a * c;
         if (square < 0) return;
@@ -175,6 +204,25 @@ class PenetrationSearch {
     double search_radius_;
 };
 
+/// Per block: whether it is convex, 1, or not, 0. A block that moves and strains stays so.
+PerBlock<char> convex_blocks(const Topology& topology, CornerSpan<const Vec2> vertices,
+                             const ThreadPool& pool) {
+    PerBlock<char> convex(topology.block_count(), 1);
+    pool.parallel_for(convex.size(), [&](std::size_t begin, std::size_t end) {
+        for (const BlockIndex block : indices<BlockIndex>(begin, end)) {
+            for (const CornerIndex corner : topology.corners_of(block)) {
+                const Vec2 arriving = vertices[corner] - vertices[topology.previous[corner]];
+                const Vec2 leaving = vertices[topology.next[corner]] - vertices[corner];
+                const double turn = cross(arriving, leaving);
+                if (turn < 0 && turn * turn > straight_tolerance * straight_tolerance *
+                                                  arriving.squaredNorm() * leaving.squaredNorm())
+                    convex[block] = 0;
+            }
+        }
+    });
+    return convex;
+}
+
 }  // namespace
 
 std::vector<UndetectedPenetration> find_undetected_penetrations(const Model& model,
@@ -195,11 +243,14 @@ std::vector<UndetectedPenetration> find_undetected_penetrations(const Model& mod
     const std::size_t count = first.size();
     first.push_back(static_cast<std::uint32_t>(candidates.size()));
 
+    const PerBlock<char> convex = convex_blocks(topology, test.before, pool);
     const PenetrationSearch search(topology, test.before, test.after, test.search_radius);
     const auto penetrates = [&](std::size_t k, UndetectedPenetration& found) {
         const CornerCandidates corner_candidates = candidates.subspan(first[k], first[k + 1] - first[k]);
         const auto& [corner, edge] = corner_candidates.front();
-        const double allowed = test.tolerance + 2 * inherited.in_block(corner, topology.block_of_edge(edge));
+        const BlockIndex block = topology.block_of_edge(edge);
+        const double allowed = test.tolerance + 2 * inherited.in_block(corner, block);
+        if (convex[block] != 0 && search.stays_out(corner_candidates, allowed)) return false;
         return search.penetrates(corner_candidates, allowed, test.clip_depth, found);
     };
     // Penetrations are rare: the first pass stores a flag, the second evaluates the flagged ones again.

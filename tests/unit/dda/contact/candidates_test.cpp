@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <random>
 
+#include "support/random_shapes.hpp"
 #include "support/scene.hpp"
 
 namespace rockslope::candidates_test {
@@ -86,6 +87,17 @@ TEST(DistanceToSegment, BesideBeyondAndOfAPoint) {
     EXPECT_EQ(dda::distance_to_segment({7, 4}, {0, 0}, {4, 0}), 5);
     EXPECT_EQ(dda::distance_to_segment({-3, 4}, {0, 0}, {4, 0}), 5);
     EXPECT_EQ(dda::distance_to_segment({3, 4}, {0, 0}, {0, 0}), 5);
+}
+
+TEST(IsWithin, AgreesWithTheDistance) {
+    RandomSource random(3);
+    const auto point = [&] { return Vec2(random.between(-1, 1), random.between(-1, 1)); };
+    for (int repetition = 0; repetition < 10000; ++repetition) {
+        const Vec2 at = point(), first = point(), second = point();
+        const double distance = dda::distance_to_segment(at, first, second);
+        EXPECT_TRUE(dda::is_within(distance * (1 + 1e-12), at, first, second));
+        EXPECT_FALSE(dda::is_within(distance * (1 - 1e-12), at, first, second));
+    }
 }
 
 }  // namespace

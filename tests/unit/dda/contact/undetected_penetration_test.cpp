@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "dda/contact/candidates.hpp"
 #include "dda/contact/detect.hpp"
+#include "support/random_shapes.hpp"
 #include "support/scene.hpp"
 
 namespace rockslope::undetected_penetration_test {
@@ -65,6 +67,42 @@ TEST_F(UndetectedPenetrations, ACornerWithoutAContactIsFoundWithItsEdgeAndDepth)
     EXPECT_EQ(found[0].pair, (dda::CornerEdge{4, 2}));
     EXPECT_NEAR(found[0].depth, .005, 1e-15);
     EXPECT_FALSE(found[0].passed_through);
+}
+
+/// A convex block is tested by its lines first. A shallow notch far below makes the same block concave: it is
+/// tested in full. Both turn by up to 50 degrees while the corner moves.
+TEST(UndetectedPenetrationsOfConvexBlocks, AreThoseOfTheFullTest) {
+    RandomSource random(5);
+    int found = 0;
+    for (int repetition = 0; repetition < 20000; ++repetition) {
+        const double angle = random.between(-0.9, 0.9), reach = std::pow(10, random.between(-10, -1));
+        const Vec2 from(random.between(-.5, .5), random.between(0, reach));
+        const Vec2 to(from.x() + random.between(-reach, reach), random.between(-reach, reach));
+        const auto map = [&](const Vec2& point) {
+            return Vec2(std::cos(angle) * point.x() - std::sin(angle) * point.y(),
+                        std::sin(angle) * point.x() + std::cos(angle) * point.y());
+        };
+        const auto depths = [&](const std::vector<Vec2>& plate) {
+            Scene s;
+            s.block({plate});
+            s.block({{from, from + Vec2(.2, .2), from + Vec2(-.2, .2)}});
+            std::vector<Vec2> moved;
+            for (const Vec2& corner : plate) moved.push_back(map(corner));
+            for (const Vec2& arm : {Vec2(0, 0), Vec2(.2, .2), Vec2(-.2, .2)}) moved.push_back(map(to + arm));
+            std::vector<double> depth;
+            for (const UndetectedPenetration& one :
+                 undetected_penetrations(s, moved, dda::find_candidates(s.model, s.model.vertices, 1), {}))
+                depth.push_back(one.depth);
+            return depth;
+        };
+        const std::vector<double> convex = depths({{-1, -.5}, {1, -.5}, {1, 0}, {-1, 0}});
+        const std::vector<double> notched = depths({{-1, -.5}, {0, -.4}, {1, -.5}, {1, 0}, {-1, 0}});
+        ASSERT_EQ(convex, notched) << "angle " << angle << ", from " << from.transpose() << " to "
+                                   << to.transpose();
+        found += convex.empty() ? 0 : 1;
+    }
+    EXPECT_GT(found, 2000);
+    EXPECT_LT(found, 18000);
 }
 
 TEST_F(UndetectedPenetrations, AClosedContactAccountsForTwiceItsPenetration) {
