@@ -332,7 +332,9 @@ class OpenCloseIteration {
     /// that was all, and updates the dilation from there.
     void test_and_relax() {
         follow_entrances();
-        if (result_.iterations <= dilation_iterations && is_at_minimum()) trials_.update_dilation();
+        if ((trials_.any_dilates() || !is_at_target_) && is_at_minimum() &&
+            result_.iterations <= dilation_iterations)
+            trials_.update_dilation();
         trials_.update_bounds();
         if (is_at_target_ && is_converged_exactly() && !trials_.break_bonds()) {
             accept_or_restart();

@@ -121,8 +121,7 @@ Strength TrialContacts::bounds_of_single_contact(ContactIndex k, const ContactLo
 }
 
 /// The bounds of Eq. (75).
-Strength TrialContacts::current_bounds(ContactIndex k) const {
-    const ContactLoading here = current_loading(k);
+Strength TrialContacts::bounds_at(ContactIndex k, const ContactLoading& here) const {
     if (is_bonded(k)) return bounds_of_single_contact(k, here);
     if (!(here.normal > 0) && !coheres(k)) return {};
     Strength bounds = bounds_of_single_contact(k, {std::max(here.normal, 0.0), here.shearing});
@@ -317,11 +316,15 @@ ContactLoading TrialContacts::current_loading(ContactIndex k) const {
 
 void TrialContacts::compute_bounds(double change_tolerance) {
     for_contacts([&](ContactIndex k) {
-        if (is_on_segment(k)) return;
-        trials_[k].bounds = trials_[k].may_close ? current_bounds(k) : Strength{};
-    });
-    for_contacts([&](ContactIndex k) {
-        if (trials_[k].may_close) trials_[k].held_normal = current_loading(k).normal;
+        Trial& trial = trials_[k];
+        if (!trial.may_close) {
+            if (!is_on_segment(k)) trial.bounds = {};
+            return;
+        }
+        const ContactLoading here = current_loading(k);
+        if (!is_on_segment(k)) trial.bounds = bounds_at(k, here);
+        // The tension that a bond bears is one of the bounds.
+        trial.held_normal = is_bonded(k) ? current_loading(k).normal : here.normal;
     });
     segment_friction_.update(
         change_tolerance, [this](ContactIndex k) { return current_loading(k); },

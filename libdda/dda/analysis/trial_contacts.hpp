@@ -121,6 +121,8 @@ class TrialContacts {
     /// Sets the bound in the sliding direction to the friction force.
     /// @param normal_force N per metre, of the linear system.
     void set_bound_to_friction_force(ContactIndex k, double normal_force);
+    /// Whether the law of any joint dilates.
+    bool any_dilates() const { return dilates_; }
     /// Whether any contact is on a rough joint segment.
     bool has_segments() const { return !segment_friction_.empty(); }
     /// Whether a contact is on a rough joint segment, whose contacts have one friction law in common.
@@ -306,11 +308,11 @@ class TrialContacts {
     }
     /// The shear bounds of a contact that is not on a segment.
     Strength bounds_of_single_contact(ContactIndex k, const ContactLoading& loading) const;
-    /// The shear bounds of a contact that is not on a segment, at the last evaluation, Eq. (75). The cohesion
+    /// The shear bounds of a contact that is not on a segment, under a loading, Eq. (75). The cohesion
     /// of a contact that was closed at the step's start acts through the whole step, also where the contact
     /// opens; that of a contact that closes acts from the next step on. The bounds are therefore continuous
     /// functions of the displacement, and the step has a solution.
-    Strength current_bounds(ContactIndex k) const;
+    Strength bounds_at(ContactIndex k, const ContactLoading& here) const;
     /// Whether a contact is closed at the step's end, Eq. (76): in compression, bonded, or held by its
     /// cohesion and open by less than the extension at which its normal spring would pull with that cohesion,
     /// or left by a spring that is compressed still.
