@@ -13,7 +13,7 @@ set(levels_of_analysis
     "advance_contacts counter_slips energy_watch prediction segment_strength shear_sharing state"
     "bonds deepest_contact lost_blocks segment_friction step_report"
     "moving_block run_observer trial_contacts"
-    "augmentation line_search shear_line step_matrix trial_dilation"
+    "augmentation augmentation_rounds dilation_rounds entrance_rounds line_search shear_line step_matrix trial_dilation"
     "friction_coupling gap_settling interior_point limited_contacts"
     "interior_coupling patch_balance"
     "open_close_iteration"

@@ -5,6 +5,9 @@
 #include <cstdint>
 #include <utility>
 
+#include "dda/analysis/augmentation_rounds.hpp"
+#include "dda/analysis/dilation_rounds.hpp"
+#include "dda/analysis/entrance_rounds.hpp"
 #include "dda/analysis/friction_coupling.hpp"
 #include "dda/analysis/gap_settling.hpp"
 #include "dda/analysis/interior_point.hpp"
@@ -26,31 +29,12 @@ constexpr int bound_update_iterations = 16;
 /// contacts change their state at once.
 constexpr int short_length_limit = 3;
 constexpr double short_length = 0.1;
-/// Number of iterations in which first entrances and gaps follow every iterate.
-constexpr int entrance_iterations = 4;
-/// Number of times that first entrances are selected anew later, where the forces agree with the laws.
-constexpr int entrance_round_limit = 4;
 /// Number of damped steps in a row after which a dynamic step is accepted where the patches balance it, to
 /// half the tolerance of forces. Otherwise the linear system balances it to rounding, and momentum is
 /// conserved.
 constexpr int stuck_after = 2;
 /// Number of earlier minima that the Anderson mixing of the bounds uses.
 constexpr int bound_memory = 6;
-
-/// Number of iterations in which the dilation is updated at every iterate, and number of minima of the
-/// potential at which it is updated after these. The dilation depends on the displacement and on the normal
-/// force that it causes itself. With many joints it may not converge within a step; the remainder then acts
-/// in the next step.
-constexpr int dilation_iterations = 8;
-constexpr int dilation_minima = 2;
-/// Number of times in a step that the dilation of segments whose friction gives energy is limited.
-constexpr int limit_rounds = 3;
-
-/// Largest number of augmented Lagrangian updates in a step. The penetration that remains is left to the next
-/// step.
-constexpr int augmentation_limit = 60;
-/// Number of earlier updates that their Anderson mixing uses.
-constexpr int augmentation_memory = 10;
 
 /// Relative residual of the linear solutions of the iteration, over the force tolerance. With a ratio of 10,
 /// walls released from rest took 52 iterations a step instead of 11; with 0.1 as many as with
@@ -75,6 +59,9 @@ class OpenCloseIteration {
           pool_(pool),
           times_(times),
           trials_(problem, pool),
+          entrances_(trials_),
+          dilation_(trials_),
+          augmentation_(trials_),
           line_search_(problem, trials_, pool),
           friction_coupling_(problem, trials_, solver, pool),
           patches_(problem, trials_, work.patches, pool),
@@ -82,8 +69,7 @@ class OpenCloseIteration {
           force_(problem.contacts.size()),
           iteration_residual_(std::clamp(residual_over_tolerance * problem.control.force_tolerance,
                                          full_tolerance, largest_iteration_residual)),
-          bound_mixing_(bound_memory),
-          augmentation_mixing_(augmentation_memory) {
+          bound_mixing_(bound_memory) {
         displacement_.assign(p_.rows.count(), Vec6::Zero());
     }
 
@@ -115,7 +101,7 @@ class OpenCloseIteration {
                 matrix_changed = true;
             }
             end_of(Phase::evaluation, times_);
-            if (matrix_changed) augmentation_mixing_ = AndersonMixing(augmentation_memory);
+            if (matrix_changed) augmentation_.forget();
         }
         finish();
         end_of(Phase::evaluation, times_);
@@ -205,7 +191,7 @@ class OpenCloseIteration {
     void update_bounds_and_test(bool bounds_follow) {
         const Eigen::VectorXd previous_bounds = bounds_follow ? Eigen::VectorXd() : trials_.shear_bounds();
         follow_entrances();
-        if (result_.iterations <= dilation_iterations) trials_.update_dilation();
+        dilation_.follow(result_.iterations);
         trials_.update_bounds();
         if (is_converged_exactly() && !trials_.break_bonds())
             accept_or_restart();
@@ -213,24 +199,20 @@ class OpenCloseIteration {
             trials_.set_shear_bounds(bound_mixing_.next(previous_bounds, trials_.shear_bounds()));
     }
 
-    /// Selects the first entrances at each of the first iterates, later only where the forces agree with the
-    /// laws: a line that is exchanged to and fro keeps the patches from settling.
+    /// Along lines the first entrances follow every iterate, in patches as EntranceRounds has it.
     void follow_entrances() {
-        if (beginning_ == Beginning::along_lines || iterations_since_restart() <= entrance_iterations) {
+        if (beginning_ == Beginning::along_lines)
             trials_.select_first_entrances();
-        } else if (entrance_rounds_ < entrance_round_limit && is_at_minimum()) {
-            if (trials_.select_first_entrances()) ++entrance_rounds_;
-        }
+        else
+            entrances_.follow(iterations_since_restart(), [this] { return is_at_minimum(); });
     }
 
     /// Accepts a converged iterate, unless dilation or augmentation changes the problem: then restarts.
     void accept_or_restart() {
-        if (!update_dilation_at(++minima_)) {
-            result_.converged =
-                augmentations_ == augmentation_limit || !trials_.augment(augmentation_mixing_);
+        if (!dilation_.update_at_minimum()) {
+            result_.converged = !augmentation_.shift();
             if (result_.converged) return;
-            ++augmentations_;
-            minima_ = 0;
+            dilation_.restart();
         }
         iterations_at_restart_ = result_.iterations;
         bound_mixing_ = AndersonMixing(bound_memory);
@@ -312,7 +294,7 @@ class OpenCloseIteration {
     /// and close by the second-order part of its gap.
     void evaluate(bool in_patches) {
         using Gaps = TrialContacts::Gaps;
-        const bool is_linear = in_patches && iterations_since_restart() > entrance_iterations;
+        const bool is_linear = in_patches && iterations_since_restart() > EntranceRounds::first_iterations;
         trials_.set_displacement(displacement_, target_, is_linear ? Gaps::linear : Gaps::exact);
         if (is_linear && is_at_minimum()) follow_gaps();
     }
@@ -333,7 +315,7 @@ class OpenCloseIteration {
     void test_and_relax() {
         follow_entrances();
         if ((trials_.any_dilates() || !is_at_target_) && is_at_minimum() &&
-            result_.iterations <= dilation_iterations)
+            DilationRounds::follows(result_.iterations))
             trials_.update_dilation();
         trials_.update_bounds();
         if (is_at_target_ && is_converged_exactly() && !trials_.break_bonds()) {
@@ -350,7 +332,7 @@ class OpenCloseIteration {
             accept_or_restart();
             return;
         }
-        if (result_.iterations <= dilation_iterations) trials_.update_dilation();
+        dilation_.follow(result_.iterations);
         trials_.update_bounds();
     }
     /// Whether the balance that patches find suffices: in a static step, and where the solution of the linear
@@ -424,18 +406,6 @@ class OpenCloseIteration {
         return is_at_minimum();
     }
 
-    /// Updates the dilation at a minimum of the potential. After the last minimum allowed it is postponed
-    /// where it does not settle. Then it is limited where friction would give energy.
-    /// @param minimum its number since the last augmentation, from 1. @return whether any dilation changed.
-    bool update_dilation_at(int minimum) {
-        if (minimum <= dilation_minima && trials_.dilation_exceeds_tolerance()) {
-            trials_.update_dilation();
-            return true;
-        }
-        if (minimum > dilation_minima && trials_.postpone_dilation()) return true;
-        return limits_++ < limit_rounds && trials_.limit_dilation();
-    }
-
     void finish() {
         result_.substitutions = substitutions_;
         result_.fallbacks = solver_.fallbacks() - fallbacks_before_;
@@ -452,6 +422,9 @@ class OpenCloseIteration {
     PhaseTimes* times_;
     Beginning beginning_ = Beginning::in_patches;
     TrialContacts trials_;
+    EntranceRounds entrances_;
+    DilationRounds dilation_;
+    AugmentationRounds augmentation_;
     LineSearch line_search_;
     FrictionCoupling friction_coupling_;
     PatchBalance patches_;
@@ -468,14 +441,9 @@ class OpenCloseIteration {
     double iteration_residual_;  ///< residual of linear solutions over the load
     int substitutions_ = 0;
     int iterations_at_restart_ = 0;
-    int augmentations_ = 0;
     int short_steps_ = 0;  ///< step lengths below short_length
     bool interior_point_failed_ = false;
-    int limits_ = 0;           ///< rounds in which the dilation was limited
-    int entrance_rounds_ = 0;  ///< selections of first entrances at minima that exchanged lines
-    int minima_ = 0;           ///< minima of the potential since the last augmentation
     AndersonMixing bound_mixing_;
-    AndersonMixing augmentation_mixing_;
     OpenCloseResult result_;
 };
 
