@@ -314,8 +314,9 @@ class OpenCloseIteration {
     /// that was all, and updates the dilation from there.
     void test_and_relax() {
         follow_entrances();
-        if ((trials_.any_dilates() || !is_at_target_) && is_at_minimum() &&
-            DilationRounds::follows(result_.iterations))
+        // Without dilation the force change is found by the test below, if the iterate is at the target.
+        const bool seeks_minimum = trials_.any_dilates() || !is_at_target_;
+        if (DilationRounds::follows(result_.iterations) && seeks_minimum && is_at_minimum())
             trials_.update_dilation();
         trials_.update_bounds();
         if (is_at_target_ && is_converged_exactly() && !trials_.break_bonds()) {
