@@ -1,15 +1,13 @@
 #include "dda/joint/mohr_coulomb.hpp"
 
-#include <cmath>
-
 #include "dda/joint/parameter_table.hpp"
 
 namespace rockslope::dda {
 
 /// The peak or the residual line of Eq. (31). Tension on an intact joint reduces its cohesion.
 CoulombLine MohrCoulomb::line(bool broken) const {
-    if (broken) return {std::tan(residual_friction_angle), residual_cohesion, false};
-    return {std::tan(friction_angle), cohesion, true};
+    if (broken) return {residual_friction_angle.coefficient(), residual_cohesion, false};
+    return {friction_angle.coefficient(), cohesion, true};
 }
 
 Strength MohrCoulomb::strength(const History& history, double normal_force, double length,
@@ -20,10 +18,10 @@ Strength MohrCoulomb::strength(const History& history, double normal_force, doub
 
 Strength MohrCoulomb::strength_slope(const History& history, double normal_force, double length) const {
     if (history.broken) {
-        const double slope = normal_force > 0 ? std::tan(residual_friction_angle) : 0;
+        const double slope = normal_force > 0 ? residual_friction_angle.coefficient() : 0;
         return {slope, slope, 0};
     }
-    const double friction = std::tan(friction_angle);
+    const double friction = friction_angle.coefficient();
     const double slope = normal_force * friction + cohesion * length > 0 ? friction : 0;
     return {slope, slope, 0};
 }

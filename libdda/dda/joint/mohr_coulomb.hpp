@@ -1,5 +1,6 @@
 #pragma once
 
+#include "dda/joint/friction_angle.hpp"
 #include "dda/joint/joint_types.hpp"
 
 namespace rockslope::dda {
@@ -11,11 +12,11 @@ struct MohrCoulomb {
     static constexpr const char* name = "mohr-coulomb";
     static constexpr HistoryScope history_scope = HistoryScope::contact;
 
-    double friction_angle = 0;           ///< rad, in [0, pi/2)
-    double cohesion = 0;                 ///< Pa
-    double tensile_strength = 0;         ///< Pa
-    double residual_friction_angle = 0;  ///< rad; the reader's default is friction_angle
-    double residual_cohesion = 0;        ///< Pa
+    FrictionAngle friction_angle = 0;           ///< rad, in [0, pi/2)
+    double cohesion = 0;                        ///< Pa
+    double tensile_strength = 0;                ///< Pa
+    FrictionAngle residual_friction_angle = 0;  ///< rad; the reader's default is friction_angle
+    double residual_cohesion = 0;               ///< Pa
 
     struct History {
         bool broken = false;  ///< slipped or opened once: the residual values hold
