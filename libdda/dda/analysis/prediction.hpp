@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "dda/analysis/step_problem.hpp"
+#include "dda/contact/search_radius.hpp"
 
 namespace rockslope::dda {
 
@@ -21,7 +22,7 @@ struct InitialGuess {
 /// The assumptions of one attempt at a step. Where the solution contradicts them, they are corrected and the
 /// step is attempted again.
 struct Prediction {
-    double search_radius = 0;            ///< m, within which corner and edge may meet in the step
+    SearchRadius search_radius;          ///< within which corner and edge may meet in the step
     std::vector<CornerEdge> undetected;  ///< sorted pairs that penetrated without a contact
     /// Forced candidates: pairs that penetrated undetected a second time. They get a contact without an
     /// entrance-angle test.

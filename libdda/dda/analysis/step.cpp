@@ -172,7 +172,7 @@ StepAttempt TimeStepper::attempt_with(const Stage& stage, const State& state, do
     const double max_stiffness = max_spring_stiffness(step.springs);
     step.springs = {};  // frees memory; the next search needs as much
     const std::vector<UndetectedPenetration> undetected =
-        undetected_penetrations(stage, state, attempt.state, prediction.search_radius);
+        undetected_penetrations(stage, state, attempt.state, prediction.search_radius.largest());
     if (!undetected.empty()) {
         attempt.rejection = Rejection::undetected_penetration;
         attempt.worst_contact =
@@ -205,14 +205,14 @@ void TimeStepper::correct_mid_step(const Stage& stage, const State& state, const
     const double moved = largest_displacement(state, displacement);
     if (!(moved <= displacement_limit(stage.control))) return;
     ++prediction.rotation_corrections;
-    prediction.search_radius = std::max(prediction.search_radius, 2.5 * moved);
+    prediction.search_radius.widen(2.5 * moved);
     prediction.retry_from(displacement, {step.contacts.contacts, std::move(result.contacts)});
 }
 
 bool TimeStepper::correct_motion(const State& state, const Step& step, OpenCloseResult& result,
                                  const PerBlock<Vec6>& displacement, double moved, Prediction& prediction) {
-    if (2 * moved > prediction.search_radius) {
-        prediction.search_radius = 2.5 * moved;
+    if (2 * moved > prediction.search_radius.largest()) {
+        prediction.search_radius.widen(2.5 * moved);
         prediction.needs_retry = true;
         return true;
     }
@@ -247,7 +247,7 @@ std::vector<UndetectedPenetration> TimeStepper::undetected_penetrations(const St
     return find_undetected_penetrations(model_, test, pool_);
 }
 
-double TimeStepper::initial_search_radius(const Stage& stage, const State& state, double dt) const {
+SearchRadius TimeStepper::initial_search_radius(const Stage& stage, const State& state, double dt) const {
     PerBlock<Vec6> predicted_displacement(state.blocks.velocity);
     for (Vec6& v : predicted_displacement) v *= dt;
     double largest_penetration = 0;
@@ -260,10 +260,11 @@ double TimeStepper::initial_search_radius(const Stage& stage, const State& state
     const double fall = std::min(dt, stage.control.step);
     // A larger approach is not needed: a step beyond the displacement limit is rejected anyway.
     const double approach_limit = 2 * displacement_limit(stage.control);
-    const double approach =
-        3 * largest_displacement(state, predicted_displacement) + 2 * model_.gravity.norm() * fall * fall;
-    return std::min(approach, approach_limit) + 4 * largest_penetration + 2 * largest_dilation +
-           1e-4 * edge_length_;
+    const double acceleration = std::min(2 * model_.gravity.norm() * fall * fall, approach_limit);
+    const double at_rest =
+        acceleration + 4 * largest_penetration + 2 * largest_dilation + 1e-4 * edge_length_;
+    return {at_rest, largest_displacement(state, predicted_displacement),
+            at_rest - acceleration + approach_limit};
 }
 
 Prediction TimeStepper::initial_prediction(const Stage& stage, const State& state, double dt) const {

@@ -69,8 +69,8 @@ class TimeStepper {
     /// Predicts the mid-step with the displacements found, where gaps did not settle about the one predicted.
     void correct_mid_step(const Stage& stage, const State& state, const Step& step, OpenCloseResult& result,
                           Prediction& prediction);
-    /// First estimate of the largest distance, m, at which a corner and an edge can still meet in the step.
-    double initial_search_radius(const Stage& stage, const State& state, double dt) const;
+    /// First estimate of the distance at which a corner and an edge can still meet in the step.
+    SearchRadius initial_search_radius(const Stage& stage, const State& state, double dt) const;
     /// The largest displacement that a vertex may have in a step, m.
     double displacement_limit(const StepControl& control) const {
         return control.displacement_ratio * half_height_;

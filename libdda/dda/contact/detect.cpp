@@ -23,7 +23,7 @@ struct ContactCandidate {
     double inherited_penetration = 0;  ///< m, see Contact
     bool inhibited = false;            ///< see Contact
     double end_margin = 0;             ///< m, CornerEdgeGeometry::end_margin predicted for the step's end
-    CornerIndex partner_corner = CornerIndex::none();  ///< convex end of the edge within search_radius
+    CornerIndex partner_corner = CornerIndex::none();  ///< convex end of the edge within the search radius
     bool carries_force = false;    ///< it bore force at the last step's end, and its corner is on the edge
     bool remains_on_edge = false;  ///< it carries force, and its corner is predicted to stay on the edge
     bool is_behind = false;        ///< open, with its corner behind the line: it entered through another edge
@@ -57,13 +57,15 @@ class ContactDetector {
         : model_(model),
           topology_(model.topology),
           input_(detection),
-          inherited_penetrations_(model.topology, input_.vertices, input_.previous, input_.search_radius),
+          inherited_penetrations_(model.topology, input_.vertices, input_.previous,
+                                  input_.search_radius.largest()),
           previous_contacts_(model.topology.corner_count(), corners_of(input_.previous)) {}
 
-    /// Whether a pair must be evaluated: it is within search_radius, was a contact before, or is forced.
+    /// Whether a pair must be evaluated: it is within its search radius, was a contact before, or is forced.
     bool is_near(const CornerEdge& pair) const {
         const auto [corner, edge] = pair;
-        return is_within(input_.search_radius, at(corner), start(edge), end(edge)) ||
+        return (is_within(input_.search_radius.largest(), at(corner), start(edge), end(edge)) &&
+                may_meet(pair)) ||
                find_previous(pair) != nullptr || is_forced(pair);
     }
 
@@ -78,8 +80,7 @@ class ContactDetector {
         if (!is_forced) {
             // An open contact beyond the search radius keeps its history but cannot close: its corner may be
             // past the end of the edge, on the edge's extension.
-            candidate.inhibited = (old == nullptr || old->state == ContactState::open) &&
-                                  !is_within(input_.search_radius, vertex, start(edge), end(edge));
+            candidate.inhibited = (old == nullptr || old->state == ContactState::open) && !may_meet(pair);
             if (old == nullptr && candidate.inhibited) return false;
             // A contact that bears force is kept, whatever the angle, until it opens or slides off the edge.
             const bool bears_force = old != nullptr && old->state != ContactState::open &&
@@ -107,10 +108,11 @@ class ContactDetector {
         candidate.is_behind = !closed && !is_forced &&
                               candidate.gap + std::max(candidate.dilation, 0.0) <
                                   -(input_.depth_tolerance + 2 * candidate.inherited_penetration);
-        candidate.partner_corner =
-            !is_forced && (vertex - at(near_end)).norm() <= input_.search_radius && !is_reflex(near_end)
-                ? near_end
-                : CornerIndex::none();
+        candidate.partner_corner = !is_forced &&
+                                           (vertex - at(near_end)).norm() <= input_.search_radius.largest() &&
+                                           !is_reflex(near_end)
+                                       ? near_end
+                                       : CornerIndex::none();
         return true;
     }
 
@@ -195,6 +197,17 @@ class ContactDetector {
     const Vec2& end(EdgeIndex edge) const { return at(topology_.end_of(edge)); }
     /// Predicted position of a corner at the step's end, m.
     Vec2 predicted(CornerIndex corner) const { return 2 * input_.mid_step_vertices[corner] - at(corner); }
+    /// Predicted displacement of a corner in the step, m.
+    Vec2 motion(CornerIndex corner) const { return 2 * (input_.mid_step_vertices[corner] - at(corner)); }
+    /// Whether a corner is within its search radius of an edge.
+    bool may_meet(const CornerEdge& pair) const {
+        const auto [corner, edge] = pair;
+        const Vec2 of_corner = motion(corner);
+        const double relative =
+            std::sqrt(std::max((of_corner - motion(start_of(edge))).squaredNorm(),
+                               (of_corner - motion(topology_.end_of(edge))).squaredNorm()));
+        return is_within(input_.search_radius.of(relative), at(corner), start(edge), end(edge));
+    }
     /// The edges that end and begin at a corner.
     EdgeIndex edge_to(CornerIndex corner) const { return edge_from(topology_.previous[corner]); }
     std::array<EdgeIndex, 2> edges_at(CornerIndex corner) const {
@@ -245,7 +258,7 @@ class ContactDetector {
     bool is_preferred(const ContactCandidate& a, const ContactCandidate& b) const {
         if (a.is_behind != b.is_behind) return b.is_behind;
         if (a.remains_on_edge != b.remains_on_edge) return a.remains_on_edge;
-        return a.end_margin > b.end_margin + 1e-9 * input_.search_radius;
+        return a.end_margin > b.end_margin + 1e-9 * input_.search_radius.largest();
     }
 
     /// Whether the corner is predicted to end the step between the ends of its edge, and did not enter
@@ -324,6 +337,43 @@ std::vector<std::size_t> filter(std::size_t count, const ThreadPool& pool, const
     return indices;
 }
 
+/// Candidates whose corner is near an end of their edge, by the two corners that meet.
+class CornerMeetings {
+  public:
+    void add(const ContactCandidate& candidate) {
+        const auto [lower, upper] = std::minmax(candidate.pair.corner, candidate.partner_corner);
+        lower_.push_back(lower);
+        members_.push_back({upper, &candidate});
+    }
+
+    /// Calls `visit` with the candidates of each pair of corners: pairs ascending, candidates as they were
+    /// added.
+    template <class Visit>
+    void for_each(std::size_t corner_count, const Visit& visit) const {
+        const OwnerIndex<CornerIndex, std::uint32_t> by_lower(corner_count, lower_);
+        std::vector<std::uint32_t> order;
+        std::vector<const ContactCandidate*> together;
+        for (const CornerIndex corner : indices<CornerIndex>(0, corner_count)) {
+            const auto items = by_lower.of(corner);
+            order.assign(items.begin(), items.end());
+            std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+                return std::pair(members_[a].first, a) < std::pair(members_[b].first, b);
+            });
+            for (auto item = order.begin(); item != order.end();) {
+                const CornerIndex upper = members_[*item].first;
+                together.clear();
+                for (; item != order.end() && members_[*item].first == upper; ++item)
+                    together.push_back(members_[*item].second);
+                visit(std::span<const ContactCandidate* const>(together));
+            }
+        }
+    }
+
+  private:
+    std::vector<CornerIndex> lower_;
+    std::vector<std::pair<CornerIndex, const ContactCandidate*>> members_;  ///< upper corner, candidate
+};
+
 /// The selected contacts in the order of comes_before: a counting sort by lower block, then a sort within
 /// each.
 std::vector<Contact> sorted_contacts(const Model& model, const ContactDetector& detector,
@@ -373,27 +423,18 @@ std::vector<Contact> detect_contacts(const Model& model, const DetectionInput& a
 
     std::vector<SelectedContact> selected;
     selected.reserve(accepted.size());
-    std::vector<std::pair<std::pair<CornerIndex, CornerIndex>, std::size_t>>
-        grouped;  // (pair of corners, candidate)
-    grouped.reserve(accepted.size());
+    CornerMeetings meetings;
     for (const std::size_t k : accepted) {
-        if (!evaluated[k].partner_corner.exists()) {
+        if (evaluated[k].partner_corner.exists())
+            meetings.add(evaluated[k]);
+        else
             selected.push_back(detector.select_single(evaluated[k]));
-        } else {
-            grouped.push_back({std::minmax(evaluated[k].pair.corner, evaluated[k].partner_corner), k});
-        }
     }
-    std::sort(grouped.begin(), grouped.end());
-    std::vector<const ContactCandidate*> members;
     std::vector<EntranceLine> lines;
     int group = 0;
-    for (std::size_t k = 0; k < grouped.size(); ++group) {
-        members.clear();
-        const auto corners = grouped[k].first;
-        for (; k < grouped.size() && grouped[k].first == corners; ++k)
-            members.push_back(&evaluated[grouped[k].second]);
-        detector.select_entrance_lines(members, group, lines, selected);
-    }
+    meetings.for_each(model.topology.corner_count(), [&](std::span<const ContactCandidate* const> members) {
+        detector.select_entrance_lines(members, group++, lines, selected);
+    });
     return sorted_contacts(model, detector, selected, pool);
 }
 

@@ -5,6 +5,7 @@
 
 #include "common/base/thread_pool.hpp"
 #include "dda/contact/contact.hpp"
+#include "dda/contact/search_radius.hpp"
 #include "dda/model/model.hpp"
 
 namespace rockslope::dda {
@@ -51,7 +52,7 @@ bool passes_entrance_angle_test(const Topology& topology, CornerSpan<const Vec2>
 struct DetectionInput {
     CornerSpan<const Vec2> vertices;           ///< per corner, at the start of the step, m
     CornerSpan<const Vec2> mid_step_vertices;  ///< per corner, predicted at mid-step, m
-    double search_radius = 0;                  ///< m, distance within which a pair may meet in the step
+    SearchRadius search_radius;                ///< within which a pair may meet in the step
     double depth_tolerance = 0;                ///< m, depth behind a line up to which a corner is on the line
     ContactSpan<const Contact> previous = {};  ///< contacts at the start of the step, sorted
     /// Forced candidates, sorted: pairs whose contact an earlier attempt at this step missed. They become
@@ -60,7 +61,7 @@ struct DetectionInput {
 };
 
 /// The contacts among the candidates, in the order of comes_before. A candidate becomes a contact if its
-/// corner is at most `search_radius` from the edge and passes the entrance-angle test. A contact of
+/// corner is within its search radius of the edge and passes the entrance-angle test. A contact of
 /// `previous` may be farther away, and its angle is not tested while it bears force on its edge. A corner
 /// near an end of the edge forms vertex-vertex contacts, in a group with one contact per entrance line; by
 /// Shi's first-entrance rule, Eq. (28), at most one line of a group closes. Two edges that lie on each other

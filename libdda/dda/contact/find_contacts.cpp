@@ -36,13 +36,15 @@ double displacement_since(const ContactSet& last, CornerSpan<const Vec2> vertice
 ContactSet find_or_keep_candidates(const Model& model, const ContactSet& last, const ContactSearch& search) {
     ContactSet set;
     // Whether the candidates are still complete, Eq. (26).
-    if (search.search_radius + 2 * displacement_since(last, search.vertices) <= last.candidate_distance) {
+    if (search.search_radius.largest() + 2 * displacement_since(last, search.vertices) <=
+        last.candidate_distance) {
         set.candidates = last.candidates;
         set.candidate_distance = last.candidate_distance;
         set.reference = last.reference;
     } else {
         // The distance of candidates, Eq. (25).
-        set.candidate_distance = std::max(skin_ratio * search.edge_length, 2 * search.search_radius);
+        set.candidate_distance =
+            std::max(skin_ratio * search.edge_length, 2 * search.search_radius.largest());
         set.candidates = find_candidates(model, search.vertices, set.candidate_distance);
         set.reference.assign(search.vertices.begin(), search.vertices.end());
         GluedPoints(model, last.contacts).remove_from(set.candidates);
@@ -93,7 +95,8 @@ FoundContacts find_contacts(const Model& model, const ContactSet& last, const Co
                                         search.depth_tolerance, last.contacts, search.forced},
                                        set.candidates, pool);
         end_of(Phase::detection, times);
-        return transfer_contacts(model, last.contacts, search.search_radius, search.first_step, set.contacts);
+        return transfer_contacts(model, last.contacts, search.search_radius.largest(), search.first_step,
+                                 set.contacts);
     };
     JointSegments segments = detect();
     if (search.first_step) {

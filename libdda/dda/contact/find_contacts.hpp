@@ -5,6 +5,7 @@
 #include "common/base/thread_pool.hpp"
 #include "dda/base/phase_times.hpp"
 #include "dda/contact/joint_segments.hpp"
+#include "dda/contact/search_radius.hpp"
 #include "dda/model/model.hpp"
 
 namespace rockslope::dda {
@@ -14,7 +15,7 @@ struct ContactSearch {
     CornerSpan<const Vec2> vertices;           ///< per corner, at the start of the step, m
     CornerSpan<const Vec2> mid_step_vertices;  ///< per corner, predicted at mid-step, m
     std::span<const CornerEdge> forced;        ///< see DetectionInput
-    double search_radius = 0;                  ///< m, distance within which a pair may meet in the step
+    SearchRadius search_radius;                ///< within which a pair may meet in the step
     double edge_length = 0;                    ///< m, median of the model
     double depth_tolerance = 0;                ///< m, see DetectionInput
     double duration = 0;                       ///< s, of the step; 0 in static stages

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "support/resting_block.hpp"
@@ -140,6 +141,27 @@ TEST(TimeStepper, RepeatsAnAttemptWhoseSearchRadiusWasTooSmall) {
     ASSERT_EQ(attempt.rejection, Rejection::none);
     EXPECT_NEAR(attempt.report.largest_displacement, std::hypot(1e7 / 2500, g) * 1e-4 / 2, 1e-6);
     EXPECT_EQ(attempt.report.iterations, 2 * at_rest);
+}
+
+// A block at rest is shot off by a load against one 0.1 m away. Another block is so fast that no displacement
+// exceeds what was predicted, but the pair was not searched at this distance: the step is repeated with it.
+TEST(TimeStepper, RepeatsAnAttemptThatDidNotVisitAPairThatMet) {
+    Scene s;
+    s.box({0, 0}, 1, 1);
+    s.box({1.1, 0}, 1, 1, dda::Motion::fixed);
+    s.box({0, 50}, 1, 1);
+    s.model.loads.push_back(dda::PointLoad{s.material_point(0, {0.5, 0.5}), {1e7, 0}, {}});
+    dda::State state = dda::initial_state(s.model);
+    state.blocks.velocity[2] << 40, 0, 0, 0, 0, 0;
+    dda::TimeStepper stepper(s.model, 1);
+    const dda::StepAttempt attempt = stepper.advance(dynamic_stage(), state, 0.01);
+    ASSERT_EQ(attempt.rejection, Rejection::none);
+    EXPECT_NEAR(attempt.report.largest_displacement, 0.4, 1e-3);
+    const auto& contacts = attempt.state.contacts.contacts;
+    EXPECT_EQ(std::count_if(contacts.begin(), contacts.end(),
+                            [](const dda::Contact& c) { return c.state != dda::ContactState::open; }),
+              2);
+    EXPECT_LT(attempt.state.blocks.vertices[1].x(), 1.11) << "free flight would end at 1.2 m";
 }
 
 // Eq. (40): a record moves its block; the step's end has the record's acceleration.

@@ -82,6 +82,41 @@ TEST(Detect, FacesFartherApartThanTheSearchRadiusHaveNoContact) {
     EXPECT_EQ(detect(s, .03).size(), 2u);
 }
 
+// Blocks that move together do not meet, however fast they are; blocks that approach each other may.
+TEST(Detect, TheSearchRadiusOfAPairGrowsWithItsRelativeMotion) {
+    Scene s;
+    s.box({0, 0}, 1, 1);
+    s.box({0, 1.02}, 1, 1);
+    const auto found_when_moving = [&](double lower, double upper) {
+        auto mid_step = s.model.vertices;
+        for (const dda::CornerIndex k : s.model.topology.corners_of(dda::BlockIndex(0)))
+            mid_step[k].y() += lower / 2;
+        for (const dda::CornerIndex k : s.model.topology.corners_of(dda::BlockIndex(1)))
+            mid_step[k].y() += upper / 2;
+        const dda::SearchRadius radius(.01, .05, .2);
+        const auto candidates = dda::find_candidates(s.model, s.model.vertices, .2);
+        return dda::detect_contacts(s.model, {s.model.vertices, mid_step, radius}, candidates, ThreadPool(1))
+            .size();
+    };
+    EXPECT_EQ(found_when_moving(.05, .05), 0u);
+    EXPECT_EQ(found_when_moving(.05, 0), 2u);
+    EXPECT_EQ(found_when_moving(.05, .047), 0u) << "10 mm and three times 3 mm are less than 20 mm";
+    EXPECT_EQ(found_when_moving(.05, .046), 2u) << "10 mm and three times 4 mm are more";
+}
+
+TEST(SearchRadius, IsLimitedAndWidensForAllPairs) {
+    dda::SearchRadius radius(.01, .05, .1);
+    EXPECT_DOUBLE_EQ(radius.largest(), .1);
+    EXPECT_DOUBLE_EQ(radius.of(0), .01);
+    EXPECT_DOUBLE_EQ(radius.of(.02), .07);
+    EXPECT_DOUBLE_EQ(radius.of(.05), .1);
+    radius.widen(.05);
+    EXPECT_DOUBLE_EQ(radius.largest(), .1) << "it is as wide already";
+    radius.widen(.15);
+    EXPECT_DOUBLE_EQ(radius.largest(), .15);
+    EXPECT_DOUBLE_EQ(radius.of(0), .06);
+}
+
 TEST(Detect, CornerOnCornerIsAGroupOfTwoEntranceLines) {
     Scene s;
     s.box({0, 0}, 1, 1);
