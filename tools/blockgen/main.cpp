@@ -5,6 +5,7 @@
 
 #include "blockgen/cut/cut_blocks.hpp"
 #include "blockgen/faces/enclosed_area.hpp"
+#include "blockgen/input/domain.hpp"
 #include "blockgen/mesh/block_file.hpp"
 #include "blockgen/picture/block_picture.hpp"
 #include "blockgen/picture/rose_picture.hpp"
@@ -71,10 +72,8 @@ void write_results(const Options& options, const SlopeModel& model, const std::v
     if (!options.kinematic_picture.empty())
         draw_blocks(result.mesh, kinematic_layer(*result.report.kinematics), style)
             .write(options.kinematic_picture);
-    if (!options.geojson.empty()) {
-        const CoordinateSystem& system = model.project.exists() ? model.project : model.system;
-        write_file_atomically(options.geojson, geojson_text(result.mesh, system.urn()));
-    }
+    if (!options.geojson.empty())
+        write_file_atomically(options.geojson, geojson_text(result.mesh, system_urn(model)));
     if (!options.vtk.empty()) write_file_atomically(options.vtk, vtk_text(result.mesh, traces));
     if (!options.report.empty()) write_report(options.report, result.report);
     if (!options.depfile.empty()) write_file_atomically(options.depfile, make_rule(options, model));

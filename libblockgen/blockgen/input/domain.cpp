@@ -16,4 +16,9 @@ bool is_in_outlines(const SlopeModel& model, const Point& p) {
            std::any_of(model.further_outlines.begin(), model.further_outlines.end(), contains_p);
 }
 
+std::string system_urn(const SlopeModel& model) {
+    if (model.section && model.section->on_map) return {};
+    return (model.project.exists() ? model.project : model.system).urn();
+}
+
 }  // namespace rockslope::blockgen

@@ -11,4 +11,9 @@ Bounds domain_bounds(const SlopeModel& model);
 /// Whether a point lies inside or on the outline of a part of the domain. Holes are ignored.
 bool is_in_outlines(const SlopeModel& model, const Point& p);
 
+/// The name by which files state the coordinate system of the blocks: that of `project`, or of the files that
+/// were read. Empty when none is known, and when the section is a vertical plane on the map, whose x and y
+/// are coordinates of no system.
+std::string system_urn(const SlopeModel& model);
+
 }  // namespace rockslope::blockgen

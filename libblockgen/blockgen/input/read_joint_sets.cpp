@@ -4,6 +4,7 @@
 
 #include "blockgen/input/csv_table.hpp"
 #include "blockgen/input/read_distribution.hpp"
+#include "blockgen/input/read_section.hpp"
 #include "blockgen/input/read_shapes.hpp"
 #include "common/base/text.hpp"
 
@@ -52,7 +53,7 @@ std::vector<Pole> read_poles(const ConfigTable& table, double azimuth, SlopeMode
     return poles;
 }
 
-Orientation read_orientation(const ConfigTable& root, const ConfigTable& table, SlopeModel& model) {
+Orientation read_orientation(const ConfigTable& table, SlopeModel& model) {
     Orientation orientation;
     const bool by_dip = table.has("dip") || table.has("dip_direction");
     const int given = int{table.has("angle")} + int{by_dip} + int{table.has("orientations")} +
@@ -64,11 +65,10 @@ Orientation read_orientation(const ConfigTable& root, const ConfigTable& table, 
         orientation.angle = read_distribution(table, "angle", Dimension::angle);
         return orientation;
     }
-    const auto section = root.optional_table("section");
-    if (!section)
+    if (!model.section)
         table.fail(by_dip ? "dip" : "orientations", "planes in space without a section that cuts them",
                    "[section] with its azimuth");
-    orientation.poles = read_poles(table, section->number("azimuth", Dimension::angle), model);
+    orientation.poles = read_poles(table, model.section->azimuth, model);
     if (by_dip && table.has("fisher_k"))
         orientation.fisher_k = table.checked(
             "fisher_k", table.number("fisher_k"), [](double k) { return k > 0; },
@@ -183,10 +183,10 @@ void read_condition(const ConfigTable& table, JointSet& set, const SlopeModel& m
     check_coordinate_range(table, "mapped_area", set.mapped_area, model);
 }
 
-void read_members(const ConfigTable& root, const ConfigTable& table, JointSet& set, SlopeModel& model) {
+void read_members(const ConfigTable& table, JointSet& set, SlopeModel& model) {
     using Measure = StopRule::Measure;
     if (set.kind == SetKind::voronoi) return read_voronoi(table, set);
-    set.orientation = read_orientation(root, table, model);
+    set.orientation = read_orientation(table, model);
     if (set.kind == SetKind::baecher || set.kind == SetKind::veneziano) read_condition(table, set, model);
     if (set.kind == SetKind::baecher) {
         set.trace_length = read_length(table, "trace_length", false);
@@ -206,13 +206,13 @@ void read_members(const ConfigTable& root, const ConfigTable& table, JointSet& s
         read_bridges(table, set);
 }
 
-JointSet read_joint_set(const ConfigTable& root, const ConfigTable& table, SlopeModel& model) {
+JointSet read_joint_set(const ConfigTable& table, SlopeModel& model) {
     JointSet set;
     set.place = table.place();
     set.name = read_name(table, "name");
     set.kind = read_kind(table);
     set.joint_material = table.string("joint_material", set.name);
-    read_members(root, table, set, model);
+    read_members(table, set, model);
     set.region = table.string("region", "");
     const auto has_name = [&](const Region& region) { return region.name == set.region; };
     if (!set.region.empty() && std::none_of(model.regions.begin(), model.regions.end(), has_name))
@@ -226,9 +226,9 @@ JointSet read_joint_set(const ConfigTable& root, const ConfigTable& table, Slope
 }  // namespace
 
 void read_joint_sets(const ConfigTable& root, SlopeModel& model) {
-    if (const auto section = root.optional_table("section")) section->number("azimuth", Dimension::angle);
+    read_section(root, model);
     for (const ConfigTable& table : root.array_of_tables("joint_set"))
-        model.joint_sets.push_back(read_joint_set(root, table, model));
+        model.joint_sets.push_back(read_joint_set(table, model));
 }
 
 }  // namespace rockslope::blockgen

@@ -70,6 +70,8 @@ gap = 1.0                                  # rock bridge; or persistence = 0.9
 
 # [section]
 # azimuth = "90 deg"                       # of the x axis, clockwise from north: for sets given as planes in space
+# from = [465980, 6691570]                 # instead: the vertical plane through two points of the map, in m; x is 0 at
+# to = [466040, 6691570]                   # `from`, and the azimuth that of the line, clockwise from grid north
 
 # [[joint_set]]                            # random traces; or kind = "veneziano": random lines of traces and rock bridges
 # name = "random"

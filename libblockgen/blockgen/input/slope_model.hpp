@@ -9,6 +9,7 @@
 
 #include "blockgen/input/coordinate_system.hpp"
 #include "blockgen/input/orientation.hpp"
+#include "blockgen/input/section_line.hpp"
 #include "common/base/input_error.hpp"
 #include "common/geometry/polygon.hpp"
 
@@ -194,6 +195,7 @@ struct SlopeModel {
     CoordinateSystem project;  ///< to which the coordinates of files are converted
     CoordinateSystem system;   ///< without `project`: that of the files which state one
     std::string system_file;   ///< the first of these files
+    std::optional<Section> section;
     SourceLocation domain_location;
     SourceLocation outlines_location;  ///< of the key that gives the parts of the domain
     SourceLocation holes_location;     ///< of the key that gives the last hole
