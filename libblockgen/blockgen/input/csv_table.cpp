@@ -53,6 +53,33 @@ void split(std::string_view line, std::vector<Field>& fields) {
     }
 }
 
+/// The lines of a file that hold anything, without their comments.
+class CsvLines {
+  public:
+    explicit CsvLines(const std::filesystem::path& path) : text_(read_text_file(path)) {}
+
+    /// Fills `fields` with those of the next line. @return false at the end of the file.
+    bool next(std::vector<Field>& fields) {
+        while (start_ < text_.size()) {
+            const std::size_t newline = std::min(text_.find('\n', start_), text_.size());
+            std::string_view line = std::string_view(text_).substr(start_, newline - start_);
+            start_ = newline + 1;
+            ++number_;
+            if (number_ == 1 && line.starts_with("\xef\xbb\xbf")) line.remove_prefix(3);
+            split(line.substr(0, find_unquoted(line, '#', 0)), fields);
+            if (fields.size() != 1 || !fields[0].text.empty()) return true;
+        }
+        return false;
+    }
+    /// The number of the line that was read last.
+    int number() const { return number_; }
+
+  private:
+    std::string text_;
+    std::size_t start_ = 0;
+    int number_ = 0;
+};
+
 constexpr std::size_t no_column = static_cast<std::size_t>(-1);
 
 std::size_t position_of(const std::vector<Field>& header, const std::string& name) {
@@ -69,24 +96,22 @@ std::string list_of(const std::vector<std::string>& names) {
 
 }  // namespace
 
+bool csv_has_column(const std::filesystem::path& path, const std::string& name) {
+    CsvLines lines(path);
+    std::vector<Field> fields;
+    return lines.next(fields) && position_of(fields, name) != no_column;
+}
+
 CsvTable read_csv(const std::filesystem::path& path, const std::vector<std::string>& number_columns,
                   const std::vector<std::string>& text_columns) {
-    const std::string text = read_text_file(path);
+    CsvLines lines(path);
     std::vector<std::size_t> position;  // per requested column, in a line
     CsvTable table;
     table.number_columns = number_columns.size();
     table.text_columns = text_columns.size();
     std::vector<Field> fields;
-    int line_number = 0;
-    for (std::size_t start = 0; start < text.size();) {
-        const std::size_t newline = std::min(text.find('\n', start), text.size());
-        std::string_view line = std::string_view(text).substr(start, newline - start);
-        start = newline + 1;
-        ++line_number;
-        if (line_number == 1 && line.starts_with("\xef\xbb\xbf")) line.remove_prefix(3);
-        split(line.substr(0, find_unquoted(line, '#', 0)), fields);
-        if (fields.size() == 1 && fields[0].text.empty()) continue;
-
+    while (lines.next(fields)) {
+        const int line_number = lines.number();
         if (position.empty()) {
             const bool is_header = !parse_number(fields[0].text);
             for (std::size_t i = 0; i < number_columns.size() + text_columns.size(); ++i) {

@@ -24,6 +24,9 @@ struct CsvTable {
     std::string& text(std::size_t row, std::size_t column) { return texts[row * text_columns + column]; }
 };
 
+/// Whether the header line of a file names a column. @throws InputError when the file cannot be read.
+bool csv_has_column(const std::filesystem::path& path, const std::string& name);
+
 /// Reads comma-separated columns by the names in the header line; other columns are ignored. Without a header
 /// the columns must be in the requested order. `#` starts a comment. Text columns are optional.
 /// @throws InputError with file, line and column for a missing number column or a field that is not a finite

@@ -94,17 +94,21 @@ class GdalReader {
         }
     }
 
-    /// Calls visit(points) for each line and ring of a geometry.
-    void visit_lines(OGRGeometryH shape, const std::function<void(std::vector<Point>)>& visit) const {
+    /// Calls visit(points, heights) for each line and ring of a geometry.
+    void visit_lines(OGRGeometryH shape,
+                     const std::function<void(std::vector<Point>, std::vector<double>)>& visit) const {
         const OGRwkbGeometryType type = gdal().OGR_GT_Flatten(gdal().OGR_G_GetGeometryType(shape));
         if (type == wkbLineString || type == wkbLinearRing) {
             std::vector<Point> points;
+            std::vector<double> heights;
+            const bool has_heights = gdal().OGR_G_Is3D(shape) != 0;
             for (int k = 0; k < gdal().OGR_G_GetPointCount(shape); ++k) {
                 points.push_back({gdal().OGR_G_GetX(shape, k), gdal().OGR_G_GetY(shape, k)});
                 if (!is_in_allowed_range(points.back().x) || !is_in_allowed_range(points.back().y))
                     throw InputError(place_, "a coordinate is too large", "coordinates in metres");
+                if (has_heights) heights.push_back(gdal().OGR_G_GetZ(shape, k));
             }
-            if (points.size() >= 2) visit(std::move(points));
+            if (points.size() >= 2) visit(std::move(points), std::move(heights));
             return;
         }
         for (int k = 0; k < gdal().OGR_G_GetGeometryCount(shape); ++k)
@@ -155,8 +159,9 @@ MapLines read_gdal_lines(const std::filesystem::path& path) {
         // A Shapefile truncates field names to ten letters.
         std::string material = field_of(feature, "joint_material");
         if (material.empty()) material = field_of(feature, "joint_mate");
-        reader.visit_lines(shape, [&](std::vector<Point> points) {
-            map.lines.push_back({material, drawn_on.empty() ? layer : drawn_on, std::move(points)});
+        reader.visit_lines(shape, [&](std::vector<Point> points, std::vector<double> heights) {
+            map.lines.push_back(
+                {material, drawn_on.empty() ? layer : drawn_on, std::move(points), std::move(heights)});
         });
     });
     map.notes = reader.notes();
@@ -171,11 +176,14 @@ MapPolygons read_gdal_polygons(const std::filesystem::path& path) {
         const OGRwkbGeometryType type = gdal().OGR_GT_Flatten(gdal().OGR_G_GetGeometryType(shape));
         if (type == wkbPolygon) {
             map.polygons.emplace_back();
-            reader.visit_lines(
-                shape, [&](std::vector<Point> points) { map.polygons.back().push_back(std::move(points)); });
+            reader.visit_lines(shape, [&](std::vector<Point> points, const std::vector<double>&) {
+                map.polygons.back().push_back(std::move(points));
+            });
             if (map.polygons.back().empty()) map.polygons.pop_back();
         } else if (type == wkbLineString || type == wkbLinearRing) {
-            reader.visit_lines(shape, [&](std::vector<Point> points) { lines.push_back(std::move(points)); });
+            reader.visit_lines(shape, [&](std::vector<Point> points, const std::vector<double>&) {
+                lines.push_back(std::move(points));
+            });
         } else {
             for (int k = 0; k < gdal().OGR_G_GetGeometryCount(shape); ++k)
                 add(gdal().OGR_G_GetGeometryRef(shape, k));

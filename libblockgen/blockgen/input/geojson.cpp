@@ -22,7 +22,7 @@ struct Paths {
     std::vector<Ring> paths;
     std::vector<std::size_t> polygon_ends;  ///< in a MultiPolygon: number of paths up to the end of each
     std::size_t position_depth = 0;         ///< lists round each number; 0 before the first number
-    bool has_heights = false;
+    std::vector<double> heights;            ///< of those positions that have a third coordinate
 };
 
 /// A geometry with the joint material of its feature.
@@ -141,7 +141,7 @@ class GeoJsonHandler : public nlohmann::json_sax<json> {
         result.system = system_;
         for (const Shape& shape : shapes_) {
             result.empty += shape.coordinates.paths.empty();
-            result.with_heights += shape.coordinates.has_heights;
+            result.with_heights += !shape.coordinates.heights.empty();
         }
         result.empty += without_geometry_;
         return result;
@@ -182,7 +182,7 @@ class GeoJsonHandler : public nlohmann::json_sax<json> {
         if (array_depth_ != read.position_depth) fail_position();
         if (position_size_ < 2 && !is_in_allowed_range(value))
             fail("a coordinate is too large", "coordinates in metres");
-        if (position_size_ < 2) position_[position_size_] = value;
+        if (position_size_ < position_.size()) position_[position_size_] = value;
         ++position_size_;
         return true;
     }
@@ -197,7 +197,7 @@ class GeoJsonHandler : public nlohmann::json_sax<json> {
             if (!in_path_) read.paths.emplace_back();
             in_path_ = true;
             read.paths.back().push_back({position_[0], position_[1]});
-            read.has_heights = read.has_heights || position_size_ > 2;
+            if (position_size_ > 2) read.heights.push_back(position_[2]);
         } else if (depth + 1 == read.position_depth) {
             in_path_ = false;
         } else if (depth + 2 == read.position_depth) {
@@ -246,7 +246,7 @@ class GeoJsonHandler : public nlohmann::json_sax<json> {
     std::vector<std::size_t> array_depths_;  ///< lists open round each of them, within the object round it
     std::size_t array_depth_ = 0;            ///< lists open in the innermost object
     bool in_coordinates_ = false, in_path_ = false, is_collection_ = false;
-    std::array<double, 2> position_{};
+    std::array<double, 3> position_{};
     std::size_t position_size_ = 0, features_ = 0, without_geometry_ = 0, error_byte_ = 0;
     std::vector<Shape> shapes_;
 };
@@ -272,9 +272,17 @@ void take_lines(const GeoJsonHandler& file, Shape& shape, MapLines& map) {
     if (shape.coordinates.paths.empty()) return;
     if (shape.coordinates.position_depth != (shape.type == "LineString" ? 2u : 3u))
         file.fail("a position is not a pair of numbers", "[x, y]");
+    std::size_t points = 0;
+    for (const Ring& line : shape.coordinates.paths) points += line.size();
+    const bool all_have_heights = shape.coordinates.heights.size() == points;
+    auto height = shape.coordinates.heights.begin();
     for (Ring& line : shape.coordinates.paths) {
         if (line.size() < 2) file.fail("a line of fewer than two points", "two points or more");
         map.lines.push_back({shape.joint_material, {}, std::move(line)});
+        if (!all_have_heights) continue;
+        const auto end = height + static_cast<std::ptrdiff_t>(map.lines.back().points.size());
+        map.lines.back().heights.assign(height, end);
+        height = end;
     }
 }
 

@@ -7,9 +7,9 @@
 namespace rockslope::blockgen {
 
 /// All LineStrings and MultiLineStrings of a GeoJSON file (RFC 7946), also those in features and collections.
-/// The member `crs` of earlier versions of the format states the coordinate system; third coordinates are
-/// counted and ignored, as are geometries without a point. The file is read in one pass, in time and memory
-/// linear in its size. @throws InputError for a file that is not JSON or not GeoJSON.
+/// The member `crs` of earlier versions of the format states the coordinate system. Geometries with third
+/// coordinates are counted, geometries without a point counted and skipped. The file is read in one pass, in
+/// time and memory linear in its size. @throws InputError for a file that is not JSON or not GeoJSON.
 MapLines read_geojson_lines(const std::filesystem::path& path);
 
 /// The rings of each Polygon, and of each part of a MultiPolygon, of a GeoJSON file: the outer ring first.

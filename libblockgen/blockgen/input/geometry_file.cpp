@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <optional>
 
 #include "blockgen/input/csv_table.hpp"
 #include "blockgen/input/gdal_file.hpp"
@@ -13,14 +14,25 @@ namespace {
 
 enum class FileKind { csv, geojson, gdal };
 
-FileKind kind_of(const std::filesystem::path& path) {
+std::string extension_of(const std::filesystem::path& path) {
     std::string extension = path.extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension;
+}
+
+/// The kind of a file by its name; nothing when it is none of these.
+std::optional<FileKind> known_kind(const std::filesystem::path& path) {
+    const std::string extension = extension_of(path);
     if (extension == ".csv" || extension == ".txt") return FileKind::csv;
     if (extension == ".geojson" || extension == ".json") return FileKind::geojson;
     if (extension == ".dxf" || extension == ".shp" || extension == ".gpkg") return FileKind::gdal;
-    throw InputError({path.string()}, "'" + extension + "' is not a known geometry format",
+    return std::nullopt;
+}
+
+FileKind kind_of(const std::filesystem::path& path) {
+    if (const auto kind = known_kind(path)) return *kind;
+    throw InputError({path.string()}, "'" + extension_of(path) + "' is not a known geometry format",
                      ".csv, .geojson, .dxf, .shp or .gpkg");
 }
 
@@ -29,6 +41,14 @@ void open_ring(Ring& ring) {
 }
 
 }  // namespace
+
+bool is_geometry_file(const std::filesystem::path& path) {
+    return known_kind(path).has_value();
+}
+
+bool is_csv_file(const std::filesystem::path& path) {
+    return known_kind(path) == FileKind::csv;
+}
 
 std::vector<std::vector<Ring>> read_outline_file(const std::filesystem::path& path, MapNotes* notes) {
     MapPolygons map;
@@ -52,26 +72,29 @@ std::vector<std::vector<Ring>> read_outline_file(const std::filesystem::path& pa
     return std::move(map.polygons);
 }
 
-std::vector<Trace> read_trace_file(const std::filesystem::path& path, const std::string& name,
-                                   const std::string& joint_material, MapNotes* notes) {
-    MapLines map;
+MapLines read_line_file(const std::filesystem::path& path) {
     switch (kind_of(path)) {
         case FileKind::geojson:
-            map = read_geojson_lines(path);
-            break;
+            return read_geojson_lines(path);
         case FileKind::gdal:
-            map = read_gdal_lines(path);
+            return read_gdal_lines(path);
+        case FileKind::csv:
             break;
-        case FileKind::csv: {
-            CsvTable table = read_csv(path, {"x1", "y1", "x2", "y2"}, {"joint_material"});
-            map.lines.reserve(table.row_count());
-            for (std::size_t k = 0; k < table.row_count(); ++k)
-                map.lines.push_back(
-                    {std::move(table.text(k, 0)),
-                     {},
-                     {{table.number(k, 0), table.number(k, 1)}, {table.number(k, 2), table.number(k, 3)}}});
-        }
     }
+    CsvTable table = read_csv(path, {"x1", "y1", "x2", "y2"}, {"joint_material"});
+    MapLines map;
+    map.lines.reserve(table.row_count());
+    for (std::size_t k = 0; k < table.row_count(); ++k)
+        map.lines.push_back(
+            {std::move(table.text(k, 0)),
+             {},
+             {{table.number(k, 0), table.number(k, 1)}, {table.number(k, 2), table.number(k, 3)}}});
+    return map;
+}
+
+std::vector<Trace> read_trace_file(const std::filesystem::path& path, const std::string& name,
+                                   const std::string& joint_material, MapNotes* notes) {
+    MapLines map = read_line_file(path);
     if (map.lines.empty())
         throw InputError({path.string()}, "the file contains no trace", "one trace or more");
     std::vector<Trace> traces;

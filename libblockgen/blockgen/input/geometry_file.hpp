@@ -15,6 +15,15 @@ namespace rockslope::blockgen {
 std::vector<std::vector<Ring>> read_outline_file(const std::filesystem::path& path,
                                                  MapNotes* notes = nullptr);
 
+/// Whether the name of a file is that of points and lines: .csv, .txt, .geojson, .json, .dxf, .shp, .gpkg.
+bool is_geometry_file(const std::filesystem::path& path);
+/// Whether the name of a file is that of a table: .csv or .txt.
+bool is_csv_file(const std::filesystem::path& path);
+
+/// The lines of a file as they are, possibly none: of the formats that read_trace_file() knows.
+/// @throws InputError
+MapLines read_line_file(const std::filesystem::path& path);
+
 /// The traces of a file. The file is CSV with the columns x1,y1,x2,y2 and optionally joint_material, GeoJSON
 /// with LineStrings and MultiLineStrings (a feature's property joint_material names its material), or a file
 /// read by GDAL. A trace without a material in the file gets `joint_material`; if that is empty and GDAL read

@@ -12,6 +12,7 @@ struct MapLine {
     std::string joint_material;  ///< from the feature's field of that name; may be empty
     std::string layer;           ///< DXF: layer of the drawing; otherwise layer of the file; may be empty
     std::vector<Point> points;
+    std::vector<double> heights = {};  ///< third coordinate of each point; empty when a point has none
 };
 
 /// What a map file says of its coordinates, and what of it was not read.
@@ -19,7 +20,7 @@ struct MapNotes {
     std::string system;            ///< coordinate reference system, as PROJ understands it; empty: not stated
     std::string unit;              ///< of a drawing ($INSUNITS): "mm"; empty: not stated
     std::size_t empty = 0;         ///< geometries without a point, skipped
-    std::size_t with_heights = 0;  ///< geometries with a third coordinate, which is ignored
+    std::size_t with_heights = 0;  ///< geometries with a third coordinate
 };
 
 struct MapLines {

@@ -60,10 +60,10 @@ bool overlap(const Bounds& a, const Bounds& b) {
 
 /// Whether points look like longitudes and latitudes: they could be, and they lie farther from the origin
 /// than they are wide. A section in metres begins near its origin, or in a national grid of thousands of
-/// metres. Traces that lie in the domain are in its coordinates, whatever these are.
-bool look_like_degrees(const Bounds& bounds, const SlopeModel& model) {
+/// metres. What lies in the domain is in its coordinates, whatever these are.
+bool look_like_degrees(const Bounds& bounds, const std::optional<Bounds>& domain) {
     if (bounds.low.x < -180 || bounds.high.x > 180 || bounds.low.y < -90 || bounds.high.y > 90) return false;
-    if (!model.outline.empty() && overlap(bounds, domain_bounds(model))) return false;
+    if (domain && overlap(bounds, *domain)) return false;
     const Point nearest = bounds.nearest({0, 0});
     return std::hypot(nearest.x, nearest.y) >
            std::hypot(bounds.high.x - bounds.low.x, bounds.high.y - bounds.low.y);
@@ -81,7 +81,7 @@ void add_note(const PlacedFile& file, const std::string& what, SlopeModel& model
 void note_what_was_left_out(const PlacedFile& file, SlopeModel& model) {
     if (file.notes.empty > 0)
         add_note(file, std::to_string(file.notes.empty) + " empty geometries are skipped", model);
-    if (file.notes.with_heights > 0)
+    if (file.notes.with_heights > 0 && !file.on_map)
         add_note(file,
                  "the third coordinate of " + std::to_string(file.notes.with_heights) +
                      " geometries is ignored: x and y are the axes of the section",
@@ -100,6 +100,8 @@ void scale(const PlacedFile& file, SlopeModel& model) {
     if (*metres == 1) return;
     for (std::vector<Point>* line : file.lines)
         for (Point& p : *line) p = {p.x * *metres, p.y * *metres};
+    for (std::vector<double>* heights : file.heights)
+        for (double& height : *heights) height *= *metres;
     if (stated.empty())
         add_note(file,
                  "the drawing is in " + unit +
@@ -115,7 +117,9 @@ CoordinateSystem system_of(const PlacedFile& file, const std::string& crs, const
     const SourceLocation place = crs.empty() ? SourceLocation{file.path.string()} : file.table.place("crs");
     const std::string& text = crs.empty() ? file.notes.system : crs;
     if (!text.empty()) return CoordinateSystem(text, place);
-    if (!look_like_degrees(bounds_of(file), model)) return {};
+    const bool has_domain = !file.on_map && !model.outline.empty();
+    if (!look_like_degrees(bounds_of(file), has_domain ? std::optional(domain_bounds(model)) : std::nullopt))
+        return {};
     if (!model.project.exists()) fail(file, "the coordinates state no system and look like degrees", remedy);
     return CoordinateSystem("OGC:CRS84", place);
 }
@@ -150,6 +154,18 @@ void read_project(const ConfigTable& domain, SlopeModel& model) {
     if (model.project.is_in_degrees() || model.project.metres_per_unit() != 1)
         domain.fail("project", model.project.name() + " is not in metres",
                     "a projected system in metres, such as \"EPSG:32634\"");
+}
+
+void place_in_section(const PlacedFile& file, SlopeModel& model) {
+    note_what_was_left_out(file, model);
+    const std::string crs = file.table.string("crs", "");
+    scale(file, model);
+    const std::string& system = crs.empty() ? file.notes.system : crs;
+    if (!system.empty() && system != local)
+        fail(file,
+             "the coordinates are in " + CoordinateSystem(system, SourceLocation{file.path.string()}).name() +
+                 ", but x and y of a profile are distance and elevation",
+             "crs = \"local\", or a line with third coordinates along [section] from and to");
 }
 
 void place_coordinates(const PlacedFile& file, SlopeModel& model) {

@@ -16,6 +16,8 @@ struct PlacedFile {
     std::filesystem::path path;
     MapNotes notes;
     std::vector<std::vector<Point>*> lines;
+    std::vector<std::vector<double>*> heights = {};  ///< third coordinates, scaled with the points
+    bool on_map = false;  ///< whether x and y are those of the map on which the section is a line
 };
 
 /// Puts the points of a file into the coordinates of the model, in metres. The file's system is `crs` of the
@@ -26,6 +28,11 @@ struct PlacedFile {
 /// @throws InputError for coordinates in degrees, feet or another system than an earlier file's, and for
 /// coordinates that state nothing and look like degrees.
 void place_coordinates(const PlacedFile& file, SlopeModel& model);
+
+/// Puts the points of a file whose x and y are distance and elevation into metres: `unit` of the table, or
+/// the unit that a drawing states. @throws InputError for a file that states a coordinate system of the map,
+/// unless `crs` is "local".
+void place_in_section(const PlacedFile& file, SlopeModel& model);
 
 /// Reads `project` of [domain]. @throws InputError when it is unknown or not in metres.
 void read_project(const ConfigTable& domain, SlopeModel& model);

@@ -7,6 +7,7 @@
 #include "blockgen/input/domain.hpp"
 #include "blockgen/input/geometry_file.hpp"
 #include "blockgen/input/place_coordinates.hpp"
+#include "blockgen/input/read_profile.hpp"
 #include "common/base/text.hpp"
 
 namespace rockslope::blockgen {
@@ -130,10 +131,10 @@ void add_hole(const ConfigTable& domain, const std::string& key, const std::stri
     model.holes.push_back(std::move(hole));
 }
 
-/// Which of the keys outline, outlines and outline_file is given; `outline` when none is.
+/// Which of the keys outline, outlines, outline_file and profile_file is given; `outline` when none is.
 std::string outline_key(const ConfigTable& domain) {
     std::string given;
-    for (const char* key : {"outline", "outlines", "outline_file"}) {
+    for (const char* key : {"outline", "outlines", "outline_file", "profile_file"}) {
         if (!domain.has(key)) continue;
         if (!given.empty()) domain.fail(key, given + " and " + key + " are both given", "one of them");
         given = key;
@@ -141,7 +142,7 @@ std::string outline_key(const ConfigTable& domain) {
     return given.empty() ? "outline" : given;
 }
 
-void read_outline(const ConfigTable& domain, SlopeModel& model) {
+void read_outline(const ConfigTable& root, const ConfigTable& domain, SlopeModel& model) {
     const std::string key = outline_key(domain);
     std::vector<std::vector<Ring>> parts;
     std::string where;
@@ -153,6 +154,8 @@ void read_outline(const ConfigTable& domain, SlopeModel& model) {
         for (std::vector<Ring>& rings : parts)
             for (Ring& ring : rings) file.lines.push_back(&ring);
         place_coordinates(file, model);
+    } else if (key == "profile_file") {
+        parts.push_back({read_profile(root, domain, model)});
     } else if (key == "outlines") {
         for (const auto& pairs : domain.rings(key)) parts.push_back({ring_of(pairs)});
         if (parts.empty()) domain.fail(key, "no part of the domain", "[[[x, y], ...], ...]");
@@ -268,12 +271,12 @@ void read_domain(const ConfigTable& root, const EnclosedAreaFunction& enclosed_a
     model.grid = read_grid(domain);
     read_project(domain, model);
     if (domain.has("geo_file")) {
-        for (const char* key : {"outline", "outlines", "outline_file", "holes"})
+        for (const char* key : {"outline", "outlines", "outline_file", "profile_file", "holes"})
             if (domain.has(key))
                 domain.fail(key, std::string(key) + " and geo_file are both given", "one of them");
         read_geo_domain(domain, enclosed_area, model);
     } else {
-        read_outline(domain, model);
+        read_outline(root, domain, model);
     }
     model.block_material = read_name(domain, "block_material");
     model.islands = read_island_policy(domain);
