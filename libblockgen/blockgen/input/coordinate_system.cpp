@@ -60,6 +60,11 @@ CoordinateSystem::CoordinateSystem(const std::string& text, const SourceLocation
         throw InputError(place, "the coordinate system '" + text.substr(0, 60) + "' is not known",
                          "one such as \"EPSG:32634\"");
     const GdalErrorSilencer silence;
+    if (gdal().OSRIsCompound(system.get()) != 0) {
+        states_heights_ = true;
+        metres_per_height_unit_ = gdal().OSRGetTargetLinearUnits(system.get(), "VERT_CS", nullptr);
+        gdal().OSRStripVertical(system.get());
+    }
     definition_ = definition_of(system.get());
     name_ = name_of(system.get());
     if (const std::string code = code_of(system.get(), "::"); !code.empty()) urn_ = "urn:ogc:def:crs:" + code;

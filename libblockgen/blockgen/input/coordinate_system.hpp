@@ -8,8 +8,8 @@
 
 namespace rockslope::blockgen {
 
-/// A coordinate reference system that PROJ knows. Coordinates are always (east, north) or (longitude,
-/// latitude), whatever order the system's authority prescribes.
+/// A coordinate reference system that PROJ knows, without its vertical part. Coordinates are always (east,
+/// north) or (longitude, latitude), whatever order the system's authority prescribes.
 class CoordinateSystem {
   public:
     CoordinateSystem() = default;
@@ -23,6 +23,10 @@ class CoordinateSystem {
     bool is_in_degrees() const { return is_in_degrees_; }
     /// Metres in the unit of a system that is not in degrees.
     double metres_per_unit() const { return metres_per_unit_; }
+    /// Whether it has a vertical part, which says what heights are.
+    bool states_heights() const { return states_heights_; }
+    /// Metres in the unit of its vertical part; 1 when it has none.
+    double metres_per_height_unit() const { return metres_per_height_unit_; }
     /// "EPSG:3067 (ETRS89 / TM35FIN(E,N))"
     const std::string& name() const { return name_; }
     /// "urn:ogc:def:crs:EPSG::3067", by which files name it; empty for a system without a number.
@@ -39,6 +43,8 @@ class CoordinateSystem {
     std::string name_, urn_;
     bool is_in_degrees_ = false;
     double metres_per_unit_ = 1;
+    bool states_heights_ = false;
+    double metres_per_height_unit_ = 1;
 };
 
 }  // namespace rockslope::blockgen

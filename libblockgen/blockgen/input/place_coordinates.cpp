@@ -1,12 +1,11 @@
 #include "blockgen/input/place_coordinates.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
-#include <string_view>
 
 #include "blockgen/input/domain.hpp"
+#include "blockgen/input/length_unit.hpp"
 #include "blockgen/input/read_shapes.hpp"
 #include "common/base/text.hpp"
 
@@ -19,34 +18,6 @@ constexpr const char* local = "local";
 
 constexpr const char* remedy =
     "metres: project = \"EPSG:...\" in [domain] converts, crs = \"local\" says that these are metres";
-
-struct LengthUnit {
-    const char* name;
-    double metres;
-};
-
-constexpr std::array<LengthUnit, 10> length_units = {{{"mm", 1e-3},
-                                                      {"cm", 1e-2},
-                                                      {"dm", 1e-1},
-                                                      {"m", 1},
-                                                      {"km", 1e3},
-                                                      {"in", 0.0254},
-                                                      {"ft", 0.3048},
-                                                      {"us-ft", 1200.0 / 3937},
-                                                      {"yd", 0.9144},
-                                                      {"mi", 1609.344}}};
-
-std::optional<double> metres_in(std::string_view unit) {
-    for (const LengthUnit& known : length_units)
-        if (unit == known.name) return known.metres;
-    return std::nullopt;
-}
-
-std::string all_units() {
-    std::string names;
-    for (const LengthUnit& unit : length_units) names += (names.empty() ? "" : ", ") + std::string(unit.name);
-    return names;
-}
 
 Bounds bounds_of(const PlacedFile& file) {
     Ring all;
@@ -96,7 +67,7 @@ void scale(const PlacedFile& file, SlopeModel& model) {
     const std::optional<double> metres = metres_in(unit);
     if (!metres)
         file.table.fail(stated.empty() ? file.key : "unit", "the unit '" + unit + "' is not a length of maps",
-                        "unit = one of " + all_units());
+                        "unit = one of " + length_unit_words());
     if (*metres == 1) return;
     for (std::vector<Point>* line : file.lines)
         for (Point& p : *line) p = {p.x * *metres, p.y * *metres};
@@ -145,6 +116,23 @@ void adopt(const PlacedFile& file, const CoordinateSystem& system, SlopeModel& m
     }
 }
 
+/// Scales third coordinates whose unit the vertical part of the system states.
+void scale_heights(const PlacedFile& file, const CoordinateSystem& system, SlopeModel& model) {
+    if (file.heights.empty()) return;
+    if (!system.states_heights() && !system.is_in_degrees() && system.metres_per_unit() != 1)
+        fail(file,
+             "a unit of " + system.name() + " is " + shortest_text(system.metres_per_unit()) +
+                 " m, and the unit of the third coordinates is not stated",
+             "crs with a vertical system, such as \"EPSG:2263+6360\"");
+    if (system.metres_per_height_unit() == 1) return;
+    for (std::vector<double>* heights : file.heights)
+        for (double& height : *heights) height *= system.metres_per_height_unit();
+    add_note(file,
+             "the third coordinates are in units of " + shortest_text(system.metres_per_height_unit()) +
+                 " m, as their system states, and are converted to metres",
+             model);
+}
+
 }  // namespace
 
 void read_project(const ConfigTable& domain, SlopeModel& model) {
@@ -168,17 +156,20 @@ void place_in_section(const PlacedFile& file, SlopeModel& model) {
              "crs = \"local\", or a line with third coordinates along [section] from and to");
 }
 
+CoordinateSystem accepted_system(const PlacedFile& file, SlopeModel& model) {
+    CoordinateSystem system = system_of(file, file.table.string("crs", ""), model);
+    if (system.exists() && !model.project.exists()) adopt(file, system, model);
+    return system;
+}
+
 void place_coordinates(const PlacedFile& file, SlopeModel& model) {
     note_what_was_left_out(file, model);
-    const std::string crs = file.table.string("crs", "");
+    file.table.string("crs", "");  // read before `unit`, in the order of the effective text
     scale(file, model);
-    const CoordinateSystem system = system_of(file, crs, model);
+    const CoordinateSystem system = accepted_system(file, model);
     if (!system.exists()) return;
-    if (!model.project.exists()) {
-        adopt(file, system, model);
-        return;
-    }
-    if (system.is_same(model.project)) return;
+    scale_heights(file, system, model);
+    if (!model.project.exists() || system.is_same(model.project)) return;
     for (std::vector<Point>* line : file.lines) system.convert(*line, model.project, {file.path.string()});
     add_note(file, "converted from " + system.name() + " to " + model.project.name(), model);
 }

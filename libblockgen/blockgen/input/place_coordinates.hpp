@@ -29,6 +29,10 @@ struct PlacedFile {
 /// coordinates that state nothing and look like degrees.
 void place_coordinates(const PlacedFile& file, SlopeModel& model);
 
+/// The system of a file: `crs` of the table, or the one that the file states, or degrees where its points
+/// look like them; none when it is in metres of no system. @throws InputError as place_coordinates()
+CoordinateSystem accepted_system(const PlacedFile& file, SlopeModel& model);
+
 /// Puts the points of a file whose x and y are distance and elevation into metres: `unit` of the table, or
 /// the unit that a drawing states. @throws InputError for a file that states a coordinate system of the map,
 /// unless `crs` is "local".

@@ -7,6 +7,7 @@
 #include "blockgen/input/geometry_file.hpp"
 #include "blockgen/input/place_coordinates.hpp"
 #include "blockgen/input/profile.hpp"
+#include "blockgen/input/read_dem.hpp"
 #include "blockgen/input/read_section.hpp"
 #include "blockgen/input/read_shapes.hpp"
 #include "common/base/magnitude.hpp"
@@ -153,14 +154,16 @@ double read_bottom(const ConfigTable& domain, const std::vector<Point>& profile)
                             [](double d) { return d > 0; }, "a positive distance below the lowest point");
     return domain.checked(
         "bottom", domain.number("bottom", Dimension::length), [&](double y) { return y < lowest; },
-        "an elevation below " + shortest_text(lowest) + " m, the lowest point of the profile");
+        "an elevation below " + shortest_text(std::floor(100 * lowest) / 100) +
+            " m, the lowest point of the profile");
 }
 
 }  // namespace
 
 Ring read_profile(const ConfigTable& root, const ConfigTable& domain, SlopeModel& model) {
     model.files.push_back(domain.file_path(profile_key));
-    std::vector<Point> profile = read_line(root, domain, model);
+    std::vector<Point> profile = is_geometry_file(model.files.back()) ? read_line(root, domain, model)
+                                                                      : read_dem_profile(root, domain, model);
     if (domain.has("simplify"))
         profile = simplified(profile, domain.checked(
                                           "simplify", domain.number("simplify", Dimension::length),

@@ -16,8 +16,10 @@ seed = 42                                  # seed of all random draws; the same 
 outline = [[0, 0], [120, 0], [120, 30], [60, 70], [0, 70]]
 # outlines = [[[0, 0], ...], [[90, 0], ...]]   # instead: a domain of several parts
 # outline_file = "profile.csv"             # instead: columns x,y; or .geojson, .dxf, .shp, .gpkg
-# profile_file = "ground.csv"              # instead: the ground, columns distance,elevation; or a line of a map file
+# profile_file = "ground.csv"              # instead: the ground, columns distance,elevation; a line of a map file; or a raster
+                                           # of elevations, which needs [section] from and to
 # depth = 20                               # m of rock below the lowest point of the profile; or bottom, an elevation
+# profile_step = 2                         # m, between two samples of a raster; absent: one cell
 # simplify = "10 cm"                       # leaves out points of the profile that are not needed to keep this close to it
 # project = "EPSG:32634"                   # the coordinates of files are converted to this system
 # geo_file = "old.geo"                     # instead: a line file of Shi's programs
