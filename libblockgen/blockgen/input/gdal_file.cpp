@@ -149,6 +149,13 @@ std::string field_of(OGRFeatureH feature, const char* name) {
     return gdal().OGR_F_GetFieldAsString(feature, index);
 }
 
+PlaneFields plane_of(OGRFeatureH feature) {
+    // A Shapefile truncates field names to ten letters.
+    std::string direction = field_of(feature, "dip_direction");
+    if (direction.empty()) direction = field_of(feature, "dip_direct");
+    return {parse_number(field_of(feature, "dip")), parse_number(direction)};
+}
+
 }  // namespace
 
 MapLines read_gdal_lines(const std::filesystem::path& path) {
@@ -159,9 +166,10 @@ MapLines read_gdal_lines(const std::filesystem::path& path) {
         // A Shapefile truncates field names to ten letters.
         std::string material = field_of(feature, "joint_material");
         if (material.empty()) material = field_of(feature, "joint_mate");
+        const PlaneFields plane = plane_of(feature);
         reader.visit_lines(shape, [&](std::vector<Point> points, std::vector<double> heights) {
-            map.lines.push_back(
-                {material, drawn_on.empty() ? layer : drawn_on, std::move(points), std::move(heights)});
+            map.lines.push_back({material, drawn_on.empty() ? layer : drawn_on, std::move(points),
+                                 std::move(heights), plane});
         });
     });
     map.notes = reader.notes();

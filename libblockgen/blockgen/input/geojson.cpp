@@ -7,6 +7,7 @@
 #include "common/base/input_error.hpp"
 #include "common/base/magnitude.hpp"
 #include "common/base/read_file.hpp"
+#include "common/base/text.hpp"
 
 namespace rockslope::blockgen {
 
@@ -30,6 +31,7 @@ struct Shape {
     std::string type, joint_material;
     std::size_t feature = 0;
     Paths coordinates;
+    PlaneFields plane;
 };
 
 /// What an object of the file is to its reader.
@@ -42,6 +44,7 @@ struct Object {
     bool has_coordinates = false, has_features = false, has_geometries = false;
     std::size_t first_shape = 0;  ///< node: shapes before it
     std::string joint_material;   ///< Feature: of its properties
+    PlaneFields plane;            ///< likewise
     Paths coordinates;
 };
 
@@ -65,6 +68,7 @@ class GeoJsonHandler : public nlohmann::json_sax<json> {
         if (object.role == Role::node && object.key == "type") object.type = value;
         if (object.role == Role::properties && object.key == "joint_material")
             objects_[objects_.size() - 2].joint_material = value;
+        keep_plane(parse_number(value));
         if (object.role == Role::crs_properties && object.key == "name") system_ = value;
         return true;
     }
@@ -172,8 +176,21 @@ class GeoJsonHandler : public nlohmann::json_sax<json> {
         return true;
     }
 
+    /// Keeps a property that is an angle of the feature's plane.
+    void keep_plane(std::optional<double> degrees) {
+        const Object& object = objects_.back();
+        if (object.role != Role::properties || array_depth_ > 0) return;
+        PlaneFields& plane = objects_[objects_.size() - 2].plane;
+        if (object.key == "dip") plane.dip = degrees;
+        if (object.key == "dip_direction") plane.dip_direction = degrees;
+    }
+
     bool number(double value) {
-        if (!in_coordinates_) return scalar();
+        if (!in_coordinates_) {
+            scalar();
+            keep_plane(value);
+            return true;
+        }
         Paths& read = coordinates();
         if (read.position_depth == 0) {
             read.position_depth = array_depth_;
@@ -228,7 +245,7 @@ class GeoJsonHandler : public nlohmann::json_sax<json> {
         if (object.type.empty()) fail("an object has no type", "a GeoJSON object");
         if (object.type == "Feature") {
             for (std::size_t k = object.first_shape; k < shapes_.size(); ++k)
-                shapes_[k].joint_material = object.joint_material;
+                shapes_[k].joint_material = object.joint_material, shapes_[k].plane = object.plane;
         } else if (object.type == "FeatureCollection" || object.type == "GeometryCollection") {
             const bool features = object.type == "FeatureCollection";
             if (features) where_.clear();
@@ -237,7 +254,7 @@ class GeoJsonHandler : public nlohmann::json_sax<json> {
         } else {
             if (!object.has_coordinates) fail("a geometry has no coordinates", "a list");
             shapes_.push_back(
-                {object.type, {}, features_ > 0 ? features_ - 1 : 0, std::move(object.coordinates)});
+                {object.type, {}, features_ > 0 ? features_ - 1 : 0, std::move(object.coordinates), {}});
         }
     }
 
@@ -278,7 +295,7 @@ void take_lines(const GeoJsonHandler& file, Shape& shape, MapLines& map) {
     auto height = shape.coordinates.heights.begin();
     for (Ring& line : shape.coordinates.paths) {
         if (line.size() < 2) file.fail("a line of fewer than two points", "two points or more");
-        map.lines.push_back({shape.joint_material, {}, std::move(line)});
+        map.lines.push_back({shape.joint_material, {}, std::move(line), {}, shape.plane});
         if (!all_have_heights) continue;
         const auto end = height + static_cast<std::ptrdiff_t>(map.lines.back().points.size());
         map.lines.back().heights.assign(height, end);

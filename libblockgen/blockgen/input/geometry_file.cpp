@@ -7,6 +7,8 @@
 #include "blockgen/input/csv_table.hpp"
 #include "blockgen/input/gdal_file.hpp"
 #include "blockgen/input/geojson.hpp"
+#include "common/base/magnitude.hpp"
+#include "common/base/text.hpp"
 
 namespace rockslope::blockgen {
 
@@ -38,6 +40,38 @@ FileKind kind_of(const std::filesystem::path& path) {
 
 void open_ring(Ring& ring) {
     if (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
+}
+
+/// A number in a text column of a table; nothing where it is empty.
+std::optional<double> number_in(const std::string& text, const std::filesystem::path& path, int line) {
+    if (text.empty()) return std::nullopt;
+    const auto number = parse_number(text);
+    if (!number || !is_in_allowed_range(*number))
+        throw InputError({path.string(), line}, "'" + text + "' is not a finite number",
+                         "numbers for dip, dip_direction, z1 and z2");
+    return number;
+}
+
+MapLines read_csv_lines(const std::filesystem::path& path, LineFields fields) {
+    std::vector<std::string> texts = {"joint_material"};
+    if (fields == LineFields::all) texts.insert(texts.end(), {"dip", "dip_direction", "z1", "z2"});
+    CsvTable table = read_csv(path, {"x1", "y1", "x2", "y2"}, texts);
+    MapLines map;
+    map.lines.reserve(table.row_count());
+    for (std::size_t k = 0; k < table.row_count(); ++k) {
+        map.lines.push_back(
+            {std::move(table.text(k, 0)),
+             {},
+             {{table.number(k, 0), table.number(k, 1)}, {table.number(k, 2), table.number(k, 3)}}});
+        if (fields != LineFields::all) continue;
+        const auto number = [&](std::size_t column) {
+            return number_in(table.text(k, column), path, table.lines[k]);
+        };
+        map.lines.back().plane = {number(1), number(2)};
+        const auto first = number(3), last = number(4);
+        if (first && last) map.lines.back().heights = {*first, *last};
+    }
+    return map;
 }
 
 }  // namespace
@@ -72,7 +106,7 @@ std::vector<std::vector<Ring>> read_outline_file(const std::filesystem::path& pa
     return std::move(map.polygons);
 }
 
-MapLines read_line_file(const std::filesystem::path& path) {
+MapLines read_line_file(const std::filesystem::path& path, LineFields fields) {
     switch (kind_of(path)) {
         case FileKind::geojson:
             return read_geojson_lines(path);
@@ -81,15 +115,18 @@ MapLines read_line_file(const std::filesystem::path& path) {
         case FileKind::csv:
             break;
     }
-    CsvTable table = read_csv(path, {"x1", "y1", "x2", "y2"}, {"joint_material"});
-    MapLines map;
-    map.lines.reserve(table.row_count());
-    for (std::size_t k = 0; k < table.row_count(); ++k)
-        map.lines.push_back(
-            {std::move(table.text(k, 0)),
-             {},
-             {{table.number(k, 0), table.number(k, 1)}, {table.number(k, 2), table.number(k, 3)}}});
-    return map;
+    return read_csv_lines(path, fields);
+}
+
+const std::string& joint_material_of(const MapLine& line, const std::string& fallback,
+                                     const std::filesystem::path& path) {
+    const std::string& material = !line.joint_material.empty() ? line.joint_material
+                                  : !fallback.empty()          ? fallback
+                                                               : line.layer;
+    if (material.empty())
+        throw InputError({path.string()}, "a trace has no joint material",
+                         "joint_material in the file or in its [[traces]] table");
+    return material;
 }
 
 std::vector<Trace> read_trace_file(const std::filesystem::path& path, const std::string& name,
@@ -100,13 +137,7 @@ std::vector<Trace> read_trace_file(const std::filesystem::path& path, const std:
     std::vector<Trace> traces;
     traces.reserve(map.lines.size());
     for (MapLine& line : map.lines) {
-        const std::string& material = !line.joint_material.empty() ? line.joint_material
-                                      : !joint_material.empty()    ? joint_material
-                                                                   : line.layer;
-        if (material.empty())
-            throw InputError({path.string()}, "a trace has no joint material",
-                             "joint_material in the file or in its [[traces]] table");
-        traces.push_back({name, material, std::move(line.points)});
+        traces.push_back({name, joint_material_of(line, joint_material, path), std::move(line.points)});
     }
     if (notes != nullptr) *notes = std::move(map.notes);
     return traces;

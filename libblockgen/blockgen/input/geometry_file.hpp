@@ -20,9 +20,18 @@ bool is_geometry_file(const std::filesystem::path& path);
 /// Whether the name of a file is that of a table: .csv or .txt.
 bool is_csv_file(const std::filesystem::path& path);
 
+/// Which columns of a table of lines are read beside x1,y1,x2,y2: joint_material, or also dip, dip_direction,
+/// z1 and z2. Other formats always give all.
+enum class LineFields { material, all };
+
 /// The lines of a file as they are, possibly none: of the formats that read_trace_file() knows.
 /// @throws InputError
-MapLines read_line_file(const std::filesystem::path& path);
+MapLines read_line_file(const std::filesystem::path& path, LineFields fields = LineFields::material);
+
+/// The joint material of a line: its own, or `fallback`, or the name of its layer. @throws InputError when it
+/// has none of them.
+const std::string& joint_material_of(const MapLine& line, const std::string& fallback,
+                                     const std::filesystem::path& path);
 
 /// The traces of a file. The file is CSV with the columns x1,y1,x2,y2 and optionally joint_material, GeoJSON
 /// with LineStrings and MultiLineStrings (a feature's property joint_material names its material), or a file

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -7,12 +8,18 @@
 
 namespace rockslope::blockgen {
 
+/// The orientation of a plane as the fields of a map file give it, in degrees, where they hold a number.
+struct PlaneFields {
+    std::optional<double> dip, dip_direction;
+};
+
 /// A line of a map file.
 struct MapLine {
     std::string joint_material;  ///< from the feature's field of that name; may be empty
     std::string layer;           ///< DXF: layer of the drawing; otherwise layer of the file; may be empty
     std::vector<Point> points;
     std::vector<double> heights = {};  ///< third coordinate of each point; empty when a point has none
+    PlaneFields plane = {};            ///< from the feature's fields `dip` and `dip_direction`
 };
 
 /// What a map file says of its coordinates, and what of it was not read.

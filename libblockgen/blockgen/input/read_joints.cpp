@@ -6,6 +6,7 @@
 #include "blockgen/input/geometry_file.hpp"
 #include "blockgen/input/join_ends.hpp"
 #include "blockgen/input/place_coordinates.hpp"
+#include "blockgen/input/read_map_traces.hpp"
 #include "blockgen/input/read_shapes.hpp"
 
 namespace rockslope::blockgen {
@@ -44,12 +45,16 @@ void read_file_of_traces(const ConfigTable& table, const std::string& name, cons
     }
 }
 
-void read_traces(const ConfigTable& table, SlopeModel& model) {
+void read_traces(const ConfigTable& root, const ConfigTable& table, SlopeModel& model) {
     const std::string fallback = "traces " + std::to_string(model.traces.size() + 1);
     const std::string material = table.string("joint_material", "");
     const std::string name = table.string("name", material.empty() ? fallback : material);
     if (table.has("points") == table.has("file"))
         table.fail("points", "traces need points or a file", "exactly one of them");
+    if (table.has("on") && table.choice("on", {"section", "map"}) == "map") {
+        read_map_traces(root, table, name, material, model);
+        return;
+    }
     if (table.has("file")) {
         read_file_of_traces(table, name, material, model);
         return;
@@ -120,7 +125,7 @@ void drop_repeated_traces(SlopeModel& model) {
 
 void read_joints(const ConfigTable& root, SlopeModel& model) {
     // Traces are read first, because joints of a set may end on them.
-    for (const ConfigTable& table : root.array_of_tables("traces")) read_traces(table, model);
+    for (const ConfigTable& table : root.array_of_tables("traces")) read_traces(root, table, model);
     const ConfigTable domain = root.table("domain");
     const double snap = domain.checked(
         "snap", domain.number("snap", Dimension::length, 0.0), [](double d) { return d >= 0; },

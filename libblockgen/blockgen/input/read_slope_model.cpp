@@ -108,6 +108,12 @@ gap = 1.0                                  # rock bridge; or persistence = 0.9
 # [[traces]]                               # joints one by one
 # joint_material = "fault"
 # points = [[10, 0], [40, 70]]             # or file = "faults.csv" (x1,y1,x2,y2[,joint_material]), .geojson, .dxf, ...
+# on = "map"                               # traces on the map, whose planes the section cuts: needs [section] from and to
+# dip = "60 deg"                           # unless the file has fields dip and dip_direction, in degrees
+# dip_direction = "120 deg"
+# reach = 5                                # m, by which a trace may stop short of the section line, along strike
+# trace_length = 20                        # m, from the outcrop down dip and up; absent: through the whole domain
+# elevation = "ground"                     # or "trace": that of the outcrop
 
 # [base]                                   # instead of [[prescribed_block]]: a block round the slope, of another rock
 # below = 12                               # m
