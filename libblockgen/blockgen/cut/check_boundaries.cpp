@@ -63,7 +63,11 @@ bool is_fused(const CutContext& cut, SourceIndex region) {
         }
         if (!along || has_joint) continue;
         const FaceBlockIndex left = cut.block_of(forward_half(e)), right = cut.block_of(backward_half(e));
-        if (left == right && left != FaceBlocks::outside) return true;
+        if (left != right || left == FaceBlocks::outside) continue;
+        // A later region lies over this one there, such as the base.
+        if (cut.faces.material[left] > static_cast<std::int32_t>(region - cut.table.first_region) + 1)
+            continue;
+        return true;
     }
     return false;
 }
@@ -106,13 +110,14 @@ std::vector<std::string> region_warnings(const CutContext& cut) {
             [&](const JointSet& set) { return set.kind == SetKind::voronoi && set.region == region.name; });
         if ((region.joint_material.empty() && !has_cells) || !is_fused(cut, source)) continue;
         if (!region.joint_material.empty())
-            warnings.push_back("region '" + region.name + "': its joint_material '" + region.joint_material +
+            warnings.push_back(std::string(region.kind) + " '" + region.name + "': its joint_material '" +
+                               region.joint_material +
                                "' has no effect where the rock outside has the same block material '" +
                                region.block_material +
                                "'; a material of its own, or traces, would part them");
         if (has_cells)
             warnings.push_back(
-                "region '" + region.name +
+                std::string(region.kind) + " '" + region.name +
                 "': the outer Voronoi cells are one block with the rock outside where no joint "
                 "runs along its outline; a block material of its own would part them");
     }

@@ -52,8 +52,10 @@ class OutlineMaterials {
                              "joint_material in its table, for the outline");
         if (region == nullptr)
             throw std::logic_error("an edge between two blocks lies on no joint and on no outline" + where);
-        throw InputError(region->place, "region '" + region->name + "' separates two block materials" + where,
-                         "joint_material in the [[region]]");
+        throw InputError(
+            region->place,
+            std::string(region->kind) + " '" + region->name + "' separates two block materials" + where,
+            std::string("joint_material in the table of the ") + region->kind);
     }
 
   private:

@@ -38,6 +38,14 @@ FileKind kind_of(const std::filesystem::path& path) {
                      ".csv, .geojson, .dxf, .shp or .gpkg");
 }
 
+std::vector<Point> read_csv_points(const std::filesystem::path& path) {
+    const CsvTable table = read_csv(path, {"x", "y"}, {});
+    std::vector<Point> points;
+    for (std::size_t k = 0; k < table.row_count(); ++k)
+        points.push_back({table.number(k, 0), table.number(k, 1)});
+    return points;
+}
+
 void open_ring(Ring& ring) {
     if (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
 }
@@ -93,12 +101,8 @@ std::vector<std::vector<Ring>> read_outline_file(const std::filesystem::path& pa
         case FileKind::gdal:
             map = read_gdal_polygons(path);
             break;
-        case FileKind::csv: {
-            const CsvTable table = read_csv(path, {"x", "y"}, {});
-            map.polygons.push_back({Ring{}});
-            for (std::size_t k = 0; k < table.row_count(); ++k)
-                map.polygons[0][0].push_back({table.number(k, 0), table.number(k, 1)});
-        }
+        case FileKind::csv:
+            map.polygons.push_back({read_csv_points(path)});
     }
     for (std::vector<Ring>& rings : map.polygons)
         for (Ring& ring : rings) open_ring(ring);
@@ -141,6 +145,23 @@ std::vector<Trace> read_trace_file(const std::filesystem::path& path, const std:
     }
     if (notes != nullptr) *notes = std::move(map.notes);
     return traces;
+}
+
+std::vector<Point> read_single_line(const std::filesystem::path& path, MapNotes* notes) {
+    const FileKind kind = kind_of(path);
+    MapLines map;
+    if (kind == FileKind::csv)
+        map.lines.push_back({{}, {}, read_csv_points(path)});
+    else
+        map = kind == FileKind::geojson ? read_geojson_lines(path) : read_gdal_lines(path);
+    if (map.lines.size() != 1 || map.lines.front().points.empty())
+        throw InputError({path.string()},
+                         map.lines.size() > 1
+                             ? "the file contains " + std::to_string(map.lines.size()) + " lines"
+                             : "the file contains no line",
+                         "one line");
+    if (notes != nullptr) *notes = std::move(map.notes);
+    return std::move(map.lines.front().points);
 }
 
 }  // namespace rockslope::blockgen

@@ -41,4 +41,9 @@ const std::string& joint_material_of(const MapLine& line, const std::string& fal
 std::vector<Trace> read_trace_file(const std::filesystem::path& path, const std::string& name,
                                    const std::string& joint_material, MapNotes* notes = nullptr);
 
+/// The points of the one line of a file: CSV with the columns x,y and one point a line, or a file that
+/// read_trace_file() reads. Coordinates are those of the file. @throws InputError, also when the file has no
+/// line, or several.
+std::vector<Point> read_single_line(const std::filesystem::path& path, MapNotes* notes = nullptr);
+
 }  // namespace rockslope::blockgen

@@ -8,6 +8,7 @@
 #include "blockgen/input/geometry_file.hpp"
 #include "blockgen/input/place_coordinates.hpp"
 #include "blockgen/input/read_profile.hpp"
+#include "blockgen/input/read_geology.hpp"
 #include "common/base/text.hpp"
 
 namespace rockslope::blockgen {
@@ -294,10 +295,7 @@ void read_regions(const ConfigTable& root, SlopeModel& model) {
         region.joint_material = table.string("joint_material", "");
         region.polygon = read_ring(table, "polygon");
         check_coordinate_range(table, "polygon", region.polygon, model);
-        for (const Region& other : model.regions)
-            if (other.name == region.name)
-                table.fail("name", "a second region '" + region.name + "'", "a name for each region");
-        model.regions.push_back(std::move(region));
+        add_region(table, std::move(region), model);
     }
 }
 

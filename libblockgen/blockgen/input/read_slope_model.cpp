@@ -1,5 +1,6 @@
 #include "blockgen/input/read_slope_model.hpp"
 
+#include "blockgen/input/read_geology.hpp"
 #include "blockgen/input/read_shapes.hpp"
 
 namespace rockslope::blockgen {
@@ -34,6 +35,12 @@ block_material = "sandstone"
 # below_area = 0.01                        # m2
 # below_share = 1e-4                       # of the median area of the blocks
 # below_roundness = 0.02                   # 4 pi area / perimeter^2
+
+# [[layer]]                                # from the highest to the lowest, each down to the next one's top
+# name = "shale"
+# block_material = "shale"
+# joint_material = "contact"               # of its top, where no joint runs
+# top = [[0, 30], [60, 24], [120, 10]]     # level beyond its ends; or top_file = "top.csv"
 
 # [[region]]                               # overrides what lies below it, inside its polygon
 # name = "weathered"
@@ -71,7 +78,7 @@ spacing = 4
 trace_length = { law = "exponential", mean = 20, min = 2 }   # absent: each joint crosses the whole domain
 gap = 1.0                                  # rock bridge; or persistence = 0.9
 # origin = [0, 0]                          # a point of one joint; absent: the seed places the set
-# region = "weathered"                     # only in this region
+# region = "weathered"                     # only in this region or layer
 
 # [section]
 # azimuth = "90 deg"                       # of the x axis, clockwise from north: for sets given as planes in space
@@ -158,6 +165,7 @@ SlopeModel read_slope_model(const ConfigTable& root, const EnclosedAreaFunction&
     if (seed < 0) root.fail("seed", "a negative seed", "an integer of zero or more");
     model.seed = static_cast<std::uint64_t>(seed);
     read_domain(root, enclosed_area, model);
+    read_layers(root, model);
     read_regions(root, model);
     read_tunnels(root, model);
     read_base(root, model);

@@ -20,8 +20,9 @@ struct Region {
     std::string name;
     std::string block_material;
     std::string joint_material;  ///< along its outline where no joint runs; may be empty
-    Ring polygon;
+    Ring polygon;                ///< may touch itself along lines without width
     SourceLocation place;
+    const char* kind = "region";  ///< what messages call it: region, layer
 };
 
 /// A cavity: there is no rock inside its outline.
