@@ -118,7 +118,8 @@ RockOfFace rock_of(const OutlineMembership& in, FaceIndex face, const SlopeModel
     for (const SourceIndex s : indices(table.first_tunnel, table.first_joint)) rock.voids += in.test(face, s);
     rock.is_rock = in.parts(face) > 0 && rock.voids == 0;
     for (const SourceIndex s : indices(table.first_region, table.first_excavation))
-        if (in.test(face, s)) rock.material = s - table.first_region + 1;
+        if (in.test(face, s) && !model.regions[s - table.first_region].block_material.empty())
+            rock.material = s - table.first_region + 1;
     const auto stage_of = [&](ExcavationIndex k) { return model.excavations[k].stage; };
     for (const SourceIndex s : indices(table.first_excavation, table.first_tunnel)) {
         const ExcavationIndex k = s - table.first_excavation;

@@ -21,4 +21,8 @@ void add_region(const ConfigTable& table, Region region, SlopeModel& model);
 /// bottom of the domain. A top that lies higher than that of a layer before is cut off there.
 void read_layers(const ConfigTable& root, SlopeModel& model);
 
+/// [weathered] or [[weathered]]: each zone becomes a region, from the ground surface, or from the base of the
+/// next shallower zone, down to its vertical depth below the surface.
+void read_weathered_zones(const ConfigTable& root, SlopeModel& model);
+
 }  // namespace rockslope::blockgen

@@ -217,7 +217,7 @@ JointSet read_joint_set(const ConfigTable& table, SlopeModel& model) {
     const auto has_name = [&](const Region& region) { return region.name == set.region; };
     if (!set.region.empty() && std::none_of(model.regions.begin(), model.regions.end(), has_name))
         table.fail("region", "there is no region '" + set.region + "'",
-                   "the name of a [[region]] or [[layer]]");
+                   "the name of a [[region]], [[layer]] or [weathered] zone");
     for (const JointSet& other : model.joint_sets)
         if (other.name == set.name)
             table.fail("name", "a second joint set '" + set.name + "'", "a name for each joint set");

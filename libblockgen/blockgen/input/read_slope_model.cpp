@@ -42,11 +42,17 @@ block_material = "sandstone"
 # joint_material = "contact"               # of its top, where no joint runs
 # top = [[0, 30], [60, 24], [120, 10]]     # level beyond its ends; or top_file = "top.csv"
 
-# [[region]]                               # overrides what lies below it, inside its polygon
+# [weathered]                              # the rock within a depth below the ground surface; also [[weathered]]
 # name = "weathered"
-# block_material = "weathered sandstone"
-# joint_material = "contact"               # along its outline where no joint runs
-# polygon = [[0, 60], [120, 60], [120, 70], [0, 70]]
+# depth = 4                                # m, vertical
+# block_material = "weathered rock"        # absent: that of the rock it lies in
+# joint_material = "contact"               # of its base, where no joint runs
+
+# [[region]]                               # overrides what lies below it, inside its polygon
+# name = "dyke"
+# block_material = "basalt"
+# joint_material = "dyke contact"          # along its outline where no joint runs
+# polygon = [[40, 0], [44, 0], [44, 70], [40, 70]]
 
 # [[tunnel]]
 # shape = "circle"                         # or "horseshoe" (floor, width, height), "polygon" (polygon)
@@ -78,7 +84,7 @@ spacing = 4
 trace_length = { law = "exponential", mean = 20, min = 2 }   # absent: each joint crosses the whole domain
 gap = 1.0                                  # rock bridge; or persistence = 0.9
 # origin = [0, 0]                          # a point of one joint; absent: the seed places the set
-# region = "weathered"                     # only in this region or layer
+# region = "weathered"                     # only in this region, layer or weathered zone
 
 # [section]
 # azimuth = "90 deg"                       # of the x axis, clockwise from north: for sets given as planes in space
@@ -166,6 +172,7 @@ SlopeModel read_slope_model(const ConfigTable& root, const EnclosedAreaFunction&
     model.seed = static_cast<std::uint64_t>(seed);
     read_domain(root, enclosed_area, model);
     read_layers(root, model);
+    read_weathered_zones(root, model);
     read_regions(root, model);
     read_tunnels(root, model);
     read_base(root, model);

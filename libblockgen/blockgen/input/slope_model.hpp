@@ -18,11 +18,11 @@ namespace rockslope::blockgen {
 /// A part of the section with its own block material. A later region overrides an earlier one.
 struct Region {
     std::string name;
-    std::string block_material;
+    std::string block_material;  ///< empty: that of the rock it lies over
     std::string joint_material;  ///< along its outline where no joint runs; may be empty
     Ring polygon;                ///< may touch itself along lines without width
     SourceLocation place;
-    const char* kind = "region";  ///< what messages call it: region, layer
+    const char* kind = "region";  ///< what messages call it: region, layer, weathered zone
 };
 
 /// A cavity: there is no rock inside its outline.

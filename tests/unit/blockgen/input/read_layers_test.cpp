@@ -151,7 +151,7 @@ TEST(Layers, FaultsAreNamed) {
     EXPECT_THAT(
         error_in(box(layer("sand", "[[0, 5]]") +
                      "[[joint_set]]\nname = \"s\"\nangle = \"0 deg\"\nspacing = 1\nregion = \"sandd\"\n")),
-        HasSubstr("[[region]] or [[layer]]"));
+        HasSubstr("[[region]], [[layer]] or [weathered] zone"));
 }
 
 class LayerFiles : public testing::Test {
