@@ -175,6 +175,7 @@ void apply_block_selectors(BlockMesh& mesh, const SlopeModel& model, std::vector
         mesh.measured_points.push_back(
             {point.name, block_containing(mesh, point.at, point.place, "measured point '" + point.name + "'"),
              point.at});
+    mesh.water_table = model.water_table;
     for (const BoltLine& bolt : model.bolts) {
         const std::string what = "bolt '" + bolt.name + "'";
         mesh.bolts.push_back(

@@ -25,4 +25,7 @@ void read_layers(const ConfigTable& root, SlopeModel& model);
 /// next shallower zone, down to its vertical depth below the surface.
 void read_weathered_zones(const ConfigTable& root, SlopeModel& model);
 
+/// [water_table]: the head line of still water in the rock.
+void read_water_table(const ConfigTable& root, SlopeModel& model);
+
 }  // namespace rockslope::blockgen

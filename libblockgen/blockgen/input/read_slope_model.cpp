@@ -150,6 +150,9 @@ side = "bottom"                            # or at = [x, y], or inside = polygon
 name = "crest"
 at = [59, 69]
 
+# [water_table]                            # drawn, and the default of [[head_water]] in the run
+# line = [[0, 50], [60, 38], [120, 28]]    # level beyond its ends; or line_file = "water.csv"
+
 # [[scanline]]                             # joints along it are counted, in the report
 # name = "borehole 1"
 # from = [40, 60]
@@ -178,6 +181,7 @@ SlopeModel read_slope_model(const ConfigTable& root, const EnclosedAreaFunction&
     read_base(root, model);
     read_joints(root, model);
     read_block_assignments(root, model);
+    read_water_table(root, model);
     root.finish();
     return model;
 }

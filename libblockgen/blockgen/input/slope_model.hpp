@@ -213,6 +213,7 @@ struct SlopeModel {
     std::vector<NamedPoint> measured_points;
     std::vector<BoltLine> bolts;
     std::vector<Scanline> scanlines;
+    std::vector<Point> water_table;  ///< x growing; level beyond its ends; empty: none
     std::vector<MaterialLine> material_lines;
     bool outline_of_traces = false;  ///< the outline was computed from traces, so some traces run along it
     std::vector<std::string> notes;  ///< warnings of the reader

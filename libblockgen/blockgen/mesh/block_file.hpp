@@ -10,8 +10,8 @@
 namespace rockslope::blockgen {
 
 /// The newest version of the block file that this code reads. The writer uses the lowest version that can
-/// store the mesh: 1 without excavations, 2 with excavations.
-inline constexpr int block_file_version = 2;
+/// store the mesh: 3 with a water table, otherwise 2 with excavations and 1 without.
+inline constexpr int block_file_version = 3;
 
 /// The text of a block file. Numbers are written in the shortest form that reads back to the same double, so
 /// that writing, reading and writing again gives the same bytes.

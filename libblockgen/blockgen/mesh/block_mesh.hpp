@@ -80,6 +80,7 @@ struct BlockMesh {
     std::vector<MeasuredPoint> measured_points;
     std::vector<Bolt> bolts;
     std::vector<ExcavatedBlocks> excavations;
+    std::vector<Point> water_table;  ///< x growing; straight between points, level beyond; empty: none
 
     std::vector<std::string> provenance;  ///< free text lines: program version, seed, hash of the input
 

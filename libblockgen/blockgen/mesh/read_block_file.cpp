@@ -14,6 +14,7 @@ namespace {
 struct Counts {
     std::int64_t provenance = 0, block_materials = 0, joint_materials = 0, joints = 0, vertices = 0;
     std::int64_t blocks = 0, rings = 0, corners = 0, measured_points = 0, bolts = 0, excavations = 0;
+    std::int64_t water_table_points = 0;
 };
 
 class BlockFileParser {
@@ -35,6 +36,7 @@ class BlockFileParser {
         for (std::int64_t i = 0; i < counts_.measured_points; ++i) read_measured_point(i);
         for (std::int64_t i = 0; i < counts_.bolts; ++i) read_bolt(i);
         for (std::int64_t i = 0; i < counts_.excavations; ++i) read_excavation(i);
+        for (std::int64_t i = 0; i < counts_.water_table_points; ++i) read_water_table_point(i);
         read_end();
         return std::move(mesh_);
     }
@@ -66,8 +68,9 @@ class BlockFileParser {
             {"measured_points", &counts_.measured_points},
             {"bolts", &counts_.bolts},
             {"excavations", &counts_.excavations},
+            {"water_table_points", &counts_.water_table_points},
         };
-        constexpr std::size_t fields_of_version[] = {0, 10, 11};
+        constexpr std::size_t fields_of_version[] = {0, 10, 11, 12};
         begin_record("counts", 0, 1);
         for (const auto& [noun, count] : std::span(fields).first(fields_of_version[version_])) {
             if (scan_.word(noun) != noun) scan_.fail("unexpected word in the counts line", std::string(noun));
@@ -229,6 +232,15 @@ class BlockFileParser {
             excavation.blocks.push_back(block);
         }
         mesh_.excavations.push_back(std::move(excavation));
+    }
+
+    void read_water_table_point(std::int64_t i) {
+        begin_record("water_table_point", i, counts_.water_table_points);
+        const Point point = read_point();
+        if (!mesh_.water_table.empty() && point.x <= mesh_.water_table.back().x)
+            scan_.fail("x does not grow along the water table", "points from left to right");
+        scan_.expect_line_end();
+        mesh_.water_table.push_back(point);
     }
 
     void check_total(std::string_view noun, std::size_t found, std::int64_t announced) const {

@@ -65,9 +65,15 @@ void append_names(std::string& out, std::string_view noun, const std::vector<std
     for (const std::string& name : names) (((out += noun) += ' ') += quoted_name(name)) += '\n';
 }
 
+int version_of(const BlockMesh& mesh) {
+    if (!mesh.water_table.empty()) return 3;
+    return mesh.excavations.empty() ? 1 : 2;
+}
+
 void append_header(std::string& out, const BlockMesh& mesh) {
     out += "ddablk ";
-    append_number(out, mesh.excavations.empty() ? 1 : 2);
+    const int version = version_of(mesh);
+    append_number(out, version);
     out += "\ncounts";
     append_count(out, "provenance", mesh.provenance.size());
     append_count(out, "block_materials", mesh.block_materials.size());
@@ -79,7 +85,8 @@ void append_header(std::string& out, const BlockMesh& mesh) {
     append_count(out, "corners", mesh.corners.size());
     append_count(out, "measured_points", mesh.measured_points.size());
     append_count(out, "bolts", mesh.bolts.size());
-    if (!mesh.excavations.empty()) append_count(out, "excavations", mesh.excavations.size());
+    if (version >= 2) append_count(out, "excavations", mesh.excavations.size());
+    if (version >= 3) append_count(out, "water_table_points", mesh.water_table.size());
     out += '\n';
 }
 
@@ -162,6 +169,11 @@ void append_end(const BlockMesh& mesh, Append append) {
     }
     for (const Bolt& bolt : mesh.bolts) append_bolt(out, bolt);
     for (const ExcavatedBlocks& excavation : mesh.excavations) append_excavation(out, excavation);
+    for (const Point& point : mesh.water_table) {
+        out += "water_table_point";
+        append_point(out, point);
+        out += '\n';
+    }
     append(out += "end\n");
 }
 

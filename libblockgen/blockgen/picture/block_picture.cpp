@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "blockgen/mesh/measures.hpp"
+#include "blockgen/picture/water_line.hpp"
 #include "common/drawing/axes.hpp"
 #include "common/drawing/fitted_text.hpp"
 
@@ -79,6 +80,7 @@ class BlockPicture {
     Canvas draw() {
         fill_blocks();
         draw_edges();
+        if (!mesh_.water_table.empty()) draw_water_line(canvas_, axes_, mesh_.water_table);
         for (const Bolt& bolt : mesh_.bolts) draw_bolt(bolt);
         Labels labels(axes_.upper_left(), axes_.lower_right());
         for (const MeasuredPoint& point : mesh_.measured_points) draw_point(point, labels);
@@ -226,6 +228,7 @@ class BlockPicture {
             canvas_.text({x + 22, y + 5}, "bolt", {9, black, Anchor::start, Anchor::middle});
             y += 15;
         }
+        if (!mesh_.water_table.empty()) y = draw_water_legend(canvas_, {x, y});
         const std::string count =
             std::to_string(mesh_.block_count()) + (mesh_.block_count() == 1 ? " block" : " blocks");
         canvas_.text({x, y + 8}, count, {9, grey, Anchor::start, Anchor::end});

@@ -21,7 +21,7 @@ struct BlockLayer {
 };
 
 /// Draws the section: blocks filled by material, joints coloured by set, fixed, prescribed and excavated
-/// blocks hatched, measured points and bolts; axes in metres, scale bar and legends.
+/// blocks hatched, measured points, bolts and the water table; axes in metres, scale bar and legends.
 Canvas draw_blocks(const BlockMesh& mesh, const BlockLayer& layer = {}, const PageStyle& style = {});
 
 /// Draws the cumulative distribution of block areas, by area and by number, on a logarithmic scale, with D10,

@@ -102,8 +102,19 @@ std::vector<EdgeIndex> read_wetted_faces(const ConfigTable& table, const Model& 
     return edges;
 }
 
-std::vector<Vec2> read_head(const ConfigTable& table, const Model& model) {
+std::vector<Vec2> read_head(const ConfigTable& table, std::span<const Point> water_table,
+                            const Model& model) {
     std::vector<Vec2> head;
+    if (!table.has("head") || table.is_string("head")) {
+        if (const std::string word = table.string("head", "section"); word != "section")
+            table.fail("head", "'head' in [" + table.path() + "] is \"" + word + "\"",
+                       "[[x, y], ...], or \"section\" for the water table of the slope model");
+        if (water_table.empty())
+            table.fail("head", "the block file has no water table to be the head of [" + table.path() + "]",
+                       "'head' as [[x, y], ...], or [water_table] in the slope model");
+        for (const Point& point : water_table) head.push_back(Vec2(point.x, point.y) - model.origin);
+        return head;
+    }
     for (const auto& [x, y] : table.pairs("head", Dimension::length)) {
         const Vec2 point = Vec2(x, y) - model.origin;
         if (!head.empty() && point.x() <= head.back().x())

@@ -17,7 +17,8 @@ LineLoad read_line_load(const ConfigTable& table, const Model& model, InputFiles
 /// @throws InputError for names that the model does not have, and if no face is wetted.
 std::vector<EdgeIndex> read_wetted_faces(const ConfigTable& table, const Model& model, bool free_faces_too);
 
-/// The head line `head`, [[x, y], ...] with x increasing, in the model's coordinates.
-std::vector<Vec2> read_head(const ConfigTable& table, const Model& model);
+/// The head line `head`, [[x, y], ...] with x increasing, in the model's coordinates; or the water table of
+/// the section, where `head` is "section" or absent. @throws InputError also when the section has none.
+std::vector<Vec2> read_head(const ConfigTable& table, std::span<const Point> water_table, const Model& model);
 
 }  // namespace rockslope::dda

@@ -68,8 +68,8 @@ PointIndex read_point(const ConfigTable& table, Model& model) {
 /// The table of a load, passed to the load's `read`: values in SI, indices of the model.
 class LoadTable {
   public:
-    LoadTable(const ConfigTable& table, Model& model, InputFiles& files)
-        : table_(table), model_(model), files_(files) {}
+    LoadTable(const ConfigTable& table, std::span<const Point> water_table, Model& model, InputFiles& files)
+        : table_(table), water_table_(water_table), model_(model), files_(files) {}
 
     /// `measured_point = NAME` or `at = [x, y]`.
     PointIndex point() { return read_point(table_, model_); }
@@ -91,22 +91,23 @@ class LoadTable {
     LineLoad line_load() const { return read_line_load(table_, model_, files_); }
     std::vector<EdgeIndex> wetted_joints() const { return read_wetted_faces(table_, model_, false); }
     std::vector<EdgeIndex> wetted_faces() const { return read_wetted_faces(table_, model_, true); }
-    std::vector<Vec2> head() const { return read_head(table_, model_); }
+    std::vector<Vec2> head() const { return read_head(table_, water_table_, model_); }
     /// The optional table `history`; the factor 1 if it is absent.
     TimeTable history() const { return read_history(table_, files_); }
 
   private:
     const ConfigTable& table_;
+    std::span<const Point> water_table_;
     Model& model_;
     InputFiles& files_;
 };
 
 template <class... Loads>
-void read_each_load(std::type_identity<std::variant<Loads...>>, const ConfigTable& run, Model& model,
-                    InputFiles& files) {
+void read_each_load(std::type_identity<std::variant<Loads...>>, const ConfigTable& run,
+                    std::span<const Point> water_table, Model& model, InputFiles& files) {
     const auto read_all = [&]<class AnyLoad>(std::type_identity<AnyLoad>) {
         for (const ConfigTable& config : run.array_of_tables(AnyLoad::key)) {
-            LoadTable table(config, model, files);
+            LoadTable table(config, water_table, model, files);
             model.loads.emplace_back(AnyLoad::read(table));
         }
     };
@@ -171,8 +172,8 @@ TimeTable read_time_table(const ConfigTable& table, Dimension dimension, InputFi
     return {columns.times, columns.values};
 }
 
-void read_loads(const ConfigTable& run, Model& model, InputFiles& files) {
-    read_each_load(std::type_identity<Load>{}, run, model, files);
+void read_loads(const ConfigTable& run, std::span<const Point> water_table, Model& model, InputFiles& files) {
+    read_each_load(std::type_identity<Load>{}, run, water_table, model, files);
     read_fixed_points(run, model);
     read_initial_velocities(run, model);
 }

@@ -2,9 +2,11 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "common/config/config_table.hpp"
+#include "common/geometry/point.hpp"
 #include "dda/model/model.hpp"
 
 namespace rockslope::dda {
@@ -13,8 +15,9 @@ namespace rockslope::dda {
 using InputFiles = std::vector<std::filesystem::path>;
 
 /// Adds the loads, [[fixed_point]] and [[initial_velocity]] to a model whose blocks are known.
+/// @param water_table of the section, in the coordinates of its file; empty: it has none.
 /// @throws InputError for a point in no block, an unknown measured point, a block index out of range.
-void read_loads(const ConfigTable& run, Model& model, InputFiles& files);
+void read_loads(const ConfigTable& run, std::span<const Point> water_table, Model& model, InputFiles& files);
 
 /// Adds the [[viscous_boundary]] tables to a model whose blocks are known.
 /// @throws InputError for a line without a face on it, and for a duplicate name.

@@ -183,7 +183,7 @@ RunInput read_run(const std::filesystem::path& run_file, const RunReadOptions& o
     if (std::find(model.motion.begin(), model.motion.end(), Motion::free) == model.motion.end())
         throw InputError({block_file.string()}, "every block is fixed or prescribed",
                          "a block that is free to move");
-    read_loads(run, model, input.files);
+    read_loads(run, mesh.water_table, model, input.files);
     read_boundaries(run, model);
     read_measured_joints(run, model);
     read_measured_regions(run, model);

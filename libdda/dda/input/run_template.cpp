@@ -122,7 +122,7 @@ friction_angle = "35 deg"
 # region = [[0, 0], [120, 0], [120, 70], [0, 70]]   # default: everywhere
 
 # [[head_water]]                   # still water below a line, in joints and on free faces
-# head = [[0, 20], [60, 35], [120, 50]]
+# head = "section"                 # the slope model's water table; or [[0, 20], [60, 35], [120, 50]]
 # unit_weight = 9810               # N/m3
 # free_faces = true
 

@@ -94,10 +94,10 @@ TEST(BlockFile, EveryTruncationIsAnError) {
 }
 
 TEST(BlockFile, NewerVersionIsRefusedByName) {
-    const std::string error = error_of(replaced(two_blocks, "ddablk 1", "ddablk 3"));
+    const std::string error = error_of(replaced(two_blocks, "ddablk 1", "ddablk 4"));
     EXPECT_THAT(error, HasSubstr("slope.blocks:1:8"));
-    EXPECT_THAT(error, HasSubstr("version 3"));
-    EXPECT_THAT(error, HasSubstr("at most version 2"));
+    EXPECT_THAT(error, HasSubstr("version 4"));
+    EXPECT_THAT(error, HasSubstr("at most version 3"));
 }
 
 struct Damage {

@@ -117,6 +117,24 @@ duration = 1
     EXPECT_EQ(std::get<HeadWater>(model.loads[1]).head[0], Vec2(1000, 2002) - model.origin);
 }
 
+TEST_F(ReadFaceLoads, TheHeadMayBeTheWaterTableOfTheSection) {
+    blockgen::BlockMesh mesh = io_test::two_block_mesh();
+    mesh.water_table = {{0, 2}, {4, 1.5}};
+    blockgen::write_block_file(folder / "two.blocks", mesh);
+    const std::vector<Vec2> expected = std::get<HeadWater>(read(model_text).model.loads[3]).head;
+    for (const char* head : {"", "head = \"section\"\n"}) {
+        const RunInput run = read(changed("head = [[0, 2], [4, 1.5]]\n", head));
+        EXPECT_EQ(std::get<HeadWater>(run.model.loads[3]).head, expected);
+        EXPECT_EQ(std::get<HeadWater>(read(run.effective).model.loads[3]).head, expected);
+        EXPECT_THAT(run.effective, HasSubstr("head = \"section\""));
+    }
+    // Runs that differ in the water table only are not taken for each other.
+    const RunInput before = read(changed("head = [[0, 2], [4, 1.5]]\n", ""));
+    mesh.water_table[1].y = 1.25;
+    blockgen::write_block_file(folder / "two.blocks", mesh);
+    EXPECT_NE(read(changed("head = [[0, 2], [4, 1.5]]\n", "")).fingerprint, before.fingerprint);
+}
+
 TEST_F(ReadFaceLoads, BadInputIsOneLineWithItsPlace) {
     EXPECT_EQ(error_with("pressure = \"3 kPa\"\npressure_end = 0\n", ""),
               "run.toml:12:1: [line_load[0]] has neither 'pressure' nor 'traction'; expected one of them");
@@ -128,7 +146,12 @@ TEST_F(ReadFaceLoads, BadInputIsOneLineWithItsPlace) {
     EXPECT_THAT(error_with("\"5 kPa\"", "0"), HasSubstr("expected a positive number"));
     EXPECT_THAT(error_with("[4, 1.5]]", "[0, 1.5]]"), HasSubstr("expected points with increasing x"));
     EXPECT_THAT(error_with("[[0, 2], [4, 1.5]]", "[]"), HasSubstr("head"));
-    EXPECT_THAT(error_with("head = [[0, 2], [4, 1.5]]\n", ""), HasSubstr("there is no key 'head'"));
+    EXPECT_THAT(error_with("head = [[0, 2], [4, 1.5]]\n", ""),
+                HasSubstr("the block file has no water table to be the head of [head_water[0]]"));
+    EXPECT_THAT(error_with("[[0, 2], [4, 1.5]]", "\"section\""),
+                HasSubstr("the block file has no water table"));
+    EXPECT_THAT(error_with("[[0, 2], [4, 1.5]]", "\"slope\""),
+                HasSubstr("is \"slope\"; expected [[x, y], ...], or \"section\""));
     EXPECT_THAT(error_with("[[0.5, 0.5], [3.5, 0.5], [3.5, 1.8], [0.5, 1.8]]", "[[0, 0], [1, 1]]"),
                 HasSubstr("expected three points or more"));
     EXPECT_THAT(error_with("[[0, 2], [4, 1.5]]", "[[0, 2], [4, 1.5]]\nunit_weight = -1"),
