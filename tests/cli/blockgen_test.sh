@@ -77,6 +77,11 @@ for_a_column ns.svg
 for_a_column nr.svg
 grep -q 'DejaVu Serif' n.svg || fail 'another font'
 [ -s s.svg ] || fail 'no picture of the sizes'
+sed 's/^angle = "-25 deg"/dip = "30 deg"\ndip_direction = "110 deg"/' slope.toml >space.toml
+"$program" space.toml -o k.blocks --set 'section.azimuth="90 deg"' --stereonet-picture net.svg --width 85mm --font-size 8 >out.txt
+for_a_column net.svg
+grep -q 'bedding  30/110, n ' net.svg || fail 'no plane in the stereonet'
+rm space.toml
 "$program" --version | grep -q '^blockgen [0-9]' || fail version
 "$program" --help | grep -q -- --max-blocks || fail help
 
@@ -122,6 +127,8 @@ refused 'no such folder' slope.toml -o nowhere/slope.blocks
 refused 'new.gif' slope.toml --picture new.gif
 refused "which is not installed; '.*' would be drawn" slope.toml --picture new.svg --font 'Font of Nowhere'
 refused 'friction_angle' slope.toml --kinematic-picture new.svg
+refused 'slope.toml.*--stereonet-picture without planes in space; expected a .*dip' slope.toml --stereonet-picture new.svg
+refused 'new.gif' slope.toml --stereonet-picture new.gif
 refused 'new.gif' slope.toml --size-picture new.gif
 refused 'ends in .vtk' slope.toml --vtk new.vtu
 refused 'model file' slope.toml -o slope.toml

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <exception>
@@ -9,6 +10,7 @@
 #include "blockgen/mesh/block_file.hpp"
 #include "blockgen/picture/block_picture.hpp"
 #include "blockgen/picture/rose_picture.hpp"
+#include "blockgen/picture/stereonet_picture.hpp"
 #include "blockgen/report/geojson_text.hpp"
 #include "blockgen/report/vtk_text.hpp"
 #include "blockgen/sampling/sample_joints.hpp"
@@ -59,6 +61,26 @@ std::vector<RoseSet> rose_sets(const CutReport& report) {
     return sets;
 }
 
+bool has_planes_in_space(const SlopeModel& model) {
+    return std::any_of(model.joint_sets.begin(), model.joint_sets.end(),
+                       [](const JointSet& set) { return !set.orientation.poles.empty(); });
+}
+
+Stereonet stereonet(const SlopeModel& model, const CutReport& report) {
+    Stereonet net;
+    for (const JointPlanes& of_set : report.planes) {
+        StereonetSet set{of_set.name, {}, {of_set.mean.dip, of_set.mean.dip_direction}, of_set.k};
+        for (const PlaneAngles& plane : of_set.planes) set.planes.push_back({plane.dip, plane.dip_direction});
+        net.sets.push_back(std::move(set));
+    }
+    for (const JointBalance& b : report.joints)
+        if (std::none_of(net.sets.begin(), net.sets.end(),
+                         [&](const StereonetSet& set) { return set.name == b.name; }))
+            net.without_planes.push_back(b.name);
+    net.section_azimuth = model.section ? model.section->azimuth : 0;
+    return net;
+}
+
 void write_report(const std::filesystem::path& path, const CutReport& report) {
     write_file_atomically(path, path.extension() == ".txt" ? report_tables(report) : report_text(report));
 }
@@ -69,6 +91,8 @@ void write_results(const Options& options, const SlopeModel& model, const std::v
     if (!options.picture.empty()) draw_blocks(result.mesh, {}, style).write(options.picture);
     if (!options.size_picture.empty()) draw_sizes(result.mesh, style).write(options.size_picture);
     if (!options.rose_picture.empty()) draw_rose(rose_sets(result.report), style).write(options.rose_picture);
+    if (!options.stereonet_picture.empty())
+        draw_stereonet(stereonet(model, result.report), style).write(options.stereonet_picture);
     if (!options.kinematic_picture.empty())
         draw_blocks(result.mesh, kinematic_layer(*result.report.kinematics), style)
             .write(options.kinematic_picture);
@@ -96,13 +120,17 @@ int run(const Options& options) {
     if (!options.kinematic_picture.empty() && !model.kinematics)
         config.fail("kinematics", "--kinematic-picture without [kinematics]",
                     "[kinematics] with a friction_angle");
+    if (!options.stereonet_picture.empty() && !has_planes_in_space(model))
+        config.fail("joint_set", "--stereonet-picture without planes in space",
+                    "a [[joint_set]] with dip and dip_direction, orientations or orientation_file");
 
     const std::vector<Trace> traces = all_traces(model, options.max_blocks);
     CutResult result = cut_blocks(model, traces,
                                   {.max_blocks = options.max_blocks,
                                    .verify = options.verify,
                                    .threads = options.threads,
-                                   .full_report = !options.report.empty() || !options.rose_picture.empty()});
+                                   .full_report = !options.report.empty() || !options.rose_picture.empty() ||
+                                                  !options.stereonet_picture.empty()});
     result.mesh.provenance = provenance(model, config);
     for (const std::string& warning : result.report.warnings)
         std::fprintf(stderr, "warning: %s\n", warning.c_str());

@@ -30,6 +30,9 @@ po::options_description visible_options() {
     add("size-picture", po::value<std::string>()->value_name("FILE"), "draw the distribution of block areas");
     add("rose-picture", po::value<std::string>()->value_name("FILE"),
         "draw a rose diagram of the directions of the joints in the rock");
+    add("stereonet-picture", po::value<std::string>()->value_name("FILE"),
+        "draw the poles of the joints' planes, lower hemisphere, equal area; needs sets with planes in "
+        "space");
     add("kinematic-picture", po::value<std::string>()->value_name("FILE"),
         "draw the blocks coloured by the mode of their first movement; needs [kinematics]");
     tool_support::add_picture_options(all);
@@ -111,11 +114,13 @@ Options read_options(const po::variables_map& given) {
     options.print_config = given.count("print-config") > 0;
     options.size_picture = path_or_empty(given, "size-picture");
     options.rose_picture = path_or_empty(given, "rose-picture");
+    options.stereonet_picture = path_or_empty(given, "stereonet-picture");
     options.kinematic_picture = path_or_empty(given, "kinematic-picture");
     options.picture_style = tool_support::picture_style(given, "blockgen");
     check_picture("--picture", options.picture);
     check_picture("--size-picture", options.size_picture);
     check_picture("--rose-picture", options.rose_picture);
+    check_picture("--stereonet-picture", options.stereonet_picture);
     check_picture("--kinematic-picture", options.kinematic_picture);
     return options;
 }

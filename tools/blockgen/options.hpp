@@ -17,8 +17,8 @@ struct Options {
     std::filesystem::path output;
     std::optional<std::int64_t> seed;
     std::vector<std::string> overrides;
-    std::filesystem::path picture, size_picture, rose_picture, kinematic_picture, report, depfile, geojson,
-        vtk;
+    std::filesystem::path picture, size_picture, rose_picture, stereonet_picture, kinematic_picture, report,
+        depfile, geojson, vtk;
     PageStyle picture_style;
     bool verify = false;
     bool print_config = false;

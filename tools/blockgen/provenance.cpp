@@ -44,8 +44,9 @@ void check_outputs(const Options& options, const blockgen::SlopeModel& model) {
     inputs.insert(inputs.end(), model.files.begin(), model.files.end());
     const std::vector<std::filesystem::path> outputs = {
         options.output,       options.picture,           options.size_picture,
-        options.rose_picture, options.kinematic_picture, options.report,
-        options.depfile,      options.geojson,           options.vtk};
+        options.rose_picture, options.stereonet_picture, options.kinematic_picture,
+        options.report,       options.depfile,           options.geojson,
+        options.vtk};
     for (const std::filesystem::path& path : outputs)
         if (!path.empty()) check_output(path, inputs);
     check_distinct(outputs);

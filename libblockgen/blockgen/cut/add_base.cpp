@@ -37,7 +37,7 @@ void add_outside(const Trace& trace, const Ring& ring, const Bounds& box, std::v
             if (result.size() > first && result.back().points.back() == a)
                 result.back().points.push_back(b);
             else
-                result.push_back({trace.name, trace.joint_material, {a, b}});
+                result.push_back({trace.name, trace.joint_material, {a, b}, trace.draw});
         }
 }
 

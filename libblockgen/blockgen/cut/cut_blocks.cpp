@@ -270,6 +270,7 @@ class Cutter {
         const CutContext cut = context_of(faces_);
         NetworkReport network = measure_network(cut, report.domain_area - model_.unjointed_area);
         report.joints = std::move(network.joints);
+        report.planes = joint_planes(cut);
         report.topology = topology_of(cut);
         report.scanlines = count_along_scanlines(cut);
         report.changes = joint_changes(cut);

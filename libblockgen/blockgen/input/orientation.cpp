@@ -65,6 +65,14 @@ Pole pole_of(double dip, double dip_direction, double azimuth) {
     return {std::sin(dip) * std::cos(turn), std::cos(dip), -std::sin(dip) * std::sin(turn)};
 }
 
+PlaneAngles plane_of(const Pole& pole, double azimuth) {
+    const double sign = pole.up < 0 ? -1 : 1;
+    const double dip = std::atan2(std::hypot(pole.x, pole.out), sign * pole.up);
+    const double direction =
+        std::remainder(std::atan2(-sign * pole.out, sign * pole.x) + azimuth, 2 * std::numbers::pi);
+    return {dip, direction < 0 ? direction + 2 * std::numbers::pi : direction};
+}
+
 bool Orientation::has_scatter() const {
     return poles.empty() ? angle.law != Law::constant : poles.size() > 1 || fisher_k > 0;
 }

@@ -43,6 +43,15 @@ struct Orientation {
     Pole draw_pole(double u, double v) const;
 };
 
+/// Dip below the horizontal and dip direction clockwise from north, rad.
+struct PlaneAngles {
+    double dip = 0, dip_direction = 0;
+};
+
+/// The plane of a pole: the inverse of pole_of(). A pole of either sign gives the same plane.
+/// @return a dip in [0, pi/2] and a dip direction in [0, 2 pi).
+PlaneAngles plane_of(const Pole& pole, double azimuth);
+
 /// The angle in the section of a plane's trace, rad.
 double trace_angle(const Pole& pole);
 

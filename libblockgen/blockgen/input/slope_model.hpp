@@ -86,11 +86,13 @@ struct JointSet {
     SourceLocation place;
 };
 
-/// A joint given as a polyline.
+/// A joint as a polyline, given or sampled.
 struct Trace {
     std::string name;
     std::string joint_material;
     std::vector<Point> points;
+    /// Number by which SetSampler draws its direction or plane; nothing for given traces and Voronoi edges.
+    std::optional<std::int64_t> draw = std::nullopt;
 };
 
 /// An end of a given trace, and what it was joined to or stops short of.

@@ -8,6 +8,7 @@
 #include "blockgen/mesh/measures.hpp"
 #include "blockgen/report/changes.hpp"
 #include "blockgen/report/joint_balance.hpp"
+#include "blockgen/report/joint_planes.hpp"
 #include "blockgen/report/kinematics.hpp"
 #include "blockgen/report/scanlines.hpp"
 #include "blockgen/report/topology.hpp"
@@ -45,6 +46,7 @@ struct CutReport {
     CornerSummary corners;
     ShapeSummary shapes;
     std::vector<JointBalance> joints;  ///< in the order of the model: traces, then sets
+    std::vector<JointPlanes> planes;   ///< of the sets that are given by planes in space
     Topology topology;
     std::vector<ScanlineCount> scanlines;
     TraceEnds trace_ends;

@@ -107,6 +107,17 @@ void directions_table(Page& page, const CutReport& r) {
     }
 }
 
+/// Mean planes in space of the sets.
+void planes_table(Page& page, const CutReport& r) {
+    constexpr double degree = std::numbers::pi / 180;
+    if (r.planes.empty()) return;
+    page.line("\nPlanes in space       number  mean dip  dip direction   Fisher K   asked for");
+    for (const JointPlanes& set : r.planes)
+        page.line("  %s%6zu %9.2f %14.2f %10s  %10s", padded(set.name).c_str(), set.planes.size(),
+                  set.mean.dip / degree, set.mean.dip_direction / degree,
+                  target_text(set.k.value_or(0)).c_str(), target_text(set.asked_k).c_str());
+}
+
 void joints_table(Page& page, const CutReport& r) {
     page.line("\nJoints (m)            traces      input   retained     pruned   free face    outside");
     for (const JointBalance& b : r.joints)
@@ -118,6 +129,7 @@ void joints_table(Page& page, const CutReport& r) {
                   target_text(b.p10_target).c_str(), b.p20, target_text(b.p20_target).c_str(), b.p21,
                   target_text(b.p21_target).c_str());
     directions_table(page, r);
+    planes_table(page, r);
     for (const JointBalance& b : r.joints)
         if (b.weighted_by_section)
             page.line("  %sweighted by the chance that the section meets its planes (Terzaghi)",

@@ -96,6 +96,21 @@ nlohmann::ordered_json joints_json(const std::vector<JointBalance>& balances) {
     return joints;
 }
 
+nlohmann::ordered_json planes_json(const std::vector<JointPlanes>& sets) {
+    constexpr double degree = std::numbers::pi / 180;
+    nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+    for (const JointPlanes& set : sets) {
+        nlohmann::ordered_json row = {{"name", set.name},
+                                      {"planes", set.planes.size()},
+                                      {"mean_dip_deg", set.mean.dip / degree},
+                                      {"mean_dip_direction_deg", set.mean.dip_direction / degree}};
+        if (set.k) row["fisher_k"] = *set.k;
+        if (set.asked_k > 0) row["asked_fisher_k"] = set.asked_k;
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
 nlohmann::ordered_json scanlines_json(const std::vector<ScanlineCount>& scanlines) {
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
     for (const ScanlineCount& s : scanlines)
@@ -164,6 +179,7 @@ std::string report_text(const CutReport& report) {
                  {"excavations", excavations_json(report.excavations)},
                  {"changes", changes_json(report.changes)},
                  {"warnings", report.warnings}};
+    if (!report.planes.empty()) root["planes"] = planes_json(report.planes);
     if (report.kinematics) root["kinematics"] = kinematics_json(*report.kinematics);
     return root.dump(2) + "\n";
 }

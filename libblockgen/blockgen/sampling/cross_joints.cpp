@@ -87,7 +87,7 @@ class CrossJointSampler {
         const double high = ahead.size() <= last ? inside->second : ahead[last];
         const auto in_set = sampler_.bounds().clip(centre, line.u);
         if (!in_set || in_set->first >= high || in_set->second <= low) return;
-        traces_.push_back(sampler_.trace({centre.x + low * line.u.x, centre.y + low * line.u.y},
+        traces_.push_back(sampler_.trace(line.number, {centre.x + low * line.u.x, centre.y + low * line.u.y},
                                          {centre.x + high * line.u.x, centre.y + high * line.u.y}));
     }
 

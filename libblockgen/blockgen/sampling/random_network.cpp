@@ -104,7 +104,7 @@ std::vector<Trace> sample_baecher(SetSampler& sampler, const RockDomain& rock,
                            window.low.y + draws.draw(draw_place, k, 1) * (window.high.y - window.low.y)};
         const Point u = sampler.direction(k);
         const double half = length.quantile(draws.draw(draw_trace, k, 0)) / 2;
-        return std::vector<Trace>{sampler.trace({middle.x - half * u.x, middle.y - half * u.y},
+        return std::vector<Trace>{sampler.trace(k, {middle.x - half * u.x, middle.y - half * u.y},
                                                 {middle.x + half * u.x, middle.y + half * u.y})};
     });
 }

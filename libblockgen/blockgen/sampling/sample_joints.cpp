@@ -50,7 +50,7 @@ std::vector<Trace> outside_mapped_area(const std::vector<Trace>& traces, const R
     for (const Trace& trace : traces) {
         const auto add = [&](const Point& a, const Point& b) {
             if (std::hypot(b.x - a.x, b.y - a.y) > grid)
-                outside.push_back({trace.name, trace.joint_material, {a, b}});
+                outside.push_back({trace.name, trace.joint_material, {a, b}, trace.draw});
         };
         Point from = trace.points[0];
         for (const auto& [a, b] : clip_to_ring(from, trace.points[1], area)) {
@@ -91,7 +91,7 @@ std::vector<Trace> sample_joint_set(const JointSet& set, const SlopeModel& model
     std::vector<Trace> clipped;
     for (const Trace& trace : traces)
         for (const auto& [a, b] : rock->pieces_in_region(trace.points[0], trace.points[1]))
-            clipped.push_back({trace.name, trace.joint_material, {a, b}});
+            clipped.push_back({trace.name, trace.joint_material, {a, b}, trace.draw});
     return clipped;
 }
 

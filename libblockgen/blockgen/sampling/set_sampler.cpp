@@ -23,30 +23,36 @@ SetSampler::SetSampler(const JointSet& set, const SlopeModel& model, std::size_t
     radius_ = std::hypot(bounds_.high.x - bounds_.low.x, bounds_.high.y - bounds_.low.y) / 2;
 }
 
-Point SetSampler::direction(std::int64_t line) const {
+Pole SetSampler::plane(std::int64_t line) const {
     const Orientation& orientation = set_.orientation;
     const auto number = [&](std::uint64_t k) { return draws_.draw(draw_direction, line, k); };
-    double angle = orientation.draw(number(0), number(1));
-    if (orientation.weighted_by_section) {
-        // Planes are drawn until the section meets one. The limit is reached only by sets parallel to it.
-        constexpr std::uint64_t most_planes = 100'000;
-        Pole pole = orientation.draw_pole(number(0), number(1));
-        for (std::uint64_t k = 1; k < most_planes && number(3 * k - 1) > section_chance(pole); ++k)
-            pole = orientation.draw_pole(number(3 * k), number(3 * k + 1));
-        angle = trace_angle(pole);
-    }
+    Pole pole = orientation.draw_pole(number(0), number(1));
+    if (!orientation.weighted_by_section) return pole;
+    // Planes are drawn until the section meets one. The limit is reached only by sets parallel to it.
+    constexpr std::uint64_t most_planes = 100'000;
+    for (std::uint64_t k = 1; k < most_planes && number(3 * k - 1) > section_chance(pole); ++k)
+        pole = orientation.draw_pole(number(3 * k), number(3 * k + 1));
+    return pole;
+}
+
+Point SetSampler::direction(std::int64_t line) const {
+    const Orientation& orientation = set_.orientation;
+    const double angle =
+        orientation.weighted_by_section
+            ? trace_angle(plane(line))
+            : orientation.draw(draws_.draw(draw_direction, line, 0), draws_.draw(draw_direction, line, 1));
     return {std::cos(angle), std::sin(angle)};
 }
 
-Trace SetSampler::trace(const Point& a, const Point& b) const {
-    return {set_.name, set_.joint_material, {a, b}};
+Trace SetSampler::trace(std::optional<std::int64_t> line, const Point& a, const Point& b) const {
+    return {set_.name, set_.joint_material, {a, b}, line};
 }
 
 void SetSampler::add_traces(std::int64_t line, const Point& middle, const Point& u, double low, double high,
                             std::vector<Trace>& traces) {
     const auto add = [&](double from, double to) {
         if (from < to && from < high && to > low)
-            traces.push_back(trace({middle.x + from * u.x, middle.y + from * u.y},
+            traces.push_back(trace(line, {middle.x + from * u.x, middle.y + from * u.y},
                                    {middle.x + to * u.x, middle.y + to * u.y}));
     };
     if (!set_.trace_length) return add(low, high);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "blockgen/input/slope_model.hpp"
@@ -26,7 +27,10 @@ class SetSampler {
 
     /// The direction of joint `line`, a unit vector.
     Point direction(std::int64_t line) const;
-    Trace trace(const Point& a, const Point& b) const;
+    /// The plane in space of joint `line`, of a set that is given by such planes.
+    Pole plane(std::int64_t line) const;
+    /// A trace of joint `line`; nothing for a joint without a direction of its own.
+    Trace trace(std::optional<std::int64_t> line, const Point& a, const Point& b) const;
 
     /// Samples alternating traces and rock bridges along `middle` + t u. Adds the traces that overlap
     /// [low, high], unclipped, so that their midpoints give the right number per area. Adds one trace from

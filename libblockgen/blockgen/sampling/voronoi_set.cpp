@@ -33,7 +33,7 @@ std::vector<Trace> sample_voronoi(SetSampler& sampler, const RockDomain& rock) {
     std::vector<Trace> traces;
     for (const auto& [a, b] :
          voronoi_edges(std::move(points), sampler.set().relaxation, sampler.bounds().expanded(size)))
-        traces.push_back(sampler.trace(a, b));
+        traces.push_back(sampler.trace(std::nullopt, a, b));
     return traces;
 }
 

@@ -31,6 +31,24 @@ TEST(Orientation, ApparentDipAndSpacing) {
     EXPECT_EQ(o.draw(0.1, 0.9), o.mean_angle());
 }
 
+TEST(Orientation, PlaneOfAPoleOfEitherSign) {
+    for (const double dip : {0.0, 1.0, 45.0, 89.0})
+        for (const double direction : {0.0, 33.0, 180.0, 359.0})
+            for (const double azimuth : {0.0, 90.0, 250.0, -700.0}) {
+                const Pole pole = pole_of(dip * degree, direction * degree, azimuth * degree);
+                for (const double sign : {1.0, -1.0}) {
+                    const PlaneAngles plane =
+                        plane_of({sign * pole.x, sign * pole.up, sign * pole.out}, azimuth * degree);
+                    EXPECT_NEAR(plane.dip, dip * degree, 1e-12);
+                    if (dip == 0) continue;  // without a dip direction
+                    EXPECT_NEAR(std::remainder(plane.dip_direction - direction * degree, 360 * degree), 0,
+                                1e-12);
+                    EXPECT_GE(plane.dip_direction, 0);
+                    EXPECT_LT(plane.dip_direction, 2 * std::numbers::pi);
+                }
+            }
+}
+
 TEST(Orientation, DipsTowardsOrAgainstTheSection) {
     EXPECT_NEAR(plane(30, 90, 90).mean_angle(), -30 * degree, 1e-12);  // down to the right
     EXPECT_NEAR(plane(30, 270, 90).mean_angle(), 30 * degree, 1e-12);
