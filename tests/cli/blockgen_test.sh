@@ -80,7 +80,7 @@ grep -q 'DejaVu Serif' n.svg || fail 'another font'
 sed 's/^angle = "-25 deg"/dip = "30 deg"\ndip_direction = "110 deg"/' slope.toml >space.toml
 "$program" space.toml -o k.blocks --set 'section.azimuth="90 deg"' --stereonet-picture net.svg --width 85mm --font-size 8 >out.txt
 for_a_column net.svg
-grep -q 'bedding  30/110, n ' net.svg || fail 'no plane in the stereonet'
+grep -q '30/110, n .*, all parallel  bedding' net.svg || fail 'no plane in the stereonet'
 rm space.toml
 "$program" --version | grep -q '^blockgen [0-9]' || fail version
 "$program" --help | grep -q -- --max-blocks || fail help
@@ -115,9 +115,11 @@ set_value 'edge 1 .* and edge 3 .* meet at (0.5, 0.5)' 'domain.outline=[[0, 0], 
 set_value 'block_material' 'domain.block_material=3'
 set_value 'too small' 'joint_set[0].spacing=-3'
 set_value 'below the grid' 'joint_set[0].spacing=1e-7'
-set_value 'blocks; expected at most' 'joint_set[0].spacing=0.001'
+set_value 'blocks in the box round the domain; expected at most 4001000 (four times --max-blocks, 1000000, ' 'joint_set[0].spacing=0.001'
 set_value 'slope.toml:9:1.*needs about .*--max-blocks' 'joint_set[1].spacing=0.00003'
 refused 'slope.toml:2.*--max-blocks' slope.toml --max-blocks 10
+refused '--max-blocks is 200000000; expected a number from 1 to 100000000' slope.toml --max-blocks 200000000
+refused '--max-blocks is 0; expected' slope.toml --max-blocks 0
 refused '--threads is 0; expected a number' slope.toml --threads 0
 refused 'no-such.toml' no-such.toml
 refused 'no-such.csv' fit no-such.csv -o new.toml

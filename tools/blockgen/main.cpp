@@ -2,6 +2,8 @@
 #include <chrono>
 #include <cstdio>
 #include <exception>
+#include <new>
+#include <stdexcept>
 #include <string>
 
 #include "blockgen/cut/cut_blocks.hpp"
@@ -153,11 +155,21 @@ int run(const Options& options) {
     return done;
 }
 
+int run_in_memory(const Options& options) {
+    try {
+        return run(options);
+    } catch (const std::bad_alloc&) {
+        throw std::runtime_error("out of memory: a limit below that of --max-blocks, " +
+                                 std::to_string(options.max_blocks) +
+                                 ", refuses so many joints before they are cut");
+    }
+}
+
 /// Does what the arguments ask for; prints why it failed. @return the exit code.
 int act_on_arguments(int argc, char** argv) {
     try {
         if (argc > 1 && std::string(argv[1]) == "fit") return run_fit({argv + 2, argv + argc});
-        return run(parse_options(argc, argv));
+        return run_in_memory(parse_options(argc, argv));
     } catch (const UsageError& error) {
         std::fprintf(stderr, "blockgen: %s\n", error.what());
         return bad_input;

@@ -67,6 +67,9 @@ tool_support::CommandPage command_page() {
             .exit_codes = {{"0", "done"}, {"1", "cutting failed"}, {"2", "bad command line or input"}}};
 }
 
+/// Largest limit: a network of four times so many faces still has indices of 32 bits.
+constexpr std::int64_t most_blocks = 100'000'000;
+
 std::string path_or_empty(const po::variables_map& given, const char* name) {
     if (!given.count(name)) return {};
     auto path = given[name].as<std::string>();
@@ -107,7 +110,9 @@ Options read_options(const po::variables_map& given) {
     if (options.seed && *options.seed < 0) throw UsageError("--seed: expected an integer of zero or more");
     if (given.count("set")) options.overrides = given["set"].as<std::vector<std::string>>();
     const auto max_blocks = given["max-blocks"].as<std::int64_t>();
-    if (max_blocks < 1) throw UsageError("--max-blocks: expected a positive integer");
+    if (max_blocks < 1 || max_blocks > most_blocks)
+        throw UsageError("--max-blocks is " + std::to_string(max_blocks) + "; expected a number from 1 to " +
+                         std::to_string(most_blocks));
     options.max_blocks = max_blocks;
     options.threads = threads_of(given);
     options.verify = given.count("verify") > 0;

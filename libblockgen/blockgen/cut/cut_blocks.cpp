@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <stdexcept>
 
 #include "blockgen/arrangement/arrange.hpp"
@@ -17,6 +18,7 @@
 #include "blockgen/input/domain.hpp"
 #include "blockgen/mesh/check_mesh.hpp"
 #include "blockgen/report/dropped_traces.hpp"
+#include "blockgen/report/repeated_joints.hpp"
 #include "common/base/text.hpp"
 #include "common/geometry/polygon.hpp"
 
@@ -31,10 +33,23 @@ Subdivision subdivide(const NodedEdges& noded, const ThreadPool& pool) {
     return noded.edges.size() <= max_swept_edges ? arrange(noded) : walk_faces(noded, pool);
 }
 
-[[noreturn]] void fail_too_many(const SlopeModel& model, double count, std::size_t limit) {
-    throw InputError(model.domain_location,
-                     "the joints make about " + std::to_string(std::llround(count)) + " blocks",
-                     "at most " + std::to_string(limit) + " (--max-blocks sets the limit)");
+/// @throws InputError when there are more blocks than the limit allows.
+void check_block_count(const SlopeModel& model, std::size_t count, std::size_t limit) {
+    if (count > limit)
+        throw InputError(model.domain_location, "the joints make " + std::to_string(count) + " blocks",
+                         "at most " + std::to_string(limit) + " (--max-blocks)");
+}
+
+/// Before blocks are known: bounds the faces of the network in the box round the domain, of which a part may
+/// lie outside the rock. @throws InputError when they are so many that noding and faces would take too long.
+void check_face_count(const SlopeModel& model, double count, std::size_t max_blocks) {
+    const double limit = 4.0 * static_cast<double>(max_blocks) + 1000;
+    if (count > limit)
+        throw InputError(model.domain_location,
+                         "the joints make about " + std::to_string(std::llround(count)) +
+                             " blocks in the box round the domain",
+                         "at most " + std::to_string(std::llround(limit)) + " (four times --max-blocks, " +
+                             std::to_string(max_blocks) + ", and 1000 more)");
 }
 
 /// Sums of twice the rock's area, in cells.
@@ -116,7 +131,10 @@ class Cutter {
         warnings.of_regions = region_warnings(context_of(faces_));
         count_islands(rings, report, warnings.of_islands);
         warnings.of_traces = dropped_trace_warnings(context_of(faces_));
-        if (options_.full_report) add_network(report);
+        std::vector<Change> repeated = repeated_joints(context_of(faces_));
+        for (std::string& warning : repeated_joint_warnings(repeated))
+            warnings.of_traces.push_back(std::move(warning));
+        if (options_.full_report) add_network(std::move(repeated), report);
         if (options_.verify) verify(report);
         return warnings;
     }
@@ -159,24 +177,20 @@ class Cutter {
 
     NodedEdges node() const {
         const std::vector<SourceSegment> segments = source_segments(model_, traces_, table_);
-        const double estimate = estimated_blocks(model_, segments, table_);
-        if (estimate > 4.0 * static_cast<double>(options_.max_blocks) + 1000)
-            fail_too_many(model_, estimate, options_.max_blocks);
+        check_face_count(model_, estimated_blocks(model_, segments, table_), options_.max_blocks);
         pass("segments");
         NodedEdges noded = node_joints(segments, model_.grid, pool_);
         // By Euler's formula a connected network has E - V + 1 bounded faces, and others more.
-        const std::size_t vertices = noded.vertices.size(), edges = noded.edges.size();
-        if (edges + 1 > vertices + options_.max_blocks)
-            fail_too_many(model_, static_cast<double>(edges + 1 - vertices), options_.max_blocks);
+        check_face_count(
+            model_, static_cast<double>(noded.edges.size()) + 1 - static_cast<double>(noded.vertices.size()),
+            options_.max_blocks);
         pass("noding");
         return noded;
     }
 
     Subdivision subdivide_checked() const {
         Subdivision subdivision = subdivide(noded_, pool_);
-        const std::size_t bounded = subdivision.face_count - 1;
-        if (bounded > options_.max_blocks)
-            fail_too_many(model_, static_cast<double>(bounded), options_.max_blocks);
+        check_face_count(model_, subdivision.face_count - 1, options_.max_blocks);
         pass("faces");
         return subdivision;
     }
@@ -194,6 +208,7 @@ class Cutter {
             faces =
                 fill_islands(context_of(faces), block_rings(noded_, subdivision_, faces, boundary), merges_);
         }
+        check_block_count(model_, faces.material.size(), options_.max_blocks);
         return faces;
     }
 
@@ -266,7 +281,7 @@ class Cutter {
         report.verified = true;
     }
 
-    void add_network(CutReport& report) const {
+    void add_network(std::vector<Change> repeated, CutReport& report) const {
         const CutContext cut = context_of(faces_);
         NetworkReport network = measure_network(cut, report.domain_area - model_.unjointed_area);
         report.joints = std::move(network.joints);
@@ -274,6 +289,7 @@ class Cutter {
         report.topology = topology_of(cut);
         report.scanlines = count_along_scanlines(cut);
         report.changes = joint_changes(cut);
+        std::move(repeated.begin(), repeated.end(), std::back_inserter(report.changes));
         report.changes.insert(report.changes.end(), merges_.changes.begin(), merges_.changes.end());
     }
 

@@ -142,9 +142,19 @@ StopRule read_stop(const ConfigTable& table,
     return stop;
 }
 
+/// @throws InputError when the name is that of traces of which none is left.
+void refuse_repeated(const ConfigTable& table, std::string_view key, const std::string& name,
+                     const SlopeModel& model) {
+    if (std::find(model.repeated_names.begin(), model.repeated_names.end(), name) !=
+        model.repeated_names.end())
+        table.fail(key, "all traces '" + name + "' repeat earlier ones and are dropped",
+                   "the name of the traces that they repeat");
+}
+
 void read_cross_jointed(const ConfigTable& table, JointSet& set, const SlopeModel& model) {
     const auto is_fraction = [](double x) { return x >= 0 && x <= 1; };
     set.ends_on = read_name(table, "ends_on");
+    refuse_repeated(table, "ends_on", set.ends_on, model);
     const auto has_name = [&](const auto& joints) { return joints.name == set.ends_on; };
     if (std::none_of(model.joint_sets.begin(), model.joint_sets.end(), has_name) &&
         std::none_of(model.traces.begin(), model.traces.end(), has_name))
@@ -173,6 +183,7 @@ void read_condition(const ConfigTable& table, JointSet& set, const SlopeModel& m
         return;
     }
     set.conditioned_on = read_name(table, "conditioned_on");
+    refuse_repeated(table, "conditioned_on", set.conditioned_on, model);
     const auto has_name = [&](const Trace& trace) { return trace.name == set.conditioned_on; };
     if (std::none_of(model.traces.begin(), model.traces.end(), has_name))
         table.fail("conditioned_on", "there are no traces '" + set.conditioned_on + "'",

@@ -1,13 +1,10 @@
-#include <algorithm>
-#include <bit>
-#include <cstdint>
-
 #include "blockgen/input/domain.hpp"
 #include "blockgen/input/geometry_file.hpp"
 #include "blockgen/input/join_ends.hpp"
 #include "blockgen/input/place_coordinates.hpp"
 #include "blockgen/input/read_map_traces.hpp"
 #include "blockgen/input/read_shapes.hpp"
+#include "blockgen/input/repeated_traces.hpp"
 
 namespace rockslope::blockgen {
 
@@ -67,58 +64,6 @@ void read_traces(const ConfigTable& root, const ConfigTable& table, SlopeModel& 
         table.fail("points", "a trace of fewer than two points", "two points or more");
     check_coordinate_range(table, "points", trace.points, model);
     model.traces.push_back(std::move(trace));
-}
-
-/// Whether two traces have the same points, in the same direction or in opposite ones.
-bool are_same(const std::vector<Point>& a, const std::vector<Point>& b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end()) ||
-           std::equal(a.begin(), a.end(), b.rbegin(), b.rend());
-}
-
-/// A hash of a trace's ends that does not depend on its direction, for a table of a power of two.
-std::size_t hash_of(const std::vector<Point>& points) {
-    const auto hash = [](const Point& p) {
-        // -0 equals 0.
-        const std::uint64_t x = std::bit_cast<std::uint64_t>(p.x + 0.0),
-                            y = std::bit_cast<std::uint64_t>(p.y + 0.0);
-        std::uint64_t bits = (x ^ (x >> 32u)) * 0x9e3779b97f4a7c15u ^ (y ^ (y >> 29u)) * 0xc2b2ae3d27d4eb4fu;
-        bits = (bits ^ (bits >> 31u)) * 0x94d049bb133111ebu;
-        return bits ^ (bits >> 30u);
-    };
-    return hash(points.front()) + hash(points.back());
-}
-
-/// Removes traces that repeat an earlier one, in either direction, and notes how many: their lengths would be
-/// counted twice.
-void drop_repeated_traces(SlopeModel& model) {
-    constexpr std::uint32_t vacant = 0xffffffffu;
-    const std::vector<Trace>& traces = model.traces;
-    // Open addressing in a table at most half full.
-    std::vector<std::uint32_t> table(std::bit_ceil(2 * traces.size() + 2), vacant);
-    std::vector<char> is_repeated(traces.size(), 0);
-    const Trace* first = nullptr;
-    std::size_t repeated = 0;
-    for (std::size_t t = 0; t < traces.size(); ++t) {
-        std::size_t place = hash_of(traces[t].points) & (table.size() - 1);
-        while (table[place] != vacant && !are_same(traces[table[place]].points, traces[t].points))
-            place = (place + 1) & (table.size() - 1);
-        if (table[place] == vacant) {
-            table[place] = static_cast<std::uint32_t>(t);
-            continue;
-        }
-        is_repeated[t] = 1;
-        ++repeated;
-        if (first == nullptr) first = &traces[t];
-    }
-    if (repeated == 0) return;
-    model.notes.push_back(std::to_string(repeated) +
-                          (repeated == 1 ? " trace repeats an earlier one" : " traces repeat earlier ones") +
-                          " and " + (repeated == 1 ? "is" : "are") + " dropped, the first of '" +
-                          first->name + "' at " + text_of(first->points.front()));
-    std::vector<Trace> kept;
-    for (std::size_t t = 0; t < model.traces.size(); ++t)
-        if (!is_repeated[t]) kept.push_back(std::move(model.traces[t]));
-    model.traces = std::move(kept);
 }
 
 }  // namespace

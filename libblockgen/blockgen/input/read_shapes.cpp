@@ -244,6 +244,21 @@ std::string read_name(const ConfigTable& table, std::string_view key) {
     return name;
 }
 
+namespace {
+
+/// @throws InputError: a length that has to stay below so many cells of the grid does not.
+[[noreturn]] void fail_for_grid(const ConfigTable& table, std::string_view key, double grid, double length,
+                                double cells, const std::string& what) {
+    int exponent = 0;
+    std::frexp(length / cells, &exponent);
+    table.fail(key,
+               "grid = " + shortest_text(grid) + " m in [domain] is too fine: it allows " + what + " below " +
+                   shortest_text(cells * grid) + " m, not " + shortest_text(length) + " m",
+               "a grid of " + shortest_text(std::ldexp(1.0, exponent)) + " m or coarser");
+}
+
+}  // namespace
+
 void check_coordinate_range(const ConfigTable& table, std::string_view key, const Ring& points,
                             const SlopeModel& model) {
     Ring all = points;  // the model has no outline yet when a line file is read
@@ -252,11 +267,11 @@ void check_coordinate_range(const ConfigTable& table, std::string_view key, cons
     const auto [low, high] = Bounds::of(all);
     const double extent = std::max(high.x - low.x, high.y - low.y);
     const double farthest = std::max({std::abs(low.x), std::abs(high.x), std::abs(low.y), std::abs(high.y)});
-    if (farthest / model.grid < 0x1p51 && extent / model.grid < 0x1p37) return;
-    table.fail(key,
-               "a grid of " + shortest_text(model.grid) + " m is too fine for coordinates up to " +
-                   shortest_text(farthest) + " m",
-               "smaller coordinates or a coarser grid");
+    constexpr double most_cells = 0x1p37, farthest_cell = 0x1p51;
+    if (!(extent / model.grid < most_cells))
+        fail_for_grid(table, key, model.grid, extent, most_cells, "a width");
+    if (!(farthest / model.grid < farthest_cell))
+        fail_for_grid(table, key, model.grid, farthest, farthest_cell, "coordinates");
 }
 
 Ring read_ring(const ConfigTable& table, std::string_view key) {

@@ -207,6 +207,7 @@ struct SlopeModel {
     std::vector<Excavation> excavations;
     std::vector<JointSet> joint_sets;
     std::vector<Trace> traces;
+    std::vector<std::string> repeated_names;  ///< of traces that all repeat earlier ones and are dropped
     TraceEnds trace_ends;
     std::optional<BaseBlock> base;
     double unjointed_area =

@@ -107,14 +107,19 @@ void draw_mean(Canvas& canvas, const NetPage& page, const StereonetSet& set, con
     canvas.circle(page.at(set.mean), 5, std::nullopt, Stroke{colour, 1.4});
 }
 
+/// Figures before the name, which is shortened where it is too long for the page.
 std::string legend_text(const StereonetSet& set) {
     char text[96];
-    std::snprintf(text, sizeof text, "  %02ld/%s, n %zu", std::lround(set.mean.dip / degree),
+    std::snprintf(text, sizeof text, "%02ld/%s, n %zu", std::lround(set.mean.dip / degree),
                   compass_text(set.mean.dip_direction).c_str(), set.planes.size());
-    std::string line = set.name + text;
-    if (!set.fisher_k) return line + (set.planes.size() > 1 ? ", all parallel" : "");
-    std::snprintf(text, sizeof text, ", K %.3g", *set.fisher_k);
-    return line + text;
+    std::string line = text;
+    if (set.fisher_k) {
+        std::snprintf(text, sizeof text, ", K %.3g", *set.fisher_k);
+        line += text;
+    } else if (set.planes.size() > 1) {
+        line += ", all parallel";
+    }
+    return line + "  " + set.name;
 }
 
 std::vector<LegendEntry> legend_entries(const Stereonet& net) {

@@ -170,6 +170,13 @@ class JointChanges {
         changes_.push_back(std::move(change));
     }
 
+    /// The joint that counts along an edge with joints: the first.
+    JointTraceIndex first_joint_of(EdgeIndex e) const {
+        for (const EdgeSource& s : context_.noded.sources_of(e))
+            if (context_.table.is_joint(s.source)) return context_.table.trace_of(s.source);
+        return JointTraceIndex::none();
+    }
+
     const std::string& name_of(JointTraceIndex trace) const { return context_.traces[trace].name; }
 
     /// Adds a change for each connected run of a trace's edges that have the same block on both sides.
@@ -179,7 +186,7 @@ class JointChanges {
         for (const EdgeIndex e : edges_.of(t)) {
             const FaceBlockIndex left = context_.block_of(forward_half(e)),
                                  right = context_.block_of(backward_half(e));
-            if (left != right || left == FaceBlocks::outside) continue;
+            if (left != right || left == FaceBlocks::outside || first_joint_of(e) != t) continue;
             ends.emplace_back(context_.noded.edges[e].first, pruned.size());
             ends.emplace_back(context_.noded.edges[e].second, pruned.size());
             pruned.push_back(e);
@@ -260,6 +267,8 @@ const char* label_of(ChangeKind kind) {
             return "end stops short (not changed)";
         case ChangeKind::piece_pruned:
             return "joint piece pruned";
+        case ChangeKind::joint_repeated:
+            return "joint along an earlier one";
         case ChangeKind::trace_outside:
             return "trace outside the rock dropped";
         case ChangeKind::trace_on_free_face:

@@ -20,6 +20,7 @@ enum class ChangeKind : std::uint8_t {
     end_snapped,           ///< an end within `snap` of another joint or of an outline was moved to it
     near_miss,             ///< no change: an end stops short of something, one of more than chance explains
     piece_pruned,          ///< a joint's piece was pruned: it has the same block on both sides
+    joint_repeated,        ///< a joint runs along an earlier one, which counts there and names the edge
     trace_outside,         ///< a given trace outside the rock was dropped
     trace_on_free_face,    ///< a given trace along a free face was dropped
     trace_without_length,  ///< a given trace shorter than the grid step was dropped

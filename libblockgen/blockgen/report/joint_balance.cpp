@@ -45,9 +45,9 @@ using PerRow = IndexedVector<RowIndex, T>;
 
 /// Balance of the length of one trace, m.
 struct TraceLengths {
-    double retained = 0, pruned = 0, on_boundary = 0, outside = 0;
+    double retained = 0, pruned = 0, repeated = 0, on_boundary = 0, outside = 0;
     std::size_t edges = 0;
-    double in_rock() const { return retained + pruned; }
+    double in_rock() const { return retained + pruned + repeated; }
     double inside_box() const { return in_rock() + on_boundary + outside; }
 };
 
@@ -126,33 +126,34 @@ class NetworkMeasure {
                 context_.noded.frame.step * static_cast<double>(b.y - a.y)};
     }
 
+    /// @param visit called with each joint along the edge, and whether it is the first of them.
     template <class Visit>
     void for_each_joint_of(EdgeIndex edge, const Visit& visit) const {
         SourceIndex last = SourceIndex::none();
         for (const EdgeSource& s : context_.noded.sources_of(edge)) {  // sorted by source
             if (!context_.table.is_joint(s.source) || s.source == last) continue;
+            visit(context_.table.trace_of(s.source), !last.exists());
             last = s.source;
-            visit(context_.table.trace_of(s.source));
         }
     }
 
     void add_edges() {
         for (const EdgeIndex e : context_.noded.edges.indices())
-            for_each_joint_of(e, [&](JointTraceIndex t) { add_edge(e, t); });
+            for_each_joint_of(e, [&](JointTraceIndex t, bool is_first) { add_edge(e, t, is_first); });
         PerRow<Point> mean;
         for (const RowIndex r : sums_.indices()) {
             const double angle = mean_direction(r);
             mean.push_back({std::cos(angle), std::sin(angle)});
         }
         for (const EdgeIndex e : context_.noded.edges.indices())
-            for_each_joint_of(e, [&](JointTraceIndex t) {
-                if (!is_rock(forward_half(e)) || !is_rock(backward_half(e))) return;
+            for_each_joint_of(e, [&](JointTraceIndex t, bool is_first) {
+                if (!is_first || !is_rock(forward_half(e)) || !is_rock(backward_half(e))) return;
                 const Point v = vector_of(e), u = mean[row_[t]];
                 projected_length_[row_[t]] += std::abs(v.x * u.x + v.y * u.y);
             });
     }
 
-    void add_edge(EdgeIndex e, JointTraceIndex t) {
+    void add_edge(EdgeIndex e, JointTraceIndex t, bool is_first) {
         const Point v = vector_of(e);
         const double length = std::hypot(v.x, v.y);
         const bool left = is_rock(forward_half(e)), right = is_rock(backward_half(e));
@@ -162,11 +163,13 @@ class NetworkMeasure {
             lengths.on_boundary += length;
         else if (!left)
             lengths.outside += length;
+        else if (!is_first)
+            lengths.repeated += length;
         else
             (context_.block_of(forward_half(e)) == context_.block_of(backward_half(e)) ? lengths.pruned
                                                                                        : lengths.retained) +=
                 length;
-        if (!left || !right) return;
+        if (!left || !right || !is_first) return;
         sums_[row_[t]].add(v.x, v.y);
         auto& classes = report_.joints[row_[t]].length_by_direction;
         // Edges run from left to right, straight up ones upwards.
@@ -192,10 +195,12 @@ class NetworkMeasure {
         b.input += input;
         b.retained += lengths.retained;
         b.pruned += lengths.pruned;
+        b.repeated += lengths.repeated;
         b.on_boundary += lengths.on_boundary;
         // This includes the length clipped at the domain's box.
         b.outside += std::max(lengths.outside, input - lengths.in_rock() - lengths.on_boundary);
-        b.p20 += is_in_rock(context_.model, middle_of(context_.traces[t]));
+        const bool is_new = lengths.repeated == 0 || lengths.retained + lengths.pruned > 0;
+        b.p20 += is_new && is_in_rock(context_.model, middle_of(context_.traces[t]));
     }
 
     CutContext context_;

@@ -9,16 +9,17 @@
 
 namespace rockslope::blockgen {
 
-/// Balance of the trace length, m, and the density of the joints of one set or of traces of one name.
-/// Overlapping joints all count.
+/// Balance of the trace length, m, and the density of the joints of one set or of traces of one name. Where
+/// joints overlap in the rock the first in the order of the traces counts, as it names the edge.
 struct JointBalance {
     std::string name;
     std::size_t traces = 0;
-    double input = 0;        ///< as read or sampled; the sum of the next four, except for snapping
+    double input = 0;        ///< as read or sampled; the sum of the next five, except for snapping
     double retained = 0;     ///< between two blocks
     double pruned = 0;       ///< same block on both sides: dangling, isolated, or within merged blocks
     double on_boundary = 0;  ///< along the outline, a hole or a tunnel, which stays a free face
     double outside = 0;      ///< outside the rock
+    double repeated = 0;     ///< in the rock along an earlier joint, where it counts
     double p10 = 0;          ///< 1/m: joints per length of a scanline perpendicular to the mean direction
     double p20 = 0;          ///< 1/m2: traces with their midpoint in the rock, per area
     double p21 = 0;          ///< m/m2: length in the rock, retained and pruned, per area

@@ -46,7 +46,7 @@ std::vector<std::vector<std::int64_t>> draws_in_rock(const CutContext& cut) {
 
 JointPlanes planes_of_set(const JointSet& set, const SlopeModel& model,
                           const std::vector<std::int64_t>& draws) {
-    const SetSampler sampler(set, model, 0);
+    const SetSampler sampler(set, model, {});
     const double azimuth = model.section ? model.section->azimuth : 0;
     std::vector<Pole> poles;
     JointPlanes result;

@@ -123,6 +123,10 @@ void joints_table(Page& page, const CutReport& r) {
     for (const JointBalance& b : r.joints)
         page.line("  %s%6zu %10.2f %10.2f %10.2f  %10.2f %10.2f", padded(b.name).c_str(), b.traces, b.input,
                   b.retained, b.pruned, b.on_boundary, b.outside);
+    for (const JointBalance& b : r.joints)
+        if (b.repeated > 0)
+            page.line("  %s%.4g m more in the rock along earlier joints, where they count",
+                      padded(b.name).c_str(), b.repeated);
     page.line("\nDensities             P10 1/m   target     P20 1/m2   target     P21 1/m   target");
     for (const JointBalance& b : r.joints)
         page.line("  %s%7.4g %8s   %10.4g %8s   %9.4g %8s", padded(b.name).c_str(), b.p10,

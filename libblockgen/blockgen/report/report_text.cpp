@@ -90,6 +90,7 @@ nlohmann::ordered_json joints_json(const std::vector<JointBalance>& balances) {
                     {"p21_m_per_m2", b.p21},
                     {"length_by_direction_m", b.length_by_direction},
                     {"asked", asked}};
+        if (b.repeated > 0) row["repeated_m"] = b.repeated;
         if (b.weighted_by_section) row["weighting"] = "section";
         joints.push_back(std::move(row));
     }

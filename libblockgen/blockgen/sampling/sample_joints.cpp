@@ -75,8 +75,8 @@ std::vector<Trace> sample_beside_mapped_area(SetSampler& sampler, const SlopeMod
 }  // namespace
 
 std::vector<Trace> sample_joint_set(const JointSet& set, const SlopeModel& model,
-                                    const std::vector<Trace>& others, std::size_t max_draws) {
-    SetSampler sampler(set, model, max_draws);
+                                    const std::vector<Trace>& others, const DrawLimit& limit) {
+    SetSampler sampler(set, model, limit);
     if (!set.mapped_area.empty()) return sample_beside_mapped_area(sampler, model);
     const bool measures_rock =
         set.kind == SetKind::baecher || set.kind == SetKind::veneziano || set.kind == SetKind::voronoi;
@@ -97,16 +97,14 @@ std::vector<Trace> sample_joint_set(const JointSet& set, const SlopeModel& model
 
 std::vector<Trace> all_traces(const SlopeModel& model, std::size_t max_blocks) {
     std::vector<Trace> traces = model.traces;
-    const std::size_t max_traces = max_draws_for(max_blocks) + traces.size();
     for (const JointSet& set : model.joint_sets) {
         std::vector<Trace> others;
         const std::string& name = set.kind == SetKind::cross_jointed ? set.ends_on : set.conditioned_on;
         if (!name.empty())
             std::copy_if(traces.begin(), traces.end(), std::back_inserter(others),
                          [&](const Trace& trace) { return trace.name == name; });
-        const std::size_t max_draws = max_traces - std::min(max_traces, traces.size());
-        for (Trace& trace : sample_joint_set(set, model, others, max_draws))
-            traces.push_back(std::move(trace));
+        const DrawLimit limit{max_blocks, traces.size() - model.traces.size()};
+        for (Trace& trace : sample_joint_set(set, model, others, limit)) traces.push_back(std::move(trace));
     }
     return traces;
 }

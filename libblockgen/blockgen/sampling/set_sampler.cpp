@@ -17,8 +17,8 @@ Bounds bounds_of(const JointSet& set, const SlopeModel& model) {
 
 }  // namespace
 
-SetSampler::SetSampler(const JointSet& set, const SlopeModel& model, std::size_t max_draws)
-    : set_(set), draws_(model.seed, set.name), bounds_(bounds_of(set, model)), max_draws_(max_draws) {
+SetSampler::SetSampler(const JointSet& set, const SlopeModel& model, const DrawLimit& limit)
+    : set_(set), draws_(model.seed, set.name), bounds_(bounds_of(set, model)), limit_(limit) {
     centre_ = {(bounds_.low.x + bounds_.high.x) / 2, (bounds_.low.y + bounds_.high.y) / 2};
     radius_ = std::hypot(bounds_.high.x - bounds_.low.x, bounds_.high.y - bounds_.low.y) / 2;
 }
@@ -67,13 +67,16 @@ void SetSampler::add_traces(std::int64_t line, const Point& middle, const Point&
 }
 
 void SetSampler::count_draw() {
-    if (++draw_count_ > max_draws_) fail_too_many("more than " + std::to_string(max_draws_));
+    if (++draw_count_ > max_draws()) fail_too_many("more than " + std::to_string(max_draws()));
 }
 
 void SetSampler::fail_too_many(const std::string& count) const {
-    throw InputError(set_.place, "joint set '" + set_.name + "' needs " + count + " lines and traces",
-                     "at most " + std::to_string(max_draws_) +
-                         " (--max-blocks and 10000 more, less what the sets before it have)");
+    throw InputError(
+        set_.place, "joint set '" + set_.name + "' needs " + count + " lines and traces",
+        "at most " + std::to_string(max_draws()) + " (--max-blocks, " + std::to_string(limit_.max_blocks) +
+            ", and " + std::to_string(DrawLimit::allowance) + " more" +
+            (limit_.drawn > 0 ? ", less " + std::to_string(limit_.drawn) + " of the sets before it" : "") +
+            ")");
 }
 
 }  // namespace rockslope::blockgen

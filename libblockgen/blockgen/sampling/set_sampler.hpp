@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -10,11 +11,22 @@
 
 namespace rockslope::blockgen {
 
+/// Largest number of lines and traces that may be drawn for the sets of a model.
+struct DrawLimit {
+    std::size_t max_blocks = 1'000'000;  ///< of which it follows: max_blocks + `allowance`
+    std::size_t drawn = 0;               ///< by the sets before
+    /// Allows many unconnected joints under a small limit. A million lines and traces take about 1.2 GB.
+    static constexpr std::size_t allowance = 10'000;
+
+    /// Number that is left.
+    std::size_t left() const { return max_blocks + allowance - std::min(max_blocks + allowance, drawn); }
+};
+
 /// Context for sampling a joint set of any kind: its random stream, the box to fill, and the limit on draws.
 class SetSampler {
   public:
     /// The box is the bounding box of the domain, or of the set's region.
-    SetSampler(const JointSet& set, const SlopeModel& model, std::size_t max_draws);
+    SetSampler(const JointSet& set, const SlopeModel& model, const DrawLimit& limit);
 
     /// The joint set that is sampled.
     const JointSet& set() const { return set_; }
@@ -40,7 +52,7 @@ class SetSampler {
                     std::vector<Trace>& traces);
 
     /// The limit of lines and traces.
-    std::size_t max_draws() const { return max_draws_; }
+    std::size_t max_draws() const { return limit_.left(); }
     /// Number of lines and traces so far.
     std::size_t draw_count() const { return draw_count_; }
     /// Counts a line or trace. @throws InputError beyond the limit.
@@ -52,7 +64,7 @@ class SetSampler {
     const JointSet& set_;
     RandomStream draws_;
     Bounds bounds_;
-    std::size_t max_draws_;
+    DrawLimit limit_;
     std::size_t draw_count_ = 0;
     Point centre_;
     double radius_ = 0;

@@ -213,7 +213,8 @@ TEST(CutBlocks, DuplicatesAndOverlapsMakeOneEdge) {
     EXPECT_EQ(result.report.interior_edges, 1u);
     const double length = std::hypot(3, 3 * 0.36);
     EXPECT_NEAR(result.report.joints[0].retained, length, 1e-5);
-    EXPECT_NEAR(result.report.joints[1].retained, length, 1e-5);
+    EXPECT_EQ(result.report.joints[1].retained, 0);
+    EXPECT_NEAR(result.report.joints[1].repeated, length, 1e-5);
     EXPECT_EQ(result.mesh.joints[0].set, "first");
 }
 
@@ -343,10 +344,33 @@ TEST(CutBlocks, TooManyBlocksArePredicted) {
         add_trace(model, {{-1, k + 0.0}, {102, k + 0.0}});
     }
     CutOptions options;
+    options.max_blocks = 2000;  // four times as many and 1000 are too few for about 101 x 101 blocks
+    EXPECT_THAT(error_of(model, options),
+                AllOf(HasSubstr("the joints make about 10"),
+                      HasSubstr("at most 9000 (four times --max-blocks, 2000, and 1000 more)")));
     options.max_blocks = 10200;
-    EXPECT_THAT(error_of(model, options), HasSubstr("--max-blocks"));
-    options.max_blocks = 11000;
+    EXPECT_THAT(error_of(model, options),
+                HasSubstr("the joints make 10201 blocks; expected at most 10200 (--max-blocks)"));
+    options.max_blocks = 10201;
     EXPECT_EQ(error_of(model, options), "no error");
+}
+
+TEST(CutBlocks, FacesOutsideTheRockAreNoBlocks) {
+    // Half of the box is rock: the lower left triangle of 20 x 20 squares has 20 x 21 / 2 = 210 blocks, 20 of
+    // them triangles. The box has about twice as many faces, which counted against the limit before.
+    SlopeModel model;
+    model.outline = {{0, 0}, {20, 0}, {0, 20}};
+    model.block_material = "rock";
+    for (int k = 1; k < 20; ++k) {
+        add_trace(model, {{k + 0.0, -1}, {k + 0.0, 21}});
+        add_trace(model, {{-1, k + 0.0}, {21, k + 0.0}});
+    }
+    CutOptions options;
+    options.max_blocks = 210;
+    EXPECT_EQ(error_of(model, options), "no error");
+    options.max_blocks = 209;
+    EXPECT_THAT(error_of(model, options),
+                HasSubstr("the joints make 210 blocks; expected at most 209 (--max-blocks)"));
 }
 
 TEST(CutBlocks, CoordinatesFarFromTheOriginKeepTheirDigits) {

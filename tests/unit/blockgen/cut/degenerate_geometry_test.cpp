@@ -260,7 +260,14 @@ TEST(DegenerateGeometry, ATraceDrawnTwiceIsCountedOnceAndTold) {
     EXPECT_EQ(report.joints[0].traces, 2u);
     EXPECT_THAT(
         report.warnings,
-        ElementsAre(HasSubstr("2 traces repeat earlier ones and are dropped, the first of 'fault' at (")));
+        ElementsAre(
+            HasSubstr("2 traces of 'fault' repeat earlier ones and are dropped, the first at (10, 5)"),
+            HasSubstr("1 joint of 'fault' runs along earlier ones for 4.03 m, counted once")));
+    // The whole trace and none of its piece: hypot(4, 0.5) + hypot(6, 0.5).
+    EXPECT_NEAR(report.joints[0].retained, std::hypot(4, 0.5) + std::hypot(6, 0.5), 1e-5);
+    EXPECT_NEAR(report.joints[0].repeated, std::hypot(4, 0.5), 1e-5);
+    EXPECT_NEAR(report.joints[0].p21, (std::hypot(4, 0.5) + std::hypot(6, 0.5)) / 100, 1e-7);
+    EXPECT_NEAR(report.joints[0].p20, 0.01, 1e-12);
 }
 
 TEST(DegenerateGeometry, KeptIslandIsReportedWithPositionAndArea) {

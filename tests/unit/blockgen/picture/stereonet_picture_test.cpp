@@ -35,7 +35,7 @@ TEST(Stereonet, SaysWhatItDraws) {
     const std::string picture = draw_stereonet(net()).bytes(PictureFormat::svg);
     EXPECT_EQ(picture, draw_stereonet(net()).bytes(PictureFormat::svg));
     for (const char* text :
-         {"bedding  60/120, n 1<", "J1  05/000, n 2, K 214<", "section, x towards 000\u00b0", "x 000\u00b0",
+         {"60/120, n 1  bedding<", "05/000, n 2, K 214  J1<", "section, x towards 000\u00b0", "x 000\u00b0",
           "not drawn, strike unknown: fault, dike", ">N<", ">E<"})
         EXPECT_THAT(picture, HasSubstr(text));
     Stereonet known = net();
@@ -46,7 +46,7 @@ TEST(Stereonet, SaysWhatItDraws) {
 TEST(Stereonet, SaysThatPlanesAreParallel) {
     Stereonet one = net();
     one.sets[0].planes.resize(3, one.sets[0].planes[0]);
-    EXPECT_THAT(draw_stereonet(one).bytes(PictureFormat::svg), HasSubstr("n 3, all parallel"));
+    EXPECT_THAT(draw_stereonet(one).bytes(PictureFormat::svg), HasSubstr("n 3, all parallel  bedding"));
 }
 
 TEST(Stereonet, DrawsPolesThatCoverEachOtherOnce) {

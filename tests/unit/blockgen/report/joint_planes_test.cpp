@@ -75,7 +75,7 @@ region = "left"
     for (const Trace& trace : traces) {
         ASSERT_TRUE(trace.draw);
         const JointSet& set = model.joint_sets[trace.name == "regional"];
-        const double angle = trace_angle(SetSampler(set, model, 0).plane(*trace.draw));
+        const double angle = trace_angle(SetSampler(set, model, {}).plane(*trace.draw));
         const Point u{trace.points[1].x - trace.points[0].x, trace.points[1].y - trace.points[0].y};
         EXPECT_NEAR(std::cos(angle) * u.y - std::sin(angle) * u.x, 0, 1e-9);
         ++compared;

@@ -26,7 +26,7 @@ struct Draws {
 Draws draws_of(const std::string& keys) {
     const SlopeModel model = slope(head + keys);
     const JointSet& set = model.joint_sets[0];
-    SetSampler sampler(set, model, 10'000'000);
+    SetSampler sampler(set, model, {.max_blocks = 10'000'000});
     const RockDomain rock(model, set.region);
     Draws draws{expected_draws(sampler, &rock, model.traces), 0};
     if (set.kind == SetKind::parallel) sample_parallel(sampler);
@@ -91,9 +91,10 @@ TEST(ExpectedDraws, RejectTooLargeSetsBeforeSampling) {
           std::string("kind = \"veneziano\"\nangle = \"3 deg\"\np21 = 1e9\n"),
           std::string("kind = \"veneziano\"\nangle = \"3 deg\"\ntrace_length = 1\ngap = 1e12\np21 = 1\n"),
           std::string("kind = \"voronoi\"\ncount = 1e9\n")})
-        EXPECT_THAT(refusal_of(keys, 1'000'000),
-                    testing::AllOf(testing::StartsWith("slope.toml:15:"), testing::HasSubstr("needs about "),
-                                   testing::HasSubstr("at most 1010000 (--max-blocks")))
+        EXPECT_THAT(
+            refusal_of(keys, 1'000'000),
+            testing::AllOf(testing::StartsWith("slope.toml:15:"), testing::HasSubstr("needs about "),
+                           testing::HasSubstr("at most 1010000 (--max-blocks, 1000000, and 10000 more)")))
             << keys;
 }
 
@@ -101,7 +102,12 @@ TEST(ExpectedDraws, AddUpOverAllSets) {
     const std::string first = "angle = \"3 deg\"\nspacing = 0.005\n",
                       second = "[[joint_set]]\nname = \"b\"\n" + first;
     EXPECT_EQ(refusal_of(first, 1), "no error");
-    EXPECT_THAT(refusal_of(first + second, 1), testing::HasSubstr("joint set 'b' needs about"));
+    const std::size_t drawn = all_traces(slope(head + first)).size() - slope(head + first).traces.size();
+    EXPECT_THAT(refusal_of(first + second, 1),
+                testing::AllOf(testing::HasSubstr("joint set 'b' needs about"),
+                               testing::HasSubstr("at most " + std::to_string(10'001 - drawn) +
+                                                  " (--max-blocks, 1, and 10000 more, less " +
+                                                  std::to_string(drawn) + " of the sets before it)")));
     EXPECT_EQ(refusal_of(first + second, 10'000), "no error");
 }
 

@@ -339,11 +339,12 @@ TEST(SampleJoints, EveryKindStaysInItsRegion) {
 }
 
 TEST(SampleJoints, TooManyLinesAreRefused) {
-    EXPECT_THROW(sample_joint_set(parallel(10, 0.01), rectangle(100, 100), {}, 1000), InputError);
+    EXPECT_THROW(sample_joint_set(parallel(10, 0.01), rectangle(100, 100), {}, {.max_blocks = 0}),
+                 InputError);
     // Lines outside the domain take as much time as those inside.
     JointSet set = parallel(10, 0.01);
     set.origin = Point{1e9, 1e9};
-    EXPECT_THROW(sample_joint_set(set, rectangle(1, 1), {}, 1000), InputError);
+    EXPECT_THROW(sample_joint_set(set, rectangle(1, 1), {}, {.max_blocks = 0}), InputError);
 }
 
 // Lengths this small do not change the position along the line, so the loop would not end.
@@ -352,7 +353,7 @@ TEST(SampleJoints, TooManyTracesAreRefused) {
         JointSet set = parallel(10, 50);
         set.trace_length = constant_value(length);
         set.gap = constant_value(gap);
-        EXPECT_THROW(sample_joint_set(set, rectangle(100, 100), {}, 1000), InputError) << length;
+        EXPECT_THROW(sample_joint_set(set, rectangle(100, 100), {}, {.max_blocks = 0}), InputError) << length;
     }
 }
 
