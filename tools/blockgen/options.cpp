@@ -44,7 +44,7 @@ po::options_description visible_options() {
         "write a report of the cut and the block sizes, as JSON; as tables if the name ends in .txt");
     add("depfile", po::value<std::string>()->value_name("FILE"),
         "write a Make rule that names every file read");
-    add("verify", "repeat the arrangement with exact construction and compare");
+    add("verify", "prove the noding and the faces by exact construction; the noding up to 100000 segments");
     add("max-blocks", po::value<std::int64_t>()->value_name("N")->default_value(1'000'000),
         "largest number of blocks; a model with more is refused");
     add("threads", po::value<int>()->value_name("N"),

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "blockgen/arrangement/arrange.hpp"
+#include "blockgen/arrangement/prove_noding.hpp"
 #include "blockgen/cut/add_base.hpp"
 #include "blockgen/cut/apply_block_selectors.hpp"
 #include "blockgen/cut/check_boundaries.hpp"
@@ -270,6 +271,7 @@ class Cutter {
         }
     }
 
+    /// Proves the subdivision of the noded edges, and the noding where the segments are not too many.
     void verify(CutReport& report) const {
         const ArrangementSummary exact = arrange_exactly(noded_), ours = summarize(noded_, subdivision_);
         if (exact.vertices != ours.vertices || exact.edges != ours.edges ||
@@ -279,6 +281,13 @@ class Cutter {
                                    std::to_string(ours.twice_areas.size()) +
                                    ", or areas or adjacency differ");
         report.verified = true;
+        const std::vector<SourceSegment> segments = source_segments(model_, traces_, table_);
+        if (segments.size() <= options_.most_proved)
+            report.noding = prove_noding(segments, noded_, subdivision_);
+        else
+            report.warnings.push_back("--verify proved the noded edges, not the noding: there are " +
+                                      std::to_string(segments.size()) + " segments, more than " +
+                                      std::to_string(options_.most_proved));
     }
 
     void add_network(std::vector<Change> repeated, CutReport& report) const {

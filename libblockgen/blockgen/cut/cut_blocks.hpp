@@ -4,6 +4,7 @@
 #include <functional>
 #include <vector>
 
+#include "blockgen/arrangement/prove_noding.hpp"
 #include "blockgen/input/slope_model.hpp"
 #include "blockgen/mesh/block_mesh.hpp"
 #include "blockgen/report/cut_report.hpp"
@@ -12,8 +13,9 @@ namespace rockslope::blockgen {
 
 struct CutOptions {
     std::size_t max_blocks = 1'000'000;
-    bool verify = false;  ///< repeat the arrangement with exact construction and compare
-    int threads = 1;      ///< the result does not depend on their number
+    bool verify = false;  ///< prove the noding and the arrangement by exact construction
+    std::size_t most_proved = most_proved_segments;  ///< beyond it only the arrangement is proved
+    int threads = 1;                                 ///< the result does not depend on their number
     /// Whether the report has the balance of the joints and their densities, the log of changes, and the
     /// shapes and corners of the blocks, which take a third of the time.
     bool full_report = true;

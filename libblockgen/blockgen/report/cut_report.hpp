@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "blockgen/arrangement/prove_noding.hpp"
 #include "blockgen/mesh/measures.hpp"
 #include "blockgen/report/changes.hpp"
 #include "blockgen/report/joint_balance.hpp"
@@ -36,10 +37,11 @@ struct CutReport {
     std::vector<Change> changes;  ///< all changes, including those of `merges`; sorted by kind and position
     std::size_t merged_vertices = 0;  ///< vertices removed from straight edges
     int noding_rounds = 0;
-    double largest_snap = 0;   ///< m, upper bound
-    double domain_area = 0;    ///< m2, of the rock after snapping, from its outline
-    bool area_proved = false;  ///< the areas of the blocks sum to domain_area in exact integers
-    bool verified = false;     ///< an arrangement with exact construction has the same faces
+    double largest_snap = 0;            ///< m, upper bound
+    double domain_area = 0;             ///< m2, of the rock after snapping, from its outline
+    bool area_proved = false;           ///< the areas of the blocks sum to domain_area in exact integers
+    bool verified = false;              ///< an arrangement with exact construction has the same faces
+    std::optional<NodingProof> noding;  ///< proof of the noding, where it was asked for and made
     std::vector<ExcavationReport> excavations;
     AreaSummary sizes;
     AreaSummary free_sizes;  ///< of the blocks that are neither fixed nor prescribed

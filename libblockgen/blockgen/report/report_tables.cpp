@@ -47,6 +47,12 @@ void blocks_table(Page& page, const CutReport& r) {
     page.line("  rock                      %.9g m2, %s", r.domain_area,
               r.area_proved ? "filled exactly by the blocks" : "not verified");
     if (r.verified) page.line("  exact construction        agrees");
+    if (r.noding) {
+        page.line("  noding proved             %zu segments; %zu faces before, %zu after, %zu of them equal",
+                  r.noding->segments, r.noding->faces_before, r.noding->faces_after, r.noding->equal_faces);
+        page.line("  nodes changed by it       %zu; %zu segments too short for the grid",
+                  r.noding->changed_nodes, r.noding->collapsed);
+    }
     page.line("  D10, D50, D90 by area     %.4g, %.4g, %.4g m2", r.sizes.d10, r.sizes.d50, r.sizes.d90);
     if (r.free_sizes.area < r.sizes.area)
         page.line("  of those not held         %.4g, %.4g, %.4g m2", r.free_sizes.d10, r.free_sizes.d50,

@@ -97,6 +97,14 @@ nlohmann::ordered_json joints_json(const std::vector<JointBalance>& balances) {
     return joints;
 }
 
+nlohmann::ordered_json noding_json(const NodingProof& p) {
+    nlohmann::ordered_json row = {{"segments", p.segments},         {"collapsed_segments", p.collapsed},
+                                  {"faces_before", p.faces_before}, {"faces_after", p.faces_after},
+                                  {"equal_faces", p.equal_faces},   {"changed_nodes", p.changed_nodes}};
+    if (p.changed_nodes > 0) row["first_change"] = {p.first_change.x, p.first_change.y};
+    return row;
+}
+
 nlohmann::ordered_json planes_json(const std::vector<JointPlanes>& sets) {
     constexpr double degree = std::numbers::pi / 180;
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
@@ -180,6 +188,7 @@ std::string report_text(const CutReport& report) {
                  {"excavations", excavations_json(report.excavations)},
                  {"changes", changes_json(report.changes)},
                  {"warnings", report.warnings}};
+    if (report.noding) root["noding_proof"] = noding_json(*report.noding);
     if (!report.planes.empty()) root["planes"] = planes_json(report.planes);
     if (report.kinematics) root["kinematics"] = kinematics_json(*report.kinematics);
     return root.dump(2) + "\n";

@@ -355,6 +355,29 @@ TEST(CutBlocks, TooManyBlocksArePredicted) {
     EXPECT_EQ(error_of(model, options), "no error");
 }
 
+TEST(CutBlocks, TheNodingIsProvedUpToALimit) {
+    // Four sides and two joints, one of them of two segments.
+    SlopeModel model = rectangle(4, 4);
+    add_trace(model, {{-1, 1}, {2, 1}, {5, 3}});
+    add_trace(model, {{1, -1}, {1, 5}});
+    CutOptions options{.verify = true, .most_proved = 7};
+    const CutReport proved = cut_blocks(model, all_traces(model), options).report;
+    ASSERT_TRUE(proved.noding);
+    EXPECT_EQ(proved.noding->segments, 7u);
+    EXPECT_EQ(proved.noding->faces_after, 4u);
+    EXPECT_EQ(proved.noding->equal_faces, 4u);
+    EXPECT_THAT(report_text(proved), HasSubstr("\"noding_proof\": {\n    \"segments\": 7"));
+    EXPECT_THAT(report_tables(proved), HasSubstr("7 segments; 4 faces before, 4 after, 4 of them equal"));
+
+    options.most_proved = 6;
+    const CutReport unproved = cut_blocks(model, all_traces(model), options).report;
+    EXPECT_TRUE(unproved.verified);
+    EXPECT_FALSE(unproved.noding);
+    EXPECT_THAT(unproved.warnings,
+                testing::Contains(HasSubstr(
+                    "--verify proved the noded edges, not the noding: there are 7 segments, more than 6")));
+}
+
 TEST(CutBlocks, FacesOutsideTheRockAreNoBlocks) {
     // Half of the box is rock: the lower left triangle of 20 x 20 squares has 20 x 21 / 2 = 210 blocks, 20 of
     // them triangles. The box has about twice as many faces, which counted against the limit before.
