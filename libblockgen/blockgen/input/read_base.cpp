@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "blockgen/input/domain.hpp"
 #include "blockgen/input/read_shapes.hpp"
+#include "common/geometry/clip_line.hpp"
 
 namespace rockslope::blockgen {
 
@@ -42,13 +42,34 @@ Ring ring_around(const std::vector<Point>& chain, double left, double right, dou
     return ring;
 }
 
+/// The outline of all parts of the domain together, which must share edges; counter-clockwise.
+Ring joint_outline(const ConfigTable& table, const EnclosedAreaFunction& enclosed_area,
+                   const SlopeModel& model) {
+    if (model.further_outlines.empty()) return model.outline;
+    std::vector<std::pair<Point, Point>> edges;
+    const auto add = [&edges](const Ring& ring) {
+        for (std::size_t k = 0; k < ring.size(); ++k)
+            edges.emplace_back(ring[k], ring[(k + 1) % ring.size()]);
+    };
+    add(model.outline);
+    for (const Ring& part : model.further_outlines) add(part);
+    const std::vector<Ring> outlines = enclosed_area(edges, {}, model.grid).outlines;
+    if (outlines.size() > 1)
+        table.fail("below",
+                   "a part of the domain shares no edge with the others, at " + text_of(outlines[1][0]),
+                   "[base] for parts that share edges, so that one line runs below all");
+    if (const auto fault = find_ring_fault(std::vector<Ring>{outlines[0]}))
+        table.fail("below", "parts of the domain meet only in the point " + text_of(fault->place),
+                   "[base] for parts that share edges");
+    return outlines[0];
+}
+
 }  // namespace
 
-void read_base(const ConfigTable& root, SlopeModel& model) {
+void read_base(const ConfigTable& root, const EnclosedAreaFunction& enclosed_area, SlopeModel& model) {
     const auto table = root.optional_table("base");
     if (!table) return;
-    if (!model.further_outlines.empty())
-        table->fail("below", "the domain has several parts", "[base] for a domain of one part");
+    const Ring outline = joint_outline(*table, enclosed_area, model);
     BaseBlock base;
     base.place = table->place();
     base.name = table->string("name", "base");
@@ -60,12 +81,12 @@ void read_base(const ConfigTable& root, SlopeModel& model) {
         "a positive length");
     const double behind = not_negative_length(*table, "behind"), ahead = not_negative_length(*table, "ahead");
 
-    const Bounds box = domain_bounds(model);
-    const auto top = [&](double x) { return model.outline[vertex_on_side(model.outline, x, true)].y; };
+    const Bounds box = Bounds::of(outline);
+    const auto top = [&](double x) { return outline[vertex_on_side(outline, x, true)].y; };
     const bool crest_is_left = top(box.low.x) >= top(box.high.x);
     const double left = crest_is_left ? behind : ahead, right = crest_is_left ? ahead : behind;
-    base.contact = chain_of(model.outline, vertex_on_side(model.outline, box.low.x, left > 0),
-                            vertex_on_side(model.outline, box.high.x, right > 0));
+    base.contact = chain_of(outline, vertex_on_side(outline, box.low.x, left > 0),
+                            vertex_on_side(outline, box.high.x, right > 0));
     base.outline = ring_around(base.contact, box.low.x - left, box.high.x + right, box.low.y - below);
     if (find_ring_fault(std::vector<Ring>{base.outline}))
         table->fail("below", "the outline has no lower side that a base could lie against",

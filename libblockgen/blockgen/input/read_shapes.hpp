@@ -21,8 +21,8 @@ Ring read_ring(const ConfigTable& table, std::string_view key);
 void check_coordinate_range(const ConfigTable& table, std::string_view key, const Ring& points,
                             const SlopeModel& model);
 
-/// Reads [base], for a domain of one part.
-void read_base(const ConfigTable& root, SlopeModel& model);
+/// Reads [base]. Parts of the domain must share edges; the base lies along the outline of all together.
+void read_base(const ConfigTable& root, const EnclosedAreaFunction& enclosed_area, SlopeModel& model);
 
 /// [domain]: outline, holes, block material, grid, policies; and the files it names.
 void read_domain(const ConfigTable& root, const EnclosedAreaFunction& enclosed_area, SlopeModel& model);

@@ -178,7 +178,7 @@ SlopeModel read_slope_model(const ConfigTable& root, const EnclosedAreaFunction&
     read_weathered_zones(root, model);
     read_regions(root, model);
     read_tunnels(root, model);
-    read_base(root, model);
+    read_base(root, enclosed_area, model);
     read_joints(root, model);
     read_block_assignments(root, model);
     read_water_table(root, model);

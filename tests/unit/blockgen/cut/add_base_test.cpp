@@ -107,7 +107,46 @@ TEST(AddBase, FaultsOfTheTableAreNamed) {
                         "[domain]\noutlines = [[[0, 0], [2, 0], [2, 2]], [[5, 0], [6, 0], [6, 1]]]\n"
                         "block_material = \"rock\"\n[base]\nbelow = 2\nmaterial = \"r\"\n");
                 }),
-                HasSubstr("the domain has several parts"));
+                HasSubstr("slope.toml:5:9: a part of the domain shares no edge with the others, at (5, 0); "
+                          "expected [base] for parts that share edges"));
+    EXPECT_THAT(error_of([] {
+                    slope(
+                        "[domain]\noutlines = [[[0, 0], [2, 0], [2, 2], [0, 2]], [[2, 2], [4, 2], [4, 5]]]\n"
+                        "block_material = \"rock\"\n[base]\nbelow = 2\nmaterial = \"r\"\n");
+                }),
+                HasSubstr("shares no edge with the others"));
+}
+
+TEST(AddBase, LiesBelowPartsThatShareEdges) {
+    // The slope in three parts: inclined edges in common, of which one is longer than the other's, and
+    // corners that no double hits exactly.
+    const std::string parts =
+        "[[0, 0], [40, 0], [50, 33.3], [45.1, 70], [0, 70]], [[40, 0], [80.7, 0], [70, 30], [50, 33.3]], "
+        "[[50, 33.3], [70, 30], [80.7, 0], [120, 0], [120, 30], [60, 70], [45.1, 70]]";
+    const std::string base = "[base]\nbelow = 10\nbehind = 12\nahead = 5\nmaterial = \"bedrock\"\n";
+    const std::string joints = "[[joint_set]]\nname = \"bedding\"\nangle = \"-25 deg\"\nspacing = 6\n";
+    const auto model = [&](const std::string& outline) {
+        return slope("seed = 3\n[domain]\n" + outline + "\nblock_material = \"sandstone\"\n" + base + joints);
+    };
+    const CutResult whole = cut(model("outline = [[0, 0], [120, 0], [120, 30], [60, 70], [0, 70]]"));
+    const CutResult result = cut(model("outlines = [" + parts + "]"));
+    EXPECT_EQ(result.report.blocks, whole.report.blocks);
+    EXPECT_EQ(prescribed(result.mesh), 1u);
+    EXPECT_NEAR(area_of(result.mesh, "bedrock"), 1370 + 840 + 150, 1e-3);
+    EXPECT_NEAR(area_of(result.mesh, "sandstone"), area_of(whole.mesh, "sandstone"), 1e-3);
+    EXPECT_NEAR(result.report.joints.back().retained, 70 + 120 + 30, 1e-5);
+    EXPECT_EQ(result.report.warnings, whole.report.warnings);
+}
+
+TEST(AddBase, LiesBelowPartsThatTouchAlongTheBaseOnly) {
+    // A thin sole joins two benches; without it they would share no edge.
+    const CutResult result = cut(
+        slope("[domain]\noutlines = [[[0, 1], [4, 1], [3, 5], [0, 5]], [[6, 1], [10, 1], [10, 3], [6, 3]], "
+              "[[0, 0], [10, 0], [10, 1], [0, 1]]]\nblock_material = \"rock\"\n"
+              "[base]\nbelow = 2\nmaterial = \"r\"\n"));
+    EXPECT_EQ(result.report.blocks, 2u);
+    EXPECT_NEAR(area_of(result.mesh, "r"), 20, 1e-5);
+    EXPECT_NEAR(area_of(result.mesh, "rock"), 14 + 8 + 10, 1e-5);
 }
 
 }  // namespace
