@@ -75,9 +75,12 @@ Stereonet stereonet(const SlopeModel& model, const CutReport& report) {
         for (const PlaneAngles& plane : of_set.planes) set.planes.push_back({plane.dip, plane.dip_direction});
         net.sets.push_back(std::move(set));
     }
+    const auto has_planes = [&](const std::string& name) {
+        return std::any_of(net.sets.begin(), net.sets.end(),
+                           [&](const StereonetSet& set) { return set.name == name; });
+    };
     for (const JointBalance& b : report.joints)
-        if (std::none_of(net.sets.begin(), net.sets.end(),
-                         [&](const StereonetSet& set) { return set.name == b.name; }))
+        if (!has_planes(b.name) && !(model.base && model.base->name == b.name))
             net.without_planes.push_back(b.name);
     net.section_azimuth = model.section ? model.section->azimuth : 0;
     return net;

@@ -134,7 +134,7 @@ std::vector<LegendEntry> legend_entries(const Stereonet& net) {
     if (net.without_planes.empty()) return entries;
     std::string names;
     for (const std::string& name : net.without_planes) names += (names.empty() ? "" : ", ") + name;
-    entries.push_back({"not drawn, strike unknown: " + names});
+    entries.push_back({"not drawn: " + names});
     return entries;
 }
 

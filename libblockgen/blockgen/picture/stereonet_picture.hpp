@@ -25,7 +25,7 @@ struct StereonetSet {
 struct Stereonet {
     std::vector<StereonetSet> sets;
     double section_azimuth = 0;               ///< rad, of its x axis, clockwise from north
-    std::vector<std::string> without_planes;  ///< names of joints that are known in the section only
+    std::vector<std::string> without_planes;  ///< names of joints that are no sets of planes, in the legend
 };
 
 /// Draws the poles of planes on the lower hemisphere in equal-area projection, with the mean plane of each

@@ -36,7 +36,7 @@ TEST(Stereonet, SaysWhatItDraws) {
     EXPECT_EQ(picture, draw_stereonet(net()).bytes(PictureFormat::svg));
     for (const char* text :
          {"60/120, n 1  bedding<", "05/000, n 2, K 214  J1<", "section, x towards 000\u00b0", "x 000\u00b0",
-          "not drawn, strike unknown: fault, dike", ">N<", ">E<"})
+          "not drawn: fault, dike", ">N<", ">E<"})
         EXPECT_THAT(picture, HasSubstr(text));
     Stereonet known = net();
     known.without_planes.clear();
