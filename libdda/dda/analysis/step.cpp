@@ -163,7 +163,7 @@ StepAttempt TimeStepper::attempt_with(const Stage& stage, const State& state, do
         return attempt;
     }
     const PerBlock<Vec6> displacement = all_displacements(step, result);
-    const double moved = largest_displacement(state, displacement);
+    const double moved = largest_displacement(state.blocks, model_.topology, displacement, pool_);
     attempt.report.largest_displacement = moved;
     attempt.rejection = Rejection::excessive_displacement;  // stays so if no prediction fits the motion
     if (!(moved <= displacement_limit(stage.control))) return attempt;  // also if it is not a number
@@ -202,7 +202,7 @@ StepAttempt TimeStepper::attempt_with(const Stage& stage, const State& state, do
 void TimeStepper::correct_mid_step(const Stage& stage, const State& state, const Step& step,
                                    OpenCloseResult& result, Prediction& prediction) {
     const PerBlock<Vec6> displacement = all_displacements(step, result);
-    const double moved = largest_displacement(state, displacement);
+    const double moved = largest_displacement(state.blocks, model_.topology, displacement, pool_);
     if (!(moved <= displacement_limit(stage.control))) return;
     ++prediction.rotation_corrections;
     prediction.search_radius.widen(2.5 * moved);
@@ -247,32 +247,21 @@ std::vector<UndetectedPenetration> TimeStepper::undetected_penetrations(const St
     return find_undetected_penetrations(model_, test, pool_);
 }
 
-SearchRadius TimeStepper::initial_search_radius(const Stage& stage, const State& state, double dt) const {
-    PerBlock<Vec6> predicted_displacement(state.blocks.velocity);
-    for (Vec6& v : predicted_displacement) v *= dt;
-    double largest_penetration = 0;
-    double largest_dilation = 0;
-    for (const Contact& c : state.contacts.contacts) {
-        if (c.state != ContactState::open) largest_penetration = std::max(largest_penetration, -c.gap);
-        largest_dilation = std::max(largest_dilation, std::abs(c.dilation));
-    }
+Prediction TimeStepper::initial_prediction(const Stage& stage, const State& state, double dt) const {
+    PerBlock<Vec6> free_motion(state.blocks.velocity);
+    for (Vec6& displacement : free_motion) displacement *= dt;
     // A static step is longer than the control's where its displacements stay as small, Eq. (41).
     const double fall = std::min(dt, stage.control.step);
-    // A larger approach is not needed: a step beyond the displacement limit is rejected anyway.
-    const double approach_limit = 2 * displacement_limit(stage.control);
-    const double acceleration = std::min(2 * model_.gravity.norm() * fall * fall, approach_limit);
-    const double at_rest =
-        acceleration + 4 * largest_penetration + 2 * largest_dilation + 1e-4 * edge_length_;
-    return {at_rest, largest_displacement(state, predicted_displacement),
-            at_rest - acceleration + approach_limit};
-}
-
-Prediction TimeStepper::initial_prediction(const Stage& stage, const State& state, double dt) const {
     Prediction prediction;
-    prediction.search_radius = initial_search_radius(stage, state, dt);
+    prediction.search_radius = initial_search_radius(
+        state.contacts.contacts,
+        {.motion = largest_displacement(state.blocks, model_.topology, free_motion, pool_),
+         .change = 2 * model_.gravity.norm() * fall * fall,
+         .limit = displacement_limit(stage.control),
+         .rounding = 1e-4 * edge_length_});
     prediction.predicted =
         prescribe_motion(model_, stage, state.blocks, dt, state.stage_time + dt).displacement;
-    for (const BlockIndex b : rows_.block_of) prediction.predicted[b] = dt * state.blocks.velocity[b];
+    for (const BlockIndex b : rows_.block_of) prediction.predicted[b] = free_motion[b];
     return prediction;
 }
 
@@ -388,23 +377,6 @@ PerBlock<Vec6> TimeStepper::all_displacements(const Step& step, const OpenCloseR
     PerBlock<Vec6> displacement = step.prescribed.displacement;
     for (const RowIndex row : rows_.rows()) displacement[rows_.block_of[row]] = result.displacement[row];
     return displacement;
-}
-
-double TimeStepper::largest_displacement(const State& state, BlockSpan<const Vec6> displacement) const {
-    const auto largest_square = [&](std::size_t begin, std::size_t end) {
-        double square = 0;
-        for (const BlockIndex b : indices<BlockIndex>(begin, end)) {
-            if (!displacement[b].allFinite()) return std::numeric_limits<double>::infinity();
-            const Vec2& centroid = state.blocks.moments[b].centroid;
-            for (const CornerIndex k : model_.topology.corners_of(b)) {
-                const Vec2 arm = state.blocks.vertices[k] - centroid;
-                square = std::max(square, displacement_at(arm, displacement[b]).squaredNorm());
-            }
-        }
-        return square;
-    };
-    return std::sqrt(pool_.parallel_reduce(displacement.size(), 0.0, largest_square,
-                                           [](double a, double b) { return std::max(a, b); }));
 }
 
 State TimeStepper::updated_state(const Stage& stage, const State& state, const Step& step,

@@ -69,8 +69,6 @@ class TimeStepper {
     /// Predicts the mid-step with the displacements found, where gaps did not settle about the one predicted.
     void correct_mid_step(const Stage& stage, const State& state, const Step& step, OpenCloseResult& result,
                           Prediction& prediction);
-    /// First estimate of the distance at which a corner and an edge can still meet in the step.
-    SearchRadius initial_search_radius(const Stage& stage, const State& state, double dt) const;
     /// The largest displacement that a vertex may have in a step, m.
     double displacement_limit(const StepControl& control) const {
         return control.displacement_ratio * half_height_;
@@ -89,12 +87,10 @@ class TimeStepper {
     void analyze_pattern(const ContactSet& contacts);
     OpenCloseResult solve(const Stage& stage, const State& state, const Step& step,
                           const Prediction& prediction);
-    /// The displacement of the step per block, prescribed and fixed blocks included.
     /// Whether friction gives so much energy in a step that a shorter one is to be tried.
     bool friction_drives(const Stage& stage, const State& before, const State& after) const;
+    /// The displacement of the step per block, prescribed and fixed blocks included.
     PerBlock<Vec6> all_displacements(const Step& step, const OpenCloseResult& result) const;
-    /// The largest displacement of a vertex, m; infinite if a displacement is not finite.
-    double largest_displacement(const State& state, BlockSpan<const Vec6> displacement) const;
     State updated_state(const Stage& stage, const State& state, const Step& step,
                         const OpenCloseResult& result, BlockSpan<const Vec6> displacement) const;
     /// Adds the step to the energy balance of the state at its end.

@@ -1,6 +1,7 @@
 #include "dda/block/block_system.hpp"
 
 #include <cmath>
+#include <limits>
 
 namespace rockslope::dda {
 
@@ -56,6 +57,23 @@ BlockMap::BlockMap(const Vec2& block_centroid, const Vec6& displacement)
     // R of Eq. (7).
     turn << c, -s, s, c;
     gradient = turn * exponential(displacement.tail<3>());
+}
+
+double largest_displacement(const BlockSystem& blocks, const Topology& topology,
+                            BlockSpan<const Vec6> displacement, const ThreadPool& pool) {
+    const auto largest_square = [&](std::size_t begin, std::size_t end) {
+        double square = 0;
+        for (const BlockIndex b : indices<BlockIndex>(begin, end)) {
+            if (!displacement[b].allFinite()) return std::numeric_limits<double>::infinity();
+            for (const CornerIndex k : topology.corners_of(b)) {
+                const Vec2 arm = blocks.vertices[k] - blocks.moments[b].centroid;
+                square = std::max(square, displacement_at(arm, displacement[b]).squaredNorm());
+            }
+        }
+        return square;
+    };
+    return std::sqrt(pool.parallel_reduce(displacement.size(), 0.0, largest_square,
+                                          [](double a, double b) { return std::max(a, b); }));
 }
 
 Vec3 rotate_tensor(const Vec3& tensor, double angle, bool engineering) {

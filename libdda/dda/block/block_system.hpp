@@ -58,6 +58,10 @@ inline Vec6 project(const Vec2& direction, const Vec2& arm) {
             direction.y() * arm.y(), (direction.x() * arm.y() + direction.y() * arm.x()) / 2};
 }
 
+/// The largest displacement of a vertex, m; infinite if a displacement is not finite.
+double largest_displacement(const BlockSystem& blocks, const Topology& topology,
+                            BlockSpan<const Vec6> displacement, const ThreadPool& pool);
+
 /// A symmetric plane tensor (xx, yy, xy) turned by an angle, rad. With `engineering` the third component is
 /// twice the tensor's.
 Vec3 rotate_tensor(const Vec3& tensor, double angle, bool engineering);

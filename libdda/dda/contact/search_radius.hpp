@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "dda/contact/contact.hpp"
+
 namespace rockslope::dda {
 
 /// The distance within which a corner and an edge may meet in a step: that of a pair without relative motion,
@@ -33,5 +35,17 @@ class SearchRadius {
     double at_rest_;
     double largest_;
 };
+
+/// What a step is expected to move, m.
+struct ExpectedMotion {
+    double motion = 0;    ///< the largest displacement of a corner at its velocity
+    double change = 0;    ///< by which gravity may change the distance of a pair
+    double limit = 0;     ///< a step in which a corner moves farther is rejected
+    double rounding = 0;  ///< added to every distance
+};
+
+/// The search radius that a step begins with: the expected motion, beyond the present penetrations and
+/// dilations.
+SearchRadius initial_search_radius(ContactSpan<const Contact> contacts, const ExpectedMotion& expected);
 
 }  // namespace rockslope::dda

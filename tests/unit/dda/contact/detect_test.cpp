@@ -104,19 +104,6 @@ TEST(Detect, TheSearchRadiusOfAPairGrowsWithItsRelativeMotion) {
     EXPECT_EQ(found_when_moving(.05, .046), 2u) << "10 mm and three times 4 mm are more";
 }
 
-TEST(SearchRadius, IsLimitedAndWidensForAllPairs) {
-    dda::SearchRadius radius(.01, .05, .1);
-    EXPECT_DOUBLE_EQ(radius.largest(), .1);
-    EXPECT_DOUBLE_EQ(radius.of(0), .01);
-    EXPECT_DOUBLE_EQ(radius.of(.02), .07);
-    EXPECT_DOUBLE_EQ(radius.of(.05), .1);
-    radius.widen(.05);
-    EXPECT_DOUBLE_EQ(radius.largest(), .1) << "it is as wide already";
-    radius.widen(.15);
-    EXPECT_DOUBLE_EQ(radius.largest(), .15);
-    EXPECT_DOUBLE_EQ(radius.of(0), .06);
-}
-
 TEST(Detect, CornerOnCornerIsAGroupOfTwoEntranceLines) {
     Scene s;
     s.box({0, 0}, 1, 1);
