@@ -111,15 +111,15 @@ class NetworkComparison {
                              sources.end());
     }
 
-    /// A point without a node in its cell was merged into that of another point, or is a crossing at a small
-    /// angle. @throws std::logic_error when no such node has all its sources.
+    /// A point without a node in its cell was merged into that of another point or of bent segments, or is a
+    /// crossing at a small angle. @throws std::logic_error when no such node has all its sources.
     void require_common_node(std::size_t v) {
         const Sources sources = sources_of(v);
         if (sources.empty()) return;
         if (node_of_[v].exists() && has_sources(node_of_[v], sources)) return;
         const double shift = crossing_shift(v);
         for (const NodeIndex node : nodes_.within(exact_.vertices[v], 1.5 + bounds_.rounding + shift))
-            if ((points_in_[node] > 0 || shift > bounds_.rounding) && has_sources(node, sources)) {
+            if (has_sources(node, sources)) {
                 is_changed_[node] = 1;
                 return;
             }

@@ -54,7 +54,7 @@ std::vector<Point> read_section_line(const ConfigTable& table, const std::string
     if (const auto turn = first_turn_back(points))
         table.fail(given, "the line turns back before " + text_of(*turn), expected);
     if (points.size() > 1 && points.front().x == points.back().x)
-        table.fail(given, "the line is upright at x = " + text_of(points.front()), expected);
+        table.fail(given, "the line is upright at " + text_of(points.front()), expected);
     refuse_line_elsewhere(table, given, points, model);
     check_coordinate_range(table, given, points, model);
     return points;

@@ -7,8 +7,8 @@
 #include "blockgen/input/domain.hpp"
 #include "blockgen/input/geometry_file.hpp"
 #include "blockgen/input/place_coordinates.hpp"
-#include "blockgen/input/read_profile.hpp"
 #include "blockgen/input/read_geology.hpp"
+#include "blockgen/input/read_profile.hpp"
 #include "common/base/text.hpp"
 
 namespace rockslope::blockgen {

@@ -340,6 +340,11 @@ std::vector<std::size_t> filter(std::size_t count, const ThreadPool& pool, const
 /// Candidates whose corner is near an end of their edge, by the two corners that meet.
 class CornerMeetings {
   public:
+    /// @param count number of candidates for which memory is taken.
+    explicit CornerMeetings(std::size_t count) {
+        lower_.reserve(count);
+        members_.reserve(count);
+    }
     void add(const ContactCandidate& candidate) {
         const auto [lower, upper] = std::minmax(candidate.pair.corner, candidate.partner_corner);
         lower_.push_back(lower);
@@ -423,7 +428,7 @@ std::vector<Contact> detect_contacts(const Model& model, const DetectionInput& a
 
     std::vector<SelectedContact> selected;
     selected.reserve(accepted.size());
-    CornerMeetings meetings;
+    CornerMeetings meetings(accepted.size());
     for (const std::size_t k : accepted) {
         if (evaluated[k].partner_corner.exists())
             meetings.add(evaluated[k]);

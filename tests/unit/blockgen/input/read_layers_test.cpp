@@ -135,7 +135,7 @@ TEST(Layers, FaultsAreNamed) {
     EXPECT_THAT(error_in(box(layer("sand", "[[0, -3], [20, -5]]"))), HasSubstr("has no rock below its top"));
     EXPECT_THAT(error_in(box(layer("sand", "[[0, 5], [12, 6], [9, 7], [20, 8]]"))),
                 AllOf(HasSubstr("turns back before (9, 7)"), HasSubstr("[[region]] may be folded")));
-    EXPECT_THAT(error_in(box(layer("sand", "[[3, 5], [3, 8]]"))), HasSubstr("upright at x = "));
+    EXPECT_THAT(error_in(box(layer("sand", "[[3, 5], [3, 8]]"))), HasSubstr("the line is upright at (3, 5)"));
     EXPECT_THAT(error_in(box(layer("sand", "[]"))), HasSubstr("a line without a point"));
     EXPECT_THAT(error_in(box(layer("sand", "[[500100, 5], [500140, 8]]"))),
                 HasSubstr("lies beside the domain, from (0, 0) to (20, 10)"));

@@ -383,6 +383,7 @@ TEST_F(ReadRun, TheTemplateIsACompleteModelFile) {
     for (std::size_t at; (at = uncommented.find("[[0, 0], [120, 0]]")) != std::string::npos;)
         uncommented.replace(at, 18, "[[1, 2], [3, 2]]");
     uncommented.replace(uncommented.find("[[0, 0], [0, 60]]"), 17, "[[1, 1], [1, 2]]");
+    uncommented.replace(uncommented.find("head = \"section\""), 16, "head = [[0, 20], [60, 35], [120, 50]]");
     uncommented.replace(uncommented.find("record.at2"), 10, "r.csv");
     uncommented.replace(uncommented.find("up.csv"), 6, "r2.csv");
     folder.write("r2.csv", "0,0\n1,1\n");
