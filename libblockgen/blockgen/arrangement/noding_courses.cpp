@@ -55,8 +55,8 @@ class CourseWalk {
         for (const NodeIndex node : nodes_.within(a, bounds_.end))
             if (distance(place(node), a) <= bounds_.end) reach(node);
         bool arrives = false;
-        for (std::size_t k = 0; k < reached.size(); ++k) {
-            const NodeIndex node = reached[k];
+        for (std::size_t next = 0; next < reached.size();) {
+            const NodeIndex node = reached[next++];
             bool is_of_source = false;
             const auto first =
                 std::lower_bound(links_.begin(), links_.end(), CourseLink{segment.source, node, 0});

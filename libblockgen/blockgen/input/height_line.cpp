@@ -170,7 +170,7 @@ Rise largest_rise(const HeightLine& a, const HeightLine& b, double left, double 
 Ring ring_between(const HeightLine& upper, const HeightLine& lower) {
     Ring ring;
     for (const Point& p : lower) append(ring, p);
-    for (auto p = upper.rbegin(); p != upper.rend(); ++p) append(ring, *p);
+    std::for_each(upper.rbegin(), upper.rend(), [&](const Point& p) { append(ring, p); });
     if (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
     return twice_signed_area(ring) > 0 ? ring : Ring{};
 }
