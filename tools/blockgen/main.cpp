@@ -19,6 +19,7 @@
 #include "common/base/atomic_file.hpp"
 #include "common/base/output_error.hpp"
 #include "fit_command.hpp"
+#include "heap.hpp"
 #include "options.hpp"
 #include "provenance.hpp"
 #include "support/standard_streams.hpp"
@@ -195,5 +196,6 @@ using namespace rockslope;
 using namespace rockslope::blockgen_tool;
 
 int main(int argc, char** argv) {
+    use_large_pages();
     return tool_support::run_program("blockgen", [&] { return act_on_arguments(argc, argv); });
 }
