@@ -2,13 +2,11 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 
 #include "support/error_of.hpp"
+#include "unit/blockgen/file_folder.hpp"
 #include "unit/blockgen/slopes.hpp"
 
 namespace rockslope::blockgen::place_coordinates_test {
@@ -18,22 +16,8 @@ using testing::AllOf;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
-namespace fs = std::filesystem;
 
-class PlaceCoordinates : public testing::Test {
-  protected:
-    void SetUp() override { fs::create_directories(folder_); }
-    void TearDown() override { fs::remove_all(folder_); }
-
-    /// The path of a new file, quoted for a model.
-    std::string file(const std::string& name, const std::string& text) {
-        std::ofstream(folder_ / name) << text;
-        return "\"" + (folder_ / name).string() + "\"";
-    }
-
-    const fs::path folder_ =
-        fs::path(testing::TempDir()) / ("place_coordinates_" + std::to_string(::getpid()));
-};
+using PlaceCoordinates = FileFolder;
 
 std::string geojson(const std::string& type, const std::string& coordinates, const std::string& crs = {}) {
     const std::string member =

@@ -2,17 +2,15 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <iomanip>
 #include <numbers>
 #include <sstream>
 
 #include "blockgen/input/domain.hpp"
 #include "support/error_of.hpp"
+#include "unit/blockgen/file_folder.hpp"
 #include "unit/blockgen/slopes.hpp"
 
 namespace rockslope::blockgen::read_map_traces_test {
@@ -22,20 +20,13 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
-namespace fs = std::filesystem;
 
-class ReadMapTraces : public testing::Test {
+class ReadMapTraces : public FileFolder {
   protected:
-    void SetUp() override { fs::create_directories(folder_); }
-    void TearDown() override { fs::remove_all(folder_); }
-
     /// The key of a new file.
-    std::string file(const std::string& name, const std::string& text) {
-        std::ofstream(folder_ / name) << text;
-        return "file = \"" + (folder_ / name).string() + "\"\n";
+    std::string key(const std::string& name, const std::string& text) const {
+        return "file = " + file(name, text) + "\n";
     }
-
-    const fs::path folder_ = fs::path(testing::TempDir()) / ("map_traces_" + std::to_string(::getpid()));
 };
 
 /// A slope of 100 m along a section eastwards that falls from 80 m to 30 m between x = 40 and 90 m.
@@ -109,7 +100,7 @@ const std::string fields =
 
 TEST_F(ReadMapTraces, OrientationsOfTheFileComeFirst) {
     const std::string table = "joint_material = \"joint\"\ndip = \"10 deg\"\ndip_direction = \"90 deg\"\n";
-    const SlopeModel model = slope(text_with(file("a.geojson", fields) + table));
+    const SlopeModel model = slope(text_with(key("a.geojson", fields) + table));
     ASSERT_EQ(model.traces.size(), 3u);
     EXPECT_EQ(model.traces[0].joint_material, "fault");
     EXPECT_NEAR(height_at(model.traces[0], 50), 75, 1e-8);
@@ -119,7 +110,7 @@ TEST_F(ReadMapTraces, OrientationsOfTheFileComeFirst) {
     EXPECT_THAT(model.notes, ElementsAre(HasSubstr("third coordinates of 2 geometries are not used")));
 
     // Their own elevations: 67 m at the middle of the first.
-    const SlopeModel own = slope(text_with(file("a.geojson", fields) + table + "elevation = \"trace\"\n"));
+    const SlopeModel own = slope(text_with(key("a.geojson", fields) + table + "elevation = \"trace\"\n"));
     EXPECT_NEAR(height_at(own.traces[0], 50), 67 + 15, 1e-8);
     EXPECT_NEAR(height_at(own.traces[1], 20), 81, 1e-8);
     EXPECT_THAT(own.notes, ElementsAre(HasSubstr("differ from the ground by up to 7 m")));
@@ -131,7 +122,7 @@ TEST_F(ReadMapTraces, OrientationsOfTheFileComeFirst) {
     for (const std::string& header :
          {std::string(), std::string("x1,y1,x2,y2,joint_material,dip,dip_direction,z1,z2\n")}) {
         const SlopeModel csv =
-            slope(text_with(file("b.csv", header + rows) + table + "elevation = \"trace\"\n"));
+            slope(text_with(key("b.csv", header + rows) + table + "elevation = \"trace\"\n"));
         ASSERT_EQ(csv.traces.size(), 3u);
         for (std::size_t k = 0; k < 3; ++k)
             EXPECT_EQ(csv.traces[k].points, own.traces[k].points) << header << k;
@@ -145,7 +136,7 @@ TEST_F(ReadMapTraces, WhatDoesNotMeetTheSectionIsCounted) {
         "466030,6691520,466030,6691512\n"               // 12 m short
         "465990,6691520,465990,6691490\n";              // west of the section
     const std::string planes = "joint_material = \"a\"\ndip = \"50 deg\"\ndip_direction = \"90 deg\"\n";
-    const SlopeModel model = slope(text_with(file("a.csv", rows) + planes));
+    const SlopeModel model = slope(text_with(key("a.csv", rows) + planes));
     EXPECT_EQ(model.traces.size(), 1u);
     EXPECT_THAT(
         model.notes,
@@ -153,20 +144,20 @@ TEST_F(ReadMapTraces, WhatDoesNotMeetTheSectionIsCounted) {
                           HasSubstr("2 farther along strike from the section line than reach = 0 m, the "
                                     "nearest 8 m"),
                           HasSubstr("1 meeting it beyond its ends"))));
-    EXPECT_EQ(slope(text_with(file("a.csv", rows) + planes + "reach = 8\n")).traces.size(), 2u);
-    EXPECT_EQ(slope(text_with(file("a.csv", rows) + planes + "reach = \"12 m\"\n")).traces.size(), 3u);
+    EXPECT_EQ(slope(text_with(key("a.csv", rows) + planes + "reach = 8\n")).traces.size(), 2u);
+    EXPECT_EQ(slope(text_with(key("a.csv", rows) + planes + "reach = \"12 m\"\n")).traces.size(), 3u);
 
     const std::string east = "joint_material = \"a\"\ndip = \"50 deg\"\ndip_direction = \"0 deg\"\n";
-    const std::string beside = file("b.csv", "466010,6691520,466080,6691521\n");
+    const std::string beside = key("b.csv", "466010,6691520,466080,6691521\n");
     EXPECT_THAT(
         error_with(beside + east + "reach = 1e6\n"),
         AllOf(HasSubstr("no trace meets the section: 1 parallel to the section"), HasSubstr("slope.toml:")));
     EXPECT_THAT(error_with(beside + planes), HasSubstr("a larger reach"));
-    EXPECT_THAT(error_with(file("c.csv", "x1,y1,x2,y2\n") + planes), HasSubstr("contains no trace"));
+    EXPECT_THAT(error_with(key("c.csv", "x1,y1,x2,y2\n") + planes), HasSubstr("contains no trace"));
 }
 
 TEST_F(ReadMapTraces, MissingAndWrongOrientationsAreRefused) {
-    const std::string rows = file("a.csv", "466010,6691520,466010,6691490\n");
+    const std::string rows = key("a.csv", "466010,6691520,466010,6691490\n");
     EXPECT_THAT(error_with(rows + "joint_material = \"a\"\ndip = \"50 deg\"\n"),
                 HasSubstr("trace 1 has no dip_direction"));
     EXPECT_THAT(error_with(rows + "joint_material = \"a\"\ndip_direction = \"50 deg\"\n"),
@@ -175,9 +166,9 @@ TEST_F(ReadMapTraces, MissingAndWrongOrientationsAreRefused) {
                 HasSubstr("a dip from 0 to 90 deg"));
     EXPECT_THAT(error_with(rows + "dip = \"50 deg\"\ndip_direction = \"90 deg\"\n"),
                 HasSubstr("no joint material"));
-    EXPECT_THAT(error_with(file("b.csv", "466010,6691520,466010,6691490,a,120,60\n")),
+    EXPECT_THAT(error_with(key("b.csv", "466010,6691520,466010,6691490,a,120,60\n")),
                 AllOf(HasSubstr("b.csv"), HasSubstr("trace 1 has a dip of 120 degrees")));
-    EXPECT_THAT(error_with(file("b.csv", "466010,6691520,466010,6691490,a,steep,60\n")),
+    EXPECT_THAT(error_with(key("b.csv", "466010,6691520,466010,6691490,a,steep,60\n")),
                 AllOf(HasSubstr("b.csv:1: 'steep'")));
     EXPECT_THAT(error_with(rows + "joint_material = \"a\"\ndip = \"50 deg\"\ndip_direction = \"90 deg\"\n"
                                   "elevation = \"trace\"\n"),
@@ -208,7 +199,7 @@ TEST_F(ReadMapTraces, MapsAreHeldToTheRulesOfCoordinates) {
     CoordinateSystem("EPSG:3067", {}).convert(trace, CoordinateSystem("OGC:CRS84", {}), {});
     std::ostringstream row;
     row << std::setprecision(17) << trace[0].x << ',' << trace[0].y << ',' << trace[1].x << ',' << trace[1].y;
-    const std::string degrees = file("a.csv", row.str());
+    const std::string degrees = key("a.csv", row.str());
     EXPECT_THAT(error_with(degrees + planes), HasSubstr("look like degrees"));
     const SlopeModel model = slope(text_with(degrees + planes, "project = \"EPSG:3067\"\n"));
     ASSERT_EQ(model.traces.size(), 1u);
@@ -219,7 +210,7 @@ TEST_F(ReadMapTraces, MapsAreHeldToTheRulesOfCoordinates) {
 
 TEST_F(ReadMapTraces, TracesBeyondTheGroundOfTheSectionAreCounted) {
     std::string text =
-        text_with(file("a.csv", "466010,6691520,466010,6691490\n466090,6691520,466090,6691490\n") +
+        text_with(key("a.csv", "466010,6691520,466010,6691490\n466090,6691520,466090,6691490\n") +
                   "joint_material = \"a\"\ndip = \"50 deg\"\ndip_direction = \"90 deg\"\n");
     const std::string outline = "[[0, 0], [100, 0], [100, 30], [90, 30], [40, 80], [0, 80]]";
     text.replace(text.find(outline), outline.size(), "[[0, 0], [50, 0], [50, 80], [0, 80]]");

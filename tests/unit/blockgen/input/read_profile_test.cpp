@@ -2,12 +2,9 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
-
-#include <filesystem>
-#include <fstream>
 
 #include "support/error_of.hpp"
+#include "unit/blockgen/file_folder.hpp"
 #include "unit/blockgen/slopes.hpp"
 
 namespace rockslope::blockgen::read_profile_test {
@@ -17,26 +14,18 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
-namespace fs = std::filesystem;
 
-class ReadProfile : public testing::Test {
+class ReadProfile : public FileFolder {
   protected:
-    void SetUp() override { fs::create_directories(folder_); }
-    void TearDown() override { fs::remove_all(folder_); }
-
     /// The domain of a profile in a new file.
     std::string with(const std::string& name, const std::string& text, const std::string& keys) {
-        std::ofstream(folder_ / name) << text;
-        return "[domain]\nblock_material = \"rock\"\nprofile_file = \"" + (folder_ / name).string() + "\"\n" +
-               keys + "\n";
+        return "[domain]\nblock_material = \"rock\"\nprofile_file = " + file(name, text) + "\n" + keys + "\n";
     }
     std::string error_with(const std::string& name, const std::string& text,
                            const std::string& keys = "depth = 5") {
         const std::string model = with(name, text, keys);
         return error_of([&] { slope(model); });
     }
-
-    const fs::path folder_ = fs::path(testing::TempDir()) / ("read_profile_" + std::to_string(::getpid()));
 };
 
 std::string geojson(const std::string& coordinates, const std::string& crs = {}) {
