@@ -11,8 +11,8 @@ namespace rockslope::blockgen {
 /// the model: one point or more from left to right, x never decreasing, no point twice in a row.
 /// @param expected what to write instead of a line that turns back, for the message.
 /// @throws InputError also for a line beside the domain.
-std::vector<Point> read_section_line(const ConfigTable& table, const std::string& key,
-                                     const std::string& expected, SlopeModel& model);
+std::vector<Point> read_line_across(const ConfigTable& table, const std::string& key,
+                                    const std::string& expected, SlopeModel& model);
 
 /// Adds a region to the model. @throws InputError at `name` when there is one of that name already.
 void add_region(const ConfigTable& table, Region region, SlopeModel& model);

@@ -24,7 +24,7 @@ Layer read_layer(const ConfigTable& table, SlopeModel& model) {
     layer.region.name = read_name(table, "name");
     layer.region.block_material = table.string("block_material", model.block_material);
     layer.region.joint_material = table.string("joint_material", "");
-    layer.points = read_section_line(
+    layer.points = read_line_across(
         table, "top",
         "points from one side to the other, whose x never turns back; a [[region]] may be folded", model);
     return layer;

@@ -11,7 +11,7 @@ void read_water_table(const ConfigTable& root, SlopeModel& model) {
     const auto table = root.optional_table("water_table");
     if (!table) return;
     const std::string expected = "points whose x grows from one side of the section to the other";
-    model.water_table = read_section_line(*table, "line", expected, model);
+    model.water_table = read_line_across(*table, "line", expected, model);
     for (std::size_t k = 1; k < model.water_table.size(); ++k)
         if (model.water_table[k].x == model.water_table[k - 1].x)
             table->fail(table->has("line") ? "line" : "line_file",

@@ -44,8 +44,8 @@ void refuse_line_elsewhere(const ConfigTable& table, const std::string& key, con
 
 }  // namespace
 
-std::vector<Point> read_section_line(const ConfigTable& table, const std::string& key,
-                                     const std::string& expected, SlopeModel& model) {
+std::vector<Point> read_line_across(const ConfigTable& table, const std::string& key,
+                                    const std::string& expected, SlopeModel& model) {
     std::vector<Point> points = read_points(table, key, model);
     const std::string given = table.has(key) ? key : key + "_file";
     if (points.empty()) table.fail(given, "a line without a point", "one point or more, [[x, y], ...]");
