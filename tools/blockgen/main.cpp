@@ -119,6 +119,7 @@ int print(const std::string& text) {
 int run(const Options& options) {
     if (!options.text.empty()) return print(options.text);
     const auto start = std::chrono::steady_clock::now();
+    const ReadLog log;
     const ConfigTable config = read_config(options);
     const SlopeModel model = read_slope_model(config, blockgen::enclosed_area);
     if (options.print_config) return print(config.effective_text());
@@ -137,7 +138,7 @@ int run(const Options& options) {
                                    .threads = options.threads,
                                    .full_report = !options.report.empty() || !options.rose_picture.empty() ||
                                                   !options.stereonet_picture.empty()});
-    result.mesh.provenance = provenance(model, config);
+    result.mesh.provenance = provenance(model, config, log);
     for (const std::string& warning : result.report.warnings)
         std::fprintf(stderr, "warning: %s\n", warning.c_str());
     write_results(options, model, traces, result);

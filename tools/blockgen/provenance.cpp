@@ -1,32 +1,24 @@
 #include "provenance.hpp"
 
-#include <cstdio>
-
 #include "common/base/command_text.hpp"
 #include "common/base/output_check.hpp"
 #include "common/base/read_file.hpp"
+#include "common/base/sha256.hpp"
 
 namespace rockslope::blockgen_tool {
 
-namespace {
-
-/// FNV-1a hash, 64 bits: distinguishes inputs, not cryptographically secure.
-std::uint64_t hashed(std::uint64_t hash, const std::string& text) {
-    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
-    return hash;
-}
-
-}  // namespace
-
-std::vector<std::string> provenance(const blockgen::SlopeModel& model, const ConfigTable& config) {
+std::vector<std::string> provenance(const blockgen::SlopeModel& model, const ConfigTable& config,
+                                    const ReadLog& log) {
     std::filesystem::path folder = std::filesystem::path(config.place().file).parent_path();
     if (folder.empty()) folder = ".";
-    std::uint64_t hash = hashed(0xcbf29ce484222325u, config.effective_text(folder));
-    for (const auto& file : model.files) hash = hashed(hash, read_text_file(file));
-    char text[32];
-    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
+    std::string input = config.effective_text(folder);
+    for (const auto& file : model.files) {
+        // GDAL reads its files itself.
+        if (log.digest_of(file).empty()) read_text_file(file);
+        input += log.digest_of(file) + '\n';
+    }
     return {"blockgen " ROCKSLOPE_VERSION, "seed " + std::to_string(model.seed),
-            std::string("input ") + text};
+            "input " + sha256(input).substr(0, 16)};
 }
 
 std::string make_rule(const Options& options, const blockgen::SlopeModel& model) {
