@@ -42,6 +42,7 @@ set(private_packages
     "(hdf5|H5[A-Za-z]*)\\.h|libdda/dda/hdf"
     "(gdal|cpl_[a-z]*|ogr_[a-z_]*)\\.h|libblockgen/blockgen/input"
     "nlohmann/|libdda/dda/results libblockgen/blockgen/input libblockgen/blockgen/report libblockgen/blockgen/fit tools/blockgen libstudy/study/folder libstudy/study/table tools/dda-study tools/dda-plot"
+    "simdjson|libblockgen/blockgen/input"
     "openssl/|libcommon/common/base"
     "sqlite3|libstudy/study/table"
     "(suitesparse/)?(cholmod|SuiteSparse_config|amd|camd|ccolamd)\\.h|bench"

@@ -37,6 +37,9 @@ std::string read_text_file(const std::filesystem::path& path) {
     std::string content;
     char buffer[1 << 16];
     try {
+        // Room for the file and some more, so that the content is not copied as it grows.
+        const std::uintmax_t size = std::filesystem::file_size(path, ignored);
+        if (!ignored && size <= limit) content.reserve(size + sizeof buffer);
         while (const std::size_t count = std::fread(buffer, 1, sizeof buffer, file.get())) {
             if (content.size() + count > limit) is_too_large("is too large, or has no end");
             content.append(buffer, count);
