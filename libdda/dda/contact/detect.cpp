@@ -59,7 +59,9 @@ class ContactDetector {
           input_(detection),
           inherited_penetrations_(model.topology, input_.vertices, input_.previous,
                                   input_.search_radius.largest()),
-          previous_contacts_(model.topology.corner_count(), corners_of(input_.previous)) {}
+          previous_contacts_(model.topology.corner_count(), corners_of(input_.previous)),
+          previous_edges_(edges_of(input_.previous)),
+          directions_(edge_directions(model.topology, input_.vertices)) {}
 
     /// Whether a pair must be evaluated: it is within its search radius, was a contact before, or is forced.
     bool is_near(const CornerEdge& pair) const {
@@ -73,7 +75,8 @@ class ContactDetector {
     bool evaluate_candidate(const CornerEdge& pair, ContactCandidate& candidate) const {
         const auto [corner, edge] = pair;
         const Vec2& vertex = at(corner);
-        const CornerEdgeGeometry geometry = corner_edge_geometry(vertex, start(edge), end(edge));
+        const CornerEdgeGeometry geometry =
+            corner_edge_geometry(vertex, start(edge), directions_[edge].tangent, directions_[edge].length);
         candidate.pair = pair;
         const Contact* old = find_previous(pair);
         const bool is_forced = this->is_forced(pair);
@@ -86,7 +89,8 @@ class ContactDetector {
             const bool bears_force = old != nullptr && old->state != ContactState::open &&
                                      geometry.end_margin() >= -end_tolerance * geometry.length;
             if (!bears_force &&
-                !passes_entrance_angle_test(topology_, input_.vertices, corner, geometry.normal))
+                !passes_entrance_angle_test(directions_[edge_from(corner)].tangent,
+                                            -directions_[edge_to(corner)].tangent, geometry.normal))
                 return false;
         }
 
@@ -218,6 +222,25 @@ class ContactDetector {
         return std::min(topology_.block_of[candidate.pair.corner],
                         topology_.block_of_edge(candidate.pair.edge));
     }
+    /// The direction of an edge.
+    struct EdgeDirection {
+        Vec2 tangent;   ///< unit, along the edge
+        double length;  ///< m
+    };
+    static PerEdge<EdgeDirection> edge_directions(const Topology& topology, CornerSpan<const Vec2> vertices) {
+        PerEdge<EdgeDirection> directions(topology.corner_count());
+        for (const EdgeIndex edge : topology.edges()) {
+            const Vec2 along = vertices[topology.end_of(edge)] - vertices[start_of(edge)];
+            const double length = along.norm();
+            directions[edge] = {along / length, length};
+        }
+        return directions;
+    }
+    static PerContact<EdgeIndex> edges_of(ContactSpan<const Contact> contacts) {
+        PerContact<EdgeIndex> edges(contacts.size());
+        for (const ContactIndex k : contacts.indices()) edges[k] = contacts[k].edge;
+        return edges;
+    }
     static std::vector<CornerIndex> corners_of(ContactSpan<const Contact> contacts) {
         std::vector<CornerIndex> corners;
         corners.reserve(contacts.size());
@@ -227,7 +250,7 @@ class ContactDetector {
     /// The contact of a pair at the start of the step; null if there was none.
     const Contact* find_previous(const CornerEdge& pair) const {
         for (const ContactIndex k : previous_contacts_.of(pair.corner)) {
-            if (input_.previous[k].edge == pair.edge) return &input_.previous[k];
+            if (previous_edges_[k] == pair.edge) return &input_.previous[k];
         }
         return nullptr;
     }
@@ -320,6 +343,8 @@ class ContactDetector {
     const DetectionInput& input_;
     InheritedPenetrations inherited_penetrations_;
     OwnerIndex<CornerIndex, ContactIndex> previous_contacts_;
+    PerContact<EdgeIndex> previous_edges_;
+    PerEdge<EdgeDirection> directions_;  ///< at the start of the step
 };
 
 /// The indices below `count` for which is_selected(index) is true, ascending.
@@ -408,9 +433,12 @@ std::vector<Contact> sorted_contacts(const Model& model, const ContactDetector& 
 
 bool passes_entrance_angle_test(const Topology& topology, CornerSpan<const Vec2> vertices, CornerIndex corner,
                                 const Vec2& normal) {
-    const Vec2 leaving = (vertices[topology.next[corner]] - vertices[corner]).normalized();
-    const Vec2 arriving = (vertices[topology.previous[corner]] - vertices[corner]).normalized();
-    // The entrance angle, Eq. (27).
+    return passes_entrance_angle_test((vertices[topology.next[corner]] - vertices[corner]).normalized(),
+                                      (vertices[topology.previous[corner]] - vertices[corner]).normalized(),
+                                      normal);
+}
+
+bool passes_entrance_angle_test(const Vec2& leaving, const Vec2& arriving, const Vec2& normal) {
     if (leaving.dot(normal) < -parallel_tolerance || arriving.dot(normal) < -parallel_tolerance) return false;
     return perpendicular(leaving - arriving).dot(normal) > 0;
 }

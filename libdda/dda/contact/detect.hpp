@@ -31,15 +31,21 @@ struct CornerEdgeGeometry {
     /// Distance of the projection from the nearer end of the edge, m; negative beyond an end.
     double end_margin() const { return along < length - along ? along : length - along; }
 };
-inline CornerEdgeGeometry corner_edge_geometry(const Vec2& corner, const Vec2& first, const Vec2& second) {
+/// @param first start of the edge, m. @param tangent unit, along the edge. @param length m, of the edge.
+inline CornerEdgeGeometry corner_edge_geometry(const Vec2& corner, const Vec2& first, const Vec2& tangent,
+                                               double length) {
     CornerEdgeGeometry geometry;
-    const Vec2 edge = second - first;
-    geometry.length = edge.norm();
-    geometry.tangent = edge / geometry.length;
+    geometry.length = length;
+    geometry.tangent = tangent;
     geometry.normal = -perpendicular(geometry.tangent);
     geometry.gap = (corner - first).dot(geometry.normal);
     geometry.along = (corner - first).dot(geometry.tangent);
     return geometry;
+}
+inline CornerEdgeGeometry corner_edge_geometry(const Vec2& corner, const Vec2& first, const Vec2& second) {
+    const Vec2 edge = second - first;
+    const double length = edge.norm();
+    return corner_edge_geometry(corner, first, edge / length, length);
 }
 
 /// Entrance-angle test, Eq. (27): whether both edges of a corner, and the rock between them, lie on the outer
@@ -47,6 +53,8 @@ inline CornerEdgeGeometry corner_edge_geometry(const Vec2& corner, const Vec2& f
 /// the rock decides.
 bool passes_entrance_angle_test(const Topology& topology, CornerSpan<const Vec2> vertices, CornerIndex corner,
                                 const Vec2& normal);
+/// The same. @param leaving, arriving unit, from the corner along its next and its previous edge.
+bool passes_entrance_angle_test(const Vec2& leaving, const Vec2& arriving, const Vec2& normal);
 
 /// Input of contact detection.
 struct DetectionInput {

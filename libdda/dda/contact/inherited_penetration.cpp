@@ -61,8 +61,7 @@ InheritedPenetrations::Found InheritedPenetrations::find(const Topology& topolog
         found.corners.push_back(corner);
         found.entries.push_back(entry);
     };
-    for (const ContactIndex k : contacts.indices()) {
-        const Contact& contact = contacts[k];
+    for (const Contact& contact : contacts) {
         const std::optional<double> accounted = penetration_accounted_for(topology, vertices, contact);
         // A contracted joint lets corners in by its contraction, in contact or not, and a contact that opened
         // inside the rock by its stress-free gap. Of an entrance line the gap says nothing.
@@ -73,36 +72,33 @@ InheritedPenetrations::Found InheritedPenetrations::find(const Topology& topolog
         const double depth = let_in + accounted.value_or(0);
         const double stress_free_gap = contact.state == ContactState::open ? 0 : contact.stress_free_gap;
         const double spring_depth = depth + stress_free_gap;
-        add(contact.corner, {k, contact.edge_block, depth, spring_depth});
+        add(contact.corner, {contact.edge_block, contact.normal, depth, spring_depth});
         // A neighbour so near that the penetration turns their edge beyond the slack of Eq. (27) has no
         // contact.
         for (const CornerIndex neighbour :
              {topology.previous[contact.corner], topology.next[contact.corner]}) {
             if (parallel_tolerance * (vertices[neighbour] - vertices[contact.corner]).norm() <= depth)
-                add(neighbour, {k, contact.edge_block, depth, spring_depth});
+                add(neighbour, {contact.edge_block, contact.normal, depth, spring_depth});
         }
         for (const CornerIndex other : {start_of(contact.edge), topology.end_of(contact.edge)}) {
             if ((vertices[other] - vertices[contact.corner]).norm() <= search_radius)
-                add(other, {k, contact.corner_block, depth, spring_depth});
+                add(other, {contact.corner_block, -contact.normal, depth, spring_depth});
         }
     }
     return found;
 }
 
-InheritedPenetrations::InheritedPenetrations(ContactSpan<const Contact> contacts, std::size_t corners,
-                                             Found found)
-    : contacts_(contacts), entries_(std::move(found.entries)), by_corner_(corners, found.corners) {}
+InheritedPenetrations::InheritedPenetrations(std::size_t corners, Found found)
+    : entries_(std::move(found.entries)), by_corner_(corners, found.corners) {}
 
 InheritedPenetrations::InheritedPenetrations(const Topology& topology, CornerSpan<const Vec2> vertices,
                                              ContactSpan<const Contact> contacts, double search_radius)
-    : InheritedPenetrations(contacts, topology.corner_count(),
-                            find(topology, vertices, contacts, search_radius)) {}
+    : InheritedPenetrations(topology.corner_count(), find(topology, vertices, contacts, search_radius)) {}
 
 double InheritedPenetrations::along(CornerIndex corner, const Vec2& normal) const {
     double deepest = 0;
     for (const std::uint32_t k : by_corner_.of(corner)) {
-        if (normal_of(entry(k)).dot(normal) >= min_cosine_parallel)
-            deepest = std::max(deepest, entry(k).depth);
+        if (entry(k).normal.dot(normal) >= min_cosine_parallel) deepest = std::max(deepest, entry(k).depth);
     }
     return deepest;
 }

@@ -24,8 +24,8 @@ std::optional<double> penetration_accounted_for(const Topology& topology, Corner
 /// short an edge that its other corner fails the entrance-angle test.
 class InheritedPenetrations {
   public:
-    /// @param vertices per corner, m. @param contacts at the same time; they must outlive this object.
-    /// @param search_radius m, see DetectionInput.
+    /// @param vertices per corner, m. @param contacts at the same time. @param search_radius m, see
+    /// DetectionInput.
     InheritedPenetrations(const Topology& topology, CornerSpan<const Vec2> vertices,
                           ContactSpan<const Contact> contacts, double search_radius);
 
@@ -39,23 +39,17 @@ class InheritedPenetrations {
 
   private:
     struct Entry {
-        ContactIndex contact;     ///< index of the contact that accounts for the depth
         BlockIndex block;         ///< the block in whose face the corner is
+        Vec2 normal;              ///< unit, of that face, out of its rock
         double depth = 0;         ///< m
         double spring_depth = 0;  ///< m, compression of the contact's spring
     };
     struct Found;
-    InheritedPenetrations(ContactSpan<const Contact> contacts, std::size_t corners, Found found);
+    InheritedPenetrations(std::size_t corners, Found found);
     static Found find(const Topology& topology, CornerSpan<const Vec2> vertices,
                       ContactSpan<const Contact> contacts, double search_radius);
     const Entry& entry(std::uint32_t k) const { return entries_[k]; }
-    /// Unit normal of the face in which the corner is, out of its rock.
-    Vec2 normal_of(const Entry& entry) const {
-        const Contact& contact = contacts_[entry.contact];
-        return entry.block == contact.edge_block ? contact.normal : Vec2(-contact.normal);
-    }
 
-    ContactSpan<const Contact> contacts_;
     std::vector<Entry> entries_;
     OwnerIndex<CornerIndex, std::uint32_t> by_corner_;
 };

@@ -37,8 +37,9 @@ class PenetrationSearch {
     bool stays_out(CornerCandidates corner_candidates, double allowed) const {
         return std::any_of(corner_candidates.begin(), corner_candidates.end(), [&](const CornerEdge& pair) {
             const Course course(*this, pair);
-            const double length = course.along.norm();
-            return course.along_rate.norm() <= length / 2 && course.most() <= allowed * length / 2;
+            if (4 * course.along_rate.squaredNorm() > course.along.squaredNorm()) return false;
+            const double most = course.most();
+            return most <= 0 || most <= allowed * course.along.norm() / 2;
         });
     }
 
