@@ -5,10 +5,12 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <mutex>
+#include <unordered_map>
 #include <utility>
 
 #include "common/base/output_error.hpp"
@@ -89,6 +91,8 @@ constexpr double largest_deflation = 1100;
 /// Bytes of one chunk, which may be stored as nothing where it is all zeros.
 constexpr double least_believed = 1 << 24;
 
+constexpr std::size_t largest_kept_chunk = 1 << 20;
+
 /// @param size bytes, or H5T_VARIABLE.
 HdfHandle string_type(std::size_t size) {
     HdfHandle type(H5Tcopy(H5T_C_S1), H5Tclose);
@@ -101,14 +105,18 @@ HdfHandle string_type(std::size_t size) {
 }  // namespace
 
 struct HdfFile::Access {
+    /// A dataset that grows. It stays open as long as the file: to open and close it takes longer than to
+    /// write a frame's rows.
+    struct Growing {
+        HdfHandle set;
+        hsize_t rows, width;
+    };
+
     HdfHandle file;
+    std::unordered_map<std::string, Growing> growing;  ///< by its name
 
     hid_t id() const { return file.id(); }
-    /// Handle of a dataset; invalid if there is none.
-    HdfHandle dataset(const std::string& name) const {
-        return {H5Dopen2(id(), name.c_str(), H5P_DEFAULT), H5Dclose};
-    }
-    /// The same for a file of unknown origin.
+    /// Handle of a dataset in a file of unknown origin.
     HdfHandle dataset_of(const HdfFile& owner, const std::string& name) const {
         HdfHandle set(owner.guarded([&] { return H5Dopen2(id(), name.c_str(), H5P_DEFAULT); }), H5Dclose);
         owner.check(set.id(), "has no dataset " + name);
@@ -268,10 +276,15 @@ void HdfFile::create_dataset(const std::string& name, std::int64_t type, int wid
         H5Pset_shuffle(creation.id());
         H5Pset_deflate(creation.id(), 1);
     }
-    HdfHandle(check(H5Dcreate2(file_->id(), name.c_str(), type, space.id(), H5P_DEFAULT, creation.id(),
-                               H5P_DEFAULT),
-                    "dataset " + name),
-              H5Dclose);
+    const HdfHandle access(H5Pcreate(H5P_DATASET_ACCESS), H5Pclose);
+    // The last chunk stays in memory. A chunk larger than a megabyte is written at once.
+    const std::size_t chunk_bytes = chunks[0] * static_cast<std::size_t>(width) * H5Tget_size(type);
+    H5Pset_chunk_cache(access.id(), 1, std::min(chunk_bytes, largest_kept_chunk), 1.0);
+    HdfHandle set(
+        H5Dcreate2(file_->id(), name.c_str(), type, space.id(), H5P_DEFAULT, creation.id(), access.id()),
+        H5Dclose);
+    check(set.id(), "dataset " + name);
+    file_->growing.emplace(name, Access::Growing{std::move(set), 0, static_cast<hsize_t>(width)});
 }
 
 bool HdfFile::has(const std::string& name) const {
@@ -377,20 +390,20 @@ std::vector<std::string> HdfFile::read_texts(const std::string& name) const {
 
 void HdfFile::append_values(const std::string& name, std::int64_t memory_type, const void* data,
                             std::size_t element_count) {
-    const HdfHandle set = file_->dataset(name);
-    check(set.id(), "has no dataset " + name);
-    const hsize_t width = width_of(name);
-    const hsize_t start[] = {row_count(name), 0};
-    const hsize_t count[] = {element_count / width, width};
-    const hsize_t size[] = {start[0] + count[0], width};
+    Access::Growing& dataset = file_->growing.at(name);
+    const hid_t set = dataset.set.id();
+    const hsize_t start[] = {dataset.rows, 0};
+    const hsize_t count[] = {element_count / dataset.width, dataset.width};
+    const hsize_t size[] = {start[0] + count[0], dataset.width};
     if (count[0] == 0) return;
-    const int rank = width == 1 ? 1 : 2;
+    const int rank = dataset.width == 1 ? 1 : 2;
     errno = 0;
-    check(H5Dset_extent(set.id(), size), "cannot be written");
-    const HdfHandle space(H5Dget_space(set.id()), H5Sclose);
+    check(H5Dset_extent(set, size), "cannot be written");
+    const HdfHandle space(H5Dget_space(set), H5Sclose);
     H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, start, nullptr, count, nullptr);
     const HdfHandle memory(H5Screate_simple(rank, count, nullptr), H5Sclose);
-    check(H5Dwrite(set.id(), memory_type, memory.id(), space.id(), H5P_DEFAULT, data), "cannot be written");
+    check(H5Dwrite(set, memory_type, memory.id(), space.id(), H5P_DEFAULT, data), "cannot be written");
+    dataset.rows = size[0];
 }
 
 void HdfFile::read_bytes(const std::string& name, HdfType type, std::size_t first, std::size_t count,

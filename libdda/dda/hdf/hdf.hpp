@@ -60,7 +60,7 @@ class HdfFile {
     std::string string_attribute(const std::string& object, const std::string& name) const;
 
     /// Adds an empty dataset with rows of `width` elements (1: one-dimensional). HDF5 stores `chunk` rows
-    /// together, deflated if `compressed`.
+    /// together, deflated if `compressed`. Rows can be appended through this object only.
     void add_dataset(const std::string& name, HdfType type, int width, std::size_t chunk, bool compressed);
     /// Whether the file has an object of this name.
     bool has(const std::string& name) const;
