@@ -1,11 +1,15 @@
 // A library to be loaded before others (LD_PRELOAD), which kills the program at a chosen moment: in the call
 // number ASSAULT_KILL_AT among those that change a file below the folder ASSAULT_FOLDER, or one there whose
 // path has the text ASSAULT_FILE. Of a write, the odd ones among the calls, the first half happens.
+// ASSAULT_DISK names a folder that gets what would be on the disk after a power cut: of each file the bytes
+// of its last fsync, by the number of its inode, and in `names` those that the last fsync of its folder made
+// last, each with its inode.
 // ASSAULT_TRACE names a file that gets, at the end, the number of calls and, of a killed program, the call
 // and its file.
 
 #include <dlfcn.h>
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -14,6 +18,9 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <string>
 
 namespace {
 
@@ -72,13 +79,40 @@ bool is_moment(const char* path) {
     std::abort();
 }
 
-bool is_moment_of(int descriptor, char (&path)[PATH_MAX]) {
+bool find_path(int descriptor, char (&path)[PATH_MAX]) {
     char link[64];
     std::snprintf(link, sizeof link, "/proc/self/fd/%d", descriptor);
     const ssize_t length = ::readlink(link, path, sizeof path - 1);
     if (length < 0) return false;
     path[length] = '\0';
-    return is_moment(path);
+    return true;
+}
+
+bool is_moment_of(int descriptor, char (&path)[PATH_MAX]) {
+    return find_path(descriptor, path) && is_moment(path);
+}
+
+/// Notes what an fsync brought to the disk.
+void note_synced(int descriptor) {
+    static const char* const disk = std::getenv("ASSAULT_DISK");
+    char path[PATH_MAX];
+    if (disk == nullptr || !find_path(descriptor, path) ||
+        std::strncmp(path, folder(), std::strlen(folder())) != 0)
+        return;
+    namespace fs = std::filesystem;
+    struct stat status {};
+    ::fstat(descriptor, &status);
+    if (!S_ISDIR(status.st_mode)) {
+        fs::copy_file(path, fs::path(disk) / std::to_string(status.st_ino),
+                      fs::copy_options::overwrite_existing);
+        return;
+    }
+    std::ofstream names(fs::path(disk) / "names");
+    for (const fs::directory_entry& entry : fs::directory_iterator(path)) {
+        struct stat file {};
+        ::stat(entry.path().c_str(), &file);
+        names << file.st_ino << ' ' << entry.path().filename().string() << '\n';
+    }
 }
 
 const struct AtEnd {
@@ -118,7 +152,14 @@ WATCHED_WRITE(pwrite, (descriptor, data, size, at), size, int descriptor, const 
               off_t at)
 WATCHED_WRITE(pwrite64, (descriptor, data, size, at), size, int descriptor, const void* data, size_t size,
               off64_t at)
-WATCHED_FILE(fsync, (descriptor), int descriptor)
+extern "C" int fsync(int descriptor) {
+    static auto* const next = original<int(int)>("fsync");
+    char path[PATH_MAX];
+    if (is_moment_of(descriptor, path)) die("fsync", path);
+    const int result = next(descriptor);
+    note_synced(descriptor);
+    return result;
+}
 extern "C" int ftruncate(int descriptor, off_t size) noexcept {
     static auto* const next = original<int(int, off_t)>("ftruncate");
     char path[PATH_MAX];

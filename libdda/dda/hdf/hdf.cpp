@@ -4,6 +4,7 @@
 #include <hdf5.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -439,10 +440,14 @@ std::vector<std::string> HdfFile::names_in(const std::string& group) const {
     return names;
 }
 
-void HdfFile::reserve(std::size_t bytes) const {
+int HdfFile::descriptor() const {
     void* handle = nullptr;
     check(H5Fget_vfd_handle(file_->id(), H5P_DEFAULT, &handle), "cannot be written");
-    const int descriptor = *static_cast<int*>(handle);
+    return *static_cast<int*>(handle);
+}
+
+void HdfFile::reserve(std::size_t bytes) const {
+    const int descriptor = this->descriptor();
     struct stat status {};
     if (::fstat(descriptor, &status) != 0) fail("cannot be written");
     const off_t end = status.st_size;
@@ -460,6 +465,11 @@ void HdfFile::reserve(std::size_t bytes) const {
 void HdfFile::flush() {
     errno = 0;
     check(H5Fflush(file_->id(), H5F_SCOPE_GLOBAL), "cannot be written");
+}
+
+void HdfFile::sync() const {
+    errno = 0;
+    if (::fsync(descriptor()) != 0 && errno != EINVAL && errno != ENOTSUP) fail("cannot be written");
 }
 
 }  // namespace rockslope::dda

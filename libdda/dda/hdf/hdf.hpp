@@ -103,7 +103,10 @@ class HdfFile {
 
     /// Reserves disk space for this many bytes beyond the end of the file. @throws OutputError without room.
     void reserve(std::size_t bytes) const;
+    /// Gives all rows and attributes to the system, which a kill of this program does not reach.
     void flush();
+    /// Waits until what was flushed is on the disk.
+    void sync() const;
     /// Sets the path that messages name, for a file that will be renamed.
     void show_as(const std::filesystem::path& path) { path_ = path; }
 
@@ -137,6 +140,8 @@ class HdfFile {
     void append_bytes(const std::string& name, HdfType type, const void* data, std::size_t element_count);
     void read_bytes(const std::string& name, HdfType type, std::size_t first, std::size_t count,
                     void* data) const;
+    /// The system's number of the open file.
+    int descriptor() const;
 
     std::filesystem::path path_;
     std::unique_ptr<Access> file_;

@@ -23,6 +23,8 @@ class VtkHdfFile {
     /// @throws OutputError if a value is not finite (nothing is written), or if the disk is full (earlier
     /// frames stay intact).
     void append(const GridFrame& frame);
+    /// Waits until the frames are on the disk.
+    void sync() const { file_.sync(); }
     /// Number of frames in the file.
     std::int64_t frame_count() const { return frame_count_; }
     /// The digest of these frames, that of a VtkHdfReader.

@@ -105,7 +105,10 @@ void Results::write_history(const State& state, const Stage& stage) {
 
 /// Removes what a run that is over does not have of those that it was resumed from.
 void Results::end_files() {
-    for (const NamedWriter& entry : writers_) entry.writer->cut();
+    for (const NamedWriter& entry : writers_) {
+        entry.writer->cut();
+        entry.writer->sync();
+    }
 }
 
 void Results::update_peaks(const State& state, double step) {
@@ -156,7 +159,7 @@ bool Results::checkpoint_is_due() const {
 
 void Results::save_checkpoint(const State& state) {
     const Clock::time_point begin = Clock::now();
-    write_checkpoint(options_.folder / "checkpoint.h5", checkpoint_of(state));
+    save(checkpoint_of(state), "checkpoint.h5");
     last_checkpoint_ = Clock::now();
     checkpoint_time_ = seconds(last_checkpoint_ - begin);
 }
@@ -167,7 +170,13 @@ void Results::save_end_of_stage(const State& state, int stage_index) {
     Checkpoint saved = checkpoint_of(state);
     saved.results.wall_time = 0;
     saved.start_of_run = start_of_run(options_.fingerprint, stage_index + 1);
-    write_checkpoint(options_.folder / saved_state_name(stage_index), saved);
+    save(saved, saved_state_name(stage_index));
+}
+
+/// What a checkpoint counts as written is on the disk before the checkpoint is.
+void Results::save(const Checkpoint& checkpoint, const std::string& file) {
+    for (const NamedWriter& entry : writers_) entry.writer->sync();
+    write_checkpoint(options_.folder / file, checkpoint);
 }
 
 Progress Results::progress_of(const State& state, const Stage& stage, const StepReport& report) const {

@@ -87,6 +87,7 @@ class Results : public RunObserver {
     Checkpoint checkpoint_of(const State& state) const;
     bool checkpoint_is_due() const;
     void save_checkpoint(const State& state);
+    void save(const Checkpoint& checkpoint, const std::string& file);
     void save_end_of_stage(const State& state, int stage_index);
     Progress progress_of(const State& state, const Stage& stage, const StepReport& report) const;
     TrialProgress trial_progress(const Model& weakened, const Stage& stage) const;

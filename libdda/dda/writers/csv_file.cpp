@@ -69,6 +69,10 @@ void CsvFile::cut() {
     old_size_ = 0;
 }
 
+void CsvFile::sync() {
+    if (::fsync(descriptor_) != 0 && errno != EINVAL && errno != ENOTSUP) fail("cannot be written", errno);
+}
+
 void CsvFile::append(std::string_view lines) {
     if (!has_next(lines)) {
         cut();

@@ -45,6 +45,8 @@ class CsvFile {
     void append(std::string_view lines);
     /// Cuts off the lines of an earlier run that were not written again.
     void cut();
+    /// Waits until the lines are on the disk.
+    void sync();
     std::int64_t size() const { return size_; }
     /// The digest of these bytes.
     std::string digest() const { return written_.digest(); }

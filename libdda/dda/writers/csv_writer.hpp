@@ -12,6 +12,7 @@ class CsvWriter : public ResultWriter {
   public:
     std::int64_t position() const override { return table_.size(); }
     void cut() override { table_.cut(); }
+    void sync() override { table_.sync(); }
     std::string digest() const override { return table_.digest(); }
 
   protected:

@@ -51,6 +51,7 @@ class FrameWriter : public ResultWriter {
         if (copy_) copy_->put_in_place();
         copy_.reset();
     }
+    void sync() override { file_.sync(); }
     std::int64_t position() const override { return file_.frame_count(); }
     std::string digest() const override { return file_.digest(); }
 

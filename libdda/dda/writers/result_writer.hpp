@@ -47,6 +47,8 @@ class ResultWriter {
     virtual void step(const State&, const Stage&, const StepReport&) {}
     /// Removes what the files that a resumed run found have beyond that which is written by now.
     virtual void cut() {}
+    /// Waits until what is written so far is on the disk, where a power cut does not reach it.
+    virtual void sync() {}
     /// The digest of that which is written so far, by which a run is not resumed with damaged results, see
     /// digest_of(). Empty: damage is not found.
     virtual std::string digest() const { return {}; }
