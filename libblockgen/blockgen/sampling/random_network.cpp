@@ -35,6 +35,16 @@ class StopRuleProgress {
         return is_line && is_counted() ? sum > 0 : sum;
     }
 
+    /// Contribution of mapped traces. A trace counts as a line of its own; where traces run along each other
+    /// their length counts once.
+    double contribution_of_mapped(const std::vector<Trace>& mapped, bool lines) const {
+        double sum = 0;
+        for (const Trace& trace : mapped) sum += contribution_of({trace}, lines);
+        if (is_counted() || mapped.empty()) return sum;
+        for (const auto& [a, b] : rock_.repeated_pieces(mapped)) sum -= measure_of(a, b);
+        return sum;
+    }
+
     /// Whether the sum is nearer to the target with a contribution than without it.
     bool accepts(double contribution) const {
         return std::abs(sum_ + contribution - target_) <= std::abs(sum_ - target_);
@@ -67,8 +77,7 @@ template <class Group>
 std::vector<Trace> sample_until_complete(SetSampler& sampler, const RockDomain& rock, bool lines,
                                          const std::vector<Trace>& mapped, const Group& group) {
     StopRuleProgress progress(sampler.set(), rock);
-    // A mapped trace counts as a line of its own.
-    for (const Trace& trace : mapped) progress.add(progress.contribution_of({trace}, lines));
+    progress.add(progress.contribution_of_mapped(mapped, lines));
     std::vector<Trace> all;
     if (progress.is_met()) return all;
     for (std::int64_t k = 0;; ++k) {

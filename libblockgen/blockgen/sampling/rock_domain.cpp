@@ -10,14 +10,20 @@ namespace rockslope::blockgen {
 
 namespace {
 
-/// Area of the rock, or of the rock in one region, m2, from an arrangement of the outlines without joints.
-double area_of(const SlopeModel& model, const Ring* region) {
+/// The model's outlines and voids without regions, excavations and joints.
+SlopeModel bare_domain(const SlopeModel& model) {
     SlopeModel bare;
     bare.grid = model.grid;
     bare.outline = model.outline;
     bare.further_outlines = model.further_outlines;
     bare.holes = model.holes;
     bare.tunnels = model.tunnels;
+    return bare;
+}
+
+/// Area of the rock, or of the rock in one region, m2, from an arrangement of the outlines without joints.
+double area_of(const SlopeModel& model, const Ring* region) {
+    SlopeModel bare = bare_domain(model);
     if (region != nullptr) bare.regions.push_back({"region", "region", "", *region, {}});
     const SourceTable table(bare);
     const NodedEdges noded = node_joints(source_segments(bare, {}, table), bare.grid);
@@ -92,9 +98,25 @@ bool RockDomain::contains(const Point& p) const {
     return true;
 }
 
-std::vector<std::pair<Point, Point>> RockDomain::pieces_in_region(const Point& a, const Point& b) const {
+std::vector<Piece> RockDomain::pieces_in_region(const Point& a, const Point& b) const {
     if (region_ == nullptr) return {{a, b}};
     return clip_to_ring(a, b, *region_);
+}
+
+std::vector<Piece> RockDomain::repeated_pieces(const std::vector<Trace>& traces) const {
+    const SlopeModel bare = bare_domain(model_);
+    const SourceTable table(bare);
+    const NodedEdges noded = node_joints(source_segments(bare, traces, table), bare.grid);
+    const auto position = [&](NodeIndex n) { return noded.frame.position(noded.vertices[n]); };
+    std::vector<Piece> pieces;
+    for (const EdgeIndex e : noded.edges.indices()) {
+        const auto sources = noded.sources_of(e);
+        const auto times = std::count_if(sources.begin(), sources.end(),
+                                         [&](const EdgeSource& s) { return table.is_joint(s.source); });
+        for (auto k = times; k > 1; --k)
+            pieces.emplace_back(position(noded.edges[e].first), position(noded.edges[e].second));
+    }
+    return pieces;
 }
 
 }  // namespace rockslope::blockgen

@@ -1,10 +1,14 @@
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "blockgen/input/slope_model.hpp"
 
 namespace rockslope::blockgen {
+
+/// A straight piece between two points.
+using Piece = std::pair<Point, Point>;
 
 /// The rock in which a joint set lies: all rock of the domain, or the rock in the set's region.
 class RockDomain {
@@ -17,7 +21,10 @@ class RockDomain {
     double length_in(const Point& a, const Point& b) const;
     bool contains(const Point& p) const;
     /// The pieces of a segment in the region; the whole segment when the set has no region.
-    std::vector<std::pair<Point, Point>> pieces_in_region(const Point& a, const Point& b) const;
+    std::vector<Piece> pieces_in_region(const Point& a, const Point& b) const;
+    /// The pieces along which traces run again where an earlier one, or they themselves, ran: one for each
+    /// further time. Their ends are rounded to the model's grid, and pieces outside the domain may be absent.
+    std::vector<Piece> repeated_pieces(const std::vector<Trace>& traces) const;
 
   private:
     double length_in_part(const Point& a, const Point& b, const Ring& part) const;

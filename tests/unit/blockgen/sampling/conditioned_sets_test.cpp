@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "blockgen/input/trace_length.hpp"
@@ -46,6 +47,36 @@ TEST(ConditionedSet, AddsToTheMappedTracesUpToItsDensity) {
                                                 "conditioned_on = \"mapped\"\n")))
                                .report;
     EXPECT_EQ(length_of_joints(full, "set"), 0);
+}
+
+/// Number of joints of the set beside the map with further mapped traces.
+std::size_t sampled_beside(const std::string& set, const std::string& further) {
+    std::string text = model_text(set + "conditioned_on = \"mapped\"\n");
+    text.insert(text.find("[[joint_set]]"), further);
+    const std::vector<Trace> traces = all_traces(slope(text));
+    return std::count_if(traces.begin(), traces.end(), [](const Trace& t) { return t.name == "set"; });
+}
+
+std::string mapped_trace(const std::string& points) {
+    return "[[traces]]\nname = \"mapped\"\njoint_material = \"j\"\npoints = " + points + "\n";
+}
+
+TEST(ConditionedSet, CountsMappedTracesThatOverlapOnce) {
+    const std::vector<std::string> overlaps = {
+        mapped_trace("[[5, 20], [5, 0]]"),                                    // a whole trace again
+        mapped_trace("[[5, 4], [5, 14]]"),                                    // half of it
+        mapped_trace("[[5, -6], [5, 14]]"),                                   // from outside the rock
+        mapped_trace("[[5, 1], [5, 12]]") + mapped_trace("[[5, 8], [5, 3]]")  // three times in part
+    };
+    for (const char* stop : {"p21 = 0.2\n", "p10 = 0.2\n"})
+        for (const char* kind : {"kind = \"baecher\"\ntrace_length = 3\n",
+                                 "kind = \"veneziano\"\ntrace_length = 3\ngap = 1\n"}) {
+            const std::string set = std::string(kind) + stop;
+            const std::size_t once = sampled_beside(set, "");
+            EXPECT_GT(once, 10u);
+            for (const std::string& further : overlaps)
+                EXPECT_EQ(sampled_beside(set, further), once) << set << further;
+        }
 }
 
 TEST(ConditionedSet, LeavesAMappedAreaAsItIs) {
