@@ -11,16 +11,17 @@ constexpr int half_circle_steps = 60;  // of half a circle
 
 }  // namespace
 
-SpaceDirection downward_pole(double dip, double dip_direction) {
-    return {-std::sin(dip) * std::sin(dip_direction), -std::sin(dip) * std::cos(dip_direction),
-            std::cos(dip)};
-}
-
 Point equal_area(const SpaceDirection& direction) {
     const double sign = direction.down < 0 ? -1 : 1;
     // sqrt(2) sin(t / 2) / sin(t) = 1 / sqrt(1 + cos(t))
     const double scale = sign / std::sqrt(1 + sign * direction.down);
     return {scale * direction.east, scale * direction.north};
+}
+
+SpaceDirection direction_at(const Point& p) {
+    // r = sqrt(2) sin(t / 2): cos(t) = 1 - r^2, and sin(t) / r = sqrt(2) cos(t / 2).
+    const double square = p.x * p.x + p.y * p.y, scale = std::sqrt(2 - square);
+    return {scale * p.x, scale * p.y, 1 - square};
 }
 
 std::vector<Point> great_circle(double dip, double dip_direction) {

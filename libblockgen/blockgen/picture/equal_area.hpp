@@ -3,21 +3,17 @@
 #include <vector>
 
 #include "common/geometry/point.hpp"
+#include "common/geometry/space_direction.hpp"
 
 namespace rockslope::blockgen {
-
-/// A direction in space, of unit length.
-struct SpaceDirection {
-    double east = 0, north = 0, down = 1;
-};
-
-/// The downward normal of a plane. @param dip, dip_direction rad, clockwise from north.
-SpaceDirection downward_pole(double dip, double dip_direction);
 
 /// Lambert's azimuthal equal-area projection of the lower hemisphere (Schmidt's net) on the unit circle, x to
 /// the east and y to the north: a line at the angle t to the vertical lies at sqrt(2) sin(t / 2) from the
 /// centre. A line that points upwards is drawn by its lower end.
 Point equal_area(const SpaceDirection& direction);
+
+/// The downward line at a point of the unit circle: the inverse of equal_area().
+SpaceDirection direction_at(const Point& p);
 
 /// The plane's trace on the lower hemisphere, from one end of its strike line to the other, projected.
 std::vector<Point> great_circle(double dip, double dip_direction);

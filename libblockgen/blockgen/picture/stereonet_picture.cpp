@@ -7,7 +7,9 @@
 #include <set>
 #include <utility>
 
+#include "blockgen/picture/density_contours.hpp"
 #include "blockgen/picture/equal_area.hpp"
+#include "common/base/text.hpp"
 #include "common/drawing/axes.hpp"
 
 namespace rockslope::blockgen {
@@ -101,6 +103,44 @@ void draw_poles(Canvas& canvas, const NetPage& page, const StereonetSet& set, co
     }
 }
 
+/// Contours of the density of all poles, and what the legend says of them.
+struct DrawnDensity {
+    std::vector<DensityContour> contours;
+    std::string levels, unit, method;  ///< lines of the legend, short enough for a narrow page
+
+    explicit DrawnDensity(const AxisDensity& density) : contours(density_contours(density)) {
+        for (const DensityContour& contour : contours)
+            levels += (levels.empty() ? "contours " : ", ") + shortest_text(contour.density);
+        if (levels.empty()) levels = "no contours";
+        char text[96];
+        std::snprintf(text, sizeof text, "%% of poles per 1 %% of area, max. %.3g", density.peak().density);
+        unit = text;
+        std::snprintf(text, sizeof text, "exponential Kamb, uniform 1 \u00b1 %.2f",
+                      density.uniform_deviation());
+        method = text;
+    }
+    /// From pale to dark.
+    Stroke stroke(std::size_t level) const {
+        const double weight = static_cast<double>(level + 1) / static_cast<double>(contours.size());
+        return {blend(Colour{0.62, 0.62, 0.65}, black, weight), 0.9};
+    }
+    void draw(Canvas& canvas, const NetPage& page) const {
+        for (std::size_t level = 0; level < contours.size(); ++level)
+            for (const std::vector<Point>& line : contours[level].lines)
+                page.draw(canvas, line, stroke(level));
+    }
+};
+
+/// Nothing for a net without poles.
+std::optional<DrawnDensity> density_of(const Stereonet& net) {
+    std::vector<SpaceDirection> poles;
+    for (const StereonetSet& set : net.sets)
+        for (const StereonetPlane& plane : set.planes)
+            poles.push_back(downward_pole(plane.dip, plane.dip_direction));
+    if (poles.empty()) return std::nullopt;
+    return DrawnDensity(AxisDensity(poles));
+}
+
 void draw_mean(Canvas& canvas, const NetPage& page, const StereonetSet& set, const Colour& colour) {
     page.draw(canvas, great_circle(set.mean.dip, set.mean.dip_direction), {colour, 1.3});
     canvas.circle(page.at(set.mean), 5, std::nullopt, Stroke{white, 2.6});
@@ -122,7 +162,7 @@ std::string legend_text(const StereonetSet& set) {
     return line + "  " + set.name;
 }
 
-std::vector<LegendEntry> legend_entries(const Stereonet& net) {
+std::vector<LegendEntry> legend_entries(const Stereonet& net, const std::optional<DrawnDensity>& density) {
     std::vector<LegendEntry> entries;
     for (std::size_t k = 0; k < net.sets.size(); ++k) {
         LegendEntry entry{legend_text(net.sets[k]), line_colour(k), std::nullopt, false};
@@ -131,6 +171,11 @@ std::vector<LegendEntry> legend_entries(const Stereonet& net) {
     }
     entries.push_back({"section, x towards " + compass_text(net.section_azimuth) + "\u00b0", std::nullopt,
                        section_stroke(), true});
+    if (density) {
+        entries.push_back({density->levels, std::nullopt, Stroke{grey, 0.9}, true});
+        entries.push_back({density->unit});
+        entries.push_back({density->method});
+    }
     if (net.without_planes.empty()) return entries;
     std::string names;
     for (const std::string& name : net.without_planes) names += (names.empty() ? "" : ", ") + name;
@@ -142,13 +187,15 @@ std::vector<LegendEntry> legend_entries(const Stereonet& net) {
 
 Canvas draw_stereonet(const Stereonet& net, const PageStyle& style) {
     const double width = style.width_in_units(net_width);
-    const std::vector<LegendEntry> entries = legend_entries(net);
+    const std::optional<DrawnDensity> density = density_of(net);
+    const std::vector<LegendEntry> entries = legend_entries(net, density);
     Canvas canvas(width, width + net_legend_top + net_legend_row * static_cast<double>(entries.size()),
                   style);
     const NetPage page(width);
     draw_net(canvas, page);
     draw_section(canvas, page, net.section_azimuth);
     for (std::size_t k = 0; k < net.sets.size(); ++k) draw_poles(canvas, page, net.sets[k], line_colour(k));
+    if (density) density->draw(canvas, page);
     for (std::size_t k = 0; k < net.sets.size(); ++k) draw_mean(canvas, page, net.sets[k], line_colour(k));
     draw_legend(canvas, {net_margin, width},
                 "Poles of planes: dip/dip direction, lower hemisphere, equal area", entries,

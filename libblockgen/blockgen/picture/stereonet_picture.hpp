@@ -30,7 +30,8 @@ struct Stereonet {
 
 /// Draws the poles of planes on the lower hemisphere in equal-area projection, with the mean plane of each
 /// set as its pole and its great circle, and the section as a line. The legend gives dip and dip direction of
-/// the mean, Fisher's K and the number of planes. Of poles that would cover each other one is drawn.
+/// the mean, Fisher's K and the number of planes. Of poles that would cover each other one is drawn. Contours
+/// of the density of all poles (AxisDensity) run from pale to dark; the legend has their values.
 Canvas draw_stereonet(const Stereonet& net, const PageStyle& style = {});
 
 }  // namespace rockslope::blockgen

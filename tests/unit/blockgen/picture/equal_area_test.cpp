@@ -41,10 +41,13 @@ TEST(EqualArea, DrawsLinesThatPointUpwardsByTheirLowerEnd) {
     EXPECT_EQ(up.y, down.y);
 }
 
-/// The line of the lower hemisphere at a point of the net.
-SpaceDirection line_at(const Point& p) {
-    const double r2 = p.x * p.x + p.y * p.y, scale = std::sqrt(2 - r2);
-    return {scale * p.x, scale * p.y, 1 - r2};
+TEST(EqualArea, HasAnInverse) {
+    for (const Point& p : {Point{0, 0}, Point{0.3, -0.4}, Point{-0.6, 0.8}}) {
+        const SpaceDirection line = direction_at(p);
+        EXPECT_NEAR(dot(line, line), 1, 1e-15);
+        EXPECT_NEAR(equal_area(line).x, p.x, 1e-15);
+        EXPECT_NEAR(equal_area(line).y, p.y, 1e-15);
+    }
 }
 
 TEST(GreatCircle, IsOfLinesAcrossThePole) {
@@ -53,7 +56,7 @@ TEST(GreatCircle, IsOfLinesAcrossThePole) {
             const SpaceDirection pole = downward_pole(dip * degree, direction * degree);
             const std::vector<Point> curve = great_circle(dip * degree, direction * degree);
             for (const Point& p : curve) {
-                const SpaceDirection line = line_at(p);
+                const SpaceDirection line = direction_at(p);
                 EXPECT_NEAR(line.east * pole.east + line.north * pole.north + line.down * pole.down, 0,
                             1e-12);
             }
@@ -62,7 +65,7 @@ TEST(GreatCircle, IsOfLinesAcrossThePole) {
             EXPECT_NEAR(curve.front().x + curve.back().x, 0, 1e-12);
             EXPECT_NEAR(curve.front().y + curve.back().y, 0, 1e-12);
             // The middle is the line of dip.
-            const SpaceDirection dips = line_at(curve[curve.size() / 2]);
+            const SpaceDirection dips = direction_at(curve[curve.size() / 2]);
             EXPECT_NEAR(dips.down, std::sin(dip * degree), 1e-12);
             EXPECT_NEAR(dips.east, std::cos(dip * degree) * std::sin(direction * degree), 1e-12);
         }
@@ -71,7 +74,7 @@ TEST(GreatCircle, IsOfLinesAcrossThePole) {
 TEST(SmallCircle, IsOfLinesAtOneAngleToTheNorth) {
     for (const double angle : {10.0, 90.0, 150.0})
         for (const Point& p : small_circle(angle * degree))
-            EXPECT_NEAR(line_at(p).north, std::cos(angle * degree), 1e-12) << angle;
+            EXPECT_NEAR(direction_at(p).north, std::cos(angle * degree), 1e-12) << angle;
 }
 
 }  // namespace

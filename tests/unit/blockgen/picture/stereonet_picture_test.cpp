@@ -8,6 +8,7 @@
 namespace rockslope::blockgen::stereonet_picture_test {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -43,6 +44,20 @@ TEST(Stereonet, SaysWhatItDraws) {
     EXPECT_THAT(draw_stereonet(known).bytes(PictureFormat::svg), Not(HasSubstr("not drawn")));
 }
 
+TEST(Stereonet, SaysWhatItsContoursAre) {
+    Stereonet dense = net();
+    dense.sets[0].planes.resize(60, dense.sets[0].planes[0]);
+    // 60 of 62 poles in one direction: 60 / 62 of the kernel's largest value, 2 (1 + 62 / 9).
+    EXPECT_THAT(draw_stereonet(dense).bytes(PictureFormat::svg),
+                AllOf(HasSubstr(">contours 2, 4, 6, 8, 10, 12, 14<"),
+                      HasSubstr(">% of poles per 1 % of area, max. 15.3<"),
+                      HasSubstr(">exponential Kamb, uniform 1 \u00b1 0.33<")));
+    EXPECT_THAT(draw_stereonet(net()).bytes(PictureFormat::svg), HasSubstr(">no contours<"));
+    Stereonet empty = net();
+    empty.sets.clear();
+    EXPECT_THAT(draw_stereonet(empty).bytes(PictureFormat::svg), Not(HasSubstr("contours")));
+}
+
 TEST(Stereonet, SaysThatPlanesAreParallel) {
     Stereonet one = net();
     one.sets[0].planes.resize(3, one.sets[0].planes[0]);
@@ -54,10 +69,11 @@ TEST(Stereonet, DrawsPolesThatCoverEachOtherOnce) {
     const std::string few = draw_stereonet(many).bytes(PictureFormat::svg);
     many.sets[0].planes.resize(10'000, many.sets[0].planes[0]);
     const std::string picture = draw_stereonet(many).bytes(PictureFormat::svg);
-    EXPECT_EQ(count_of(picture, "<path"), count_of(few, "<path"));
-    // A pole elsewhere is drawn: filled and outlined.
+    const auto poles = [](const std::string& text) { return count_of(text, "stroke-width:0.3;"); };
+    EXPECT_EQ(poles(few), 3u);
+    EXPECT_EQ(poles(picture), 3u);
     many.sets[0].planes.back() = {10 * degree, 300 * degree};
-    EXPECT_GT(count_of(draw_stereonet(many).bytes(PictureFormat::svg), "<path"), count_of(few, "<path"));
+    EXPECT_EQ(poles(draw_stereonet(many).bytes(PictureFormat::svg)), 4u);
 }
 
 }  // namespace
