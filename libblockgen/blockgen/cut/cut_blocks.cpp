@@ -295,6 +295,7 @@ class Cutter {
         NetworkReport network = measure_network(cut, report.domain_area - model_.unjointed_area);
         report.joints = std::move(network.joints);
         report.planes = joint_planes(cut);
+        if (!report.planes.empty()) report.densest_planes = densest_planes(report.planes);
         report.topology = topology_of(cut);
         report.scanlines = count_along_scanlines(cut);
         report.changes = joint_changes(cut);

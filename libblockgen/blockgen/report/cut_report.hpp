@@ -47,8 +47,9 @@ struct CutReport {
     AreaSummary free_sizes;  ///< of the blocks that are neither fixed nor prescribed
     CornerSummary corners;
     ShapeSummary shapes;
-    std::vector<JointBalance> joints;  ///< in the order of the model: traces, then sets
-    std::vector<JointPlanes> planes;   ///< of the sets that are given by planes in space
+    std::vector<JointBalance> joints;             ///< in the order of the model: traces, then sets
+    std::vector<JointPlanes> planes;              ///< of the sets that are given by planes in space
+    std::optional<DensestPlanes> densest_planes;  ///< present if there are such planes
     Topology topology;
     std::vector<ScanlineCount> scanlines;
     TraceEnds trace_ends;

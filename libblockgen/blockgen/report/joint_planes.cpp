@@ -1,10 +1,12 @@
 #include "blockgen/report/joint_planes.hpp"
 
 #include <algorithm>
+#include <numbers>
 #include <unordered_map>
 
 #include "blockgen/report/fisher_estimate.hpp"
 #include "blockgen/sampling/set_sampler.hpp"
+#include "common/geometry/axis_density.hpp"
 
 namespace rockslope::blockgen {
 
@@ -71,6 +73,18 @@ std::vector<JointPlanes> joint_planes(const CutContext& cut) {
     for (std::size_t k = 0; k < draws.size(); ++k)
         if (!draws[k].empty()) planes.push_back(planes_of_set(cut.model.joint_sets[k], cut.model, draws[k]));
     return planes;
+}
+
+DensestPlanes densest_planes(const std::vector<JointPlanes>& sets) {
+    std::vector<SpaceDirection> poles;
+    for (const JointPlanes& set : sets)
+        for (const PlaneAngles& plane : set.planes)
+            poles.push_back(downward_pole(plane.dip, plane.dip_direction));
+    const AxisDensity density(poles);
+    const AxisDensity::Peak peak = density.peak();
+    // In the axes of a section towards the east.
+    const Pole pole{peak.axis.east, -peak.axis.down, peak.axis.north};
+    return {poles.size(), peak.density, density.uniform_deviation(), plane_of(pole, std::numbers::pi / 2)};
 }
 
 }  // namespace rockslope::blockgen

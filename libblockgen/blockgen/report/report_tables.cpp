@@ -122,6 +122,11 @@ void planes_table(Page& page, const CutReport& r) {
         page.line("  %s%6zu %9.2f %14.2f %10s  %10s", padded(set.name).c_str(), set.planes.size(),
                   set.mean.dip / degree, set.mean.dip_direction / degree,
                   target_text(set.k.value_or(0)).c_str(), target_text(set.asked_k).c_str());
+    if (!r.densest_planes) return;
+    const DensestPlanes& d = *r.densest_planes;
+    page.line(
+        "  Densest of %zu poles: %.2f/%06.2f, %.3g %% of them for 1 %% of the area (uniform: 1, sd %.2f)",
+        d.count, d.plane.dip / degree, d.plane.dip_direction / degree, d.density, d.uniform_deviation);
 }
 
 void joints_table(Page& page, const CutReport& r) {

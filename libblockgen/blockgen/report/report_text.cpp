@@ -120,6 +120,15 @@ nlohmann::ordered_json planes_json(const std::vector<JointPlanes>& sets) {
     return rows;
 }
 
+nlohmann::ordered_json densest_planes_json(const DensestPlanes& d) {
+    constexpr double degree = std::numbers::pi / 180;
+    return {{"poles", d.count},
+            {"percent_per_percent_of_area", d.density},
+            {"uniform_deviation", d.uniform_deviation},
+            {"dip_deg", d.plane.dip / degree},
+            {"dip_direction_deg", d.plane.dip_direction / degree}};
+}
+
 nlohmann::ordered_json scanlines_json(const std::vector<ScanlineCount>& scanlines) {
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
     for (const ScanlineCount& s : scanlines)
@@ -190,6 +199,7 @@ std::string report_text(const CutReport& report) {
                  {"warnings", report.warnings}};
     if (report.noding) root["noding_proof"] = noding_json(*report.noding);
     if (!report.planes.empty()) root["planes"] = planes_json(report.planes);
+    if (report.densest_planes) root["densest_planes"] = densest_planes_json(*report.densest_planes);
     if (report.kinematics) root["kinematics"] = kinematics_json(*report.kinematics);
     return root.dump(2) + "\n";
 }

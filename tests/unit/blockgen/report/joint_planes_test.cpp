@@ -42,6 +42,15 @@ TEST(JointPlanes, AreThoseOfASetWithoutScatter) {
     EXPECT_FALSE(planes.k);
     EXPECT_THAT(report_text(report), HasSubstr("\"planes\": 16"));
     EXPECT_THAT(report_tables(report), HasSubstr("planes                  16     60.00         120.00"));
+    // 16 equal poles: the largest value of the kernel, k / (1 - exp(-k)) for k = 2 (1 + 16 / 9).
+    ASSERT_TRUE(report.densest_planes);
+    EXPECT_EQ(report.densest_planes->count, 16u);
+    EXPECT_NEAR(report.densest_planes->density, 5.5771, 1e-4);
+    EXPECT_NEAR(report.densest_planes->plane.dip, 60 * degree, 1e-7);
+    EXPECT_NEAR(report.densest_planes->plane.dip_direction, 120 * degree, 1e-7);
+    EXPECT_THAT(report_text(report), HasSubstr("\"densest_planes\": {\n    \"poles\": 16,"));
+    EXPECT_THAT(report_tables(report),
+                HasSubstr("Densest of 16 poles: 60.00/120.00, 5.58 % of them for 1 %"));
 }
 
 TEST(JointPlanes, AreThoseThatTheTracesWereDrawnFrom) {
@@ -95,6 +104,7 @@ TEST(JointPlanes, WithoutPlanesInSpaceLeaveTheReportAsItWas) {
     add_trace(model, {{-1, 2}, {9, 2}});
     const CutReport report = cut(model).report;
     EXPECT_TRUE(report.planes.empty());
+    EXPECT_FALSE(report.densest_planes);
     EXPECT_THAT(report_text(report), testing::Not(HasSubstr("\"planes\"")));
 }
 
