@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "blockgen/mesh/measures.hpp"
+#include "blockgen/report/water_line_across.hpp"
 #include "common/base/text.hpp"
 
 namespace rockslope::blockgen {
@@ -51,6 +52,15 @@ void append_block(std::string& text, const BlockMesh& mesh, BlockIndex block) {
     append_feature(text, properties, "Polygon", rings + "]");
 }
 
+void append_water_table(std::string& text, const BlockMesh& mesh) {
+    std::string line;
+    for (const Point& p : water_line_across(mesh)) {
+        line += line.empty() ? "[" : ",";
+        append_point(line, p);
+    }
+    if (!line.empty()) append_feature(text, R"("what":"water_table")", "LineString", line + "]");
+}
+
 using Edge = std::pair<VertexIndex, VertexIndex>;
 
 /// The edges between blocks by joint and joint material, each once.
@@ -94,6 +104,7 @@ std::string geojson_text(const BlockMesh& mesh, const std::string& crs) {
                       ",\"joint_material\":" + quoted(mesh.joint_materials[material]);
         append_feature(text, properties, "MultiLineString", lines + "]");
     }
+    append_water_table(text, mesh);
     return text + "\n]}\n";
 }
 

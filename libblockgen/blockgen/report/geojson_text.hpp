@@ -10,7 +10,8 @@ namespace rockslope::blockgen {
 /// properties what = "block", block (its number), block_material, area_m2 and motion ("free", "fixed" or
 /// "prescribed"); a joint is a MultiLineString of its pieces between blocks with the properties what =
 /// "joint", joint (its number), name and joint_material. Pieces without a joint, along outlines of regions,
-/// have no number and the name "outline". Coordinates have all their digits.
+/// have no number and the name "outline". A water table is a LineString across the section with what =
+/// "water_table". Coordinates have all their digits.
 /// @param crs the coordinate system, such as "urn:ogc:def:crs:EPSG::3067"; empty: none is stated.
 std::string geojson_text(const BlockMesh& mesh, const std::string& crs);
 

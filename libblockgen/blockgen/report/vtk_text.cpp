@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "blockgen/mesh/measures.hpp"
+#include "blockgen/report/water_line_across.hpp"
 #include "common/base/text.hpp"
 #include "common/geometry/orientation.hpp"
 
@@ -118,17 +119,40 @@ struct SetNumbers {
     std::vector<std::size_t> number;
 };
 
-void append_cells(VtkText& text, const BlockMesh& mesh, const std::vector<Trace>& traces) {
-    std::size_t points = mesh.vertices.size(), numbers = 0;
-    for (const Trace& trace : traces) numbers += trace.points.size() + 1;
-    if (!traces.empty()) text.line("LINES " + std::to_string(traces.size()) + " " + std::to_string(numbers));
-    for (const Trace& trace : traces) {
-        std::string cell = std::to_string(trace.points.size());
-        for (std::size_t k = 0; k < trace.points.size(); ++k) cell += " " + std::to_string(points++);
+/// The lines of the file: the traces, then the water table if there is one.
+class FileLines {
+  public:
+    FileLines(const BlockMesh& mesh, const std::vector<Trace>& traces)
+        : traces_(traces), water_(water_line_across(mesh)) {}
+
+    std::size_t size() const { return traces_.size() + (water_.empty() ? 0 : 1); }
+    bool is_trace(std::size_t line) const { return line < traces_.size(); }
+    const std::vector<Point>& points(std::size_t line) const {
+        return is_trace(line) ? traces_[line].points : water_;
+    }
+    std::size_t point_count() const {
+        std::size_t count = 0;
+        for (std::size_t k = 0; k < size(); ++k) count += points(k).size();
+        return count;
+    }
+
+  private:
+    const std::vector<Trace>& traces_;
+    std::vector<Point> water_;
+};
+
+void append_cells(VtkText& text, const BlockMesh& mesh, const FileLines& lines) {
+    std::size_t points = mesh.vertices.size();
+    if (lines.size() > 0)
+        text.line("LINES " + std::to_string(lines.size()) + " " +
+                  std::to_string(lines.size() + lines.point_count()));
+    for (std::size_t line = 0; line < lines.size(); ++line) {
+        std::string cell = std::to_string(lines.points(line).size());
+        for (std::size_t k = 0; k < lines.points(line).size(); ++k) cell += " " + std::to_string(points++);
         text.line(cell);
     }
+    std::size_t numbers = 0;
     std::string polygons;
-    numbers = 0;
     for (const BlockIndex b : mesh.blocks()) {
         const Corners outline = BlockOutline(mesh, b).run();
         numbers += outline.size() + 1;
@@ -141,23 +165,30 @@ void append_cells(VtkText& text, const BlockMesh& mesh, const std::vector<Trace>
     text.line(polygons);
 }
 
-void append_data(VtkText& text, const BlockMesh& mesh, std::size_t traces, const SetNumbers& sets) {
+void append_data(VtkText& text, const BlockMesh& mesh, const FileLines& lines, const SetNumbers& sets) {
+    const std::size_t count = lines.size();
     const auto none = [](std::size_t) { return std::string("-1"); };
     const auto no_block = [](BlockIndex) { return std::string("-1"); };
-    text.line("CELL_DATA " + std::to_string(traces + mesh.block_count()));
-    text.cell_values("block", "int", traces, none, mesh,
+    text.line("CELL_DATA " + std::to_string(count + mesh.block_count()));
+    text.cell_values("block", "int", count, none, mesh,
                      [](BlockIndex b) { return std::to_string(b.value()); });
-    text.cell_values("block_material", "int", traces, none, mesh,
+    text.cell_values("block_material", "int", count, none, mesh,
                      [&](BlockIndex b) { return std::to_string(mesh.block_material[b].value()); });
-    text.cell_values("motion", "int", traces, none, mesh,
+    text.cell_values("motion", "int", count, none, mesh,
                      [&](BlockIndex b) { return std::to_string(static_cast<int>(mesh.motion[b])); });
     text.cell_values(
-        "area", "double", traces, [](std::size_t) { return std::string("0"); }, mesh,
+        "area", "double", count, [](std::size_t) { return std::string("0"); }, mesh,
         [&](BlockIndex b) { return shortest_text(block_area(mesh, b)); });
     text.cell_values(
-        "trace", "int", traces, [](std::size_t k) { return std::to_string(k); }, mesh, no_block);
+        "trace", "int", count, [&](std::size_t k) { return lines.is_trace(k) ? std::to_string(k) : "-1"; },
+        mesh, no_block);
     text.cell_values(
-        "set", "int", traces, [&](std::size_t k) { return std::to_string(sets.number[k]); }, mesh, no_block);
+        "set", "int", count,
+        [&](std::size_t k) { return lines.is_trace(k) ? std::to_string(sets.number[k]) : "-1"; }, mesh,
+        no_block);
+    text.cell_values(
+        "kind", "int", count, [&](std::size_t k) { return std::string(lines.is_trace(k) ? "1" : "2"); }, mesh,
+        [](BlockIndex) { return std::string("0"); });
 }
 
 }  // namespace
@@ -166,17 +197,17 @@ std::string vtk_text(const BlockMesh& mesh, const std::vector<Trace>& traces) {
     const SetNumbers sets(traces);
     VtkText text;
     text.line("# vtk DataFile Version 3.0\nblocks and joints of a rock section, m\nASCII\nDATASET POLYDATA");
-    text.line("FIELD FieldData 2");
+    text.line("FIELD FieldData 3");
     text.names("block_material_names", mesh.block_materials);
     text.names("set_names", sets.names);
-    std::size_t points = mesh.vertices.size();
-    for (const Trace& trace : traces) points += trace.points.size();
-    text.line("POINTS " + std::to_string(points) + " double");
+    text.names("kind_names", {"block", "trace", "water_table"});
+    const FileLines lines(mesh, traces);
+    text.line("POINTS " + std::to_string(mesh.vertices.size() + lines.point_count()) + " double");
     for (const Point& p : mesh.vertices) text.point(p);
-    for (const Trace& trace : traces)
-        for (const Point& p : trace.points) text.point(p);
-    append_cells(text, mesh, traces);
-    append_data(text, mesh, traces.size(), sets);
+    for (std::size_t k = 0; k < lines.size(); ++k)
+        for (const Point& p : lines.points(k)) text.point(p);
+    append_cells(text, mesh, lines);
+    append_data(text, mesh, lines, sets);
     return text.take();
 }
 

@@ -87,6 +87,15 @@ TEST(GeoJsonText, BlocksAndJointsAreReadBack) {
     EXPECT_THAT(text, HasSubstr(R"("name":"outline","joint_material":"contact")"));
 }
 
+TEST(GeoJsonText, TheWaterTableRunsFromSideToSide) {
+    CutResult result = section();
+    EXPECT_THAT(geojson_text(result.mesh, ""), Not(HasSubstr("water_table")));
+    result.mesh.water_table = {{-5, 1}, {5, 3}, {8, 3.5}};
+    const MapLines water = read_geojson_lines(file_of(geojson_text(result.mesh, ""), "water_table"));
+    ASSERT_EQ(water.lines.size(), 1u);
+    EXPECT_EQ(water.lines[0].points, (std::vector<Point>{{0, 2}, {5, 3}, {8, 3.5}, {10, 3.5}}));
+}
+
 TEST(GeoJsonText, WithoutASystemNoneIsStated) {
     EXPECT_THAT(geojson_text(section().mesh, ""), Not(HasSubstr("crs")));
 }

@@ -78,6 +78,22 @@ TEST(VtkText, HasBlocksAndTracesWithTheirData) {
     EXPECT_EQ(file.cell_data.at("block"), (std::vector<double>{-1, -1, 0, 1}));
     EXPECT_EQ(file.cell_data.at("set"), (std::vector<double>{0, 1, -1, -1}));
     EXPECT_EQ(file.cell_data.at("motion"), (std::vector<double>{-1, -1, 0, 0}));
+    EXPECT_EQ(file.cell_data.at("kind"), (std::vector<double>{1, 1, 0, 0}));
+}
+
+TEST(VtkText, HasTheWaterTableAfterTheTraces) {
+    SlopeModel model = rectangle(4, 2);
+    add_trace(model, {{1, -1}, {1, 3}}, "joint");
+    model.water_table = {{1, 0.5}, {9, 1.5}};
+    const VtkFile file = read_vtk(vtk_text(cut(model).mesh, model.traces));
+    ASSERT_EQ(file.lines.size(), 2u);
+    std::vector<Point> water;
+    for (const std::size_t k : file.lines[1]) water.push_back(file.points[k]);
+    EXPECT_EQ(water, (std::vector<Point>{{0, 0.5}, {1, 0.5}, {4, 0.875}}));
+    EXPECT_EQ(file.cell_data.at("kind"), (std::vector<double>{1, 2, 0, 0}));
+    EXPECT_EQ(file.cell_data.at("trace"), (std::vector<double>{0, -1, -1, -1}));
+    EXPECT_EQ(file.cell_data.at("set"), (std::vector<double>{0, -1, -1, -1}));
+    EXPECT_EQ(file.cell_data.at("block"), (std::vector<double>{-1, -1, 0, 1}));
 }
 
 // With holes joined by slits the polygons keep the areas of the blocks, for cavities and for islands alike.
