@@ -4,10 +4,12 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "blockgen/input/domain.hpp"
 #include "blockgen/input/geometry_file.hpp"
 #include "blockgen/input/meet_section.hpp"
+#include "blockgen/input/out_of_plane.hpp"
 #include "blockgen/input/place_coordinates.hpp"
 #include "blockgen/input/read_section.hpp"
 #include "blockgen/input/read_shapes.hpp"
@@ -21,6 +23,10 @@ namespace {
 /// From this difference on, m, elevations of traces that cross the section line are told to differ from the
 /// ground: a metre is more than a survey errs.
 constexpr double told_difference = 1;
+
+/// From this angle on, rad, traces that leave the plane of their dip and dip direction are told: a strike
+/// given as dip direction exceeds it where a plane dips by more, and ground that slopes by less does not.
+constexpr double told_angle = std::numbers::pi / 6;
 
 /// What the table asks for, of all its traces.
 struct Projection {
@@ -39,6 +45,8 @@ struct Tally {
     std::size_t several = 0, off_ground = 0;
     double nearest = 0;     ///< extension of the nearest trace that is too far, m
     double difference = 0;  ///< largest between the elevations of a trace and of the ground, m
+    std::size_t out_of_plane = 0, of_level_ground = 0;  ///< the latter of them without elevations
+    Point first_out_of_plane;
 
     std::size_t of(Meeting how) const { return met[static_cast<std::size_t>(how)]; }
     std::size_t projected() const { return of(Meeting::crosses) + of(Meeting::extended) - off_ground; }
@@ -137,6 +145,16 @@ std::optional<double> elevation_of(const Projection& wanted, std::size_t number,
     return outcrop.elevation;
 }
 
+void check_direction(const MapLine& line, const JointPlane& plane, Tally& tally) {
+    const bool has_heights = !line.heights.empty() && is_in_allowed_range(line.heights.front()) &&
+                             is_in_allowed_range(line.heights.back());
+    const std::span<const double> heights = line.heights;
+    if (!(angle_out_of_plane(line.points, has_heights ? heights : heights.first(0), plane) > told_angle))
+        return;
+    if (++tally.out_of_plane == 1) tally.first_out_of_plane = line.points.front();
+    tally.of_level_ground += !has_heights;
+}
+
 /// The line at the apparent dip through a point, through the whole domain or of the given length to each
 /// side. Fewer than two points when it misses the domain.
 std::vector<Point> joint_through(const Point& p, double angle, const std::optional<double>& length,
@@ -170,6 +188,22 @@ std::string left_out(const Tally& tally, const Projection& wanted) {
     return text;
 }
 
+/// What is told of traces that leave their plane.
+std::string out_of_plane_text(const Tally& tally) {
+    const bool is_one = tally.out_of_plane == 1;
+    std::string text = std::to_string(tally.out_of_plane) +
+                       (is_one ? " mapped trace runs" : " mapped traces run") + " more than " +
+                       shortest_text(std::round(told_angle * 180 / std::numbers::pi)) +
+                       " deg out of the plane of " + (is_one ? "its" : "their") +
+                       " dip and dip direction, the first at " + text_of(tally.first_out_of_plane);
+    if (tally.of_level_ground == 0) return text + ", by their elevations";
+    if (tally.of_level_ground < tally.out_of_plane)
+        text += "; of " + std::to_string(tally.of_level_ground) + " without elevations";
+    else
+        text += "; without elevations";
+    return text + " the ground is taken as level, where a trace follows the strike";
+}
+
 void note_tally(const Tally& tally, const Projection& wanted, std::size_t all, SlopeModel& model) {
     const std::string text = left_out(tally, wanted);
     if (tally.projected() == 0)
@@ -183,6 +217,7 @@ void note_tally(const Tally& tally, const Projection& wanted, std::size_t all, S
     if (tally.several > 0)
         note(std::to_string(tally.several) +
              " mapped traces cross the section line more than once; the first crossing counts");
+    if (tally.out_of_plane > 0) note(out_of_plane_text(tally));
     if (tally.difference > told_difference)
         note("elevations of the mapped traces differ from the ground by up to " + rounded(tally.difference) +
              " m at the section line");
@@ -215,6 +250,7 @@ void read_map_traces(const ConfigTable& root, const ConfigTable& table, const st
             ++tally.off_ground;
             continue;
         }
+        check_direction(line, plane, tally);
         check_coordinate_range(table, table.has("file") ? "file" : "points", points, model);
         model.traces.push_back(
             {wanted.name, joint_material_of(line, wanted.joint_material, wanted.source), std::move(points)});

@@ -17,6 +17,7 @@ namespace rockslope::blockgen::read_map_traces_test {
 namespace {
 
 using testing::AllOf;
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -127,6 +128,29 @@ TEST_F(ReadMapTraces, OrientationsOfTheFileComeFirst) {
         for (std::size_t k = 0; k < 3; ++k)
             EXPECT_EQ(csv.traces[k].points, own.traces[k].points) << header << k;
     }
+}
+
+TEST_F(ReadMapTraces, TracesThatLeaveTheirPlaneAreCounted) {
+    const std::string dip = "joint_material = \"a\"\ndip = \"50 deg\"\n";
+    const std::string north_south = "points = [[466050, 6691510], [466050, 6691490]]\n";
+    // A strike given as dip direction, and a plane that may leave level ground so far.
+    const SlopeModel turned = slope(text_with(north_south + dip + "dip_direction = \"0 deg\"\nreach = 5\n"));
+    EXPECT_THAT(
+        turned.notes,
+        ElementsAre(AllOf(HasSubstr("1 mapped trace runs more than 30 deg out of the plane of its dip"),
+                          HasSubstr("the first at (466050, 6691510)"),
+                          HasSubstr("without elevations the ground is taken as level"))));
+    EXPECT_THAT(slope(text_with(north_south + dip + "dip_direction = \"53 deg\"\n")).notes, IsEmpty());
+    const std::string gentle = "joint_material = \"a\"\ndip = \"29 deg\"\ndip_direction = \"0 deg\"\n";
+    EXPECT_THAT(slope(text_with(north_south + gentle)).notes, IsEmpty());
+    // Down a slope of 50 deg along the dip, which level ground would not allow; then up it; then without
+    // elevations.
+    const std::string rows =
+        "466050,6691510,466050,6691490,,50,180,70,46.165\n466060,6691510,466060,6691490,,50,180,50,74\n";
+    const std::string own = "joint_material = \"a\"\nelevation = \"trace\"\n";
+    const std::vector<std::string> notes = slope(text_with(key("heights.csv", rows) + own)).notes;
+    EXPECT_THAT(notes, Contains(AllOf(HasSubstr("1 mapped trace runs"), HasSubstr("first at (466060, "),
+                                      HasSubstr("by their elevations"))));
 }
 
 TEST_F(ReadMapTraces, WhatDoesNotMeetTheSectionIsCounted) {
