@@ -15,10 +15,14 @@ class FileFolder : public testing::Test {
     void SetUp() override { std::filesystem::create_directories(folder_); }
     void TearDown() override { std::filesystem::remove_all(folder_); }
 
-    /// The path of a new file, in quotes as a model has it.
+    /// The path of a new file with these bytes.
+    std::filesystem::path written(const std::string& name, const std::string& bytes) const {
+        std::ofstream(folder_ / name, std::ios::binary) << bytes;
+        return folder_ / name;
+    }
+    /// The same in quotes, as a model has it.
     std::string file(const std::string& name, const std::string& text) const {
-        std::ofstream(folder_ / name) << text;
-        return "\"" + (folder_ / name).string() + "\"";
+        return "\"" + written(name, text).string() + "\"";
     }
 
     const std::filesystem::path folder_ =

@@ -1,17 +1,16 @@
 // Profiles of the ground from elevation models written by GDAL.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <limits>
 
 #include "blockgen/input/coordinate_system.hpp"
 #include "support/error_of.hpp"
+#include "unit/blockgen/file_folder.hpp"
 #include "unit/blockgen/slopes.hpp"
 
 #include <cpl_conv.h>
@@ -42,13 +41,12 @@ struct Raster {
 
 constexpr double nodata = -9999;
 
-class DemProfile : public testing::Test {
+class DemProfile : public FileFolder {
   protected:
     void SetUp() override {
         GDALAllRegister();
-        fs::create_directories(folder_);
+        FileFolder::SetUp();
     }
-    void TearDown() override { fs::remove_all(folder_); }
 
     /// Writes a GeoTIFF, or a grid in text when the name ends in .asc. NaN becomes the value for no data.
     fs::path write(const Raster& raster, const std::string& name = "dem.tif") {
@@ -86,8 +84,6 @@ class DemProfile : public testing::Test {
         GDALClose(data);
         return path;
     }
-
-    const fs::path folder_ = fs::path(testing::TempDir()) / ("dem_profile_" + std::to_string(::getpid()));
 };
 
 std::string model_text(const fs::path& path, const std::string& line, const std::string& keys = {}) {
@@ -225,10 +221,9 @@ TEST_F(DemProfile, OtherRastersAreRefused) {
     Raster nowhere;
     nowhere.has_place = false;
     EXPECT_THAT(error_with(write(nowhere), line), HasSubstr("no place on the map"));
-    std::ofstream(folder_ / "nan.asc")
-        << "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize nan\n1 2\n3 4\n";
+    written("nan.asc", "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize nan\n1 2\n3 4\n");
     EXPECT_THAT(error_with(folder_ / "nan.asc", line), HasSubstr("no place on the map"));
-    std::ofstream(folder_ / "text.tif") << "elevations";
+    written("text.tif", "elevations");
     EXPECT_THAT(error_with(folder_ / "text.tif", line), HasSubstr("cannot read this file as a raster"));
     EXPECT_THAT(error_with(folder_ / "none.tif", line), HasSubstr("none.tif"));
     // The first half of a file.

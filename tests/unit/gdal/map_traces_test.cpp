@@ -2,13 +2,13 @@
 // they cut.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <array>
 #include <cmath>
 #include <filesystem>
 #include <numbers>
 
+#include "unit/blockgen/file_folder.hpp"
 #include "unit/blockgen/slopes.hpp"
 
 #include <cpl_conv.h>
@@ -30,16 +30,16 @@ struct Mapped {
     double dip, dip_direction;
 };
 
-class MapTraces : public testing::Test {
+class MapTraces : public FileFolder {
   protected:
     void SetUp() override {
         GDALAllRegister();
-        fs::create_directories(folder_);
+        FileFolder::SetUp();
         OSRSetFromUserInput(system_, "EPSG:3067");
     }
     void TearDown() override {
         OSRDestroySpatialReference(system_);
-        fs::remove_all(folder_);
+        FileFolder::TearDown();
     }
 
     /// A file of traces with the fields dip and dip_direction.
@@ -92,7 +92,6 @@ class MapTraces : public testing::Test {
 
     static double ground(double x) { return 300 - std::tan(30 * degree) * (x - 466000); }
 
-    const fs::path folder_ = fs::path(testing::TempDir()) / ("map_traces_gdal_" + std::to_string(::getpid()));
     OGRSpatialReferenceH system_ = OSRNewSpatialReference(nullptr);
 };
 

@@ -2,30 +2,21 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <bit>
 #include <cstdint>
-#include <filesystem>
-#include <fstream>
 
 #include "blockgen/input/geometry_file.hpp"
 #include "common/base/input_error.hpp"
 #include "support/error_of.hpp"
+#include "unit/blockgen/file_folder.hpp"
 
 namespace rockslope::blockgen::gdal_file_test {
 namespace {
 
 using testing::HasSubstr;
 
-std::string written(const std::string& name, const std::string& bytes) {
-    // The tests of this file run concurrently in separate processes.
-    const std::filesystem::path folder =
-        std::filesystem::path(testing::TempDir()) / ("gdal_file_" + std::to_string(::getpid()));
-    std::filesystem::create_directories(folder);
-    std::ofstream(folder / name, std::ios::binary) << bytes;
-    return folder / name;
-}
+class GdalFile : public FileFolder {};
 
 /// A drawing with a line on layer "fault", a polyline of three corners on "bedding", a circle and a text.
 const char* drawing =
@@ -36,7 +27,7 @@ const char* drawing =
     "0\nTEXT\n8\nnotes\n10\n1\n20\n1\n40\n1\n1\nhello\n"
     "0\nENDSEC\n0\nEOF\n";
 
-TEST(GdalFile, LinesOfADrawing) {
+TEST_F(GdalFile, LinesOfADrawing) {
     const std::vector<Trace> traces = read_trace_file(written("drawing.dxf", drawing), "map", "");
     ASSERT_EQ(traces.size(), 3u);
     EXPECT_EQ(traces[0].name, "map");
@@ -50,7 +41,7 @@ TEST(GdalFile, LinesOfADrawing) {
         EXPECT_EQ(trace.joint_material, "joint");
 }
 
-TEST(GdalFile, AClosedLineIsAnOutline) {
+TEST_F(GdalFile, AClosedLineIsAnOutline) {
     const std::string outline =
         "0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n8\n0\n90\n3\n70\n1\n10\n0\n20\n0\n10\n4\n20\n0\n10\n4\n20\n3"
         "\n"
@@ -83,7 +74,7 @@ std::string shape_header(std::int32_t length) {
     return bytes;
 }
 
-TEST(GdalFile, LinesOfAShapefile) {
+TEST_F(GdalFile, LinesOfAShapefile) {
     // One polyline of one part: type 3, its box, one part, two points.
     std::string content;
     put(content, 3, false);
@@ -103,7 +94,7 @@ TEST(GdalFile, LinesOfAShapefile) {
     EXPECT_EQ(traces[0].points, (std::vector<Point>{{0, 0}, {4, 3}}));
 }
 
-TEST(GdalFile, FilesWithoutGeometryAreRefused) {
+TEST_F(GdalFile, FilesWithoutGeometryAreRefused) {
     EXPECT_THROW(read_trace_file("no-such.dxf", "map", "joint"), InputError);
     EXPECT_THROW(read_trace_file(written("junk.gpkg", "junk"), "map", "joint"), InputError);
     EXPECT_THROW(

@@ -1,12 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
-
-#include <filesystem>
-#include <fstream>
 
 #include "blockgen/sampling/rock_domain.hpp"
 #include "support/error_of.hpp"
+#include "unit/blockgen/file_folder.hpp"
 #include "unit/blockgen/material_areas.hpp"
 #include "unit/blockgen/slopes.hpp"
 
@@ -19,7 +16,6 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Pair;
-namespace fs = std::filesystem;
 
 /// A box of 20 m by 10 m of soil.
 std::string box(const std::string& more) {
@@ -154,21 +150,15 @@ TEST(Layers, FaultsAreNamed) {
         HasSubstr("[[region]], [[layer]] or [weathered] zone"));
 }
 
-class LayerFiles : public testing::Test {
+class LayerFiles : public FileFolder {
   protected:
-    void SetUp() override { fs::create_directories(folder_); }
-    void TearDown() override { fs::remove_all(folder_); }
-
     /// A box with a layer of which a file of this text is the top.
-    std::string with_file(const std::string& name, const std::string& text) {
-        std::ofstream(folder_ / name) << text;
+    std::string with_file(const std::string& name, const std::string& text) const {
         return box(
             "[[layer]]\nname = \"sand\"\nblock_material = \"sand\"\njoint_material = \"contact\"\n"
-            "top_file = \"" +
-            (folder_ / name).string() + "\"\n");
+            "top_file = " +
+            file(name, text) + "\n");
     }
-
-    const fs::path folder_ = fs::path(testing::TempDir()) / ("read_layers_" + std::to_string(::getpid()));
 };
 
 TEST_F(LayerFiles, OfPointsAndOfOneLineAreTops) {
