@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "blockgen/faces/classify_faces.hpp"
-#include "blockgen/input/domain.hpp"
 
 namespace rockslope::blockgen {
 
@@ -59,48 +58,46 @@ double covered_length(std::vector<std::pair<double, double>> intervals) {
 }  // namespace
 
 RockDomain::RockDomain(const SlopeModel& model, const std::string& region) : model_(model) {
+    const Ring* polygon = nullptr;
     for (const Region& candidate : model.regions)
-        if (candidate.name == region) region_ = &candidate.polygon;
-    area_ = area_of(model, region_);
+        if (candidate.name == region) polygon = &candidate.polygon;
+    if (polygon != nullptr) region_.emplace(*polygon);
+    parts_.emplace_back(model.outline);
+    for (const Ring& part : model.further_outlines) parts_.emplace_back(part);
+    for (const Ring& hole : model.holes) cavities_.emplace_back(hole);
+    for (const Tunnel& tunnel : model.tunnels) cavities_.emplace_back(tunnel.outline);
+    area_ = area_of(model, polygon);
 }
 
 double RockDomain::length_in(const Point& a, const Point& b) const {
     double length = 0;
-    for (const auto& [c, d] : pieces_in_region(a, b)) {
-        length += length_in_part(c, d, model_.outline);
-        for (const Ring& part : model_.further_outlines) length += length_in_part(c, d, part);
-    }
+    for (const auto& [c, d] : pieces_in_region(a, b))
+        for (const IndexedRing& part : parts_) length += length_in_part(c, d, part);
     return std::max(length, 0.0);
 }
 
-double RockDomain::length_in_part(const Point& a, const Point& b, const Ring& part) const {
+double RockDomain::length_in_part(const Point& a, const Point& b, const IndexedRing& part) const {
     double length = 0;
-    for (const auto& [p, q] : clip_to_ring(a, b, part)) {
-        std::vector<std::pair<double, double>> cavities;  // they may overlap
-        const auto subtract = [&, start = p, end = q](const Ring& cavity) {
-            for (const auto& [c, d] : clip_to_ring(start, end, cavity))
-                cavities.emplace_back(distance(start, c), distance(start, d));
-        };
-        for (const Ring& hole : model_.holes) subtract(hole);
-        for (const Tunnel& tunnel : model_.tunnels) subtract(tunnel.outline);
-        length += distance(p, q) - covered_length(std::move(cavities));
+    for (const auto& [p, q] : part.clip(a, b)) {
+        std::vector<std::pair<double, double>> intervals;  // they may overlap
+        for (const IndexedRing& cavity : cavities_)
+            for (const auto& [c, d] : cavity.clip(p, q))
+                intervals.emplace_back(distance(p, c), distance(p, d));
+        length += distance(p, q) - covered_length(std::move(intervals));
     }
     return length;
 }
 
 bool RockDomain::contains(const Point& p) const {
-    if (region_ != nullptr && side_of_ring(*region_, p) < 0) return false;
-    if (!is_in_outlines(model_, p)) return false;
-    for (const Ring& hole : model_.holes)
-        if (side_of_ring(hole, p) > 0) return false;
-    for (const Tunnel& tunnel : model_.tunnels)
-        if (side_of_ring(tunnel.outline, p) > 0) return false;
-    return true;
+    if (region_ && region_->side(p) < 0) return false;
+    return std::any_of(parts_.begin(), parts_.end(), [&](const IndexedRing& r) { return r.side(p) >= 0; }) &&
+           std::none_of(cavities_.begin(), cavities_.end(),
+                        [&](const IndexedRing& r) { return r.side(p) > 0; });
 }
 
 std::vector<Piece> RockDomain::pieces_in_region(const Point& a, const Point& b) const {
-    if (region_ == nullptr) return {{a, b}};
-    return clip_to_ring(a, b, *region_);
+    if (!region_) return {{a, b}};
+    return region_->clip(a, b);
 }
 
 std::vector<Piece> RockDomain::repeated_pieces(const std::vector<Trace>& traces) const {

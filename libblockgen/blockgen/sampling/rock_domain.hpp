@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "blockgen/input/slope_model.hpp"
+#include "common/geometry/indexed_ring.hpp"
 
 namespace rockslope::blockgen {
 
@@ -27,10 +29,12 @@ class RockDomain {
     std::vector<Piece> repeated_pieces(const std::vector<Trace>& traces) const;
 
   private:
-    double length_in_part(const Point& a, const Point& b, const Ring& part) const;
+    double length_in_part(const Point& a, const Point& b, const IndexedRing& part) const;
 
     const SlopeModel& model_;
-    const Ring* region_ = nullptr;
+    std::optional<IndexedRing> region_;
+    std::vector<IndexedRing> parts_;     ///< the outlines
+    std::vector<IndexedRing> cavities_;  ///< holes and tunnels
     double area_ = 0;
 };
 

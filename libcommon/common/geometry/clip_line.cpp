@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "common/geometry/pieces_in_ring.hpp"
+
 namespace rockslope {
 
 namespace {
@@ -50,29 +52,12 @@ std::optional<std::pair<double, double>> Bounds::clip(const Point& point, const 
 }
 
 std::vector<std::pair<Point, Point>> clip_to_ring(const Point& a, const Point& b, const Ring& ring) {
-    const double ux = b.x - a.x, uy = b.y - a.y;
-    std::vector<double> cuts = {0, 1};
-    for (std::size_t k = 0; k < ring.size(); ++k) {
-        const Point& p = ring[k];
-        const Point& q = ring[(k + 1) % ring.size()];
-        const double vx = q.x - p.x, vy = q.y - p.y, denominator = ux * vy - uy * vx;
-        if (denominator == 0) continue;
-        const double t = ((p.x - a.x) * vy - (p.y - a.y) * vx) / denominator;
-        const double s = ((p.x - a.x) * uy - (p.y - a.y) * ux) / denominator;
-        if (t > 0 && t < 1 && s >= 0 && s <= 1) cuts.push_back(t);
-    }
-    std::sort(cuts.begin(), cuts.end());
-    const auto at = [&](double t) { return Point{a.x + t * ux, a.y + t * uy}; };
-    std::vector<std::pair<Point, Point>> pieces;
-    for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
-        if (!(cuts[k] < cuts[k + 1]) || side_of_ring(ring, at((cuts[k] + cuts[k + 1]) / 2)) < 0) continue;
-        const bool continues = !pieces.empty() && pieces.back().second == at(cuts[k]);
-        if (continues)
-            pieces.back().second = at(cuts[k + 1]);
-        else
-            pieces.emplace_back(at(cuts[k]), at(cuts[k + 1]));
-    }
-    return pieces;
+    return pieces_in_ring(
+        a, b,
+        [&](const auto& visit) {
+            for (std::size_t k = 0; k < ring.size(); ++k) visit(ring[k], ring[(k + 1) % ring.size()]);
+        },
+        [&](const Point& p) { return side_of_ring(ring, p); });
 }
 
 }  // namespace rockslope
