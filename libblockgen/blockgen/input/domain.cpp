@@ -16,20 +16,10 @@ bool is_in_outlines(const SlopeModel& model, const Point& p) {
            std::any_of(model.further_outlines.begin(), model.further_outlines.end(), contains_p);
 }
 
-std::optional<double> ground_elevation(const SlopeModel& model, double x) {
-    std::optional<double> highest;
-    const auto take = [&](double y) { highest = highest ? std::max(*highest, y) : y; };
-    const auto take_ring = [&](const Ring& ring) {
-        for (std::size_t k = 0; k < ring.size(); ++k) {
-            const Point &a = ring[k], &b = ring[(k + 1) % ring.size()];
-            if (a.x == x) take(a.y);
-            if ((a.x < x && x < b.x) || (b.x < x && x < a.x))
-                take(a.y + (b.y - a.y) * ((x - a.x) / (b.x - a.x)));
-        }
-    };
-    take_ring(model.outline);
-    for (const Ring& part : model.further_outlines) take_ring(part);
-    return highest;
+VerticalSections outline_sections(const SlopeModel& model) {
+    std::vector<Ring> outlines = {model.outline};
+    outlines.insert(outlines.end(), model.further_outlines.begin(), model.further_outlines.end());
+    return VerticalSections(outlines);
 }
 
 std::string system_urn(const SlopeModel& model) {

@@ -132,8 +132,8 @@ JointPlane plane_of(const Projection& wanted, std::size_t number, const MapLine&
 
 /// Elevation of the joint where it meets the section line; nothing where the section has no ground.
 std::optional<double> elevation_of(const Projection& wanted, std::size_t number, const MapLine& line,
-                                   const Outcrop& outcrop, const SlopeModel& model, Tally& tally) {
-    const std::optional<double> ground = ground_elevation(model, outcrop.x);
+                                   const Outcrop& outcrop, const VerticalSections& outlines, Tally& tally) {
+    const std::optional<double> ground = outlines.at(outcrop.x).top;
     if (!wanted.takes_own_elevation || !ground) return ground;
     if (!outcrop.elevation || !is_in_allowed_range(*outcrop.elevation))
         wanted.table.fail("elevation",
@@ -158,9 +158,8 @@ void check_direction(const MapLine& line, const JointPlane& plane, Tally& tally)
 /// The line at the apparent dip through a point, through the whole domain or of the given length to each
 /// side. Fewer than two points when it misses the domain.
 std::vector<Point> joint_through(const Point& p, double angle, const std::optional<double>& length,
-                                 const SlopeModel& model) {
+                                 const Bounds& box) {
     const Point direction{std::cos(angle), std::sin(angle)};
-    const Bounds box = domain_bounds(model);
     const auto clipped =
         box.expanded(0.01 * std::max(box.high.x - box.low.x, box.high.y - box.low.y)).clip(p, direction);
     if (!clipped) return {};
@@ -230,7 +229,10 @@ void read_map_traces(const ConfigTable& root, const ConfigTable& table, const st
     const SectionLine section = section_line(root, table, "on", model);
     Projection wanted = read_projection(table, name, joint_material);
     const MapLines map = read_lines(wanted, model);
+    const VerticalSections outlines = outline_sections(model);
+    const Bounds box = domain_bounds(model);
     Tally tally;
+    Ring reached;  // all points of the joints
     for (std::size_t k = 0; k < map.lines.size(); ++k) {
         const MapLine& line = map.lines[k];
         const JointPlane plane = plane_of(wanted, k, line);
@@ -241,20 +243,21 @@ void read_map_traces(const ConfigTable& root, const ConfigTable& table, const st
                                                             : std::min(tally.nearest, outcrop.distance);
         if (outcrop.how != Meeting::crosses && outcrop.how != Meeting::extended) continue;
         tally.several += outcrop.crosses_again;
-        const auto elevation = elevation_of(wanted, k, line, outcrop, model, tally);
+        const auto elevation = elevation_of(wanted, k, line, outcrop, outlines, tally);
         std::vector<Point> points;
         if (elevation)
             points = joint_through({outcrop.x, *elevation}, apparent_angle(plane, section.azimuth()),
-                                   wanted.length, model);
+                                   wanted.length, box);
         if (points.empty()) {
             ++tally.off_ground;
             continue;
         }
         check_direction(line, plane, tally);
-        check_coordinate_range(table, table.has("file") ? "file" : "points", points, model);
+        reached.insert(reached.end(), points.begin(), points.end());
         model.traces.push_back(
             {wanted.name, joint_material_of(line, wanted.joint_material, wanted.source), std::move(points)});
     }
+    check_coordinate_range(table, table.has("file") ? "file" : "points", reached, model);
     note_tally(tally, wanted, map.lines.size(), model);
 }
 
