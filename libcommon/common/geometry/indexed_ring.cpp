@@ -82,13 +82,13 @@ int IndexedRing::side(const Point& point) const {
 }
 
 std::vector<std::pair<Point, Point>> IndexedRing::clip(const Point& a, const Point& b) const {
-    // Edges that the segment meets by rounding only are those that clip_to_ring() takes.
-    constexpr double rounding = 1e-12;
+    // Widened: clip_to_ring() takes edges, too, that the segment meets by rounding only.
+    constexpr double clip_rounding = 1e-12;
     const Bounds box = box_of(a, b);
     const double size = std::max({std::abs(box.low.x), std::abs(box.high.x), std::abs(box.low.y),
                                   std::abs(box.high.y), box.high.x - box.low.x, box.high.y - box.low.y});
     return pieces_in_ring(
-        a, b, [&](const auto& visit) { visit_edges(box.expanded(rounding * size), visit); },
+        a, b, [&](const auto& visit) { visit_edges(box.expanded(clip_rounding * size), visit); },
         [&](const Point& p) { return side(p); });
 }
 

@@ -12,7 +12,7 @@ namespace rockslope {
 /// boxes and the edges near its place, where side_of_ring() and clip_to_ring() look at all edges.
 class IndexedRing {
   public:
-    explicit IndexedRing(const Ring& ring);
+    explicit IndexedRing(const Ring& ring);  ///< keeps a copy of the ring
 
     /// The value of side_of_ring().
     int side(const Point& point) const;
