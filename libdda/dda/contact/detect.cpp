@@ -439,6 +439,7 @@ bool passes_entrance_angle_test(const Topology& topology, CornerSpan<const Vec2>
 }
 
 bool passes_entrance_angle_test(const Vec2& leaving, const Vec2& arriving, const Vec2& normal) {
+    // The entrance angle, Eq. (27).
     if (leaving.dot(normal) < -parallel_tolerance || arriving.dot(normal) < -parallel_tolerance) return false;
     return perpendicular(leaving - arriving).dot(normal) > 0;
 }

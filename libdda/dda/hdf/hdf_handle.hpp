@@ -13,7 +13,9 @@ class HdfHandle {
   public:
     using Closer = herr_t (*)(hid_t);
 
+    /// No identifier.
     HdfHandle() = default;
+    /// @param id negative: none. @param closer HDF5's function for identifiers of this kind.
     HdfHandle(hid_t id, Closer closer) : id_(id), closer_(closer) {}
     ~HdfHandle() { reset(); }
     HdfHandle(HdfHandle&& other) noexcept : id_(std::exchange(other.id_, -1)), closer_(other.closer_) {}
@@ -26,8 +28,10 @@ class HdfHandle {
         return *this;
     }
 
+    /// HDF5's number, negative where there is none.
     hid_t id() const { return id_; }
     explicit operator bool() const { return id_ >= 0; }
+    /// Closes the identifier, unless the library has failed.
     void reset() {
         if (id_ >= 0 && !library_has_failed()) closer_(id_);
         id_ = -1;
