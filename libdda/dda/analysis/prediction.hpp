@@ -32,12 +32,22 @@ struct Prediction {
     InitialGuess guess;            ///< from the attempt before
     bool needs_retry = true;       ///< whether the corrected prediction deserves another attempt
 
+    /// Whether the displacements found leave pairs beyond the search radius that may have met.
+    /// @param moved m, the largest displacement of a vertex; two vertices approach by twice as much.
+    bool is_outrun_by(double moved) const { return 2 * moved > search_radius.largest(); }
+    /// Widens the search radius for the displacements found. @param moved m, the largest one of a vertex.
+    void widen_for(double moved) { search_radius.widen(radius_over_displacement * moved); }
     /// Asks for another attempt that starts from the displacements and contact states found.
     void retry_from(const PerBlock<Vec6>& displacement, InitialGuess found) {
         predicted = displacement;
         guess = std::move(found);
         needs_retry = true;
     }
+
+  private:
+    /// Search radius of another attempt over the largest displacement found: twice that one, and a quarter
+    /// more for what the next attempt finds.
+    static constexpr double radius_over_displacement = 2.5;
 };
 
 }  // namespace rockslope::dda

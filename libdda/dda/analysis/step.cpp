@@ -205,14 +205,14 @@ void TimeStepper::correct_mid_step(const Stage& stage, const State& state, const
     const double moved = largest_displacement(state.blocks, model_.topology, displacement, pool_);
     if (!(moved <= displacement_limit(stage.control))) return;
     ++prediction.rotation_corrections;
-    prediction.search_radius.widen(2.5 * moved);
+    prediction.widen_for(moved);
     prediction.retry_from(displacement, {step.contacts.contacts, std::move(result.contacts)});
 }
 
 bool TimeStepper::correct_motion(const State& state, const Step& step, OpenCloseResult& result,
                                  const PerBlock<Vec6>& displacement, double moved, Prediction& prediction) {
-    if (2 * moved > prediction.search_radius.largest()) {
-        prediction.search_radius.widen(2.5 * moved);
+    if (prediction.is_outrun_by(moved)) {
+        prediction.widen_for(moved);
         prediction.needs_retry = true;
         return true;
     }

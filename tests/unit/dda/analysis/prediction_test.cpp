@@ -37,6 +37,16 @@ TEST(InitialGuess, OfAFirstAttemptIsNone) {
     EXPECT_EQ(dda::InitialGuess().match(found)[0], nullptr);
 }
 
+TEST(Prediction, IsOutrunByTwoVerticesThatApproachByMoreThanItsRadius) {
+    dda::Prediction prediction;
+    prediction.search_radius = dda::SearchRadius(0.02);
+    EXPECT_FALSE(prediction.is_outrun_by(0.01));
+    EXPECT_TRUE(prediction.is_outrun_by(0.0101));
+    prediction.widen_for(0.0101);
+    EXPECT_DOUBLE_EQ(prediction.search_radius.largest(), 2.5 * 0.0101);
+    EXPECT_FALSE(prediction.is_outrun_by(0.0101));
+}
+
 TEST(Prediction, IsTriedAgainFromWhatWasFound) {
     dda::Prediction prediction;
     prediction.needs_retry = false;
