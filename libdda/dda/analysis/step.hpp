@@ -6,8 +6,7 @@
 #include "common/base/thread_pool.hpp"
 #include "dda/analysis/ledger.hpp"
 #include "dda/analysis/open_close_iteration.hpp"
-#include "dda/analysis/prediction.hpp"
-#include "dda/analysis/state.hpp"
+#include "dda/analysis/step_equations.hpp"
 #include "dda/analysis/step_report.hpp"
 #include "dda/base/phase_times.hpp"
 #include "dda/contact/undetected_penetration.hpp"
@@ -55,56 +54,42 @@ class TimeStepper {
     void time_phases(PhaseTimes* times) { times_ = times; }
 
   private:
-    /// The equations of a step: all that is constant during its open-close iteration.
-    struct Step;
-
+    StepSetting setting() const { return {model_, rows_, scale_, pool_, times_}; }
     /// Computes the step with one prediction. Where the solution contradicts the prediction, corrects the
     /// prediction and sets its `needs_retry`.
     StepAttempt attempt_with(const Stage& stage, const State& state, double dt, Prediction& prediction);
-    Prediction initial_prediction(const Stage& stage, const State& state, double dt) const;
     /// Corrects the search radius or the predicted rotations if the displacements found contradict them.
     /// @param moved m, the largest displacement of a vertex. @return whether the prediction was corrected.
-    static bool correct_motion(const State& state, const Step& step, OpenCloseResult& result,
+    static bool correct_motion(const State& state, const StepEquations& step, OpenCloseResult& result,
                                const PerBlock<Vec6>& displacement, double moved, Prediction& prediction);
     /// Predicts the mid-step with the displacements found, where gaps did not settle about the one predicted.
-    void correct_mid_step(const Stage& stage, const State& state, const Step& step, OpenCloseResult& result,
-                          Prediction& prediction);
-    /// The largest displacement that a vertex may have in a step, m.
-    double displacement_limit(const StepControl& control) const {
-        return control.displacement_ratio * half_height_;
-    }
-    /// Detects and transfers contacts, and assembles all terms that are constant during the iteration.
-    Step prepare(const Stage& stage, const State& state, double dt, const Prediction& prediction);
+    void correct_mid_step(const Stage& stage, const State& state, const StepEquations& step,
+                          OpenCloseResult& result, Prediction& prediction);
     /// Whether the rounding of coordinates alone changes spring forces by a tenth of the mean block weight.
-    bool is_too_stiff_for_rounding(const Step& step) const;
+    bool is_too_stiff_for_rounding(const StepEquations& step) const;
     /// Vertices that penetrate a block without a contact at the end of the step, or passed through it.
     std::vector<UndetectedPenetration> undetected_penetrations(const Stage& stage, const State& before,
                                                                const State& after,
                                                                double search_radius) const;
-    /// Inertia, elasticity, loads, fixed points and viscous boundaries.
-    void assemble_base(const Stage& stage, const State& state, Step& step) const;
     /// Symbolic analysis of the matrix pattern, if the pattern of the candidates has changed.
     void analyze_pattern(const ContactSet& contacts);
-    OpenCloseResult solve(const Stage& stage, const State& state, const Step& step,
+    OpenCloseResult solve(const Stage& stage, const State& state, const StepEquations& step,
                           const Prediction& prediction);
     /// Whether friction gives so much energy in a step that a shorter one is to be tried.
     bool friction_drives(const Stage& stage, const State& before, const State& after) const;
     /// The displacement of the step per block, prescribed and fixed blocks included.
-    PerBlock<Vec6> all_displacements(const Step& step, const OpenCloseResult& result) const;
-    State updated_state(const Stage& stage, const State& state, const Step& step,
+    PerBlock<Vec6> all_displacements(const StepEquations& step, const OpenCloseResult& result) const;
+    State updated_state(const Stage& stage, const State& state, const StepEquations& step,
                         const OpenCloseResult& result, BlockSpan<const Vec6> displacement) const;
     /// Adds the step to the energy balance of the state at its end.
-    void record_energy(const Stage& stage, const State& state, const Step& step,
+    void record_energy(const Stage& stage, const State& state, const StepEquations& step,
                        const OpenCloseResult& result, State& after) const;
 
     const Model& model_;
     ThreadPool pool_;
     RowMap rows_;
+    ModelScale scale_;
     Ledger ledger_;
-    double half_height_ = 0;          ///< m, half the height of the model
-    double mean_weight_ = 0;          ///< N per metre, mean weight of a block with unknowns
-    double coordinate_rounding_ = 0;  ///< m, rounding error of a coordinate
-    double edge_length_ = 0;          ///< m, median of the block edges
     BlockPattern pattern_;
     std::vector<CornerEdge> pattern_candidates_;  ///< the candidates that pattern_ was computed from
     IterationWorkspace work_;
