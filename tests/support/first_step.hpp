@@ -47,8 +47,20 @@ struct FirstStep {
         base.load.assign(rows.count(), Vec6::Zero());
     }
     dda::StepProblem problem() const {
-        return {model, control, rows,         base,  state.blocks,     still, set.contacts, found.segments,
-                guess, springs, row_contacts, bolts, state.bolt_force, 1};
+        return {model,
+                control,
+                rows,
+                base,
+                state.blocks,
+                still,
+                set.contacts,
+                found.segments,
+                guess,
+                springs,
+                row_contacts,
+                bolts,
+                state.bolt_force,
+                dda::StepTime(1)};
     }
 
   private:

@@ -39,8 +39,8 @@ inline BlockTrack rigid_motion(const Shaken& block, double damping = 1) {
         if (block.shear_stiffness > 0) return block.shear_stiffness;
         return dda::shear_stiffness(block.law, joint.history, weight, length);
     };
-    joint = dda::shear(block.law, joint, 0, {weight, length, spring(), 0});
-    joint = dda::shear(block.law, joint, drive / spring(), {weight, length, spring(), 0});
+    joint = dda::shear(block.law, joint, 0, {weight, length, spring()});
+    joint = dda::shear(block.law, joint, drive / spring(), {weight, length, spring()});
     double dilated = dda::dilation(block.law, joint.history), before = dilated;
     double normal = weight, along = 0, up = 0, slip = 0;
     const double start = dilated - weight / normal_stiffness;
@@ -57,7 +57,7 @@ inline BlockTrack rigid_motion(const Shaken& block, double damping = 1) {
         const double closing = (dilated - before) / dt - up;
         const double overlap = dilated - rise;
         normal = overlap > 0 ? std::max(normal_stiffness * overlap + dashpot * closing, 0.0) : 0;
-        joint = dda::shear(block.law, joint, along * dt, {normal, length, spring(), dt});
+        joint = dda::shear(block.law, joint, along * dt, {normal, length, spring(), dda::StepTime(dt)});
         before = dilated;
         dilated = dda::dilation(block.law, joint.history);
         if (k % kept_every != 0) continue;

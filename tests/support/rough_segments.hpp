@@ -33,7 +33,7 @@ struct RoughSegments {
     }
     dda::StepProblem problem() const {
         return {model,    control, rows,    base,         blocks, {}, contacts,
-                segments, {},      springs, row_contacts, {},     {}, 1};
+                segments, {},      springs, row_contacts, {},     {}, dda::StepTime(1)};
     }
 
   private:

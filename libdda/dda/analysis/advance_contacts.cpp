@@ -18,7 +18,7 @@ void advance_histories(const Model& model, const ContactStep& step, const Thread
                                             evaluated.normal_force, evaluated.displacement, evaluated.slip);
         made.opened = evaluated.bond_broken;
         made.closing = contacts[k].state == ContactState::open;
-        made.duration = step.duration;
+        made.time = step.time;
         made.bond_holds = step.bonds_hold;
         return made;
     };

@@ -10,7 +10,7 @@ struct ContactStep {
     CornerSpan<const Vec2> vertices;  ///< m, at the step's end
     ContactSpan<const EvaluatedContact> evaluated;
     ContactSpan<const ContactSprings> springs;
-    double duration = 0;      ///< s, 0 in a static stage
+    StepTime time;
     bool bonds_hold = false;  ///< see StepProblem
 };
 

@@ -143,7 +143,8 @@ class OpenCloseIteration {
     /// change, and the iteration needs no more solutions. The lines of rough joint segments do not represent
     /// their laws well enough for the interior-point method.
     bool is_stalled() const {
-        return p_.is_static && !is_in_patches() && !interior_point_failed_ && !trials_.has_segments() &&
+        return p_.time.is_static() && !is_in_patches() && !interior_point_failed_ &&
+               !trials_.has_segments() &&
                (iterations_since_restart() >= bound_update_iterations || short_steps_ >= short_length_limit);
     }
 
@@ -338,7 +339,7 @@ class OpenCloseIteration {
     }
     /// Whether the balance that patches find suffices: in a static step, and where the solution of the linear
     /// system throws blocks again and again.
-    bool accepts_patches() const { return p_.is_static || damped_steps_ >= stuck_after; }
+    bool accepts_patches() const { return p_.time.is_static() || damped_steps_ >= stuck_after; }
     /// Whether the laws at the iterate agree with the forces by which the patches balanced all blocks.
     bool agrees_with_patches() {
         target_ = displacement_;

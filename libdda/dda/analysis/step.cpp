@@ -276,7 +276,7 @@ State TimeStepper::updated_state(const Stage& stage, const State& state, const S
                       .vertices = after.blocks.vertices,
                       .evaluated = result.contacts,
                       .springs = step.springs,
-                      .duration = duration_of(stage, step.dt),
+                      .time = stage.time_of_step(step.dt),
                       .bonds_hold = bonds_hold(model_, stage)},
                      pool_, after.contacts.contacts);
     record_energy(stage, state, step, result, after);
@@ -301,7 +301,7 @@ void TimeStepper::record_energy(const Stage& stage, const State& state, const St
                         velocity_factor(stage),
                         after.time,
                         step.loads,
-                        duration_of(stage, step.dt)};
+                        stage.time_of_step(step.dt).duration()};
     ledger_.record_step(work, state.contacts.contacts, after);
 }
 

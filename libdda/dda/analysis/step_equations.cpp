@@ -20,7 +20,7 @@ constexpr double tolerated_gain = 1e-7;
 
 /// The time at which load histories are evaluated, s: the end of the step.
 double load_time(const Stage& stage, const State& state, double dt) {
-    return state.dynamic_time + duration_of(stage, dt);
+    return state.dynamic_time + stage.time_of_step(dt).duration();
 }
 
 void assemble_base(const StepSetting& setting, const Stage& stage, const State& state, StepEquations& step) {
@@ -36,10 +36,6 @@ void assemble_base(const StepSetting& setting, const Stage& stage, const State& 
 }
 
 }  // namespace
-
-double duration_of(const Stage& stage, double dt) {
-    return stage.is_static() ? 0 : dt;
-}
 
 Prediction initial_prediction(const StepSetting& setting, const Stage& stage, const State& state, double dt) {
     const Model& model = setting.model;
@@ -73,7 +69,7 @@ StepEquations step_equations(const StepSetting& setting, const Stage& stage, con
         find_contacts(model, state.contacts,
                       {state.blocks.vertices, step.mid.vertices, prediction.forced, prediction.search_radius,
                        scale.edge_length, undetected_depth * scale.edge_length + scale.coordinate_rounding,
-                       duration_of(stage, dt), state.step_count == 0},
+                       stage.time_of_step(dt).duration(), state.step_count == 0},
                       pool, times);
     step.contacts = std::move(found.set);
     step.segments = std::move(found.segments);
@@ -110,11 +106,10 @@ StepProblem step_problem(const StepSetting& setting, const Stage& stage, const S
             .row_contacts = row_contacts,
             .bolts = step.bolts,
             .bolt_force = state.bolt_force,
-            .duration = duration_of(stage, step.dt),
+            .time = stage.time_of_step(step.dt),
             .rounding_force = setting.scale.coordinate_rounding * stiffness,
             .dashpots = step.dashpots,
-            .tolerated_gain = tolerated_gain * turned_over(state.energy),
-            .is_static = stage.is_static()};
+            .tolerated_gain = tolerated_gain * turned_over(state.energy)};
 }
 
 }  // namespace rockslope::dda

@@ -41,9 +41,6 @@ struct StepSetting {
     PhaseTimes* times = nullptr;  ///< null: no timing
 };
 
-/// The physical time of a step, s: dt in dynamic stages, 0 in static ones.
-double duration_of(const Stage& stage, double dt);
-
 /// The motion that the velocities predict, and the search radius for it. @param dt s, size of the step.
 Prediction initial_prediction(const StepSetting& setting, const Stage& stage, const State& state, double dt);
 

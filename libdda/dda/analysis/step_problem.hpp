@@ -46,7 +46,7 @@ struct StepProblem {
     const RowContacts& row_contacts;  ///< the contacts of each matrix row
     std::span<const BoltSpring> bolts;
     std::span<const double> bolt_force;  ///< at the start of the step, N per metre
-    double duration = 0;                 ///< s, physical time of the step; 0 in static stages
+    StepTime time;                       ///< of the step
     double rounding_force = 0;           ///< N per metre; smaller force differences are rounding errors
     ContactSpan<const NormalDashpot> dashpots = {};  ///< per contact, beside its normal spring; empty: none
     /// Per contact: the share of its bond's strength at which the bond yields, Eq. (97). Empty: bonds break
@@ -56,7 +56,6 @@ struct StepProblem {
     double tolerated_gain = 0;
     /// Whether the mid-step may be predicted anew: the iteration then ends where gaps do not settle.
     bool may_predict_anew = false;
-    bool is_static = false;  ///< the step is one of a static stage, see Stage::is_static
 
     /// Whether no bond breaks in the step.
     bool bonds_hold() const { return !held_shares.empty(); }

@@ -58,7 +58,7 @@ ContactMotion TrialContacts::motion(ContactIndex k) const {
     const double elastic = elastic_shear(k);
     ContactMotion motion = contact_motion(p_.model, p_.contacts[k], p_.springs[k].shear_stiffness,
                                           forces.normal, trials_[k].shearing, slip(k, elastic, forces.shear));
-    motion.duration = p_.duration;
+    motion.time = p_.time;
     return motion;
 }
 
@@ -168,7 +168,7 @@ double TrialContacts::locked_dilation_of(ContactIndex k) const {
     const double slope =
         (locked_dilation(p_.model, contact.joint_material, contact.history).slope + trial.dilating.slope) / 2;
     const double left = left_dilation(p_.model, contact);
-    const bool opens = left > 0 && !p_.is_static;
+    const bool opens = left > 0 && !p_.time.is_static();
     return (opens ? released_share * left : left) + slope * elastic;
 }
 

@@ -131,8 +131,9 @@ double BartonBandis::largest_climb(double roughness) const {
 
 BartonBandis::History BartonBandis::advance(const History& history, const ContactMotion& motion) const {
     History after = history;
-    after.spring = history.spring.loaded(
-        {motion.normal_force, motion.length, motion.length, motion.duration == 0}, barton, peak_displacement);
+    after.spring =
+        history.spring.loaded({motion.normal_force, motion.length, motion.length, motion.time.is_static()},
+                              barton, peak_displacement);
     after.locked_slope = slope_under(history, motion.normal_force, motion.length);
     if (motion.displacement == 0) return after;
     after.position += motion.displacement;

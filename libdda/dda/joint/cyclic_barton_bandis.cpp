@@ -117,7 +117,7 @@ CyclicBartonBandis::History CyclicBartonBandis::advance(const History& history,
                                                         const ContactMotion& motion) const {
     History loaded = history;
     loaded.spring = history.spring.loaded(
-        {motion.normal_force, motion.length, stressed_length(motion.length), motion.duration == 0}, barton,
+        {motion.normal_force, motion.length, stressed_length(motion.length), motion.time.is_static()}, barton,
         peak_displacement);
     History moved = displaced(loaded, motion);
     if (moved.forward == 0 && moved.opened == 0 && moved.spring.stiffness != history.spring.stiffness &&

@@ -98,6 +98,24 @@ struct ShearTrial {
     double stiffness = 0;     ///< of the shear spring, N/m per metre; 0: unknown
 };
 
+/// The time that a step takes. A step of a static stage takes none: its size is pseudo-time.
+class StepTime {
+  public:
+    /// That of a static step: none.
+    constexpr StepTime() = default;
+    /// That of a dynamic step. @param duration s.
+    constexpr explicit StepTime(double duration) : duration_(duration), is_static_(false) {}
+
+    /// s; 0 in a static step.
+    constexpr double duration() const { return duration_; }
+    /// Whether the step is one of a static stage.
+    constexpr bool is_static() const { return is_static_; }
+
+  private:
+    double duration_ = 0;
+    bool is_static_ = true;
+};
+
 /// Motion of a contact during an accepted step.
 struct ContactMotion {
     double slip = 0;             ///< plastic tangential slip of the step, m, positive forward
@@ -107,7 +125,7 @@ struct ContactMotion {
     bool opened = false;         ///< the contact was bonded and the bond broke
     double shear_force = 0;      ///< at the start of the step, N per metre
     double stiffness = 0;        ///< of the shear spring, N/m per metre; 0: unknown
-    double duration = 0;         ///< of the step, s; 0: unknown, or a static step
+    StepTime time = {};          ///< of the step
     bool closing = false;        ///< the contact was open at the start of the step; its cohesion did not act
     bool spring_of_law = false;  ///< the spring is that of the law, not one that the model gives
     bool bond_holds = false;     ///< the slip does not break the bond, see `Stage::bonds_break_at_rest`

@@ -14,7 +14,7 @@ ShearedJoint shear(const JointLaw& law, const ShearedJoint& joint, double displa
     const Strength bounds =
         strength(law, joint.history, normal_force, load.length, {displacement, start_force, load.stiffness});
     ContactMotion motion{0,     displacement, normal_force,   load.length,
-                         false, start_force,  load.stiffness, load.duration};
+                         false, start_force,  load.stiffness, load.time};
     ShearedJoint after;
     after.history = advance(law, joint.history, motion);
     const LockedDilation dilating = after_displacement(before, locked_dilation(law, after.history));

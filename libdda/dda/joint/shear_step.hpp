@@ -18,7 +18,7 @@ struct JointLoad {
     double normal_force = 0;  ///< N per metre, compression positive
     double length = 0;        ///< m
     double stiffness = 0;     ///< of the shear spring, N/m per metre, positive
-    double duration = 0;      ///< of the displacement, s; 0: static
+    StepTime time = {};       ///< of the displacement
 };
 
 /// The joint after a displacement (m, positive forward): the elastic predictor S + k s, limited to the law's

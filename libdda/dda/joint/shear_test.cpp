@@ -55,9 +55,9 @@ class Specimen {
   private:
     const JointLaw& law() const { return test_.material.law; }
     /// The spring of a rough joint is that of its rest at the start; the test is slow, but it is not at rest.
-    static constexpr double at_rest = 0, slow = std::numeric_limits<double>::infinity();
-    JointLoad load(double normal_stress, double duration) const {
-        return {normal_stress * test_.length, test_.length, stiffness_, duration};
+    static constexpr StepTime at_rest{}, slow = StepTime(std::numeric_limits<double>::infinity());
+    JointLoad load(double normal_stress, const StepTime& time) const {
+        return {normal_stress * test_.length, test_.length, stiffness_, time};
     }
     ShearedJoint after(double displacement, double normal_stress) const {
         return shear(law(), joint_, displacement, load(normal_stress, slow));

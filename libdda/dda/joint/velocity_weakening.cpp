@@ -35,8 +35,8 @@ Strength VelocityWeakening::strength_slope(const History& history, double normal
 VelocityWeakening::History VelocityWeakening::advance(const History&, const ContactMotion& motion) const {
     // The plastic slip contains the unloading of the spring when the strength falls, which is much larger
     // than the motion of the faces: the speed is taken from the displacement.
-    if (!(motion.duration > 0) || motion.slip == 0) return {};
-    return {std::min(std::abs(motion.displacement) / motion.duration, largest_speed)};
+    if (motion.time.is_static() || motion.slip == 0) return {};
+    return {std::min(std::abs(motion.displacement) / motion.time.duration(), largest_speed)};
 }
 
 VelocityWeakening VelocityWeakening::read(const ParameterTable& table) {

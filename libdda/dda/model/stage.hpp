@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "dda/base/indices.hpp"
+#include "dda/joint/joint_types.hpp"
 #include "dda/model/time_table.hpp"
 
 namespace rockslope::dda {
@@ -100,6 +101,8 @@ struct Stage {
 
     /// Whether the stage seeks a state of rest: its steps have no inertia that is carried on, and no time.
     bool is_static() const { return kind == StageKind::static_equilibrium; }
+    /// The time that one of its steps takes. @param dt s, size of the step.
+    StepTime time_of_step(double dt) const { return is_static() ? StepTime() : StepTime(dt); }
 };
 
 /// The smallest multiple k * step, k = 1, 2, ..., after the given time, s since the stage's start. The steps

@@ -30,7 +30,8 @@ struct AdvancedBlock {
         contacts = step.set.contacts;
         auto vertices = step.state.blocks.vertices;
         for (int corner = 4; corner < 8; ++corner) vertices[corner] += Vec2(2e-3, 1e-3);
-        dda::advance_contacts(step.model, {step.found.segments, vertices, evaluated, step.springs, 0.01},
+        dda::advance_contacts(step.model,
+                              {step.found.segments, vertices, evaluated, step.springs, dda::StepTime(0.01)},
                               step.pool, contacts);
     }
 };
@@ -118,8 +119,8 @@ TEST(AdvanceContacts, TellsTheLawTheDurationOfTheStep) {
     const dda::VelocityWeakening law{radians(35), radians(20), 0.1, 0};
     AdvancedBlock block(law);
     block.advance();
-    const dda::JointHistory expected =
-        advance(law, dda::fresh_history(law, true), {-2e-3, -2e-3, 3e4, 0.5, false, 0, 1e9, 0.01});
+    const dda::JointHistory expected = advance(law, dda::fresh_history(law, true),
+                                               {-2e-3, -2e-3, 3e4, 0.5, false, 0, 1e9, dda::StepTime(0.01)});
     EXPECT_LT(strength(law, expected, 1e4, 0.5).forward, 0.9 * 1e4 * std::tan(radians(35))) << "has weakened";
     for (const dda::Contact& contact : block.contacts)
         EXPECT_NEAR(strength(law, contact.history, 1e4, 0.5).forward,

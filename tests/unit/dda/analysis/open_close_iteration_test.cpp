@@ -30,12 +30,10 @@ struct LoadedBlock {
         step.base.stiffness[0].diagonal().tail<4>().array() += 1e20;  // neither rotates nor strains
         step.base.load[0] = dda::project(Vec2(-along, -into), Vec2(0, -0.5));
     }
-    /// @param duration s, of the step; 0: a static one.
-    void iterate(int iteration_limit = 100, double duration = 1) {
+    void iterate(int iteration_limit = 100, const dda::StepTime& time = dda::StepTime(1)) {
         step.control.iteration_limit = iteration_limit;
         dda::StepProblem problem = step.problem();
-        problem.duration = duration;
-        problem.is_static = duration == 0;
+        problem.time = time;
         dda::IterationWorkspace work;
         const auto solver = dda::make_linear_solver(dda::SolverKind::multifrontal, step.pool);
         solver->analyze(step.pattern);
@@ -80,8 +78,8 @@ TEST(OpenCloseIteration, LetsABlockSlideUnderMoreThanItsFriction) {
 TEST(OpenCloseIteration, AcceptsTheBalanceOfPatchesInAStaticStep) {
     const Scene s = resting_block(Scene::mohr_coulomb(30));
     LoadedBlock at_rest(s, 8e4, 5e4), moving(s, 8e4, 5e4);
-    at_rest.iterate(100, 0);
-    moving.iterate(100, dt);
+    at_rest.iterate(100, {});
+    moving.iterate(100, dda::StepTime(dt));
     ASSERT_TRUE(at_rest.result.converged && moving.result.converged);
     EXPECT_EQ(at_rest.result.iterations, 1);
     EXPECT_EQ(moving.result.iterations, 2);

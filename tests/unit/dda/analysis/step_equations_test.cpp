@@ -60,14 +60,14 @@ TEST(StepEquations, HaveTheWeightAsTheirLoadAndInertia) {
 TEST(StepEquations, TakeTimeInDynamicStagesAlone) {
     SlidingStep sliding;
     sliding.with_equations([](const auto&, const dda::StepEquations& step, const dda::StepProblem& problem) {
-        EXPECT_DOUBLE_EQ(problem.duration, 0.005);
-        EXPECT_FALSE(problem.is_static);
+        EXPECT_DOUBLE_EQ(problem.time.duration(), 0.005);
+        EXPECT_FALSE(problem.time.is_static());
         EXPECT_DOUBLE_EQ(step.loads.time, 3.005);
     });
     sliding.stage.kind = dda::StageKind::static_equilibrium;
     sliding.with_equations([](const auto&, const dda::StepEquations& step, const dda::StepProblem& problem) {
-        EXPECT_EQ(problem.duration, 0);
-        EXPECT_TRUE(problem.is_static);
+        EXPECT_EQ(problem.time.duration(), 0);
+        EXPECT_TRUE(problem.time.is_static());
         EXPECT_DOUBLE_EQ(step.loads.time, 3);
         EXPECT_TRUE(step.dashpots.empty());
     });

@@ -155,13 +155,14 @@ TYPED_TEST(JointLawConformance, ALongerJointUnderTheSameStressIsAsManyTimesAsStr
                     const Strength one = dda::strength(law, joint.history, normal, 0.1, trial);
                     const Strength many = dda::strength(law, joint.history, c * normal, c * 0.1, longer);
                     expect_ratio(many, one, c);
-                    const JointHistory after = dda::advance(
-                        law, joint.history,
-                        {1e-4, 1e-4, normal, 0.1, false, joint.shear_force, usual.stiffness, 0.01});
+                    const JointHistory after =
+                        dda::advance(law, joint.history,
+                                     {1e-4, 1e-4, normal, 0.1, false, joint.shear_force, usual.stiffness,
+                                      dda::StepTime(0.01)});
                     const JointHistory longer_after =
                         dda::advance(law, joint.history,
                                      {1e-4, 1e-4, c * normal, c * 0.1, false, c * joint.shear_force,
-                                      c * usual.stiffness, 0.01});
+                                      c * usual.stiffness, dda::StepTime(0.01)});
                     EXPECT_NEAR(dda::dilation(law, longer_after), dda::dilation(law, after), 1e-15);
                 }
             }

@@ -33,7 +33,7 @@ class WorkedJoint {
         joint_.history = dda::fresh_history(law, true);
         const bool has_spring = dda::shear_stiffness(law, joint_.history, normal_force, length) > 0;
         if (!has_spring) stiffness_ = 1e4 * normal_force;
-        load_to(normal_force, 0);
+        load_to(normal_force, {});
     }
     double work() const { return work_; }
     /// The work less what the joint stores, Eq. (78), J per metre: friction has taken it.
@@ -59,12 +59,12 @@ class WorkedJoint {
         if (stiffness_ > 0) return stiffness_;
         return dda::shear_stiffness(law_, joint_.history, joint_.normal_force, length);
     }
-    void load_to(double normal_force, double duration) {
+    void load_to(double normal_force, const dda::StepTime& time) {
         joint_.normal_force = normal_force;
-        joint_ = dda::shear(law_, joint_, 0, {normal_force, length, spring(), duration});
+        joint_ = dda::shear(law_, joint_, 0, {normal_force, length, spring(), time});
     }
     void step(double displacement, double normal_force) {
-        const dda::JointLoad load{normal_force, length, spring(), 1e-3};
+        const dda::JointLoad load{normal_force, length, spring(), dda::StepTime(1e-3)};
         const ShearedJoint loaded = dda::shear(law_, joint_, 0, load);
         const ShearedJoint moved = dda::shear(law_, loaded, displacement, load);
         const double dilation = dda::dilation(law_, moved.history) - dda::dilation(law_, loaded.history);
@@ -279,7 +279,7 @@ class BlockOnAJoint {
         rise_ = -weight / normal_stiffness;
         const bool has_spring = dda::shear_stiffness(law, joint_.history, weight, length) > 0;
         if (!has_spring) stiffness_ = normal_stiffness;
-        joint_ = dda::shear(law, joint_, 0, {weight, length, spring(), 0});
+        joint_ = dda::shear(law, joint_, 0, {weight, length, spring()});
     }
 
     void kick(double along, double up) {
@@ -292,7 +292,7 @@ class BlockOnAJoint {
         rise_ += up_ * step_;  // velocities, then positions, then forces: the spring gains nothing
         const double penetration = dda::dilation(law_, joint_.history) - rise_;
         const double normal = normal_stiffness * std::max(penetration, 0.0);
-        joint_ = dda::shear(law_, joint_, along_ * step_, {normal, length, spring(), step_});
+        joint_ = dda::shear(law_, joint_, along_ * step_, {normal, length, spring(), dda::StepTime(step_)});
         open_ = !(normal > 0);
         opened_ += open_ && !was_open_;
         was_open_ = open_;

@@ -45,9 +45,9 @@ TEST(VelocityWeakening, TheSpeedIsThatOfTheLastStep) {
     for (const double step : {1e-2, 2e-3, 2e-4}) {
         ShearedJoint joint{dda::fresh_history(law, true)};
         for (int k = 0; k < std::lround(0.1 / step); ++k)
-            joint = dda::shear(law, joint, speed * step, {force, length, stiffness, step});
+            joint = dda::shear(law, joint, speed * step, {force, length, stiffness, dda::StepTime(step)});
         EXPECT_NEAR(joint.shear_force, force * friction(smooth, speed), 1e-9 * force) << step;
-        joint = dda::shear(law, joint, 0, {force, length, stiffness, step});
+        joint = dda::shear(law, joint, 0, {force, length, stiffness, dda::StepTime(step)});
         EXPECT_NEAR(dda::strength(law, joint.history, force, length).forward, force * friction(smooth, 0),
                     1e-9 * force);
     }
@@ -55,9 +55,9 @@ TEST(VelocityWeakening, TheSpeedIsThatOfTheLastStep) {
 
 TEST(VelocityWeakening, AStaticStepHasNoSpeed) {
     EXPECT_EQ(smooth.advance({0.3}, {1e-3, 1e-3, force, length}).speed, 0);
-    const ContactMotion backward{-1e-3, -1e-3, force, length, false, 0, stiffness, 0.01};
+    const ContactMotion backward{-1e-3, -1e-3, force, length, false, 0, stiffness, dda::StepTime(0.01)};
     EXPECT_EQ(smooth.advance({}, backward).speed, 0.1);
-    const ContactMotion far{1e300, 1e300, force, length, false, 0, stiffness, 1e-300};
+    const ContactMotion far{1e300, 1e300, force, length, false, 0, stiffness, dda::StepTime(1e-300)};
     EXPECT_TRUE(std::isfinite(smooth.advance({}, far).speed));
 }
 
