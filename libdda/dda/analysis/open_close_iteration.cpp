@@ -11,6 +11,7 @@
 #include "dda/analysis/friction_coupling.hpp"
 #include "dda/analysis/gap_settling.hpp"
 #include "dda/analysis/interior_point.hpp"
+#include "dda/analysis/iterate.hpp"
 #include "dda/analysis/line_search.hpp"
 #include "dda/analysis/patch_balance.hpp"
 #include "dda/analysis/step_matrix.hpp"
@@ -67,11 +68,10 @@ class OpenCloseIteration {
           patches_(problem, trials_, work.patches, pool),
           fallbacks_before_(solver.fallbacks()),
           force_(problem.contacts.size()),
+          iterate_(problem.rows.count()),
           iteration_residual_(std::clamp(residual_over_tolerance * problem.control.force_tolerance,
                                          full_tolerance, largest_iteration_residual)),
-          bound_mixing_(bound_memory) {
-        displacement_.assign(p_.rows.count(), Vec6::Zero());
-    }
+          bound_mixing_(bound_memory) {}
 
     OpenCloseResult run(Beginning beginning) {
         beginning_ = beginning;
@@ -157,14 +157,13 @@ class OpenCloseIteration {
         bool failed = false;
         bool restarted = false;
         for (int round = 0; round < interior_round_limit && !failed && !restarted; ++round) {
-            const InteriorPointResult found = interior.solve(displacement_, start);
+            const InteriorPointResult found = interior.solve(iterate_.movable(), start);
             result_.iterations += found.iterations;
             result_.interior_iterations += found.iterations;
             result_.factorizations += found.iterations;
             substitutions_ += found.substitutions;
-            target_ = displacement_;
-            is_at_target_ = true;
-            trials_.set_displacement(displacement_, target_);
+            iterate_.stop_here();
+            evaluate_exactly();
             trials_.update_all_bounds();
             if (!found.converged) {
                 failed = start.hold_bounds || found.iterations == 0;
@@ -245,50 +244,42 @@ class OpenCloseIteration {
 
     /// Solves the linear system with the present friction forces of sliding contacts.
     void solve_with_fixed_friction() {
-        target_ = displacement_;
+        PerRow<Vec6>& target = iterate_.new_target();
         set_right_hand_side();
-        substitutions_ += solver_.solve_coarsely(target_, load_);
-        substitutions_ += solver_.refine(target_, load_, iteration_residual_);
+        substitutions_ += solver_.solve_coarsely(target, load_);
+        substitutions_ += solver_.refine(target, load_, iteration_residual_);
     }
 
     /// Solves the linear system with friction forces at the bounds of the solution's own normal forces, Eq.
     /// (35).
     void solve_with_coupled_friction() {
-        target_ = displacement_;
+        PerRow<Vec6>& target = iterate_.new_target();
         set_right_hand_side();
-        substitutions_ += solver_.solve_coarsely(target_, load_);
-        const int substitutions = friction_coupling_.solve(target_);
+        substitutions_ += solver_.solve_coarsely(target, load_);
+        const int substitutions = friction_coupling_.solve(target);
         if (substitutions > 0) set_right_hand_side();
-        substitutions_ += substitutions + solver_.refine(target_, load_, iteration_residual_);
+        substitutions_ += substitutions + solver_.refine(target, load_, iteration_residual_);
     }
 
     /// Moves the displacement towards the solution of the linear system by the step length of the line
     /// search; the first iteration takes the full step.
     void advance_to_target() {
         const bool is_first = result_.iterations == 1;
-        const double step = is_first ? 1 : line_search_.step_length(displacement_, target_);
+        const double step =
+            is_first ? 1 : line_search_.step_length(iterate_.displacement(), iterate_.target());
         if (step < short_length) ++short_steps_;
-        advance(step);
+        iterate_.advance(step);
     }
     /// Moves the displacement towards the solution of the linear system from blocks that were balanced in
     /// patches.
     void advance_in_patches() {
         if (iterations_since_restart() == 1) {
             damped_steps_ = 0;
-            advance(1);
+            iterate_.advance(1);
             return;
         }
-        is_at_target_ = patches_.advance(target_, displacement_);
-        damped_steps_ = is_at_target_ ? 0 : damped_steps_ + 1;
-        find_remaining_displacement();
-    }
-    void advance(double step) {
-        const double remaining = 1 - step;
-        remaining_displacement_.resize(target_.size());
-        for (const RowIndex r : target_.indices())
-            remaining_displacement_[r] = remaining * (target_[r] - displacement_[r]);
-        is_at_target_ = remaining == 0;
-        apply_step_length();
+        iterate_.moved(patches_.advance(iterate_.target(), iterate_.movable()));
+        damped_steps_ = iterate_.is_at_target() ? 0 : damped_steps_ + 1;
     }
     /// Evaluates the laws at the iterate. @param in_patches gaps follow the first iterates exactly; later
     /// they stay linear until the forces agree with the laws: a contact that hardly bears a force would open
@@ -296,12 +287,14 @@ class OpenCloseIteration {
     void evaluate(bool in_patches) {
         using Gaps = TrialContacts::Gaps;
         const bool is_linear = in_patches && iterations_since_restart() > EntranceRounds::first_iterations;
-        trials_.set_displacement(displacement_, target_, is_linear ? Gaps::linear : Gaps::exact);
+        trials_.set_displacement(iterate_.displacement(), iterate_.target(),
+                                 is_linear ? Gaps::linear : Gaps::exact);
         if (is_linear && is_at_minimum()) follow_gaps();
     }
+    void evaluate_exactly() { trials_.set_displacement(iterate_.displacement(), iterate_.target()); }
     /// Evaluates the gaps exactly at a minimum for linear ones.
     void follow_gaps() {
-        trials_.set_displacement(displacement_, target_);
+        evaluate_exactly();
         test_gaps(trials_.force_change().largest);
     }
     /// Notes whether gaps do not settle. @param change N per metre, by which forces follow their exact
@@ -316,20 +309,19 @@ class OpenCloseIteration {
     void test_and_relax() {
         follow_entrances();
         // Without dilation the force change is found by the test below, if the iterate is at the target.
-        const bool seeks_minimum = trials_.any_dilates() || !is_at_target_;
+        const bool seeks_minimum = trials_.any_dilates() || !iterate_.is_at_target();
         if (DilationRounds::follows(result_.iterations) && seeks_minimum && is_at_minimum())
             trials_.update_dilation();
         trials_.update_bounds();
-        if (is_at_target_ && is_converged_exactly() && !trials_.break_bonds()) {
+        if (iterate_.is_at_target() && is_converged_exactly() && !trials_.break_bonds()) {
             accept_or_restart();
             return;
         }
-        if (patches_.relax(iterations_since_restart(), displacement_)) {
-            is_at_target_ = false;
-            find_remaining_displacement();
-            trials_.move_to(displacement_);
+        if (patches_.relax(iterations_since_restart(), iterate_.movable())) {
+            iterate_.moved(false);
+            trials_.move_to(iterate_.displacement());
         }
-        if (accepts_patches() && patches_.is_complete(displacement_) && agrees_with_patches() &&
+        if (accepts_patches() && patches_.is_complete(iterate_.displacement()) && agrees_with_patches() &&
             !trials_.break_bonds()) {
             accept_or_restart();
             return;
@@ -342,25 +334,14 @@ class OpenCloseIteration {
     bool accepts_patches() const { return p_.time.is_static() || damped_steps_ >= stuck_after; }
     /// Whether the laws at the iterate agree with the forces by which the patches balanced all blocks.
     bool agrees_with_patches() {
-        target_ = displacement_;
-        is_at_target_ = true;
-        trials_.measure_gaps(displacement_);
+        iterate_.stop_here();
+        trials_.measure_gaps(iterate_.displacement());
         follow_entrances();
         trials_.update_all_bounds();
         if (is_at_minimum()) return true;
         test_gaps(result_.force_change);
         return false;
     }
-    void find_remaining_displacement() {
-        remaining_displacement_.resize(target_.size());
-        for (const RowIndex r : target_.indices()) remaining_displacement_[r] = target_[r] - displacement_[r];
-    }
-    void apply_step_length() {
-        displacement_ = target_;
-        if (is_at_target_) return;
-        for (const RowIndex r : target_.indices()) displacement_[r] -= remaining_displacement_[r];
-    }
-
     /// Whether the displacement is a minimum of the potential with the present bounds, Eq. (36): the forces
     /// of the laws agree with those of the linear system, which balance, and so little displacement remains
     /// that its inertia and strain forces are below the tolerance, too.
@@ -369,24 +350,7 @@ class OpenCloseIteration {
         if (change.contact.exists()) result_.worst_contact = change.contact;
         result_.force_change = change.largest;
         return std::isfinite(change.largest) && change.largest <= trials_.tolerance() &&
-               (is_at_target_ || remaining_force() <= trials_.tolerance());
-    }
-
-    /// The largest force of inertia and elasticity on a block, N per metre, for the remaining displacement.
-    /// Moments and generalised strain forces are divided by the square root of the block's area.
-    double remaining_force() const {
-        const auto largest_of_rows = [&](std::size_t begin, std::size_t end) {
-            double largest = 0;
-            for (const RowIndex r : indices<RowIndex>(begin, end)) {
-                Vec6 force = p_.base.stiffness[r] * remaining_displacement_[r];
-                const BlockIndex block = p_.rows.block_of[r];
-                force.tail<4>() /= std::sqrt(p_.blocks.moments[block].area);
-                largest = std::max(largest, force.cwiseAbs().maxCoeff());
-            }
-            return largest;
-        };
-        return pool_.parallel_reduce(remaining_displacement_.size(), 0.0, largest_of_rows,
-                                     [](double a, double b) { return std::max(a, b); });
+               (iterate_.is_at_target() || iterate_.remaining_force(p_, pool_) <= trials_.tolerance());
     }
 
     /// Whether the iterate is at the minimum also after the linear system is solved to full accuracy and the
@@ -394,12 +358,12 @@ class OpenCloseIteration {
     bool is_converged_exactly() {
         if (!is_at_minimum()) return false;
         end_of(Phase::evaluation, times_);
-        const int substitutions = solver_.refine(target_, load_, full_tolerance);
+        const int substitutions = solver_.refine(iterate_.refined_target(), load_, full_tolerance);
         end_of(Phase::solution, times_);
         substitutions_ += substitutions;
         if (substitutions > 0) {
-            apply_step_length();
-            trials_.set_displacement(displacement_, target_);
+            iterate_.follow_target();
+            evaluate_exactly();
             follow_entrances();
         } else if (!trials_.has_segments()) {
             return true;
@@ -411,7 +375,7 @@ class OpenCloseIteration {
     void finish() {
         result_.substitutions = substitutions_;
         result_.fallbacks = solver_.fallbacks() - fallbacks_before_;
-        result_.displacement = displacement_;
+        result_.displacement.assign(iterate_.displacement().begin(), iterate_.displacement().end());
         result_.contacts.resize(trials_.count());
         trials_.evaluate(result_.contacts);
         for (std::size_t k = 0; k < p_.bolts.size(); ++k) result_.bolt_force.push_back(trials_.bolt_force(k));
@@ -431,13 +395,10 @@ class OpenCloseIteration {
     FrictionCoupling friction_coupling_;
     PatchBalance patches_;
     int fallbacks_before_;
-    PerContact<Vec2> force_;               ///< per contact, on the corner's block, N per metre
-    PerRow<Vec6> load_;                    ///< per row: right-hand side
-    PerRow<Vec6> target_;                  ///< per row: the linear system's solution, m
-    PerRow<Vec6> displacement_;            ///< per row: the present iterate, m
-    PerRow<Vec6> remaining_displacement_;  ///< per row: from the iterate to target_, m
-    bool is_at_target_ = true;             ///< the iterate is target_
-    int damped_steps_ = 0;                 ///< in a row, from patches
+    PerContact<Vec2> force_;  ///< per contact, on the corner's block, N per metre
+    PerRow<Vec6> load_;       ///< per row: right-hand side
+    Iterate iterate_;
+    int damped_steps_ = 0;  ///< in a row, from patches
     bool is_astray_ = false;
     GapSettling gap_settling_;
     double iteration_residual_;  ///< residual of linear solutions over the load
