@@ -9,11 +9,11 @@ set(storeys_of_study "statistics design csv" "plan" "folder" "table cluster" "an
 
 # The files of dda/analysis from the ground up, each with its header; files on one line do not see each other.
 set(levels_of_analysis
-    "base_motion energy joint_motion model_scale path_contact shear_energy step_counts step_problem"
+    "base_motion contact_law energy joint_motion model_scale path_contact shear_energy step_counts step_problem"
     "advance_contacts counter_slips energy_watch iterate prediction segment_strength shear_sharing state"
     "bonds deepest_contact lost_blocks segment_friction step_equations step_report"
     "moving_block run_observer trial_contacts"
-    "augmentation augmentation_rounds dilation_rounds entrance_rounds line_search shear_line step_matrix trial_dilation"
+    "augmentation augmentation_rounds dilation_rounds entrance_rounds line_search shear_line step_matrix trial_bounds trial_dilation"
     "friction_coupling gap_settling interior_point limited_contacts"
     "interior_coupling patch_balance"
     "open_close_iteration"

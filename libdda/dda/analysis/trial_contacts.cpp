@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <utility>
 
@@ -18,10 +17,6 @@ namespace {
 bool is_within(double force, const Strength& bounds) {
     return force <= bounds.forward && force >= -bounds.backward && bounds.forward + bounds.backward > 0;
 }
-
-/// Force change over the force tolerance below which the law of a rough joint segment is not evaluated again.
-/// The final convergence test evaluates all laws.
-constexpr double law_reuse_tolerance = 0.1;
 
 }  // namespace
 
@@ -42,23 +37,6 @@ TrialContacts::TrialContacts(const StepProblem& problem, const ThreadPool& pool)
     yielding_.assign(p_.bolts.size(), 0);
     elongation_.assign(p_.bolts.size(), 0);
     linear_bolt_.assign(p_.bolts.size(), 0);
-}
-
-template <class Body>
-void TrialContacts::for_contacts(const Body& body) const {
-    pool_.parallel_for(count(), [&](std::size_t begin, std::size_t end) {
-        for (const ContactIndex k : indices<ContactIndex>(begin, end)) body(k);
-    });
-}
-
-template <class Predicate>
-bool TrialContacts::for_any_contact(const Predicate& predicate) const {
-    const auto any_in_chunk = [&](std::size_t begin, std::size_t end) {
-        bool any = false;
-        for (const ContactIndex k : indices<ContactIndex>(begin, end)) any = predicate(k) || any;
-        return any;
-    };
-    return pool_.parallel_reduce(count(), false, any_in_chunk, std::logical_or<>());
 }
 
 TrialContacts::Trial TrialContacts::initial_trial(ContactIndex k) const {
@@ -105,34 +83,6 @@ double TrialContacts::initial_spring_force(ContactIndex k) const {
     return guess != nullptr ? guess->normal_spring_force : p_.contacts[k].normal_spring_force;
 }
 
-Strength TrialContacts::bounds_of_single_contact(ContactIndex k, const ContactLoading& loading) const {
-    const ContactMotion motion = contact_motion(p_.model, p_.contacts[k], p_.springs[k].shear_stiffness,
-                                                loading.normal, loading.shearing, 0);
-    const Strength strengths = strength(law_of(k), p_.contacts[k].history, motion.normal_force, motion.length,
-                                        {motion.displacement, motion.shear_force, motion.stiffness});
-    const double reduced = 1 / p_.model.strength_reduction;
-    const Strength bounds{strengths.forward * reduced, strengths.backward * reduced,
-                          strengths.tensile * reduced};
-    if (!p_.bonds_hold() || p_.held_shares[k] == 1) return bounds;
-    const Strength bond = strength(law_of(k), p_.contacts[k].history, 0, motion.length);
-    const double not_held = (1 - p_.held_shares[k]) * reduced;
-    return {std::max(bounds.forward - not_held * bond.forward, 0.0),
-            std::max(bounds.backward - not_held * bond.backward, 0.0), p_.held_shares[k] * bounds.tensile};
-}
-
-/// The bounds of Eq. (75).
-Strength TrialContacts::bounds_at(ContactIndex k, const ContactLoading& here) const {
-    if (is_bonded(k)) return bounds_of_single_contact(k, here);
-    if (!(here.normal > 0) && !coheres(k)) return {};
-    Strength bounds = bounds_of_single_contact(k, {std::max(here.normal, 0.0), here.shearing});
-    if (has_cohesion(k) && !coheres(k)) {
-        const Strength cohesion = bounds_of_single_contact(k, {0, here.shearing});
-        bounds.forward = std::max(bounds.forward - cohesion.forward, 0.0);
-        bounds.backward = std::max(bounds.backward - cohesion.backward, 0.0);
-    }
-    return bounds;
-}
-
 // --- the linear system
 
 double TrialContacts::linear_bolt_force(std::size_t k, double elongation) const {
@@ -167,25 +117,6 @@ double TrialContacts::law_bolt_force(std::size_t k, double elongation) const {
     const double elastic = p_.bolt_force[k] + p_.bolts[k].stiffness * elongation;
     const double yield = p_.model.bolts[k].yield_force;
     return yield > 0 ? std::clamp(elastic, -yield, yield) : elastic;
-}
-
-// --- friction of sliding contacts
-
-void TrialContacts::find_requested_lines() {
-    segment_friction_.find_requested_lines(
-        [this](ContactIndex k) { return evaluated_ ? current_loading(k) : initial_loading(k); });
-}
-
-void TrialContacts::set_bound_to_friction_force(ContactIndex k, double normal_force) {
-    Trial& trial = trials_[k];
-    trial.held_normal = std::max(normal_force, 0.0);
-    (trial.forward ? trial.bounds.forward : trial.bounds.backward) =
-        std::abs(trial.friction_force + trial.tilt * trial.held_normal);
-}
-
-double TrialContacts::bound_at(ContactIndex k, double normal, RowSpan<const Vec6> d) const {
-    const ContactSprings& s = p_.springs[k];
-    return in_direction(k, bounds_of_single_contact(k, {normal, s.rows.measure(s.shear, d)}));
 }
 
 // --- evaluation
@@ -302,33 +233,8 @@ double TrialContacts::tolerance() const {
     return std::max(p_.control.force_tolerance * largest_force_, p_.rounding_force);
 }
 
-void TrialContacts::update_bounds() {
-    compute_bounds(law_reuse_tolerance * tolerance());
-}
-
-void TrialContacts::update_all_bounds() {
-    compute_bounds(0);
-}
-
 ContactLoading TrialContacts::current_loading(ContactIndex k) const {
     return {current_forces(k).normal, trials_[k].shearing};
-}
-
-void TrialContacts::compute_bounds(double change_tolerance) {
-    for_contacts([&](ContactIndex k) {
-        Trial& trial = trials_[k];
-        if (!trial.may_close) {
-            if (!is_on_segment(k)) trial.bounds = {};
-            return;
-        }
-        const ContactLoading here = current_loading(k);
-        if (!is_on_segment(k)) trial.bounds = bounds_at(k, here);
-        // The tension that a bond bears is one of the bounds.
-        trial.held_normal = is_bonded(k) ? current_loading(k).normal : here.normal;
-    });
-    segment_friction_.update(
-        change_tolerance, [this](ContactIndex k) { return current_loading(k); },
-        [this](ContactIndex k, const Strength& bounds) { trials_[k].bounds = bounds; });
 }
 
 /// The elastic shear force of Eq. (23); it follows the normal force where the joint dilates, Eq. (77).
@@ -341,33 +247,6 @@ double TrialContacts::elastic_shear(ContactIndex k) const {
 double TrialContacts::by_slope(ContactIndex k) const {
     return trials_[k].dilating.shear_force(std::max(current_forces(k).normal, 0.0),
                                            p_.contacts[k].joint_share);
-}
-
-Eigen::VectorXd TrialContacts::shear_bounds() const {
-    Eigen::VectorXd shear_bounds(static_cast<Eigen::Index>(2 * trials_.size()));
-    Eigen::Index row = 0;
-    for (const Trial& trial : trials_) {
-        shear_bounds[row++] = trial.bounds.forward;
-        shear_bounds[row++] = trial.bounds.backward;
-    }
-    return shear_bounds;
-}
-
-void TrialContacts::set_shear_bounds(const Eigen::VectorXd& shear_bounds) {
-    Eigen::Index row = 0;
-    for (Trial& trial : trials_) {
-        trial.bounds.forward = std::max(shear_bounds[row++], 0.0);
-        trial.bounds.backward = std::max(shear_bounds[row++], 0.0);
-    }
-}
-
-bool TrialContacts::break_bonds() {
-    if (p_.bonds_hold()) return false;
-    return for_any_contact([&](ContactIndex k) {
-        const bool breaks = is_bonded(k) && current_forces(k).normal < -trials_[k].bounds.tensile;
-        trials_[k].bond_broken = trials_[k].bond_broken || breaks;
-        return breaks;
-    });
 }
 
 bool TrialContacts::update_active_set() {
