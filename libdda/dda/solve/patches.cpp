@@ -31,7 +31,10 @@ Relaxation Patches::relax(const LimitedStep& step, const PatchAims& aims, RowSpa
                   : add_rings(rings, std::numeric_limits<std::size_t>::max());
         for (const RowIndex each : patch_) in_patch_[each] = 0;
         const PathAims path{aims.path.starts, aims.path.visit_limit - taken.visits};
-        taken.visits += path_.follow(step, patch_, {displacement, forces_.elastic()}, path).visits;
+        const PatchPath::Outcome outcome =
+            path_.follow(step, patch_, {displacement, forces_.elastic()}, path);
+        taken.visits += outcome.visits;
+        taken.borders += outcome.borders;
         ++taken.patches;
     }
     return taken;

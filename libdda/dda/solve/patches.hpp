@@ -19,6 +19,7 @@ struct PatchAims {
 /// What a relaxation took.
 struct Relaxation {
     int patches = 0;
+    int borders = 0;    ///< crossed on paths: a pivot each
     double visits = 0;  ///< contacts that the search for borders looked at
 };
 
