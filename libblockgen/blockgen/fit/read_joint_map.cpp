@@ -5,6 +5,7 @@
 #include "blockgen/input/geojson.hpp"
 #include "blockgen/input/geometry_file.hpp"
 #include "blockgen/input/place_coordinates.hpp"
+#include "blockgen/input/repeated_traces.hpp"
 #include "common/geometry/clip_line.hpp"
 
 namespace rockslope::blockgen {
@@ -92,8 +93,11 @@ JointMapFile read_joint_map(const MapRequest& request) {
     PlacedFile traces{table, "file", request.traces, raw.trace_notes, {}};
     for (Trace& trace : raw.traces) traces.lines.push_back(&trace.points);
     place_coordinates(traces, model);
+    // A trace that was digitised twice is one joint.
+    model.traces = std::move(raw.traces);
+    drop_repeated_traces(model);
     JointMapFile file;
-    file.map.traces = std::move(raw.traces);
+    file.map.traces = std::move(model.traces);
     if (raw.polygons.empty()) {
         take_box_of_traces(file);
     } else {
