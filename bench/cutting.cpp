@@ -16,6 +16,7 @@
 
 #include "blockgen/cut/cut_blocks.hpp"
 #include "blockgen/mesh/block_file.hpp"
+#include "heap.hpp"
 #include "peer/geos_blocks.hpp"
 #include "peer/joint_families.hpp"
 
@@ -191,6 +192,7 @@ int main(int argc, char** argv) {
         std::fputs("bench_cutting SCRATCH.blocks [LARGEST [LARGEST_OF_GEOS [REPEATS]]]\n", stderr);
         return 2;
     }
+    use_large_pages();
     const double largest = argc > 2 ? std::atof(argv[2]) : 1e6;
     const double largest_of_geos = argc > 3 ? std::atof(argv[3]) : 1e5;
     const int repeats = argc > 4 ? std::max(1, std::atoi(argv[4])) : 5;
