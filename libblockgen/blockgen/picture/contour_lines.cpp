@@ -1,5 +1,6 @@
 #include "blockgen/picture/contour_lines.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
