@@ -332,7 +332,7 @@ class GeoJsonReader {
         }
     }
 
-    /// @param levels likewise.
+    /// @param levels lists round each number.
     void take_polygons(std::size_t levels, Paths& read) {
         if (read.paths.empty()) return;
         if (read.position_depth != levels) fail_position();

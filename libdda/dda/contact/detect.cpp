@@ -6,6 +6,8 @@
 #include <tuple>
 
 #include "dda/contact/candidates.hpp"
+#include "dda/contact/corner_meetings.hpp"
+#include "dda/contact/edge_directions.hpp"
 #include "dda/contact/inherited_penetration.hpp"
 #include "dda/contact/owner_index.hpp"
 
@@ -222,20 +224,6 @@ class ContactDetector {
         return std::min(topology_.block_of[candidate.pair.corner],
                         topology_.block_of_edge(candidate.pair.edge));
     }
-    /// The direction of an edge.
-    struct EdgeDirection {
-        Vec2 tangent;   ///< unit, along the edge
-        double length;  ///< m
-    };
-    static PerEdge<EdgeDirection> edge_directions(const Topology& topology, CornerSpan<const Vec2> vertices) {
-        PerEdge<EdgeDirection> directions(topology.corner_count());
-        for (const EdgeIndex edge : topology.edges()) {
-            const Vec2 along = vertices[topology.end_of(edge)] - vertices[start_of(edge)];
-            const double length = along.norm();
-            directions[edge] = {along / length, length};
-        }
-        return directions;
-    }
     static PerContact<EdgeIndex> edges_of(ContactSpan<const Contact> contacts) {
         PerContact<EdgeIndex> edges(contacts.size());
         for (const ContactIndex k : contacts.indices()) edges[k] = contacts[k].edge;
@@ -362,48 +350,6 @@ std::vector<std::size_t> filter(std::size_t count, const ThreadPool& pool, const
     return indices;
 }
 
-/// Candidates whose corner is near an end of their edge, by the two corners that meet.
-class CornerMeetings {
-  public:
-    /// @param count number of candidates for which memory is taken.
-    explicit CornerMeetings(std::size_t count) {
-        lower_.reserve(count);
-        members_.reserve(count);
-    }
-    void add(const ContactCandidate& candidate) {
-        const auto [lower, upper] = std::minmax(candidate.pair.corner, candidate.partner_corner);
-        lower_.push_back(lower);
-        members_.push_back({upper, &candidate});
-    }
-
-    /// Calls `visit` with the candidates of each pair of corners: pairs ascending, candidates as they were
-    /// added.
-    template <class Visit>
-    void for_each(std::size_t corner_count, const Visit& visit) const {
-        const OwnerIndex<CornerIndex, std::uint32_t> by_lower(corner_count, lower_);
-        std::vector<std::uint32_t> order;
-        std::vector<const ContactCandidate*> together;
-        for (const CornerIndex corner : indices<CornerIndex>(0, corner_count)) {
-            const auto items = by_lower.of(corner);
-            order.assign(items.begin(), items.end());
-            std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-                return std::pair(members_[a].first, a) < std::pair(members_[b].first, b);
-            });
-            for (auto item = order.begin(); item != order.end();) {
-                const CornerIndex upper = members_[*item].first;
-                together.clear();
-                for (; item != order.end() && members_[*item].first == upper; ++item)
-                    together.push_back(members_[*item].second);
-                visit(std::span<const ContactCandidate* const>(together));
-            }
-        }
-    }
-
-  private:
-    std::vector<CornerIndex> lower_;
-    std::vector<std::pair<CornerIndex, const ContactCandidate*>> members_;  ///< upper corner, candidate
-};
-
 /// The selected contacts in the order of comes_before: a counting sort by lower block, then a sort within
 /// each.
 std::vector<Contact> sorted_contacts(const Model& model, const ContactDetector& detector,
@@ -457,7 +403,7 @@ std::vector<Contact> detect_contacts(const Model& model, const DetectionInput& a
 
     std::vector<SelectedContact> selected;
     selected.reserve(accepted.size());
-    CornerMeetings meetings(accepted.size());
+    CornerMeetings<ContactCandidate> meetings(accepted.size());
     for (const std::size_t k : accepted) {
         if (evaluated[k].partner_corner.exists())
             meetings.add(evaluated[k]);
