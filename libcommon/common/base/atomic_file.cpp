@@ -140,6 +140,16 @@ void write_pieces_atomically(const fs::path& path,
     file.put_in_place();
 }
 
+void sync_file(const fs::path& path) {
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0) cannot_write(path);
+    const bool is_synced = ::fsync(descriptor) == 0 || errno == EINVAL || errno == ENOTSUP;
+    const int reason = errno;
+    ::close(descriptor);
+    errno = reason;
+    if (!is_synced) cannot_write(path);
+}
+
 void remove_abandoned_files(const fs::path& folder) {
     std::error_code ignored;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))

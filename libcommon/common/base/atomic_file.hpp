@@ -45,6 +45,10 @@ void write_file_atomically(const std::filesystem::path& path, std::string_view c
 void write_pieces_atomically(const std::filesystem::path& path,
                              FunctionRef<void(FunctionRef<void(std::string_view)> append)> write_pieces);
 
+/// Waits until the bytes of a file are on the disk, also those that another program wrote. Not every file
+/// system can do this. @throws OutputError.
+void sync_file(const std::filesystem::path& path);
+
 /// Removes the files that killed programs left in a folder under the random names of a PendingFile. No other
 /// program may be writing there.
 void remove_abandoned_files(const std::filesystem::path& folder);

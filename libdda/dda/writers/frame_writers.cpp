@@ -51,7 +51,11 @@ class FrameWriter : public ResultWriter {
         if (copy_) copy_->put_in_place();
         copy_.reset();
     }
-    void sync() override { file_.sync(); }
+    /// A checkpoint of a resumed run counts on the frames that were found, and a kill had left in memory.
+    void sync() override {
+        if (copy_) sync_file(path_);
+        file_.sync();
+    }
     std::int64_t position() const override { return file_.frame_count(); }
     std::string digest() const override { return file_.digest(); }
 
