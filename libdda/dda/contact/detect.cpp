@@ -48,10 +48,6 @@ struct EntranceLine {
     bool carries_force = false;  ///< one of its candidates does
 };
 
-/// Smallest overlap of two faces, over the edge's length, that gets a second contact at its other end. With a
-/// smaller limit, slip to and fro would create and delete the contact repeatedly.
-constexpr double min_overlap_ratio = 1e-3;
-
 /// Contact detection of a step: evaluates candidates, selects entrance lines and makes contacts.
 class ContactDetector {
   public:

@@ -19,6 +19,9 @@ inline constexpr double parallel_tolerance = 0.0523;
 /// equal faces shift by elastic strains from step to step; without the tolerance their contacts would
 /// exchange corner and edge at every shift and never come to rest.
 inline constexpr double end_tolerance = 1e-6;
+/// Smallest overlap of two faces, over the edge's length, that gets a second contact at its other end. With a
+/// smaller limit, slip to and fro would create and delete the contact repeatedly.
+inline constexpr double min_overlap_ratio = 1e-3;
 
 /// Position of a corner relative to an edge.
 struct CornerEdgeGeometry {

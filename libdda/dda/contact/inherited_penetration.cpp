@@ -16,6 +16,24 @@ const double min_cosine_parallel = std::sqrt(1 - parallel_tolerance * parallel_t
 /// degrees.
 const double min_cosine_overlying = std::sqrt(.5);
 
+/// How much deeper the corner `other` of a contact's edge may be in the faces at the contact's corner than
+/// the contact, m: where a face and the edge overlap by too little for two contacts, the overlap times the
+/// sine of their angle.
+double lean(const Topology& topology, CornerSpan<const Vec2> vertices, const Contact& contact,
+            CornerIndex other) {
+    const double overlap = (vertices[other] - vertices[contact.corner]).squaredNorm();
+    const Vec2 edge = vertices[topology.end_of(contact.edge)] - vertices[start_of(contact.edge)];
+    double largest = 0;
+    for (const CornerIndex start : {contact.corner, topology.previous[contact.corner]}) {
+        const Vec2 face = vertices[topology.next[start]] - vertices[start];
+        const double longer = std::max(face.squaredNorm(), edge.squaredNorm());
+        if (overlap > min_overlap_ratio * min_overlap_ratio * longer || face.dot(edge) >= 0) continue;
+        const double sine = std::abs(cross(face, edge)) / (face.norm() * edge.norm());
+        if (sine < parallel_tolerance) largest = std::max(largest, std::sqrt(overlap) * sine);
+    }
+    return largest;
+}
+
 }  // namespace
 
 std::optional<double> penetration_accounted_for(const Topology& topology, CornerSpan<const Vec2> vertices,
@@ -68,21 +86,25 @@ InheritedPenetrations::Found InheritedPenetrations::find(const Topology& topolog
         const bool opened_inside = contact.state == ContactState::open && contact.group < 0;
         const double free_gap = contact.dilation + (opened_inside ? contact.stress_free_gap : 0);
         const double let_in = contact.inhibited ? 0 : std::max(-free_gap, 0.0);
-        if (!accounted && let_in == 0) continue;
         const double depth = let_in + accounted.value_or(0);
+        for (const CornerIndex other : {start_of(contact.edge), topology.end_of(contact.edge)}) {
+            const double deeper = contact.inhibited ? 0 : lean(topology, vertices, contact, other);
+            if (deeper > 0) add(other, {contact.corner_block, -contact.normal, 0, depth + deeper});
+        }
+        if (!accounted && let_in == 0) continue;
         const double stress_free_gap = contact.state == ContactState::open ? 0 : contact.stress_free_gap;
-        const double spring_depth = depth + stress_free_gap;
-        add(contact.corner, {contact.edge_block, contact.normal, depth, spring_depth});
+        const double block_depth = depth + stress_free_gap;
+        add(contact.corner, {contact.edge_block, contact.normal, depth, block_depth});
         // A neighbour so near that the penetration turns their edge beyond the slack of Eq. (27) has no
         // contact.
         for (const CornerIndex neighbour :
              {topology.previous[contact.corner], topology.next[contact.corner]}) {
             if (parallel_tolerance * (vertices[neighbour] - vertices[contact.corner]).norm() <= depth)
-                add(neighbour, {contact.edge_block, contact.normal, depth, spring_depth});
+                add(neighbour, {contact.edge_block, contact.normal, depth, block_depth});
         }
         for (const CornerIndex other : {start_of(contact.edge), topology.end_of(contact.edge)}) {
             if ((vertices[other] - vertices[contact.corner]).norm() <= search_radius)
-                add(other, {contact.corner_block, -contact.normal, depth, spring_depth});
+                add(other, {contact.corner_block, -contact.normal, depth, block_depth});
         }
     }
     return found;
@@ -106,7 +128,7 @@ double InheritedPenetrations::along(CornerIndex corner, const Vec2& normal) cons
 double InheritedPenetrations::in_block(CornerIndex corner, BlockIndex block) const {
     double deepest = 0;
     for (const std::uint32_t k : by_corner_.of(corner)) {
-        if (entry(k).block == block) deepest = std::max({deepest, entry(k).depth, entry(k).spring_depth});
+        if (entry(k).block == block) deepest = std::max({deepest, entry(k).depth, entry(k).block_depth});
     }
     return deepest;
 }

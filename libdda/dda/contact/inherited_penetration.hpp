@@ -21,7 +21,9 @@ std::optional<double> penetration_accounted_for(const Topology& topology, Corner
 /// another edge. A contact accounts for its corner, and for the ends of its edge within the search radius of
 /// the corner: where two corners meet, only one of them has a contact. It also accounts for the corners next
 /// to its own on a block's edge shorter than the depth over the slack of Eq. (27): the penetration turns so
-/// short an edge that its other corner fails the entrance-angle test.
+/// short an edge that its other corner fails the entrance-angle test. Where two faces overlap by so little
+/// that they have one contact, the corner at the other end of the overlap may be deeper by the angle between
+/// the faces.
 class InheritedPenetrations {
   public:
     /// @param vertices per corner, m. @param contacts at the same time. @param search_radius m, see
@@ -34,15 +36,16 @@ class InheritedPenetrations {
     /// @param normal unit, out of the faces' rock.
     double along(CornerIndex corner, const Vec2& normal) const;
     /// Largest depth of a corner in a block, through any face, m; 0 if no contact accounts for one. It is at
-    /// least the compression of the contacts' springs, which augmentation makes larger than the penetration.
+    /// least the compression of the contacts' springs, which augmentation makes larger than the penetration,
+    /// and includes what a short overlap leans.
     double in_block(CornerIndex corner, BlockIndex block) const;
 
   private:
     struct Entry {
-        BlockIndex block;         ///< the block in whose face the corner is
-        Vec2 normal;              ///< unit, of that face, out of its rock
-        double depth = 0;         ///< m
-        double spring_depth = 0;  ///< m, compression of the contact's spring
+        BlockIndex block;        ///< the block in whose face the corner is
+        Vec2 normal;             ///< unit, of that face, out of its rock
+        double depth = 0;        ///< m
+        double block_depth = 0;  ///< m, of which in_block() speaks
     };
     struct Found;
     InheritedPenetrations(std::size_t corners, Found found);

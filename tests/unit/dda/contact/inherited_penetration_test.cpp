@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <vector>
+
 #include "support/scene.hpp"
 
 namespace rockslope::inherited_penetration_test {
@@ -69,6 +72,47 @@ TEST(InheritedPenetration, OfAContractedJointIsAtLeastItsContraction) {
     EXPECT_DOUBLE_EQ(penetration(), 4e-7);
     contact.inhibited = true;
     EXPECT_EQ(penetration(), 0);
+}
+
+/// A block whose lower face leans by two thousandths overhangs the end of a box's top: its corner is
+/// `overlap` from the end of the top, and `depth` behind it. The box's corner is the deeper in the block.
+struct LeaningOverlap {
+    Scene s;
+    dda::Contact contact;
+    static constexpr double sine = 2e-3;
+
+    LeaningOverlap(double overlap, double depth) {
+        s.box({0, 0}, 2, 1);
+        const Vec2 corner(2 - overlap, 1 - depth);
+        const Vec2 along(std::sqrt(1 - sine * sine), -sine);
+        s.block({{corner, corner + 1.5 * along, corner + 1.5 * along + Vec2(0, 1), corner + Vec2(0, 1)}});
+        contact.corner = 4;
+        contact.corner_block = 1;
+        contact.edge = 2;
+        contact.edge_block = 0;
+        contact.normal = {0, 1};
+        contact.gap = -depth;
+        contact.state = depth > 0 ? dda::ContactState::locked : dda::ContactState::open;
+    }
+    dda::InheritedPenetrations found() const {
+        return {s.model.topology, s.model.vertices, std::vector{contact}, 0.1};
+    }
+};
+
+// Blocks that slid off each other had one contact at such an overlap, and each step of a shaken slope was
+// attempted three times for the corner at its other end.
+TEST(InheritedPenetration, OfTheOtherEndOfAShortOverlapIncludesItsLean) {
+    const double lean = 1.5e-3 * LeaningOverlap::sine;
+    EXPECT_NEAR(LeaningOverlap(1.5e-3, 2e-6).found().in_block(2, 1), 2e-6 + lean, 1e-11)
+        << "the square of the lean";
+    EXPECT_NEAR(LeaningOverlap(1.5e-3, -1e-6).found().in_block(2, 1), lean, 1e-11) << "of an open contact";
+    EXPECT_NEAR(LeaningOverlap(1.5e-3, 2e-6).found().along(2, {0, -1}), 2e-6, 1e-15)
+        << "a contact there inherits the contact's depth alone";
+    EXPECT_NEAR(LeaningOverlap(2.5e-3, 2e-6).found().in_block(2, 1), 2e-6, 1e-15)
+        << "more than a thousandth of the longer face has a contact at either end";
+    LeaningOverlap inhibited(1.5e-3, -1e-6);
+    inhibited.contact.inhibited = true;
+    EXPECT_EQ(inhibited.found().in_block(2, 1), 0);
 }
 
 TEST(InheritedPenetration, IgnoresAnInhibitedContact) {
