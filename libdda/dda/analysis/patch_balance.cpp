@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "dda/analysis/limited_contacts.hpp"
 
@@ -28,6 +29,12 @@ constexpr int near_iterations = 2;
 /// their unbalanced forces on to each other, a path through all of their blocks ends that.
 constexpr int first_wide_iteration = 14;
 constexpr int wide_period = 4;
+/// The first iteration whose patches grow where they throw more force on the blocks around them than they
+/// were to balance, in a static step and in a dynamic one. In earlier iterations growing costs more than it
+/// saves.
+constexpr int first_growing_static = 3;
+constexpr int first_growing_dynamic = 5;
+constexpr double most_thrown = 1;
 /// Largest unbalanced force of a block that is balanced, over the tolerance of forces. Patches leave such
 /// blocks as they are.
 constexpr double balanced_share = 0.5;
@@ -64,13 +71,15 @@ bool PatchBalance::advance(RowSpan<const Vec6> target, PerRow<Vec6>& displacemen
 bool PatchBalance::relax(int iteration, RowSpan<Vec6> displacement) {
     limit_contacts(p_, trials_, displacement, pool_, memory_.contacts);
     const int late = iteration - first_wide_iteration;
+    const int first_growing = p_.time.is_static() ? first_growing_static : first_growing_dynamic;
     const PatchAims aims{
         .tolerance = balanced_share * trials_.tolerance(),
         .share = iteration == 1 ? first_patch_share : patch_share,
         .length = length_,
         .wide = late >= 0 && late % wide_period == 0,
         .path = {iteration > near_iterations ? PathStarts::iterate_then_apart : PathStarts::iterate,
-                 visits_left_}};
+                 visits_left_},
+        .most_thrown = iteration >= first_growing ? most_thrown : std::numeric_limits<double>::infinity()};
     const Relaxation taken = memory_.patches.relax(limited_step(), aims, displacement, pool_);
     visits_left_ -= taken.visits;
     return taken.patches > 0;

@@ -49,6 +49,7 @@ PatchPath::Outcome PatchPath::follow(const LimitedStep& step, std::span<const Ro
     if (!outcome.balanced && may_begin_apart) outcome += follow_from_apart(iterate);
     if (outcome.balanced) {
         remove_rounding(iterate);
+        outcome.thrown = largest_thrown();
         store(iterate);
     }
     for (const RowIndex row : rows_) local_row_[row] = outside;
@@ -109,6 +110,7 @@ void PatchPath::add_contact(ContactIndex contact, const LimitedIterate& iterate)
     local.law = &limited;
     if (pair.first.exists()) local.first = local_row_[pair.first];
     if (pair.second.exists()) local.second = local_row_[pair.second];
+    local.at_rim = (pair.first.exists() && local.first < 0) || (pair.second.exists() && local.second < 0);
     local.opening_first = project(limited.opening, pair.first_arm);
     local.opening_second = -project(limited.opening, pair.second_arm);
     local.shearing_first = project(limited.shearing, pair.first_arm);
@@ -375,6 +377,18 @@ double PatchPath::cross(std::size_t contact, const Border& border) {
 void PatchPath::store(LimitedIterate iterate) const {
     for (std::size_t k = 0; k < rows_.size(); ++k) iterate.displacement[rows_[k]] += moved_[k];
     for (const Local& local : contacts_) iterate.elastic[local.contact] = local.at;
+}
+
+double PatchPath::largest_thrown() const {
+    double largest = 0;
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        const Local& local = contacts_[i];
+        if (!local.at_rim) continue;
+        const Vec2 before = local.law->on(local.law->piece_at(start_[i])).at(start_[i]);
+        const Vec2 after = local.law->on(local.piece).at(local.at);
+        largest = std::max(largest, (after - before).cwiseAbs().maxCoeff());
+    }
+    return largest;
 }
 
 }  // namespace rockslope::dda

@@ -40,10 +40,12 @@ class PatchPath {
         bool began_apart = false;  ///< the path that arrived began with open contacts
         int borders = 0;           ///< crossed on the way
         double visits = 0;         ///< contacts that the search for borders looked at
+        double thrown = 0;         ///< N per metre, largest change of a force on a block around the patch
 
         /// Adds the borders and visits of a path that is followed next; the rest is of that path.
         Outcome& operator+=(const Outcome& next) {
-            return *this = {next.balanced, next.began_apart, borders + next.borders, visits + next.visits};
+            return *this = {next.balanced, next.began_apart, borders + next.borders, visits + next.visits,
+                            next.thrown};
         }
     };
     /// Follows the paths to the end of one. Where that is not reached, the iterate stays as it was.
@@ -58,6 +60,7 @@ class PatchPath {
         const LimitedContact* law = nullptr;
         int first = -1;  ///< its blocks in the patch; -1 outside
         int second = -1;
+        bool at_rim = false;                 ///< between a block of the patch and one around it
         Vec6 opening_first, opening_second;  ///< gradients by the unknowns of its blocks
         Vec6 shearing_first, shearing_second;
         Piece piece;
@@ -113,6 +116,8 @@ class PatchPath {
     /// Crosses a border. @return the ratio of the determinants after and before.
     double cross(std::size_t contact, const Border& border);
     void store(LimitedIterate iterate) const;
+    /// The largest change of a force on a block around the patch, N per metre.
+    double largest_thrown() const;
 
     const LimitedStep* step_ = nullptr;
     EnvelopeLu factors_;

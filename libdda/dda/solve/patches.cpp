@@ -29,15 +29,27 @@ Relaxation Patches::relax(const LimitedStep& step, const PatchAims& aims, RowSpa
         set_core(row, aims.wide ? wide_size : core_size);
         aims.wide ? add_rings(static_cast<int>(wide_size), wide_size)
                   : add_rings(rings, std::numeric_limits<std::size_t>::max());
+        const PatchPath::Outcome outcome = balance(aims, aims.path.visit_limit - taken.visits, displacement);
         for (const RowIndex each : patch_) in_patch_[each] = 0;
-        const PathAims path{aims.path.starts, aims.path.visit_limit - taken.visits};
-        const PatchPath::Outcome outcome =
-            path_.follow(step, patch_, {displacement, forces_.elastic()}, path);
         taken.visits += outcome.visits;
         taken.borders += outcome.borders;
         ++taken.patches;
     }
     return taken;
+}
+
+PatchPath::Outcome Patches::balance(const PatchAims& aims, double visit_limit, RowSpan<Vec6> displacement) {
+    const LimitedIterate iterate{displacement, forces_.elastic()};
+    const double most_thrown = std::max(aims.most_thrown * core_force_, aims.tolerance);
+    PatchPath::Outcome outcome = path_.follow(*step_, patch_, iterate, {aims.path.starts, visit_limit});
+    while (outcome.balanced && outcome.thrown > most_thrown && outcome.visits < visit_limit &&
+           patch_.size() < wide_size) {
+        const std::size_t blocks = patch_.size();
+        add_rings(rings, wide_size);
+        if (patch_.size() == blocks) break;
+        outcome += path_.follow(*step_, patch_, iterate, {aims.path.starts, visit_limit - outcome.visits});
+    }
+    return outcome;
 }
 
 void Patches::find_unbalanced(const PatchAims& aims) {
@@ -65,11 +77,13 @@ void Patches::for_neighbours(RowIndex row, const Visit& visit) const {
 
 void Patches::set_core(RowIndex row, std::size_t size) {
     const auto add = [&](RowIndex block) {
+        core_force_ = std::max(core_force_, largest_[block]);
         is_unbalanced_[block] = 0;
         in_patch_[block] = 1;
         patch_.push_back(block);
     };
     patch_.clear();
+    core_force_ = 0;
     add(row);
     std::size_t next = 0;
     while (next < patch_.size()) {

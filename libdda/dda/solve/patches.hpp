@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "common/base/thread_pool.hpp"
@@ -14,6 +15,9 @@ struct PatchAims {
     RowSpan<const double> length;  ///< m, per row: moments over it are compared with forces
     bool wide = false;             ///< patches of hundreds of blocks
     PathAims path;                 ///< its visits are those of all patches
+    /// A patch that throws more force on a block around it than so many times the largest unbalanced one of
+    /// its core grows.
+    double most_thrown = std::numeric_limits<double>::infinity();
 };
 
 /// What a relaxation took.
@@ -26,7 +30,9 @@ struct Relaxation {
 /// Balances the blocks whose forces do not balance, in small patches that overlap, one after the other by
 /// PatchPath; everything outside a patch stays meanwhile. A patch is ten such blocks at most that hang
 /// together, and two rings of neighbours around them. A wide one has as many rings as 250 blocks fill, also
-/// over contacts that are open and may close. The far field is left to the linear system of all blocks.
+/// over contacts that are open and may close. Where loose blocks balance only after a long way, they press on
+/// those around the patch more than they were out of balance; such a patch grows by two rings and is balanced
+/// again, up to the size of a wide one. The far field is left to the linear system of all blocks.
 /// Memory is kept from step to step.
 class Patches {
   public:
@@ -44,6 +50,9 @@ class Patches {
     /// Adds rings of neighbours to the patch while it is smaller than the size.
     void add_rings(int count, std::size_t size);
     void add_ring();
+    /// Balances the patch, and lets it grow where it throws too much force on the blocks around it.
+    /// @param visit_limit contacts that the search for borders may look at.
+    PatchPath::Outcome balance(const PatchAims& aims, double visit_limit, RowSpan<Vec6> displacement);
     /// Calls visit(row) for each block that presses on a block, or in a wide patch may, in the order of the
     /// contacts.
     template <class Visit>
@@ -53,6 +62,7 @@ class Patches {
     bool is_wide_ = false;
     PatchPath path_;
     std::vector<RowIndex> patch_;
+    double core_force_ = 0;  ///< the largest unbalanced force of the patch's core, N per metre
     LimitedForces forces_;
     PerRow<double> largest_;  ///< per row: of its unbalanced forces, N per metre
     PerRow<char> is_unbalanced_;

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "support/pressed_block.hpp"
@@ -83,6 +85,37 @@ TEST(PatchPath, BalancesRandomPatches) {
     }
     EXPECT_GT(begun_apart, 4) << "some paths from the iterate close on themselves";
     EXPECT_GT(begun_negative, 10) << "against the direction of a positive determinant these would run away";
+}
+
+/// Contacts between a patch in a row and the blocks around it.
+TEST(PatchPath, TellsTheForceThatItThrowsOnBlocksAround) {
+    int thrown = 0;
+    for (unsigned seed = 0; seed < 100; ++seed) {
+        RandomPatch row(seed, 12);
+        std::vector<Vec6> displacement = row.random_displacement();
+        std::vector<ElasticForces> elastic = row.elastic(displacement);
+        const std::vector<ElasticForces> before = elastic;
+        const std::vector<RowIndex> patch{RowIndex(4), RowIndex(5), RowIndex(6)};
+        const auto is_inside = [&](RowIndex block) {
+            return std::find(patch.begin(), patch.end(), block) != patch.end();
+        };
+        const PatchPath::Outcome outcome =
+            PatchPath().follow(row.step(), patch, {displacement, elastic}, PathAims{});
+        if (!outcome.balanced) continue;
+        double largest = 0;
+        for (std::size_t k = 0; k < before.size(); ++k) {
+            const LimitedContact& contact = row.step().contacts[ContactIndex(k)];
+            const auto& [first, second] = std::pair(contact.rows->first, contact.rows->second);
+            if (!first.exists() || !second.exists() || is_inside(first) == is_inside(second)) continue;
+            const auto force = [&](const ElasticForces& at) {
+                return Vec2(contact.on(contact.piece_at(at)).at(at));
+            };
+            largest = std::max(largest, (force(elastic[k]) - force(before[k])).cwiseAbs().maxCoeff());
+        }
+        EXPECT_NEAR(outcome.thrown, largest, 1e-9 * row.load()) << "seed " << seed;
+        thrown += largest > 0 ? 1 : 0;
+    }
+    EXPECT_GT(thrown, 50);
 }
 
 /// The least number of visits that leads to balance: so many contacts for each border, and once more.

@@ -60,6 +60,28 @@ TEST(Patches, WideOnesBalanceLongRows) {
     EXPECT_EQ(balanced, 40);
 }
 
+/// A patch that may throw no force on the blocks around it grows to all that press on it, and leaves less
+/// behind: what remains is pressed on by blocks that were not in contact.
+TEST(Patches, GrowWhereTheyThrowForces) {
+    int less = 0, more = 0;
+    for (unsigned seed = 0; seed < 40; ++seed) {
+        RandomPatch row(seed, 40);
+        const std::vector<double> length(row.blocks(), 1.0);
+        const auto left = [&](double most_thrown) {
+            std::vector<Vec6> displacement(row.blocks(), Vec6::Zero());
+            PatchAims aims{1e-9, 0, length, false, {}};
+            aims.most_thrown = most_thrown;
+            Patches().relax(row.step(), aims, displacement, ThreadPool(1));
+            return row.unbalanced(displacement);
+        };
+        const double grown = left(0), fixed = left(std::numeric_limits<double>::infinity());
+        less += grown < 0.5 * fixed ? 1 : 0;
+        more += grown > fixed ? 1 : 0;
+    }
+    EXPECT_GE(less, 20) << "of 40 rows, less than half of what patches of a fixed size leave";
+    EXPECT_LE(more, 8);
+}
+
 TEST(Patches, EndWhereTheirVisitsAreUsedUp) {
     RandomPatch row(5, 40);
     const std::vector<double> length(row.blocks(), 1.0);
