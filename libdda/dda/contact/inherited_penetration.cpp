@@ -89,22 +89,22 @@ InheritedPenetrations::Found InheritedPenetrations::find(const Topology& topolog
         const double depth = let_in + accounted.value_or(0);
         for (const CornerIndex other : {start_of(contact.edge), topology.end_of(contact.edge)}) {
             const double deeper = contact.inhibited ? 0 : lean(topology, vertices, contact, other);
-            if (deeper > 0) add(other, {contact.corner_block, -contact.normal, 0, depth + deeper});
+            if (deeper > 0) add(other, {contact.corner_block, -contact.normal, 0, depth, deeper});
         }
         if (!accounted && let_in == 0) continue;
         const double stress_free_gap = contact.state == ContactState::open ? 0 : contact.stress_free_gap;
-        const double block_depth = depth + stress_free_gap;
-        add(contact.corner, {contact.edge_block, contact.normal, depth, block_depth});
+        const double spring_depth = depth + stress_free_gap;
+        add(contact.corner, {contact.edge_block, contact.normal, depth, spring_depth});
         // A neighbour so near that the penetration turns their edge beyond the slack of Eq. (27) has no
         // contact.
         for (const CornerIndex neighbour :
              {topology.previous[contact.corner], topology.next[contact.corner]}) {
             if (parallel_tolerance * (vertices[neighbour] - vertices[contact.corner]).norm() <= depth)
-                add(neighbour, {contact.edge_block, contact.normal, depth, block_depth});
+                add(neighbour, {contact.edge_block, contact.normal, depth, spring_depth});
         }
         for (const CornerIndex other : {start_of(contact.edge), topology.end_of(contact.edge)}) {
             if ((vertices[other] - vertices[contact.corner]).norm() <= search_radius)
-                add(other, {contact.corner_block, -contact.normal, depth, block_depth});
+                add(other, {contact.corner_block, -contact.normal, depth, spring_depth});
         }
     }
     return found;
@@ -128,9 +128,17 @@ double InheritedPenetrations::along(CornerIndex corner, const Vec2& normal) cons
 double InheritedPenetrations::in_block(CornerIndex corner, BlockIndex block) const {
     double deepest = 0;
     for (const std::uint32_t k : by_corner_.of(corner)) {
-        if (entry(k).block == block) deepest = std::max({deepest, entry(k).depth, entry(k).block_depth});
+        if (entry(k).block == block) deepest = std::max({deepest, entry(k).depth, entry(k).spring_depth});
     }
     return deepest;
+}
+
+double InheritedPenetrations::lean_in_block(CornerIndex corner, BlockIndex block) const {
+    double largest = 0;
+    for (const std::uint32_t k : by_corner_.of(corner)) {
+        if (entry(k).block == block) largest = std::max(largest, entry(k).lean);
+    }
+    return largest;
 }
 
 }  // namespace rockslope::dda

@@ -36,16 +36,18 @@ class InheritedPenetrations {
     /// @param normal unit, out of the faces' rock.
     double along(CornerIndex corner, const Vec2& normal) const;
     /// Largest depth of a corner in a block, through any face, m; 0 if no contact accounts for one. It is at
-    /// least the compression of the contacts' springs, which augmentation makes larger than the penetration,
-    /// and includes what a short overlap leans.
+    /// least the compression of the contacts' springs, which augmentation makes larger than the penetration.
     double in_block(CornerIndex corner, BlockIndex block) const;
+    /// How much deeper a corner may be in a block than that, m, as it is at the other end of a short overlap.
+    double lean_in_block(CornerIndex corner, BlockIndex block) const;
 
   private:
     struct Entry {
-        BlockIndex block;        ///< the block in whose face the corner is
-        Vec2 normal;             ///< unit, of that face, out of its rock
-        double depth = 0;        ///< m
-        double block_depth = 0;  ///< m, of which in_block() speaks
+        BlockIndex block;         ///< the block in whose face the corner is
+        Vec2 normal;              ///< unit, of that face, out of its rock
+        double depth = 0;         ///< m
+        double spring_depth = 0;  ///< m, compression of the contact's spring
+        double lean = 0;          ///< m, see lean_in_block()
     };
     struct Found;
     InheritedPenetrations(std::size_t corners, Found found);

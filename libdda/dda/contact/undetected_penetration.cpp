@@ -250,7 +250,8 @@ std::vector<UndetectedPenetration> find_undetected_penetrations(const Model& mod
         const CornerCandidates corner_candidates = candidates.subspan(first[k], first[k + 1] - first[k]);
         const auto& [corner, edge] = corner_candidates.front();
         const BlockIndex block = topology.block_of_edge(edge);
-        const double allowed = test.tolerance + 2 * inherited.in_block(corner, block);
+        const double allowed =
+            test.tolerance + 2 * inherited.in_block(corner, block) + inherited.lean_in_block(corner, block);
         if (convex[block] != 0 && search.stays_out(corner_candidates, allowed)) return false;
         return search.penetrates(corner_candidates, allowed, test.clip_depth, found);
     };

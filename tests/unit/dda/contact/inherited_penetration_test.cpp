@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
+#include "common/base/thread_pool.hpp"
+#include "dda/contact/undetected_penetration.hpp"
 #include "support/scene.hpp"
 
 namespace rockslope::inherited_penetration_test {
@@ -101,18 +104,41 @@ struct LeaningOverlap {
 
 // Blocks that slid off each other had one contact at such an overlap, and each step of a shaken slope was
 // attempted three times for the corner at its other end.
-TEST(InheritedPenetration, OfTheOtherEndOfAShortOverlapIncludesItsLean) {
+TEST(InheritedPenetration, LeansAtTheOtherEndOfAShortOverlap) {
     const double lean = 1.5e-3 * LeaningOverlap::sine;
-    EXPECT_NEAR(LeaningOverlap(1.5e-3, 2e-6).found().in_block(2, 1), 2e-6 + lean, 1e-11)
-        << "the square of the lean";
-    EXPECT_NEAR(LeaningOverlap(1.5e-3, -1e-6).found().in_block(2, 1), lean, 1e-11) << "of an open contact";
-    EXPECT_NEAR(LeaningOverlap(1.5e-3, 2e-6).found().along(2, {0, -1}), 2e-6, 1e-15)
-        << "a contact there inherits the contact's depth alone";
-    EXPECT_NEAR(LeaningOverlap(2.5e-3, 2e-6).found().in_block(2, 1), 2e-6, 1e-15)
+    const auto at_other_end = [](const LeaningOverlap& overlap) {
+        const dda::InheritedPenetrations found = overlap.found();
+        return std::pair(found.in_block(2, 1), found.lean_in_block(2, 1));
+    };
+    const auto [depth, deeper] = at_other_end({1.5e-3, 2e-6});
+    EXPECT_NEAR(depth, 2e-6, 1e-15);
+    EXPECT_NEAR(deeper, lean, 1e-11) << "the square of the lean";
+    EXPECT_NEAR(at_other_end({1.5e-3, -1e-6}).second, lean, 1e-11) << "of an open contact";
+    EXPECT_EQ(at_other_end({2.5e-3, 2e-6}).second, 0)
         << "more than a thousandth of the longer face has a contact at either end";
     LeaningOverlap inhibited(1.5e-3, -1e-6);
     inhibited.contact.inhibited = true;
-    EXPECT_EQ(inhibited.found().in_block(2, 1), 0);
+    EXPECT_EQ(at_other_end(inhibited), std::pair(0.0, 0.0));
+}
+
+/// The block comes down on the box from 10 um above.
+TEST(InheritedPenetration, OfAShortOverlapIsNoUndetectedOne) {
+    const auto undetected = [](double overlap) {
+        const LeaningOverlap before(overlap, -1e-5), after(overlap, 2e-6);
+        const std::vector<dda::CornerEdge> candidates{{2, 4}, {4, 2}};
+        return dda::find_undetected_penetrations(after.s.model,
+                                                 {.before = before.s.model.vertices,
+                                                  .after = after.s.model.vertices,
+                                                  .candidates = candidates,
+                                                  .contacts = std::vector{after.contact},
+                                                  .search_radius = 0.1,
+                                                  .tolerance = 1e-9,
+                                                  .clip_depth = 1e-5},
+                                                 ThreadPool(1))
+            .size();
+    };
+    EXPECT_EQ(undetected(1.5e-3), 0U);
+    EXPECT_EQ(undetected(2.5e-3), 1U) << "as deep as 7 um, with 2 um accounted for";
 }
 
 TEST(InheritedPenetration, IgnoresAnInhibitedContact) {
