@@ -47,8 +47,8 @@ constexpr double largest_iteration_residual = 1e-9;
 /// Largest number of rounds of the interior-point method.
 constexpr int interior_round_limit = 8;
 
-/// What the first iterations of a step do.
-enum class Beginning : std::uint8_t { in_patches, along_lines };
+/// What the first iterations of a step do. Where patches lead astray, one of the others takes over.
+enum class Beginning : std::uint8_t { in_patches, in_one_patch, along_lines };
 
 class OpenCloseIteration {
   public:
@@ -75,6 +75,7 @@ class OpenCloseIteration {
 
     OpenCloseResult run(Beginning beginning) {
         beginning_ = beginning;
+        if (beginning == Beginning::in_one_patch) patches_.join_all();
         bool matrix_changed = true;
         while (iterations_since_restart() < p_.control.iteration_limit) {
             if (matrix_changed && !factorize()) {
@@ -115,7 +116,7 @@ class OpenCloseIteration {
     /// Iterations since the start, or since dilation or augmentation last changed the problem.
     int iterations_since_restart() const { return result_.iterations - iterations_at_restart_; }
     bool is_in_patches() const {
-        return beginning_ == Beginning::in_patches && iterations_since_restart() <= PatchBalance::iterations;
+        return beginning_ != Beginning::along_lines && iterations_since_restart() <= PatchBalance::iterations;
     }
 
     /// Whether the force change of a patch iteration shows that the patches lead astray.
@@ -418,10 +419,11 @@ OpenCloseResult iterate_open_close(const StepProblem& problem, const BlockPatter
     OpenCloseIteration first(problem, pattern, solver, work, pool, times);
     OpenCloseResult result = first.run(Beginning::in_patches);
     if (!first.went_astray()) return result;
+    const bool in_one_patch = PatchBalance::suits_one_patch(problem);
     OpenCloseIteration second(problem, pattern, solver, work, pool, times);
-    OpenCloseResult along_lines = second.run(Beginning::along_lines);
-    along_lines += result;
-    return along_lines;
+    OpenCloseResult anew = second.run(in_one_patch ? Beginning::in_one_patch : Beginning::along_lines);
+    anew += result;
+    return anew;
 }
 
 }  // namespace rockslope::dda

@@ -33,13 +33,14 @@ struct IterationWorkspace {
 /// Each iteration solves the linear system of the present active set; the friction of sliding contacts
 /// follows their normal forces, Eq. (35). The first iterations take that solution, and balance the blocks
 /// whose forces do not obey the laws there in patches, Eq. (99). Where the patches lead away from the
-/// solution the step begins anew without them. The other iterations search along the line to the linear
-/// solution, Eq. (34): with fixed shear bounds the step is the minimum of a convex potential, Eq. (33), and
-/// this Newton method converges from any start. Where following bounds do not converge, a static step is
-/// solved by the interior-point method; in other steps, and where that fails, the bounds are updated only at
-/// minima of the potential, with Anderson mixing. Penetration beyond the tolerance of the model is removed by
-/// augmented Lagrangian updates, Eq. (37). Converged means that no contact force changes by more than the
-/// tolerance, Eq. (36); the states open, sliding and locked are not compared.
+/// solution the step begins anew: a dynamic one of smooth joints in one patch of all blocks, another without
+/// patches. Iterations without patches search along the line to the linear solution, Eq. (34): with fixed
+/// shear bounds the step is the minimum of a convex potential, Eq. (33), and this Newton method converges
+/// from any start. Where following bounds do not converge, a static step is solved by the interior-point
+/// method; in other steps, and where that fails, the bounds are updated only at minima of the potential, with
+/// Anderson mixing. Penetration beyond the tolerance of the model is removed by augmented Lagrangian updates,
+/// Eq. (37). Converged means that no contact force changes by more than the tolerance, Eq. (36); the states
+/// open, sliding and locked are not compared.
 /// @param times null: no timing.
 OpenCloseResult iterate_open_close(const StepProblem& problem, const BlockPattern& pattern,
                                    LinearSolver& solver, IterationWorkspace& work, const ThreadPool& pool,

@@ -18,7 +18,7 @@ constexpr std::size_t wide_size = 250;
 Relaxation Patches::relax(const LimitedStep& step, const PatchAims& aims, RowSpan<Vec6> displacement,
                           const ThreadPool& pool) {
     step_ = &step;
-    is_wide_ = aims.wide;
+    is_wide_ = aims.extent != PatchExtent::two_rings;
     in_patch_.assign(displacement.size(), 0);
     forces_.evaluate(step, displacement, aims.length, pool);
     find_unbalanced(aims);
@@ -26,14 +26,13 @@ Relaxation Patches::relax(const LimitedStep& step, const PatchAims& aims, RowSpa
     for (const RowIndex row : is_unbalanced_.indices()) {
         if (is_unbalanced_[row] == 0) continue;
         if (taken.visits >= aims.path.visit_limit) break;
-        set_core(row, aims.wide ? wide_size : core_size);
-        aims.wide ? add_rings(static_cast<int>(wide_size), wide_size)
-                  : add_rings(rings, std::numeric_limits<std::size_t>::max());
+        set_patch(row, aims.extent);
         const PatchPath::Outcome outcome = balance(aims, aims.path.visit_limit - taken.visits, displacement);
         for (const RowIndex each : patch_) in_patch_[each] = 0;
         taken.visits += outcome.visits;
         taken.borders += outcome.borders;
         ++taken.patches;
+        if (!outcome.balanced) ++taken.failed;
     }
     return taken;
 }
@@ -72,6 +71,33 @@ void Patches::for_neighbours(RowIndex row, const Visit& visit) const {
         if (!is_wide_ && !(forces_.elastic()[k].normal > contact.least_normal)) continue;
         const RowIndex other = contact.rows->first == row ? contact.rows->second : contact.rows->first;
         if (other.exists()) visit(other);
+    }
+}
+
+void Patches::set_patch(RowIndex row, PatchExtent extent) {
+    switch (extent) {
+        case PatchExtent::two_rings:
+            set_core(row, core_size);
+            add_rings(rings, std::numeric_limits<std::size_t>::max());
+            break;
+        case PatchExtent::wide:
+            set_core(row, wide_size);
+            add_rings(static_cast<int>(wide_size), wide_size);
+            break;
+        case PatchExtent::all_blocks:
+            set_all_blocks();
+            break;
+    }
+}
+
+void Patches::set_all_blocks() {
+    patch_.clear();
+    core_force_ = 0;
+    for (const RowIndex row : in_patch_.indices()) {
+        core_force_ = std::max(core_force_, largest_[row]);
+        is_unbalanced_[row] = 0;
+        in_patch_[row] = 1;
+        patch_.push_back(row);
     }
 }
 

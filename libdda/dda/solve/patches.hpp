@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -8,13 +9,16 @@
 
 namespace rockslope::dda {
 
+/// The blocks of a patch: those out of balance with two rings of neighbours, hundreds of blocks, or all.
+enum class PatchExtent : std::uint8_t { two_rings, wide, all_blocks };
+
 /// How far a relaxation goes.
 struct PatchAims {
     double tolerance = 0;          ///< N per metre; unbalanced forces below it are left
     double share = 0;              ///< those below this share of the largest are left as well
     RowSpan<const double> length;  ///< m, per row: moments over it are compared with forces
-    bool wide = false;             ///< patches of hundreds of blocks
-    PathAims path;                 ///< its visits are those of all patches
+    PatchExtent extent = PatchExtent::two_rings;
+    PathAims path;  ///< its visits are those of all patches
     /// A patch that throws more force on a block around it than so many times the largest unbalanced one of
     /// its core grows.
     double most_thrown = std::numeric_limits<double>::infinity();
@@ -23,6 +27,7 @@ struct PatchAims {
 /// What a relaxation took.
 struct Relaxation {
     int patches = 0;
+    int failed = 0;     ///< patches whose path did not end, left as they were
     int borders = 0;    ///< crossed on paths: a pivot each
     double visits = 0;  ///< contacts that the search for borders looked at
 };
@@ -32,8 +37,8 @@ struct Relaxation {
 /// together, and two rings of neighbours around them. A wide one has as many rings as 250 blocks fill, also
 /// over contacts that are open and may close. Where loose blocks balance only after a long way, they press on
 /// those around the patch more than they were out of balance; such a patch grows by two rings and is balanced
-/// again, up to the size of a wide one. The far field is left to the linear system of all blocks.
-/// Memory is kept from step to step.
+/// again, up to the size of a wide one. The far field is left to the linear system of all blocks. A patch of
+/// all blocks has none: its path is the exact one of the step. Memory is kept from step to step.
 class Patches {
   public:
     /// @param displacement per row, m; changed in the patches. @return the patches, and what they took.
@@ -43,6 +48,9 @@ class Patches {
   private:
     /// Marks the blocks whose unbalanced force is over the aims.
     void find_unbalanced(const PatchAims& aims);
+    /// Sets the patch for an unbalanced block.
+    void set_patch(RowIndex row, PatchExtent extent);
+    void set_all_blocks();
     /// Sets the patch to unbalanced blocks that hang together, from one of them on; they are no longer
     /// marked.
     /// @param size most blocks.

@@ -60,8 +60,31 @@ TEST(PatchBalance, LeadsAstrayWhereForceChangesGrow) {
     EXPECT_FALSE(block.patches.leads_astray(2, 1000)) << "a hundred times the first";
     EXPECT_TRUE(block.patches.leads_astray(2, 1001));
     EXPECT_TRUE(block.patches.leads_astray(3, std::numeric_limits<double>::quiet_NaN()));
+    EXPECT_TRUE(block.patches.leads_astray(dda::PatchBalance::iterations, 10)) << "one patch takes over";
+    block.contacts.problem.time = dda::StepTime();
     EXPECT_FALSE(block.patches.leads_astray(dda::PatchBalance::iterations, 10));
     EXPECT_TRUE(block.patches.leads_astray(dda::PatchBalance::iterations, 11)) << "no smaller at the end";
+}
+
+// One patch of all blocks balances them to rounding: forces may change as much as they will on the way.
+TEST(PatchBalance, InOnePatchLeadsAstrayAtItsEndOnly) {
+    Balance block(20);
+    block.patches.join_all();
+    ASSERT_TRUE(block.relax());
+    EXPECT_TRUE(block.patches.is_complete(block.displacement));
+    EXPECT_FALSE(block.patches.leads_astray(1, 10));
+    EXPECT_FALSE(block.patches.leads_astray(2, 1e6));
+    EXPECT_TRUE(block.patches.leads_astray(2, std::numeric_limits<double>::infinity()));
+    EXPECT_TRUE(block.patches.leads_astray(dda::PatchBalance::iterations, 1));
+}
+
+TEST(PatchBalance, MayBeOnePatchInADynamicStep) {
+    Balance block(20);
+    dda::StepProblem problem(block.contacts.problem);
+    problem.time = dda::StepTime(0.005);
+    EXPECT_TRUE(dda::PatchBalance::suits_one_patch(problem));
+    problem.time = dda::StepTime();
+    EXPECT_FALSE(dda::PatchBalance::suits_one_patch(problem)) << "static";
 }
 
 }  // namespace
