@@ -43,7 +43,8 @@ class Solution {
             solve_on_pieces();
             const double tolerance = tolerance_of(largest_force());
             if (largest_unbalanced(equations_, displacement_) < tolerance) return pass;
-            const dda::PatchAims aims{tolerance / 2, pass == 1 ? 0 : 0.02, equations_.length(), dda::PatchExtent::two_rings, {}};
+            const dda::PatchAims aims{
+                tolerance / 2, pass == 1 ? 0 : 0.02, equations_.length(), dda::PatchExtent::two_rings, {}};
             const dda::Relaxation taken = patches_.relax(step_, aims, displacement_, pool);
             taken_.patches += taken.patches;
             taken_.borders += taken.borders;
