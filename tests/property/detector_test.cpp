@@ -23,9 +23,9 @@ Scene heap(unsigned seed) {
     for (int k = 0; k < 40; ++k) {
         const double size = random.index_below(3) == 0 ? .02 : random.magnitude(.3, 2);
         const double away = random.index_below(10) == 0 ? 20 : 1;
-        const Vec2 place = away * spread * random.between(0, 1) * random.direction();
-        s.block({placed(random_ring(random, size), random.between(0, 6), place)},
-                random.index_below(5) == 0 ? dda::Motion::fixed : dda::Motion::free);
+        const Vec2 place = away * spread * random_point(random, 0, 1);
+        const bool is_fixed = random.index_below(5) == 0;
+        s.block({random_ring_at(random, size, place)}, is_fixed ? dda::Motion::fixed : dda::Motion::free);
     }
     return s;
 }

@@ -24,7 +24,7 @@ FlightSetup random_throw(unsigned seed) {
     s.friction(random.index_below(2) == 0 ? 0 : random.between(10, 60));
     s.model.normal_penalty = s.model.shear_penalty = 1e10 * random.magnitude(1, 100);
     const double size = random.magnitude(.3, 3);
-    const Ring target = placed(random_ring(random, size), random.between(0, 6), Vec2(0, 0));
+    const Ring target = random_ring_at(random, size, {0, 0});
     s.block({target});
     result.velocity.push_back(Vec6::Zero());
     const unsigned count = 1 + random.index_below(2);
@@ -32,16 +32,16 @@ FlightSetup random_throw(unsigned seed) {
     double longest_flight = 0;
     for (unsigned k = 0; k < count; ++k) {
         const double own_size = size * random.magnitude(.1, 1);
-        const Ring shape = placed(random_ring(random, own_size), random.between(0, 6), Vec2(0, 0));
+        const Ring shape = random_ring_at(random, own_size, {0, 0});
         // Starts outside the circumscribed circle of the target, each block on its own side.
         const Vec2 from = placed(Vec2(0, 1), std::numbers::pi * k + random.between(-.5, .5), Vec2(0, 0));
         const double away = (size + own_size) / std::sqrt(2) * random.between(1.05, 1.2);
         Vec2 aim = size * random.between(-.3, .3) * dda::perpendicular(from);
         if (random.index_below(2) == 0) {
             const double past = random.index_below(2) == 0 ? 0 : size * random.magnitude(1e-9, 1e-2);
-            aim = target[random.index_below(static_cast<unsigned>(target.size()))] -
-                  shape[random.index_below(static_cast<unsigned>(shape.size()))] +
-                  past * dda::perpendicular(from);
+            const Vec2 of_shape = shape[random.index_below(static_cast<unsigned>(shape.size()))];
+            const Vec2 of_target = target[random.index_below(static_cast<unsigned>(target.size()))];
+            aim = of_target - of_shape + past * dda::perpendicular(from);
             aim -= aim.dot(from) * from;
         }
         s.block({placed(shape, 0, aim + away * from)});

@@ -33,11 +33,11 @@ Shapes scattered(unsigned seed) {
     };
     for (int k = 0; k < 24; ++k) {
         const double size = random.index_below(3) == 0 ? .02 : random.magnitude(.5, 2);
-        const Vec2 place(random.between(-3, 3), random.between(-3, 3));
-        add({placed(random_ring(random, size), random.between(0, 6), place)});
+        const Vec2 place{random.between(-3, 3), random.between(-3, 3)};
+        add({random_ring_at(random, size, place)});
     }
     // Quadrilaterals around common corners, which have exactly the same coordinates.
-    const Vec2 centre(random.between(3, 4), random.between(3, 4));
+    const Vec2 centre{random.between(3, 4), random.between(3, 4)};
     Ring around;
     for (int k = 0; k < 5; ++k) {
         const double angle = 2 * std::numbers::pi * (k + random.between(0, .5)) / 5;
@@ -199,7 +199,7 @@ TEST_P(DetectionInput, DoesNotDependOnTheOrderOfTheBlocks) {
 TEST_P(DetectionInput, DoesNotDependOnTheOrientationOfTheModel) {
     RandomSource random(GetParam() + 3000);
     for (int k = 0; k < 5; ++k) {
-        const Vec2 shift(random.between(-5, 5), random.between(-5, 5));
+        const Vec2 shift{random.between(-5, 5), random.between(-5, 5)};
         expect_same(plain, contacts_of(shapes, {random.between(0, 6), shift, 1, {}}, search_radius),
                     2 * rounding);
     }

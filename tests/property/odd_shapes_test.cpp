@@ -57,7 +57,7 @@ FlightSetup in_a_hole(unsigned seed) {
     result.velocity.push_back(Vec6::Zero());
     const double room = size * std::cos(std::numbers::pi / corners);
     const double own = room * random.between(.1, .9) * std::sqrt(2);
-    result.scene.block({placed(random_ring(random, own), random.between(0, 6), Vec2(0, 0))});
+    result.scene.block({random_ring_at(random, own, {0, 0})});
     const double speed = random.magnitude(.1, 20);
     result.velocity.push_back(thrown(random, speed, own));
     result.stage = flight(random, 4 * size / speed);
@@ -69,7 +69,7 @@ FlightSetup pebbles(unsigned seed) {
     RandomSource random(seed);
     FlightSetup result = empty_space(random);
     const double size = random.magnitude(.3, 3);
-    const Ring target = placed(random_ring(random, size), random.between(0, 6), Vec2(0, 0));
+    const Ring target = random_ring_at(random, size, {0, 0});
     result.scene.block({target});
     result.velocity.push_back(Vec6::Zero());
     const double own = size / 100;
@@ -85,10 +85,11 @@ FlightSetup pebbles(unsigned seed) {
         const Vec2 corner = k == 0 ? target[0] : farthest;
         const Vec2 outwards = corner.normalized();
         const Vec2 from = placed(outwards, random.between(-.5, .5), Vec2(0, 0));
-        const Vec2 start = corner + own * random.between(1, 3) * from +
-                           own * random.between(-1, 1) * dda::perpendicular(from) +
+        const double away = random.between(1, 3);
+        const double aside = random.between(-1, 1);
+        const Vec2 start = corner + own * away * from + own * aside * dda::perpendicular(from) +
                            (size / std::sqrt(2) - corner.norm()) * outwards;
-        result.scene.block({placed(random_ring(random, own), random.between(0, 6), start)});
+        result.scene.block({random_ring_at(random, own, start)});
         Vec6 v = Vec6::Zero();
         v.head<2>() = -speed * from;
         if (random.index_below(2) == 0) v[2] = speed / own * random.between(-1, 1);

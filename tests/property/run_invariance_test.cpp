@@ -43,7 +43,7 @@ Pile random_pile(unsigned seed) {
         for (int column = 0; column < 4; ++column) {
             const Vec2 place(.8 * column - 1.2 + random.between(-.03, .03),
                              .5 * std::abs(.8 * column - 1.2) + .45 + .75 * row);
-            pile.blocks.push_back(placed(random_ring(random, .5), random.between(0, 6), place));
+            pile.blocks.push_back(random_ring_at(random, .5, place));
             Vec6 v = Vec6::Zero();
             v.head<2>() = Vec2(random.between(-.3, .3), -1);
             v[2] = random.between(-2, 2);

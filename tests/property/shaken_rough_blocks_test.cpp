@@ -75,9 +75,10 @@ TEST_P(ShakenRoughBlocks, CreateNoEnergy) {
         const double width = random.power_between(0.5, 10), height = width * random.between(0.25, 1.2);
         const Vec2 along(std::cos(angle), std::sin(angle));
         Scene s;
-        s.model.joint_materials[0].law = rough_law(
-            random.below(3), {random.between(2, 16), random.power_between(2e7, 2e8), radians(friction)},
-            random.power_between(5e-4, 1e-2));
+        const double peak_displacement = random.power_between(5e-4, 1e-2);
+        const dda::BartonStrength strength{random.between(2, 16), random.power_between(2e7, 2e8),
+                                           radians(friction)};
+        s.model.joint_materials[0].law = rough_law(random.below(3), strength, peak_displacement);
         s.model.block_materials[0].youngs_modulus = random.power_between(2e9, 5e10);
         s.model.normal_penalty = s.model.shear_penalty = random.power_between(2e9, 5e10);
         s.box(-height * dda::perpendicular(along) - width * along, 5 * width, height, dda::Motion::prescribed,

@@ -18,9 +18,10 @@ constexpr double search_radius = 0.02;
 /// Random blocks, close together.
 Scene heap(RandomSource& random) {
     Scene s;
-    for (int k = 0; k < 30; ++k)
-        s.block({placed(random_ring(random, random.magnitude(.3, 2)), random.between(0, 6),
-                        random.between(0, 2) * random.direction())});
+    for (int k = 0; k < 30; ++k) {
+        const Vec2 place = random_point(random, 0, 2);
+        s.block({random_ring_at(random, random.magnitude(.3, 2), place)});
+    }
     s.friction(35);
     return s;
 }
@@ -28,7 +29,7 @@ Scene heap(RandomSource& random) {
 /// Shifts each block at random and rotates it about its first corner. @param largest m, bound of the shift
 void stir(RandomSource& random, const dda::Topology& topology, double largest, std::vector<Vec2>& vertices) {
     for (const dda::BlockIndex b : topology.blocks()) {
-        const Vec2 shift = random.between(0, largest / 2) * random.direction();
+        const Vec2 shift = random_point(random, 0, largest / 2);
         const double angle = random.between(-largest / 8, largest / 8);
         const Vec2 first = vertices[topology.block_corners[b]];
         for (const dda::CornerIndex k : topology.corners_of(b))

@@ -78,4 +78,16 @@ inline Ring placed(const Ring& ring, double angle, const Vec2& shift) {
     return result;
 }
 
+/// A random ring about a point, turned at random. The numbers of a seed are drawn in the same order by every
+/// compiler: arguments of one call are not.
+inline Ring random_ring_at(RandomSource& random, double size, const Vec2& place) {
+    const double angle = random.between(0, 6);
+    return placed(random_ring(random, size), angle, place);
+}
+/// A point at a random distance in a range, m, from the origin.
+inline Vec2 random_point(RandomSource& random, double least, double largest) {
+    const Vec2 direction = random.direction();
+    return random.between(least, largest) * direction;
+}
+
 }  // namespace rockslope::scene

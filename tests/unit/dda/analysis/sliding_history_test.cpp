@@ -46,19 +46,22 @@ void expect_smooth_slide(Scene s, int slider) {
 TEST(SlidingHistory, OverANeighboursFace) {
     Scene s;
     for (int k = 0; k < 6; ++k) s.box({.7 * k - 1, -1}, .7, 1, dda::Motion::fixed);
-    expect_smooth_slide(s, s.box({0, 0}, 1, 1));
+    const int slider = s.box({0, 0}, 1, 1);
+    expect_smooth_slide(s, slider);
 }
 
 TEST(SlidingHistory, OverCollinearEdgesOfOneBlock) {
     Scene s;
     s.block({{{-1, -1}, {4, -1}, {4, 0}, {2.6, 0}, {1.3, 0}, {.55, 0}, {-1, 0}}}, dda::Motion::fixed);
-    expect_smooth_slide(s, s.box({0, 0}, 1, 1));
+    const int slider = s.box({0, 0}, 1, 1);
+    expect_smooth_slide(s, slider);
 }
 
 TEST(SlidingHistory, WithARedundantVertexOfItsOwn) {
     Scene s;
     for (int k = 0; k < 6; ++k) s.box({.7 * k - 1, -1}, .7, 1, dda::Motion::fixed);
-    expect_smooth_slide(s, s.block({{{0, 0}, {.37, 0}, {1, 0}, {1, 1}, {0, 1}}}));
+    const int slider = s.block({{{0, 0}, {.37, 0}, {1, 0}, {1, 1}, {0, 1}}});
+    expect_smooth_slide(s, slider);
 }
 
 }  // namespace
