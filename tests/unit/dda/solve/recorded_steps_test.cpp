@@ -13,6 +13,7 @@
 #include "support/recorded_files.hpp"
 #include "support/recorded_scenes.hpp"
 #include "support/recorded_solution.hpp"
+#include "support/sanitized.hpp"
 
 namespace rockslope::recorded_steps_test {
 namespace {
@@ -128,11 +129,8 @@ TEST(RecordedSteps, OfLargerSlopesAreSolvedByPatchesAndAFewLinearSolutions) {
     const auto folder = external_data("contact-steps");
     if (!folder) GTEST_SKIP() << external_data_missing("contact-steps");
     std::vector<std::filesystem::path> files;
-#if defined(__SANITIZE_ADDRESS__)
-    constexpr std::uintmax_t largest = 250'000;  // the larger ones take a minute and a half
-#else
-    constexpr std::uintmax_t largest = 10'000'000;
-#endif
+    // The larger ones take a minute and a half under a sanitizer.
+    const std::uintmax_t largest = libraries_are_sanitized() ? 250'000 : 10'000'000;
     for (const auto& entry : std::filesystem::directory_iterator(*folder))
         if (entry.path().extension() == ".xz" && entry.file_size() < largest) files.push_back(entry.path());
     std::sort(files.begin(), files.end());
