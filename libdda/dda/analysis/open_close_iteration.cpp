@@ -76,6 +76,7 @@ class OpenCloseIteration {
     OpenCloseResult run(Beginning beginning) {
         beginning_ = beginning;
         if (beginning == Beginning::in_one_patch) patches_.join_all();
+        if (beginning == Beginning::in_patches && !p_.found.empty()) begin_at_found();
         bool matrix_changed = true;
         while (iterations_since_restart() < p_.control.iteration_limit) {
             if (matrix_changed && !factorize()) {
@@ -104,6 +105,7 @@ class OpenCloseIteration {
             end_of(Phase::evaluation, times_);
             if (matrix_changed) augmentation_.forget();
         }
+        is_astray_ = result_.gaps_unsettled && is_thrown();
         finish();
         end_of(Phase::evaluation, times_);
         return std::move(result_);
@@ -124,6 +126,33 @@ class OpenCloseIteration {
         if (!is_in_patches()) return false;
         is_astray_ = patches_.leads_astray(iterations_since_restart(), result_.force_change);
         return is_astray_;
+    }
+
+    /// Begins at the displacement of an earlier attempt. A first solution from the states alone would throw a
+    /// block whose contacts all yield there.
+    void begin_at_found() {
+        iterate_.movable().assign(p_.found.begin(), p_.found.end());
+        iterate_.stop_here();
+        evaluate_exactly();
+        trials_.select_first_entrances();
+        trials_.update_bounds();
+        if (patches_.relax(0, iterate_.movable())) {
+            iterate_.moved(false);
+            trials_.move_to(iterate_.displacement());
+            trials_.update_bounds();
+        }
+        trials_.update_active_set();
+        begins_at_found_ = true;
+    }
+
+    /// Whether a block is farther than one may go in a step: linear gaps may balance it anywhere.
+    bool is_thrown() const {
+        const auto is_far = [&](RowIndex row) {
+            const Vec6& d = iterate_.displacement()[row];
+            const double length = std::sqrt(p_.blocks.moments[p_.rows.block_of[row]].area);
+            return !(d.head<2>().norm() + length * std::abs(d[2]) <= p_.displacement_limit);
+        };
+        return std::ranges::any_of(p_.rows.rows(), is_far);
     }
 
     /// Assembles and factorises the matrix of the present active set. @return false if it is not positive
@@ -274,7 +303,7 @@ class OpenCloseIteration {
     /// Moves the displacement towards the solution of the linear system from blocks that were balanced in
     /// patches.
     void advance_in_patches() {
-        if (iterations_since_restart() == 1) {
+        if (iterations_since_restart() == 1 && !begins_at_found_) {
             damped_steps_ = 0;
             iterate_.advance(1);
             return;
@@ -401,6 +430,7 @@ class OpenCloseIteration {
     Iterate iterate_;
     int damped_steps_ = 0;  ///< in a row, from patches
     bool is_astray_ = false;
+    bool begins_at_found_ = false;  ///< at the displacement of an earlier attempt
     GapSettling gap_settling_;
     double iteration_residual_;  ///< residual of linear solutions over the load
     int substitutions_ = 0;
@@ -416,14 +446,18 @@ class OpenCloseIteration {
 OpenCloseResult iterate_open_close(const StepProblem& problem, const BlockPattern& pattern,
                                    LinearSolver& solver, IterationWorkspace& work, const ThreadPool& pool,
                                    PhaseTimes* times) {
-    OpenCloseIteration first(problem, pattern, solver, work, pool, times);
-    OpenCloseResult result = first.run(Beginning::in_patches);
-    if (!first.went_astray()) return result;
-    const bool in_one_patch = PatchBalance::suits_one_patch(problem);
-    OpenCloseIteration second(problem, pattern, solver, work, pool, times);
-    OpenCloseResult anew = second.run(in_one_patch ? Beginning::in_one_patch : Beginning::along_lines);
-    anew += result;
-    return anew;
+    const Beginning otherwise =
+        PatchBalance::suits_one_patch(problem) ? Beginning::in_one_patch : Beginning::along_lines;
+    OpenCloseResult result;
+    StepCounts counts;
+    for (const Beginning beginning : {Beginning::in_patches, otherwise}) {
+        OpenCloseIteration iteration(problem, pattern, solver, work, pool, times);
+        result = iteration.run(beginning);
+        counts += result;
+        if (!iteration.went_astray()) break;
+    }
+    static_cast<StepCounts&>(result) = counts;
+    return result;
 }
 
 }  // namespace rockslope::dda

@@ -30,13 +30,14 @@ class PatchBalance {
     /// grows with the number of blocks: 1.2 ms for 992.
     static bool suits_one_patch(const StepProblem& problem);
     /// Makes all blocks one patch: its path is exact, and no far field is left.
-    void join_all() { is_one_patch_ = true; }
+    void join_all();
 
     /// Moves blocks that were balanced towards the solution of the linear system, Eq. (101).
     /// @param displacement per row, m. @return whether it is the target now.
     bool advance(RowSpan<const Vec6> target, PerRow<Vec6>& displacement);
     /// Balances the blocks whose forces do not obey the laws, as these are at the displacement.
-    /// @param iteration of the step, from 1. @return whether any block was balanced.
+    /// @param iteration of the step, from 1; 0: before the first, at the displacement of an earlier attempt.
+    /// @return whether any block was balanced.
     bool relax(int iteration, RowSpan<Vec6> displacement);
     /// Whether all blocks are balanced under the laws that the patches last saw. Then the forces of the
     /// linear system are set to those of these laws.
@@ -51,6 +52,7 @@ class PatchBalance {
         return {p_.base, p_.bolts.empty() ? p_.row_contacts : memory_.row_contacts, memory_.contacts};
     }
     PatchExtent extent_in(int iteration) const;
+    int border_limit() const;
     void find_contacts_and_bolts();
     void set_linear_forces();
 
@@ -60,9 +62,11 @@ class PatchBalance {
     const ThreadPool& pool_;
     PerRow<double> length_;  ///< per row: square root of the block's area, m
     bool is_one_patch_ = false;
+    bool began_balanced_ = false;     ///< by an earlier attempt
     bool exact_path_failed_ = false;  ///< in the last iteration
     double visits_left_;              ///< of contacts, that the patches may still make in search of borders
-    double first_force_change_ = 0;   ///< N per metre, of the step's first iteration
+    double first_force_change_ = 0;   ///< N per metre, of the step's first iteration; or of two, where the
+                                      ///< first begins balanced and hardly changes a force
 };
 
 }  // namespace rockslope::dda

@@ -29,14 +29,16 @@ struct Prediction {
     std::vector<CornerEdge> forced;
     PerBlock<Vec6> predicted;  ///< per block, displacement of the step; fixes the mid-step arms and normals
     int rotation_corrections = 0;  ///< number of attempts repeated because of the rotations
-    InitialGuess guess;            ///< from the attempt before
-    bool needs_retry = true;       ///< whether the corrected prediction deserves another attempt
+    InitialGuess guess;       ///< from the attempt before
+    bool needs_retry = true;  ///< whether the corrected prediction deserves another attempt
 
     /// Whether the displacements found leave pairs beyond the search radius that may have met.
     /// @param moved m, the largest displacement of a vertex; two vertices approach by twice as much.
     bool is_outrun_by(double moved) const { return 2 * moved > search_radius.largest(); }
     /// Widens the search radius for the displacements found. @param moved m, the largest one of a vertex.
     void widen_for(double moved) { search_radius.widen(radius_over_displacement * moved); }
+    /// Whether an earlier attempt found displacements and contact states.
+    bool has_guess() const { return !guess.contacts.empty(); }
     /// Asks for another attempt that starts from the displacements and contact states found.
     void retry_from(const PerBlock<Vec6>& displacement, InitialGuess found) {
         predicted = displacement;

@@ -55,6 +55,12 @@ double conserve_angular_momentum(double mass, const AreaMoments& before, const V
     return (velocity_before.dot(momentum_before) - velocity.dot(inertia * velocity)) / 2;
 }
 
+/// Asks for another attempt about the mid-step of the displacements found.
+void correct_rotations(const PerBlock<Vec6>& displacement, InitialGuess found, Prediction& prediction) {
+    ++prediction.rotation_corrections;
+    prediction.retry_from(displacement, std::move(found));
+}
+
 }  // namespace
 
 TimeStepper::TimeStepper(const Model& model, int threads)
@@ -139,9 +145,8 @@ void TimeStepper::correct_mid_step(const Stage& stage, const State& state, const
     const PerBlock<Vec6> displacement = all_displacements(step, result);
     const double moved = largest_displacement(state.blocks, model_.topology, displacement, pool_);
     if (!(moved <= scale_.displacement_limit(stage.control))) return;
-    ++prediction.rotation_corrections;
     prediction.widen_for(moved);
-    prediction.retry_from(displacement, {step.contacts.contacts, std::move(result.contacts)});
+    correct_rotations(displacement, {step.contacts.contacts, std::move(result.contacts)}, prediction);
 }
 
 bool TimeStepper::correct_motion(const State& state, const StepEquations& step, OpenCloseResult& result,
@@ -155,8 +160,7 @@ bool TimeStepper::correct_motion(const State& state, const StepEquations& step, 
         !rotation_prediction_failed(prediction.predicted, displacement, step.springs, step.contacts.contacts,
                                     result, state.energy.kinetic))
         return false;
-    ++prediction.rotation_corrections;
-    prediction.retry_from(displacement, {step.contacts.contacts, std::move(result.contacts)});
+    correct_rotations(displacement, {step.contacts.contacts, std::move(result.contacts)}, prediction);
     return true;
 }
 
@@ -217,6 +221,13 @@ OpenCloseResult TimeStepper::solve(const Stage& stage, const State& state, const
     if (bonds_hold(model_, stage)) held = held_shares(model_, step.contacts.contacts);
     StepProblem problem = step_problem(setting(), stage, state, step, row_contacts_);
     problem.guess = initial_guess;
+    // The springs of augmented contacts are shifted anew in each attempt: no earlier displacement balances
+    // them.
+    PerRow<Vec6> found;
+    if (prediction.has_guess() && model_.penetration_tolerance == 0)
+        for (const RowIndex row : rows_.rows()) found.push_back(prediction.predicted[rows_.block_of[row]]);
+    problem.found = found;
+    problem.displacement_limit = scale_.displacement_limit(stage.control);
     problem.held_shares = held;
     problem.may_predict_anew = prediction.rotation_corrections < rotation_correction_limit;
     return iterate_open_close(problem, pattern_, *solver_, work_, pool_, times_);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <span>
 
 #include "dda/contact/contact.hpp"
@@ -56,6 +57,9 @@ struct StepProblem {
     double tolerated_gain = 0;
     /// Whether the mid-step may be predicted anew: the iteration then ends where gaps do not settle.
     bool may_predict_anew = false;
+    /// Per row: the displacement that an earlier attempt at the step found, m; empty in the first attempt.
+    RowSpan<const Vec6> found = {};
+    double displacement_limit = std::numeric_limits<double>::infinity();  ///< m, of a vertex in the step
 
     /// Whether no bond breaks in the step.
     bool bonds_hold() const { return !held_shares.empty(); }

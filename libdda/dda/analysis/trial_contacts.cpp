@@ -62,7 +62,8 @@ TrialContacts::Trial TrialContacts::initial_trial(ContactIndex k) const {
         trial.locked = guess->state == ContactState::locked;
         trial.friction_force = guess->shear_force;
         trial.forward = guess->shear_force >= 0;
-        trial.dilation_increment = guess->dilation_increment;
+        trial.dilation_increment = guess->dilation_increment;  // at the shearing of the guess
+        trial.shearing = guess->displacement;
         trial.held_normal = std::max(guess->normal_force, 0.0);
     }
     trial.friction_force -= trial.tilt * trial.held_normal;

@@ -11,8 +11,7 @@ namespace {
 
 /// Changes of the matrix after which it is factorised anew.
 constexpr std::size_t change_limit = 40;
-/// Most borders on a path from the iterate, and the least lambda of any path: beyond them it is given up.
-constexpr int border_limit = 400;
+/// The least lambda of any path: below it the path is given up.
 constexpr double lowest_lambda = -20;
 /// Most contacts of a patch in which a path from open contacts is followed, and most borders on it per
 /// contact.
@@ -40,6 +39,7 @@ PatchPath::Outcome PatchPath::follow(const LimitedStep& step, std::span<const Ro
                                      LimitedIterate iterate, const PathAims& aims) {
     step_ = &step;
     visits_left_ = aims.visit_limit;
+    border_limit_ = aims.border_limit;
     local_row_.resize(step.base.stiffness.size(), outside);
     order(rows);
     find_contacts(iterate);
@@ -150,7 +150,7 @@ PatchPath::Outcome PatchPath::follow_from_iterate(const LimitedIterate& iterate)
         contacts_[i].piece = contacts_[i].law->piece_at(start_[i]);
     }
     begin(iterate.displacement);
-    return walk(border_limit);
+    return walk(border_limit_);
 }
 
 /// The path of Eq. (100).

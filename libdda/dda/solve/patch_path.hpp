@@ -25,6 +25,8 @@ struct PathAims {
     PathStarts starts = PathStarts::iterate_then_apart;
     /// The search for borders may look at so many contacts. Then the paths are given up.
     double visit_limit = std::numeric_limits<double>::infinity();
+    /// Most borders on a path from the iterate.
+    int border_limit = 400;
 };
 
 /// The path that leads the blocks of a patch to balance, while those around it stay. From where the blocks
@@ -135,6 +137,7 @@ class PatchPath {
     std::vector<Change> changes_;  ///< since the last factorisation
     std::size_t change_count_ = 0;
     double visits_left_ = 0;
+    int border_limit_ = 0;  ///< of a path from the iterate
 };
 
 }  // namespace rockslope::dda

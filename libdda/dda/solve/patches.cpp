@@ -40,13 +40,16 @@ Relaxation Patches::relax(const LimitedStep& step, const PatchAims& aims, RowSpa
 PatchPath::Outcome Patches::balance(const PatchAims& aims, double visit_limit, RowSpan<Vec6> displacement) {
     const LimitedIterate iterate{displacement, forces_.elastic()};
     const double most_thrown = std::max(aims.most_thrown * core_force_, aims.tolerance);
-    PatchPath::Outcome outcome = path_.follow(*step_, patch_, iterate, {aims.path.starts, visit_limit});
+    PathAims path = aims.path;
+    path.visit_limit = visit_limit;
+    PatchPath::Outcome outcome = path_.follow(*step_, patch_, iterate, path);
     while (outcome.balanced && outcome.thrown > most_thrown && outcome.visits < visit_limit &&
            patch_.size() < wide_size) {
         const std::size_t blocks = patch_.size();
         add_rings(rings, wide_size);
         if (patch_.size() == blocks) break;
-        outcome += path_.follow(*step_, patch_, iterate, {aims.path.starts, visit_limit - outcome.visits});
+        path.visit_limit = visit_limit - outcome.visits;
+        outcome += path_.follow(*step_, patch_, iterate, path);
     }
     return outcome;
 }

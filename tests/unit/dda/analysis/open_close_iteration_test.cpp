@@ -23,6 +23,7 @@ constexpr double spring = RestingContacts::spring;
 struct LoadedBlock {
     FirstStep step;
     dda::OpenCloseResult result;
+    dda::PerRow<Vec6> found;  ///< by an earlier attempt
 
     LoadedBlock(const Scene& s, double along, double into) : step(s.model) {
         step.base.stiffness[0].setZero();
@@ -34,6 +35,7 @@ struct LoadedBlock {
         step.control.iteration_limit = iteration_limit;
         dda::StepProblem problem = step.problem();
         problem.time = time;
+        problem.found = found;
         dda::IterationWorkspace work;
         const auto solver = dda::make_linear_solver(dda::SolverKind::multifrontal, step.pool);
         solver->analyze(step.pattern);
@@ -174,6 +176,26 @@ TEST(OpenCloseIteration, NeedsFewerIterationsFromAGoodGuess) {
     ASSERT_TRUE(second.result.converged);
     EXPECT_LT(second.result.iterations, first.result.iterations);
     EXPECT_NEAR(second.moved_along(), first.moved_along(), 1e-9 * first.moved_along());
+}
+
+// The guess says that both contacts are open, and lets the block through the floor; where it was found says
+// that they bear it.
+TEST(OpenCloseIteration, BeginsWhereAnEarlierAttemptEnded) {
+    const Scene s = resting_block(Scene::mohr_coulomb(30));
+    LoadedBlock first(s, 8e4, 5e4), from_guess(s, 8e4, 5e4), from_found(s, 8e4, 5e4);
+    first.iterate();
+    ASSERT_TRUE(first.result.converged);
+    const dda::EvaluatedContact open;
+    for (LoadedBlock* again : {&from_guess, &from_found})
+        for (std::size_t k = 0; k < 2; ++k) again->step.guess[k] = &open;
+    from_found.found = first.result.displacement;
+    from_guess.iterate();
+    from_found.iterate();
+    ASSERT_TRUE(from_guess.result.converged && from_found.result.converged);
+    EXPECT_EQ(from_found.result.iterations, 1);
+    EXPECT_GT(from_guess.result.iterations, 1);
+    EXPECT_NEAR(from_found.moved_along(), first.moved_along(), 1e-9 * first.moved_along());
+    EXPECT_NEAR(from_found.moved_into(), first.moved_into(), 1e-9 * first.moved_into());
 }
 
 }  // namespace

@@ -66,6 +66,16 @@ TEST(PatchBalance, LeadsAstrayWhereForceChangesGrow) {
     EXPECT_TRUE(block.patches.leads_astray(dda::PatchBalance::iterations, 11)) << "no smaller at the end";
 }
 
+// From a displacement that an earlier attempt balanced the first force change is next to nothing.
+TEST(PatchBalance, FromABalancedStartComparesWithTheSecondForceChange) {
+    Balance block(20);
+    block.patches.relax(0, block.displacement);
+    EXPECT_FALSE(block.patches.leads_astray(1, 1e-3));
+    EXPECT_FALSE(block.patches.leads_astray(2, 10));
+    EXPECT_FALSE(block.patches.leads_astray(3, 1000));
+    EXPECT_TRUE(block.patches.leads_astray(3, 1001));
+}
+
 // One patch of all blocks balances them to rounding: forces may change as much as they will on the way.
 TEST(PatchBalance, InOnePatchLeadsAstrayAtItsEndOnly) {
     Balance block(20);

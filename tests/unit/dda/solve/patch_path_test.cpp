@@ -143,5 +143,27 @@ TEST(PatchPath, IsGivenUpWhereItsVisitsAreUsedUp) {
     EXPECT_EQ(cut.borders, whole.borders);
 }
 
+/// The path is given up at the first border beyond the limit, and nothing changes.
+TEST(PatchPath, IsGivenUpAtItsLimitOfBorders) {
+    RandomPatch patch(1, 40);
+    const std::vector<Vec6> start = patch.random_displacement();
+    const auto follow = [&](int border_limit) {
+        std::vector<Vec6> displacement = start;
+        std::vector<ElasticForces> elastic = patch.elastic(displacement);
+        PathAims aims{PathStarts::iterate};
+        aims.border_limit = border_limit;
+        const PatchPath::Outcome outcome =
+            PatchPath().follow(patch.step(), patch.rows(), {displacement, elastic}, aims);
+        EXPECT_EQ(displacement == start, !outcome.balanced);
+        return outcome;
+    };
+    const PatchPath::Outcome whole = follow(1000);
+    ASSERT_TRUE(whole.balanced);
+    EXPECT_TRUE(follow(whole.borders + 1).balanced);
+    const PatchPath::Outcome cut = follow(whole.borders - 1);
+    EXPECT_FALSE(cut.balanced);
+    EXPECT_EQ(cut.borders, whole.borders - 1);
+}
+
 }  // namespace
 }  // namespace rockslope::patch_path_test
