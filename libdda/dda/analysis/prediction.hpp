@@ -29,6 +29,8 @@ struct Prediction {
     std::vector<CornerEdge> forced;
     PerBlock<Vec6> predicted;  ///< per block, displacement of the step; fixes the mid-step arms and normals
     int rotation_corrections = 0;  ///< number of attempts repeated because of the rotations
+    /// The block whose rotation the last of them corrected most.
+    BlockIndex turning_block = BlockIndex::none();
     InitialGuess guess;       ///< from the attempt before
     bool needs_retry = true;  ///< whether the corrected prediction deserves another attempt
 

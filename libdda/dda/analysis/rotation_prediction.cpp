@@ -33,4 +33,15 @@ bool rotation_prediction_failed(BlockSpan<const Vec6> predicted, BlockSpan<const
     return work_error > work_error_tolerance * kinetic;
 }
 
+BlockIndex worst_predicted(BlockSpan<const Vec6> predicted, BlockSpan<const Vec6> displacement) {
+    BlockIndex worst(0);
+    double largest = 0;
+    for (const BlockIndex b : displacement.indices()) {
+        const double error = std::abs(displacement[b][2] - predicted[b][2]);
+        if (error > largest) worst = b;
+        largest = std::max(largest, error);
+    }
+    return worst;
+}
+
 }  // namespace rockslope::dda

@@ -18,4 +18,8 @@ bool rotation_prediction_failed(BlockSpan<const Vec6> predicted, BlockSpan<const
                                 ContactSpan<const ContactSprings> springs, ContactSpan<const Contact> before,
                                 const OpenCloseResult& result, double kinetic);
 
+/// The block that turns most otherwise than predicted.
+/// @param predicted, displacement as above.
+BlockIndex worst_predicted(BlockSpan<const Vec6> predicted, BlockSpan<const Vec6> displacement);
+
 }  // namespace rockslope::dda

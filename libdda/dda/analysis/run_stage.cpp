@@ -22,6 +22,11 @@ std::string describe(const Model& model, const StepAttempt& attempt) {
     switch (attempt.rejection) {
         case Rejection::singular:
             return "the equations are not positive definite";
+        case Rejection::turning_otherwise:
+            std::snprintf(text, sizeof text,
+                          "block %d turns by %.3g rad in one step, otherwise than predicted",
+                          attempt.turning_block.value(), attempt.rotation);
+            return text;
         case Rejection::excessive_displacement:
             std::snprintf(text, sizeof text, "a vertex moves %.3g m in one step",
                           attempt.report.largest_displacement);
@@ -200,7 +205,8 @@ RunOutcome run_stage(const Model& model, const Stage& stage, TimeStepper& steppe
             ++cuts;
             step.cut(dt);
             if (!step.too_small()) {
-                last_cut = {attempt.rejection, attempt.worst_contact, {}, attempt.report};
+                last_cut = std::move(attempt);
+                last_cut.state = State();
                 continue;
             }
             char text[128];

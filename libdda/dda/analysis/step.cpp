@@ -58,6 +58,7 @@ double conserve_angular_momentum(double mass, const AreaMoments& before, const V
 /// Asks for another attempt about the mid-step of the displacements found.
 void correct_rotations(const PerBlock<Vec6>& displacement, InitialGuess found, Prediction& prediction) {
     ++prediction.rotation_corrections;
+    prediction.turning_block = worst_predicted(prediction.predicted, displacement);
     prediction.retry_from(displacement, std::move(found));
 }
 
@@ -99,6 +100,11 @@ StepAttempt TimeStepper::attempt_with(const Stage& stage, const State& state, do
     if (!result.converged) {
         if (result.gaps_unsettled) correct_mid_step(stage, state, step, result, prediction);
         attempt.rejection = result.singular ? Rejection::singular : Rejection::not_converged;
+        if (prediction.rotation_corrections >= rotation_correction_limit) {
+            attempt.rejection = Rejection::turning_otherwise;
+            attempt.turning_block = prediction.turning_block;
+            attempt.rotation = prediction.predicted[attempt.turning_block][2];
+        }
         if (result.worst_contact.exists())
             attempt.worst_contact = step.contacts.contacts[result.worst_contact];
         return attempt;

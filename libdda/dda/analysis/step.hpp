@@ -20,6 +20,7 @@ enum class Rejection {
     none,
     not_converged,           ///< the open-close iteration reached its limit
     singular,                ///< the matrix is not positive definite
+    turning_otherwise,       ///< a block turns so fast that no prediction of its mid-step is right
     excessive_displacement,  ///< a vertex moves farther than the displacement ratio allows, or no
                              ///< prediction fits the motion
     undetected_penetration,  ///< a vertex penetrates a block without a contact
@@ -33,6 +34,9 @@ struct StepAttempt {
     /// not_converged: the contact with the largest force change, at the start of the step.
     /// undetected_penetration: the deepest penetration, at the end of the step.
     std::optional<Contact> worst_contact;
+    /// turning_otherwise: the block, and its rotation in the step, rad.
+    BlockIndex turning_block = BlockIndex::none();
+    double rotation = 0;
     State state;  ///< the state at the end of the step, if accepted
     StepReport report;
 };

@@ -66,5 +66,14 @@ TEST(RotationPrediction, IsRightWhereTheRotationWasForeseen) {
     EXPECT_TRUE(block.failed(1));
 }
 
+TEST(RotationPrediction, FindsTheBlockThatTurnsMostOtherwiseThanPredicted) {
+    dda::PerBlock<Vec6> predicted(3, Vec6::Zero()), displacement(3, Vec6::Zero());
+    for (const int b : {0, 1, 2}) displacement[dda::BlockIndex(b)][2] = 0.1;
+    predicted[dda::BlockIndex(0)][2] = 0.1;
+    predicted[dda::BlockIndex(1)][2] = -0.05;
+    predicted[dda::BlockIndex(2)][2] = 0.2;
+    EXPECT_EQ(dda::worst_predicted(predicted, displacement), 1);
+}
+
 }  // namespace
 }  // namespace rockslope::rotation_prediction_test

@@ -104,6 +104,24 @@ TEST(TimeStepper, RejectsAStepThatDoesNotConverge) {
     EXPECT_EQ(attempt.worst_contact->corner_block, 1);
 }
 
+// A rod of 0.3 m by 1 m meets a floor while it turns by 0.75 rad in the step: three predictions of its
+// rotation are wrong. A step of a tenth is not.
+TEST(TimeStepper, RejectsAStepInWhichABlockTurnsOtherwiseThanPredicted) {
+    Scene s;
+    s.friction(30);
+    s.box({-5, -1}, 10, 1, dda::Motion::fixed);
+    const int rod = s.box({0, 0.01}, 0.3, 1);
+    dda::State state = dda::initial_state(s.model);
+    state.blocks.velocity[dda::BlockIndex(rod)] << 0, -10, 150, 0, 0, 0;
+    dda::TimeStepper stepper(s.model, 1);
+    const dda::StepAttempt attempt = stepper.advance(dynamic_stage(0.005), state, 0.005);
+    EXPECT_EQ(attempt.rejection, Rejection::turning_otherwise);
+    EXPECT_EQ(attempt.turning_block, rod);
+    EXPECT_GT(attempt.rotation, 0.5);
+    EXPECT_LT(attempt.rotation, 0.75) << "rad, in free flight";
+    EXPECT_EQ(stepper.advance(dynamic_stage(0.005), state, 0.0005).rejection, Rejection::none);
+}
+
 // A block that vibrates along its length changes its moment of inertia: its angular momentum stays.
 TEST(TimeStepper, ConservesTheAngularMomentumOfABlockThatStrains) {
     Scene s;
