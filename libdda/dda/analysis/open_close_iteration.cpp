@@ -76,7 +76,7 @@ class OpenCloseIteration {
     OpenCloseResult run(Beginning beginning) {
         beginning_ = beginning;
         if (beginning == Beginning::in_one_patch) patches_.join_all();
-        if (beginning == Beginning::in_patches && !p_.found.empty()) begin_at_found();
+        if (begins_at_found()) begin_at_found();
         bool matrix_changed = true;
         while (iterations_since_restart() < p_.control.iteration_limit) {
             if (matrix_changed && !factorize()) {
@@ -105,7 +105,7 @@ class OpenCloseIteration {
             end_of(Phase::evaluation, times_);
             if (matrix_changed) augmentation_.forget();
         }
-        is_astray_ = result_.gaps_unsettled && is_thrown();
+        is_astray_ = result_.gaps_unsettled && patches_.threw_a_block(iterate_.displacement());
         finish();
         end_of(Phase::evaluation, times_);
         return std::move(result_);
@@ -128,6 +128,8 @@ class OpenCloseIteration {
         return is_astray_;
     }
 
+    bool begins_at_found() const { return beginning_ == Beginning::in_patches && !p_.found.empty(); }
+
     /// Begins at the displacement of an earlier attempt. A first solution from the states alone would throw a
     /// block whose contacts all yield there.
     void begin_at_found() {
@@ -142,17 +144,6 @@ class OpenCloseIteration {
             trials_.update_bounds();
         }
         trials_.update_active_set();
-        begins_at_found_ = true;
-    }
-
-    /// Whether a block is farther than one may go in a step: linear gaps may balance it anywhere.
-    bool is_thrown() const {
-        const auto is_far = [&](RowIndex row) {
-            const Vec6& d = iterate_.displacement()[row];
-            const double length = std::sqrt(p_.blocks.moments[p_.rows.block_of[row]].area);
-            return !(d.head<2>().norm() + length * std::abs(d[2]) <= p_.displacement_limit);
-        };
-        return std::ranges::any_of(p_.rows.rows(), is_far);
     }
 
     /// Assembles and factorises the matrix of the present active set. @return false if it is not positive
@@ -303,7 +294,7 @@ class OpenCloseIteration {
     /// Moves the displacement towards the solution of the linear system from blocks that were balanced in
     /// patches.
     void advance_in_patches() {
-        if (iterations_since_restart() == 1 && !begins_at_found_) {
+        if (iterations_since_restart() == 1 && !begins_at_found()) {
             damped_steps_ = 0;
             iterate_.advance(1);
             return;
@@ -430,7 +421,6 @@ class OpenCloseIteration {
     Iterate iterate_;
     int damped_steps_ = 0;  ///< in a row, from patches
     bool is_astray_ = false;
-    bool begins_at_found_ = false;  ///< at the displacement of an earlier attempt
     GapSettling gap_settling_;
     double iteration_residual_;  ///< residual of linear solutions over the load
     int substitutions_ = 0;

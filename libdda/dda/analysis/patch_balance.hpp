@@ -42,6 +42,8 @@ class PatchBalance {
     /// Whether all blocks are balanced under the laws that the patches last saw. Then the forces of the
     /// linear system are set to those of these laws.
     bool is_complete(RowSpan<const Vec6> displacement);
+    /// Whether a block is farther than one may go in a step: linear gaps may balance it anywhere.
+    bool threw_a_block(RowSpan<const Vec6> displacement) const;
     /// Whether the patches lead away from the solution, or take too long.
     /// @param force_change N per metre, the largest of the iteration.
     bool leads_astray(int iteration, double force_change);

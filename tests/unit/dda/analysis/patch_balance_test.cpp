@@ -76,6 +76,19 @@ TEST(PatchBalance, FromABalancedStartComparesWithTheSecondForceChange) {
     EXPECT_TRUE(block.patches.leads_astray(3, 1001));
 }
 
+// The block of 1 m may go 1 mm: it moves as far, or turns by as many rad.
+TEST(PatchBalance, ThrewABlockThatIsFartherThanTheLimit) {
+    Balance block(20);
+    block.contacts.problem.displacement_limit = 1e-3;
+    for (const int unknown : {0, 1, 2}) {
+        dda::PerRow<Vec6> displacement(1, Vec6::Zero());
+        displacement[dda::RowIndex(0)][unknown] = -0.99e-3;
+        EXPECT_FALSE(block.patches.threw_a_block(displacement)) << unknown;
+        displacement[dda::RowIndex(0)][unknown] = -1.01e-3;
+        EXPECT_TRUE(block.patches.threw_a_block(displacement)) << unknown;
+    }
+}
+
 // One patch of all blocks balances them to rounding: forces may change as much as they will on the way.
 TEST(PatchBalance, InOnePatchLeadsAstrayAtItsEndOnly) {
     Balance block(20);

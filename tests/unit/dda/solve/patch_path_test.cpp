@@ -118,27 +118,30 @@ TEST(PatchPath, TellsTheForceThatItThrowsOnBlocksAround) {
     EXPECT_GT(thrown, 50);
 }
 
+/// Follows the path of a random patch, which leaves its displacement as it was where it is given up.
+PatchPath::Outcome follow(const RandomPatch& patch, const std::vector<Vec6>& start, const PathAims& aims) {
+    std::vector<Vec6> displacement = start;
+    std::vector<ElasticForces> elastic = patch.elastic(displacement);
+    const PatchPath::Outcome outcome =
+        PatchPath().follow(patch.step(), patch.rows(), {displacement, elastic}, aims);
+    EXPECT_EQ(displacement == start, !outcome.balanced);
+    return outcome;
+}
+
 /// The least number of visits that leads to balance: so many contacts for each border, and once more.
 TEST(PatchPath, IsGivenUpWhereItsVisitsAreUsedUp) {
     RandomPatch patch(1, 40);
     const std::vector<Vec6> start = patch.random_displacement();
-    const auto follow = [&](double visit_limit) {
-        std::vector<Vec6> displacement = start;
-        std::vector<ElasticForces> elastic = patch.elastic(displacement);
-        const PatchPath::Outcome outcome = PatchPath().follow(
-            patch.step(), patch.rows(), {displacement, elastic}, PathAims{PathStarts::iterate, visit_limit});
-        if (!outcome.balanced) {
-            EXPECT_EQ(displacement, start);
-        }
-        return outcome;
+    const auto within = [&](double visit_limit) {
+        return follow(patch, start, PathAims{PathStarts::iterate, visit_limit});
     };
-    const PatchPath::Outcome whole = follow(std::numeric_limits<double>::infinity());
+    const PatchPath::Outcome whole = within(std::numeric_limits<double>::infinity());
     ASSERT_TRUE(whole.balanced);
     ASSERT_GT(whole.borders, 5);
     const double contacts = whole.visits / (whole.borders + 1);
     EXPECT_EQ(contacts, std::floor(contacts));
-    EXPECT_TRUE(follow(whole.visits).balanced);
-    const PatchPath::Outcome cut = follow(whole.visits - contacts);
+    EXPECT_TRUE(within(whole.visits).balanced);
+    const PatchPath::Outcome cut = within(whole.visits - contacts);
     EXPECT_FALSE(cut.balanced);
     EXPECT_EQ(cut.borders, whole.borders);
 }
@@ -147,20 +150,14 @@ TEST(PatchPath, IsGivenUpWhereItsVisitsAreUsedUp) {
 TEST(PatchPath, IsGivenUpAtItsLimitOfBorders) {
     RandomPatch patch(1, 40);
     const std::vector<Vec6> start = patch.random_displacement();
-    const auto follow = [&](int border_limit) {
-        std::vector<Vec6> displacement = start;
-        std::vector<ElasticForces> elastic = patch.elastic(displacement);
-        PathAims aims{PathStarts::iterate};
-        aims.border_limit = border_limit;
-        const PatchPath::Outcome outcome =
-            PatchPath().follow(patch.step(), patch.rows(), {displacement, elastic}, aims);
-        EXPECT_EQ(displacement == start, !outcome.balanced);
-        return outcome;
+    const auto within = [&](int border_limit) {
+        return follow(patch, start,
+                      {PathStarts::iterate, std::numeric_limits<double>::infinity(), border_limit});
     };
-    const PatchPath::Outcome whole = follow(1000);
+    const PatchPath::Outcome whole = within(1000);
     ASSERT_TRUE(whole.balanced);
-    EXPECT_TRUE(follow(whole.borders + 1).balanced);
-    const PatchPath::Outcome cut = follow(whole.borders - 1);
+    EXPECT_TRUE(within(whole.borders + 1).balanced);
+    const PatchPath::Outcome cut = within(whole.borders - 1);
     EXPECT_FALSE(cut.balanced);
     EXPECT_EQ(cut.borders, whole.borders - 1);
 }
