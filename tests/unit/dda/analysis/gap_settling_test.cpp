@@ -27,5 +27,19 @@ TEST(GapSettling, LeavesSmallChangesToTheIteration) {
     EXPECT_TRUE(settling.fails(3100, tolerance));
 }
 
+// Changes of the force in a wedge of a shaken slope of Voronoi cells, in a step that ended without success
+// after 48 iterations.
+TEST(GapSettling, FailsWhereSmallChangesHardlyContract) {
+    GapSettling settling;
+    for (const double change : {324.9, 31.0, 31.5, 30.9, 30.3})
+        EXPECT_FALSE(settling.fails(change, tolerance));
+    EXPECT_TRUE(settling.fails(29.75, tolerance));
+    GapSettling contracting;
+    for (const double change : {100., 60., 29., 28., 20., 15., 7., 6.})
+        EXPECT_FALSE(contracting.fails(change, tolerance));
+    GapSettling within;
+    for (int k = 0; k < 10; ++k) EXPECT_FALSE(within.fails(0.9 * tolerance, tolerance)) << "settled";
+}
+
 }  // namespace
 }  // namespace rockslope::gap_settling_test
