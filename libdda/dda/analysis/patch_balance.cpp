@@ -82,14 +82,18 @@ bool PatchBalance::relax(int iteration, RowSpan<Vec6> displacement) {
         .share = iteration <= 1 ? first_patch_share : patch_share,
         .length = length_,
         .extent = extent_in(iteration),
-        .path = {iteration > near_iterations ? PathStarts::iterate_then_apart : PathStarts::iterate,
-                 visits_left_, border_limit()},
+        .path = {starts_in(iteration), visits_left_, border_limit()},
         .most_thrown = iteration >= first_growing ? most_thrown : std::numeric_limits<double>::infinity()};
     const Relaxation taken = memory_.patches.relax(limited_step(), aims, displacement, pool_);
     visits_left_ -= taken.visits;
     if (iteration == 0) began_balanced_ = true;
     exact_path_failed_ = is_one_patch_ && taken.failed > 0;
     return taken.patches > 0;
+}
+
+PathStarts PatchBalance::starts_in(int iteration) const {
+    if (is_one_patch_) return PathStarts::iterate_then_crossed_apart;
+    return iteration > near_iterations ? PathStarts::iterate_then_apart : PathStarts::iterate;
 }
 
 int PatchBalance::border_limit() const {

@@ -54,6 +54,7 @@ class PatchBalance {
         return {p_.base, p_.bolts.empty() ? p_.row_contacts : memory_.row_contacts, memory_.contacts};
     }
     PatchExtent extent_in(int iteration) const;
+    PathStarts starts_in(int iteration) const;
     int border_limit() const;
     void find_contacts_and_bolts();
     void set_linear_forces();

@@ -48,6 +48,8 @@ struct PieceForces {
 
     /// Normal and shear force, N per metre.
     Vec2 at(const ElasticForces& elastic) const { return constant + slope * elastic.vector(); }
+
+    friend bool operator==(const PieceForces&, const PieceForces&) = default;
 };
 
 /// The borders of a piece, at most four: lines in the plane of the elastic forces. Inside the piece

@@ -13,10 +13,11 @@ namespace {
 constexpr std::size_t change_limit = 40;
 /// The least lambda of any path: below it the path is given up.
 constexpr double lowest_lambda = -20;
-/// Most contacts of a patch in which a path from open contacts is followed, and most borders on it per
-/// contact.
+/// Most contacts of a patch in which a path begins with all of them open, and most borders on it per contact.
 constexpr std::size_t apart_limit = 500;
 constexpr int apart_borders_per_contact = 5;
+/// Most paths in a patch that begin with those contacts open whose borders were crossed before.
+constexpr int crossed_rounds = 2;
 /// Unbalanced forces at the end of a path, as a share of the loads, above which they are from rounding on a
 /// way of ill-conditioned matrices, and are removed.
 constexpr double rounding_share = 1e-9;
@@ -43,10 +44,7 @@ PatchPath::Outcome PatchPath::follow(const LimitedStep& step, std::span<const Ro
     local_row_.resize(step.base.stiffness.size(), outside);
     order(rows);
     find_contacts(iterate);
-    Outcome outcome = follow_from_iterate(iterate);
-    const bool may_begin_apart =
-        aims.starts == PathStarts::iterate_then_apart && contacts_.size() <= apart_limit;
-    if (!outcome.balanced && may_begin_apart) outcome += follow_from_apart(iterate);
+    Outcome outcome = follow_from_starts(iterate, aims.starts);
     if (outcome.balanced) {
         remove_rounding(iterate);
         outcome.thrown = largest_thrown();
@@ -128,6 +126,7 @@ void PatchPath::add_forces(const Local& local, const Vec2& forces, std::span<Vec
 
 void PatchPath::begin(RowSpan<const Vec6> displacement) {
     lambda_ = 0;
+    away_ = 0;
     find_elastic_forces();
     unbalanced_.resize(rows_.size());
     for (std::size_t k = 0; k < rows_.size(); ++k) {
@@ -137,10 +136,32 @@ void PatchPath::begin(RowSpan<const Vec6> displacement) {
     for (Local& local : contacts_) {
         add_forces(local, local.law->on(local.piece).at(local.at), unbalanced_);
         local.borders = local.law->borders(local.piece);
+        local.first_piece = local.piece;
     }
 }
 
 // --- the path
+
+PatchPath::Outcome PatchPath::follow_from_starts(const LimitedIterate& iterate, PathStarts starts) {
+    Outcome outcome = follow_from_iterate(iterate);
+    if (outcome.balanced || starts == PathStarts::iterate) return outcome;
+    if (starts == PathStarts::iterate_then_apart) {
+        if (contacts_.size() > apart_limit) return outcome;
+        for (Local& local : contacts_) local.is_apart = may_open(*local.law);
+        outcome += follow_from_apart(iterate, apart_borders_per_contact * static_cast<int>(contacts_.size()));
+        return outcome;
+    }
+    for (int round = 0; round < crossed_rounds && !outcome.balanced; ++round) {
+        for (Local& local : contacts_) local.is_apart = local.crossed && may_open(*local.law);
+        outcome += follow_from_apart(iterate, border_limit_);
+    }
+    return outcome;
+}
+
+/// An open contact without cohesion bears the same in several pieces.
+bool PatchPath::is_away(const Local& local, const Piece& piece) {
+    return !(local.law->on(piece) == local.law->on(local.first_piece));
+}
 
 /// The path of Eq. (99).
 PatchPath::Outcome PatchPath::follow_from_iterate(const LimitedIterate& iterate) {
@@ -154,14 +175,14 @@ PatchPath::Outcome PatchPath::follow_from_iterate(const LimitedIterate& iterate)
 }
 
 /// The path of Eq. (100).
-PatchPath::Outcome PatchPath::follow_from_apart(const LimitedIterate& iterate) {
+PatchPath::Outcome PatchPath::follow_from_apart(const LimitedIterate& iterate, int most_borders) {
     hold_open();
     Outcome outcome = follow_from_iterate(iterate);
     release(iterate);
     if (!outcome.balanced) return outcome;
     set_gap();
     begin(iterate.displacement);
-    outcome += walk(apart_borders_per_contact * static_cast<int>(contacts_.size()));
+    outcome += walk(most_borders);
     outcome.began_apart = true;
     return outcome;
 }
@@ -169,7 +190,7 @@ PatchPath::Outcome PatchPath::follow_from_apart(const LimitedIterate& iterate) {
 void PatchPath::hold_open() {
     open_laws_.resize(contacts_.size());
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
-        if (!may_open(*contacts_[i].law)) continue;
+        if (!contacts_[i].is_apart) continue;
         open_laws_[i] = *contacts_[i].law;
         open_laws_[i].normal_stiffness = 0;
         start_[i].normal = open_laws_[i].least_normal;
@@ -188,12 +209,12 @@ void PatchPath::set_gap() {
     double gap = 0;
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
         const LimitedContact& law = *contacts_[i].law;
-        if (!may_open(law)) continue;
+        if (!contacts_[i].is_apart) continue;
         const double normal = start_[i].normal + change_of(contacts_[i], moved_).normal;
         gap = std::max(gap, (normal - law.least_normal) / law.normal_stiffness);
     }
     for (Local& local : contacts_)
-        if (may_open(*local.law)) local.approach = (1 + gap_margin) * gap * local.law->normal_stiffness;
+        if (local.is_apart) local.approach = (1 + gap_margin) * gap * local.law->normal_stiffness;
 }
 
 void PatchPath::remove_rounding(const LimitedIterate& iterate) {
@@ -224,8 +245,10 @@ PatchPath::Outcome PatchPath::walk(int most_borders) {
             if (outcome.balanced) move(remaining);
             break;
         }
+        const double before = lambda_;
         move(sense * border.distance);
-        if (!(lambda_ >= lowest_lambda)) break;
+        const bool came_back = outcome.borders > 0 && away_ == 0 && (before > 0) != (lambda_ > 0);
+        if (!(lambda_ >= lowest_lambda) || came_back) break;
         ++outcome.borders;
         const double pivot = cross(contact, border);
         if (pivot == 0 || !std::isfinite(pivot)) break;
@@ -362,6 +385,8 @@ double PatchPath::cross(std::size_t contact, const Border& border) {
     solve(change.response);
     change.pivot = 1 + border.normal.dot(change_of(crossing, change.response).vector());
     ++change_count_;
+    crossing.crossed = true;
+    away_ += (is_away(crossing, border.beyond) ? 1 : 0) - (is_away(crossing, crossing.piece) ? 1 : 0);
     crossing.piece = border.beyond;
     crossing.borders = crossing.law->borders(crossing.piece);
     const double part = border.normal.dot(crossing.rate.vector()) / change.pivot;

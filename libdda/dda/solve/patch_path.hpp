@@ -16,9 +16,11 @@ struct LimitedIterate {
 };
 
 /// Which paths are followed in a patch: that from the iterate, Eq. (99), which arrives at the state next to
-/// it; or where this does not end that from open contacts, Eq. (100), as well. With much friction several
-/// states may balance, and the second path may arrive at another one.
-enum class PathStarts { iterate, iterate_then_apart };
+/// it; where this does not end that from open contacts, Eq. (100), as well; or, in a patch of very many
+/// contacts, paths on which only those begin open that the paths before have crossed a border of, for often
+/// these few led them round. With much friction several states may balance, and another path may arrive at
+/// another one.
+enum class PathStarts { iterate, iterate_then_apart, iterate_then_crossed_apart };
 
 /// How paths are followed in a patch.
 struct PathAims {
@@ -34,7 +36,8 @@ struct PathAims {
 /// not end, one that begins with open contacts is followed: a gap in all of them closes, Eq. (100). F is
 /// linear in pieces, so a path is straight from border to border. At each border the matrix changes by one
 /// product of two vectors. Where its determinant changes sign the path turns back in lambda [katzenelson1965;
-/// fujisawakuh1972]. Memory is kept from patch to patch.
+/// fujisawakuh1972]. A path may close on itself; it ends where it comes back to its start. Memory is kept
+/// from patch to patch.
 class PatchPath {
   public:
     struct Outcome {
@@ -66,10 +69,13 @@ class PatchPath {
         Vec6 opening_first, opening_second;  ///< gradients by the unknowns of its blocks
         Vec6 shearing_first, shearing_second;
         Piece piece;
-        PieceBorders borders;  ///< of the piece
-        double approach = 0;   ///< normal force by which the contact's gap closes, N per metre
-        ElasticForces at;      ///< on the path
-        ElasticForces rate;    ///< change for a change of lambda by 1
+        Piece first_piece;      ///< at the start of the path
+        PieceBorders borders;   ///< of the piece
+        bool crossed = false;   ///< a border of it on an earlier path or on this one
+        bool is_apart = false;  ///< a path begins with it open
+        double approach = 0;    ///< normal force by which the contact's gap closes, N per metre
+        ElasticForces at;       ///< on the path
+        ElasticForces rate;     ///< change for a change of lambda by 1
     };
     /// A change of the matrix: the forces of a contact follow its elastic forces in another way.
     struct Change {
@@ -87,9 +93,11 @@ class PatchPath {
     void add_contact(ContactIndex contact, const LimitedIterate& iterate);
     /// Adds the forces of a contact to the unbalanced forces. @param forces normal and shear, N per metre
     static void add_forces(const Local& local, const Vec2& forces, std::span<Vec6> unbalanced);
+    Outcome follow_from_starts(const LimitedIterate& iterate, PathStarts starts);
     Outcome follow_from_iterate(const LimitedIterate& iterate);
-    Outcome follow_from_apart(const LimitedIterate& iterate);
-    /// Lets the contacts that may open bear their least normal force wherever the blocks are.
+    /// @param most_borders on the way that closes the gap.
+    Outcome follow_from_apart(const LimitedIterate& iterate, int most_borders);
+    /// Lets the contacts that are apart bear their least normal force wherever the blocks are.
     void hold_open();
     /// Lets them follow their laws again.
     void release(const LimitedIterate& iterate);
@@ -115,6 +123,8 @@ class PatchPath {
     /// The next border. @param sense 1 or -1: lambda grows or falls. @return its contact's index, or none.
     std::size_t next_border(int sense, Border& border) const;
     void move(double distance);
+    /// Whether a contact bears other forces on a piece than on that of the path's start.
+    static bool is_away(const Local& local, const Piece& piece);
     /// Crosses a border. @return the ratio of the determinants after and before.
     double cross(std::size_t contact, const Border& border);
     void store(LimitedIterate iterate) const;
@@ -130,6 +140,7 @@ class PatchPath {
     std::vector<Local> contacts_;
     std::vector<Vec6> unbalanced_;      ///< at the start of the path
     double lambda_ = 0;                 ///< on the path
+    int away_ = 0;                      ///< contacts that are away from the pieces of the path's start
     std::vector<Vec6> moved_;           ///< displacements from the iterate
     std::vector<Vec6> direction_;       ///< displacements for a change of lambda by 1
     std::vector<ElasticForces> start_;  ///< per contact of the patch, at the iterate

@@ -87,6 +87,60 @@ TEST(PatchPath, BalancesRandomPatches) {
     EXPECT_GT(begun_negative, 10) << "against the direction of a positive determinant these would run away";
 }
 
+/// Follows the path from the iterate alone in 2000 random patches; calls visit(patch, start, outcome) where
+/// it does not arrive.
+template <class Visit>
+void for_paths_that_do_not_arrive(const Visit& visit) {
+    PatchPath path;
+    const PathAims alone{PathStarts::iterate, std::numeric_limits<double>::infinity(), 10'000};
+    for (unsigned seed = 0; seed < 2000; ++seed) {
+        RandomPatch patch(seed);
+        const std::vector<Vec6> start = patch.random_displacement();
+        std::vector<Vec6> displacement = start;
+        std::vector<ElasticForces> elastic = patch.elastic(displacement);
+        const PatchPath::Outcome outcome =
+            path.follow(patch.step(), patch.rows(), {displacement, elastic}, alone);
+        if (!outcome.balanced) visit(patch, start, outcome);
+    }
+}
+
+/// Such a path closes on itself, after fewer borders than the patch has contacts; it does not go round up to
+/// its limit.
+TEST(PatchPath, EndsWhereItComesBackToItsStart) {
+    int closed = 0;
+    for_paths_that_do_not_arrive(
+        [&](const RandomPatch& patch, const std::vector<Vec6>&, const PatchPath::Outcome& outcome) {
+            EXPECT_LT(outcome.borders, 3 * static_cast<int>(patch.step().contacts.size()));
+            ++closed;
+        });
+    EXPECT_GT(closed, 4);
+}
+
+/// With the contacts open that led it round, another path arrives: in all but two of these patches.
+TEST(PatchPath, BeginsWithTheContactsOpenThatLedItRound) {
+    PatchPath path;
+    const PathAims crossed{.starts = PathStarts::iterate_then_crossed_apart};
+    int arrived = 0, left = 0;
+    for_paths_that_do_not_arrive([&](RandomPatch& patch, const std::vector<Vec6>& start,
+                                     const PatchPath::Outcome& alone) {
+        std::vector<Vec6> displacement = start;
+        std::vector<ElasticForces> elastic = patch.elastic(displacement);
+        const PatchPath::Outcome outcome =
+            path.follow(patch.step(), patch.rows(), {displacement, elastic}, crossed);
+        EXPECT_GT(outcome.borders, alone.borders) << "those of all paths count";
+        if (!outcome.balanced) {
+            EXPECT_EQ(displacement, start);
+            ++left;
+            return;
+        }
+        EXPECT_TRUE(outcome.began_apart);
+        EXPECT_LT(patch.unbalanced(displacement), 1e-6 * patch.load()) << "rounding, where a border is near";
+        ++arrived;
+    });
+    EXPECT_GT(arrived, 4);
+    EXPECT_LE(left, 2);
+}
+
 /// Contacts between a patch in a row and the blocks around it.
 TEST(PatchPath, TellsTheForceThatItThrowsOnBlocksAround) {
     int thrown = 0;
