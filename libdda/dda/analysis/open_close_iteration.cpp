@@ -113,6 +113,8 @@ class OpenCloseIteration {
 
     /// Whether the patches led away from the solution, or to a matrix that is not positive definite.
     bool went_astray() const { return is_astray_; }
+    /// Per row: the displacement of the patches that was nearest to balance, m; empty if there is none.
+    RowSpan<const Vec6> nearest() const { return patches_.nearest(); }
 
   private:
     /// Iterations since the start, or since dilation or augmentation last changed the problem.
@@ -128,10 +130,10 @@ class OpenCloseIteration {
         return is_astray_;
     }
 
-    bool begins_at_found() const { return beginning_ == Beginning::in_patches && !p_.found.empty(); }
+    bool begins_at_found() const { return beginning_ != Beginning::along_lines && !p_.found.empty(); }
 
-    /// Begins at the displacement of an earlier attempt. A first solution from the states alone would throw a
-    /// block whose contacts all yield there.
+    /// Begins at the displacement of an earlier attempt, or at the nearest one of the patches that led
+    /// astray. A first solution from the states alone would throw a block whose contacts all yield there.
     void begin_at_found() {
         iterate_.movable().assign(p_.found.begin(), p_.found.end());
         iterate_.stop_here();
@@ -438,13 +440,19 @@ OpenCloseResult iterate_open_close(const StepProblem& problem, const BlockPatter
                                    PhaseTimes* times) {
     const Beginning otherwise =
         PatchBalance::suits_one_patch(problem) ? Beginning::in_one_patch : Beginning::along_lines;
+    StepProblem anew = problem;
+    PerRow<Vec6> nearest;
     OpenCloseResult result;
     StepCounts counts;
     for (const Beginning beginning : {Beginning::in_patches, otherwise}) {
-        OpenCloseIteration iteration(problem, pattern, solver, work, pool, times);
+        OpenCloseIteration iteration(anew, pattern, solver, work, pool, times);
         result = iteration.run(beginning);
         counts += result;
         if (!iteration.went_astray()) break;
+        // Not where a block was thrown: linear gaps balance it there.
+        nearest.clear();
+        if (!result.gaps_unsettled) nearest.assign(iteration.nearest().begin(), iteration.nearest().end());
+        anew.found = nearest;
     }
     static_cast<StepCounts&>(result) = counts;
     return result;

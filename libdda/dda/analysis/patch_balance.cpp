@@ -84,10 +84,15 @@ bool PatchBalance::relax(int iteration, RowSpan<Vec6> displacement) {
         .extent = extent_in(iteration),
         .path = {starts_in(iteration), visits_left_, border_limit()},
         .most_thrown = iteration >= first_growing ? most_thrown : std::numeric_limits<double>::infinity()};
+    memory_.before.assign(displacement.begin(), displacement.end());
     const Relaxation taken = memory_.patches.relax(limited_step(), aims, displacement, pool_);
     visits_left_ -= taken.visits;
     if (iteration == 0) began_balanced_ = true;
     exact_path_failed_ = is_one_patch_ && taken.failed > 0;
+    if (taken.unbalanced < least_unbalanced_ && suits_one_patch(p_)) {
+        least_unbalanced_ = taken.unbalanced;
+        nearest_.swap(memory_.before);
+    }
     return taken.patches > 0;
 }
 

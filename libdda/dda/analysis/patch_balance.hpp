@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+
 #include "dda/analysis/step_problem.hpp"
 #include "dda/analysis/trial_contacts.hpp"
 #include "dda/solve/damped_step.hpp"
@@ -19,6 +21,7 @@ class PatchBalance {
         Patches patches;
         DampedStep damped_step;
         LimitedForces forces;
+        PerRow<Vec6> before;                  ///< displacement, m, that is balanced
         PerContact<LimitedContact> contacts;  ///< and bolts
         RowContacts row_contacts;             ///< of them, where there are bolts
     };
@@ -42,6 +45,9 @@ class PatchBalance {
     /// Whether all blocks are balanced under the laws that the patches last saw. Then the forces of the
     /// linear system are set to those of these laws.
     bool is_complete(RowSpan<const Vec6> displacement);
+    /// Per row: of the displacements that the patches were given, that with the least unbalanced force, m.
+    /// One patch begins there. Empty where the step does not suit one.
+    RowSpan<const Vec6> nearest() const { return nearest_; }
     /// Whether a block is farther than one may go in a step: linear gaps may balance it anywhere.
     bool threw_a_block(RowSpan<const Vec6> displacement) const;
     /// Whether the patches lead away from the solution, or take too long.
@@ -67,9 +73,11 @@ class PatchBalance {
     bool is_one_patch_ = false;
     bool began_balanced_ = false;     ///< by an earlier attempt
     bool exact_path_failed_ = false;  ///< in the last iteration
-    double visits_left_;              ///< of contacts, that the patches may still make in search of borders
-    double first_force_change_ = 0;   ///< N per metre, of the step's first iteration; or of two, where the
-                                      ///< first begins balanced and hardly changes a force
+    PerRow<Vec6> nearest_;
+    double least_unbalanced_ = std::numeric_limits<double>::infinity();  ///< N per metre, there
+    double visits_left_;             ///< of contacts, that the patches may still make in search of borders
+    double first_force_change_ = 0;  ///< N per metre, of the step's first iteration; or of two, where the
+                                     ///< first begins balanced and hardly changes a force
 };
 
 }  // namespace rockslope::dda

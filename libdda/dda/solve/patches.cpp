@@ -21,8 +21,8 @@ Relaxation Patches::relax(const LimitedStep& step, const PatchAims& aims, RowSpa
     is_wide_ = aims.extent != PatchExtent::two_rings;
     in_patch_.assign(displacement.size(), 0);
     forces_.evaluate(step, displacement, aims.length, pool);
-    find_unbalanced(aims);
     Relaxation taken;
+    taken.unbalanced = find_unbalanced(aims);
     for (const RowIndex row : is_unbalanced_.indices()) {
         if (is_unbalanced_[row] == 0) continue;
         if (taken.visits >= aims.path.visit_limit) break;
@@ -54,7 +54,7 @@ PatchPath::Outcome Patches::balance(const PatchAims& aims, double visit_limit, R
     return outcome;
 }
 
-void Patches::find_unbalanced(const PatchAims& aims) {
+double Patches::find_unbalanced(const PatchAims& aims) {
     largest_.resize(in_patch_.size());
     is_unbalanced_.resize(in_patch_.size());
     double largest = 0;
@@ -64,6 +64,7 @@ void Patches::find_unbalanced(const PatchAims& aims) {
     }
     const double least = std::max(aims.tolerance, aims.share * largest);
     for (const RowIndex row : largest_.indices()) is_unbalanced_[row] = largest_[row] > least ? 1 : 0;
+    return largest;
 }
 
 template <class Visit>

@@ -27,9 +27,10 @@ struct PatchAims {
 /// What a relaxation took.
 struct Relaxation {
     int patches = 0;
-    int failed = 0;     ///< patches whose path did not end, left as they were
-    int borders = 0;    ///< crossed on paths: a pivot each
-    double visits = 0;  ///< contacts that the search for borders looked at
+    int failed = 0;         ///< patches whose path did not end, left as they were
+    int borders = 0;        ///< crossed on paths: a pivot each
+    double visits = 0;      ///< contacts that the search for borders looked at
+    double unbalanced = 0;  ///< N per metre, the largest unbalanced force before
 };
 
 /// Balances the blocks whose forces do not balance, in small patches that overlap, one after the other by
@@ -46,8 +47,9 @@ class Patches {
                      const ThreadPool& pool);
 
   private:
-    /// Marks the blocks whose unbalanced force is over the aims.
-    void find_unbalanced(const PatchAims& aims);
+    /// Marks the blocks whose unbalanced force is over the aims. @return the largest unbalanced force, N per
+    /// metre.
+    double find_unbalanced(const PatchAims& aims);
     /// Sets the patch for an unbalanced block.
     void set_patch(RowIndex row, PatchExtent extent);
     void set_all_blocks();

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
+#include <utility>
 
 #include "support/resting_block.hpp"
 
@@ -87,6 +89,28 @@ TEST(PatchBalance, ThrewABlockThatIsFartherThanTheLimit) {
         displacement[dda::RowIndex(0)][unknown] = -1.01e-3;
         EXPECT_TRUE(block.patches.threw_a_block(displacement)) << unknown;
     }
+}
+
+// Out of balance by 30 kN and more at first, and by nothing where the patch has balanced the block.
+TEST(PatchBalance, KnowsTheDisplacementNearestToBalance) {
+    Balance block(20);
+    block.contacts.problem.time = dda::StepTime(0.005);
+    const dda::PerRow<Vec6> first = block.displacement;
+    block.relax();
+    EXPECT_EQ(block.patches.nearest()[dda::RowIndex(0)], first[dda::RowIndex(0)]) << "before it was balanced";
+    const dda::PerRow<Vec6> balanced = block.displacement;
+    block.relax();
+    EXPECT_EQ(block.patches.nearest()[dda::RowIndex(0)], balanced[dda::RowIndex(0)]);
+    block.displacement[dda::RowIndex(0)] *= 2;
+    block.relax();
+    EXPECT_EQ(block.patches.nearest()[dda::RowIndex(0)], balanced[dda::RowIndex(0)]) << "nearer";
+}
+
+TEST(PatchBalance, KnowsNoNearestDisplacementInAStaticStep) {
+    Balance block(20);
+    block.contacts.problem.time = dda::StepTime();
+    block.relax();
+    EXPECT_TRUE(block.patches.nearest().empty());
 }
 
 // One patch of all blocks balances them to rounding: forces may change as much as they will on the way.
