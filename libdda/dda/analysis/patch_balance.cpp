@@ -147,10 +147,9 @@ void PatchBalance::set_linear_forces() {
 }
 
 bool PatchBalance::threw_a_block(RowSpan<const Vec6> displacement) const {
-    return std::ranges::any_of(p_.rows.rows(), [&](RowIndex row) {
-        const Vec6& d = displacement[row];
-        return !(d.head<2>().norm() + length_[row] * std::abs(d[2]) <= p_.displacement_limit);
-    });
+    PerBlock<Vec6> all(p_.prescribed.begin(), p_.prescribed.end());
+    for (const RowIndex row : p_.rows.rows()) all[p_.rows.block_of[row]] = displacement[row];
+    return !(largest_displacement(p_.blocks, p_.model.topology, all, pool_) <= p_.displacement_limit);
 }
 
 bool PatchBalance::leads_astray(int iteration, double force_change) {

@@ -78,15 +78,16 @@ TEST(PatchBalance, FromABalancedStartComparesWithTheSecondForceChange) {
     EXPECT_TRUE(block.patches.leads_astray(3, 1001));
 }
 
-// The block of 1 m may go 1 mm: it moves as far, or turns by as many rad.
+// The corners of the block of 1 m may go 1 mm, as in the step: it moves as far, or turns about its centroid,
+// from which they are 0.707 m away.
 TEST(PatchBalance, ThrewABlockThatIsFartherThanTheLimit) {
     Balance block(20);
     block.contacts.problem.displacement_limit = 1e-3;
-    for (const int unknown : {0, 1, 2}) {
+    for (const auto& [unknown, arm] : {std::pair{0, 1.0}, {1, 1.0}, {2, std::sqrt(0.5)}}) {
         dda::PerRow<Vec6> displacement(1, Vec6::Zero());
-        displacement[dda::RowIndex(0)][unknown] = -0.99e-3;
+        displacement[dda::RowIndex(0)][unknown] = -0.99e-3 / arm;
         EXPECT_FALSE(block.patches.threw_a_block(displacement)) << unknown;
-        displacement[dda::RowIndex(0)][unknown] = -1.01e-3;
+        displacement[dda::RowIndex(0)][unknown] = -1.01e-3 / arm;
         EXPECT_TRUE(block.patches.threw_a_block(displacement)) << unknown;
     }
 }
