@@ -323,8 +323,9 @@ class OpenCloseIteration {
     /// Notes whether gaps do not settle. @param change N per metre, by which forces follow their exact
     /// values.
     void test_gaps(double change) {
-        const bool fails = gap_settling_.fails(change, trials_.tolerance());
-        result_.gaps_unsettled = fails && p_.may_predict_anew;
+        if (!gap_settling_.fails(change, trials_.tolerance())) return;
+        result_.turns_otherwise = true;
+        result_.gaps_unsettled = p_.may_predict_anew;
     }
     /// Tests for convergence where the step went all the way to the solution of the linear system, whose
     /// forces balance exactly. Otherwise balances the blocks whose forces do not, in patches, tests again if

@@ -12,8 +12,9 @@ namespace rockslope::dda {
 
 struct OpenCloseResult : StepCounts {
     bool converged = false;
-    bool singular = false;                              ///< the matrix was not positive definite
-    bool gaps_unsettled = false;                        ///< blocks turn too far from their predicted mid-step
+    bool singular = false;         ///< the matrix was not positive definite
+    bool turns_otherwise = false;  ///< gaps did not settle: a block turns otherwise than predicted
+    bool gaps_unsettled = false;   ///< the iteration ended for that, and the mid-step may be predicted anew
     ContactIndex worst_contact = ContactIndex::none();  ///< the contact with the largest force change
     double force_change = 0;                ///< N per metre, the largest force change of the last iteration
     PerRow<Vec6> displacement;              ///< per row

@@ -100,7 +100,8 @@ StepAttempt TimeStepper::attempt_with(const Stage& stage, const State& state, do
     if (!result.converged) {
         if (result.gaps_unsettled) correct_mid_step(stage, state, step, result, prediction);
         attempt.rejection = result.singular ? Rejection::singular : Rejection::not_converged;
-        if (!result.singular && prediction.rotation_corrections >= rotation_correction_limit) {
+        if (!result.singular && result.turns_otherwise &&
+            prediction.rotation_corrections >= rotation_correction_limit) {
             attempt.rejection = Rejection::turning_otherwise;
             attempt.turning_block = prediction.turning_block;
             attempt.rotation = prediction.predicted[attempt.turning_block][2];

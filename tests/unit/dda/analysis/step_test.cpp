@@ -105,7 +105,8 @@ TEST(TimeStepper, RejectsAStepThatDoesNotConverge) {
 }
 
 // A rod of 0.3 m by 1 m meets a floor while it turns by 0.75 rad in the step: three predictions of its
-// rotation are wrong. A step of a tenth is not.
+// rotation are wrong, and with eight iterations its gaps do not settle in the last attempt either. With the
+// usual number of iterations the step is solved.
 TEST(TimeStepper, RejectsAStepInWhichABlockTurnsOtherwiseThanPredicted) {
     Scene s;
     s.friction(30);
@@ -114,12 +115,14 @@ TEST(TimeStepper, RejectsAStepInWhichABlockTurnsOtherwiseThanPredicted) {
     dda::State state = dda::initial_state(s.model);
     state.blocks.velocity[dda::BlockIndex(rod)] << 0, -10, 150, 0, 0, 0;
     dda::TimeStepper stepper(s.model, 1);
-    const dda::StepAttempt attempt = stepper.advance(dynamic_stage(0.005), state, 0.005);
+    dda::Stage stage = dynamic_stage(0.005);
+    stage.control.iteration_limit = 8;
+    const dda::StepAttempt attempt = stepper.advance(stage, state, 0.005);
     EXPECT_EQ(attempt.rejection, Rejection::turning_otherwise);
     EXPECT_EQ(attempt.turning_block, rod);
     EXPECT_GT(attempt.rotation, 0.5);
     EXPECT_LT(attempt.rotation, 0.75) << "rad, in free flight";
-    EXPECT_EQ(stepper.advance(dynamic_stage(0.005), state, 0.0005).rejection, Rejection::none);
+    EXPECT_EQ(stepper.advance(dynamic_stage(0.005), state, 0.005).rejection, Rejection::none);
 }
 
 // A block that vibrates along its length changes its moment of inertia: its angular momentum stays.
