@@ -19,6 +19,8 @@ constexpr double lightest = 500, heaviest = 8000;  // kg/m3
 constexpr double steepest_friction = 70, right_angle = M_PI / 2;  // deg, rad
 /// Size of a block of median area over the height of the section: smaller blocks are rather in other units.
 constexpr double smallest_size = 1e-3;
+/// Area of a block over that of the median one below which it is a chip. blockgen merges blocks below 1e-4.
+constexpr double smallest_share = 1e-5;
 /// Part of the record's energy, the integral of the squared acceleration, that a stage may leave out.
 constexpr double negligible_energy = 1e-3;
 
@@ -86,24 +88,51 @@ void check_joints(const Model& model, std::vector<std::string>& warnings) {
     }
 }
 
-void check_sizes(const Model& model, std::vector<std::string>& warnings) {
+void check_median_size(const Model& model, double median_area, std::vector<std::string>& warnings) {
     double low = 1e300, high = -1e300;
     for (const Vec2& vertex : model.vertices) {
         low = std::min(low, vertex.y());
         high = std::max(high, vertex.y());
     }
-    std::vector<double> sizes;
-    const BlockSystem blocks = initial_block_system(model);
-    for (const BlockIndex b : model.blocks())
-        if (model.motion[b] == Motion::free) sizes.push_back(std::sqrt(blocks.moments[b].area));
-    if (sizes.empty()) return;
-    const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-    std::nth_element(sizes.begin(), middle, sizes.end());
-    if (*middle < smallest_size * (high - low))
+    const double median = std::sqrt(median_area);
+    if (median < smallest_size * (high - low))
         warnings.push_back(
             sentence("blocks of median size %.3g m fill a section %.3g m high; are the spacings "
                      "of the joints in m?",
-                     *middle, high - low));
+                     median, high - low));
+}
+
+/// A chip that is squeezed between large blocks shoots away and rattles, and each of its impacts cuts steps.
+void check_chips(const Model& model, const BlockSystem& blocks, double median_area,
+                 std::vector<std::string>& warnings) {
+    int chips = 0;
+    BlockIndex smallest = BlockIndex::none();
+    for (const BlockIndex b : model.blocks()) {
+        const double area = blocks.moments[b].area;
+        if (model.motion[b] != Motion::free || area >= smallest_share * median_area) continue;
+        ++chips;
+        if (!smallest.exists() || area < blocks.moments[smallest].area) smallest = b;
+    }
+    if (chips == 0) return;
+    const AreaMoments& moments = blocks.moments[smallest];
+    const Vec2 at = moments.centroid + model.origin;
+    warnings.push_back(sentence(
+        "%d block%s smaller than %g of the median one, the smallest is block %d at (%g, %g) with "
+        "%.2g m2: a chip that is squeezed between large blocks rattles and takes many small steps; "
+        "[small_blocks] of a slope model merges chips",
+        chips, chips == 1 ? " is" : "s are", smallest_share, smallest.value(), at.x(), at.y(), moments.area));
+}
+
+void check_sizes(const Model& model, std::vector<std::string>& warnings) {
+    std::vector<double> areas;
+    const BlockSystem blocks = initial_block_system(model);
+    for (const BlockIndex b : model.blocks())
+        if (model.motion[b] == Motion::free) areas.push_back(blocks.moments[b].area);
+    if (areas.empty()) return;
+    const auto middle = areas.begin() + static_cast<std::ptrdiff_t>(areas.size() / 2);
+    std::nth_element(areas.begin(), middle, areas.end());
+    check_median_size(model, *middle, warnings);
+    check_chips(model, blocks, *middle, warnings);
 }
 
 /// Energy of a table after a time over that of all of it: integrals of the squared acceleration.

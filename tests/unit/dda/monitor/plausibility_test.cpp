@@ -94,6 +94,21 @@ TEST(Plausibility, FindsBlocksTooSmallForTheSection) {
     EXPECT_THAT(dda::implausible(s.model, {}), ElementsAre(HasSubstr("median size 0.003 m")));
 }
 
+TEST(Plausibility, FindsChipsAmongLargeBlocks) {
+    Scene s = block_on_floor();
+    s.box({2, 0}, 1, 1);
+    const int chip = s.box({4, 0}, 2e-3, 2e-3);
+    const std::string where = "block " + std::to_string(chip) + " at (4.001, 0.001) with 4e-06 m2";
+    EXPECT_THAT(dda::implausible(s.model, {}),
+                ElementsAre(AllOf(HasSubstr("1 block is smaller than 1e-05"), HasSubstr(where))));
+    s.box({5, 0}, 3e-3, 3e-3);
+    s.box({6, 0}, 2, 2);
+    EXPECT_THAT(dda::implausible(s.model, {}),
+                ElementsAre(AllOf(HasSubstr("2 blocks are smaller"), HasSubstr(where))));
+    s.box({8, 0}, 4e-3, 4e-3);
+    EXPECT_THAT(dda::implausible(s.model, {}), ElementsAre(HasSubstr("2 blocks are"))) << "of 16e-6 m2";
+}
+
 TEST(Plausibility, FindsStepsAndStagesThatMissPartsOfTheRecord) {
     dda::Stage coarse = shaken();
     coarse.control.step = 0.02;
