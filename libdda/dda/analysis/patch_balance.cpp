@@ -31,8 +31,9 @@ constexpr double patch_share = 0.02;
 /// path from open contacts may end in another state than the next one, and most steps end before it is
 /// needed.
 constexpr int near_iterations = 2;
-/// The first iteration whose patches are wide, and from then on every fourth one's: where small patches pass
-/// their unbalanced forces on to each other, a path through all of their blocks ends that.
+/// The first iteration of a dynamic step whose patches are wide, and from then on every fourth one's: where
+/// small patches pass their unbalanced forces on to each other, a path through all of their blocks ends that.
+/// In a static step hardly a path of so many blocks ends: 190 of 194 did not in one of 9844 blocks.
 constexpr int first_wide_iteration = 14;
 constexpr int wide_period = 4;
 /// The first iteration whose patches grow where they throw more force on the blocks around them than they
@@ -119,6 +120,7 @@ bool PatchBalance::suits_one_patch(const StepProblem& problem) {
 
 PatchExtent PatchBalance::extent_in(int iteration) const {
     if (is_one_patch_) return PatchExtent::all_blocks;
+    if (p_.time.is_static()) return PatchExtent::two_rings;
     const int late = iteration - first_wide_iteration;
     return late >= 0 && late % wide_period == 0 ? PatchExtent::wide : PatchExtent::two_rings;
 }
