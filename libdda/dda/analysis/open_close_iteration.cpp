@@ -445,14 +445,17 @@ OpenCloseResult iterate_open_close(const StepProblem& problem, const BlockPatter
     PerRow<Vec6> nearest;
     OpenCloseResult result;
     StepCounts counts;
-    for (const Beginning beginning : {Beginning::in_patches, otherwise}) {
+    for (Beginning beginning = Beginning::in_patches;; beginning = otherwise) {
         OpenCloseIteration iteration(anew, pattern, solver, work, pool, times);
         result = iteration.run(beginning);
         counts += result;
-        if (!iteration.went_astray()) break;
+        const bool began_nearest = !nearest.empty();
+        const bool threw_a_block = result.gaps_unsettled;
+        const bool may_begin_anew = beginning == Beginning::in_patches || (began_nearest && threw_a_block);
+        if (!iteration.went_astray() || !may_begin_anew) break;
         // Not where a block was thrown: linear gaps balance it there.
         nearest.clear();
-        if (!result.gaps_unsettled) nearest.assign(iteration.nearest().begin(), iteration.nearest().end());
+        if (!threw_a_block) nearest.assign(iteration.nearest().begin(), iteration.nearest().end());
         anew.found = nearest;
     }
     static_cast<StepCounts&>(result) = counts;
