@@ -17,7 +17,10 @@ compare() {
     shift 2
     mkdir "$example"
     cd "$example"
-    cp "$data/$example"/* .
+    # The files alone: folders are those of a run in the example's own folder.
+    for file in "$data/$example"/*; do
+        [ -d "$file" ] || cp "$file" .
+    done
     "$blockgen" slope.toml -o slope.blocks >/dev/null 2>&1
     for threads in ${THREADS:-1 2}; do
         "$bin/dda-run" run.toml -o "$threads" --threads "$threads" --set "stage[1].duration=$seconds" --set output.frames=5 "$@" \
