@@ -140,11 +140,7 @@ class OpenCloseIteration {
         evaluate_exactly();
         trials_.select_first_entrances();
         trials_.update_bounds();
-        if (patches_.relax(0, iterate_.movable())) {
-            iterate_.moved(false);
-            trials_.move_to(iterate_.displacement());
-            trials_.update_bounds();
-        }
+        if (relax_in_patches(0)) trials_.update_bounds();
         trials_.update_active_set();
     }
 
@@ -341,10 +337,7 @@ class OpenCloseIteration {
             accept_or_restart();
             return;
         }
-        if (patches_.relax(iterations_since_restart(), iterate_.movable())) {
-            iterate_.moved(false);
-            trials_.move_to(iterate_.displacement());
-        }
+        relax_in_patches(iterations_since_restart());
         if (accepts_patches() && patches_.is_complete(iterate_.displacement()) && agrees_with_patches() &&
             !trials_.break_bonds()) {
             accept_or_restart();
@@ -352,6 +345,13 @@ class OpenCloseIteration {
         }
         dilation_.follow(result_.iterations);
         trials_.update_bounds();
+    }
+    /// Balances blocks in patches. @param iteration of the step, as PatchBalance counts. @return whether any.
+    bool relax_in_patches(int iteration) {
+        if (!patches_.relax(iteration, iterate_.movable())) return false;
+        iterate_.moved(false);
+        trials_.move_to(iterate_.displacement());
+        return true;
     }
     /// Whether the balance that patches find suffices: in a static step, and where the solution of the linear
     /// system throws blocks again and again.

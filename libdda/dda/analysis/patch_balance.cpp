@@ -85,12 +85,13 @@ bool PatchBalance::relax(int iteration, RowSpan<Vec6> displacement) {
         .extent = extent_in(iteration),
         .path = {starts_in(iteration), visits_left_, border_limit()},
         .most_thrown = iteration >= first_growing ? most_thrown : std::numeric_limits<double>::infinity()};
-    memory_.before.assign(displacement.begin(), displacement.end());
+    const bool keeps_nearest = !is_one_patch_ && suits_one_patch(p_);
+    if (keeps_nearest) memory_.before.assign(displacement.begin(), displacement.end());
     const Relaxation taken = memory_.patches.relax(limited_step(), aims, displacement, pool_);
     visits_left_ -= taken.visits;
     if (iteration == 0) began_balanced_ = true;
     exact_path_failed_ = is_one_patch_ && taken.failed > 0;
-    if (taken.unbalanced < least_unbalanced_ && suits_one_patch(p_)) {
+    if (keeps_nearest && taken.unbalanced < least_unbalanced_) {
         least_unbalanced_ = taken.unbalanced;
         nearest_.swap(memory_.before);
     }
@@ -149,8 +150,7 @@ void PatchBalance::set_linear_forces() {
 }
 
 bool PatchBalance::threw_a_block(RowSpan<const Vec6> displacement) const {
-    PerBlock<Vec6> all(p_.prescribed.begin(), p_.prescribed.end());
-    for (const RowIndex row : p_.rows.rows()) all[p_.rows.block_of[row]] = displacement[row];
+    const PerBlock<Vec6> all = p_.rows.of_all_blocks(p_.prescribed, displacement);
     return !(largest_displacement(p_.blocks, p_.model.topology, all, pool_) <= p_.displacement_limit);
 }
 

@@ -110,7 +110,8 @@ StepAttempt TimeStepper::attempt_with(const Stage& stage, const State& state, do
             attempt.worst_contact = step.contacts.contacts[result.worst_contact];
         return attempt;
     }
-    const PerBlock<Vec6> displacement = all_displacements(step, result);
+    const PerBlock<Vec6> displacement =
+        rows_.of_all_blocks(step.prescribed.displacement, result.displacement);
     const double moved = largest_displacement(state.blocks, model_.topology, displacement, pool_);
     attempt.report.largest_displacement = moved;
     attempt.rejection = Rejection::excessive_displacement;  // stays so if no prediction fits the motion
@@ -149,7 +150,8 @@ StepAttempt TimeStepper::attempt_with(const Stage& stage, const State& state, do
 
 void TimeStepper::correct_mid_step(const Stage& stage, const State& state, const StepEquations& step,
                                    OpenCloseResult& result, Prediction& prediction) {
-    const PerBlock<Vec6> displacement = all_displacements(step, result);
+    const PerBlock<Vec6> displacement =
+        rows_.of_all_blocks(step.prescribed.displacement, result.displacement);
     const double moved = largest_displacement(state.blocks, model_.topology, displacement, pool_);
     if (!(moved <= scale_.displacement_limit(stage.control))) return;
     prediction.widen_for(moved);
@@ -245,13 +247,6 @@ bool TimeStepper::friction_drives(const Stage& stage, const State& before, const
     const double dt = after.time - before.time;
     const double given = after.energy.friction_returned - before.energy.friction_returned;
     return dt > shortest_for_gain * stage.control.step && given > rejected_gain * turned_over(after.energy);
-}
-
-PerBlock<Vec6> TimeStepper::all_displacements(const StepEquations& step,
-                                              const OpenCloseResult& result) const {
-    PerBlock<Vec6> displacement = step.prescribed.displacement;
-    for (const RowIndex row : rows_.rows()) displacement[rows_.block_of[row]] = result.displacement[row];
-    return displacement;
 }
 
 State TimeStepper::updated_state(const Stage& stage, const State& state, const StepEquations& step,

@@ -81,8 +81,6 @@ class TimeStepper {
                           const Prediction& prediction);
     /// Whether friction gives so much energy in a step that a shorter one is to be tried.
     bool friction_drives(const Stage& stage, const State& before, const State& after) const;
-    /// The displacement of the step per block, prescribed and fixed blocks included.
-    PerBlock<Vec6> all_displacements(const StepEquations& step, const OpenCloseResult& result) const;
     State updated_state(const Stage& stage, const State& state, const StepEquations& step,
                         const OpenCloseResult& result, BlockSpan<const Vec6> displacement) const;
     /// Adds the step to the energy balance of the state at its end.

@@ -13,6 +13,13 @@ struct RowMap {
     explicit RowMap(const PerBlock<Motion>& motion);
     std::size_t count() const { return block_of.size(); }
     IndexRange<RowIndex> rows() const { return block_of.indices(); }
+    /// The displacement of the step per block, prescribed and fixed blocks included, m.
+    /// @param prescribed per block, m. @param displacement per row, m.
+    PerBlock<Vec6> of_all_blocks(BlockSpan<const Vec6> prescribed, RowSpan<const Vec6> displacement) const {
+        PerBlock<Vec6> all(prescribed.begin(), prescribed.end());
+        for (const RowIndex row : rows()) all[block_of[row]] = displacement[row];
+        return all;
+    }
 };
 
 /// The terms of the step's equations that do not depend on contacts: diagonal submatrices and load vector.
