@@ -1,6 +1,7 @@
-# Fails when a source of dda/analysis has no unit test of its name.
+# Fails when a source of one of these rooms has no unit test of its name.
 #   cmake -D ROOT=<folder of the project> -P check_mirrors.cmake
-file(GLOB sources RELATIVE ${ROOT}/libdda ${ROOT}/libdda/dda/analysis/*.cpp)
+set(dda ${ROOT}/libdda/dda)
+file(GLOB sources RELATIVE ${ROOT}/libdda ${dda}/path/*.cpp ${dda}/trial/*.cpp ${dda}/solve/*.cpp ${dda}/solve/*/*.cpp ${dda}/analysis/*.cpp)
 set(missing 0)
 foreach(source IN LISTS sources)
     string(REGEX REPLACE "\\.cpp$" "_test.cpp" test tests/unit/${source})

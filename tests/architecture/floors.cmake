@@ -2,33 +2,42 @@
 # The floors of each library from the ground up; floors on one line do not see each other.
 set(storeys_of_common "base" "geometry config" "drawing")
 set(storeys_of_blockgen "mesh" "input noding" "arrangement" "faces" "sampling" "report fit" "cut" "picture")
-set(storeys_of_dda "base" "geometry linear joint hdf" "model" "block" "contact" "terms" "solve" "analysis" "monitor" "input"
+set(storeys_of_dda "base" "geometry linear joint hdf" "model" "block" "contact" "terms" "path trial" "solve" "analysis" "monitor" "input"
     "laboratory writers" "checkpoint" "results")
 set(storeys_of_record "record")
 set(storeys_of_study "statistics design csv" "plan" "folder" "table cluster" "analysis" "picture")
 
-# The files of dda/analysis from the ground up, each with its header; files on one line do not see each other.
-set(levels_of_analysis
-    "base_motion contact_law energy joint_motion model_scale path_contact shear_energy step_counts step_problem"
-    "advance_contacts counter_slips energy_watch iterate prediction segment_strength shear_sharing state"
-    "bonds deepest_contact lost_blocks segment_friction step_equations step_report"
-    "moving_block run_observer trial_contacts"
-    "augmentation augmentation_rounds dilation_rounds entrance_rounds line_search shear_line step_matrix trial_bounds trial_dilation"
-    "friction_coupling gap_settling interior_point limited_contacts"
-    "interior_coupling patch_balance"
+# The files of the large rooms from the ground up, each with its header; files on one line do not see each other.
+set(levels_of_trial
+    "contact_law joint_motion shear_energy step_problem"
+    "segment_strength"
+    "segment_friction"
+    "trial_contacts"
+    "shear_line trial_bounds trial_dilation")
+set(levels_of_solve
+    "augmentation augmentation_rounds dilation_rounds entrance_rounds gap_settling iterate limited_contacts line_search path_contact step_counts step_matrix"
+    "friction_coupling interior_point patch_balance"
+    "interior_coupling"
     "open_close_iteration"
-    "ledger rotation_prediction"
-    "excavate perturb step stop_limit"
+    "contact_solution")
+set(levels_of_analysis
+    "base_motion counter_slips energy model_scale prediction"
+    "energy_watch state"
+    "advance_contacts bonds deepest_contact ledger lost_blocks rotation_prediction shear_sharing step_report"
+    "excavate moving_block perturb run_observer step_equations"
+    "step stop_limit"
     "run_stage"
     "strength_reduction"
     "run")
-set(rank 0)
-foreach(level IN LISTS levels_of_analysis)
-    string(REPLACE " " ";" stems "${level}")
-    foreach(stem IN LISTS stems)
-        set(level_of_analysis_${stem} ${rank})
+foreach(room IN ITEMS trial solve analysis)
+    set(rank 0)
+    foreach(level IN LISTS levels_of_${room})
+        string(REPLACE " " ";" stems "${level}")
+        foreach(stem IN LISTS stems)
+            set(level_of_${room}_${stem} ${rank})
+        endforeach()
+        math(EXPR rank "${rank} + 1")
     endforeach()
-    math(EXPR rank "${rank} + 1")
 endforeach()
 
 foreach(library IN ITEMS common blockgen dda record study)

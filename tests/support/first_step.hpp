@@ -1,7 +1,7 @@
 #pragma once
 
 #include "dda/analysis/shear_sharing.hpp"
-#include "dda/analysis/step_problem.hpp"
+#include "dda/trial/step_problem.hpp"
 #include "support/random_shapes.hpp"
 #include "support/step_system.hpp"  // IWYU pragma: export
 #include "support/walls.hpp"

@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "dda/solve/limited_forces.hpp"
+#include "dda/path/limited_forces.hpp"
 #include "support/random_shapes.hpp"
 
 namespace rockslope::random_patch {

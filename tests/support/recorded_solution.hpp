@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "dda/solve/patches.hpp"
+#include "dda/path/patches.hpp"
 #include "support/recorded_step.hpp"
 
 namespace rockslope::recorded_step {

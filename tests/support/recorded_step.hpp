@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "dda/solve/limited_forces.hpp"
+#include "dda/path/limited_forces.hpp"
 
 namespace rockslope::recorded_step {
 

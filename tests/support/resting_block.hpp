@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dda/analysis/trial_contacts.hpp"
+#include "dda/trial/trial_contacts.hpp"
 #include "support/first_step.hpp"
 
 namespace rockslope::scene {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "dda/analysis/step_problem.hpp"
+#include "dda/trial/step_problem.hpp"
 #include "support/cyclic_joints.hpp"
 #include "support/random_shapes.hpp"
 #include "support/scene.hpp"  // IWYU pragma: export

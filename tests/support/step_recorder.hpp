@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "dda/analysis/bonds.hpp"
-#include "dda/analysis/limited_contacts.hpp"
-#include "dda/analysis/open_close_iteration.hpp"
 #include "dda/analysis/step_equations.hpp"
+#include "dda/solve/contact_solution.hpp"
+#include "dda/solve/methods/limited_contacts.hpp"
 #include "support/recorded_step.hpp"
 
 namespace rockslope::recorded_step {
@@ -67,7 +67,7 @@ class StepRecorder {
         const auto solver = dda::make_linear_solver(model_.solver, pool_);
         solver->analyze(pattern);
         dda::IterationWorkspace work;
-        return dda::iterate_open_close(problem, pattern, *solver, work, pool_);
+        return dda::solve_contacts(problem, pattern, *solver, work, pool_);
     }
     /// The pieces that contacts and bolts are on at the step's start.
     std::vector<dda::Piece> start_pieces(const dda::StepProblem& problem) const {

@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "dda/analysis/interior_point.hpp"
+#include "dda/solve/methods/interior_point.hpp"
 #include "support/first_step.hpp"
 
 namespace rockslope::scene {

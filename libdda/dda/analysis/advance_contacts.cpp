@@ -1,7 +1,7 @@
 #include "dda/analysis/advance_contacts.hpp"
 
-#include "dda/analysis/joint_motion.hpp"
 #include "dda/contact/detect.hpp"
+#include "dda/trial/joint_motion.hpp"
 
 namespace rockslope::dda {
 

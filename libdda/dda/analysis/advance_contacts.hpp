@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dda/analysis/step_problem.hpp"
+#include "dda/trial/step_problem.hpp"
 
 namespace rockslope::dda {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <vector>
 
-#include "dda/analysis/step_problem.hpp"
 #include "dda/contact/contact_stiffness.hpp"
 #include "dda/contact/detect.hpp"
+#include "dda/trial/step_problem.hpp"
 
 namespace rockslope::dda {
 

@@ -1,6 +1,6 @@
 #include "dda/analysis/counter_slips.hpp"
 
-#include "dda/analysis/joint_motion.hpp"
+#include "dda/trial/joint_motion.hpp"
 
 namespace rockslope::dda {
 

@@ -3,9 +3,9 @@
 #include <Eigen/LU>
 #include <algorithm>
 
-#include "dda/analysis/joint_motion.hpp"
-#include "dda/analysis/shear_energy.hpp"
 #include "dda/contact/contact_stiffness.hpp"
+#include "dda/trial/joint_motion.hpp"
+#include "dda/trial/shear_energy.hpp"
 
 namespace rockslope::dda {
 

@@ -2,8 +2,8 @@
 
 #include <span>
 
-#include "dda/analysis/open_close_iteration.hpp"
 #include "dda/analysis/state.hpp"
+#include "dda/solve/open_close_iteration.hpp"
 #include "dda/terms/loads.hpp"
 
 namespace rockslope::dda {

@@ -3,8 +3,8 @@
 #include <utility>
 #include <vector>
 
-#include "dda/analysis/step_problem.hpp"
 #include "dda/contact/search_radius.hpp"
+#include "dda/trial/step_problem.hpp"
 
 namespace rockslope::dda {
 

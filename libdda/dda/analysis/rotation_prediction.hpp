@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dda/analysis/open_close_iteration.hpp"
+#include "dda/solve/open_close_iteration.hpp"
 
 namespace rockslope::dda {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <span>
 
-#include "dda/analysis/joint_motion.hpp"
 #include "dda/contact/contact_stiffness.hpp"
+#include "dda/trial/joint_motion.hpp"
 
 namespace rockslope::dda {
 

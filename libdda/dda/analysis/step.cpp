@@ -9,6 +9,7 @@
 #include "dda/analysis/bonds.hpp"
 #include "dda/analysis/energy_watch.hpp"
 #include "dda/analysis/rotation_prediction.hpp"
+#include "dda/solve/contact_solution.hpp"
 
 namespace rockslope::dda {
 
@@ -75,13 +76,13 @@ TimeStepper::TimeStepper(const Model& model, int threads)
 StepAttempt TimeStepper::advance(const Stage& stage, const State& state, double dt) {
     StepAttempt attempt;
     StepCounts counts;
-    if (times_ != nullptr) times_->start();
+    if (work_.times != nullptr) work_.times->start();
     Prediction prediction = initial_prediction(setting(), stage, state, dt);
     for (int attempts = 0; attempts < attempt_limit && prediction.needs_retry; ++attempts) {
         attempt = attempt_with(stage, state, dt, prediction);
         counts += attempt.report;
     }
-    end_of(Phase::update, times_);
+    end_of(Phase::update, work_.times);
     static_cast<StepCounts&>(attempt.report) = counts;
     return attempt;
 }
@@ -224,7 +225,7 @@ OpenCloseResult TimeStepper::solve(const Stage& stage, const State& state, const
         return no_unknowns;
     }
     analyze_pattern(step.contacts);
-    end_of(Phase::analysis, times_);
+    end_of(Phase::analysis, work_.times);
     const PerContact<const EvaluatedContact*> initial_guess = prediction.guess.match(step.contacts.contacts);
     PerContact<double> held;
     if (bonds_hold(model_, stage)) held = held_shares(model_, step.contacts.contacts);
@@ -239,7 +240,7 @@ OpenCloseResult TimeStepper::solve(const Stage& stage, const State& state, const
     problem.displacement_limit = scale_.displacement_limit(stage.control);
     problem.held_shares = held;
     problem.may_predict_anew = prediction.rotation_corrections < rotation_correction_limit;
-    return iterate_open_close(problem, pattern_, *solver_, work_, pool_, times_);
+    return solve_contacts(problem, pattern_, *solver_, work_, pool_);
 }
 
 bool TimeStepper::friction_drives(const Stage& stage, const State& before, const State& after) const {

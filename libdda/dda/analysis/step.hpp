@@ -5,12 +5,12 @@
 
 #include "common/base/thread_pool.hpp"
 #include "dda/analysis/ledger.hpp"
-#include "dda/analysis/open_close_iteration.hpp"
 #include "dda/analysis/step_equations.hpp"
 #include "dda/analysis/step_report.hpp"
 #include "dda/base/phase_times.hpp"
 #include "dda/contact/undetected_penetration.hpp"
 #include "dda/linear/linear_solver.hpp"
+#include "dda/solve/open_close_iteration.hpp"
 #include "dda/terms/system.hpp"
 
 namespace rockslope::dda {
@@ -55,10 +55,10 @@ class TimeStepper {
     /// The energies of the run so far.
     const Ledger& ledger() const { return ledger_; }
     /// Adds the run times of all further steps to `times`; null: no timing.
-    void time_phases(PhaseTimes* times) { times_ = times; }
+    void time_phases(PhaseTimes* times) { work_.times = times; }
 
   private:
-    StepSetting setting() const { return {model_, rows_, scale_, pool_, times_}; }
+    StepSetting setting() const { return {model_, rows_, scale_, pool_, work_.times}; }
     /// Computes the step with one prediction. Where the solution contradicts the prediction, corrects the
     /// prediction and sets its `needs_retry`.
     StepAttempt attempt_with(const Stage& stage, const State& state, double dt, Prediction& prediction);
@@ -97,7 +97,6 @@ class TimeStepper {
     IterationWorkspace work_;
     RowContacts row_contacts_;
     std::unique_ptr<LinearSolver> solver_;
-    PhaseTimes* times_ = nullptr;
 };
 
 }  // namespace rockslope::dda

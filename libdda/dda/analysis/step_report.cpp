@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
-#include "dda/analysis/joint_motion.hpp"
 #include "dda/contact/inherited_penetration.hpp"
 #include "dda/terms/loads.hpp"
+#include "dda/trial/joint_motion.hpp"
 
 namespace rockslope::dda {
 

@@ -4,10 +4,10 @@
 
 #include "dda/analysis/counter_slips.hpp"
 #include "dda/analysis/state.hpp"
-#include "dda/analysis/step_counts.hpp"
-#include "dda/analysis/step_problem.hpp"
 #include "dda/model/model.hpp"
+#include "dda/solve/step_counts.hpp"
 #include "dda/terms/system.hpp"
+#include "dda/trial/step_problem.hpp"
 
 namespace rockslope::dda {
 

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "dda/analysis/open_close_iteration.hpp"
+#include "dda/solve/contact_solution.hpp"
 #include "support/first_step.hpp"
 
 namespace rockslope::accepted_residual_test {
@@ -42,7 +42,7 @@ class RecordingSolver final : public dda::LinearSolver {
     dda::OpenCloseResult iterate(const FirstStep& step) {
         analyze(step.pattern);
         const dda::StepProblem problem = step.problem();
-        return dda::iterate_open_close(problem, step.pattern, *this, work_, step.pool);
+        return dda::solve_contacts(problem, step.pattern, *this, work_, step.pool);
     }
     /// The residual of x over the load in the last linear system, in the solver's norm.
     double residual(const std::vector<Vec6>& x) const {

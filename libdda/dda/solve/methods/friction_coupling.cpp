@@ -1,0 +1,261 @@
+#include "dda/solve/methods/friction_coupling.hpp"
+
+#include <Eigen/Cholesky>
+#include <cmath>
+
+namespace rockslope::dda {
+
+namespace {
+
+/// Largest number of directions, each with one back-substitution.
+constexpr int max_directions = 12;
+/// Target of the largest residual over its first value. A smaller residual is useless, because the active set
+/// will change.
+constexpr double relative_tolerance = 0.02;
+/// Smallest residual over the force tolerance. Less accurate friction lets small blocks wander.
+constexpr double force_ratio = 0.05;
+/// A direction stagnates if the residual norm stays above this fraction of its previous value. The second
+/// stagnating direction is the last.
+constexpr double stagnation_ratio = 0.8;
+constexpr int max_stagnations = 2;
+/// Added to the diagonal of the scaled normal equations, so that nearly parallel directions do not get huge
+/// coefficients.
+constexpr double regularisation = 1e-14;
+
+using Products = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_directions, max_directions>;
+using Coefficients = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_directions, 1>;
+
+/// Normal equations of a least-squares problem: products of the columns with each other and with minus the
+/// residual.
+struct NormalEquations {
+    Products products;  ///< only the lower half is set
+    Coefficients right_hand_side;
+
+    NormalEquations() : NormalEquations(0) {}
+    explicit NormalEquations(int count)
+        : products(Products::Zero(count, count)), right_hand_side(Coefficients::Zero(count)) {}
+};
+
+/// Scalar product of the rows [begin, end) of two columns.
+double product(const std::vector<double>& a, const std::vector<double>& b, std::size_t begin,
+               std::size_t end) {
+    const auto size = static_cast<Eigen::Index>(end - begin);
+    return Eigen::Map<const Eigen::VectorXd>(a.data() + begin, size)
+        .dot(Eigen::Map<const Eigen::VectorXd>(b.data() + begin, size));
+}
+
+/// Coefficients of the columns that minimise the residual norm.
+Coefficients least_squares(const NormalEquations& equations) {
+    auto [products, right_hand_side] = equations;
+    products.triangularView<Eigen::StrictlyUpper>() = products.transpose();
+    Coefficients scale(right_hand_side.size());
+    for (Eigen::Index j = 0; j < scale.size(); ++j)
+        scale[j] = products(j, j) > 0 ? 1 / std::sqrt(products(j, j)) : 0;
+    products = (scale.asDiagonal() * products * scale.asDiagonal()).eval();
+    products.diagonal().array() += regularisation;
+    right_hand_side = scale.cwiseProduct(right_hand_side).eval();
+    return scale.cwiseProduct(products.ldlt().solve(right_hand_side));
+}
+
+}  // namespace
+
+FrictionCoupling::FrictionCoupling(const StepProblem& problem, TrialContacts& trials, LinearSolver& solver,
+                                   const ThreadPool& pool)
+    : p_(problem), trials_(trials), solver_(solver), pool_(pool) {
+    directions_.reserve(max_directions);
+}
+
+void FrictionCoupling::find_sliding(std::span<const Vec6> d) {
+    sliding_.clear();
+    sliding_.reserve(trials_.count());
+    for (std::size_t k = 0; k < trials_.count(); ++k) {
+        if (trials_.has_shear_spring(k)) continue;
+        if (!trials_.has_normal_spring(k) && !trials_.coheres(k)) continue;
+        sliding_.emplace_back().contact = k;
+    }
+    pool_.parallel_for(sliding_.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            Sliding& sliding = sliding_[i];
+            const std::size_t k = sliding.contact;
+            const ContactSprings& springs = p_.springs[k];
+            sliding.sign = trials_.slides_forward(k) ? 1 : -1;
+            sliding.bonded = trials_.is_bonded(k);
+            sliding.coheres = trials_.coheres(k);
+            sliding.friction_force = trials_.friction_force(k);
+            sliding.normal = trials_.linear_normal(k, springs.rows.measure(trials_.normal_measure(k), d));
+            sliding.tilt = trials_.tilt(k);
+            sliding.line = shear_line(p_, trials_, sliding.contact, sliding.normal, d);
+        }
+    });
+    complete_lines(d);
+    find_dilating(d);
+}
+
+void FrictionCoupling::find_dilating(std::span<const Vec6> d) {
+    const auto dilations = trials_.dilations_by_force();
+    for (std::size_t i = 0; i < dilations.size(); ++i) {
+        Sliding segment;
+        segment.contact = ContactIndex::none();
+        segment.dilation = i;
+        for (const ContactIndex k : dilations[i].contacts) {
+            if (!trials_.has_normal_spring(k)) continue;
+            const double opening = p_.springs[k].rows.measure(trials_.normal_measure(k), d);
+            segment.spring += trials_.normal_stiffness(k);
+            segment.normal += trials_.linear_normal(k, opening);
+        }
+        if (!(segment.spring > 0)) continue;
+        segment.line.slope = segment.spring * dilations[i].slope;
+        segment.line.cohesion = -segment.line.slope * dilations[i].normal_force;
+        segment.friction_force = segment.spring * dilations[i].change;
+        sliding_.push_back(segment);
+    }
+}
+
+/// Most lines exist already: a joint segment keeps its line for the step.
+void FrictionCoupling::complete_lines(std::span<const Vec6> d) {
+    for (const Sliding& sliding : sliding_)
+        if (sliding.line.is_missing) trials_.request_line(sliding.contact);
+    trials_.find_requested_lines();
+    for (Sliding& sliding : sliding_)
+        if (sliding.line.is_missing)
+            sliding.line = shear_line(p_, trials_, sliding.contact, sliding.normal, d);
+}
+
+double FrictionCoupling::update_residuals() {
+    double largest = 0;
+    for (Sliding& sliding : sliding_) {
+        sliding.residual = sliding.bound() - sliding.friction_force;
+        largest = std::max(largest, std::abs(sliding.residual));
+    }
+    return largest;
+}
+
+double FrictionCoupling::residual_norm() const {
+    double squares = 0;
+    for (const Sliding& sliding : sliding_) squares += sliding.residual * sliding.residual;
+    return std::sqrt(squares);
+}
+
+void FrictionCoupling::set_load(std::span<Vec6> load) {
+    force_change_.assign(trials_.count(), 0);
+    normal_change_.assign(trials_.count(), 0);
+    for (const Sliding& sliding : sliding_) {
+        if (!sliding.dilates()) {
+            force_change_[sliding.contact] = sliding.residual;
+            continue;
+        }
+        for (const ContactIndex k : trials_.dilations_by_force()[sliding.dilation].contacts) {
+            if (trials_.has_normal_spring(k))
+                normal_change_[k] = trials_.normal_stiffness(k) * sliding.residual / sliding.spring;
+        }
+    }
+    pool_.parallel_for(load.size(), [&](std::size_t begin, std::size_t end) {
+        for (const RowIndex row : indices<RowIndex>(begin, end)) {
+            load[row].setZero();
+            for (const ContactIndex k : p_.row_contacts.of(row)) {
+                if (force_change_[k] == 0 && normal_change_[k] == 0) continue;
+                const ContactSprings& springs = p_.springs[k];
+                const Vec2 force = normal_change_[k] * trials_.normal_measure(k).direction -
+                                   force_change_[k] * springs.shear.direction;
+                load[row] += springs.rows.project_on_row(row, force);
+            }
+        }
+    });
+}
+
+void FrictionCoupling::apply_operator(Direction& direction, std::size_t rows) {
+    direction.coefficient = 0;
+    for (std::vector<double>* of_sliding :
+         {&direction.friction_force, &direction.normal, &direction.residual}) {
+        of_sliding->reserve(trials_.count());  // once per step, whatever the number of sliding contacts
+        of_sliding->resize(sliding_.size());
+    }
+    direction.displacement.resize(rows);
+    set_load(direction.displacement);
+    solver_.apply_factor(direction.displacement);
+    const auto change_of_normal = [&](ContactIndex k) {
+        const double opening = trials_.normal_measure(k).direction.dot(
+            p_.springs[k].rows.relative_displacement(direction.displacement));
+        return normal_change_[k] - trials_.normal_stiffness(k) * opening;
+    };
+    pool_.parallel_for(sliding_.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const Sliding& sliding = sliding_[i];
+            direction.friction_force[i] = sliding.residual;
+            direction.normal[i] = sliding.dilates() ? 0 : change_of_normal(sliding.contact);
+            if (!sliding.dilates()) continue;
+            for (const ContactIndex k : trials_.dilations_by_force()[sliding.dilation].contacts)
+                if (trials_.has_normal_spring(k)) direction.normal[i] += change_of_normal(k);
+        }
+    });
+}
+
+void FrictionCoupling::minimize_residual(int count) {
+    const std::span<Direction> directions = std::span(directions_).first(count);
+    const auto chunk_value = [&](std::size_t begin, std::size_t end) {
+        NormalEquations equations(count);
+        for (int j = 0; j < count; ++j) {
+            Direction& direction = directions[j];
+            for (std::size_t i = begin; i < end; ++i) {
+                direction.residual[i] =
+                    sliding_[i].bound_slope() * direction.normal[i] - direction.friction_force[i];
+                equations.right_hand_side[j] -= direction.residual[i] * sliding_[i].residual;
+            }
+            for (int k = 0; k <= j; ++k)
+                equations.products(j, k) = product(direction.residual, directions[k].residual, begin, end);
+        }
+        return equations;
+    };
+    const auto add = [](NormalEquations sum, const NormalEquations& more) {
+        sum.products += more.products;
+        sum.right_hand_side += more.right_hand_side;
+        return sum;
+    };
+    const Coefficients coefficients =
+        least_squares(pool_.parallel_reduce(sliding_.size(), NormalEquations(count), chunk_value, add));
+    for (int j = 0; j < count; ++j) directions[j].coefficient += coefficients[j];
+    pool_.parallel_for(sliding_.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            for (int j = 0; j < count; ++j) {
+                const Direction& direction = directions[j];
+                sliding_[i].friction_force += coefficients[j] * direction.friction_force[i];
+                sliding_[i].normal += coefficients[j] * direction.normal[i];
+            }
+        }
+    });
+}
+
+/// Solves the fixed point of Eq. (35) by minimal residuals.
+int FrictionCoupling::solve(std::span<Vec6> d) {
+    find_sliding(d);
+    double largest_residual = update_residuals();
+    const double target_residual =
+        std::max(force_ratio * trials_.tolerance(), relative_tolerance * largest_residual);
+    int count = 0;
+    for (int stagnations = 0;
+         largest_residual > target_residual && stagnations < max_stagnations && count < max_directions;) {
+        const double before = residual_norm();
+        if (std::cmp_equal(directions_.size(), count)) directions_.emplace_back();
+        apply_operator(directions_[count++], d.size());
+        minimize_residual(count);
+        largest_residual = update_residuals();
+        if (residual_norm() > stagnation_ratio * before) ++stagnations;
+    }
+    pool_.parallel_for(count == 0 ? 0 : d.size(), [&](std::size_t begin, std::size_t end) {
+        for (const Direction& direction : std::span(directions_).first(count)) {
+            for (std::size_t r = begin; r < end; ++r)
+                d[r] += direction.coefficient * direction.displacement[r];
+        }
+    });
+    for (const Sliding& sliding : sliding_) {
+        if (sliding.dilates()) {
+            trials_.set_dilation_change(sliding.dilation, sliding.friction_force / sliding.spring);
+            continue;
+        }
+        trials_.set_friction_force(sliding.contact, sliding.friction_force);
+        trials_.set_bound_to_friction_force(sliding.contact, sliding.normal);
+    }
+    return count;
+}
+
+}  // namespace rockslope::dda

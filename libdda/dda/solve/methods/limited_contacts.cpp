@@ -1,0 +1,83 @@
+#include "dda/solve/methods/limited_contacts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "dda/trial/shear_line.hpp"
+
+namespace rockslope::dda {
+
+namespace {
+
+/// Sets the shear bounds. @param normal N per metre, the normal force at d.
+void set_bounds(const StepProblem& problem, const TrialContacts& trials, ContactIndex k, double normal,
+                RowSpan<const Vec6> d, LimitedContact& contact) {
+    const bool has_strength_alone = trials.is_bonded(k) || trials.coheres(k);
+    if (trials.is_on_segment(k)) {
+        const Strength ratio = trials.bounds_over_normal_force(k);
+        contact.forward.slope = ratio.forward;
+        contact.backward.slope = ratio.backward;
+        return;
+    }
+    const ShearLine line = shear_line(problem, trials, k, normal, d);
+    ForceLine bound{line.cohesion, std::max(line.slope, 0.0)};
+    if (!has_strength_alone) bound = {0, normal > 0 ? line.at(normal) / normal : bound.slope};
+    contact.forward = contact.backward = bound;
+    if (!trials.is_bonded(k)) return;
+    contact.floor = std::max(line.lowest_normal_force, contact.least_normal);
+    if (bound.slope > 0) contact.floor = std::max(contact.floor, -bound.cohesion / bound.slope);
+    if (!std::isfinite(contact.floor)) contact.floor = 0;
+}
+
+LimitedContact limited_contact(const StepProblem& problem, const TrialContacts& trials, ContactIndex k,
+                               RowSpan<const Vec6> d) {
+    const ContactSprings& springs = problem.springs[k];
+    LimitedContact contact;
+    contact.rows = &springs.rows;
+    contact.may_close = trials.may_close(k);
+    if (!contact.may_close) return contact;
+    const RelativeMeasure opening = trials.normal_measure(k);
+    const ContactLaw law = trials.law(k);
+    const double spring_force = law.spring_force(springs.rows.measure(opening, d));
+    const TrialContacts::SpringForce normal = trials.normal_tangent(k, spring_force, opening.prescribed);
+    contact.opening = opening.direction;
+    contact.shearing = springs.shear.direction;
+    contact.normal_stiffness = normal.stiffness;
+    contact.shear_stiffness = springs.shear_stiffness;
+    contact.origin = {normal.force, law.shear_origin + springs.shear_stiffness * springs.shear.prescribed};
+    contact.least_normal = trials.least_normal_force(k);
+    contact.tilt = trials.tilt(k);
+    const double present = contact.elastic_at(d).normal;
+    set_bounds(problem, trials, k, std::max(present, contact.least_normal), d, contact);
+    return contact;
+}
+
+/// A bolt as a contact without a normal spring, whose shear spring is along the bolt, Eq. (38).
+LimitedContact limited_bolt(const StepProblem& problem, std::size_t k) {
+    const BoltSpring& bolt = problem.bolts[k];
+    const double yield_force = problem.model.bolts[k].yield_force;
+    LimitedContact contact;
+    contact.rows = &bolt.rows;
+    contact.shearing = bolt.elongation.direction;
+    contact.shear_stiffness = bolt.stiffness;
+    contact.origin.shear = problem.bolt_force[k] + bolt.stiffness * bolt.elongation.prescribed;
+    const double bound = yield_force > 0 ? yield_force : std::numeric_limits<double>::infinity();
+    contact.forward = contact.backward = {bound, 0};
+    return contact;
+}
+
+}  // namespace
+
+void limit_contacts(const StepProblem& problem, const TrialContacts& trials, RowSpan<const Vec6> d,
+                    const ThreadPool& pool, PerContact<LimitedContact>& contacts) {
+    contacts.resize(trials.count() + problem.bolts.size());
+    pool.parallel_for(trials.count(), [&](std::size_t begin, std::size_t end) {
+        for (const ContactIndex k : indices<ContactIndex>(begin, end))
+            contacts[k] = limited_contact(problem, trials, k, d);
+    });
+    for (std::size_t k = 0; k < problem.bolts.size(); ++k)
+        contacts[ContactIndex(trials.count() + k)] = limited_bolt(problem, k);
+}
+
+}  // namespace rockslope::dda

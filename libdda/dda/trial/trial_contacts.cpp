@@ -1,0 +1,337 @@
+#include "dda/trial/trial_contacts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "dda/contact/detect.hpp"
+#include "dda/trial/joint_motion.hpp"
+
+namespace rockslope::dda {
+
+namespace {
+
+/// Whether an elastic shear force is within the bounds, so that the contact is locked. A contact with zero
+/// bounds is never locked.
+bool is_within(double force, const Strength& bounds) {
+    return force <= bounds.forward && force >= -bounds.backward && bounds.forward + bounds.backward > 0;
+}
+
+}  // namespace
+
+TrialContacts::TrialContacts(const StepProblem& problem, const ThreadPool& pool)
+    : p_(problem), pool_(pool), segment_friction_(problem, pool), trials_(problem.contacts.size()) {
+    for (const JointMaterial& material : p_.model.joint_materials)
+        has_cohesion_.push_back(dda::has_cohesion(material.law) ? 1 : 0);
+    if (p_.bonds_hold()) {
+        tensile_strength_.assign(count(), 0);
+        for_contacts([&](ContactIndex k) {
+            if (p_.contacts[k].bonded) tensile_strength_[k] = bounds_of_single_contact(k, {}).tensile;
+        });
+    }
+    for_contacts([&](ContactIndex k) { trials_[k] = initial_trial(k); });
+    for (const Contact& contact : p_.contacts) groups_ = std::max(groups_, contact.group + 1);
+    dilates_ = std::any_of(p_.model.joint_materials.begin(), p_.model.joint_materials.end(),
+                           [](const JointMaterial& material) { return dilates(material.law); });
+    yielding_.assign(p_.bolts.size(), 0);
+    elongation_.assign(p_.bolts.size(), 0);
+    linear_bolt_.assign(p_.bolts.size(), 0);
+}
+
+TrialContacts::Trial TrialContacts::initial_trial(ContactIndex k) const {
+    const Contact& contact = p_.contacts[k];
+    Trial trial;
+    trial.may_close = !contact.inhibited;
+    trial.gap_offset = contact.gap;
+    trial.stress_free_gap = contact.stress_free_gap;
+    trial.shear_origin = contact.shear_force;
+    const bool was_closed = contact.state != ContactState::open;
+    trial.coheres = was_closed && has_cohesion(k);
+    trial.active = trial.may_close && (was_closed || (contact.gap < 0 && contact.group < 0));
+    trial.locked = trial.active && contact.state != ContactState::sliding;
+    trial.friction_force = contact.shear_force;
+    trial.forward = contact.shear_force >= 0;
+    trial.held_normal = contact.normal_force;
+    trial.dilating = locked_dilation(p_.model, contact.joint_material, contact.history);
+    trial.shear_origin -= trial.dilating.shear_force(contact.normal_force, contact.joint_share);
+    trial.tilt = trial.sliding_slope = trial.dilating.slope;
+    trial.dilation_increment = left_dilation(p_.model, contact);
+    if (const EvaluatedContact* guess = p_.guess[k]; guess != nullptr && trial.may_close) {
+        trial.active = guess->state != ContactState::open;
+        trial.locked = guess->state == ContactState::locked;
+        trial.friction_force = guess->shear_force;
+        trial.forward = guess->shear_force >= 0;
+        trial.dilation_increment = guess->dilation_increment;  // at the shearing of the guess
+        trial.shearing = guess->displacement;
+        trial.held_normal = std::max(guess->normal_force, 0.0);
+    }
+    trial.friction_force -= trial.tilt * trial.held_normal;
+    if (trial.active && !trial.locked && !is_on_segment(k))
+        trial.bounds = bounds_of_single_contact(k, initial_loading(k));
+    trial.tangent = tangent_at(k, trial.active ? initial_spring_force(k) : 0);
+    return trial;
+}
+
+ContactLoading TrialContacts::initial_loading(ContactIndex k) const {
+    if (const EvaluatedContact* guess = p_.guess[k]; guess != nullptr)
+        return {guess->normal_force, guess->displacement};
+    return {p_.contacts[k].normal_force, 0};
+}
+
+double TrialContacts::initial_spring_force(ContactIndex k) const {
+    const EvaluatedContact* guess = p_.guess[k];
+    return guess != nullptr ? guess->normal_spring_force : p_.contacts[k].normal_spring_force;
+}
+
+// --- the linear system
+
+double TrialContacts::linear_bolt_force(std::size_t k, double elongation) const {
+    return yielding_[k] == 0 ? p_.bolt_force[k] + p_.bolts[k].stiffness * elongation
+                             : yielding_[k] * p_.model.bolts[k].yield_force;
+}
+
+// --- the laws
+
+Forces TrialContacts::current_forces(ContactIndex k) const {
+    Forces forces = law_forces(k, trials_[k].opening, trials_[k].shearing);
+    forces.shear += trials_[k].tilt * forces.normal;
+    return forces;
+}
+
+TrialContacts::Tangent TrialContacts::tangent_at(ContactIndex k, double spring_force) const {
+    const NormalClosure& spring = p_.springs[k].normal_law;
+    const NormalDashpot beside = dashpot(k);
+    const double compression = spring.is_linear() ? 0 : std::max(spring_force, 0.0);
+    Tangent tangent{0, 0, spring.stiffness};
+    if (!spring.is_linear())
+        tangent = {spring.closure(compression), compression, spring.tangent(compression)};
+    if (beside.stiffness > 0) {
+        tangent.force += beside.force(tangent.point);
+        tangent.stiffness += beside.stiffness;
+    }
+    return tangent;
+}
+
+/// The bolt's force, Eq. (38).
+double TrialContacts::law_bolt_force(std::size_t k, double elongation) const {
+    const double elastic = p_.bolt_force[k] + p_.bolts[k].stiffness * elongation;
+    const double yield = p_.model.bolts[k].yield_force;
+    return yield > 0 ? std::clamp(elastic, -yield, yield) : elastic;
+}
+
+// --- evaluation
+
+void TrialContacts::set_displacement(RowSpan<const Vec6> d, RowSpan<const Vec6> target, Gaps gaps) {
+    evaluated_ = true;
+    for_contacts([&](ContactIndex k) {
+        const Vec2 balanced = p_.springs[k].rows.relative_displacement(target);
+        Trial& trial = trials_[k];
+        trial.linear = linear_forces(k, normal_measure(k).at(balanced), p_.springs[k].shear.at(balanced));
+        trial.linear.shear += trial.tilt * trial.linear.normal;
+    });
+    for (std::size_t k = 0; k < elongation_.size(); ++k) {
+        const BoltSpring& bolt = p_.bolts[k];
+        linear_bolt_[k] = linear_bolt_force(k, bolt.rows.measure(bolt.elongation, target));
+    }
+    move_to(d);
+    if (gaps == Gaps::exact) measure_gaps(d);
+}
+
+/// The offsets of Eq. (21).
+void TrialContacts::measure_gaps(RowSpan<const Vec6> d) {
+    const Topology& topology = p_.model.topology;
+    moved_vertices_.resize(p_.blocks.vertices.size());
+    pool_.parallel_for(p_.prescribed.size(), [&](std::size_t begin, std::size_t end) {
+        for (const BlockIndex b : indices<BlockIndex>(begin, end)) {
+            const RowIndex row = p_.rows.row_of[b];
+            const BlockMap map(p_.blocks.moments[b].centroid, row.exists() ? d[row] : p_.prescribed[b]);
+            for (const CornerIndex c : topology.corners_of(b))
+                moved_vertices_[c] = map(p_.blocks.vertices[c]);
+        }
+    });
+    for_contacts([&](ContactIndex k) {
+        const Contact& contact = p_.contacts[k];
+        Trial& trial = trials_[k];
+        const CornerEdgeGeometry geometry =
+            corner_edge_geometry(moved_vertices_[contact.corner], moved_vertices_[start_of(contact.edge)],
+                                 moved_vertices_[topology.end_of(contact.edge)]);
+        // The gap less its linear measure, Eq. (21).
+        trial.gap_offset = geometry.gap - contact.dilation - trial.opening - trial.tilt * trial.shearing;
+    });
+}
+
+void TrialContacts::move_to(RowSpan<const Vec6> d) {
+    for_contacts([&](ContactIndex k) {
+        const ContactSprings& s = p_.springs[k];
+        Trial& trial = trials_[k];
+        const Vec2 relative_displacement = s.rows.relative_displacement(d);
+        const double shearing = s.shear.at(relative_displacement);
+        // The linearised dilation continues to the new iterate.
+        trial.dilation_increment += trial.tilt * (shearing - trial.shearing);
+        trial.opening = normal_measure(k).at(relative_displacement);
+        trial.shearing = shearing;
+    });
+    for (std::size_t k = 0; k < elongation_.size(); ++k) {
+        const BoltSpring& bolt = p_.bolts[k];
+        elongation_[k] = bolt.rows.measure(bolt.elongation, d);
+    }
+}
+
+/// First entrance, Eq. (28).
+bool TrialContacts::select_first_entrances() {
+    first_entrance_.assign(groups_, ContactIndex::none());
+    for (const ContactIndex k : trials_.indices()) {
+        const int group = p_.contacts[k].group;
+        if (group < 0 || p_.contacts[k].inhibited) continue;
+        ContactIndex& best = first_entrance_[group];
+        const auto entrance_gap = [&](ContactIndex line) {
+            return gap(line) + 2 * p_.contacts[line].inherited_penetration;
+        };
+        if (!best.exists() || entrance_gap(k) > entrance_gap(best)) best = k;
+    }
+    return for_any_contact([&](ContactIndex k) {
+        const int group = p_.contacts[k].group;
+        if (group < 0 || p_.contacts[k].inhibited) return false;
+        const bool may_close = p_.contacts[first_entrance_[group]].line == p_.contacts[k].line;
+        return std::exchange(trials_[k].may_close, may_close) != may_close;
+    });
+}
+
+TrialContacts::ForceChange TrialContacts::force_change() {
+    struct Largest {
+        ForceChange change;
+        double force = 0;  ///< largest force of a law
+    };
+    const auto largest_of_chunk = [&](std::size_t begin, std::size_t end) {
+        Largest found;
+        for (const ContactIndex k : indices<ContactIndex>(begin, end)) {
+            const Forces law = current_forces(k);
+            const Forces& linear = trials_[k].linear;
+            const double normal = std::abs(law.normal - linear.normal);
+            const double shear = std::abs(law.shear - linear.shear);
+            const double difference = std::isfinite(normal + shear) ? std::max(normal, shear)
+                                                                    : std::numeric_limits<double>::infinity();
+            found.force = std::max({found.force, std::abs(law.normal), std::abs(law.shear)});
+            if (difference > found.change.largest) found.change = {difference, k};
+        }
+        return found;
+    };
+    const auto larger = [](const Largest& a, const Largest& b) {
+        return Largest{b.change.largest > a.change.largest ? b.change : a.change, std::max(a.force, b.force)};
+    };
+    const Largest largest = pool_.parallel_reduce(count(), Largest(), largest_of_chunk, larger);
+    largest_force_ = largest.force;
+    ForceChange change = largest.change;
+    for (std::size_t k = 0; k < elongation_.size(); ++k) {
+        change.largest = std::max(change.largest, std::abs(bolt_force(k) - linear_bolt_[k]));
+    }
+    return change;
+}
+
+/// The convergence tolerance, Eq. (36).
+double TrialContacts::tolerance() const {
+    return std::max(p_.control.force_tolerance * largest_force_, p_.rounding_force);
+}
+
+ContactLoading TrialContacts::current_loading(ContactIndex k) const {
+    return {current_forces(k).normal, trials_[k].shearing};
+}
+
+/// The elastic shear force of Eq. (23); it follows the normal force where the joint dilates, Eq. (77).
+double TrialContacts::elastic_shear(ContactIndex k) const {
+    const Trial& trial = trials_[k];
+    const double spring = trial.shear_origin + p_.springs[k].shear_stiffness * trial.shearing;
+    return trial.dilating.slope == 0 ? spring : spring + by_slope(k);
+}
+
+double TrialContacts::by_slope(ContactIndex k) const {
+    return trials_[k].dilating.shear_force(std::max(current_forces(k).normal, 0.0),
+                                           p_.contacts[k].joint_share);
+}
+
+bool TrialContacts::update_active_set() {
+    bool changed = for_any_contact([&](ContactIndex k) { return update_active_set_of(k); });
+    for (std::size_t k = 0; k < elongation_.size(); ++k) {
+        const double elastic = p_.bolt_force[k] + p_.bolts[k].stiffness * elongation_[k];
+        const double law = bolt_force(k);
+        const int yielding = elastic == law ? 0 : (elastic > law ? 1 : -1);
+        changed = changed || yielding != yielding_[k];
+        yielding_[k] = yielding;
+    }
+    return changed;
+}
+
+bool TrialContacts::update_active_set_of(ContactIndex k) {
+    Trial& trial = trials_[k];
+    const Forces law = current_forces(k);
+    const double elastic = elastic_shear(k);
+    const bool active = trial.may_close && law.normal > least_normal_force(k);
+    const bool locked = trial.may_close && is_within(elastic, trial.bounds);
+    bool changed = active != trial.active || locked != trial.locked;
+    if (active && std::abs(law.normal - trial.linear.normal) > tolerance()) {
+        const Tangent tangent = tangent_at(k, spring_force(k));
+        changed = changed || tangent.stiffness != trial.tangent.stiffness;
+        trial.tangent = tangent;
+    }
+    trial.active = active;
+    trial.locked = locked;
+    if (const double tilt = locked ? trial.dilating.slope : trial.sliding_slope; tilt != trial.tilt) {
+        set_tilt(k, tilt);
+        changed = changed || active;
+    }
+    trial.friction_force = law.shear - trial.tilt * law.normal;
+    trial.forward = elastic >= 0;
+    return changed;
+}
+
+double TrialContacts::slip(ContactIndex k, double elastic, double force) const {
+    if (is_within(elastic, trials_[k].bounds)) return 0;
+    if (!p_.model.is_augmented(p_.contacts[k].joint_material)) {
+        // The spring bears nothing of what is too steep for the strength.
+        const double climbing = by_slope(k);
+        const double climbed = std::clamp(climbing, -trials_[k].bounds.backward, trials_[k].bounds.forward);
+        return (elastic - (climbing - climbed) - force) / p_.springs[k].shear_stiffness;
+    }
+    if (elastic == force) return 0;
+    return force >= 0 ? std::max(trials_[k].shearing, 0.0) : std::min(trials_[k].shearing, 0.0);
+}
+
+void TrialContacts::evaluate(ContactSpan<EvaluatedContact> evaluated_contacts) const {
+    for_contacts([&](ContactIndex k) { evaluated_contacts[k] = evaluated(k); });
+}
+
+/// The opening of Eq. (76).
+bool TrialContacts::stays_closed(ContactIndex k) const {
+    const Trial& trial = trials_[k];
+    if (!trial.may_close) return false;
+    if (is_bonded(k) || current_forces(k).normal > 0 || is_rebounding(k)) return true;
+    if (p_.bonds_hold() && coheres(k)) return gap(k) < largest_bond_strain * p_.contacts[k].length;
+    return coheres(k) && -spring_force(k) < std::min(trial.bounds.forward, trial.bounds.backward);
+}
+
+EvaluatedContact TrialContacts::evaluated(ContactIndex k) const {
+    const Trial& trial = trials_[k];
+    const Forces forces = current_forces(k);
+    EvaluatedContact evaluated;
+    evaluated.gap = gap(k);
+    evaluated.normal_force = forces.normal;
+    evaluated.normal_spring_force =
+        dashpot(k).stiffness > 0 && trial.may_close ? std::max(spring_force(k), 0.0) : forces.normal;
+    const bool is_pressed = forces.normal > 0 || evaluated.normal_spring_force > 0;
+    const bool is_held = stays_closed(k) && (is_bonded(k) || coheres(k));
+    evaluated.stress_free_gap =
+        is_pressed || is_held ? trial.stress_free_gap : std::min(trial.stress_free_gap, 0.0);
+    evaluated.shear_force = forces.shear;
+    evaluated.displacement = trial.shearing;
+    evaluated.dilation_increment = trial.dilation_increment;
+    evaluated.bond_broken = trial.bond_broken;
+    if (stays_closed(k)) {
+        const double elastic = elastic_shear(k);
+        evaluated.state = is_within(elastic, trial.bounds) ? ContactState::locked : ContactState::sliding;
+        if (!is_rebounding(k) || coheres(k)) evaluated.slip = slip(k, elastic, forces.shear);
+    }
+    return evaluated;
+}
+
+}  // namespace rockslope::dda

@@ -1,0 +1,1 @@
+#include "dda/solve/open_close_iteration.hpp"
