@@ -5,6 +5,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "common/base/parallel_filter.hpp"
 #include "dda/contact/candidates.hpp"
 #include "dda/contact/corner_meetings.hpp"
 #include "dda/contact/edge_directions.hpp"
@@ -331,19 +332,36 @@ class ContactDetector {
     PerEdge<EdgeDirection> directions_;  ///< at the start of the step
 };
 
-/// The indices below `count` for which is_selected(index) is true, ascending.
-template <class Predicate>
-std::vector<std::size_t> filter(std::size_t count, const ThreadPool& pool, const Predicate& is_selected) {
-    std::vector<char> selected(count, 0);
-    pool.parallel_for(count, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t k = begin; k < end; ++k) selected[k] = is_selected(k) ? 1 : 0;
+/// The contacts of candidates whose corner is far from both ends of the edge, and those of meeting corners.
+std::vector<SelectedContact> select_contacts(const ContactDetector& detector,
+                                             std::span<const ContactCandidate* const> singles,
+                                             const CornerMeetings<ContactCandidate>& meetings,
+                                             const ThreadPool& pool) {
+    // Each meeting has room for the most contacts that it may give, two for each candidate.
+    std::vector<SelectedContact> selected(singles.size() + 2 * meetings.size());
+    pool.parallel_for(singles.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) selected[k] = detector.select_single(*singles[k]);
     });
-    std::vector<std::size_t> indices;
-    indices.reserve(std::count(selected.begin(), selected.end(), 1));
-    for (std::size_t k = 0; k < count; ++k) {
-        if (selected[k] != 0) indices.push_back(k);
-    }
-    return indices;
+    const auto room_of = [&](std::size_t meeting) {
+        return selected.begin() + static_cast<std::ptrdiff_t>(singles.size() + 2 * meetings.first(meeting));
+    };
+    std::vector<std::uint32_t> count(meetings.count());
+    pool.parallel_for(meetings.count(), [&](std::size_t begin, std::size_t end) {
+        std::vector<EntranceLine> lines;
+        std::vector<SelectedContact> of_meeting;
+        for (std::size_t meeting = begin; meeting < end; ++meeting) {
+            of_meeting.clear();
+            detector.select_entrance_lines(meetings.of(meeting), static_cast<int>(meeting), lines,
+                                           of_meeting);
+            count[meeting] = static_cast<std::uint32_t>(of_meeting.size());
+            std::copy(of_meeting.begin(), of_meeting.end(), room_of(meeting));
+        }
+    });
+    auto end = room_of(0);
+    for (std::size_t meeting = 0; meeting < meetings.count(); ++meeting)
+        end = std::copy_n(room_of(meeting), count[meeting], end);
+    selected.erase(end, selected.end());
+    return selected;
 }
 
 /// The selected contacts in the order of comes_before: a counting sort by lower block, then a sort within
@@ -390,27 +408,24 @@ std::vector<Contact> detect_contacts(const Model& model, const DetectionInput& a
                                      std::span<const CornerEdge> candidates, const ThreadPool& pool) {
     const ContactDetector detector(model, at);
     // Most candidates are not near; only near ones get memory for their evaluation.
-    const std::vector<std::size_t> near =
-        filter(candidates.size(), pool, [&](std::size_t k) { return detector.is_near(candidates[k]); });
+    const std::vector<std::size_t> near = parallel_filter(
+        pool, candidates.size(), [&](std::size_t k) { return detector.is_near(candidates[k]); });
     std::vector<ContactCandidate> evaluated(near.size());
-    const std::vector<std::size_t> accepted = filter(near.size(), pool, [&](std::size_t k) {
+    const std::vector<std::size_t> accepted = parallel_filter(pool, near.size(), [&](std::size_t k) {
         return detector.evaluate_candidate(candidates[near[k]], evaluated[k]);
     });
 
-    std::vector<SelectedContact> selected;
-    selected.reserve(accepted.size());
+    std::vector<const ContactCandidate*> singles;
+    singles.reserve(accepted.size());
     CornerMeetings<ContactCandidate> meetings(accepted.size());
     for (const std::size_t k : accepted) {
         if (evaluated[k].partner_corner.exists())
             meetings.add(evaluated[k]);
         else
-            selected.push_back(detector.select_single(evaluated[k]));
+            singles.push_back(&evaluated[k]);
     }
-    std::vector<EntranceLine> lines;
-    int group = 0;
-    meetings.for_each(model.topology.corner_count(), [&](std::span<const ContactCandidate* const> members) {
-        detector.select_entrance_lines(members, group++, lines, selected);
-    });
+    meetings.sort(model.topology.corner_count());
+    const std::vector<SelectedContact> selected = select_contacts(detector, singles, meetings, pool);
     return sorted_contacts(model, detector, selected, pool);
 }
 

@@ -84,6 +84,14 @@ void initialise_spring(const Model& model, double stress_free_gap_decay, Contact
                            locked_dilation(model, contact.joint_material, contact.history).slope;
 }
 
+/// Whether an open contact is behind its line: a corner can enter only through a line that it is outside of,
+/// unless the depth is inherited from the face that the corner slides off.
+bool is_behind_its_line(const ContactSearch& search, const Contact& c) {
+    return c.state == ContactState::open &&
+           c.gap_to_rock() < -(search.depth_tolerance + 2 * c.inherited_penetration) &&
+           !std::binary_search(search.forced.begin(), search.forced.end(), CornerEdge{c.corner, c.edge});
+}
+
 }  // namespace
 
 FoundContacts find_contacts(const Model& model, const ContactSet& last, const ContactSearch& search,
@@ -96,7 +104,7 @@ FoundContacts find_contacts(const Model& model, const ContactSet& last, const Co
                                        set.candidates, pool);
         end_of(Phase::detection, times);
         return transfer_contacts(model, last.contacts, search.search_radius.largest(), search.first_step,
-                                 set.contacts);
+                                 set.contacts, pool);
     };
     JointSegments segments = detect();
     if (search.first_step) {
@@ -107,16 +115,12 @@ FoundContacts find_contacts(const Model& model, const ContactSet& last, const Co
     }
     // Decay of the stress-free gap, Eq. (29).
     const double stress_free_gap_decay = std::exp(-search.duration / stress_free_gap_time);
-    for (Contact& c : set.contacts) {
-        initialise_spring(model, stress_free_gap_decay, c);
-        const bool is_forced =
-            std::binary_search(search.forced.begin(), search.forced.end(), CornerEdge{c.corner, c.edge});
-        // A corner can enter only through a line that it is outside of. An open contact behind its line is
-        // inhibited, unless the depth is inherited from the face that the corner slides off.
-        if (c.state == ContactState::open &&
-            c.gap_to_rock() < -(search.depth_tolerance + 2 * c.inherited_penetration) && !is_forced)
-            c.inhibited = true;
-    }
+    pool.parallel_for(set.contacts.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+            initialise_spring(model, stress_free_gap_decay, set.contacts[k]);
+            if (is_behind_its_line(search, set.contacts[k])) set.contacts[k].inhibited = true;
+        }
+    });
     end_of(Phase::transfer, times);
     return {std::move(set), std::move(segments)};
 }

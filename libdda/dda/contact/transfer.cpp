@@ -216,21 +216,25 @@ class Transfer {
     }
 
     /// Matches by corner and edge.
-    void match_pairs(bool first_step) {
+    void match_pairs(bool first_step, const ThreadPool& pool) {
+        std::vector<const Contact*> same_pair(contacts_.size(), nullptr);
         auto from = old_.begin();
         for (std::size_t k = 0; k < contacts_.size(); ++k) {
             while (from != old_.end() && comes_before(*from, contacts_[k])) predecessors_.push_back(&*from++);
-            if (from != old_.end() && !comes_before(contacts_[k], *from)) {
-                copy_state(*from, contacts_[k]);
-                has_history_[k] = 1;
-                if (from->state == ContactState::open) successors_.push_back(k);
-                ++from;
-            } else {
-                initialise_new(model_, first_step, contacts_[k]);
+            if (from != old_.end() && !comes_before(contacts_[k], *from)) same_pair[k] = &*from++;
+            if (same_pair[k] == nullptr || same_pair[k]->state == ContactState::open)
                 successors_.push_back(k);
-            }
         }
         while (from != old_.end()) predecessors_.push_back(&*from++);
+        pool.parallel_for(contacts_.size(), [&](std::size_t begin, std::size_t end) {
+            for (std::size_t k = begin; k < end; ++k) {
+                has_history_[k] = same_pair[k] != nullptr ? 1 : 0;
+                if (same_pair[k] != nullptr)
+                    copy_state(*same_pair[k], contacts_[k]);
+                else
+                    initialise_new(model_, first_step, contacts_[k]);
+            }
+        });
     }
 
     /// Matches by line: predecessors with the same corner first, then those of the same blocks. An open
@@ -312,9 +316,9 @@ class Transfer {
 }  // namespace
 
 JointSegments transfer_contacts(const Model& model, ContactSpan<const Contact> old, double max_displacement,
-                                bool first_step, std::vector<Contact>& contacts) {
+                                bool first_step, std::vector<Contact>& contacts, const ThreadPool& pool) {
     Transfer transfer(model, old, max_displacement, contacts);
-    transfer.match_pairs(first_step);
+    transfer.match_pairs(first_step, pool);
     transfer.match_lines();
     transfer.leave_normal_forces();
     return transfer.inherit_histories();

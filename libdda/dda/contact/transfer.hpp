@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "common/base/thread_pool.hpp"
 #include "dda/contact/joint_segments.hpp"
 #include "dda/model/model.hpp"
 
@@ -20,6 +21,6 @@ namespace rockslope::dda {
 /// @param contacts detected contacts, in the order of comes_before; their states are set.
 /// @return the joint segments of the new contacts.
 JointSegments transfer_contacts(const Model& model, ContactSpan<const Contact> old, double max_displacement,
-                                bool first_step, std::vector<Contact>& contacts);
+                                bool first_step, std::vector<Contact>& contacts, const ThreadPool& pool);
 
 }  // namespace rockslope::dda

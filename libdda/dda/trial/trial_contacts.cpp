@@ -31,7 +31,10 @@ TrialContacts::TrialContacts(const StepProblem& problem, const ThreadPool& pool)
         });
     }
     for_contacts([&](ContactIndex k) { trials_[k] = initial_trial(k); });
-    for (const Contact& contact : p_.contacts) groups_ = std::max(groups_, contact.group + 1);
+    for (const ContactIndex k : p_.contacts.indices()) {
+        groups_ = std::max(groups_, p_.contacts[k].group + 1);
+        if (p_.contacts[k].group >= 0 && !p_.contacts[k].inhibited) on_entrance_lines_.push_back(k);
+    }
     dilates_ = std::any_of(p_.model.joint_materials.begin(), p_.model.joint_materials.end(),
                            [](const JointMaterial& material) { return dilates(material.law); });
     yielding_.assign(p_.bolts.size(), 0);
@@ -181,21 +184,20 @@ void TrialContacts::move_to(RowSpan<const Vec6> d) {
 /// First entrance, Eq. (28).
 bool TrialContacts::select_first_entrances() {
     first_entrance_.assign(groups_, ContactIndex::none());
-    for (const ContactIndex k : trials_.indices()) {
-        const int group = p_.contacts[k].group;
-        if (group < 0 || p_.contacts[k].inhibited) continue;
-        ContactIndex& best = first_entrance_[group];
+    for (const ContactIndex k : on_entrance_lines_) {
+        ContactIndex& best = first_entrance_[p_.contacts[k].group];
         const auto entrance_gap = [&](ContactIndex line) {
             return gap(line) + 2 * p_.contacts[line].inherited_penetration;
         };
         if (!best.exists() || entrance_gap(k) > entrance_gap(best)) best = k;
     }
-    return for_any_contact([&](ContactIndex k) {
-        const int group = p_.contacts[k].group;
-        if (group < 0 || p_.contacts[k].inhibited) return false;
-        const bool may_close = p_.contacts[first_entrance_[group]].line == p_.contacts[k].line;
-        return std::exchange(trials_[k].may_close, may_close) != may_close;
-    });
+    bool exchanged = false;
+    for (const ContactIndex k : on_entrance_lines_) {
+        const ContactIndex first = first_entrance_[p_.contacts[k].group];
+        const bool may_close = p_.contacts[first].line == p_.contacts[k].line;
+        if (std::exchange(trials_[k].may_close, may_close) != may_close) exchanged = true;
+    }
+    return exchanged;
 }
 
 TrialContacts::ForceChange TrialContacts::force_change() {

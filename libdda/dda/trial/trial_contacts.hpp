@@ -367,6 +367,7 @@ class TrialContacts {
     bool dilates_ = false;                             ///< whether any joint law dilates
     std::vector<DilationByForce> dilations_by_force_;  ///< of the slipping segments where it matters
     int groups_ = 0;                                   ///< number of groups of entrance lines
+    std::vector<ContactIndex> on_entrance_lines_;      ///< the contacts of groups that are not inhibited
     std::vector<ContactIndex> first_entrance_;         ///< per group, the line that may close
     double largest_force_ = 0;                         ///< N per metre, largest contact force by the laws
 };

@@ -1,7 +1,10 @@
 #include "dda/solve/methods/friction_coupling.hpp"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
+
+#include "common/base/parallel_filter.hpp"
 
 namespace rockslope::dda {
 
@@ -66,17 +69,18 @@ FrictionCoupling::FrictionCoupling(const StepProblem& problem, TrialContacts& tr
 }
 
 void FrictionCoupling::find_sliding(std::span<const Vec6> d) {
-    sliding_.clear();
+    const auto slides = [&](std::size_t k) {
+        return !trials_.has_shear_spring(k) && (trials_.has_normal_spring(k) || trials_.coheres(k));
+    };
+    parallel_filter(pool_, trials_.count(), slides, slides_, sliding_contacts_);
     sliding_.reserve(trials_.count());
-    for (std::size_t k = 0; k < trials_.count(); ++k) {
-        if (trials_.has_shear_spring(k)) continue;
-        if (!trials_.has_normal_spring(k) && !trials_.coheres(k)) continue;
-        sliding_.emplace_back().contact = k;
-    }
+    sliding_.resize(sliding_contacts_.size());
     pool_.parallel_for(sliding_.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
+            const ContactIndex k = sliding_contacts_[i];
             Sliding& sliding = sliding_[i];
-            const std::size_t k = sliding.contact;
+            sliding = {};
+            sliding.contact = k;
             const ContactSprings& springs = p_.springs[k];
             sliding.sign = trials_.slides_forward(k) ? 1 : -1;
             sliding.bonded = trials_.is_bonded(k);
@@ -122,12 +126,16 @@ void FrictionCoupling::complete_lines(std::span<const Vec6> d) {
 }
 
 double FrictionCoupling::update_residuals() {
-    double largest = 0;
-    for (Sliding& sliding : sliding_) {
-        sliding.residual = sliding.bound() - sliding.friction_force;
-        largest = std::max(largest, std::abs(sliding.residual));
-    }
-    return largest;
+    const auto largest_of_chunk = [&](std::size_t begin, std::size_t end) {
+        double largest = 0;
+        for (Sliding& sliding : std::span(sliding_).subspan(begin, end - begin)) {
+            sliding.residual = sliding.bound() - sliding.friction_force;
+            largest = std::max(largest, std::abs(sliding.residual));
+        }
+        return largest;
+    };
+    return pool_.parallel_reduce(sliding_.size(), 0.0, largest_of_chunk,
+                                 [](double a, double b) { return std::max(a, b); });
 }
 
 double FrictionCoupling::residual_norm() const {
@@ -225,6 +233,19 @@ void FrictionCoupling::minimize_residual(int count) {
     });
 }
 
+void FrictionCoupling::store() {
+    for (const Sliding& sliding : sliding_)
+        if (sliding.dilates())
+            trials_.set_dilation_change(sliding.dilation, sliding.friction_force / sliding.spring);
+    pool_.parallel_for(sliding_.size(), [&](std::size_t begin, std::size_t end) {
+        for (const Sliding& sliding : std::span(sliding_).subspan(begin, end - begin)) {
+            if (sliding.dilates()) continue;
+            trials_.set_friction_force(sliding.contact, sliding.friction_force);
+            trials_.set_bound_to_friction_force(sliding.contact, sliding.normal);
+        }
+    });
+}
+
 /// Solves the fixed point of Eq. (35) by minimal residuals.
 int FrictionCoupling::solve(std::span<Vec6> d) {
     find_sliding(d);
@@ -247,14 +268,7 @@ int FrictionCoupling::solve(std::span<Vec6> d) {
                 d[r] += direction.coefficient * direction.displacement[r];
         }
     });
-    for (const Sliding& sliding : sliding_) {
-        if (sliding.dilates()) {
-            trials_.set_dilation_change(sliding.dilation, sliding.friction_force / sliding.spring);
-            continue;
-        }
-        trials_.set_friction_force(sliding.contact, sliding.friction_force);
-        trials_.set_bound_to_friction_force(sliding.contact, sliding.normal);
-    }
+    store();
     return count;
 }
 

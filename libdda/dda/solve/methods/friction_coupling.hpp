@@ -82,11 +82,15 @@ class FrictionCoupling {
     void apply_operator(Direction& direction, std::size_t rows);
     /// Adds the combination of the first `count` directions with the smallest residual.
     void minimize_residual(int count);
+    /// Sets the friction forces of the contacts, their bounds, and the changes of dilation.
+    void store();
 
     const StepProblem& p_;
     TrialContacts& trials_;
     LinearSolver& solver_;
     const ThreadPool& pool_;
+    std::vector<char> slides_;  ///< work space
+    std::vector<std::size_t> sliding_contacts_;
     std::vector<Sliding> sliding_;
     PerContact<double> force_change_;   ///< per contact, of the friction force, N per metre
     PerContact<double> normal_change_;  ///< per contact, of the normal force by dilation, N per metre

@@ -38,7 +38,7 @@ class Transfer : public testing::Test {
   protected:
     Contact moved_to(Contact now, double search_radius = .1, bool first_step = false) {
         std::vector<Contact> contacts = {now};
-        dda::transfer_contacts(s.model, std::vector{old}, search_radius, first_step, contacts);
+        dda::transfer_contacts(s.model, std::vector{old}, search_radius, first_step, contacts, ThreadPool(1));
         return contacts[0];
     }
     static void expect_carried(const Contact& c) {
@@ -108,7 +108,7 @@ TEST_F(Transfer, NotFromAnotherJoint) {
 
 TEST_F(Transfer, AContactMatchesOnceAndTheNearest) {
     std::vector<Contact> contacts = {contact(1, 0, 4, 3, {.05, 0}, up), contact(1, 0, 5, 3, {.01, 0}, up)};
-    dda::transfer_contacts(s.model, std::vector{old}, .1, false, contacts);
+    dda::transfer_contacts(s.model, std::vector{old}, .1, false, contacts, ThreadPool(1));
     EXPECT_EQ((contacts[0].state != ContactState::open) + (contacts[1].state != ContactState::open), 1);
 }
 
@@ -116,7 +116,7 @@ TEST_F(Transfer, AContactMatchesOnceAndTheNearest) {
 // contact becomes two, and the force stays with the corner.
 TEST_F(Transfer, ForceStaysWithTheCornerOnANeighboursFace) {
     std::vector<Contact> contacts = {contact(0, 1, 3, 5, {.01, 0}, -up), contact(1, 2, 4, 9, {.02, 0}, up)};
-    dda::transfer_contacts(s.model, std::vector{old}, .1, false, contacts);
+    dda::transfer_contacts(s.model, std::vector{old}, .1, false, contacts, ThreadPool(1));
     expect_fresh(contacts[0]);
     EXPECT_TRUE(std::get<dda::MohrCoulomb::History>(*contacts[0].history).broken) << "it is the same joint";
     expect_carried(contacts[1]);
@@ -125,7 +125,7 @@ TEST_F(Transfer, ForceStaysWithTheCornerOnANeighboursFace) {
 TEST_F(Transfer, ForcePassesToAnExistingOpenContact) {
     const Contact next = contact(1, 2, 4, 9, {.02, 0}, up);
     std::vector<Contact> contacts = {next};
-    dda::transfer_contacts(s.model, std::vector{old, next}, .1, false, contacts);
+    dda::transfer_contacts(s.model, std::vector{old, next}, .1, false, contacts, ThreadPool(1));
     expect_carried(contacts[0]);
 }
 
@@ -134,10 +134,10 @@ TEST_F(Transfer, AnOpenPredecessorKeepsTheExistingHistory) {
     old.state = ContactState::open;
     const Contact next = contact(1, 2, 4, 9, {.02, 0}, up);
     std::vector<Contact> contacts = {next};
-    dda::transfer_contacts(s.model, std::vector{old, next}, .1, false, contacts);
+    dda::transfer_contacts(s.model, std::vector{old, next}, .1, false, contacts, ThreadPool(1));
     EXPECT_EQ(contacts[0].history, next.history);
     EXPECT_EQ(contacts[0].slip, 0);
-    dda::transfer_contacts(s.model, std::vector{old}, .1, false, contacts);
+    dda::transfer_contacts(s.model, std::vector{old}, .1, false, contacts, ThreadPool(1));
     EXPECT_EQ(contacts[0].history, old.history) << "a new contact inherits the history";
 }
 
@@ -162,7 +162,7 @@ TEST_F(Transfer, InTheFirstStepFacesThatTouchAreIntactAndLocked) {
     const auto fresh = [&](double gap, bool first_step) {
         std::vector<Contact> contacts = {contact(1, 0, 4, 2, {0, 0}, up)};
         contacts[0].gap = gap;
-        dda::transfer_contacts(s.model, {}, .1, first_step, contacts);
+        dda::transfer_contacts(s.model, {}, .1, first_step, contacts, ThreadPool(1));
         return contacts[0];
     };
     for (const double gap : {0.0, 4e-7, -4e-7}) {
