@@ -131,16 +131,31 @@ TEST(Patches, EndWhereTheirVisitsAreUsedUp) {
     ASSERT_GT(whole.patches, 3);
     const Relaxation cut = relax(whole.visits / 2);
     EXPECT_LT(cut.patches, whole.patches);
-    EXPECT_LT(cut.visits, 0.75 * whole.visits) << "over the limit by one search at most";
+    EXPECT_LT(cut.visits, 0.75 * whole.visits) << "over the limit by one round at most";
 }
 
-TEST(Patches, MovesTheSameBlocksWithAnyNumberOfThreads) {
-    RandomPatch row(5, 40);
-    const std::vector<double> length(row.blocks(), 1.0);
-    std::vector<Vec6> one(row.blocks(), Vec6::Zero()), two = one;
-    Patches().relax(row.step(), {1e-9, 0, length, PatchExtent::two_rings, {}}, one, ThreadPool(1));
-    Patches().relax(row.step(), {1e-9, 0, length, PatchExtent::two_rings, {}}, two, ThreadPool(2));
-    for (std::size_t k = 0; k < one.size(); ++k) EXPECT_EQ(one[k], two[k]);
+/// A long row has many patches in a round, and those that grow come in later ones.
+TEST(Patches, MoveTheSameBlocksWithAnyNumberOfThreads) {
+    for (const double most_thrown : {0.0, std::numeric_limits<double>::infinity()}) {
+        RandomPatch row(5, 400);
+        const std::vector<double> length(row.blocks(), 1.0);
+        const auto moved = [&](int threads, Relaxation& taken) {
+            std::vector<Vec6> displacement(row.blocks(), Vec6::Zero());
+            PatchAims aims{1e-9, 0, length, PatchExtent::two_rings, {}};
+            aims.most_thrown = most_thrown;
+            taken = Patches().relax(row.step(), aims, displacement, ThreadPool(threads));
+            return displacement;
+        };
+        Relaxation alone;
+        const std::vector<Vec6> by_one = moved(1, alone);
+        EXPECT_GT(alone.patches, 20);
+        for (const int threads : {2, 5}) {
+            Relaxation taken;
+            EXPECT_EQ(moved(threads, taken), by_one) << threads;
+            EXPECT_EQ(taken.visits, alone.visits);
+            EXPECT_EQ(taken.borders, alone.borders);
+        }
+    }
 }
 
 }  // namespace
