@@ -70,7 +70,7 @@ constexpr int allocations_per_direction = 4;
 // A wall released from rest, in which all contacts slide. The work space is allocated in the first
 // iterations.
 TEST(Allocations, LaterIterationsAllocateOnlyNewDirections) {
-    const dda::Model model = scene::running_bond_wall(12, 12, 100).model;
+    const dda::Model model = scene::running_bond_wall(12, 24, 100).model;
     for (const int threads : {1, 2}) {
         dda::TimeStepper stepper(model, threads);
         const dda::State state = dda::initial_state(model);

@@ -15,7 +15,7 @@ set(levels_of_trial
     "trial_contacts"
     "shear_line trial_bounds trial_dilation")
 set(levels_of_solve
-    "augmentation augmentation_rounds dilation_rounds entrance_rounds gap_settling iterate limited_contacts line_search path_contact step_counts step_matrix"
+    "augmentation augmentation_rounds balance_progress dilation_rounds entrance_rounds gap_settling iterate limited_contacts line_search path_contact step_counts step_matrix"
     "friction_coupling interior_point patch_balance"
     "interior_coupling"
     "open_close_iteration"

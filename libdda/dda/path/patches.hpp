@@ -36,7 +36,7 @@ struct Relaxation {
 
 /// Balances the blocks whose forces do not balance, in small patches that overlap, by PatchPath; everything
 /// outside a patch stays meanwhile. A patch is ten such blocks at most that hang together, and two rings of
-/// neighbours around them. A wide one has as many rings as 250 blocks fill, also over contacts that are open
+/// neighbours around them. A wide one has as many rings as 120 blocks fill, also over contacts that are open
 /// and may close. Where loose blocks balance only after a long way, they press on those around the patch more
 /// than they were out of balance; such a patch grows by two rings and is balanced again, up to the size of a
 /// wide one. The far field is left to the linear system of all blocks. A patch of all blocks has none: its

@@ -23,21 +23,16 @@ constexpr std::size_t largest_one_patch = 2000;
 /// of 7000 contacts 20 end within 2000 borders, and the others not within 4750.
 constexpr int one_patch_borders = 400;
 constexpr double one_patch_borders_per_contact = 0.25;
-/// Share of the largest unbalanced force above which a block is balanced in a patch. With 1e-3 instead of none
-/// in the first iteration a slope of 381 blocks takes 40 % fewer patches.
+/// Share of the largest unbalanced force above which a block is balanced in a patch. With 1e-3 instead of
+/// none in the first iteration a slope of 381 blocks takes 40 % fewer patches.
 constexpr double patch_share = 1e-3;
-/// The share in a static step from its second iteration on: with 1e-3 the settling of 992 blocks with cohesion
-/// takes 40 iterations a step instead of 17.
+/// The share in a static step from its second iteration on: with 1e-3 the settling of 992 blocks with
+/// cohesion takes 40 iterations a step instead of 17.
 constexpr double later_static_share = 0.02;
 /// Number of iterations in which patches whose path from the iterate does not end are left as they are. The
 /// path from open contacts may end in another state than the next one, and most steps end before it is
 /// needed.
 constexpr int near_iterations = 2;
-/// The first iteration of a dynamic step whose patches are wide, and from then on every fourth one's: where
-/// small patches pass their unbalanced forces on to each other, a path through all of their blocks ends that.
-/// In a static step hardly a path of so many blocks ends: 190 of 194 did not in one of 9844 blocks.
-constexpr int first_wide_iteration = 14;
-constexpr int wide_period = 4;
 /// The first iteration whose patches grow where they throw more force on the blocks around them than they
 /// were to balance, in a static step and in a dynamic one. In earlier iterations growing costs more than it
 /// saves.
@@ -84,13 +79,15 @@ bool PatchBalance::relax(int iteration, RowSpan<Vec6> displacement) {
         .tolerance = balanced_share * trials_.tolerance(),
         .share = p_.time.is_static() && iteration > 1 ? later_static_share : patch_share,
         .length = length_,
-        .extent = extent_in(iteration),
+        .extent = next_extent(),
         .path = {starts_in(iteration), visits_left_, border_limit()},
         .most_thrown = iteration >= first_growing ? most_thrown : std::numeric_limits<double>::infinity()};
     const bool keeps_nearest = !is_one_patch_ && suits_one_patch(p_);
     if (keeps_nearest) memory_.before.assign(displacement.begin(), displacement.end());
     const Relaxation taken = memory_.patches.relax(limited_step(), aims, displacement, pool_);
     visits_left_ -= taken.visits;
+    if (aims.extent == PatchExtent::wide) progress_.restart();
+    progress_.note(taken.unbalanced);
     if (iteration == 0) began_balanced_ = true;
     exact_path_failed_ = is_one_patch_ && taken.failed > 0;
     if (keeps_nearest && taken.unbalanced < least_unbalanced_) {
@@ -121,11 +118,12 @@ bool PatchBalance::suits_one_patch(const StepProblem& problem) {
     return !problem.time.is_static() && !has_lines_of_segments && problem.rows.count() <= largest_one_patch;
 }
 
-PatchExtent PatchBalance::extent_in(int iteration) const {
+/// Where small patches stall, a path through more blocks ends that. In a static step hardly a path of so many
+/// blocks ends: 190 of 194 did not in one of 9844 blocks.
+PatchExtent PatchBalance::next_extent() const {
     if (is_one_patch_) return PatchExtent::all_blocks;
     if (p_.time.is_static()) return PatchExtent::two_rings;
-    const int late = iteration - first_wide_iteration;
-    return late >= 0 && late % wide_period == 0 ? PatchExtent::wide : PatchExtent::two_rings;
+    return progress_.has_stalled() ? PatchExtent::wide : PatchExtent::two_rings;
 }
 
 bool PatchBalance::is_complete(RowSpan<const Vec6> displacement) {

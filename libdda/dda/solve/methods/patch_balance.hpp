@@ -4,6 +4,7 @@
 
 #include "dda/path/damped_step.hpp"
 #include "dda/path/patches.hpp"
+#include "dda/solve/methods/balance_progress.hpp"
 #include "dda/trial/step_problem.hpp"
 #include "dda/trial/trial_contacts.hpp"
 
@@ -59,7 +60,7 @@ class PatchBalance {
     LimitedStep limited_step() const {
         return {p_.base, p_.bolts.empty() ? p_.row_contacts : memory_.row_contacts, memory_.contacts};
     }
-    PatchExtent extent_in(int iteration) const;
+    PatchExtent next_extent() const;
     PathStarts starts_in(int iteration) const;
     int border_limit() const;
     void find_contacts_and_bolts();
@@ -73,6 +74,7 @@ class PatchBalance {
     bool is_one_patch_ = false;
     bool began_balanced_ = false;     ///< by an earlier attempt
     bool exact_path_failed_ = false;  ///< in the last iteration
+    BalanceProgress progress_;
     PerRow<Vec6> nearest_;
     double least_unbalanced_ = std::numeric_limits<double>::infinity();  ///< N per metre, there
     double visits_left_;             ///< of contacts, that the patches may still make in search of borders
