@@ -4,6 +4,8 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <sstream>
+#include <utility>
 
 #include "blockgen/input/closed_lines.hpp"
 #include "blockgen/input/coordinate_system.hpp"
@@ -40,8 +42,7 @@ constexpr std::array<const char*, 22> drawing_units = {"",    "in",  "ft", "mi",
                                                        "hm",  "Gm",  "au", "ly", "pc", "us-ft"};
 
 /// The unit that the header of a DXF file states; empty when it states none.
-std::string drawing_unit(const std::filesystem::path& path) {
-    const std::string text = read_text_file(path);
+std::string drawing_unit(const std::filesystem::path& path, const std::string& text) {
     const std::size_t key = text.find("$INSUNITS");
     if (key == std::string::npos) return {};
     // The lines after the key are the group code 70 and the number.
@@ -58,19 +59,39 @@ std::string drawing_unit(const std::filesystem::path& path) {
     return drawing_units[static_cast<std::size_t>(*number)];
 }
 
+/// Checks that a DXF file has its last record: GDAL looks for it in a file that was cut off for ever.
+/// @throws InputError when it does not end with the lines 0 and EOF.
+void require_end_of_drawing(const std::filesystem::path& path, const std::string& text) {
+    const std::size_t end = text.find_last_not_of("\x1a") + 1;
+    const std::size_t start = end - std::min<std::size_t>(end, 64);
+    std::istringstream last(text.substr(start, end - start));
+    std::string code, record, line;
+    while (last >> line) code = std::exchange(record, line);
+    if (code != "0" || record != "EOF")
+        throw InputError({path.string()}, "its last record is missing: the file was cut off",
+                         "a DXF file that ends with the lines 0 and EOF");
+}
+
+bool is_drawing(const std::filesystem::path& path) {
+    std::string extension = path.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension == ".dxf";
+}
+
 class GdalReader {
   public:
     explicit GdalReader(const std::filesystem::path& path) : place_{path.string()} {
         std::error_code ignored;
         if (!std::filesystem::exists(path, ignored)) throw InputError(place_, "cannot be read", "a file");
+        const bool is_drawing = blockgen::is_drawing(path);
+        const std::string text = is_drawing ? read_text_file(path) : std::string();
+        if (is_drawing) require_end_of_drawing(path, text);
         dataset_ = Dataset(gdal().GDALOpenEx(place_.file.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, nullptr,
                                              nullptr, nullptr));
         if (!dataset_)
             throw InputError(place_, "GDAL cannot read this file", "a vector file such as DXF or GeoPackage");
-        std::string extension = path.extension().string();
-        std::transform(extension.begin(), extension.end(), extension.begin(),
-                       [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-        if (extension == ".dxf") notes_.unit = drawing_unit(path);
+        if (is_drawing) notes_.unit = drawing_unit(path, text);
     }
 
     /// Calls visit(geometry, feature, layer name) for each feature with a geometry. Curves are linearised.

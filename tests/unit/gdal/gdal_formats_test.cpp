@@ -9,6 +9,7 @@
 
 #include "blockgen/input/coordinate_system.hpp"
 #include "blockgen/input/geometry_file.hpp"
+#include "common/base/read_file.hpp"
 #include "common/base/text.hpp"
 #include "support/error_of.hpp"
 #include "support/external_data.hpp"
@@ -178,6 +179,24 @@ TEST(GdalFormats, LinesOfADrawingThatFormAChainAreAnOutlineAndThoseInsideAreItsH
 
 std::string error_of_outline(const fs::path& path) {
     return error_of([&] { read_outline_file(path); });
+}
+
+// GDAL reads on for ever in the first of them, which a fuzzer found.
+TEST(GdalFormats, DrawingsThatWereCutOffAreRefused) {
+    Format format("DXF", ".dxf");
+    const fs::path whole = format.with({{"LINESTRING (0 0, 4 0, 4 4, 0 0)", ""}});
+    EXPECT_EQ(read_outline_file(whole).size(), 1u);
+    const std::string text = read_text_file(whole);
+    for (const std::string& cut :
+         {std::string("0\nSECTION\n2\nENT\n0\nEOAF\n"), text.substr(0, text.size() / 2),
+          text.substr(0, text.rfind("EOF")), std::string("0"), std::string()}) {
+        const fs::path path = whole.parent_path() / "cut.dxf";
+        std::ofstream(path) << cut;
+        EXPECT_THAT(error_of_outline(path), testing::HasSubstr("cut off")) << cut.size() << " bytes";
+    }
+    const fs::path old = whole.parent_path() / "old.dxf";
+    std::ofstream(old) << text << "\x1a";
+    EXPECT_EQ(read_outline_file(old).size(), 1u) << "DOS ended its text files so";
 }
 std::string error_of_traces(const fs::path& path) {
     return error_of([&] { read_trace_file(path, "map", "joint"); });
