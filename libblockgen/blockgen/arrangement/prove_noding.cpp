@@ -82,6 +82,19 @@ class NetworkComparison {
         return sources;
     }
 
+    /// Whether a segment passes through a point at which only segments that collapsed meet it: they are gone,
+    /// and it needs no node there.
+    bool only_touched_by_collapsed(std::size_t v) const {
+        const std::vector<std::int32_t>& through = exact_.segments_at[v];
+        const auto is_left = [&](std::int32_t k) { return !is_collapsed_[k]; };
+        if (std::count_if(through.begin(), through.end(), is_left) != 1) return false;
+        const SourceSegment& left = segments_[*std::find_if(through.begin(), through.end(), is_left)];
+        const Point p = place(exact_.vertices[v]);
+        const double nearest =
+            std::min(std::hypot(p.x - left.a.x, p.y - left.a.y), std::hypot(p.x - left.b.x, p.y - left.b.y));
+        return nearest > noded_.frame.step * bounds_.rounding;
+    }
+
     /// How far the crossing of segments may move as their ends are rounded, cells.
     double crossing_shift(std::size_t v) const {
         const std::vector<std::int32_t>& through = exact_.segments_at[v];
@@ -115,7 +128,7 @@ class NetworkComparison {
     /// crossing at a small angle. @throws std::logic_error when no such node has all its sources.
     void require_common_node(std::size_t v) {
         const Sources sources = sources_of(v);
-        if (sources.empty()) return;
+        if (sources.empty() || only_touched_by_collapsed(v)) return;
         if (node_of_[v].exists() && has_sources(node_of_[v], sources)) return;
         const double shift = crossing_shift(v);
         for (const NodeIndex node : nodes_.within(exact_.vertices[v], 1.5 + bounds_.rounding + shift))

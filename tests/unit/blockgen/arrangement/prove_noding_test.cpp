@@ -211,5 +211,17 @@ TEST(NodingProof, FindsATraceOnTheOtherSideOfASegment) {
     EXPECT_THAT(refusal_of(beside, noded), HasSubstr("noding: "));
 }
 
+// Found by a fuzzer: a trace of a third of a micrometre begins on the edge of a section, and vanishes on a
+// grid of an eighth of a metre.
+TEST(NodingProof, NeedsNoNodeWhereATraceThatVanishesTouchesASegment) {
+    Segments segments;
+    const std::vector<Point> box = {{0, 0}, {4, 0}, {4, 2.5}, {2, 4}, {0, 4}};
+    for (std::size_t k = 0; k < 5; ++k) segments.push_back({box[k], box[(k + 1) % 5], 0});
+    segments.push_back({{0, 3.0000002}, {3e-7, 3}, 1});
+    const NodedEdges noded = node_joints(segments, 0x1p-3);
+    EXPECT_EQ(refusal_of(segments, noded), "proved");
+    EXPECT_EQ(prove_noding(segments, noded, walk_faces(noded)).collapsed, 1u);
+}
+
 }  // namespace
 }  // namespace rockslope::blockgen::prove_noding_test
