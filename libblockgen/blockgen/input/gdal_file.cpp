@@ -62,7 +62,7 @@ std::string drawing_unit(const std::filesystem::path& path, const std::string& t
 /// Checks that a DXF file has its last record: GDAL looks for it in a file that was cut off for ever.
 /// @throws InputError when it does not end with the lines 0 and EOF.
 void require_end_of_drawing(const std::filesystem::path& path, const std::string& text) {
-    const std::size_t end = text.find_last_not_of("\x1a") + 1;
+    const std::size_t end = text.find_last_not_of('\x1a') + 1;
     const std::size_t start = end - std::min<std::size_t>(end, 64);
     std::istringstream last(text.substr(start, end - start));
     std::string code, record, line;
