@@ -4,8 +4,7 @@
 #include <array>
 #include <functional>
 #include <memory>
-#include <sstream>
-#include <utility>
+#include <string_view>
 
 #include "blockgen/input/closed_lines.hpp"
 #include "blockgen/input/coordinate_system.hpp"
@@ -59,17 +58,30 @@ std::string drawing_unit(const std::filesystem::path& path, const std::string& t
     return drawing_units[static_cast<std::size_t>(*number)];
 }
 
-/// Checks that a DXF file has its last record: GDAL looks for it in a file that was cut off for ever.
-/// @throws InputError when it does not end with the lines 0 and EOF.
+/// The next line of a text from a place on, without blanks at its ends; the place then is behind its end: a
+/// line feed, a carriage return, or both.
+std::string_view next_line(const std::string& text, std::size_t& at) {
+    const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
+    const std::string_view line = std::string_view(text).substr(at, end - at);
+    at = std::min(end + 1, text.size());
+    if (at < text.size() && text[at] != text[end] && (text[at] == '\n' || text[at] == '\r')) ++at;
+    const std::size_t first = line.find_first_not_of(" \t");
+    if (first == std::string_view::npos) return {};
+    return line.substr(first, line.find_last_not_of(" \t") + 1 - first);
+}
+
+/// Checks that the pairs of lines of a DXF file, group code and value, come to its last record, 0 and EOF.
+/// GDAL looks for it for ever in a file that was cut off, or that lost a line.
+/// @throws InputError where they do not.
 void require_end_of_drawing(const std::filesystem::path& path, const std::string& text) {
-    const std::size_t end = text.find_last_not_of('\x1a') + 1;
-    const std::size_t start = end - std::min<std::size_t>(end, 64);
-    std::istringstream last(text.substr(start, end - start));
-    std::string code, record, line;
-    while (last >> line) code = std::exchange(record, line);
-    if (code != "0" || record != "EOF")
-        throw InputError({path.string()}, "its last record is missing: the file was cut off",
-                         "a DXF file that ends with the lines 0 and EOF");
+    const bool is_text = text.find('\0') == std::string::npos;
+    for (std::size_t at = 0; is_text && at < text.size();) {
+        const std::string_view code = next_line(text, at);
+        const std::string_view value = next_line(text, at);
+        if (code == "0" && value == "EOF") return;
+    }
+    throw InputError({path.string()}, "its last record is missing: the file was cut off or lost a line",
+                     "a DXF file of text, whose lines come in pairs up to 0 and EOF");
 }
 
 bool is_drawing(const std::filesystem::path& path) {
