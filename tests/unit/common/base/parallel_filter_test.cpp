@@ -21,8 +21,10 @@ TEST(ParallelFilter, ForgetsWhatItsWorkSpaceHeld) {
     std::vector<char> selected;
     std::vector<std::size_t> indices;
     const ThreadPool pool(1);
-    parallel_filter(pool, 5, [](std::size_t /*unused*/) { return true; }, selected, indices);
-    parallel_filter(pool, 3, [](std::size_t k) { return k == 1; }, selected, indices);
+    parallel_filter(
+        pool, 5, [](std::size_t /*unused*/) { return true; }, selected, indices);
+    parallel_filter(
+        pool, 3, [](std::size_t k) { return k == 1; }, selected, indices);
     EXPECT_EQ(indices, std::vector<std::size_t>{1});
 }
 
