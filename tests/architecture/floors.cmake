@@ -29,26 +29,24 @@ set(levels_of_analysis
     "run_stage"
     "strength_reduction"
     "run")
-foreach(room IN ITEMS trial solve analysis)
-    set(rank 0)
-    foreach(level IN LISTS levels_of_${room})
-        string(REPLACE " " ";" stems "${level}")
-        foreach(stem IN LISTS stems)
-            set(level_of_${room}_${stem} ${rank})
-        endforeach()
-        math(EXPR rank "${rank} + 1")
-    endforeach()
-endforeach()
 
-foreach(library IN ITEMS common blockgen dda record study)
+# Sets PREFIX_NAME, for each name on these lines, to the rank of its line.
+function(set_ranks prefix)
     set(rank 0)
-    foreach(storey IN LISTS storeys_of_${library})
-        string(REPLACE " " ";" floors "${storey}")
-        foreach(floor IN LISTS floors)
-            set(rank_of_${library}_${floor} ${rank})
+    foreach(line IN LISTS ARGN)
+        string(REPLACE " " ";" names "${line}")
+        foreach(name IN LISTS names)
+            set(${prefix}_${name} ${rank} PARENT_SCOPE)
         endforeach()
         math(EXPR rank "${rank} + 1")
     endforeach()
+endfunction()
+
+foreach(room IN ITEMS trial solve analysis)
+    set_ranks(level_of_${room} ${levels_of_${room}})
+endforeach()
+foreach(library IN ITEMS common blockgen dda record study)
+    set_ranks(rank_of_${library} ${storeys_of_${library}})
 endforeach()
 
 # The library and the floor of a file or of an included header; both empty for anything else.
