@@ -439,7 +439,7 @@ IterationOutcome iterate_open_close(const StepProblem& problem, Beginning beginn
     IterationOutcome outcome;
     outcome.result = iteration.run(beginning);
     outcome.went_astray = iteration.went_astray();
-    outcome.nearest.assign(iteration.nearest().begin(), iteration.nearest().end());
+    if (outcome.went_astray) outcome.nearest.assign(iteration.nearest().begin(), iteration.nearest().end());
     return outcome;
 }
 

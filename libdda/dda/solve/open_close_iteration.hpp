@@ -40,7 +40,7 @@ struct IterationOutcome {
     /// Whether the patches led away from the solution, or to a matrix that is not positive definite. The
     /// step may begin anew in another way.
     bool went_astray = false;
-    /// Per row: the displacement of the patches that was nearest to balance, m; empty if there is none.
+    /// Per row: where they did, the displacement that was nearest to balance, m; empty if there is none.
     PerRow<Vec6> nearest;
 };
 
