@@ -210,6 +210,7 @@ std::int64_t HdfFile::integer_attribute(const std::string& object, const std::st
     const HdfHandle attribute(open_attribute(object, name), H5Aclose);
     const HdfHandle space(H5Aget_space(attribute.id()), H5Sclose);
     if (H5Sget_simple_extent_npoints(space.id()) != 1) fail("attribute " + name + " is not one number");
+    check_number("attribute " + name, H5Aget_type(attribute.id()));
     std::int64_t value = 0;
     check(guarded([&] { return H5Aread(attribute.id(), H5T_NATIVE_INT64, &value); }), "attribute " + name);
     return value;
@@ -290,6 +291,16 @@ void HdfFile::check_size(const std::string& name, double bytes) const {
     errno = 0;
     if (bytes > largest_deflation * static_cast<double>(stored))
         fail("dataset " + name + " declares more than it holds");
+}
+
+/// The library converts through a buffer of at least one stored number, 2 GB in a damaged file.
+void HdfFile::check_number(const std::string& what, std::int64_t stored_type) const {
+    constexpr std::size_t largest_number_bytes = 8;
+    const HdfHandle type(stored_type, H5Tclose);
+    const H5T_class_t kind = H5Tget_class(type.id());
+    errno = 0;
+    if ((kind != H5T_INTEGER && kind != H5T_FLOAT) || H5Tget_size(type.id()) > largest_number_bytes)
+        fail(what + " does not hold numbers of at most 8 bytes");
 }
 
 void HdfFile::has_no_memory(const std::string& name) const {
@@ -382,6 +393,7 @@ void HdfFile::read_bytes(const std::string& name, HdfType type, std::size_t firs
                          void* data) const {
     if (count == 0) return;
     const HdfHandle set = file_->dataset_of(*this, name);
+    check_number("dataset " + name, H5Dget_type(set.id()));
     const hsize_t width = width_of(name);
     const hsize_t start[] = {first, 0};
     const hsize_t counts[] = {count, width};

@@ -121,6 +121,8 @@ class HdfFile {
     /// @throws OutputError when so many bytes cannot be in what the file stores of a dataset.
     void check_size(const std::string& name, double bytes) const;
     void check_texts(const std::string& name, std::int64_t set) const;
+    /// @throws OutputError when a type as the file stores it is no number that dda-run writes.
+    void check_number(const std::string& what, std::int64_t stored_type) const;
     [[noreturn]] void has_no_memory(const std::string& name) const;
     /// HDF5's identifier of an attribute.
     std::int64_t open_attribute(const std::string& object, const std::string& name) const;

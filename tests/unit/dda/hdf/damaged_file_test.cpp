@@ -226,6 +226,29 @@ TEST_F(DamagedFile, HasNoTextsLongerThanItself) {
                 testing::HasSubstr("dataset /VTKHDF/FieldData/stage declares longer texts than it holds"));
 }
 
+// A number that says to have 1.8 GB: the library allocated a buffer for one, and dda-plot held it.
+TEST_F(DamagedFile, HasNoNumbersLargerThanEightBytes) {
+    write_numbers(path, 0.5, 1, 2);
+    const std::string whole = read_text_file(path);
+    // An integer of 64 bits as HDF5 describes it: its class, three bytes of flags, its size in bytes, ...;
+    // behind it the rows of a chunk and, again, the size.
+    const std::string integer("\x10\x08\0\0\x08\0\0\0\0\0\x40\0", 12);
+    const std::string chunk("\4\0\0\0\x08\0\0\0", 8);
+    int refusals = 0;
+    for (std::size_t at = whole.find(integer); at != std::string::npos; at = whole.find(integer, at + 1)) {
+        const std::size_t behind = whole.find(chunk, at);
+        if (behind == std::string::npos || behind - at > 200) continue;
+        std::string damaged = whole;
+        damaged[at + 7] = damaged[behind + 7] = '\x10';
+        std::ofstream(path, std::ios::binary) << damaged;
+        const std::string error = error_of<OutputError>([&] { VtkHdfReader(path).digest(1); });
+        if (error == "no error") continue;
+        EXPECT_THAT(error, testing::HasSubstr(" does not hold numbers of at most 8 bytes"));
+        ++refusals;
+    }
+    EXPECT_EQ(refusals, 10) << "the datasets of integers but for NumberOfParts, which is not read";
+}
+
 TEST_F(DamagedFile, DeclaresNoMoreThanItHolds) {
     {
         HdfFile file = HdfFile::create(path);
