@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
+
+#include "common/base/degree.hpp"
 
 namespace rockslope::record {
 
@@ -11,7 +12,6 @@ Accelerogram rotated(const HorizontalComponent& first, const HorizontalComponent
     const double step = first.record.step;
     if (!(std::abs(second.record.step - step) <= 1e-9 * step))
         throw std::invalid_argument("the two components have different steps");
-    const double degree = std::numbers::pi / 180;
     const double between = std::sin((second.azimuth - first.azimuth) * degree);
     if (!(std::abs(between) >= std::sin(10 * degree)) || !std::isfinite(azimuth))
         throw std::invalid_argument(

@@ -5,10 +5,10 @@
 #include <cstdio>
 #include <functional>
 #include <limits>
-#include <numbers>
 #include <stdexcept>
 
 #include "common/base/atomic_file.hpp"
+#include "common/base/degree.hpp"
 #include "common/base/output_check.hpp"
 #include "measures_text.hpp"
 #include "parse_subcommand.hpp"
@@ -292,7 +292,6 @@ int run_slide(const std::vector<std::string>& arguments) {
         add("friction", po::value(&friction)->required(), "friction angle, degrees");
     };
     change.apply = [&](const Request&, std::vector<record::Accelerogram> records) {
-        const double degree = std::numbers::pi / 180;
         const record::SlidingPlane plane{dip * degree, friction * degree};
         const std::string text =
             slide_text(records[0], plane, "+x") + slide_text(record::scaled(records[0], -1), plane, "-x");

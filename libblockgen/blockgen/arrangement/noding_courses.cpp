@@ -7,6 +7,7 @@
 #include <string>
 
 #include "common/base/text.hpp"
+#include "common/geometry/segment.hpp"
 
 namespace rockslope::blockgen {
 
@@ -22,13 +23,6 @@ Point real_point(const GridPoint& p) {
 
 double distance(const Point& p, const Point& q) {
     return std::hypot(p.x - q.x, p.y - q.y);
-}
-
-double distance_to_segment(const Point& p, const Point& a, const Point& b) {
-    const Point u{b.x - a.x, b.y - a.y};
-    const double t = ((p.x - a.x) * u.x + (p.y - a.y) * u.y) / (u.x * u.x + u.y * u.y);
-    const double share = std::clamp(t, 0.0, 1.0);
-    return distance(p, {a.x + share * u.x, a.y + share * u.y});
 }
 
 /// Walks the courses of segments along the edges of their sources.

@@ -7,15 +7,12 @@
 
 #include "blockgen/input/domain.hpp"
 #include "blockgen/mesh/measures.hpp"
-#include "common/base/text.hpp"
+#include "common/geometry/point_text.hpp"
+#include "common/geometry/segment.hpp"
 
 namespace rockslope::blockgen {
 
 namespace {
-
-std::string text_of(const Point& p) {
-    return "(" + shortest_text(p.x) + ", " + shortest_text(p.y) + ")";
-}
 
 bool contains(const BlockMesh& mesh, BlockIndex block, const Point& p) {
     bool in_box_x = false, in_box_y = false, below_x = false, below_y = false;
@@ -31,12 +28,6 @@ bool contains(const BlockMesh& mesh, BlockIndex block, const Point& p) {
     for (std::size_t r = 1; r < mesh.ring_count(block); ++r)
         if (side_of_ring(ring_points(mesh, block, r), p) > 0) return false;
     return true;
-}
-
-double distance_to_segment(const Point& p, const Point& a, const Point& b) {
-    const double ux = b.x - a.x, uy = b.y - a.y;
-    const double t = std::clamp(((p.x - a.x) * ux + (p.y - a.y) * uy) / (ux * ux + uy * uy), 0.0, 1.0);
-    return std::hypot(p.x - a.x - t * ux, p.y - a.y - t * uy);
 }
 
 std::pair<BlockIndex, double> nearest_block(const BlockMesh& mesh, const Point& p) {

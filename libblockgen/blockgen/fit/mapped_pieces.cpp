@@ -3,15 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/geometry/segment.hpp"
+
 namespace rockslope::blockgen {
 
 namespace {
-
-double distance_to_segment(const Point& p, const Point& a, const Point& b) {
-    const double ux = b.x - a.x, uy = b.y - a.y, square = ux * ux + uy * uy;
-    const double t = square > 0 ? std::clamp(((p.x - a.x) * ux + (p.y - a.y) * uy) / square, 0.0, 1.0) : 0.0;
-    return std::hypot(p.x - a.x - t * ux, p.y - a.y - t * uy);
-}
 
 template <class Visit>
 void for_each_side(const MapWindow& window, const Visit& visit) {

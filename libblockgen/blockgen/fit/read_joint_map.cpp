@@ -12,7 +12,7 @@ namespace rockslope::blockgen {
 
 namespace {
 
-std::string quoted(const std::string& text) {
+std::string toml_text(const std::string& text) {
     std::string result = "\"";
     for (const char c : text) {
         if (c == '"' || c == '\\') result += '\\';
@@ -25,7 +25,7 @@ std::string quoted(const std::string& text) {
 ConfigTable table_of(const MapRequest& request) {
     std::string text;
     const auto add = [&text](const char* key, const std::string& value) {
-        if (!value.empty()) text += std::string(key) + " = " + quoted(value) + "\n";
+        if (!value.empty()) text += std::string(key) + " = " + toml_text(value) + "\n";
     };
     add("file", request.traces.string());
     add("crs", request.crs);

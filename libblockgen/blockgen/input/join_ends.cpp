@@ -13,6 +13,7 @@
 #include "blockgen/input/read_shapes.hpp"
 #include "common/base/text.hpp"
 #include "common/geometry/orientation.hpp"
+#include "common/geometry/point_text.hpp"
 
 namespace rockslope::blockgen {
 

@@ -1,10 +1,9 @@
 #include "blockgen/input/profile.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "common/base/text.hpp"
+#include "common/geometry/segment.hpp"
 
 namespace rockslope::blockgen {
 
@@ -12,14 +11,6 @@ namespace {
 
 constexpr const char* from_left_to_right =
     "points from left to right; a ground that overhangs needs an outline";
-
-/// The distance of a point from a segment, m.
-double distance_to_segment(const Point& p, const Point& a, const Point& b) {
-    const double ux = b.x - a.x, uy = b.y - a.y, squared = ux * ux + uy * uy;
-    if (squared == 0) return std::hypot(p.x - a.x, p.y - a.y);
-    const double t = std::clamp(((p.x - a.x) * ux + (p.y - a.y) * uy) / squared, 0.0, 1.0);
-    return std::hypot(p.x - a.x - t * ux, p.y - a.y - t * uy);
-}
 
 /// The height of a piece of the profile at an x between its ends.
 double height_at(const Point& a, const Point& b, double x) {

@@ -2,6 +2,7 @@
 
 #include "blockgen/input/read_shapes.hpp"
 #include "common/geometry/clip_line.hpp"
+#include "common/geometry/point_text.hpp"
 
 namespace rockslope::blockgen {
 

@@ -11,6 +11,7 @@
 #include "blockgen/input/read_shapes.hpp"
 #include "common/base/text.hpp"
 #include "common/geometry/clip_line.hpp"
+#include "common/geometry/point_text.hpp"
 
 namespace rockslope::blockgen {
 

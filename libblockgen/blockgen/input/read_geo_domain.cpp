@@ -1,6 +1,7 @@
 #include "blockgen/input/geo_file.hpp"
 #include "blockgen/input/read_shapes.hpp"
 #include "common/base/text.hpp"
+#include "common/geometry/point_text.hpp"
 
 namespace rockslope::blockgen {
 

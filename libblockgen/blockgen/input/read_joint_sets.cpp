@@ -6,6 +6,7 @@
 #include "blockgen/input/read_distribution.hpp"
 #include "blockgen/input/read_section.hpp"
 #include "blockgen/input/read_shapes.hpp"
+#include "common/base/degree.hpp"
 #include "common/base/text.hpp"
 
 namespace rockslope::blockgen {
@@ -38,7 +39,6 @@ std::vector<Pole> read_poles(const ConfigTable& table, double azimuth, SlopeMode
             poles.push_back(pole_of(check_dip(table, "orientations", dip), direction, azimuth));
     } else {
         model.files.push_back(table.file_path("orientation_file"));
-        constexpr double degree = std::numbers::pi / 180;
         const CsvTable rows = read_csv(model.files.back(), {"dip", "dip_direction"}, {});
         for (std::size_t k = 0; k < rows.row_count(); ++k) {
             if (!(rows.number(k, 0) >= 0 && rows.number(k, 0) <= 90))

@@ -5,6 +5,7 @@
 #include "blockgen/input/read_map_traces.hpp"
 #include "blockgen/input/read_shapes.hpp"
 #include "blockgen/input/repeated_traces.hpp"
+#include "common/geometry/point_text.hpp"
 
 namespace rockslope::blockgen {
 

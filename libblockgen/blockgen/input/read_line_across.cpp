@@ -6,6 +6,7 @@
 #include "blockgen/input/place_coordinates.hpp"
 #include "blockgen/input/read_geology.hpp"
 #include "blockgen/input/read_shapes.hpp"
+#include "common/geometry/point_text.hpp"
 
 namespace rockslope::blockgen {
 

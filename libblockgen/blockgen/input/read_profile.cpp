@@ -12,6 +12,7 @@
 #include "blockgen/input/read_shapes.hpp"
 #include "common/base/magnitude.hpp"
 #include "common/base/text.hpp"
+#include "common/geometry/point_text.hpp"
 
 namespace rockslope::blockgen {
 

@@ -4,21 +4,21 @@
 #include <numbers>
 
 #include "blockgen/input/read_shapes.hpp"
+#include "common/base/degree.hpp"
 #include "common/base/text.hpp"
+#include "common/geometry/point_text.hpp"
 
 namespace rockslope::blockgen {
 
 namespace {
 
-constexpr double one_degree = std::numbers::pi / 180;
-
 /// An azimuth that is given beside a line may differ from that of the line by so much: it is often a compass
 /// reading in whole degrees. rad
-constexpr double azimuth_tolerance = 0.5 * one_degree;
+constexpr double azimuth_tolerance = 0.5 * degree;
 
 /// An angle in degrees with one decimal.
 std::string degrees_text(double angle) {
-    return shortest_text(std::round(10 * angle / one_degree) / 10) + " deg";
+    return shortest_text(std::round(10 * angle / degree) / 10) + " deg";
 }
 
 SectionLine read_line(const ConfigTable& table) {

@@ -10,12 +10,9 @@
 #include "blockgen/input/read_geology.hpp"
 #include "blockgen/input/read_profile.hpp"
 #include "common/base/text.hpp"
+#include "common/geometry/point_text.hpp"
 
 namespace rockslope::blockgen {
-
-std::string text_of(const Point& p) {
-    return "(" + shortest_text(p.x) + ", " + shortest_text(p.y) + ")";
-}
 
 namespace {
 

@@ -7,8 +7,6 @@
 namespace rockslope::blockgen {
 
 Point point_of(const std::array<double, 2>& pair);
-/// "(x, y)", m, in the fewest digits.
-std::string text_of(const Point& p);
 
 /// Reads a string. @throws InputError when it is empty.
 std::string read_name(const ConfigTable& table, std::string_view key);

@@ -7,6 +7,7 @@
 
 #include "blockgen/input/read_shapes.hpp"
 #include "common/geometry/orientation.hpp"
+#include "common/geometry/point_text.hpp"
 
 namespace rockslope::blockgen {
 

@@ -6,16 +6,12 @@
 #include <string_view>
 
 #include "common/base/input_error.hpp"
-#include "common/base/text.hpp"
+#include "common/geometry/point_text.hpp"
 #include "common/geometry/polygon.hpp"
 
 namespace rockslope::blockgen {
 
 namespace {
-
-std::string text_of(const Point& p) {
-    return "(" + shortest_text(p.x) + ", " + shortest_text(p.y) + ")";
-}
 
 class MeshChecker {
   public:

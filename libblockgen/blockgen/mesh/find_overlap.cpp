@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "blockgen/mesh/measures.hpp"
+#include "common/geometry/segment.hpp"
 
 namespace rockslope::blockgen {
 
@@ -46,14 +47,6 @@ struct Outline {
     double inner_depth = 0;
 };
 
-double distance_to(const Edge& edge, const Point& p) {
-    const double ex = edge.b.x - edge.a.x, ey = edge.b.y - edge.a.y;
-    const double square = ex * ex + ey * ey;
-    const double along = square > 0 ? ((p.x - edge.a.x) * ex + (p.y - edge.a.y) * ey) / square : 0;
-    const double t = std::clamp(along, 0.0, 1.0);
-    return std::hypot(p.x - edge.a.x - t * ex, p.y - edge.a.y - t * ey);
-}
-
 /// Distance of a point inside a block from its boundary, m; zero for a point outside.
 double depth_inside(const Outline& block, const Point& p) {
     if (!block.box.holds(p)) return 0;
@@ -64,7 +57,7 @@ double depth_inside(const Outline& block, const Point& p) {
     }
     if (!inside) return 0;
     double nearest = std::numeric_limits<double>::infinity();
-    for (const Edge& e : block.edges) nearest = std::min(nearest, distance_to(e, p));
+    for (const Edge& e : block.edges) nearest = std::min(nearest, distance_to_segment(p, e.a, e.b));
     return nearest;
 }
 

@@ -16,23 +16,23 @@ namespace {
 constexpr std::int64_t extent_limit = std::int64_t{1} << 38;
 
 /// A piece between two points of the fine grid, the smaller first, and the source along it.
-struct Piece {
+struct SegmentPiece {
     FineSegment line;
     EdgeSource source;
-    friend auto operator<=>(const Piece&, const Piece&) = default;
+    friend auto operator<=>(const SegmentPiece&, const SegmentPiece&) = default;
 };
 
-Piece piece_of(GridPoint a, GridPoint b, EdgeSource source) {
+SegmentPiece piece_of(GridPoint a, GridPoint b, EdgeSource source) {
     if (b < a) return {{b, a}, {source.source, !source.reversed}};
     return {{a, b}, source};
 }
 
-struct Box {
+struct SourceBox {
     double low_x = std::numeric_limits<double>::infinity(), low_y = low_x, high_x = -low_x, high_y = -low_x;
 };
 
-Box box_of(std::span<const SourceSegment> segments) {
-    Box box;
+SourceBox box_of(std::span<const SourceSegment> segments) {
+    SourceBox box;
     for (const SourceSegment& s : segments)
         for (const Point& p : {s.a, s.b}) {
             box.low_x = std::min(box.low_x, p.x);
@@ -45,7 +45,7 @@ Box box_of(std::span<const SourceSegment> segments) {
 
 /// A frame whose origin is the centre of the box, rounded to whole metres, or to whole steps when a step is
 /// longer than a metre.
-GridFrame frame_of(const Box& box, double step) {
+GridFrame frame_of(const SourceBox& box, double step) {
     const double unit = std::max(1.0, step);
     GridFrame frame;
     frame.step = step;
@@ -63,7 +63,7 @@ GridFrame frame_of(const Box& box, double step) {
 
 /// Number of fine-grid units per cell in the first round: the largest power of two, up to 4096, that the
 /// exact arithmetic allows.
-std::int64_t first_pass_units_per_cell(const Box& box, double step) {
+std::int64_t first_pass_units_per_cell(const SourceBox& box, double step) {
     const double cells = std::max({box.high_x - box.low_x, box.high_y - box.low_y, step}) / step + 4;
     std::int64_t units_per_cell = 2;
     while (units_per_cell < 4096 && cells * static_cast<double>(2 * units_per_cell) < 0x1p40)
@@ -73,8 +73,8 @@ std::int64_t first_pass_units_per_cell(const Box& box, double step) {
 
 /// The segments on the fine grid of the first round. @param largest_move m, raised to the largest
 /// displacement of an end.
-std::vector<Piece> fine_pieces(std::span<const SourceSegment> segments, const GridFrame& frame,
-                               std::int64_t units_per_cell, double& largest_move) {
+std::vector<SegmentPiece> fine_pieces(std::span<const SourceSegment> segments, const GridFrame& frame,
+                                      std::int64_t units_per_cell, double& largest_move) {
     const double scale = static_cast<double>(units_per_cell) / frame.step;
     const auto fine = [&](const Point& p) {
         const double x = (p.x - frame.origin.x) * scale, y = (p.y - frame.origin.y) * scale;
@@ -84,7 +84,7 @@ std::vector<Piece> fine_pieces(std::span<const SourceSegment> segments, const Gr
         largest_move = std::max(largest_move, moved);
         return unit;
     };
-    std::vector<Piece> pieces;
+    std::vector<SegmentPiece> pieces;
     pieces.reserve(segments.size());
     for (const SourceSegment& s : segments)
         if (const GridPoint a = fine(s.a), b = fine(s.b); a != b)
@@ -98,10 +98,10 @@ struct Lines {
     LineSources along;
 };
 
-Lines distinct_lines(std::vector<Piece> pieces, const ThreadPool& pool) {
+Lines distinct_lines(std::vector<SegmentPiece> pieces, const ThreadPool& pool) {
     parallel_sort(pool, pieces);
     Lines result;
-    for (const Piece& piece : pieces) {
+    for (const SegmentPiece& piece : pieces) {
         if (result.lines.empty() || piece.line != result.lines.back()) {
             result.lines.push_back(piece.line);
             result.along.first.push_back(0);
@@ -156,7 +156,7 @@ double largest_move(const SnapRoundingPass& round, const NodedEdges& network) {
 
 /// The cells of the outline's corners (source 0), sorted. They win when cells are merged, so that the corners
 /// of the domain keep their cells.
-std::vector<GridPoint> anchors_of(const std::vector<Piece>& pieces, std::int64_t units_per_cell) {
+std::vector<GridPoint> anchors_of(const std::vector<SegmentPiece>& pieces, std::int64_t units_per_cell) {
     std::vector<std::pair<SourceIndex, GridPoint>> ends;
     const auto cell = [units_per_cell](const GridPoint& p) {
         const auto nearest = [units_per_cell](std::int64_t x) {
@@ -166,7 +166,7 @@ std::vector<GridPoint> anchors_of(const std::vector<Piece>& pieces, std::int64_t
         };
         return GridPoint{nearest(p.x), nearest(p.y)};
     };
-    for (const Piece& piece : pieces)
+    for (const SegmentPiece& piece : pieces)
         if (piece.source.source == 0) {
             ends.emplace_back(piece.source.source, cell(piece.line.a));
             ends.emplace_back(piece.source.source, cell(piece.line.b));
@@ -186,12 +186,12 @@ std::span<const EdgeSource> NodedEdges::sources_of(EdgeIndex edge) const {
 NodedEdges node_joints(std::span<const SourceSegment> segments, double step, const ThreadPool& pool) {
     NodedEdges result;
     if (segments.empty()) return result;
-    const Box box = box_of(segments);
+    const SourceBox box = box_of(segments);
     result.frame = frame_of(box, step);
     {
         const std::int64_t units_per_cell = first_pass_units_per_cell(box, step);
         double rounded = 0;
-        std::vector<Piece> pieces = fine_pieces(segments, result.frame, units_per_cell, rounded);
+        std::vector<SegmentPiece> pieces = fine_pieces(segments, result.frame, units_per_cell, rounded);
         const std::vector<GridPoint> anchors = anchors_of(pieces, units_per_cell);
         const Lines lines = distinct_lines(std::move(pieces), pool);
         const SnappedChains chains = snap_round_merging_cells(lines.lines, units_per_cell, anchors, pool);

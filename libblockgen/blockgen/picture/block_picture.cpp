@@ -19,12 +19,12 @@ constexpr double legend_width = 169, least_page_beside = 480;
 /// Heights of the section on the page.
 constexpr double least_height = 230, largest_height = 900;
 
-struct Extent {
+struct BlockExtent {
     Range x, y;
 };
 
-Extent extent_of(const BlockMesh& mesh) {
-    Extent e{{mesh.vertices[0].x, mesh.vertices[0].x}, {mesh.vertices[0].y, mesh.vertices[0].y}};
+BlockExtent extent_of(const BlockMesh& mesh) {
+    BlockExtent e{{mesh.vertices[0].x, mesh.vertices[0].x}, {mesh.vertices[0].y, mesh.vertices[0].y}};
     for (const Point& p : mesh.vertices) {
         e.x = {std::min(e.x.low, p.x), std::max(e.x.high, p.x)};
         e.y = {std::min(e.y.low, p.y), std::max(e.y.high, p.y)};
@@ -97,7 +97,7 @@ class BlockPicture {
         const double width = style.width_in_units(usual_width);
         const bool is_beside = width >= least_page_beside;
         const double plot_width = width - left - right - (is_beside ? legend_width : 0);
-        const Extent extent = extent_of(mesh_);
+        const BlockExtent extent = extent_of(mesh_);
         const double scale = plot_width / (extent.x.high - extent.x.low);
         const double least = is_beside ? least_height : 0;
         const double plot_height = std::clamp(scale * (extent.y.high - extent.y.low), least, largest_height);

@@ -12,7 +12,7 @@ namespace rockslope::blockgen {
 namespace {
 
 /// A side of a cell: the numbers of its nodes, ascending.
-using Side = std::pair<std::size_t, std::size_t>;
+using GridSide = std::pair<std::size_t, std::size_t>;
 
 /// The contour as a graph of points on sides of cells, each joined to one in each cell beside it.
 class Contour {
@@ -39,7 +39,7 @@ class Contour {
         const std::array<std::size_t, 4> nodes = {grid_.index(ring, spoke), grid_.index(ring + 1, spoke),
                                                   grid_.index(ring + 1, spoke + 1),
                                                   grid_.index(ring, spoke + 1)};
-        std::vector<Side> crossed;
+        std::vector<GridSide> crossed;
         double middle = 0;
         for (std::size_t k = 0; k < 4; ++k) {
             middle += values_[nodes[k]] / 4;
@@ -53,16 +53,16 @@ class Contour {
             join(crossed[(k + shift) % crossed.size()], crossed[(k + shift + 1) % crossed.size()]);
     }
 
-    void join(const Side& a, const Side& b) {
+    void join(const GridSide& a, const GridSide& b) {
         joined_[a].push_back(b);
         joined_[b].push_back(a);
     }
 
     /// Follows a line and takes it out of the graph.
-    std::vector<Point> line_from(Side side) {
+    std::vector<Point> line_from(GridSide side) {
         std::vector<Point> line = {point_on(side)};
         while (!joined_[side].empty()) {
-            const Side next = joined_[side].back();
+            const GridSide next = joined_[side].back();
             joined_[side].pop_back();
             std::erase(joined_[next], side);
             line.push_back(point_on(next));
@@ -71,7 +71,7 @@ class Contour {
         return line;
     }
 
-    Point point_on(const Side& side) const {
+    Point point_on(const GridSide& side) const {
         const auto node = [&](std::size_t k) { return grid_.node(k / grid_.spokes, k % grid_.spokes); };
         const Point a = node(side.first), b = node(side.second);
         const double t = (level_ - values_[side.first]) / (values_[side.second] - values_[side.first]);
@@ -81,7 +81,7 @@ class Contour {
     const DiscGrid& grid_;
     const std::vector<double>& values_;
     double level_;
-    std::map<Side, std::vector<Side>> joined_;
+    std::map<GridSide, std::vector<GridSide>> joined_;
 };
 
 }  // namespace

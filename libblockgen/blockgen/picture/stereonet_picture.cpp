@@ -9,6 +9,7 @@
 
 #include "blockgen/picture/density_contours.hpp"
 #include "blockgen/picture/equal_area.hpp"
+#include "common/base/degree.hpp"
 #include "common/base/text.hpp"
 #include "common/drawing/axes.hpp"
 
@@ -19,7 +20,6 @@ namespace {
 using std::numbers::pi;
 
 constexpr double net_width = 400, net_margin = 34, net_legend_row = 16, net_legend_top = 30;
-constexpr double degree = pi / 180;
 
 /// The page round the net.
 class NetPage {

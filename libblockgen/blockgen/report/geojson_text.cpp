@@ -13,7 +13,7 @@ namespace rockslope::blockgen {
 
 namespace {
 
-std::string quoted(const std::string& text) {
+std::string json_text(const std::string& text) {
     return nlohmann::json(text).dump();
 }
 
@@ -21,7 +21,7 @@ const char* label_of(BlockMotion motion) {
     return motion == BlockMotion::fixed ? "fixed" : motion == BlockMotion::prescribed ? "prescribed" : "free";
 }
 
-void append_point(std::string& text, const Point& p) {
+void append_position(std::string& text, const Point& p) {
     text += "[" + shortest_text(p.x) + "," + shortest_text(p.y) + "]";
 }
 
@@ -32,23 +32,23 @@ void append_feature(std::string& text, const std::string& properties, const char
             R"(","coordinates":)" + coordinates + "}}";
 }
 
-void append_block(std::string& text, const BlockMesh& mesh, BlockIndex block) {
+void append_polygon(std::string& text, const BlockMesh& mesh, BlockIndex block) {
     std::string rings;
     for (std::size_t r = 0; r < mesh.ring_count(block); ++r) {
         rings += rings.empty() ? "[[" : ",[";
         const auto ring = mesh.ring(block, r);
         for (const VertexIndex v : ring) {
-            append_point(rings, mesh.vertices[v]);
+            append_position(rings, mesh.vertices[v]);
             rings += ",";
         }
-        append_point(rings, mesh.vertices[ring.front()]);
+        append_position(rings, mesh.vertices[ring.front()]);
         rings += "]";
     }
     std::string properties =
         R"("what":"block","block":)" + std::to_string(block.value()) + R"(,"block_material":)" +
-        quoted(mesh.block_materials[mesh.block_material[block]]) + R"(,"area_m2":)" +
+        json_text(mesh.block_materials[mesh.block_material[block]]) + R"(,"area_m2":)" +
         shortest_text(block_area(mesh, block)) + R"(,"motion":")" + label_of(mesh.motion[block]) + "\"";
-    if (!mesh.motion_name[block].empty()) properties += ",\"name\":" + quoted(mesh.motion_name[block]);
+    if (!mesh.motion_name[block].empty()) properties += ",\"name\":" + json_text(mesh.motion_name[block]);
     append_feature(text, properties, "Polygon", rings + "]");
 }
 
@@ -56,17 +56,17 @@ void append_water_table(std::string& text, const BlockMesh& mesh) {
     std::string line;
     for (const Point& p : water_line_across(mesh)) {
         line += line.empty() ? "[" : ",";
-        append_point(line, p);
+        append_position(line, p);
     }
     if (!line.empty()) append_feature(text, R"("what":"water_table")", "LineString", line + "]");
 }
 
-using Edge = std::pair<VertexIndex, VertexIndex>;
+using EndPair = std::pair<VertexIndex, VertexIndex>;
 
 /// The edges between blocks by joint and joint material, each once.
-std::map<std::pair<JointIndex, JointMaterialIndex>, std::vector<Edge>> edges_of_joints(
+std::map<std::pair<JointIndex, JointMaterialIndex>, std::vector<EndPair>> edges_of_joints(
     const BlockMesh& mesh) {
-    std::map<std::pair<JointIndex, JointMaterialIndex>, std::vector<Edge>> edges;
+    std::map<std::pair<JointIndex, JointMaterialIndex>, std::vector<EndPair>> edges;
     for (const BlockIndex block : mesh.blocks())
         for (std::size_t r = 0; r < mesh.ring_count(block); ++r) {
             const auto ring = mesh.ring(block, r);
@@ -85,23 +85,23 @@ std::map<std::pair<JointIndex, JointMaterialIndex>, std::vector<Edge>> edges_of_
 
 std::string geojson_text(const BlockMesh& mesh, const std::string& crs) {
     std::string text = R"({"type":"FeatureCollection",)";
-    if (!crs.empty()) text += R"("crs":{"type":"name","properties":{"name":)" + quoted(crs) + "}},";
+    if (!crs.empty()) text += R"("crs":{"type":"name","properties":{"name":)" + json_text(crs) + "}},";
     text += "\"features\":[\n";
-    for (const BlockIndex block : mesh.blocks()) append_block(text, mesh, block);
+    for (const BlockIndex block : mesh.blocks()) append_polygon(text, mesh, block);
     for (const auto& [mark, edges] : edges_of_joints(mesh)) {
         std::string lines;
         for (const auto& [a, b] : edges) {
             lines += lines.empty() ? "[[" : ",[";
-            append_point(lines, mesh.vertices[a]);
+            append_position(lines, mesh.vertices[a]);
             lines += ",";
-            append_point(lines, mesh.vertices[b]);
+            append_position(lines, mesh.vertices[b]);
             lines += "]";
         }
         const auto& [joint, material] = mark;
         std::string properties = R"("what":"joint",)";
         if (joint.exists()) properties += "\"joint\":" + std::to_string(joint.value()) + ",";
-        properties += "\"name\":" + quoted(joint.exists() ? mesh.joints[joint].set : "outline") +
-                      ",\"joint_material\":" + quoted(mesh.joint_materials[material]);
+        properties += "\"name\":" + json_text(joint.exists() ? mesh.joints[joint].set : "outline") +
+                      ",\"joint_material\":" + json_text(mesh.joint_materials[material]);
         append_feature(text, properties, "MultiLineString", lines + "]");
     }
     append_water_table(text, mesh);

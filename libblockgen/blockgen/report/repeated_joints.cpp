@@ -5,15 +5,15 @@
 #include <cstdio>
 #include <map>
 
-#include "blockgen/input/read_shapes.hpp"
 #include "blockgen/input/trace_length.hpp"
+#include "common/geometry/point_text.hpp"
 
 namespace rockslope::blockgen {
 
 namespace {
 
 /// The pieces of a joint along earlier ones.
-struct Overlap {
+struct SharedLine {
     double length = 0;   ///< m
     Point first_moment;  ///< m2: the sum of the pieces' middles times their lengths
     JointTraceIndex earlier;
@@ -26,8 +26,8 @@ struct Overlap {
     }
 };
 
-std::map<JointTraceIndex, Overlap> overlaps_of(const CutContext& cut) {
-    std::map<JointTraceIndex, Overlap> overlaps;
+std::map<JointTraceIndex, SharedLine> shared_lines_of(const CutContext& cut) {
+    std::map<JointTraceIndex, SharedLine> lines;
     for (const EdgeIndex e : cut.noded.edges.indices()) {
         const auto sources = cut.noded.sources_of(e);
         if (sources.size() < 2 || !cut.is_rock(forward_half(e)) || !cut.is_rock(backward_half(e))) continue;
@@ -39,12 +39,12 @@ std::map<JointTraceIndex, Overlap> overlaps_of(const CutContext& cut) {
                 first = last;
                 continue;
             }
-            Overlap& overlap = overlaps.try_emplace(last, Overlap{0, {}, first}).first->second;
-            overlap.add(cut.noded.frame.position(cut.noded.vertices[cut.noded.edges[e].first]),
-                        cut.noded.frame.position(cut.noded.vertices[cut.noded.edges[e].second]));
+            SharedLine& shared = lines.try_emplace(last, SharedLine{0, {}, first}).first->second;
+            shared.add(cut.noded.frame.position(cut.noded.vertices[cut.noded.edges[e].first]),
+                       cut.noded.frame.position(cut.noded.vertices[cut.noded.edges[e].second]));
         }
     }
-    return overlaps;
+    return lines;
 }
 
 }  // namespace
@@ -52,11 +52,11 @@ std::map<JointTraceIndex, Overlap> overlaps_of(const CutContext& cut) {
 std::vector<Change> repeated_joints(const CutContext& cut) {
     constexpr double least_repeated_share = 0.01;
     std::vector<Change> changes;
-    for (const auto& [joint, overlap] : overlaps_of(cut)) {
-        if (overlap.length < least_repeated_share * length_of(cut.traces[joint])) continue;
-        const Point middle{overlap.first_moment.x / overlap.length, overlap.first_moment.y / overlap.length};
-        changes.push_back({ChangeKind::joint_repeated, middle, 0, overlap.length, cut.traces[joint].name,
-                           cut.traces[overlap.earlier].name});
+    for (const auto& [joint, shared] : shared_lines_of(cut)) {
+        if (shared.length < least_repeated_share * length_of(cut.traces[joint])) continue;
+        const Point middle{shared.first_moment.x / shared.length, shared.first_moment.y / shared.length};
+        changes.push_back({ChangeKind::joint_repeated, middle, 0, shared.length, cut.traces[joint].name,
+                           cut.traces[shared.earlier].name});
     }
     return changes;
 }

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "blockgen/report/cut_report.hpp"
+#include "common/base/degree.hpp"
 
 namespace rockslope::blockgen {
 
@@ -115,7 +116,6 @@ void directions_table(Page& page, const CutReport& r) {
 
 /// Mean planes in space of the sets.
 void planes_table(Page& page, const CutReport& r) {
-    constexpr double degree = std::numbers::pi / 180;
     if (r.planes.empty()) return;
     page.line("\nPlanes in space       number  mean dip  dip direction   Fisher K   asked for");
     for (const JointPlanes& set : r.planes)

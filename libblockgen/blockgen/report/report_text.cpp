@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "blockgen/report/cut_report.hpp"
+#include "common/base/degree.hpp"
 
 namespace rockslope::blockgen {
 
@@ -106,7 +107,6 @@ nlohmann::ordered_json noding_json(const NodingProof& p) {
 }
 
 nlohmann::ordered_json planes_json(const std::vector<JointPlanes>& sets) {
-    constexpr double degree = std::numbers::pi / 180;
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
     for (const JointPlanes& set : sets) {
         nlohmann::ordered_json row = {{"name", set.name},
@@ -121,7 +121,6 @@ nlohmann::ordered_json planes_json(const std::vector<JointPlanes>& sets) {
 }
 
 nlohmann::ordered_json densest_planes_json(const DensestPlanes& d) {
-    constexpr double degree = std::numbers::pi / 180;
     return {{"poles", d.count},
             {"percent_per_percent_of_area", d.density},
             {"uniform_deviation", d.uniform_deviation},

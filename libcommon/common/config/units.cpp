@@ -3,6 +3,7 @@
 #include <numbers>
 #include <span>
 
+#include "common/base/degree.hpp"
 #include "common/config/config_table.hpp"
 
 namespace rockslope {
@@ -14,7 +15,6 @@ struct Unit {
     double factor;
 };
 
-constexpr double degree = std::numbers::pi / 180;
 constexpr double turn = 2 * std::numbers::pi;
 constexpr double standard_gravity = 9.80665;  // m/s2, exact by definition
 

@@ -4,15 +4,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "common/base/degree.hpp"
 #include "dda/joint/parameter_table.hpp"
 
 namespace rockslope::dda {
-
-namespace {
-
-constexpr double degree = std::numbers::pi / 180;
-
-}  // namespace
 
 double BartonStrength::roughness_angle(double normal_force, double length) const {
     if (!(normal_force > 0) || !(length > 0)) return 0;

@@ -15,12 +15,12 @@ constexpr double max_gap_ratio = 1e-3;  // largest gap between faces over their 
 constexpr double max_layers = 1e5;      // per face
 
 /// Heights between which a face lies, m, and its block.
-struct Piece {
+struct FacePiece {
     double from = 0, to = 0;
     BlockIndex block;
 };
 
-Piece piece_of(const Model& model, const FacePart& face) {
+FacePiece face_piece_of(const Model& model, const FacePart& face) {
     const Topology& topology = model.topology;
     const Vec2& first = model.vertices[start_of(face.edge)];
     const Vec2 along = model.vertices[topology.end_of(face.edge)] - first;
@@ -34,12 +34,13 @@ Piece piece_of(const Model& model, const FacePart& face) {
 
 FreeField make_free_field(const Model& model, std::span<const FacePart> faces,
                           const std::string& base_boundary, double layer) {
-    std::vector<Piece> pieces;
-    for (const FacePart& face : faces) pieces.push_back(piece_of(model, face));
+    std::vector<FacePiece> pieces;
+    for (const FacePart& face : faces) pieces.push_back(face_piece_of(model, face));
     if (pieces.empty()) throw std::invalid_argument("there is no face beside it");
-    std::sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.from < b.from; });
+    std::sort(pieces.begin(), pieces.end(),
+              [](const FacePiece& a, const FacePiece& b) { return a.from < b.from; });
     FreeField field{base_boundary, {pieces.front().from}, {}};
-    for (const Piece& piece : pieces) {
+    for (const FacePiece& piece : pieces) {
         const double height = piece.to - piece.from;
         if (std::abs(piece.from - field.nodes.back()) > max_gap_ratio * height)
             throw std::invalid_argument("the faces beside it do not follow each other");

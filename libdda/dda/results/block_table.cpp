@@ -3,16 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <numbers>
 #include <set>
 
+#include "common/base/degree.hpp"
 #include "dda/writers/csv_file.hpp"
 
 namespace rockslope::dda {
 
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
 constexpr std::size_t max_printed = 10;  // rows of the table of blocks on planes
 
 template <class... Values>

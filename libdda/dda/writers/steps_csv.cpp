@@ -4,42 +4,42 @@ namespace rockslope::dda {
 
 namespace {
 
-constexpr const char* headings[] = {"time (s)",
-                                    "stage",
-                                    "step (s)",
-                                    "iterations",
-                                    "factorizations",
-                                    "fallbacks",
-                                    "cuts",
-                                    "open",
-                                    "sliding",
-                                    "locked",
-                                    "largest penetration (m)",
-                                    "dilation left (m)",
-                                    "largest displacement (m)",
-                                    "unbalanced force (weight)",
-                                    "omega_contact dt",
-                                    "kinetic (J/m)",
-                                    "strain (J/m)",
-                                    "contact (J/m)",
-                                    "constraint (J/m)",
-                                    "gravity (J/m)",
-                                    "friction loss (J/m)",
-                                    "damping loss (J/m)",
-                                    "contact damping loss (J/m)",
-                                    "numerical loss (J/m)",
-                                    "released (J/m)",
-                                    "boundary loss (J/m)",
-                                    "excavated (J/m)",
-                                    "external work (J/m)",
-                                    "residual (J/m)"};
+constexpr const char* step_headings[] = {"time (s)",
+                                         "stage",
+                                         "step (s)",
+                                         "iterations",
+                                         "factorizations",
+                                         "fallbacks",
+                                         "cuts",
+                                         "open",
+                                         "sliding",
+                                         "locked",
+                                         "largest penetration (m)",
+                                         "dilation left (m)",
+                                         "largest displacement (m)",
+                                         "unbalanced force (weight)",
+                                         "omega_contact dt",
+                                         "kinetic (J/m)",
+                                         "strain (J/m)",
+                                         "contact (J/m)",
+                                         "constraint (J/m)",
+                                         "gravity (J/m)",
+                                         "friction loss (J/m)",
+                                         "damping loss (J/m)",
+                                         "contact damping loss (J/m)",
+                                         "numerical loss (J/m)",
+                                         "released (J/m)",
+                                         "boundary loss (J/m)",
+                                         "excavated (J/m)",
+                                         "external work (J/m)",
+                                         "residual (J/m)"};
 
 class StepsCsv : public CsvWriter {
   public:
     explicit StepsCsv(const WriterContext& context) : CsvWriter(context, "steps.csv") {
         if (context.resume_from) return;
         CsvRow row = table().row();
-        for (const char* heading : headings) row.text(heading);
+        for (const char* heading : step_headings) row.text(heading);
         table().append(row.line());
     }
 

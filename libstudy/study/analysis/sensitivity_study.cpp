@@ -8,6 +8,7 @@
 #include "common/base/input_error.hpp"
 #include "common/base/text.hpp"
 #include "study/folder/study_folder.hpp"
+#include "study/plan/rows.hpp"
 #include "study/statistics/sensitivity.hpp"
 
 namespace rockslope::study {
@@ -31,13 +32,6 @@ struct DesignRow {
     int place = 0;
     std::optional<double> value;
 };
-
-std::vector<std::size_t> independent_factors(const Plan& plan) {
-    std::vector<std::size_t> factors;
-    for (std::size_t k = 0; k < plan.factors.size(); ++k)
-        if (plan.factors[k].paired_with.empty()) factors.push_back(k);
-    return factors;
-}
 
 std::vector<DesignRow> design_rows(const StudyRows& rows, std::size_t measure) {
     const std::size_t replicate = *rows.runs.find(replicate_column), block = *rows.runs.find(block_column),

@@ -79,17 +79,18 @@ void draw_shares(Canvas& canvas, const Axes& axes, const Fragility& fragility) {
                           white, Stroke{black, 1.1});
 }
 
-std::string figure(double value) {
+std::string short_figure(double value) {
     char text[32];
     std::snprintf(text, sizeof text, "%.3g", value);
     return text;
 }
 
 std::string title_of(const Fragility& fragility) {
-    const std::string question = fragility.measure_heading + " beyond " + figure(fragility.request.limit);
+    const std::string question =
+        fragility.measure_heading + " beyond " + short_figure(fragility.request.limit);
     if (!fragility.curve) return question + ": no curve";
-    return question + ": median " + figure(fragility.curve->median) + ", dispersion " +
-           figure(fragility.curve->dispersion);
+    return question + ": median " + short_figure(fragility.curve->median) + ", dispersion " +
+           short_figure(fragility.curve->dispersion);
 }
 
 void draw_title(Canvas& canvas, const std::string& title) {
@@ -142,7 +143,7 @@ Canvas draw_convergence(const Fragility& fragility, const TextTable& convergence
     const std::string groups =
         fragility.groupings.empty() ? "rows" : "groups of " + fragility.groupings.front().name;
     axes.draw(canvas, "number of " + groups, "median, " + fragility.intensity_heading, true);
-    draw_title(canvas, fragility.measure_heading + " beyond " + figure(fragility.request.limit) +
+    draw_title(canvas, fragility.measure_heading + " beyond " + short_figure(fragility.request.limit) +
                            ": the median and its band");
     return canvas;
 }
@@ -184,7 +185,7 @@ Canvas draw_sensitivity(const SensitivityStudy& study) {
     for (const double tick : ticks) {
         const double x = axes.to_page({tick, 0}).x;
         canvas.polyline(std::vector<Point>{{x, upper_left.y}, {x, bottom}}, {pale_grey, 0.6});
-        canvas.text({x, bottom + 14}, figure(tick), {8.5, black, Anchor::middle});
+        canvas.text({x, bottom + 14}, short_figure(tick), {8.5, black, Anchor::middle});
     }
     canvas.text({(bars_left + lower_right.x) / 2, bottom + 32}, study.measure_heading + ", " + study.kind,
                 {9, black, Anchor::middle});

@@ -15,14 +15,6 @@ constexpr double most_combinations = 1e7;
 /// Quantiles of a distribution at which one-at-a-time designs take it.
 constexpr double low_quantile = 0.05, high_quantile = 0.95;
 
-/// The factors that vary by themselves, as indices; the paired ones go with them.
-std::vector<std::size_t> independent_factors(const Plan& plan) {
-    std::vector<std::size_t> factors;
-    for (std::size_t k = 0; k < plan.factors.size(); ++k)
-        if (plan.factors[k].paired_with.empty()) factors.push_back(k);
-    return factors;
-}
-
 std::string number_text(double value, const std::string& unit) {
     std::string text = shortest_text(value);
     if (!unit.empty()) return "\"" + text + " " + unit + "\"";
@@ -180,6 +172,13 @@ std::vector<Row> rows_without_replicates(const Plan& plan) {
 }
 
 }  // namespace
+
+std::vector<std::size_t> independent_factors(const Plan& plan) {
+    std::vector<std::size_t> factors;
+    for (std::size_t k = 0; k < plan.factors.size(); ++k)
+        if (plan.factors[k].paired_with.empty()) factors.push_back(k);
+    return factors;
+}
 
 std::vector<Row> make_rows(const Plan& plan) {
     std::vector<Row> rows;

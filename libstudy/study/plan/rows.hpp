@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,9 @@ struct Row {
     int place = 0;      ///< within its block, from 0
     int previous = -1;  ///< incremental: index of the row of the next smaller intensity
 };
+
+/// The factors that vary by themselves, as indices; the paired ones go with them.
+std::vector<std::size_t> independent_factors(const Plan& plan);
 
 /// The rows of a plan, in the order of the design; the replicates of a row follow each other.
 /// @throws InputError for more than ten million rows.

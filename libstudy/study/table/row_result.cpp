@@ -5,8 +5,8 @@
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
+#include "common/base/degree.hpp"
 #include "common/base/input_error.hpp"
 #include "common/base/read_file.hpp"
 #include "common/base/text.hpp"
@@ -19,8 +19,6 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 Json read_json(const fs::path& file) {
     Json json = Json::parse(read_text_file(file), nullptr, false);
