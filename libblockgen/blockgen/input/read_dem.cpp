@@ -8,7 +8,6 @@
 #include "blockgen/input/length_unit.hpp"
 #include "blockgen/input/place_coordinates.hpp"
 #include "blockgen/input/read_section.hpp"
-#include "blockgen/input/read_shapes.hpp"
 #include "common/base/text.hpp"
 #include "common/geometry/clip_line.hpp"
 #include "common/geometry/point_text.hpp"

@@ -9,7 +9,6 @@
 #include "blockgen/input/profile.hpp"
 #include "blockgen/input/read_dem.hpp"
 #include "blockgen/input/read_section.hpp"
-#include "blockgen/input/read_shapes.hpp"
 #include "common/base/magnitude.hpp"
 #include "common/base/text.hpp"
 #include "common/geometry/point_text.hpp"

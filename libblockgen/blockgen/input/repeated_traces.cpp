@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <unordered_set>
 
-#include "blockgen/input/read_shapes.hpp"
 #include "common/geometry/orientation.hpp"
 #include "common/geometry/point_text.hpp"
 
