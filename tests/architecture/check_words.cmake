@@ -7,7 +7,7 @@ cmake_minimum_required(VERSION 3.25)
 set(retired
     "Crew>ThreadPool" "taken_together>parallel_reduce" "for_ranges>parallel_for" "Look>Prediction"
     "look_again>retry" "turned_unexpectedly>rotation_prediction_failed" "HeldFriction>FrictionCoupling"
-    "JudgedContact>EvaluatedContact" "choose_springs>update_active_set" "choose_lines>select_first_entrances"
+    "JudgedContact>EvaluatedContact" "choose_springs>update_active_set" "choose_lines>EntranceLines::select_first"
     "belongs_to_faces>history scope" "KnownDepth>inherited penetration" "stood_for>inherited penetration"
     "held_back>inhibited" "faces_outwards>entrance-angle test" "Intrusion>UndetectedPenetration" "Estate>predecessors"
     "heirs>successors" "Kin>match level" "rest_gap>stress_free_gap" "go_as_told>prescribed slip"

@@ -9,14 +9,15 @@ set(storeys_of_study "statistics design csv" "plan" "folder" "table cluster" "an
 
 # The files of the large rooms from the ground up, each with its header; files on one line do not see each other.
 set(levels_of_trial
-    "contact_law joint_motion shear_energy step_problem"
-    "segment_strength"
-    "segment_friction"
+    "contact_law joint_motion shear_energy shear_line step_problem"
+    "contact_trial segment_strength trial_bolts"
+    "segment_friction single_strength"
     "trial_contacts"
-    "shear_line trial_bounds trial_dilation")
+    "entrance_lines joint_dilation shear_bounds"
+    "step_contacts")
 set(levels_of_solve
-    "augmentation augmentation_rounds balance_progress dilation_rounds entrance_rounds gap_settling iterate limited_contacts line_search path_contact step_counts step_matrix"
-    "friction_coupling interior_point patch_balance"
+    "augmentation balance_progress break_bonds dilation_rounds entrance_rounds gap_settling iterate limited_contacts line_search path_contact step_counts step_matrix"
+    "augmentation_rounds friction_coupling interior_point patch_balance"
     "interior_coupling"
     "open_close_iteration"
     "contact_solution")

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dda/trial/trial_contacts.hpp"
+#include "dda/trial/step_contacts.hpp"
 #include "support/first_step.hpp"
 
 namespace rockslope::scene {
@@ -22,7 +22,9 @@ struct RestingContacts {
 
     FirstStep step;
     dda::StepProblem problem = step.problem();
-    dda::TrialContacts trials{problem, step.pool};
+    dda::StepContacts contacts{problem, step.pool};
+    dda::TrialContacts& trials = contacts.trials;
+    dda::ShearBounds& bounds = contacts.bounds;
 
     explicit RestingContacts(const Scene& s) : step(s.model) {}
     explicit RestingContacts(const dda::JointLaw& law) : RestingContacts(resting_block(law)) {}

@@ -8,6 +8,8 @@
 #include "dda/analysis/step_equations.hpp"
 #include "dda/solve/contact_solution.hpp"
 #include "dda/solve/methods/limited_contacts.hpp"
+#include "dda/solve/outer/break_bonds.hpp"
+#include "dda/trial/step_contacts.hpp"
 #include "support/recorded_step.hpp"
 
 namespace rockslope::recorded_step {
@@ -44,11 +46,12 @@ class StepRecorder {
         dda::PerContact<const dda::EvaluatedContact*> solution;
         for (const dda::EvaluatedContact& contact : result.contacts) solution.push_back(&contact);
         problem.guess = solution;
-        dda::TrialContacts trials(problem, pool_);
-        evaluate(trials, result);
+        dda::StepContacts step_contacts(problem, pool_);
+        const dda::TrialContacts& trials = step_contacts.trials;
+        evaluate(problem, step_contacts, result);
         recorded.tolerance = trials.tolerance();
         dda::PerContact<dda::LimitedContact> contacts;
-        dda::limit_contacts(problem, trials, result.displacement, pool_, contacts);
+        dda::limit_contacts(problem, trials, step_contacts.bounds, result.displacement, pool_, contacts);
         for (const dda::ContactIndex k : contacts.indices())
             if (contacts[k].may_close)
                 recorded.contacts.push_back({*contacts[k].rows, contacts[k], start[k]});
@@ -74,22 +77,22 @@ class StepRecorder {
         const dda::TrialContacts trials(problem, pool_);
         std::vector<dda::Piece> pieces(trials.count() + problem.bolts.size());
         for (std::size_t k = 0; k < trials.count(); ++k) {
-            if (trials.has_normal_spring(dda::ContactIndex(k)))
-                pieces[k].normal = dda::Piece::Normal::pressed;
-            if (!trials.has_shear_spring(dda::ContactIndex(k)))
-                pieces[k].slides = trials.slides_forward(dda::ContactIndex(k)) ? 1 : -1;
+            const dda::ContactTrial& trial = trials[dda::ContactIndex(k)];
+            if (trial.has_normal_spring) pieces[k].normal = dda::Piece::Normal::pressed;
+            if (!trial.has_shear_spring) pieces[k].slides = trial.slides_forward ? 1 : -1;
         }
         return pieces;
     }
     /// Evaluates the laws at the solution.
-    static void evaluate(dda::TrialContacts& trials, const dda::OpenCloseResult& result) {
-        trials.set_displacement(result.displacement, result.displacement);
-        trials.select_first_entrances();
-        trials.update_all_bounds();
-        while (trials.break_bonds()) trials.update_all_bounds();
-        trials.update_active_set();
-        trials.update_all_bounds();
-        trials.force_change();
+    static void evaluate(const dda::StepProblem& problem, dda::StepContacts& contacts,
+                         const dda::OpenCloseResult& result) {
+        contacts.trials.set_displacement(result.displacement, result.displacement);
+        contacts.entrances.select_first();
+        contacts.bounds.update_all();
+        while (dda::break_bonds(problem, contacts.trials)) contacts.bounds.update_all();
+        contacts.trials.update_active_set();
+        contacts.bounds.update_all();
+        contacts.trials.force_change();
     }
 
     const dda::Model& model_;

@@ -35,25 +35,23 @@ struct LoadedWall {
         start = moved(random, step.rows.count(), 1);
         solver->analyze(step.pattern);
     }
-    dda::TrialContacts trials(const dda::StepProblem& problem) const {
-        dda::TrialContacts trials(problem, step.pool);
-        trials.set_displacement(start, start);
-        trials.select_first_entrances();
-        trials.update_bounds();
-        return trials;
-    }
 };
 
 /// The interior-point method at the start of that step.
 struct WallFromInside {
     LoadedWall wall;
     dda::StepProblem problem = wall.step.problem();
-    dda::TrialContacts trials = wall.trials(problem);
+    dda::StepContacts contacts{problem, wall.step.pool};
+    dda::TrialContacts& trials = contacts.trials;
     dda::StepMatrix matrix{problem, wall.step.pattern, wall.work.matrix, wall.step.pool};
-    dda::InteriorPoint interior{problem, trials, matrix, *wall.solver, wall.step.pool};
+    dda::InteriorPoint interior{problem, contacts, matrix, *wall.solver, wall.step.pool};
     dda::PerRow<Vec6> d{wall.start};
 
-    WallFromInside(unsigned seed, double friction_angle) : wall(seed, friction_angle) {}
+    WallFromInside(unsigned seed, double friction_angle) : wall(seed, friction_angle) {
+        trials.set_displacement(wall.start, wall.start);
+        contacts.entrances.select_first();
+        contacts.bounds.update();
+    }
 };
 
 }  // namespace rockslope::scene

@@ -11,11 +11,12 @@
 #include "dda/solve/methods/line_search.hpp"
 #include "dda/solve/methods/patch_balance.hpp"
 #include "dda/solve/outer/augmentation_rounds.hpp"
+#include "dda/solve/outer/break_bonds.hpp"
 #include "dda/solve/outer/dilation_rounds.hpp"
 #include "dda/solve/outer/entrance_rounds.hpp"
 #include "dda/solve/outer/gap_settling.hpp"
 #include "dda/solve/step_matrix.hpp"
-#include "dda/trial/trial_contacts.hpp"
+#include "dda/trial/step_contacts.hpp"
 
 namespace rockslope::dda {
 
@@ -55,13 +56,13 @@ class OpenCloseIteration {
           matrix_(problem, pattern, work.matrix, pool),
           pool_(pool),
           times_(work.times),
-          trials_(problem, pool),
-          entrances_(trials_),
-          dilation_(trials_),
-          augmentation_(trials_),
+          contacts_(problem, pool),
+          entrances_(contacts_.entrances),
+          dilation_(contacts_.dilation),
+          augmentation_(problem, trials_),
           line_search_(problem, trials_, pool),
-          friction_coupling_(problem, trials_, solver, pool),
-          patches_(problem, trials_, work.patches, pool),
+          friction_coupling_(problem, contacts_, solver, pool),
+          patches_(problem, contacts_, work.patches, pool),
           fallbacks_before_(solver.fallbacks()),
           force_(problem.contacts.size()),
           iterate_(problem.rows.count()),
@@ -134,9 +135,9 @@ class OpenCloseIteration {
         iterate_.movable().assign(p_.found.begin(), p_.found.end());
         iterate_.stop_here();
         evaluate_exactly();
-        trials_.select_first_entrances();
-        trials_.update_bounds();
-        if (relax_in_patches(0)) trials_.update_bounds();
+        contacts_.entrances.select_first();
+        bounds_.update();
+        if (relax_in_patches(0)) bounds_.update();
         trials_.update_active_set();
     }
 
@@ -159,7 +160,7 @@ class OpenCloseIteration {
     /// their laws well enough for the interior-point method.
     bool is_stalled() const {
         return p_.time.is_static() && !is_in_patches() && !interior_point_failed_ &&
-               !trials_.has_segments() &&
+               !bounds_.has_segments() &&
                (iterations_since_restart() >= bound_update_iterations || short_steps_ >= short_length_limit);
     }
 
@@ -167,7 +168,7 @@ class OpenCloseIteration {
     /// another one. Where its path folds back, the bounds of all contacts are held for a round: that problem
     /// is convex. @return whether the result has converged.
     bool solve_from_inside() {
-        InteriorPoint interior(p_, trials_, matrix_, solver_, pool_, times_);
+        InteriorPoint interior(p_, contacts_, matrix_, solver_, pool_, times_);
         PathStart start;
         bool failed = false;
         bool restarted = false;
@@ -179,7 +180,7 @@ class OpenCloseIteration {
             substitutions_ += found.substitutions;
             iterate_.stop_here();
             evaluate_exactly();
-            trials_.update_all_bounds();
+            bounds_.update_all();
             if (!found.converged) {
                 failed = start.hold_bounds || found.iterations == 0;
                 start = {.hold_bounds = true};
@@ -188,15 +189,15 @@ class OpenCloseIteration {
             interior.set_linear_forces();
             const bool at_minimum = is_at_minimum();
             start = {.force_change = result_.force_change};
-            if (!at_minimum || trials_.break_bonds()) continue;
+            if (!at_minimum || break_bonds(p_, trials_)) continue;
             accept_or_restart();
             if (result_.converged) return true;
             restarted = true;
         }
         interior_point_failed_ = !restarted;
         iterations_at_restart_ = result_.iterations;
-        trials_.select_first_entrances();
-        trials_.update_bounds();
+        contacts_.entrances.select_first();
+        bounds_.update();
         trials_.update_active_set();
         return false;
     }
@@ -204,20 +205,20 @@ class OpenCloseIteration {
     /// Updates entrance lines, dilation and shear bounds, and tests for convergence. Bounds that do not
     /// follow every iterate are mixed from one minimum of the potential to the next.
     void update_bounds_and_test(bool bounds_follow) {
-        const Eigen::VectorXd previous_bounds = bounds_follow ? Eigen::VectorXd() : trials_.shear_bounds();
+        const Eigen::VectorXd previous_bounds = bounds_follow ? Eigen::VectorXd() : bounds_.values();
         follow_entrances();
         dilation_.follow(result_.iterations);
-        trials_.update_bounds();
-        if (is_converged_exactly() && !trials_.break_bonds())
+        bounds_.update();
+        if (is_converged_exactly() && !break_bonds(p_, trials_))
             accept_or_restart();
         else if (!bounds_follow)
-            trials_.set_shear_bounds(bound_mixing_.next(previous_bounds, trials_.shear_bounds()));
+            bounds_.set_values(bound_mixing_.next(previous_bounds, bounds_.values()));
     }
 
     /// Along lines the first entrances follow every iterate, in patches as EntranceRounds has it.
     void follow_entrances() {
         if (beginning_ == Beginning::along_lines)
-            trials_.select_first_entrances();
+            contacts_.entrances.select_first();
         else
             entrances_.follow(iterations_since_restart(), [this] { return is_at_minimum(); });
     }
@@ -253,7 +254,7 @@ class OpenCloseIteration {
         });
         for (std::size_t k = 0; k < p_.bolts.size(); ++k) {
             const BoltSpring& b = p_.bolts[k];
-            b.rows.add_force(b.elongation, -trials_.linear_bolt_force(k, b.elongation.prescribed), load_);
+            b.rows.add_force(b.elongation, -trials_.bolts().linear_force(k, b.elongation.prescribed), load_);
         }
     }
 
@@ -325,22 +326,22 @@ class OpenCloseIteration {
     void test_and_relax() {
         follow_entrances();
         // Without dilation the force change is found by the test below, if the iterate is at the target.
-        const bool seeks_minimum = trials_.any_dilates() || !iterate_.is_at_target();
+        const bool seeks_minimum = contacts_.dilation.any() || !iterate_.is_at_target();
         if (DilationRounds::follows(result_.iterations) && seeks_minimum && is_at_minimum())
-            trials_.update_dilation();
-        trials_.update_bounds();
-        if (iterate_.is_at_target() && is_converged_exactly() && !trials_.break_bonds()) {
+            contacts_.dilation.update();
+        bounds_.update();
+        if (iterate_.is_at_target() && is_converged_exactly() && !break_bonds(p_, trials_)) {
             accept_or_restart();
             return;
         }
         relax_in_patches(iterations_since_restart());
         if (accepts_patches() && patches_.is_complete(iterate_.displacement()) && agrees_with_patches() &&
-            !trials_.break_bonds()) {
+            !break_bonds(p_, trials_)) {
             accept_or_restart();
             return;
         }
         dilation_.follow(result_.iterations);
-        trials_.update_bounds();
+        bounds_.update();
     }
     /// Balances blocks in patches. @param iteration of the step, as PatchBalance counts. @return whether any.
     bool relax_in_patches(int iteration) {
@@ -357,7 +358,7 @@ class OpenCloseIteration {
         iterate_.stop_here();
         trials_.measure_gaps(iterate_.displacement());
         follow_entrances();
-        trials_.update_all_bounds();
+        bounds_.update_all();
         if (is_at_minimum()) return true;
         test_gaps(result_.force_change);
         return false;
@@ -385,10 +386,10 @@ class OpenCloseIteration {
             iterate_.follow_target();
             evaluate_exactly();
             follow_entrances();
-        } else if (!trials_.has_segments()) {
+        } else if (!bounds_.has_segments()) {
             return true;
         }
-        trials_.update_all_bounds();
+        bounds_.update_all();
         return is_at_minimum();
     }
 
@@ -398,7 +399,8 @@ class OpenCloseIteration {
         result_.displacement.assign(iterate_.displacement().begin(), iterate_.displacement().end());
         result_.contacts.resize(trials_.count());
         trials_.evaluate(result_.contacts);
-        for (std::size_t k = 0; k < p_.bolts.size(); ++k) result_.bolt_force.push_back(trials_.bolt_force(k));
+        for (std::size_t k = 0; k < p_.bolts.size(); ++k)
+            result_.bolt_force.push_back(trials_.bolts().force(k));
     }
 
     const StepProblem& p_;
@@ -407,7 +409,9 @@ class OpenCloseIteration {
     const ThreadPool& pool_;
     PhaseTimes* times_;
     Beginning beginning_ = Beginning::in_patches;
-    TrialContacts trials_;
+    StepContacts contacts_;
+    TrialContacts& trials_ = contacts_.trials;
+    ShearBounds& bounds_ = contacts_.bounds;
     EntranceRounds entrances_;
     DilationRounds dilation_;
     AugmentationRounds augmentation_;

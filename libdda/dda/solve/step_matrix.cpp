@@ -67,13 +67,14 @@ void StepMatrix::assemble_changed_rows() {
 }
 
 StepMatrix::Springs StepMatrix::springs_of(const TrialContacts& trials, ContactIndex contact) const {
-    return {trials.has_normal_spring(contact) ? trials.normal_stiffness(contact) : 0,
-            trials.has_shear_spring(contact) ? p_.springs[contact].shear_stiffness : 0,
-            trials.has_normal_spring(contact) ? trials.tilt(contact) : 0};
+    const ContactTrial& trial = trials[contact];
+    return {trial.has_normal_spring ? trial.tangent.stiffness : 0,
+            trial.has_shear_spring ? p_.springs[contact].shear_stiffness : 0,
+            trial.has_normal_spring ? trial.tilt : 0};
 }
 
 double StepMatrix::stiffness_of_bolt(const TrialContacts& trials, std::size_t bolt) const {
-    return trials.is_elastic(bolt) ? p_.bolts[bolt].stiffness : 0;
+    return trials.bolts().is_elastic(bolt) ? p_.bolts[bolt].stiffness : 0;
 }
 
 void StepMatrix::update_springs(const TrialContacts& trials) {

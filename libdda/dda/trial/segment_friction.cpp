@@ -40,11 +40,13 @@ void SegmentFriction::find_exponents(std::size_t index) {
     segment.has_exponents = true;
 }
 
-BoundLine SegmentFriction::line(ContactIndex contact, bool forward, double normal_force) const {
+ShearLine SegmentFriction::line(ContactIndex contact, bool forward, double normal_force) const {
     const Segment& segment = segment_of(contact);
     const double ratio = forward ? segment.over_normal_force.forward : segment.over_normal_force.backward;
     const double curvature_term = ratio * (forward ? segment.forward_exponent : segment.backward_exponent);
-    return {ratio + curvature_term, -curvature_term * std::max(normal_force, 0.0)};
+    return {.slope = ratio + curvature_term,
+            .cohesion = -curvature_term * std::max(normal_force, 0.0),
+            .is_missing = !segment.has_exponents};
 }
 
 }  // namespace rockslope::dda

@@ -7,14 +7,9 @@
 
 #include "common/base/thread_pool.hpp"
 #include "dda/trial/segment_strength.hpp"
+#include "dda/trial/shear_line.hpp"
 
 namespace rockslope::dda {
-
-/// A shear bound as a straight line over the normal force.
-struct BoundLine {
-    double slope = 0;
-    double cohesion = 0;  ///< value at zero normal force, N per metre
-};
 
 /// Shear bounds of the contacts on joint segments. A segment has one ratio of strength over normal force,
 /// that of its mean stress, for all its contacts. It is computed at the displacements at which the contacts
@@ -61,8 +56,8 @@ class SegmentFriction {
         requested_.clear();
     }
     /// Tangent of a contact's bound at a normal force, with the contact's fraction of the segment's normal
-    /// force held constant. Before the line has been computed: the secant from zero force.
-    BoundLine line(ContactIndex contact, bool forward, double normal_force) const;
+    /// force held constant. Before the line has been computed: the secant from zero force, marked as missing.
+    ShearLine line(ContactIndex contact, bool forward, double normal_force) const;
 
   private:
     /// Last evaluation of a segment. Its strength is taken to be a power of its normal force; the exponents

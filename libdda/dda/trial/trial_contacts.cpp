@@ -7,6 +7,7 @@
 
 #include "dda/contact/detect.hpp"
 #include "dda/trial/joint_motion.hpp"
+#include "dda/trial/single_strength.hpp"
 
 namespace rockslope::dda {
 
@@ -21,58 +22,41 @@ bool is_within(double force, const Strength& bounds) {
 }  // namespace
 
 TrialContacts::TrialContacts(const StepProblem& problem, const ThreadPool& pool)
-    : p_(problem), pool_(pool), segment_friction_(problem, pool), trials_(problem.contacts.size()) {
-    for (const JointMaterial& material : p_.model.joint_materials)
-        has_cohesion_.push_back(dda::has_cohesion(material.law) ? 1 : 0);
-    if (p_.bonds_hold()) {
-        tensile_strength_.assign(count(), 0);
-        for_contacts([&](ContactIndex k) {
-            if (p_.contacts[k].bonded) tensile_strength_[k] = bounds_of_single_contact(k, {}).tensile;
-        });
-    }
-    for_contacts([&](ContactIndex k) { trials_[k] = initial_trial(k); });
-    for (const ContactIndex k : p_.contacts.indices()) {
-        groups_ = std::max(groups_, p_.contacts[k].group + 1);
-        if (p_.contacts[k].group >= 0 && !p_.contacts[k].inhibited) on_entrance_lines_.push_back(k);
-    }
-    dilates_ = std::any_of(p_.model.joint_materials.begin(), p_.model.joint_materials.end(),
-                           [](const JointMaterial& material) { return dilates(material.law); });
-    yielding_.assign(p_.bolts.size(), 0);
-    elongation_.assign(p_.bolts.size(), 0);
-    linear_bolt_.assign(p_.bolts.size(), 0);
+    : p_(problem), pool_(pool), trials_(problem.contacts.size()), bolts_(problem) {
+    for_each([&](ContactIndex k) { trials_[k] = initial_trial(k); });
 }
 
-TrialContacts::Trial TrialContacts::initial_trial(ContactIndex k) const {
+ContactTrial TrialContacts::initial_trial(ContactIndex k) const {
     const Contact& contact = p_.contacts[k];
-    Trial trial;
+    ContactTrial trial;
+    trial.has_cohesion = has_cohesion(law_of(k)) && contact.length > 0;
+    if (p_.bonds_hold() && contact.bonded) trial.tensile_strength = single_strength(p_, k, {}).tensile;
     trial.may_close = !contact.inhibited;
     trial.gap_offset = contact.gap;
     trial.stress_free_gap = contact.stress_free_gap;
     trial.shear_origin = contact.shear_force;
     const bool was_closed = contact.state != ContactState::open;
-    trial.coheres = was_closed && has_cohesion(k);
-    trial.active = trial.may_close && (was_closed || (contact.gap < 0 && contact.group < 0));
-    trial.locked = trial.active && contact.state != ContactState::sliding;
+    trial.coheres = was_closed && trial.has_cohesion;
+    trial.has_normal_spring = trial.may_close && (was_closed || (contact.gap < 0 && contact.group < 0));
+    trial.has_shear_spring = trial.has_normal_spring && contact.state != ContactState::sliding;
     trial.friction_force = contact.shear_force;
-    trial.forward = contact.shear_force >= 0;
+    trial.slides_forward = contact.shear_force >= 0;
     trial.held_normal = contact.normal_force;
     trial.dilating = locked_dilation(p_.model, contact.joint_material, contact.history);
     trial.shear_origin -= trial.dilating.shear_force(contact.normal_force, contact.joint_share);
     trial.tilt = trial.sliding_slope = trial.dilating.slope;
     trial.dilation_increment = left_dilation(p_.model, contact);
     if (const EvaluatedContact* guess = p_.guess[k]; guess != nullptr && trial.may_close) {
-        trial.active = guess->state != ContactState::open;
-        trial.locked = guess->state == ContactState::locked;
+        trial.has_normal_spring = guess->state != ContactState::open;
+        trial.has_shear_spring = guess->state == ContactState::locked;
         trial.friction_force = guess->shear_force;
-        trial.forward = guess->shear_force >= 0;
+        trial.slides_forward = guess->shear_force >= 0;
         trial.dilation_increment = guess->dilation_increment;  // at the shearing of the guess
         trial.shearing = guess->displacement;
         trial.held_normal = std::max(guess->normal_force, 0.0);
     }
     trial.friction_force -= trial.tilt * trial.held_normal;
-    if (trial.active && !trial.locked && !is_on_segment(k))
-        trial.bounds = bounds_of_single_contact(k, initial_loading(k));
-    trial.tangent = tangent_at(k, trial.active ? initial_spring_force(k) : 0);
+    trial.tangent = tangent_at(k, trial.has_normal_spring ? initial_spring_force(k) : 0);
     return trial;
 }
 
@@ -87,26 +71,11 @@ double TrialContacts::initial_spring_force(ContactIndex k) const {
     return guess != nullptr ? guess->normal_spring_force : p_.contacts[k].normal_spring_force;
 }
 
-// --- the linear system
-
-double TrialContacts::linear_bolt_force(std::size_t k, double elongation) const {
-    return yielding_[k] == 0 ? p_.bolt_force[k] + p_.bolts[k].stiffness * elongation
-                             : yielding_[k] * p_.model.bolts[k].yield_force;
-}
-
-// --- the laws
-
-Forces TrialContacts::current_forces(ContactIndex k) const {
-    Forces forces = law_forces(k, trials_[k].opening, trials_[k].shearing);
-    forces.shear += trials_[k].tilt * forces.normal;
-    return forces;
-}
-
-TrialContacts::Tangent TrialContacts::tangent_at(ContactIndex k, double spring_force) const {
+NormalTangent TrialContacts::tangent_at(ContactIndex k, double spring_force) const {
     const NormalClosure& spring = p_.springs[k].normal_law;
     const NormalDashpot beside = dashpot(k);
     const double compression = spring.is_linear() ? 0 : std::max(spring_force, 0.0);
-    Tangent tangent{0, 0, spring.stiffness};
+    NormalTangent tangent{0, 0, spring.stiffness};
     if (!spring.is_linear())
         tangent = {spring.closure(compression), compression, spring.tangent(compression)};
     if (beside.stiffness > 0) {
@@ -116,27 +85,17 @@ TrialContacts::Tangent TrialContacts::tangent_at(ContactIndex k, double spring_f
     return tangent;
 }
 
-/// The bolt's force, Eq. (38).
-double TrialContacts::law_bolt_force(std::size_t k, double elongation) const {
-    const double elastic = p_.bolt_force[k] + p_.bolts[k].stiffness * elongation;
-    const double yield = p_.model.bolts[k].yield_force;
-    return yield > 0 ? std::clamp(elastic, -yield, yield) : elastic;
-}
-
-// --- evaluation
+// --- the iterate
 
 void TrialContacts::set_displacement(RowSpan<const Vec6> d, RowSpan<const Vec6> target, Gaps gaps) {
     evaluated_ = true;
-    for_contacts([&](ContactIndex k) {
+    for_each([&](ContactIndex k) {
         const Vec2 balanced = p_.springs[k].rows.relative_displacement(target);
-        Trial& trial = trials_[k];
+        ContactTrial& trial = trials_[k];
         trial.linear = linear_forces(k, normal_measure(k).at(balanced), p_.springs[k].shear.at(balanced));
         trial.linear.shear += trial.tilt * trial.linear.normal;
     });
-    for (std::size_t k = 0; k < elongation_.size(); ++k) {
-        const BoltSpring& bolt = p_.bolts[k];
-        linear_bolt_[k] = linear_bolt_force(k, bolt.rows.measure(bolt.elongation, target));
-    }
+    bolts_.set_target(target);
     move_to(d);
     if (gaps == Gaps::exact) measure_gaps(d);
 }
@@ -153,9 +112,9 @@ void TrialContacts::measure_gaps(RowSpan<const Vec6> d) {
                 moved_vertices_[c] = map(p_.blocks.vertices[c]);
         }
     });
-    for_contacts([&](ContactIndex k) {
+    for_each([&](ContactIndex k) {
         const Contact& contact = p_.contacts[k];
-        Trial& trial = trials_[k];
+        ContactTrial& trial = trials_[k];
         const CornerEdgeGeometry geometry =
             corner_edge_geometry(moved_vertices_[contact.corner], moved_vertices_[start_of(contact.edge)],
                                  moved_vertices_[topology.end_of(contact.edge)]);
@@ -165,9 +124,9 @@ void TrialContacts::measure_gaps(RowSpan<const Vec6> d) {
 }
 
 void TrialContacts::move_to(RowSpan<const Vec6> d) {
-    for_contacts([&](ContactIndex k) {
+    for_each([&](ContactIndex k) {
         const ContactSprings& s = p_.springs[k];
-        Trial& trial = trials_[k];
+        ContactTrial& trial = trials_[k];
         const Vec2 relative_displacement = s.rows.relative_displacement(d);
         const double shearing = s.shear.at(relative_displacement);
         // The linearised dilation continues to the new iterate.
@@ -175,29 +134,7 @@ void TrialContacts::move_to(RowSpan<const Vec6> d) {
         trial.opening = normal_measure(k).at(relative_displacement);
         trial.shearing = shearing;
     });
-    for (std::size_t k = 0; k < elongation_.size(); ++k) {
-        const BoltSpring& bolt = p_.bolts[k];
-        elongation_[k] = bolt.rows.measure(bolt.elongation, d);
-    }
-}
-
-/// First entrance, Eq. (28).
-bool TrialContacts::select_first_entrances() {
-    first_entrance_.assign(groups_, ContactIndex::none());
-    for (const ContactIndex k : on_entrance_lines_) {
-        ContactIndex& best = first_entrance_[p_.contacts[k].group];
-        const auto entrance_gap = [&](ContactIndex line) {
-            return gap(line) + 2 * p_.contacts[line].inherited_penetration;
-        };
-        if (!best.exists() || entrance_gap(k) > entrance_gap(best)) best = k;
-    }
-    bool exchanged = false;
-    for (const ContactIndex k : on_entrance_lines_) {
-        const ContactIndex first = first_entrance_[p_.contacts[k].group];
-        const bool may_close = p_.contacts[first].line == p_.contacts[k].line;
-        if (std::exchange(trials_[k].may_close, may_close) != may_close) exchanged = true;
-    }
-    return exchanged;
+    bolts_.move_to(d);
 }
 
 TrialContacts::ForceChange TrialContacts::force_change() {
@@ -208,7 +145,7 @@ TrialContacts::ForceChange TrialContacts::force_change() {
     const auto largest_of_chunk = [&](std::size_t begin, std::size_t end) {
         Largest found;
         for (const ContactIndex k : indices<ContactIndex>(begin, end)) {
-            const Forces law = current_forces(k);
+            const Forces law = law_forces(k);
             const Forces& linear = trials_[k].linear;
             const double normal = std::abs(law.normal - linear.normal);
             const double shear = std::abs(law.shear - linear.shear);
@@ -225,9 +162,7 @@ TrialContacts::ForceChange TrialContacts::force_change() {
     const Largest largest = pool_.parallel_reduce(count(), Largest(), largest_of_chunk, larger);
     largest_force_ = largest.force;
     ForceChange change = largest.change;
-    for (std::size_t k = 0; k < elongation_.size(); ++k) {
-        change.largest = std::max(change.largest, std::abs(bolt_force(k) - linear_bolt_[k]));
-    }
+    change.largest = std::max(change.largest, bolts_.force_change());
     return change;
 }
 
@@ -236,54 +171,43 @@ double TrialContacts::tolerance() const {
     return std::max(p_.control.force_tolerance * largest_force_, p_.rounding_force);
 }
 
-ContactLoading TrialContacts::current_loading(ContactIndex k) const {
-    return {current_forces(k).normal, trials_[k].shearing};
-}
-
 /// The elastic shear force of Eq. (23); it follows the normal force where the joint dilates, Eq. (77).
 double TrialContacts::elastic_shear(ContactIndex k) const {
-    const Trial& trial = trials_[k];
+    const ContactTrial& trial = trials_[k];
     const double spring = trial.shear_origin + p_.springs[k].shear_stiffness * trial.shearing;
     return trial.dilating.slope == 0 ? spring : spring + by_slope(k);
 }
 
 double TrialContacts::by_slope(ContactIndex k) const {
-    return trials_[k].dilating.shear_force(std::max(current_forces(k).normal, 0.0),
-                                           p_.contacts[k].joint_share);
+    return trials_[k].dilating.shear_force(std::max(law_forces(k).normal, 0.0), p_.contacts[k].joint_share);
 }
 
 bool TrialContacts::update_active_set() {
-    bool changed = for_any_contact([&](ContactIndex k) { return update_active_set_of(k); });
-    for (std::size_t k = 0; k < elongation_.size(); ++k) {
-        const double elastic = p_.bolt_force[k] + p_.bolts[k].stiffness * elongation_[k];
-        const double law = bolt_force(k);
-        const int yielding = elastic == law ? 0 : (elastic > law ? 1 : -1);
-        changed = changed || yielding != yielding_[k];
-        yielding_[k] = yielding;
-    }
-    return changed;
+    const bool contacts = for_any([&](ContactIndex k) { return update_active_set_of(k); });
+    const bool bolts = bolts_.update_active_set();
+    return contacts || bolts;
 }
 
 bool TrialContacts::update_active_set_of(ContactIndex k) {
-    Trial& trial = trials_[k];
-    const Forces law = current_forces(k);
+    ContactTrial& trial = trials_[k];
+    const Forces law = law_forces(k);
     const double elastic = elastic_shear(k);
     const bool active = trial.may_close && law.normal > least_normal_force(k);
     const bool locked = trial.may_close && is_within(elastic, trial.bounds);
-    bool changed = active != trial.active || locked != trial.locked;
+    bool changed = active != trial.has_normal_spring || locked != trial.has_shear_spring;
     if (active && std::abs(law.normal - trial.linear.normal) > tolerance()) {
-        const Tangent tangent = tangent_at(k, spring_force(k));
+        const NormalTangent tangent = tangent_at(k, spring_force(k));
         changed = changed || tangent.stiffness != trial.tangent.stiffness;
         trial.tangent = tangent;
     }
-    trial.active = active;
-    trial.locked = locked;
+    trial.has_normal_spring = active;
+    trial.has_shear_spring = locked;
     if (const double tilt = locked ? trial.dilating.slope : trial.sliding_slope; tilt != trial.tilt) {
-        set_tilt(k, tilt);
+        trial.set_tilt(tilt);
         changed = changed || active;
     }
     trial.friction_force = law.shear - trial.tilt * law.normal;
-    trial.forward = elastic >= 0;
+    trial.slides_forward = elastic >= 0;
     return changed;
 }
 
@@ -299,24 +223,32 @@ double TrialContacts::slip(ContactIndex k, double elastic, double force) const {
     return force >= 0 ? std::max(trials_[k].shearing, 0.0) : std::min(trials_[k].shearing, 0.0);
 }
 
+ContactMotion TrialContacts::motion(ContactIndex k) const {
+    const double slipped = slip(k, elastic_shear(k), law_forces(k).shear);
+    ContactMotion motion = contact_motion(p_.model, p_.contacts[k], p_.springs[k].shear_stiffness,
+                                          law_forces(k).normal, trials_[k].shearing, slipped);
+    motion.time = p_.time;
+    return motion;
+}
+
 void TrialContacts::evaluate(ContactSpan<EvaluatedContact> evaluated_contacts) const {
-    for_contacts([&](ContactIndex k) { evaluated_contacts[k] = evaluated(k); });
+    for_each([&](ContactIndex k) { evaluated_contacts[k] = evaluated(k); });
 }
 
 /// The opening of Eq. (76).
 bool TrialContacts::stays_closed(ContactIndex k) const {
-    const Trial& trial = trials_[k];
+    const ContactTrial& trial = trials_[k];
     if (!trial.may_close) return false;
-    if (is_bonded(k) || current_forces(k).normal > 0 || is_rebounding(k)) return true;
-    if (p_.bonds_hold() && coheres(k)) return gap(k) < largest_bond_strain * p_.contacts[k].length;
+    if (is_bonded(k) || law_forces(k).normal > 0 || is_rebounding(k)) return true;
+    if (p_.bonds_hold() && coheres(k)) return trial.gap() < largest_bond_strain * p_.contacts[k].length;
     return coheres(k) && -spring_force(k) < std::min(trial.bounds.forward, trial.bounds.backward);
 }
 
 EvaluatedContact TrialContacts::evaluated(ContactIndex k) const {
-    const Trial& trial = trials_[k];
-    const Forces forces = current_forces(k);
+    const ContactTrial& trial = trials_[k];
+    const Forces forces = law_forces(k);
     EvaluatedContact evaluated;
-    evaluated.gap = gap(k);
+    evaluated.gap = trial.gap();
     evaluated.normal_force = forces.normal;
     evaluated.normal_spring_force =
         dashpot(k).stiffness > 0 && trial.may_close ? std::max(spring_force(k), 0.0) : forces.normal;

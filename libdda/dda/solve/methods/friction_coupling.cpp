@@ -62,15 +62,20 @@ Coefficients least_squares(const NormalEquations& equations) {
 
 }  // namespace
 
-FrictionCoupling::FrictionCoupling(const StepProblem& problem, TrialContacts& trials, LinearSolver& solver,
+FrictionCoupling::FrictionCoupling(const StepProblem& problem, StepContacts& contacts, LinearSolver& solver,
                                    const ThreadPool& pool)
-    : p_(problem), trials_(trials), solver_(solver), pool_(pool) {
+    : p_(problem),
+      trials_(contacts.trials),
+      bounds_(contacts.bounds),
+      dilation_(contacts.dilation),
+      solver_(solver),
+      pool_(pool) {
     directions_.reserve(max_directions);
 }
 
 void FrictionCoupling::find_sliding(std::span<const Vec6> d) {
     const auto slides = [&](std::size_t k) {
-        return !trials_.has_shear_spring(k) && (trials_.has_normal_spring(k) || trials_.coheres(k));
+        return !trials_[k].has_shear_spring && (trials_[k].has_normal_spring || trials_.coheres(k));
     };
     parallel_filter(pool_, trials_.count(), slides, slides_, sliding_contacts_);
     sliding_.reserve(trials_.count());
@@ -82,13 +87,13 @@ void FrictionCoupling::find_sliding(std::span<const Vec6> d) {
             sliding = {};
             sliding.contact = k;
             const ContactSprings& springs = p_.springs[k];
-            sliding.sign = trials_.slides_forward(k) ? 1 : -1;
+            sliding.sign = trials_[k].slides_forward ? 1 : -1;
             sliding.bonded = trials_.is_bonded(k);
             sliding.coheres = trials_.coheres(k);
-            sliding.friction_force = trials_.friction_force(k);
-            sliding.normal = trials_.linear_normal(k, springs.rows.measure(trials_.normal_measure(k), d));
-            sliding.tilt = trials_.tilt(k);
-            sliding.line = shear_line(p_, trials_, sliding.contact, sliding.normal, d);
+            sliding.friction_force = trials_[k].friction_force;
+            sliding.normal = trials_[k].linear_normal(springs.rows.measure(trials_.normal_measure(k), d));
+            sliding.tilt = trials_[k].tilt;
+            sliding.line = bounds_.line(sliding.contact, sliding.normal, d);
         }
     });
     complete_lines(d);
@@ -96,16 +101,16 @@ void FrictionCoupling::find_sliding(std::span<const Vec6> d) {
 }
 
 void FrictionCoupling::find_dilating(std::span<const Vec6> d) {
-    const auto dilations = trials_.dilations_by_force();
+    const auto dilations = dilation_.by_force();
     for (std::size_t i = 0; i < dilations.size(); ++i) {
         Sliding segment;
         segment.contact = ContactIndex::none();
         segment.dilation = i;
         for (const ContactIndex k : dilations[i].contacts) {
-            if (!trials_.has_normal_spring(k)) continue;
+            if (!trials_[k].has_normal_spring) continue;
             const double opening = p_.springs[k].rows.measure(trials_.normal_measure(k), d);
-            segment.spring += trials_.normal_stiffness(k);
-            segment.normal += trials_.linear_normal(k, opening);
+            segment.spring += trials_[k].tangent.stiffness;
+            segment.normal += trials_[k].linear_normal(opening);
         }
         if (!(segment.spring > 0)) continue;
         segment.line.slope = segment.spring * dilations[i].slope;
@@ -118,11 +123,10 @@ void FrictionCoupling::find_dilating(std::span<const Vec6> d) {
 /// Most lines exist already: a joint segment keeps its line for the step.
 void FrictionCoupling::complete_lines(std::span<const Vec6> d) {
     for (const Sliding& sliding : sliding_)
-        if (sliding.line.is_missing) trials_.request_line(sliding.contact);
-    trials_.find_requested_lines();
+        if (sliding.line.is_missing) bounds_.request_line(sliding.contact);
+    bounds_.find_requested_lines();
     for (Sliding& sliding : sliding_)
-        if (sliding.line.is_missing)
-            sliding.line = shear_line(p_, trials_, sliding.contact, sliding.normal, d);
+        if (sliding.line.is_missing) sliding.line = bounds_.line(sliding.contact, sliding.normal, d);
 }
 
 double FrictionCoupling::update_residuals() {
@@ -152,9 +156,9 @@ void FrictionCoupling::set_load(std::span<Vec6> load) {
             force_change_[sliding.contact] = sliding.residual;
             continue;
         }
-        for (const ContactIndex k : trials_.dilations_by_force()[sliding.dilation].contacts) {
-            if (trials_.has_normal_spring(k))
-                normal_change_[k] = trials_.normal_stiffness(k) * sliding.residual / sliding.spring;
+        for (const ContactIndex k : dilation_.by_force()[sliding.dilation].contacts) {
+            if (trials_[k].has_normal_spring)
+                normal_change_[k] = trials_[k].tangent.stiffness * sliding.residual / sliding.spring;
         }
     }
     pool_.parallel_for(load.size(), [&](std::size_t begin, std::size_t end) {
@@ -184,7 +188,7 @@ void FrictionCoupling::apply_operator(Direction& direction, std::size_t rows) {
     const auto change_of_normal = [&](ContactIndex k) {
         const double opening = trials_.normal_measure(k).direction.dot(
             p_.springs[k].rows.relative_displacement(direction.displacement));
-        return normal_change_[k] - trials_.normal_stiffness(k) * opening;
+        return normal_change_[k] - trials_[k].tangent.stiffness * opening;
     };
     pool_.parallel_for(sliding_.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
@@ -192,8 +196,8 @@ void FrictionCoupling::apply_operator(Direction& direction, std::size_t rows) {
             direction.friction_force[i] = sliding.residual;
             direction.normal[i] = sliding.dilates() ? 0 : change_of_normal(sliding.contact);
             if (!sliding.dilates()) continue;
-            for (const ContactIndex k : trials_.dilations_by_force()[sliding.dilation].contacts)
-                if (trials_.has_normal_spring(k)) direction.normal[i] += change_of_normal(k);
+            for (const ContactIndex k : dilation_.by_force()[sliding.dilation].contacts)
+                if (trials_[k].has_normal_spring) direction.normal[i] += change_of_normal(k);
         }
     });
 }
@@ -236,12 +240,11 @@ void FrictionCoupling::minimize_residual(int count) {
 void FrictionCoupling::store() {
     for (const Sliding& sliding : sliding_)
         if (sliding.dilates())
-            trials_.set_dilation_change(sliding.dilation, sliding.friction_force / sliding.spring);
+            dilation_.set_change(sliding.dilation, sliding.friction_force / sliding.spring);
     pool_.parallel_for(sliding_.size(), [&](std::size_t begin, std::size_t end) {
         for (const Sliding& sliding : std::span(sliding_).subspan(begin, end - begin)) {
             if (sliding.dilates()) continue;
-            trials_.set_friction_force(sliding.contact, sliding.friction_force);
-            trials_.set_bound_to_friction_force(sliding.contact, sliding.normal);
+            trials_[sliding.contact].set_friction(sliding.friction_force, sliding.normal);
         }
     });
 }

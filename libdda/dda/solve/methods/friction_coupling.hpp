@@ -4,8 +4,7 @@
 #include <vector>
 
 #include "dda/linear/linear_solver.hpp"
-#include "dda/trial/shear_line.hpp"
-#include "dda/trial/trial_contacts.hpp"
+#include "dda/trial/step_contacts.hpp"
 
 namespace rockslope::dda {
 
@@ -18,7 +17,7 @@ namespace rockslope::dda {
 /// that dilate with slip follows their normal forces in the same way.
 class FrictionCoupling {
   public:
-    FrictionCoupling(const StepProblem& problem, TrialContacts& trials, LinearSolver& solver,
+    FrictionCoupling(const StepProblem& problem, StepContacts& contacts, LinearSolver& solver,
                      const ThreadPool& pool);
 
     /// Changes the friction forces until the largest residual is below 2 % of its first value or a
@@ -34,7 +33,7 @@ class FrictionCoupling {
     /// springs exert by that dilation, the friction force the one they exert by the dilation so far.
     struct Sliding {
         ContactIndex contact;      ///< none: a dilating segment
-        std::size_t dilation = 0;  ///< its index in TrialContacts::dilations_by_force()
+        std::size_t dilation = 0;  ///< its index in JointDilation::by_force()
         double spring = 0;         ///< of a dilating segment: sum of its normal springs, N/m per metre
         double sign = 1;           ///< of its shear force
         ShearLine line;            ///< its shear bound
@@ -87,6 +86,8 @@ class FrictionCoupling {
 
     const StepProblem& p_;
     TrialContacts& trials_;
+    ShearBounds& bounds_;
+    JointDilation& dilation_;
     LinearSolver& solver_;
     const ThreadPool& pool_;
     std::vector<char> slides_;  ///< work space

@@ -6,8 +6,6 @@
 #include <functional>
 #include <utility>
 
-#include "dda/trial/shear_line.hpp"
-
 namespace rockslope::dda {
 
 namespace {
@@ -42,9 +40,16 @@ double square(double x) {
 
 }  // namespace
 
-InteriorPoint::InteriorPoint(const StepProblem& problem, TrialContacts& trials, StepMatrix& matrix,
+InteriorPoint::InteriorPoint(const StepProblem& problem, StepContacts& contacts, StepMatrix& matrix,
                              LinearSolver& solver, const ThreadPool& pool, PhaseTimes* times)
-    : p_(problem), trials_(trials), matrix_(matrix), solver_(solver), pool_(pool), times_(times) {}
+    : p_(problem),
+      trials_(contacts.trials),
+      bounds_(contacts.bounds),
+      entrances_(contacts.entrances),
+      matrix_(matrix),
+      solver_(solver),
+      pool_(pool),
+      times_(times) {}
 
 InteriorPointResult InteriorPoint::solve(PerRow<Vec6>& d, const PathStart& from) {
     InteriorPointResult result;
@@ -118,12 +123,12 @@ void InteriorPoint::find_contacts(RowSpan<const Vec6> d) {
     contacts_.clear();
     path_of_.assign(trials_.count(), no_path);
     for (const ContactIndex k : path_of_.indices()) {
-        if (!trials_.may_close(k)) continue;
-        if (trials_.is_on_segment(k) && !trials_.has_line(k)) trials_.request_line(k);
+        if (!trials_[k].may_close) continue;
+        if (bounds_.is_on_segment(k) && !bounds_.has_line(k)) bounds_.request_line(k);
         path_of_[k] = contacts_.size();
         contacts_.emplace_back().contact = k;
     }
-    trials_.find_requested_lines();
+    bounds_.find_requested_lines();
     for_contacts([&](PathContact& c) { set_limits(c, d); });
 }
 
@@ -136,11 +141,11 @@ void InteriorPoint::set_limits(PathContact& c, RowSpan<const Vec6> d) const {
     c.shear_stiffness = p_.springs[k].shear_stiffness;
     const double spring = trials_.law(k).normal(p_.springs[k].rows.measure(c.opening, d));
     c.at.normal = c.bonded ? spring : std::max(spring - c.least_normal, 0.0);
-    const ShearLine line = shear_line(p_, trials_, k, c.normal_force(), d);
+    const ShearLine line = bounds_.line(k, c.normal_force(), d);
     const double slope = std::max(line.slope, 0.0);
     c.cohesion = std::max(line.cohesion + slope * c.least_normal, 0.0);
-    c.forward = slope - trials_.tilt(k);
-    c.backward = slope + trials_.tilt(k);
+    c.forward = slope - trials_[k].tilt;
+    c.backward = slope + trials_[k].tilt;
     c.shear = slope == 0 && c.cohesion == 0 ? PathContact::Shear::none : PathContact::Shear::bounded;
     if (c.cohesion > unbounded_cohesion) c.shear = PathContact::Shear::elastic;
     set_springs(c, d);
@@ -169,11 +174,11 @@ double InteriorPoint::scale_of_forces() const {
 
 void InteriorPoint::select_first_entrances(double product) {
     trials_.set_displacement(displacement_, displacement_);
-    trials_.select_first_entrances();
+    entrances_.select_first();
     const std::vector<PathContact> before = std::exchange(contacts_, {});
     for (const ContactIndex k : path_of_.indices()) {
         const std::size_t i = std::exchange(path_of_[k], no_path);
-        if (!trials_.may_close(k)) continue;
+        if (!trials_[k].may_close) continue;
         path_of_[k] = contacts_.size();
         if (i != no_path) {
             contacts_.push_back(before[i]);
@@ -236,7 +241,7 @@ double InteriorPoint::evaluate_balance() {
     for (std::size_t k = 0; k < p_.bolts.size(); ++k) {
         const BoltSpring& b = p_.bolts[k];
         const double elongation = b.rows.measure(b.elongation, displacement_);
-        b.rows.add_force(b.elongation, -trials_.linear_bolt_force(k, elongation), residual_);
+        b.rows.add_force(b.elongation, -trials_.bolts().linear_force(k, elongation), residual_);
     }
     const auto largest_of_chunk = [&](std::size_t begin, std::size_t end) {
         double largest = 0;
@@ -259,7 +264,7 @@ bool InteriorPoint::factorize() {
     for (PathContact& c : contacts_) {
         c.set_fractions();
         springs_[c.contact] = {c.normal_fraction * c.normal_stiffness, c.shear_fraction * c.shear_stiffness,
-                               trials_.tilt(c.contact)};
+                               trials_[c.contact].tilt};
     }
     matrix_.assemble(trials_, springs_);
     end_of(Phase::assembly, times_);

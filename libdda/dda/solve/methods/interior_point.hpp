@@ -8,7 +8,7 @@
 #include "dda/linear/linear_solver.hpp"
 #include "dda/solve/methods/path_contact.hpp"
 #include "dda/solve/step_matrix.hpp"
-#include "dda/trial/trial_contacts.hpp"
+#include "dda/trial/step_contacts.hpp"
 
 namespace rockslope::dda {
 
@@ -36,8 +36,8 @@ struct PathStart {
 /// over the normal force (ShearLine), and follow it.
 class InteriorPoint {
   public:
-    InteriorPoint(const StepProblem& problem, TrialContacts& trials, StepMatrix& matrix, LinearSolver& solver,
-                  const ThreadPool& pool, PhaseTimes* times = nullptr);
+    InteriorPoint(const StepProblem& problem, StepContacts& contacts, StepMatrix& matrix,
+                  LinearSolver& solver, const ThreadPool& pool, PhaseTimes* times = nullptr);
 
     /// @param d per row, m: the iterate to begin with on entry, the last one on return; unchanged where no
     /// force acts or an iterate is not finite.
@@ -96,6 +96,8 @@ class InteriorPoint {
 
     const StepProblem& p_;
     TrialContacts& trials_;
+    ShearBounds& bounds_;
+    EntranceLines& entrances_;
     StepMatrix& matrix_;
     LinearSolver& solver_;
     const ThreadPool& pool_;

@@ -4,23 +4,21 @@
 #include <cmath>
 #include <limits>
 
-#include "dda/trial/shear_line.hpp"
-
 namespace rockslope::dda {
 
 namespace {
 
 /// Sets the shear bounds. @param normal N per metre, the normal force at d.
-void set_bounds(const StepProblem& problem, const TrialContacts& trials, ContactIndex k, double normal,
+void set_bounds(const TrialContacts& trials, const ShearBounds& bounds, ContactIndex k, double normal,
                 RowSpan<const Vec6> d, LimitedContact& contact) {
     const bool has_strength_alone = trials.is_bonded(k) || trials.coheres(k);
-    if (trials.is_on_segment(k)) {
-        const Strength ratio = trials.bounds_over_normal_force(k);
+    if (bounds.is_on_segment(k)) {
+        const Strength ratio = bounds.over_normal_force(k);
         contact.forward.slope = ratio.forward;
         contact.backward.slope = ratio.backward;
         return;
     }
-    const ShearLine line = shear_line(problem, trials, k, normal, d);
+    const ShearLine line = bounds.line(k, normal, d);
     ForceLine bound{line.cohesion, std::max(line.slope, 0.0)};
     if (!has_strength_alone) bound = {0, normal > 0 ? line.at(normal) / normal : bound.slope};
     contact.forward = contact.backward = bound;
@@ -30,12 +28,12 @@ void set_bounds(const StepProblem& problem, const TrialContacts& trials, Contact
     if (!std::isfinite(contact.floor)) contact.floor = 0;
 }
 
-LimitedContact limited_contact(const StepProblem& problem, const TrialContacts& trials, ContactIndex k,
-                               RowSpan<const Vec6> d) {
+LimitedContact limited_contact(const StepProblem& problem, const TrialContacts& trials,
+                               const ShearBounds& bounds, ContactIndex k, RowSpan<const Vec6> d) {
     const ContactSprings& springs = problem.springs[k];
     LimitedContact contact;
     contact.rows = &springs.rows;
-    contact.may_close = trials.may_close(k);
+    contact.may_close = trials[k].may_close;
     if (!contact.may_close) return contact;
     const RelativeMeasure opening = trials.normal_measure(k);
     const ContactLaw law = trials.law(k);
@@ -47,9 +45,9 @@ LimitedContact limited_contact(const StepProblem& problem, const TrialContacts& 
     contact.shear_stiffness = springs.shear_stiffness;
     contact.origin = {normal.force, law.shear_origin + springs.shear_stiffness * springs.shear.prescribed};
     contact.least_normal = trials.least_normal_force(k);
-    contact.tilt = trials.tilt(k);
+    contact.tilt = trials[k].tilt;
     const double present = contact.elastic_at(d).normal;
-    set_bounds(problem, trials, k, std::max(present, contact.least_normal), d, contact);
+    set_bounds(trials, bounds, k, std::max(present, contact.least_normal), d, contact);
     return contact;
 }
 
@@ -69,12 +67,12 @@ LimitedContact limited_bolt(const StepProblem& problem, std::size_t k) {
 
 }  // namespace
 
-void limit_contacts(const StepProblem& problem, const TrialContacts& trials, RowSpan<const Vec6> d,
-                    const ThreadPool& pool, PerContact<LimitedContact>& contacts) {
+void limit_contacts(const StepProblem& problem, const TrialContacts& trials, const ShearBounds& bounds,
+                    RowSpan<const Vec6> d, const ThreadPool& pool, PerContact<LimitedContact>& contacts) {
     contacts.resize(trials.count() + problem.bolts.size());
     pool.parallel_for(trials.count(), [&](std::size_t begin, std::size_t end) {
         for (const ContactIndex k : indices<ContactIndex>(begin, end))
-            contacts[k] = limited_contact(problem, trials, k, d);
+            contacts[k] = limited_contact(problem, trials, bounds, k, d);
     });
     for (std::size_t k = 0; k < problem.bolts.size(); ++k)
         contacts[ContactIndex(trials.count() + k)] = limited_bolt(problem, k);

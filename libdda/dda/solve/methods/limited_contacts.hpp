@@ -1,7 +1,7 @@
 #pragma once
 
 #include "dda/path/limited_contact.hpp"
-#include "dda/trial/trial_contacts.hpp"
+#include "dda/trial/shear_bounds.hpp"
 
 namespace rockslope::dda {
 
@@ -10,7 +10,7 @@ namespace rockslope::dda {
 /// segment, or of a curved envelope without cohesion, is a line through no force.
 /// @param d per row, the displacement of the last evaluation. @param contacts receives one per
 /// contact, then one per bolt.
-void limit_contacts(const StepProblem& problem, const TrialContacts& trials, RowSpan<const Vec6> d,
-                    const ThreadPool& pool, PerContact<LimitedContact>& contacts);
+void limit_contacts(const StepProblem& problem, const TrialContacts& trials, const ShearBounds& bounds,
+                    RowSpan<const Vec6> d, const ThreadPool& pool, PerContact<LimitedContact>& contacts);
 
 }  // namespace rockslope::dda

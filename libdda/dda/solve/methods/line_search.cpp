@@ -180,8 +180,8 @@ void LineSearch::shrink_bracket(bool is_upper, double step_length) {
 double LineSearch::bolt_work(double step_length) const {
     double sum = 0;
     for (std::size_t k = 0; k < elongation_.size(); ++k) {
-        sum += (trials_.law_bolt_force(k, elongation_[k].at(step_length)) -
-                trials_.linear_bolt_force(k, elongation_[k].end)) *
+        sum += (trials_.bolts().law_force(k, elongation_[k].at(step_length)) -
+                trials_.bolts().linear_force(k, elongation_[k].end)) *
                elongation_[k].rate;
     }
     return sum;

@@ -45,10 +45,11 @@ constexpr double balanced_share = 0.5;
 
 }  // namespace
 
-PatchBalance::PatchBalance(const StepProblem& problem, TrialContacts& trials, Memory& memory,
+PatchBalance::PatchBalance(const StepProblem& problem, StepContacts& contacts, Memory& memory,
                            const ThreadPool& pool)
     : p_(problem),
-      trials_(trials),
+      trials_(contacts.trials),
+      bounds_(contacts.bounds),
       memory_(memory),
       pool_(pool),
       visits_left_(visits_per_contact * static_cast<double>(problem.contacts.size() + problem.bolts.size())) {
@@ -73,7 +74,7 @@ bool PatchBalance::advance(RowSpan<const Vec6> target, PerRow<Vec6>& displacemen
 }
 
 bool PatchBalance::relax(int iteration, RowSpan<Vec6> displacement) {
-    limit_contacts(p_, trials_, displacement, pool_, memory_.contacts);
+    limit_contacts(p_, trials_, bounds_, displacement, pool_, memory_.contacts);
     const int first_growing = p_.time.is_static() ? first_growing_static : first_growing_dynamic;
     const PatchAims aims{
         .tolerance = balanced_share * trials_.tolerance(),
@@ -146,7 +147,7 @@ void PatchBalance::set_linear_forces() {
     for (std::size_t k = 0; k < trials_.count(); ++k)
         trials_.set_linear_forces(ContactIndex(k), forces_of(k));
     for (std::size_t bolt = 0; bolt < p_.bolts.size(); ++bolt)
-        trials_.set_linear_bolt_force(bolt, forces_of(trials_.count() + bolt).shear);
+        trials_.bolts().set_linear_force(bolt, forces_of(trials_.count() + bolt).shear);
 }
 
 bool PatchBalance::threw_a_block(RowSpan<const Vec6> displacement) const {

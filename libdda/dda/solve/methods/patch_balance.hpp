@@ -5,8 +5,8 @@
 #include "dda/path/damped_step.hpp"
 #include "dda/path/patches.hpp"
 #include "dda/solve/methods/balance_progress.hpp"
+#include "dda/trial/step_contacts.hpp"
 #include "dda/trial/step_problem.hpp"
-#include "dda/trial/trial_contacts.hpp"
 
 namespace rockslope::dda {
 
@@ -28,7 +28,7 @@ class PatchBalance {
     };
 
     /// For a step, from its first iteration on.
-    PatchBalance(const StepProblem& problem, TrialContacts& trials, Memory& memory, const ThreadPool& pool);
+    PatchBalance(const StepProblem& problem, StepContacts& contacts, Memory& memory, const ThreadPool& pool);
 
     /// Whether the step may be solved in one patch of all blocks. Each border on its path takes a time that
     /// grows with the number of blocks: 1.2 ms for 992.
@@ -68,6 +68,7 @@ class PatchBalance {
 
     const StepProblem& p_;
     TrialContacts& trials_;
+    const ShearBounds& bounds_;
     Memory& memory_;
     const ThreadPool& pool_;
     PerRow<double> length_;  ///< per row: square root of the block's area, m

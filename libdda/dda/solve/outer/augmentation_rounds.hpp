@@ -1,7 +1,6 @@
 #pragma once
 
-#include "dda/linear/anderson.hpp"
-#include "dda/trial/trial_contacts.hpp"
+#include "dda/solve/outer/augmentation.hpp"
 
 namespace rockslope::dda {
 
@@ -9,12 +8,12 @@ namespace rockslope::dda {
 /// The penetration that remains after the last round is left to the next step.
 class AugmentationRounds {
   public:
-    /// @param trials the contacts of the iteration.
-    explicit AugmentationRounds(TrialContacts& trials) : trials_(trials) {}
+    /// @param problem, trials must outlive the rounds.
+    AugmentationRounds(const StepProblem& problem, TrialContacts& trials) : p_(problem), trials_(trials) {}
 
     /// Shifts the springs at a minimum of the potential. @return whether any was shifted.
     bool shift() {
-        if (rounds_ == round_limit || !trials_.augment(mixing_)) return false;
+        if (rounds_ == round_limit || !augment(p_, trials_, mixing_)) return false;
         ++rounds_;
         return true;
     }
@@ -25,6 +24,7 @@ class AugmentationRounds {
     static constexpr int round_limit = 60;
     static constexpr int memory = 10;  ///< earlier rounds that the Anderson mixing uses
 
+    const StepProblem& p_;
     TrialContacts& trials_;
     int rounds_ = 0;
     AndersonMixing mixing_ = AndersonMixing(memory);

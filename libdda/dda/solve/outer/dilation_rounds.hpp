@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dda/trial/trial_contacts.hpp"
+#include "dda/trial/joint_dilation.hpp"
 
 namespace rockslope::dda {
 
@@ -10,24 +10,24 @@ namespace rockslope::dda {
 /// energy the dilation is limited.
 class DilationRounds {
   public:
-    /// @param trials the contacts of the iteration.
-    explicit DilationRounds(TrialContacts& trials) : trials_(trials) {}
+    /// @param dilation must outlive the rounds.
+    explicit DilationRounds(JointDilation& dilation) : dilation_(dilation) {}
 
     /// Follows an iterate. @param iteration its number in the step, from 1.
     void follow(int iteration) {
-        if (follows(iteration)) trials_.update_dilation();
+        if (follows(iteration)) dilation_.update();
     }
     /// Whether the dilation follows an iterate.
     static bool follows(int iteration) { return iteration <= first_iterations; }
     /// Updates the dilation at a minimum of the potential. @return whether any changed.
     bool update_at_minimum() {
         const bool may_update = ++minima_ <= minimum_limit;
-        if (may_update && trials_.dilation_exceeds_tolerance()) {
-            trials_.update_dilation();
+        if (may_update && dilation_.exceeds_tolerance()) {
+            dilation_.update();
             return true;
         }
-        if (!may_update && trials_.postpone_dilation()) return true;
-        return limits_++ < limit_rounds && trials_.limit_dilation();
+        if (!may_update && dilation_.postpone()) return true;
+        return limits_++ < limit_rounds && dilation_.limit();
     }
     /// Counts the minima anew, since the springs of the step have changed.
     void restart() { minima_ = 0; }
@@ -37,7 +37,7 @@ class DilationRounds {
     static constexpr int minimum_limit = 2;     ///< minima at which it is updated after these
     static constexpr int limit_rounds = 3;      ///< minima of a step at which it is limited
 
-    TrialContacts& trials_;
+    JointDilation& dilation_;
     int minima_ = 0;
     int limits_ = 0;
 };

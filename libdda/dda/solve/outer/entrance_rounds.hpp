@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dda/trial/trial_contacts.hpp"
+#include "dda/trial/entrance_lines.hpp"
 
 namespace rockslope::dda {
 
@@ -9,17 +9,17 @@ namespace rockslope::dda {
 /// patches from settling.
 class EntranceRounds {
   public:
-    /// @param trials the contacts of the iteration.
-    explicit EntranceRounds(TrialContacts& trials) : trials_(trials) {}
+    /// @param lines must outlive the rounds.
+    explicit EntranceRounds(EntranceLines& lines) : lines_(lines) {}
 
     /// Follows an iterate. @param iteration its number since the restart, from 1.
     /// @param is_at_minimum is asked only where the answer matters.
     template <class IsAtMinimum>
     void follow(int iteration, const IsAtMinimum& is_at_minimum) {
         if (iteration <= first_iterations) {
-            trials_.select_first_entrances();
+            lines_.select_first();
         } else if (rounds_ < round_limit && is_at_minimum()) {
-            if (trials_.select_first_entrances()) ++rounds_;
+            if (lines_.select_first()) ++rounds_;
         }
     }
 
@@ -29,7 +29,7 @@ class EntranceRounds {
   private:
     /// Number of times that lines are exchanged at later minima.
     static constexpr int round_limit = 4;
-    TrialContacts& trials_;
+    EntranceLines& lines_;
     int rounds_ = 0;
 };
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "dda/trial/step_contacts.hpp"
 #include "support/first_step.hpp"
 
 namespace rockslope::step_matrix_test {
@@ -14,7 +15,8 @@ using namespace scene;
 TEST(StepMatrix, ReassemblesChangedRowsToTheSameBits) {
     const FirstStep step;
     const dda::StepProblem problem = step.problem();
-    dda::TrialContacts trials(problem, step.pool);
+    dda::StepContacts contacts(problem, step.pool);
+    dda::TrialContacts& trials = contacts.trials;
     dda::BlockMatrix work;
     dda::StepMatrix matrix(problem, step.pattern, work, step.pool);
     matrix.assemble(trials);
@@ -26,8 +28,8 @@ TEST(StepMatrix, ReassemblesChangedRowsToTheSameBits) {
         const dda::BlockMatrix last = work;
         const std::vector<Vec6> displacement = moved(random, step.rows.count(), one_in);
         trials.set_displacement(displacement, displacement);
-        trials.select_first_entrances();
-        trials.update_bounds();
+        contacts.entrances.select_first();
+        contacts.bounds.update();
         trials.update_active_set();
         matrix.assemble(trials);
 

@@ -114,7 +114,7 @@ TEST_F(SegmentFriction, ARequestedLineIsTangentToTheStrength) {
     update_in(less, 0);
     for (std::size_t k = 0; k < here.size(); ++k) {
         const double normal = here[k].normal;
-        const dda::BoundLine line = lines.line(k, true, normal);
+        const dda::ShearLine line = lines.line(k, true, normal);
         const double ratio = friction.line(k, true, normal).slope;
         EXPECT_NEAR(line.slope * normal + line.cohesion, ratio * normal, 1e-12 * ratio * normal) << k;
         const double slope = ((1 + aside) * more.line(k, true, normal).slope -

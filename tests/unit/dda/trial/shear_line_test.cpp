@@ -16,7 +16,7 @@ const double tan30 = std::tan(radians(30));
 
 dda::ShearLine line_at(const RestingContacts& block, double normal) {
     const std::vector<Vec6> d{RestingContacts::displacement(1e-4, 1e-5)};
-    return dda::shear_line(block.problem, block.trials, 0, normal, d);
+    return block.bounds.line(0, normal, d);
 }
 
 // Mohr and Coulomb's line over 0.5 m, with strengths divided by 1.25; bonded, it goes on in tension.
@@ -34,9 +34,9 @@ TEST(ShearLine, IsTheLawsOwnLine) {
 TEST(ShearLine, HasNoCohesionForAContactThatWasOpen) {
     RestingContacts block(dda::MohrCoulomb{radians(30), 2e4, 0, radians(30), 2e4});
     for (dda::Contact& contact : block.step.found.set.contacts) contact.state = dda::ContactState::open;
-    const dda::TrialContacts trials(block.problem, block.step.pool);
+    const dda::StepContacts contacts(block.problem, block.step.pool);
     const auto d = std::vector<Vec6>{RestingContacts::displacement(0, 0)};
-    const dda::ShearLine line = dda::shear_line(block.problem, trials, 0, 1e4, d);
+    const dda::ShearLine line = contacts.bounds.line(0, 1e4, d);
     EXPECT_EQ(line.cohesion, 0);
     EXPECT_EQ(line.lowest_normal_force, 0);
     EXPECT_EQ(line.at(-1e3), 0) << "the line ends at no normal force";
@@ -63,7 +63,7 @@ TEST(ShearLine, IsTheSecantOfALawWithoutALine) {
 TEST(ShearLine, GoesThroughZeroWithoutANormalForce) {
     RestingContacts block(dda::Bilinear{radians(50), radians(30), 1e6});
     block.move(1, 1e-3);
-    block.trials.update_bounds();
+    block.bounds.update();
     block.trials.force_change();
     block.trials.update_active_set();
     const dda::ShearLine line = line_at(block, -1);
@@ -75,12 +75,12 @@ TEST(ShearLine, GoesThroughZeroWithoutANormalForce) {
 TEST(ShearLine, OfASegmentIsMissingUntilItHasBeenRequested) {
     RestingContacts block(dda::Plesha{{radians(30), radians(10), 0}});
     block.move(1e-4, 1e-5);
-    block.trials.update_bounds();
+    block.bounds.update();
     block.trials.force_change();
     block.trials.update_active_set();
     EXPECT_TRUE(line_at(block, 1e4).is_missing);
-    block.trials.request_line(0);
-    block.trials.find_requested_lines();
+    block.bounds.request_line(0);
+    block.bounds.find_requested_lines();
     const dda::ShearLine line = line_at(block, 1e4);
     EXPECT_FALSE(line.is_missing);
     EXPECT_NEAR(line.slope, std::tan(radians(40)), 1e-6);

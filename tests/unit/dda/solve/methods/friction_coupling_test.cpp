@@ -17,7 +17,8 @@ using namespace scene;
 struct SlidingWall {
     FirstStep step;
     dda::StepProblem problem = step.problem();
-    dda::TrialContacts trials{problem, step.pool};
+    dda::StepContacts contacts{problem, step.pool};
+    dda::TrialContacts& trials = contacts.trials;
     dda::BlockMatrix work;
     std::unique_ptr<dda::LinearSolver> solver;
 
@@ -27,9 +28,9 @@ struct SlidingWall {
         RandomSource random(seed);
         const std::vector<Vec6> displacement = moved(random, step.rows.count(), 1);
         trials.set_displacement(displacement, displacement);
-        trials.select_first_entrances();
-        trials.update_dilation();
-        trials.update_bounds();
+        contacts.entrances.select_first();
+        contacts.dilation.update();
+        contacts.bounds.update();
         trials.update_active_set();
         trials.force_change();  // sets the largest force, which scales the tolerance
         dda::StepMatrix matrix(problem, step.pattern, work, step.pool);
@@ -61,10 +62,10 @@ struct SlidingWall {
         return d;
     }
     bool slides(dda::ContactIndex k) const {
-        return trials.has_normal_spring(k) && !trials.has_shear_spring(k);
+        return trials[k].has_normal_spring && !trials[k].has_shear_spring;
     }
     double normal_force(dda::ContactIndex k, const std::vector<Vec6>& d) const {
-        return trials.linear_normal(k, step.springs[k].rows.measure(trials.normal_measure(k), d));
+        return trials[k].linear_normal(step.springs[k].rows.measure(trials.normal_measure(k), d));
     }
     /// The largest difference between friction forces and the bounds of the laws at the normal forces of d.
     /// The shear force of a tilted contact is its friction force and the tilt times its normal force.
@@ -73,8 +74,8 @@ struct SlidingWall {
         for (std::size_t k = 0; k < trials.count(); ++k) {
             if (!slides(k)) continue;
             const double normal = normal_force(k, d);
-            const double shear = trials.friction_force(k) + trials.tilt(k) * std::max(normal, 0.0);
-            const double sign = trials.slides_forward(k) ? 1 : -1;
+            const double shear = trials[k].friction_force + trials[k].tilt * std::max(normal, 0.0);
+            const double sign = trials[k].slides_forward ? 1 : -1;
             largest = std::max(largest, std::abs(sign * bound(k, normal, d) - shear));
         }
         return largest;
@@ -83,12 +84,12 @@ struct SlidingWall {
     /// slope of the dilation, Eq. (85), gives at their normal forces.
     double dilation_violation(const std::vector<Vec6>& d) const {
         double largest = 0;
-        for (const auto& dilation : trials.dilations_by_force()) {
+        for (const auto& dilation : contacts.dilation.by_force()) {
             double normal = 0, spring = 0;
             for (const dda::ContactIndex k : dilation.contacts) {
-                if (!trials.has_normal_spring(k)) continue;
+                if (!trials[k].has_normal_spring) continue;
                 normal += normal_force(k, d);
-                spring += trials.normal_stiffness(k);
+                spring += trials[k].tangent.stiffness;
             }
             const double expected = dilation.slope * (normal - dilation.normal_force);
             largest = std::max(largest, spring * std::abs(expected - dilation.change));
@@ -100,14 +101,14 @@ struct SlidingWall {
     }
     int tilted() const {
         int count = 0;
-        for (std::size_t k = 0; k < trials.count(); ++k) count += slides(k) && trials.tilt(k) != 0;
+        for (std::size_t k = 0; k < trials.count(); ++k) count += slides(k) && trials[k].tilt != 0;
         return count;
     }
 
   private:
     double bound(std::size_t k, double normal, const std::vector<Vec6>& d) const {
         if (!(normal > 0)) return 0;
-        if (trials.is_on_segment(k)) return dda::shear_line(problem, trials, k, normal, d).at(normal);
+        if (contacts.bounds.is_on_segment(k)) return contacts.bounds.line(k, normal, d).at(normal);
         const dda::Contact& contact = step.set.contacts[k];
         return strength(trials.law_of(k), contact.history, normal, contact.length).forward;
     }
@@ -142,7 +143,7 @@ TEST_P(FrictionCouplingOfMovedWalls, MatchesTheBoundsAndSolvesTheSystem) {
     std::vector<Vec6> d = wall.solution();
     ASSERT_GT(wall.violation(d), wall.trials.tolerance())
         << "the friction forces are at their bounds already";
-    dda::FrictionCoupling coupling(wall.problem, wall.trials, *wall.solver, wall.step.pool);
+    dda::FrictionCoupling coupling(wall.problem, wall.contacts, *wall.solver, wall.step.pool);
     expect_solved(wall, coupling, d);
 }
 
@@ -152,10 +153,10 @@ TEST_P(FrictionCouplingOfMovedWalls, MatchesTheBoundsOfDilatingJoints) {
     SlidingWall wall = wall_of(dda::Plesha{{radians(25), radians(10), 1e-5}});
     std::vector<Vec6> d = wall.solution();
     ASSERT_GT(wall.tilted(), 20) << "sliding contacts with a tilt";
-    ASSERT_GT(wall.trials.dilations_by_force().size(), 10u);
+    ASSERT_GT(wall.contacts.dilation.by_force().size(), 10u);
     ASSERT_GT(wall.bound_violation(d), wall.trials.tolerance());
     ASSERT_GT(wall.dilation_violation(d), wall.trials.tolerance());
-    dda::FrictionCoupling coupling(wall.problem, wall.trials, *wall.solver, wall.step.pool);
+    dda::FrictionCoupling coupling(wall.problem, wall.contacts, *wall.solver, wall.step.pool);
     expect_solved(wall, coupling, d);
 }
 INSTANTIATE_TEST_SUITE_P(Seeds, FrictionCouplingOfMovedWalls,
@@ -169,7 +170,7 @@ TEST(FrictionCoupling, ChangesNothingWhereTheForcesAreAtTheirBounds) {
     for (const unsigned seed : {1u, 3u, 4u}) {
         SlidingWall wall(Scene::mohr_coulomb(35), seed, dda::SolverKind::multifrontal);
         std::vector<Vec6> d = wall.solution();
-        dda::FrictionCoupling coupling(wall.problem, wall.trials, *wall.solver, wall.step.pool);
+        dda::FrictionCoupling coupling(wall.problem, wall.contacts, *wall.solver, wall.step.pool);
         for (int round = 0; round < 8 && wall.violation(d) > wall.trials.tolerance() / 40; ++round)
             coupling.solve(d);
         ASSERT_LE(wall.violation(d), wall.trials.tolerance() / 20) << seed;

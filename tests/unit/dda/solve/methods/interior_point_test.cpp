@@ -24,7 +24,7 @@ TEST_P(InteriorPointOfWalls, ObeysTheLaws) {
         EXPECT_LE(result.iterations, 30) << "22 to 27 with friction, when this was written";
         at.trials.set_displacement(at.d, at.d);
         at.interior.set_linear_forces();
-        at.trials.update_all_bounds();
+        at.contacts.bounds.update_all();
         from.force_change = at.trials.force_change().largest;
     }
     ASSERT_GT(at.trials.tolerance(), 0);
@@ -39,7 +39,7 @@ TEST_P(InteriorPointOfWalls, FindsTheMinimumThatTheActiveSetFinds) {
     ASSERT_TRUE(found.converged);
     EXPECT_LE(found.iterations, 25);
     at.trials.set_displacement(at.d, at.d);
-    at.trials.update_all_bounds();
+    at.contacts.bounds.update_all();
     at.trials.force_change();
     const LoadedWall& wall = at.wall;
     const dda::OpenCloseResult other =

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "dda/trial/step_contacts.hpp"
 #include "support/first_step.hpp"
 
 namespace rockslope::limited_contacts_test {
@@ -23,24 +24,25 @@ double difference(const dda::JointLaw& law, unsigned seed, double damping) {
             dashpots.push_back({damping * s.normal_stiffness, 3e-5, 1});
         problem.dashpots = dashpots;
     }
-    dda::TrialContacts trials(problem, step.pool);
+    dda::StepContacts step_contacts(problem, step.pool);
+    dda::TrialContacts& trials = step_contacts.trials;
     RandomSource random(seed);
     const std::vector<Vec6> d = moved(random, step.rows.count(), 1);
     trials.set_displacement(d, d);
-    trials.select_first_entrances();
-    trials.update_dilation();
-    trials.update_bounds();
+    step_contacts.entrances.select_first();
+    step_contacts.dilation.update();
+    step_contacts.bounds.update();
     trials.update_active_set();
     dda::PerContact<dda::LimitedContact> contacts;
-    dda::limit_contacts(problem, trials, d, step.pool, contacts);
+    dda::limit_contacts(problem, trials, step_contacts.bounds, d, step.pool, contacts);
     double largest = 0, force = 0;
     for (const dda::ContactIndex k : contacts.indices()) {
         const dda::LimitedContact& c = contacts[k];
         const dda::ElasticForces elastic = c.may_close ? c.elastic_at(d) : dda::ElasticForces();
         const dda::Vec2 found = c.on(c.piece_at(elastic)).at(elastic);
         const dda::Forces expected =
-            trials.law_forces(k, step.springs[k].rows.measure(trials.normal_measure(k), d),
-                              step.springs[k].rows.measure(step.springs[k].shear, d));
+            trials.law(k).forces(step.springs[k].rows.measure(trials.normal_measure(k), d),
+                                 step.springs[k].rows.measure(step.springs[k].shear, d));
         largest =
             std::max({largest, std::abs(found.x() - expected.normal), std::abs(found.y() - expected.shear)});
         force = std::max({force, expected.normal, std::abs(expected.shear)});

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dda/trial/step_contacts.hpp"
 #include "support/first_step.hpp"
 
 namespace rockslope::line_search_test {
@@ -17,7 +18,8 @@ struct MovingWall {
     FirstStep step;
     dda::PerContact<dda::NormalDashpot> dashpots;
     dda::StepProblem problem = step.problem();
-    dda::TrialContacts trials{problem, step.pool};
+    dda::StepContacts contacts{problem, step.pool};
+    dda::TrialContacts& trials = contacts.trials;
     std::vector<Vec6> from;
 
     /// @param damping stiffness of the dashpots over that of the springs.
@@ -29,8 +31,8 @@ struct MovingWall {
             problem.dashpots = dashpots;
         }
         trials.set_displacement(from, from);
-        trials.select_first_entrances();
-        trials.update_bounds();
+        contacts.entrances.select_first();
+        contacts.bounds.update();
         trials.update_active_set();
         trials.force_change();  // sets the largest force, which scales the tolerance
     }
@@ -50,7 +52,7 @@ struct MovingWall {
             const auto measure = [&](const dda::RelativeMeasure& relative, const std::vector<Vec6>& at) {
                 return s.rows.measure(relative, at);
             };
-            const dda::Forces law = trials.law_forces(k, measure(s.normal, d), measure(s.shear, d));
+            const dda::Forces law = trials.law(k).forces(measure(s.normal, d), measure(s.shear, d));
             const dda::Forces linear =
                 trials.linear_forces(k, measure(s.normal, target), measure(s.shear, target));
             sum += (linear.normal - law.normal) * (measure(s.normal, direction) - s.normal.prescribed) +

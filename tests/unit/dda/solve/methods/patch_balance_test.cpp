@@ -18,14 +18,14 @@ using namespace scene;
 struct Balance {
     RestingContacts contacts;
     dda::PatchBalance::Memory memory;
-    dda::PatchBalance patches{contacts.problem, contacts.trials, memory, contacts.step.pool};
+    dda::PatchBalance patches{contacts.problem, contacts.contacts, memory, contacts.step.pool};
     dda::PerRow<Vec6> displacement{1, RestingContacts::displacement(0, 1e-5)};
 
     explicit Balance(double friction_angle) : contacts(Scene::mohr_coulomb(friction_angle)) {
         contacts.step.base.stiffness[0] *= 1e8;
         contacts.step.base.load[0] = dda::project(Vec2(-3e4, -5e4), Vec2(0, -0.5));
         contacts.trials.set_displacement(displacement, displacement);
-        contacts.trials.update_bounds();
+        contacts.bounds.update();
         contacts.trials.force_change();  // sets the tolerance
     }
     bool relax() { return patches.relax(1, displacement); }
@@ -49,7 +49,7 @@ TEST(PatchBalance, GivesTheForcesThatTheLawsHaveThere) {
     block.relax();
     ASSERT_TRUE(block.patches.is_complete(block.displacement));
     block.contacts.trials.move_to(block.displacement);
-    block.contacts.trials.update_bounds();
+    block.contacts.bounds.update();
     EXPECT_LT(block.contacts.trials.force_change().largest, 1e-6) << "N";
     double normal = 0;
     for (const dda::EvaluatedContact& contact : block.contacts.evaluated()) normal += contact.normal_force;

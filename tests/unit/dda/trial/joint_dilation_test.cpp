@@ -10,14 +10,14 @@
 
 #include "support/resting_block.hpp"
 
-namespace rockslope::trial_dilation_test {
+namespace rockslope::joint_dilation_test {
 namespace {
 
 using namespace scene;
 
 constexpr double along = 1e-4, into = 2e-5;  // u and c, m
 
-class TrialDilation : public testing::Test {
+class JointDilation : public testing::Test {
   protected:
     static constexpr double spring = RestingContacts::spring;
     const double t = std::tan(radians(10)), T = std::tan(radians(30 + 10));
@@ -26,15 +26,15 @@ class TrialDilation : public testing::Test {
 
     void solve(double u) {
         block.move(u, into);
-        block.trials.select_first_entrances();
-        block.trials.update_bounds();
+        block.contacts.entrances.select_first();
+        block.bounds.update();
         block.trials.force_change();  // the largest force scales the tolerance
-        block.trials.update_dilation();
-        block.trials.update_bounds();
+        block.contacts.dilation.update();
+        block.bounds.update();
     }
 };
 
-TEST_F(TrialDilation, IsThatOfTheSlipUnderItsOwnNormalForce) {
+TEST_F(JointDilation, IsThatOfTheSlipUnderItsOwnNormalForce) {
     for (const double direction : {1.0, -1.0}) {
         solve(direction * along);
         for (const dda::EvaluatedContact& contact : block.evaluated()) {
@@ -45,81 +45,81 @@ TEST_F(TrialDilation, IsThatOfTheSlipUnderItsOwnNormalForce) {
     }
 }
 
-TEST_F(TrialDilation, IsNoneWhereTheJointIsLocked) {
+TEST_F(JointDilation, IsNoneWhereTheJointIsLocked) {
     solve(0.5 * into * std::tan(radians(30)));
     for (const dda::EvaluatedContact& contact : block.evaluated()) {
         EXPECT_EQ(contact.state, dda::ContactState::locked);
         EXPECT_EQ(contact.dilation_increment, 0);
     }
-    EXPECT_TRUE(block.trials.dilations_by_force().empty());
+    EXPECT_TRUE(block.contacts.dilation.by_force().empty());
 }
 
 // Eq. (83): further slip opens the joint by tan(a), so the normal spring is tilted by it.
-TEST_F(TrialDilation, TiltsTheNormalSpringOfASlidingContact) {
+TEST_F(JointDilation, TiltsTheNormalSpringOfASlidingContact) {
     for (const double direction : {1.0, -1.0}) {
         solve(direction * along);
         block.trials.update_active_set();
-        EXPECT_NEAR(block.trials.tilt(0), direction * t, 1e-5 * t);
-        EXPECT_NEAR(block.trials.tilt(1), direction * t, 1e-5 * t);
+        EXPECT_NEAR(block.trials[0].tilt, direction * t, 1e-5 * t);
+        EXPECT_NEAR(block.trials[1].tilt, direction * t, 1e-5 * t);
     }
 }
 
 // Eq. (85): at a held displacement dU / dN = -T / 2k.
-TEST_F(TrialDilation, FollowsTheNormalForceAtAHeldDisplacement) {
+TEST_F(JointDilation, FollowsTheNormalForceAtAHeldDisplacement) {
     solve(along);
-    const auto by_force = block.trials.dilations_by_force();
+    const auto by_force = block.contacts.dilation.by_force();
     ASSERT_EQ(by_force.size(), 1u);
     EXPECT_EQ(by_force[0].contacts.size(), 2u);
     EXPECT_NEAR(by_force[0].slope, -t * T / (2 * spring), 1e-4 * t * T / (2 * spring));
     EXPECT_NEAR(by_force[0].normal_force, 2 * spring * (into + dilation), 1e-5 * spring * into);
-    block.trials.set_dilation_change(0, 3e-6);
+    block.contacts.dilation.set_change(0, 3e-6);
     EXPECT_NEAR(block.evaluated()[0].dilation_increment, dilation + 3e-6, 1e-10);
-    block.trials.set_dilation_change(0, 1e-6);
+    block.contacts.dilation.set_change(0, 1e-6);
     EXPECT_NEAR(block.evaluated()[1].dilation_increment, dilation + 1e-6, 1e-10) << "not added to the last";
 }
 
-TEST_F(TrialDilation, ExceedsTheToleranceUntilItIsUpdated) {
+TEST_F(JointDilation, ExceedsTheToleranceUntilItIsUpdated) {
     block.move(along, into);
-    block.trials.update_bounds();
+    block.bounds.update();
     block.trials.force_change();
-    EXPECT_TRUE(block.trials.dilation_exceeds_tolerance());
+    EXPECT_TRUE(block.contacts.dilation.exceeds_tolerance());
     solve(along);
-    EXPECT_FALSE(block.trials.dilation_exceeds_tolerance());
+    EXPECT_FALSE(block.contacts.dilation.exceeds_tolerance());
 }
 
 // Zero is nearer to the law's value than three times that value is: then it acts in the next step.
-TEST_F(TrialDilation, IsPostponedWhereItIsFartherFromTheLawThanZero) {
+TEST_F(JointDilation, IsPostponedWhereItIsFartherFromTheLawThanZero) {
     solve(along);
-    EXPECT_FALSE(block.trials.postpone_dilation()) << "it is that of the law";
-    block.trials.set_dilation_change(0, 4 * dilation);
-    EXPECT_TRUE(block.trials.postpone_dilation());
+    EXPECT_FALSE(block.contacts.dilation.postpone()) << "it is that of the law";
+    block.contacts.dilation.set_change(0, 4 * dilation);
+    EXPECT_TRUE(block.contacts.dilation.postpone());
     EXPECT_EQ(block.evaluated()[0].dilation_increment, 0);
-    EXPECT_EQ(block.trials.tilt(0), 0);
-    EXPECT_TRUE(block.trials.dilations_by_force().empty());
+    EXPECT_EQ(block.trials[0].tilt, 0);
+    EXPECT_TRUE(block.contacts.dilation.by_force().empty());
     solve(along);
     EXPECT_EQ(block.evaluated()[0].dilation_increment, 0) << "for the rest of the step";
-    EXPECT_FALSE(block.trials.postpone_dilation());
+    EXPECT_FALSE(block.contacts.dilation.postpone());
 }
 
 // Friction takes S u - N dU - ... of a step, no less than nothing: five times the dilation of the law would
 // give energy, and what friction does not pay for is left.
-TEST_F(TrialDilation, IsLimitedWhereFrictionDoesNotPayForIt) {
+TEST_F(JointDilation, IsLimitedWhereFrictionDoesNotPayForIt) {
     solve(along);
-    EXPECT_FALSE(block.trials.limit_dilation()) << "friction pays for that of the law";
+    EXPECT_FALSE(block.contacts.dilation.limit()) << "friction pays for that of the law";
     const double of_law = block.evaluated()[0].dilation_increment;
-    block.trials.set_dilation_change(0, 4 * dilation);
+    block.contacts.dilation.set_change(0, 4 * dilation);
     const double given = block.evaluated()[0].dilation_increment;
-    EXPECT_TRUE(block.trials.limit_dilation());
+    EXPECT_TRUE(block.contacts.dilation.limit());
     EXPECT_LT(block.evaluated()[0].dilation_increment, given);
     EXPECT_GE(block.evaluated()[0].dilation_increment, 0);
     EXPECT_GT(given, of_law);
-    EXPECT_TRUE(block.trials.dilations_by_force().empty());
+    EXPECT_TRUE(block.contacts.dilation.by_force().empty());
 }
 
 // A locked joint of even roughness dilates with its displacement, however it goes. What is postponed dilates
 // with the slope of the locked joint, for its shear force follows the normal force with that slope, too. A
 // joint that has not slipped has the mean slope of the way.
-TEST(TrialDilationOfALockedJoint, KeepsItsSlopeWhereItIsPostponed) {
+TEST(JointDilationOfALockedJoint, KeepsItsSlopeWhereItIsPostponed) {
     dda::CyclicBartonBandis law;
     law.barton = {2, 50e6, radians(18)};
     law.peak_displacement = 2e-3;
@@ -131,25 +131,25 @@ TEST(TrialDilationOfALockedJoint, KeepsItsSlopeWhereItIsPostponed) {
     const double elastic = 5e-6;  // m, a quarter of what the strength under 20 kN bears
     const auto update = [&](double u) {
         block.move(u, into);
-        block.trials.select_first_entrances();
-        block.trials.update_bounds();
+        block.contacts.entrances.select_first();
+        block.bounds.update();
         block.trials.force_change();
     };
     update(elastic);
-    block.trials.update_dilation();
-    block.trials.update_bounds();
+    block.contacts.dilation.update();
+    block.bounds.update();
     block.trials.update_active_set();
     ASSERT_EQ(block.evaluated()[0].state, dda::ContactState::locked);
-    const double slope = block.trials.tilt(0);
+    const double slope = block.trials[0].tilt;
     ASSERT_GT(std::abs(slope), 1e-4);
     update(-elastic);  // the tilt continues to three times the law's value, with the other sign
-    ASSERT_TRUE(block.trials.postpone_dilation());
+    ASSERT_TRUE(block.contacts.dilation.postpone());
     block.trials.update_active_set();
-    EXPECT_EQ(block.trials.tilt(0), slope);
+    EXPECT_EQ(block.trials[0].tilt, slope);
     EXPECT_NEAR(block.evaluated()[0].dilation_increment, -slope * elastic / 2, 1e-9 * elastic);
     update(elastic);
     EXPECT_NEAR(block.evaluated()[0].dilation_increment, 1.5 * slope * elastic, 1e-9 * elastic);
 }
 
 }  // namespace
-}  // namespace rockslope::trial_dilation_test
+}  // namespace rockslope::joint_dilation_test

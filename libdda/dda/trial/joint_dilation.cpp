@@ -1,11 +1,7 @@
-// The dilation of the joint segments in a step, and its slopes.
+#include "dda/trial/joint_dilation.hpp"
 
 #include <algorithm>
 #include <cmath>
-
-#include "dda/trial/joint_motion.hpp"
-#include "dda/trial/shear_energy.hpp"
-#include "dda/trial/trial_contacts.hpp"
 
 namespace rockslope::dda {
 
@@ -53,44 +49,39 @@ double slope_by_normal_force(const JointLaw& law, const SegmentMotion& combined,
 
 }  // namespace
 
-ContactMotion TrialContacts::motion(ContactIndex k) const {
-    const Forces forces = current_forces(k);
-    const double elastic = elastic_shear(k);
-    ContactMotion motion = contact_motion(p_.model, p_.contacts[k], p_.springs[k].shear_stiffness,
-                                          forces.normal, trials_[k].shearing, slip(k, elastic, forces.shear));
-    motion.time = p_.time;
-    return motion;
-}
+JointDilation::JointDilation(const StepProblem& problem, TrialContacts& trials)
+    : p_(problem),
+      trials_(trials),
+      any_(std::any_of(p_.model.joint_materials.begin(), p_.model.joint_materials.end(),
+                       [](const JointMaterial& material) { return dilates(material.law); })) {}
 
-/// A joint segment dilates as a whole, by the combined motion of its contacts.
 template <class Visit>
-void TrialContacts::visit_dilating_segments(const Visit& visit) const {
-    if (!dilates_) return;
+void JointDilation::visit_segments(const Visit& visit) const {
+    if (!any_) return;
     for (std::size_t segment = 0; segment < p_.segments.count(); ++segment) {
         const auto members = p_.segments.contacts_of(segment);
-        const JointLaw& law = law_of(members[0]);
+        const JointLaw& law = trials_.law_of(members[0]);
         if (!dilates(law)) continue;
-        visit(law, members, segment_motion(members, p_.contacts, [&](ContactIndex k) { return motion(k); }));
+        visit(law, members,
+              segment_motion(members, p_.contacts, [&](ContactIndex k) { return trials_.motion(k); }));
     }
 }
 
-void TrialContacts::update_dilation() {
-    dilations_by_force_.clear();
-    visit_dilating_segments([&](const JointLaw& law, std::span<const ContactIndex> members,
-                                SegmentMotion combined) {
+void JointDilation::update() {
+    by_force_.clear();
+    visit_segments([&](const JointLaw& law, std::span<const ContactIndex> members, SegmentMotion combined) {
         const bool with_slip = dilates_with_slip(law) && !trials_[members[0]].postponed;
-        if (with_slip) combined = find_dilation(law, members, combined);
+        if (with_slip) combined = find_under_own_force(law, members, combined);
         const JointHistory after = advance(law, *combined.history, combined.motion);
         const double total = dilation(law, after);
         const bool slides = combined.motion.slip != 0;
         const double slope = slides ? slope_of_further_slip(law, combined, total) : 0;
         if (slides && with_slip) {
             const double by_force = slope_by_normal_force(law, combined, total);
-            if (by_force < 0)
-                dilations_by_force_.push_back({members, by_force, combined.motion.normal_force, 0});
+            if (by_force < 0) by_force_.push_back({members, by_force, combined.motion.normal_force, 0});
         }
         for (const ContactIndex k : members) {
-            Trial& trial = trials_[k];
+            ContactTrial& trial = trials_[k];
             if (trial.postponed) continue;
             trial.dilation_increment = total - p_.contacts[k].dilation;
             if (p_.model.is_augmented(p_.contacts[k].joint_material)) continue;
@@ -101,18 +92,18 @@ void TrialContacts::update_dilation() {
     });
 }
 
-SegmentMotion TrialContacts::find_dilation(const JointLaw& law, std::span<const ContactIndex> members,
-                                           const SegmentMotion& present) {
+SegmentMotion JointDilation::find_under_own_force(const JointLaw& law, std::span<const ContactIndex> members,
+                                                  const SegmentMotion& present) {
     SegmentMotion combined = present;
     double stiffness = 0;
     for (const ContactIndex k : members) stiffness += p_.springs[k].normal_stiffness;
     // What the law gives under the normal force of a dilation, less that dilation, m.
     const auto excess = [&](double total) {
         for (const ContactIndex k : members) trials_[k].dilation_increment = total - p_.contacts[k].dilation;
-        combined = segment_motion(members, p_.contacts, [&](ContactIndex k) { return motion(k); });
+        combined = segment_motion(members, p_.contacts, [&](ContactIndex k) { return trials_.motion(k); });
         return dilation(law, advance(law, *combined.history, combined.motion)) - total;
     };
-    const double tolerated = stiffness > 0 ? tolerance() / stiffness : 0;
+    const double tolerated = stiffness > 0 ? trials_.tolerance() / stiffness : 0;
     double low = p_.contacts[members[0]].dilation + trials_[members[0]].dilation_increment;
     double at_low = excess(low);
     if (std::abs(at_low) <= tolerated) return combined;
@@ -135,36 +126,36 @@ SegmentMotion TrialContacts::find_dilation(const JointLaw& law, std::span<const 
 }
 
 template <class Visit>
-void TrialContacts::visit_dilation_by_law(const Visit& visit) const {
-    visit_dilating_segments(
+void JointDilation::visit_by_law(const Visit& visit) const {
+    visit_segments(
         [&](const JointLaw& law, std::span<const ContactIndex> members, const SegmentMotion& combined) {
             const double total = dilation(law, advance(law, *combined.history, combined.motion));
             for (const ContactIndex k : members) visit(k, total - p_.contacts[k].dilation);
         });
 }
 
-bool TrialContacts::dilation_exceeds_tolerance() const {
+bool JointDilation::exceeds_tolerance() const {
     double largest = 0;
-    visit_dilation_by_law([&](ContactIndex k, double by_law) {
-        const Trial& trial = trials_[k];
+    visit_by_law([&](ContactIndex k, double by_law) {
+        const ContactTrial& trial = trials_[k];
         if (trial.postponed || !trial.may_close) return;
         const double change = p_.springs[k].normal_stiffness * (by_law - trial.dilation_increment);
-        const double normal = law(k).normal(trial.opening);
+        const double normal = trials_.law(k).normal(trial.opening);
         largest = std::max(largest, normal > 0 ? std::abs(change) : normal + change);
     });
-    return largest > dilation_tolerance * tolerance();
+    return largest > dilation_tolerance * trials_.tolerance();
 }
 
-void TrialContacts::set_dilation_change(std::size_t index, double change) {
-    DilationByForce& dilation = dilations_by_force_[index];
+void JointDilation::set_change(std::size_t index, double change) {
+    DilationByForce& dilation = by_force_[index];
     for (const ContactIndex k : dilation.contacts) trials_[k].dilation_increment += change - dilation.change;
     dilation.change = change;
 }
 
-double TrialContacts::locked_dilation_of(ContactIndex k) const {
+double JointDilation::locked_dilation_of(ContactIndex k) const {
     const Contact& contact = p_.contacts[k];
-    const Trial& trial = trials_[k];
-    const double elastic = trial.shearing - slip(k, elastic_shear(k), current_forces(k).shear);
+    const ContactTrial& trial = trials_[k];
+    const double elastic = trials_.elastic_displacement(k);
     const double slope =
         (locked_dilation(p_.model, contact.joint_material, contact.history).slope + trial.dilating.slope) / 2;
     const double left = left_dilation(p_.model, contact);
@@ -172,10 +163,10 @@ double TrialContacts::locked_dilation_of(ContactIndex k) const {
     return (opens ? released_share * left : left) + slope * elastic;
 }
 
-bool TrialContacts::postpone_dilation() {
+bool JointDilation::postpone() {
     bool any = false;
-    visit_dilation_by_law([&](ContactIndex k, double by_law) {
-        Trial& trial = trials_[k];
+    visit_by_law([&](ContactIndex k, double by_law) {
+        ContactTrial& trial = trials_[k];
         const double as_locked = locked_dilation_of(k);
         if (trial.postponed || std::abs(by_law - trial.dilation_increment) <= std::abs(by_law - as_locked))
             return;
@@ -184,71 +175,71 @@ bool TrialContacts::postpone_dilation() {
         trial.postponed = true;
         any = true;
     });
-    if (any) dilations_by_force_.clear();
+    if (any) by_force_.clear();
     return any;
 }
 
-ShearedContact TrialContacts::sheared(ContactIndex k) const {
+ShearedContact JointDilation::sheared_at_end(ContactIndex k) const {
     const Contact& contact = p_.contacts[k];
-    const Forces forces = current_forces(k);
+    const Forces forces = trials_.law_forces(k);
     return {forces.shear, forces.normal, contact.dilation + trials_[k].dilation_increment,
             contact.joint_share};
 }
 
-double TrialContacts::dilating_loss(ContactIndex k, const LockedDilation& after) const {
+double JointDilation::dilating_loss(ContactIndex k, const LockedDilation& after) const {
     const Contact& contact = p_.contacts[k];
-    const Trial& trial = trials_[k];
-    const Forces forces = current_forces(k);
+    const ContactTrial& trial = trials_[k];
+    const Forces forces = trials_.law_forces(k);
     const double stiffness = p_.springs[k].shear_stiffness;
-    const double elastic = trial.shearing - slip(k, elastic_shear(k), forces.shear);
+    const double elastic = trials_.elastic_displacement(k);
     const bool was_closed = contact.state != ContactState::open;
     const double before = was_closed ? shear_energy_before_slip(p_.model, contact, after, stiffness) : 0;
-    const double stored = shear_energy(after, sheared(k), stiffness);
+    const double stored = shear_energy(after, sheared_at_end(k), stiffness);
     return forces.shear * trial.shearing - forces.normal * trial.dilation_increment -
            stiffness * elastic * elastic / 2 - (stored - before);
 }
 
-bool TrialContacts::limit_dilation() {
+bool JointDilation::limit() {
     bool any = false;
-    visit_dilating_segments([&](const JointLaw& law, std::span<const ContactIndex> members,
-                                const SegmentMotion& combined) {
+    visit_segments([&](const JointLaw& law, std::span<const ContactIndex> members,
+                       const SegmentMotion& combined) {
         if (p_.model.is_augmented(p_.contacts[members[0]].joint_material)) return;
         const LockedDilation after = locked_dilation(law, advance(law, *combined.history, combined.motion));
         double loss = 0, normal = 0, moved = 0, excess = 0;
         SharedSpring at_start, at_end;
         for (const ContactIndex k : members) {
-            const Forces forces = current_forces(k);
+            const Forces forces = trials_.law_forces(k);
             const double stiffness = p_.springs[k].shear_stiffness;
             if (const Contact& contact = p_.contacts[k]; contact.state == ContactState::open)
                 at_start.add_open(stiffness);
             else
-                at_start.add(dda::sheared(contact).spring_force(
+                at_start.add(sheared(contact).spring_force(
                                  locked_dilation(p_.model, contact.joint_material, contact.history)),
                              stiffness);
             if (!trials_[k].may_close || !(forces.normal > 0)) {
                 at_end.add_open(stiffness);
                 continue;
             }
-            const Trial& trial = trials_[k];
+            const ContactTrial& trial = trials_[k];
             loss += dilating_loss(k, after);
-            at_end.add(sheared(k).spring_force(after), stiffness);
+            at_end.add(sheared_at_end(k).spring_force(after), stiffness);
             normal += forces.normal;
             excess += forces.normal * (trial.dilation_increment - locked_dilation_of(k));
             moved = std::max({moved, std::abs(trial.shearing), std::abs(trial.dilation_increment)});
         }
         // A locked joint only pays for what it dilates beyond its slope.
         loss = combined.motion.slip == 0 ? -excess : loss + at_end.uneven() - at_start.uneven();
-        const double tolerated = p_.tolerated_gain + tolerance() * moved;
+        const double tolerated = p_.tolerated_gain + trials_.tolerance() * moved;
         if (!(normal > 0) || loss >= -tolerated || excess <= tolerated) return;
         for (const ContactIndex k : members) {
-            Trial& trial = trials_[k];
+            ContactTrial& trial = trials_[k];
             trial.dilation_increment += std::max(loss, -excess) / normal;
             trial.sliding_slope = 0;
             trial.postponed = true;
         }
         any = true;
     });
-    if (any) dilations_by_force_.clear();
+    if (any) by_force_.clear();
     return any;
 }
 
