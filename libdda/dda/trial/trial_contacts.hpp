@@ -11,7 +11,7 @@ namespace rockslope::dda {
 
 /// The contacts and bolts of a step during the open-close iteration. Gives the forces of each contact in the
 /// linear system and by the joint law, and updates the active set: which springs are in the linear system.
-/// What is held meanwhile is changed by ShearBounds, JointDilation, FirstEntrances, break_bonds() and
+/// What is held meanwhile is changed by ShearBounds, JointDilation, EntranceLines, break_bonds() and
 /// augment().
 ///
 /// With fixed shear bounds the normal force is a continuous, monotonic function of the gap alone, and the
