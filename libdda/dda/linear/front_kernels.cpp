@@ -27,6 +27,7 @@ struct Kernels : Strips<Scalar, Bytes> {
         int begin;
         int end;
     };
+    static int strips_of_rows(int rows) { return (rows + w - 1) / w; }
 
     /// sum -= A B^T over `count` columns. A: R vectors of rows; B: six rows. @param columns of the panels.
     template <int R>
@@ -136,11 +137,11 @@ struct Kernels : Strips<Scalar, Bytes> {
         return true;
     }
 
-    DDA_KERNEL static bool factor_pivots(Scalar* panel, int pivots) {
+    DDA_KERNEL static bool factor_pivots(Scalar* panel, int pivots, int begin, int end) {
         const int columns = pivots * unknowns;
-        const int vectors = (columns + w - 1) / w * per_strip;
+        const int vectors = strips_of_rows(end * unknowns) * per_strip;
         Scalar* strips = panel + diagonal_blocks_size<Scalar>(pivots);
-        for (int column = 0; column < columns; column += unknowns) {
+        for (int column = begin * unknowns; column < end * unknowns; column += unknowns) {
             columns_of_all_rows<true, false>(strips, strips, panel, VectorRange{column / lanes, vectors},
                                              column, columns);
             Scalar* square = panel + column * unknowns;
@@ -155,10 +156,20 @@ struct Kernels : Strips<Scalar, Bytes> {
         return true;
     }
 
+    DDA_KERNEL static void solve_pivot_rows(Scalar* panel, int pivots, int begin, int end, int first_strip,
+                                            int end_strip) {
+        const int columns = pivots * unknowns;
+        Scalar* strips = panel + diagonal_blocks_size<Scalar>(pivots);
+        for (int column = begin * unknowns; column < end * unknowns; column += unknowns)
+            columns_of_all_rows<true, true>(strips, strips, panel + column * unknowns,
+                                            VectorRange{first_strip * per_strip, end_strip * per_strip},
+                                            column, columns);
+    }
+
     DDA_KERNEL static void solve_rows(Scalar* panel, int pivots, int begin, int end) {
         const int columns = pivots * unknowns;
         Scalar* strips = panel + diagonal_blocks_size<Scalar>(pivots);
-        Scalar* rows = strips + static_cast<long>((columns + w - 1) / w) * w * columns;
+        Scalar* rows = strips + static_cast<long>(strips_of_rows(columns)) * w * columns;
         // Few strips in a pass, so that they stay in the cache for all columns.
         constexpr int vectors_per_pass = Rows > per_strip ? Rows : per_strip;
         for (int v = begin * per_strip; v < end * per_strip; v += vectors_per_pass) {
@@ -244,7 +255,12 @@ struct Kernels : Strips<Scalar, Bytes> {
     struct name {                                                                                           \
         using K = Kernels<Scalar, bytes, rows>;                                                             \
         using S = Substitution<Scalar, bytes>;                                                              \
-        attribute static bool factor_pivots(Scalar* p, int k) { return K::factor_pivots(p, k); }            \
+        attribute static bool factor_pivots(Scalar* p, int k, int b, int e) {                               \
+            return K::factor_pivots(p, k, b, e);                                                            \
+        }                                                                                                   \
+        attribute static void solve_pivot_rows(Scalar* p, int k, int b, int e, int s, int t) {              \
+            K::solve_pivot_rows(p, k, b, e, s, t);                                                          \
+        }                                                                                                   \
         attribute static void solve_rows(Scalar* p, int k, int b, int e) { K::solve_rows(p, k, b, e); }     \
         attribute static void form_update(const Scalar* p, int k, int s, const FrontUpdate<Scalar>& u,      \
                                           int b, int e) {                                                   \
@@ -259,9 +275,9 @@ struct Kernels : Strips<Scalar, Bytes> {
                                                const SixColumns<const Scalar>& a, const Scalar* b, int r) { \
             K::subtract_product_of_columns(c, a, b, r);                                                     \
         }                                                                                                   \
-        static constexpr FrontKernels<Scalar> set{factor_pivots,    solve_rows, form_update,                \
-                                                  invert_groups,    forward,    backward,                   \
-                                                  subtract_product, text,       fused};                     \
+        static constexpr FrontKernels<Scalar> set{                                                          \
+            factor_pivots, solve_pivot_rows, solve_rows,       form_update, invert_groups,                  \
+            forward,       backward,         subtract_product, text,        fused};                         \
     }
 // NOLINTEND(bugprone-macro-parentheses)
 

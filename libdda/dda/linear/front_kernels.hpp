@@ -28,8 +28,13 @@ struct SixColumns {
 /// has the same terms in the same order for any width, and each of its terms is one fused multiply-add.
 template <class Scalar>
 struct FrontKernels {
-    /// Factorises the pivot block A11 = L11 L11^T. @return false when it is not positive definite.
-    bool (*factor_pivots)(Scalar* panel, int pivots);
+    /// Factorises the pivot block A11 = L11 L11^T: its block columns [begin, end), in rows up to the end of
+    /// the strip that ends their diagonal. Those before `begin` are done. @return false when it is not
+    /// positive definite.
+    bool (*factor_pivots)(Scalar* panel, int pivots, int begin, int end);
+    /// The same columns of L11 in strips [first_strip, end_strip) of the pivot rows, all below those of
+    /// factor_pivots.
+    void (*solve_pivot_rows)(Scalar* panel, int pivots, int begin, int end, int first_strip, int end_strip);
     /// L21 = A21 L11^-T in strips [begin, end) of the rows below the pivots.
     void (*solve_rows)(Scalar* panel, int pivots, int begin, int end);
     /// Sets block columns [begin, end) of the update to -L21 L21^T, on and below the diagonal.

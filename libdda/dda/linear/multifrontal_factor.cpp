@@ -33,11 +33,11 @@ constexpr double min_parallel_cost = 1e5;
 /// @param cost ns, predicted.
 template <class Body>
 void parallel_for_chunks(const ThreadPool& pool, double cost, int count, const Body& body) {
-    constexpr int chunk = 8;
     if (pool.size() == 1 || cost < min_parallel_cost) {
         if (count > 0) body(0, count);
         return;
     }
+    const int chunk = std::clamp(count / (4 * pool.size()), 1, 8);
     const auto run_chunk = [&](std::size_t k, std::size_t) {
         const int begin = static_cast<int>(k) * chunk;
         body(begin, std::min(begin + chunk, count));
@@ -63,14 +63,16 @@ void MultifrontalFactor<Scalar>::analyze(const BlockPattern& pattern, const Supe
 }
 
 template <class Scalar>
-void MultifrontalFactor<Scalar>::assemble_panel(const BlockMatrix& matrix, std::size_t f) {
+void MultifrontalFactor<Scalar>::assemble_panel(const BlockMatrix& matrix, std::size_t f,
+                                                const ThreadPool& pool) {
     const Front& front = symbolic_.fronts[f];
     const int columns = front.pivots * block_unknowns;
     Scalar* strips = panel(front) + diagonal_blocks_size<Scalar>(front.pivots);
-    std::fill_n(
-        strips,
-        static_cast<std::ptrdiff_t>(front.pivot_strips + front.row_strips) * strip_rows<Scalar> * columns,
-        Scalar(0));
+    const auto set_strips_to_zero = [&](int begin, int end) {
+        const std::ptrdiff_t strip_size = std::ptrdiff_t{strip_rows<Scalar>} * columns;
+        std::fill(strips + begin * strip_size, strips + end * strip_size, Scalar(0));
+    };
+    parallel_for_chunks(pool, front.cost, front.pivot_strips + front.row_strips, set_strips_to_zero);
     for (int k = 0; k < front.pivots; ++k) {
         const int column = front.first + k;
         const int block = symbolic_.order[column];
@@ -90,7 +92,7 @@ void MultifrontalFactor<Scalar>::assemble_panel(const BlockMatrix& matrix, std::
 }
 
 template <class Scalar>
-void MultifrontalFactor<Scalar>::add_updates_to_panel(std::size_t f, Scalar* space) {
+void MultifrontalFactor<Scalar>::add_updates_to_panel(std::size_t f, Scalar* space, const ThreadPool& pool) {
     constexpr std::size_t w = strip_rows<Scalar>;
     const Front& front = symbolic_.fronts[f];
     const int columns = front.pivots * block_unknowns;
@@ -98,59 +100,81 @@ void MultifrontalFactor<Scalar>::add_updates_to_panel(std::size_t f, Scalar* spa
     for (const int c : symbolic_.children_of(f)) {
         const Front& child = symbolic_.fronts[c];
         const std::span<const int> relative_indices = symbolic_.relative_indices_of(c);
-        for (std::size_t j = 0; j < relative_indices.size() && relative_indices[j] < front.pivots; ++j) {
-            const Scalar* column = update(child, space) + update_column_offset(j, child.stride, w);
-            const std::size_t stride = update_column_stride(j, child.stride, w);
-            for (std::size_t i = j; i < relative_indices.size(); ++i) {
-                const int row = relative_indices[i] < front.pivots
-                                    ? relative_indices[i] * block_unknowns
-                                    : front.pivot_strips * strip_rows<Scalar> +
-                                          (relative_indices[i] - front.pivots) * block_unknowns;
-                const Scalar* source = column + i * block_unknowns;
-                add_to_strips(strips, row, relative_indices[j], columns,
-                              [&](int r, int q) { return source[q * stride + r]; });
+        const auto add_columns = [&](int begin, int end) {
+            for (auto j = static_cast<std::size_t>(begin); j < static_cast<std::size_t>(end); ++j) {
+                const Scalar* column = update(child, space) + update_column_offset(j, child.stride, w);
+                const std::size_t stride = update_column_stride(j, child.stride, w);
+                for (std::size_t i = j; i < relative_indices.size(); ++i) {
+                    const int row = relative_indices[i] < front.pivots
+                                        ? relative_indices[i] * block_unknowns
+                                        : front.pivot_strips * strip_rows<Scalar> +
+                                              (relative_indices[i] - front.pivots) * block_unknowns;
+                    const Scalar* source = column + i * block_unknowns;
+                    add_to_strips(strips, row, relative_indices[j], columns,
+                                  [&](int r, int q) { return source[q * stride + r]; });
+                }
             }
-        }
+        };
+        parallel_for_chunks(pool, front.cost, symbolic_.pivot_rows_of(c), add_columns);
     }
 }
 
 template <class Scalar>
-void MultifrontalFactor<Scalar>::add_updates_to_update(std::size_t f, Scalar* space) {
+void MultifrontalFactor<Scalar>::add_updates_to_update(std::size_t f, Scalar* space, const ThreadPool& pool) {
     constexpr std::size_t w = strip_rows<Scalar>;
     const Front& front = symbolic_.fronts[f];
     for (const int c : symbolic_.children_of(f)) {
         const Front& child = symbolic_.fronts[c];
         const std::span<const int> relative_indices = symbolic_.relative_indices_of(c);
-        const auto first = static_cast<std::size_t>(
-            std::lower_bound(relative_indices.begin(), relative_indices.end(), front.pivots) -
-            relative_indices.begin());
-        for (std::size_t j = first; j < relative_indices.size(); ++j) {
-            const std::size_t column = relative_indices[j] - front.pivots;
-            const Scalar* from = update(child, space) + update_column_offset(j, child.stride, w);
-            Scalar* to = update(front, space) + update_column_offset(column, front.stride, w);
-            const std::size_t from_stride = update_column_stride(j, child.stride, w);
-            const std::size_t to_stride = update_column_stride(column, front.stride, w);
-            for (std::size_t i = j; i < relative_indices.size();) {  // runs of rows contiguous in both
-                std::size_t end = i + 1;
-                while (end < relative_indices.size() &&
-                       relative_indices[end] == relative_indices[end - 1] + 1)
-                    ++end;
-                const Scalar* source = from + i * block_unknowns;
-                Scalar* target = to + (relative_indices[i] - front.pivots) * block_unknowns;
-                const std::size_t count = (end - i) * block_unknowns;
-                for (int q = 0; q < block_unknowns; ++q, source += from_stride, target += to_stride) {
-                    for (std::size_t k = 0; k < count; ++k) target[k] += source[k];
+        const int first = symbolic_.pivot_rows_of(c);
+        const auto add_columns = [&](int begin, int end) {
+            for (auto j = static_cast<std::size_t>(first + begin); j < static_cast<std::size_t>(first + end);
+                 ++j) {
+                const std::size_t column = relative_indices[j] - front.pivots;
+                const Scalar* from = update(child, space) + update_column_offset(j, child.stride, w);
+                Scalar* to = update(front, space) + update_column_offset(column, front.stride, w);
+                const std::size_t from_stride = update_column_stride(j, child.stride, w);
+                const std::size_t to_stride = update_column_stride(column, front.stride, w);
+                for (std::size_t i = j; i < relative_indices.size();) {  // runs of rows contiguous in both
+                    std::size_t run_end = i + 1;
+                    while (run_end < relative_indices.size() &&
+                           relative_indices[run_end] == relative_indices[run_end - 1] + 1)
+                        ++run_end;
+                    const Scalar* source = from + i * block_unknowns;
+                    Scalar* target = to + (relative_indices[i] - front.pivots) * block_unknowns;
+                    const std::size_t count = (run_end - i) * block_unknowns;
+                    for (int q = 0; q < block_unknowns; ++q, source += from_stride, target += to_stride) {
+                        for (std::size_t k = 0; k < count; ++k) target[k] += source[k];
+                    }
+                    i = run_end;
                 }
-                i = end;
             }
-        }
+        };
+        parallel_for_chunks(pool, front.cost, static_cast<int>(relative_indices.size()) - first, add_columns);
     }
+}
+
+template <class Scalar>
+bool MultifrontalFactor<Scalar>::factor_pivots(const Front& front, const ThreadPool& pool) {
+    constexpr int group = 8;  // block columns; the rows below them are shared
+    const int step = pool.size() == 1 || front.cost < min_parallel_cost ? front.pivots : group;
+    for (int begin = 0; begin < front.pivots; begin += step) {
+        const int end = std::min(begin + step, front.pivots);
+        if (!kernels_.factor_pivots(panel(front), front.pivots, begin, end)) return false;
+        const int done = (end * block_unknowns + strip_rows<Scalar> - 1) / strip_rows<Scalar>;
+        const auto solve_strips = [&](int first_strip, int end_strip) {
+            kernels_.solve_pivot_rows(panel(front), front.pivots, begin, end, done + first_strip,
+                                      done + end_strip);
+        };
+        parallel_for_chunks(pool, front.cost, front.pivot_strips - done, solve_strips);
+    }
+    return true;
 }
 
 template <class Scalar>
 bool MultifrontalFactor<Scalar>::eliminate(std::size_t f, Scalar* space, const ThreadPool& pool) {
     const Front& front = symbolic_.fronts[f];
-    if (!kernels_.factor_pivots(panel(front), front.pivots)) return false;
+    if (!factor_pivots(front, pool)) return false;
     const auto solve_strips = [&](int begin, int end) {
         kernels_.solve_rows(panel(front), front.pivots, begin, end);
     };
@@ -167,10 +191,10 @@ bool MultifrontalFactor<Scalar>::eliminate(std::size_t f, Scalar* space, const T
 template <class Scalar>
 bool MultifrontalFactor<Scalar>::factorize_front(std::size_t f, const BlockMatrix& matrix, Scalar* space,
                                                  const ThreadPool& pool) {
-    assemble_panel(matrix, f);
-    add_updates_to_panel(f, space);
+    assemble_panel(matrix, f, pool);
+    add_updates_to_panel(f, space, pool);
     if (!eliminate(f, space, pool)) return false;
-    add_updates_to_update(f, space);
+    add_updates_to_update(f, space, pool);
     return true;
 }
 

@@ -36,14 +36,17 @@ class MultifrontalFactor {
     const SymbolicFactor& symbolic() const { return symbolic_; }
 
   private:
+    // The work of a front. All of it is split among the threads of the pool if the front is large.
     /// Sets the panel of a front to the entries of the matrix.
-    void assemble_panel(const BlockMatrix& matrix, std::size_t f);
+    void assemble_panel(const BlockMatrix& matrix, std::size_t f, const ThreadPool& pool);
     // Extend-add of the children's updates. Updates inside a subtree are in `space`.
-    void add_updates_to_panel(std::size_t f, Scalar* space);
-    void add_updates_to_update(std::size_t f, Scalar* space);
+    void add_updates_to_panel(std::size_t f, Scalar* space, const ThreadPool& pool);
+    void add_updates_to_update(std::size_t f, Scalar* space, const ThreadPool& pool);
     /// Marks the fronts to be factorised again.
     void find_outdated(std::span<const char> changed);
-    /// The dense work of a front, split among the threads of the pool if it is large.
+    /// L11 of a front. @return false when it is not positive definite.
+    bool factor_pivots(const Front& front, const ThreadPool& pool);
+    /// The dense work of a front.
     bool eliminate(std::size_t f, Scalar* space, const ThreadPool& pool);
     bool factorize_front(std::size_t f, const BlockMatrix& matrix, Scalar* space, const ThreadPool& pool);
     Scalar* update(const Front& front, Scalar* space) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -79,7 +80,7 @@ struct Front {
     std::size_t update = 0;            ///< offset of the update in that space, scalars
     std::size_t stride = 0;            ///< scalar rows of the update, padded to whole strips
     double cost = 0;                   ///< ns, predicted
-    bool split_among_threads = false;  ///< its dense work is parallel, and it runs after all tasks
+    bool split_among_threads = false;  ///< its work is parallel, and it comes after all tasks
 };
 
 /// A subtree of the assembly tree, fronts [begin, end). One thread factorises it independently of the others.
@@ -121,6 +122,13 @@ struct SymbolicFactor {
     }
     std::span<const int> relative_indices_of(std::size_t f) const {
         return std::span(relative_indices).subspan(fronts[f].row_begin, fronts[f].rows);
+    }
+    /// How many of the rows of front `f`, the first ones, are pivots of its parent.
+    int pivot_rows_of(std::size_t f) const {
+        const std::span<const int> indices = relative_indices_of(f);
+        return static_cast<int>(
+            std::lower_bound(indices.begin(), indices.end(), fronts[fronts[f].parent].pivots) -
+            indices.begin());
     }
     std::span<const int> children_of(std::size_t f) const {
         return std::span(children).subspan(fronts[f].child_begin,

@@ -25,7 +25,9 @@ void InteriorPoint::solve_coupled(PerRow<Vec6>& x, Change kind) {
     Eigen::VectorXd residual = coupled_shear(x);
     const double aim = (is_correction ? corrected_residual : predicted_residual) * residual.norm();
     if (is_correction) {
-        for (const RowIndex row : x.indices()) x[row] += predicted_displacement_[row];
+        pool_.parallel_for(x.size(), [&](std::size_t begin, std::size_t end) {
+            for (const RowIndex row : indices<RowIndex>(begin, end)) x[row] += predicted_displacement_[row];
+        });
         residual = coupled_shear(x) - predicted_shear_;
     }
     MinimalResidual shear(residual);
@@ -41,8 +43,11 @@ void InteriorPoint::solve_coupled(PerRow<Vec6>& x, Change kind) {
     });
     if (is_correction) return;
     predicted_shear_ = shear.solution();
-    predicted_displacement_ = x;
-    for (const RowIndex row : x.indices()) predicted_displacement_[row] -= uncoupled[row];
+    predicted_displacement_.resize(x.size());
+    pool_.parallel_for(x.size(), [&](std::size_t begin, std::size_t end) {
+        for (const RowIndex row : indices<RowIndex>(begin, end))
+            predicted_displacement_[row] = x[row] - uncoupled[row];
+    });
 }
 
 Eigen::VectorXd InteriorPoint::coupled_shear(RowSpan<const Vec6> displacement) const {

@@ -261,11 +261,11 @@ double InteriorPoint::evaluate_balance() {
 bool InteriorPoint::factorize() {
     end_of(Phase::evaluation, times_);
     springs_.assign(trials_.count(), {});
-    for (PathContact& c : contacts_) {
+    for_contacts([&](PathContact& c) {
         c.set_fractions();
         springs_[c.contact] = {c.normal_fraction * c.normal_stiffness, c.shear_fraction * c.shear_stiffness,
                                trials_[c.contact].tilt};
-    }
+    });
     matrix_.assemble(trials_, springs_);
     end_of(Phase::assembly, times_);
     const bool definite = solver_.refactorize(matrix_.matrix(), matrix_.changed());

@@ -96,7 +96,7 @@ TYPED_TEST(FrontKernels, FactoriseAFront) {
     for_fronts<Scalar>([&](const dda::FrontKernels<Scalar>& kernels, DenseFront<Scalar>& front) {
         const int k = front.columns;
         const int m = 6 * front.rows;
-        ASSERT_TRUE(kernels.factor_pivots(front.panel(), front.pivots));
+        ASSERT_TRUE(kernels.factor_pivots(front.panel(), front.pivots, 0, front.pivots));
         kernels.solve_rows(front.panel(), front.pivots, 0, front.row_strips());
         const Matrix l = front.matrix.topLeftCorner(k, k).llt().matrixL();
         Matrix below(m, k);
@@ -140,7 +140,7 @@ TYPED_TEST(FrontKernels, Solve) {
         const int k = front.columns;
         const int m = 6 * front.rows;
         if (m == 0) return;  // a root, which the tests of the factor cover
-        ASSERT_TRUE(kernels.factor_pivots(front.panel(), front.pivots));
+        ASSERT_TRUE(kernels.factor_pivots(front.panel(), front.pivots, 0, front.pivots));
         kernels.solve_rows(front.panel(), front.pivots, 0, front.row_strips());
         kernels.invert_groups(front.panel(), front.pivots);
         const auto a11 = front.matrix.topLeftCorner(k, k);
@@ -175,8 +175,14 @@ TYPED_TEST(FrontKernels, GiveTheSameBytesInChunks) {
         dda::AlignedBuffer<Scalar> whole, parts;
         whole.resize(stride * columns + 1);
         parts.resize(stride * columns + 1);
-        for (DenseFront<Scalar>* one : {&front, &other})
-            ASSERT_TRUE(kernels.factor_pivots(one->panel(), one->pivots));
+        ASSERT_TRUE(kernels.factor_pivots(front.panel(), front.pivots, 0, front.pivots));
+        constexpr int w = DenseFront<Scalar>::w;
+        for (int begin = 0; begin < front.pivots; begin += 3) {
+            const int end = std::min(begin + 3, front.pivots);
+            ASSERT_TRUE(kernels.factor_pivots(other.panel(), front.pivots, begin, end));
+            for (int s = front.padded / w - 1; s >= (6 * end + w - 1) / w; --s)
+                kernels.solve_pivot_rows(other.panel(), front.pivots, begin, end, s, s + 1);
+        }
         kernels.solve_rows(front.panel(), front.pivots, 0, front.row_strips());
         for (int s = front.row_strips() - 1; s >= 0; --s)
             kernels.solve_rows(other.panel(), front.pivots, s, s + 1);
@@ -208,7 +214,7 @@ std::vector<Scalar> results_of(const dda::FrontKernels<Scalar>& kernels, DenseFr
     std::fill_n(x.data(), front.strips * w, Scalar(0));
     RandomNumbers draw(5);
     for (int r = 0; r < front.columns; ++r) x.data()[r] = static_cast<Scalar>(draw.number());
-    EXPECT_TRUE(kernels.factor_pivots(front.panel(), front.pivots));
+    EXPECT_TRUE(kernels.factor_pivots(front.panel(), front.pivots, 0, front.pivots));
     kernels.solve_rows(front.panel(), front.pivots, 0, front.row_strips());
     kernels.form_update(front.panel(), front.pivots, front.row_strips(), {update.data(), stride}, 0,
                         front.rows);
@@ -251,7 +257,7 @@ TYPED_TEST(FrontKernels, AddFusedProductsInTheOrderOfColumns) {
     for (const auto& kernels : dda::front_kernels<Scalar>()) {
         if (!kernels.fused) continue;
         DenseFront<Scalar> front(1, 5, 7), factor(1, 5, 7);
-        ASSERT_TRUE(kernels.factor_pivots(factor.panel(), 1));
+        ASSERT_TRUE(kernels.factor_pivots(factor.panel(), 1, 0, 1));
         kernels.solve_rows(factor.panel(), 1, 0, factor.row_strips());
         for (int r = 6; r < 36; ++r) {
             for (int c = 0; c < 6; ++c) {
@@ -269,7 +275,7 @@ TYPED_TEST(FrontKernels, RejectAnIndefiniteMatrix) {
     for_fronts<Scalar>([&](const dda::FrontKernels<Scalar>& kernels, DenseFront<Scalar>& front) {
         const int middle = front.columns / 2;
         front.at(middle, middle) = -1;
-        EXPECT_FALSE(kernels.factor_pivots(front.panel(), front.pivots));
+        EXPECT_FALSE(kernels.factor_pivots(front.panel(), front.pivots, 0, front.pivots));
     });
 }
 
