@@ -1,7 +1,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 #include "common/base/thread_pool.hpp"
@@ -13,15 +15,28 @@ namespace rockslope {
 template <class Predicate>
 void parallel_filter(const ThreadPool& pool, std::size_t count, const Predicate& is_selected,
                      std::vector<char>& selected, std::vector<std::size_t>& indices) {
+    constexpr std::size_t chunk_limit = 64;
+    constexpr std::size_t least_chunk = 512;
+    const std::size_t length = std::max(least_chunk, (count + chunk_limit - 1) / chunk_limit);
+    const std::size_t chunks = (count + length - 1) / length;
+    const auto end_of_chunk = [&](std::size_t chunk) { return std::min((chunk + 1) * length, count); };
     selected.resize(count);
-    pool.parallel_for(count, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t k = begin; k < end; ++k) selected[k] = is_selected(k) ? 1 : 0;
+    std::array<std::size_t, chunk_limit + 1> first{};  // of a chunk, among the selected
+    pool.parallel_for_dynamic(chunks, [&](std::size_t chunk, std::size_t) {
+        const auto begin = selected.begin() + static_cast<std::ptrdiff_t>(chunk * length);
+        for (std::size_t k = chunk * length; k < end_of_chunk(chunk); ++k)
+            selected[k] = is_selected(k) ? 1 : 0;
+        const auto end = selected.begin() + static_cast<std::ptrdiff_t>(end_of_chunk(chunk));
+        first[chunk + 1] = static_cast<std::size_t>(std::count(begin, end, 1));
     });
-    indices.clear();
-    indices.reserve(std::count(selected.begin(), selected.end(), 1));
-    for (std::size_t k = 0; k < count; ++k) {
-        if (selected[k] != 0) indices.push_back(k);
-    }
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    indices.resize(first.back());
+    pool.parallel_for_dynamic(chunks, [&](std::size_t chunk, std::size_t) {
+        std::size_t at = first[chunk];
+        for (std::size_t k = chunk * length; k < end_of_chunk(chunk); ++k) {
+            if (selected[k] != 0) indices[at++] = k;
+        }
+    });
 }
 
 /// The indices below `count` for which is_selected(index) is true, ascending.

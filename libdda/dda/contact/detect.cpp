@@ -52,15 +52,15 @@ struct EntranceLine {
 /// Contact detection of a step: evaluates candidates, selects entrance lines and makes contacts.
 class ContactDetector {
   public:
-    ContactDetector(const Model& model, const DetectionInput& detection)
+    ContactDetector(const Model& model, const DetectionInput& detection, const ThreadPool& pool)
         : model_(model),
           topology_(model.topology),
           input_(detection),
           inherited_penetrations_(model.topology, input_.vertices, input_.previous,
-                                  input_.search_radius.largest()),
-          previous_contacts_(model.topology.corner_count(), corners_of(input_.previous)),
-          previous_edges_(edges_of(input_.previous)),
-          directions_(edge_directions(model.topology, input_.vertices)) {}
+                                  input_.search_radius.largest(), pool),
+          previous_contacts_(model.topology.corner_count(), corners_of(input_.previous, pool)),
+          previous_edges_(edges_of(input_.previous, pool)),
+          directions_(edge_directions(model.topology, input_.vertices, pool)) {}
 
     /// Whether a pair must be evaluated: it is within its search radius, was a contact before, or is forced.
     bool is_near(const CornerEdge& pair) const {
@@ -221,15 +221,18 @@ class ContactDetector {
         return std::min(topology_.block_of[candidate.pair.corner],
                         topology_.block_of_edge(candidate.pair.edge));
     }
-    static PerContact<EdgeIndex> edges_of(ContactSpan<const Contact> contacts) {
+    static PerContact<EdgeIndex> edges_of(ContactSpan<const Contact> contacts, const ThreadPool& pool) {
         PerContact<EdgeIndex> edges(contacts.size());
-        for (const ContactIndex k : contacts.indices()) edges[k] = contacts[k].edge;
+        pool.parallel_for(contacts.size(), [&](std::size_t begin, std::size_t end) {
+            for (const ContactIndex k : indices<ContactIndex>(begin, end)) edges[k] = contacts[k].edge;
+        });
         return edges;
     }
-    static std::vector<CornerIndex> corners_of(ContactSpan<const Contact> contacts) {
-        std::vector<CornerIndex> corners;
-        corners.reserve(contacts.size());
-        for (const Contact& contact : contacts) corners.push_back(contact.corner);
+    static std::vector<CornerIndex> corners_of(ContactSpan<const Contact> contacts, const ThreadPool& pool) {
+        std::vector<CornerIndex> corners(contacts.size());
+        pool.parallel_for(contacts.size(), [&](std::size_t begin, std::size_t end) {
+            for (std::size_t k = begin; k < end; ++k) corners[k] = contacts[k].corner;
+        });
         return corners;
     }
     /// The contact of a pair at the start of the step; null if there was none.
@@ -406,7 +409,7 @@ bool passes_entrance_angle_test(const Vec2& leaving, const Vec2& arriving, const
 
 std::vector<Contact> detect_contacts(const Model& model, const DetectionInput& at,
                                      std::span<const CornerEdge> candidates, const ThreadPool& pool) {
-    const ContactDetector detector(model, at);
+    const ContactDetector detector(model, at, pool);
     // Most candidates are not near; only near ones get memory for their evaluation.
     const std::vector<std::size_t> near = parallel_filter(
         pool, candidates.size(), [&](std::size_t k) { return detector.is_near(candidates[k]); });

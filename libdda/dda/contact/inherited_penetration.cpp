@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "common/base/parallel_parts.hpp"
 #include "dda/contact/detect.hpp"
 
 namespace rockslope::dda {
@@ -70,7 +71,7 @@ struct InheritedPenetrations::Found {
 
 InheritedPenetrations::Found InheritedPenetrations::find(const Topology& topology,
                                                          CornerSpan<const Vec2> vertices,
-                                                         ContactSpan<const Contact> contacts,
+                                                         std::span<const Contact> contacts,
                                                          double search_radius) {
     Found found;
     found.entries.reserve(2 * contacts.size());
@@ -110,12 +111,29 @@ InheritedPenetrations::Found InheritedPenetrations::find(const Topology& topolog
     return found;
 }
 
+InheritedPenetrations::Found InheritedPenetrations::find(const Topology& topology,
+                                                         CornerSpan<const Vec2> vertices,
+                                                         std::span<const Contact> contacts,
+                                                         double search_radius, const ThreadPool& pool) {
+    std::vector<Found> parts = parallel_parts(pool, contacts.size(), [&](std::size_t begin, std::size_t end) {
+        return find(topology, vertices, contacts.subspan(begin, end - begin), search_radius);
+    });
+    Found& all = parts.front();
+    for (const Found& more : std::span(parts).subspan(1)) {
+        all.entries.insert(all.entries.end(), more.entries.begin(), more.entries.end());
+        all.corners.insert(all.corners.end(), more.corners.begin(), more.corners.end());
+    }
+    return std::move(all);
+}
+
 InheritedPenetrations::InheritedPenetrations(std::size_t corners, Found found)
     : entries_(std::move(found.entries)), by_corner_(corners, found.corners) {}
 
 InheritedPenetrations::InheritedPenetrations(const Topology& topology, CornerSpan<const Vec2> vertices,
-                                             ContactSpan<const Contact> contacts, double search_radius)
-    : InheritedPenetrations(topology.corner_count(), find(topology, vertices, contacts, search_radius)) {}
+                                             ContactSpan<const Contact> contacts, double search_radius,
+                                             const ThreadPool& pool)
+    : InheritedPenetrations(topology.corner_count(),
+                            find(topology, vertices, contacts, search_radius, pool)) {}
 
 double InheritedPenetrations::along(CornerIndex corner, const Vec2& normal) const {
     double deepest = 0;

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "common/base/thread_pool.hpp"
 #include "dda/contact/contact.hpp"
 #include "dda/contact/owner_index.hpp"
 #include "dda/model/model.hpp"
@@ -29,7 +31,7 @@ class InheritedPenetrations {
     /// @param vertices per corner, m. @param contacts at the same time. @param search_radius m, see
     /// DetectionInput.
     InheritedPenetrations(const Topology& topology, CornerSpan<const Vec2> vertices,
-                          ContactSpan<const Contact> contacts, double search_radius);
+                          ContactSpan<const Contact> contacts, double search_radius, const ThreadPool& pool);
 
     /// Largest depth of a corner in faces along a line, m; 0 if no contact accounts for one. A corner that
     /// slides from a face onto a neighbour's face is as deep in the second as it was in the first.
@@ -51,8 +53,11 @@ class InheritedPenetrations {
     };
     struct Found;
     InheritedPenetrations(std::size_t corners, Found found);
+    /// What some of the contacts account for.
     static Found find(const Topology& topology, CornerSpan<const Vec2> vertices,
-                      ContactSpan<const Contact> contacts, double search_radius);
+                      std::span<const Contact> contacts, double search_radius);
+    static Found find(const Topology& topology, CornerSpan<const Vec2> vertices,
+                      std::span<const Contact> contacts, double search_radius, const ThreadPool& pool);
     const Entry& entry(std::uint32_t k) const { return entries_[k]; }
 
     std::vector<Entry> entries_;

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <span>
+#include <utility>
 
+#include "common/base/parallel_filter.hpp"
+#include "common/base/parallel_parts.hpp"
 #include "dda/contact/contact_stiffness.hpp"
 #include "dda/contact/detect.hpp"
 #include "dda/contact/owner_index.hpp"
@@ -87,14 +90,19 @@ class PredecessorIndex {
         std::sort(by_block_.begin(), by_block_.end());
     }
 
+    /// Whether a block has a predecessor.
+    bool has_any(BlockIndex block) const {
+        const auto entry = first_of(block);
+        return entry != by_block_.end() && entry->first == block;
+    }
+
     /// The nearest predecessor of a contact, of the given match level, not in `matched`; null if there is
     /// none.
     const Contact* nearest(const Contact& contact, MatchLevel level,
                            std::span<const Contact* const> matched) const {
         const Contact* nearest = nullptr;
         double least = max_distance_;
-        auto entry = std::lower_bound(by_block_.begin(), by_block_.end(),
-                                      std::pair<BlockIndex, const Contact*>{contact.corner_block, nullptr});
+        auto entry = first_of(contact.corner_block);
         for (; entry != by_block_.end() && entry->first == contact.corner_block; ++entry) {
             const Contact* predecessor = entry->second;
             const double distance = (predecessor->point - contact.point).norm();
@@ -111,6 +119,11 @@ class PredecessorIndex {
     }
 
   private:
+    std::vector<std::pair<BlockIndex, const Contact*>>::const_iterator first_of(BlockIndex block) const {
+        return std::lower_bound(by_block_.begin(), by_block_.end(),
+                                std::pair<BlockIndex, const Contact*>{block, nullptr});
+    }
+
     /// Whether both are on one line with about the same gap. A deeper contact would add energy.
     bool may_match(const Contact& predecessor, const Contact& contact) const {
         const double gap = contact.gap + contact.dilation - predecessor.dilation;
@@ -211,38 +224,29 @@ class Transfer {
           old_(old),
           max_displacement_(max_displacement),
           contacts_(contacts),
-          has_history_(contacts.size(), 0) {
-        successors_.reserve(contacts.size());
-    }
+          has_history_(contacts.size(), 0) {}
 
     /// Matches by corner and edge.
     void match_pairs(bool first_step, const ThreadPool& pool) {
-        std::vector<const Contact*> same_pair(contacts_.size(), nullptr);
-        auto from = old_.begin();
-        for (std::size_t k = 0; k < contacts_.size(); ++k) {
-            while (from != old_.end() && comes_before(*from, contacts_[k])) predecessors_.push_back(&*from++);
-            if (from != old_.end() && !comes_before(contacts_[k], *from)) same_pair[k] = &*from++;
-            if (same_pair[k] == nullptr || same_pair[k]->state == ContactState::open)
-                successors_.push_back(k);
+        std::vector<Unmatched> parts = parallel_parts(
+            pool, contacts_.size(),
+            [&](std::size_t begin, std::size_t end) { return match_pairs(begin, end, first_step); });
+        predecessors_ = std::move(parts.front().predecessors);
+        successors_ = std::move(parts.front().successors);
+        for (const Unmatched& more : std::span(parts).subspan(1)) {
+            append(predecessors_, more.predecessors);
+            append(successors_, more.successors);
         }
-        while (from != old_.end()) predecessors_.push_back(&*from++);
-        pool.parallel_for(contacts_.size(), [&](std::size_t begin, std::size_t end) {
-            for (std::size_t k = begin; k < end; ++k) {
-                has_history_[k] = same_pair[k] != nullptr ? 1 : 0;
-                if (same_pair[k] != nullptr)
-                    copy_state(*same_pair[k], contacts_[k]);
-                else
-                    initialise_new(model_, first_step, contacts_[k]);
-            }
-        });
     }
 
     /// Matches by line: predecessors with the same corner first, then those of the same blocks. An open
     /// predecessor does not replace the history of a contact that existed.
-    void match_lines() {
+    void match_lines(const ThreadPool& pool) {
         const PredecessorIndex predecessor_index(predecessors_, max_displacement_);
+        const std::vector<std::size_t> beside = select_successors(
+            pool, [&](std::size_t k) { return predecessor_index.has_any(contacts_[k].corner_block); });
         for (const MatchLevel level : {MatchLevel::same_corner, MatchLevel::same_blocks}) {
-            for (const std::size_t k : successors_) {
+            for (const std::size_t k : beside) {
                 if (contacts_[k].state != ContactState::open) continue;
                 const Contact* predecessor = predecessor_index.nearest(contacts_[k], level, matched_);
                 if (predecessor == nullptr ||
@@ -278,27 +282,83 @@ class Transfer {
     /// it leaves has a corner. The second contact inherits the history of the joint, and bears no force until
     /// it gets deeper. Until then it follows the history of the loaded contacts beside it. A contact of a
     /// rough joint that has a history keeps the one of its segment.
-    JointSegments inherit_histories() {
+    JointSegments inherit_histories(const ThreadPool& pool) {
         JointSegments segments(model_, contacts_);
         share_segment_history(segments, has_history_, contacts_);
-        std::optional<LoadedContacts> loaded_contacts;
-        for (const std::size_t k : successors_) {
-            Contact& contact = contacts_[k];
-            if (!is_passive(contact)) continue;
-            if (has_history_[k] != 0 &&
-                has_segment_history(model_.joint_material_at(contact.joint_material).law))
-                continue;
-            if (!loaded_contacts) loaded_contacts.emplace(model_.block_count(), old_);
-            const Contact* loaded = loaded_contacts->nearest(contact, max_displacement_);
-            if (loaded == nullptr) continue;
-            contact.inherit_history(loaded->history, loaded->dilation);
-            has_history_[k] = 1;
-        }
+        const std::vector<std::size_t> passive = select_successors(pool, [&](std::size_t k) {
+            return is_passive(contacts_[k]) && (has_history_[k] == 0 || !has_segment_history(law_of(k)));
+        });
+        if (!passive.empty()) inherit_from_loaded(passive, pool);
         share_segment_history(segments, has_history_, contacts_);
         return segments;
     }
 
   private:
+    struct Unmatched {
+        std::vector<const Contact*> predecessors;
+        std::vector<std::size_t> successors;
+    };
+
+    /// Matches the contacts [begin, end) with the old ones in their place.
+    Unmatched match_pairs(std::size_t begin, std::size_t end, bool first_step) {
+        const auto place_of = [&](std::size_t k) {
+            return k == contacts_.size() ? old_.end()
+                                         : std::partition_point(old_.begin(), old_.end(), [&](auto& other) {
+                                               return comes_before(other, contacts_[k]);
+                                           });
+        };
+        Unmatched unmatched;
+        unmatched.successors.reserve(end - begin);
+        auto from = begin == 0 ? old_.begin() : place_of(begin);
+        const auto last = place_of(end);
+        for (std::size_t k = begin; k < end; ++k) {
+            while (from != last && comes_before(*from, contacts_[k]))
+                unmatched.predecessors.push_back(&*from++);
+            const bool has_pair = from != last && !comes_before(contacts_[k], *from);
+            if (!has_pair || from->state == ContactState::open) unmatched.successors.push_back(k);
+            has_history_[k] = has_pair ? 1 : 0;
+            if (has_pair)
+                copy_state(*from++, contacts_[k]);
+            else
+                initialise_new(model_, first_step, contacts_[k]);
+        }
+        while (from != last) unmatched.predecessors.push_back(&*from++);
+        return unmatched;
+    }
+
+    /// Contacts inherit the history of the nearest loaded contact beside them.
+    void inherit_from_loaded(std::span<const std::size_t> passive, const ThreadPool& pool) {
+        const LoadedContacts loaded_contacts(model_.block_count(), old_);
+        std::vector<const Contact*> loaded(passive.size());
+        pool.parallel_for(passive.size(), [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+                loaded[i] = loaded_contacts.nearest(contacts_[passive[i]], max_displacement_);
+        });
+        for (std::size_t i = 0; i < passive.size(); ++i) {
+            if (loaded[i] == nullptr) continue;
+            contacts_[passive[i]].inherit_history(loaded[i]->history, loaded[i]->dilation);
+            has_history_[passive[i]] = 1;
+        }
+    }
+
+    const JointLaw& law_of(std::size_t k) const {
+        return model_.joint_material_at(contacts_[k].joint_material).law;
+    }
+
+    /// The successors that fulfil a condition, ascending.
+    template <class Condition>
+    std::vector<std::size_t> select_successors(const ThreadPool& pool, const Condition& condition) const {
+        std::vector<std::size_t> selected = parallel_filter(
+            pool, successors_.size(), [&](std::size_t i) { return condition(successors_[i]); });
+        for (std::size_t& k : selected) k = successors_[k];
+        return selected;
+    }
+
+    template <class Item>
+    static void append(std::vector<Item>& all, const std::vector<Item>& more) {
+        all.insert(all.end(), more.begin(), more.end());
+    }
+
     static bool is_passive(const Contact& contact) {
         return contact.state == ContactState::open && contact.inherited_penetration > 0 && contact.slip == 0;
     }
@@ -319,9 +379,9 @@ JointSegments transfer_contacts(const Model& model, ContactSpan<const Contact> o
                                 bool first_step, std::vector<Contact>& contacts, const ThreadPool& pool) {
     Transfer transfer(model, old, max_displacement, contacts);
     transfer.match_pairs(first_step, pool);
-    transfer.match_lines();
+    transfer.match_lines(pool);
     transfer.leave_normal_forces();
-    return transfer.inherit_histories();
+    return transfer.inherit_histories(pool);
 }
 
 }  // namespace rockslope::dda

@@ -231,7 +231,7 @@ std::vector<UndetectedPenetration> find_undetected_penetrations(const Model& mod
                                                                 const ThreadPool& pool) {
     const Topology& topology = model.topology;
     const std::span<const CornerEdge> candidates = test.candidates;
-    const InheritedPenetrations inherited(topology, test.after, test.contacts, test.search_radius);
+    const InheritedPenetrations inherited(topology, test.after, test.contacts, test.search_radius, pool);
 
     // First candidate of each pair of a corner and a block, then the number of candidates.
     std::vector<std::uint32_t> first;

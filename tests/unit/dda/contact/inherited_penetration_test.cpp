@@ -69,7 +69,8 @@ TEST(InheritedPenetration, OfAContractedJointIsAtLeastItsContraction) {
     contact.dilation = -4e-7;
     contact.gap = -3e-7 - contact.dilation;
     const auto penetration = [&] {
-        return dda::InheritedPenetrations(s.model.topology, s.model.vertices, std::vector{contact}, 1e-3)
+        return dda::InheritedPenetrations(s.model.topology, s.model.vertices, std::vector{contact}, 1e-3,
+                                          ThreadPool(1))
             .in_block(4, 0);
     };
     EXPECT_DOUBLE_EQ(penetration(), 4e-7);
@@ -98,7 +99,7 @@ struct LeaningOverlap {
         contact.state = depth > 0 ? dda::ContactState::locked : dda::ContactState::open;
     }
     dda::InheritedPenetrations found() const {
-        return {s.model.topology, s.model.vertices, std::vector{contact}, 0.1};
+        return {s.model.topology, s.model.vertices, std::vector{contact}, 0.1, ThreadPool(1)};
     }
 };
 
