@@ -1,5 +1,6 @@
 #include "dda/analysis/moving_block.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -58,19 +59,6 @@ const char* pushing_load(const Model& model, const State& state, BlockIndex bloc
     return push.force >= pushing_share * state.blocks.mass[block] * norm ? push.load : nullptr;
 }
 
-/// The free block with the largest value, if any value is above `least`.
-template <class Value>
-std::optional<BlockIndex> block_with_largest(const Model& model, const State& state, double least,
-                                             const Value& value) {
-    std::optional<BlockIndex> found;
-    for (const BlockIndex block : model.blocks()) {
-        if (!is_free(model, state, block) || !(value(block) > least)) continue;
-        least = value(block);
-        found = block;
-    }
-    return found;
-}
-
 /// The free blocks that a condition holds for.
 template <class Condition>
 std::vector<BlockIndex> free_blocks(const Model& model, const State& state, const Condition& condition) {
@@ -113,19 +101,27 @@ MovingBlock moving_block(const Model& model, const State& state, BlockIndex bloc
 }
 
 std::optional<MovingBlock> block_moved_beyond(const Model& model, const State& state, double limit,
-                                              double share) {
-    const auto displacement = [&](BlockIndex block) { return displacement_of(state, block); };
-    const auto beyond =
-        free_blocks(model, state, [&](BlockIndex block) { return displacement(block) > limit; });
+                                              double share, double tolerance) {
+    std::vector<BlockIndex> beyond = moving_blocks(model, state, tolerance);
+    std::erase_if(beyond, [&](BlockIndex block) { return !(displacement_of(state, block) > limit); });
     if (beyond.empty() || share_of_mass(model, state, beyond) <= share) return {};
-    return moving_block(model, state, *block_with_largest(model, state, limit, displacement));
+    const auto farthest = std::max_element(beyond.begin(), beyond.end(), [&](BlockIndex a, BlockIndex b) {
+        return displacement_of(state, a) < displacement_of(state, b);
+    });
+    return moving_block(model, state, *farthest);
 }
 
 std::optional<MovingBlock> least_balanced_block(const Model& model, const State& state) {
-    const auto block = block_with_largest(model, state, 0,
-                                          [&](BlockIndex b) { return unbalanced_force(state.blocks, b, 1); });
-    if (!block) return {};
-    return moving_block(model, state, *block);
+    std::optional<BlockIndex> found;
+    double largest = 0;
+    for (const BlockIndex block : model.blocks()) {
+        const double unbalanced = unbalanced_force(state.blocks, block, 1);
+        if (!is_free(model, state, block) || !(unbalanced > largest)) continue;
+        largest = unbalanced;
+        found = block;
+    }
+    if (!found) return {};
+    return moving_block(model, state, *found);
 }
 
 std::string describe_manner(const Model& model, const MovingBlock& moving) {

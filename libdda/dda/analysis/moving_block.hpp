@@ -31,10 +31,11 @@ double share_of_mass(const Model& model, const State& state, std::span<const Blo
 /// Whether a static stage has come to rest: the blocks that move are at most the stage's `moving_share`.
 bool is_at_rest(const Model& model, const State& state, const Stage& stage);
 
-/// The block whose centroid has moved farthest, where the blocks that have moved farther than `limit`, m, are
-/// more than `share` of the mass of all free blocks.
+/// The block whose centroid has moved farthest, of those that have moved farther than `limit`, m, and still
+/// move: their unbalanced force over the weight is above `tolerance`. None where they are not more than
+/// `share` of the mass of all free blocks.
 std::optional<MovingBlock> block_moved_beyond(const Model& model, const State& state, double limit,
-                                              double share);
+                                              double share, double tolerance);
 
 /// A moving block, described.
 MovingBlock moving_block(const Model& model, const State& state, BlockIndex block);

@@ -147,7 +147,8 @@ void stop(const Model& model, const Stage& stage, State& state) {
 /// Why a static stage will not settle, in one line: a block moves too far, or too many steps were needed.
 std::optional<std::string> settling_failure(const Model& model, const Stage& stage, const State& state) {
     const std::string beginning = "stage '" + stage.name + "' does not settle: ";
-    if (const auto moving = block_moved_beyond(model, state, stage.displacement_limit, stage.moving_share))
+    if (const auto moving =
+            block_moved_beyond(model, state, stage.displacement_limit, stage.moving_share, stage.tolerance))
         return beginning + describe(model, state, *moving);
     if (state.stage_steps < stage.step_limit) return {};
     const auto moving = least_balanced_block(model, state);

@@ -22,7 +22,11 @@ struct FourBlocks {
         state = dda::initial_state(s.model);
         dda::begin_stage(state);
     }
-    void move(int block, const Vec2& by) { state.blocks.moments[block].centroid += by; }
+    /// Moves a block that goes on to move.
+    void move(int block, const Vec2& by) {
+        state.blocks.moments[block].centroid += by;
+        accelerate(block, -0.01 * g);
+    }
     void accelerate(int block, double by) { state.blocks.acceleration[block][1] = by; }
     void add_contact(int corner_block, int edge_block, dda::ContactState contact_state, double slip) {
         dda::Contact& contact = state.contacts.contacts.emplace_back();
@@ -40,8 +44,8 @@ TEST(MovingBlock, IsTheFreeBlockThatMovedFarthest) {
     blocks.move(1, {0.3, 0.4});
     blocks.move(2, {0, -0.2});
     blocks.accelerate(1, -0.25 * g);
-    EXPECT_FALSE(dda::block_moved_beyond(blocks.s.model, blocks.state, 0.51, 0));
-    const auto moving = dda::block_moved_beyond(blocks.s.model, blocks.state, 0.1, 0);
+    EXPECT_FALSE(dda::block_moved_beyond(blocks.s.model, blocks.state, 0.51, 0, 1e-6));
+    const auto moving = dda::block_moved_beyond(blocks.s.model, blocks.state, 0.1, 0, 1e-6);
     ASSERT_TRUE(moving);
     EXPECT_EQ(moving->block, 1);
     EXPECT_DOUBLE_EQ(moving->displacement, 0.5);
@@ -55,7 +59,20 @@ TEST(MovingBlock, IsNotOneThatHasBeenExcavated) {
     blocks.move(1, {3, 0});
     blocks.move(2, {1, 0});
     blocks.state.removed = {0, 1, 0, 0};
-    EXPECT_EQ(dda::block_moved_beyond(blocks.s.model, blocks.state, 0.1, 0)->block, 2);
+    EXPECT_EQ(dda::block_moved_beyond(blocks.s.model, blocks.state, 0.1, 0, 1e-6)->block, 2);
+}
+
+// A chip that had fallen to the toe and lay there was told as one that does not stop, in place of the blocks
+// that slid.
+TEST(MovingBlock, IsNotOneThatHasComeToRest) {
+    FourBlocks blocks;
+    blocks.move(1, {3, 0});
+    blocks.move(2, {1, 0});
+    blocks.accelerate(1, 0.9e-6 * g);
+    EXPECT_EQ(dda::block_moved_beyond(blocks.s.model, blocks.state, 0.1, 0, 1e-6)->block, 2);
+    EXPECT_FALSE(dda::block_moved_beyond(blocks.s.model, blocks.state, 0.1, 0.34, 1e-6))
+        << "a third of the mass";
+    EXPECT_FALSE(dda::block_moved_beyond(blocks.s.model, blocks.state, 2, 0, 1e-6));
 }
 
 TEST(MovingBlock, IsTheLeastBalancedOne) {
@@ -77,7 +94,7 @@ TEST(MovingBlock, MovesAlongItsSlidingContactWithTheLargestSlip) {
     blocks.add_contact(0, 1, dda::ContactState::sliding, -0.3);
     blocks.add_contact(1, 2, dda::ContactState::locked, 0.7);
     blocks.add_contact(2, 3, dda::ContactState::sliding, 0.9);
-    const auto moving = dda::block_moved_beyond(blocks.s.model, blocks.state, 0.1, 0);
+    const auto moving = dda::block_moved_beyond(blocks.s.model, blocks.state, 0.1, 0, 1e-6);
     ASSERT_TRUE(moving->on);
     EXPECT_EQ(moving->on->slip, -0.3);
 }
@@ -86,12 +103,12 @@ TEST(MovingBlock, IsDescribedInTheUsersCoordinates) {
     FourBlocks blocks;
     blocks.move(1, {0.25, -0.5});
     blocks.accelerate(1, -g);
-    const auto fall = dda::block_moved_beyond(blocks.s.model, blocks.state, 0.1, 0);
+    const auto fall = dda::block_moved_beyond(blocks.s.model, blocks.state, 0.1, 0, 1e-6);
     EXPECT_EQ(dda::describe(blocks.s.model, blocks.state, *fall),
               "block 1 at (1010.75, 2000) has moved 0.559 m in free fall and does not stop; its unbalanced "
               "force is 1 of the weight");
     blocks.add_contact(1, 0, dda::ContactState::sliding, 0.1);
-    const auto slide = dda::block_moved_beyond(blocks.s.model, blocks.state, 0.1, 0);
+    const auto slide = dda::block_moved_beyond(blocks.s.model, blocks.state, 0.1, 0, 1e-6);
     EXPECT_NE(dda::describe(blocks.s.model, blocks.state, *slide).find(" m along 'bedding' and does"),
               std::string::npos);
 }
@@ -104,7 +121,7 @@ TEST(MovingBlock, FallsFreelyOnlyAtTheAccelerationOfGravity) {
     blocks.accelerate(1, 0.5 * g);
     const auto manner = [&] {
         return dda::describe(blocks.s.model, blocks.state,
-                             *dda::block_moved_beyond(blocks.s.model, blocks.state, 0.1, 0));
+                             *dda::block_moved_beyond(blocks.s.model, blocks.state, 0.1, 0, 1e-6));
     };
     EXPECT_NE(manner().find(" m out of contact, under its loads and"), std::string::npos) << manner();
     blocks.add_contact(0, 1, dda::ContactState::locked, 0);
@@ -148,11 +165,11 @@ TEST(MovingBlock, HasNotMovedBeyondTheLimitWhereTooLittleOfTheMassHas) {
     FourBlocks blocks;
     blocks.move(1, {1, 0});
     blocks.move(2, {2, 0});
-    EXPECT_FALSE(dda::block_moved_beyond(blocks.s.model, blocks.state, 0.1, 0.67));
-    EXPECT_EQ(dda::block_moved_beyond(blocks.s.model, blocks.state, 0.1, 0.66)->block, 2);
-    EXPECT_EQ(dda::block_moved_beyond(blocks.s.model, blocks.state, 1.5, 0.33)->block, 2)
+    EXPECT_FALSE(dda::block_moved_beyond(blocks.s.model, blocks.state, 0.1, 0.67, 1e-6));
+    EXPECT_EQ(dda::block_moved_beyond(blocks.s.model, blocks.state, 0.1, 0.66, 1e-6)->block, 2);
+    EXPECT_EQ(dda::block_moved_beyond(blocks.s.model, blocks.state, 1.5, 0.33, 1e-6)->block, 2)
         << "1/3 of the mass";
-    EXPECT_FALSE(dda::block_moved_beyond(blocks.s.model, blocks.state, 1.5, 0.34));
+    EXPECT_FALSE(dda::block_moved_beyond(blocks.s.model, blocks.state, 1.5, 0.34, 1e-6));
 }
 
 TEST(MovingBlock, IsOutOfBalanceByMoreThanTheTolerance) {
