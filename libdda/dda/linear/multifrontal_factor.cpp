@@ -92,65 +92,66 @@ void MultifrontalFactor<Scalar>::assemble_panel(const BlockMatrix& matrix, std::
 }
 
 template <class Scalar>
-void MultifrontalFactor<Scalar>::add_updates_to_panel(std::size_t f, Scalar* space, const ThreadPool& pool) {
+void MultifrontalFactor<Scalar>::add_column_to_panel(const Front& front, int c, std::size_t j,
+                                                     Scalar* space) {
     constexpr std::size_t w = strip_rows<Scalar>;
-    const Front& front = symbolic_.fronts[f];
-    const int columns = front.pivots * block_unknowns;
+    const Front& child = symbolic_.fronts[c];
+    const std::span<const int> relative_indices = symbolic_.relative_indices_of(c);
     Scalar* strips = panel(front) + diagonal_blocks_size<Scalar>(front.pivots);
-    for (const int c : symbolic_.children_of(f)) {
-        const Front& child = symbolic_.fronts[c];
-        const std::span<const int> relative_indices = symbolic_.relative_indices_of(c);
-        const auto add_columns = [&](int begin, int end) {
-            for (auto j = static_cast<std::size_t>(begin); j < static_cast<std::size_t>(end); ++j) {
-                const Scalar* column = update(child, space) + update_column_offset(j, child.stride, w);
-                const std::size_t stride = update_column_stride(j, child.stride, w);
-                for (std::size_t i = j; i < relative_indices.size(); ++i) {
-                    const int row = relative_indices[i] < front.pivots
-                                        ? relative_indices[i] * block_unknowns
-                                        : front.pivot_strips * strip_rows<Scalar> +
-                                              (relative_indices[i] - front.pivots) * block_unknowns;
-                    const Scalar* source = column + i * block_unknowns;
-                    add_to_strips(strips, row, relative_indices[j], columns,
-                                  [&](int r, int q) { return source[q * stride + r]; });
-                }
-            }
-        };
-        parallel_for_chunks(pool, front.cost, symbolic_.pivot_rows_of(c), add_columns);
+    const Scalar* column = update(child, space) + update_column_offset(j, child.stride, w);
+    const std::size_t stride = update_column_stride(j, child.stride, w);
+    for (std::size_t i = j; i < relative_indices.size(); ++i) {
+        const int row = relative_indices[i] < front.pivots
+                            ? relative_indices[i] * block_unknowns
+                            : front.pivot_strips * strip_rows<Scalar> +
+                                  (relative_indices[i] - front.pivots) * block_unknowns;
+        const Scalar* source = column + i * block_unknowns;
+        add_to_strips(strips, row, relative_indices[j], front.pivots * block_unknowns,
+                      [&](int r, int q) { return source[q * stride + r]; });
     }
 }
 
 template <class Scalar>
-void MultifrontalFactor<Scalar>::add_updates_to_update(std::size_t f, Scalar* space, const ThreadPool& pool) {
+void MultifrontalFactor<Scalar>::add_column_to_update(const Front& front, int c, std::size_t j,
+                                                      Scalar* space) {
     constexpr std::size_t w = strip_rows<Scalar>;
+    const Front& child = symbolic_.fronts[c];
+    const std::span<const int> relative_indices = symbolic_.relative_indices_of(c);
+    const std::size_t column = relative_indices[j] - front.pivots;
+    const Scalar* from = update(child, space) + update_column_offset(j, child.stride, w);
+    Scalar* to = update(front, space) + update_column_offset(column, front.stride, w);
+    const std::size_t from_stride = update_column_stride(j, child.stride, w);
+    const std::size_t to_stride = update_column_stride(column, front.stride, w);
+    for (std::size_t i = j; i < relative_indices.size();) {  // runs of rows contiguous in both
+        std::size_t end = i + 1;
+        while (end < relative_indices.size() && relative_indices[end] == relative_indices[end - 1] + 1) ++end;
+        const Scalar* source = from + i * block_unknowns;
+        Scalar* target = to + (relative_indices[i] - front.pivots) * block_unknowns;
+        const std::size_t count = (end - i) * block_unknowns;
+        for (int q = 0; q < block_unknowns; ++q, source += from_stride, target += to_stride) {
+            for (std::size_t k = 0; k < count; ++k) target[k] += source[k];
+        }
+        i = end;
+    }
+}
+
+template <class Scalar>
+void MultifrontalFactor<Scalar>::add_updates_to_panel(std::size_t f, Scalar* space, const ThreadPool& pool) {
+    const Front& front = symbolic_.fronts[f];
+    for (const int c : symbolic_.children_of(f))
+        parallel_for_chunks(pool, front.cost, symbolic_.pivot_rows_of(c), [&](int begin, int end) {
+            for (int j = begin; j < end; ++j) add_column_to_panel(front, c, j, space);
+        });
+}
+
+template <class Scalar>
+void MultifrontalFactor<Scalar>::add_updates_to_update(std::size_t f, Scalar* space, const ThreadPool& pool) {
     const Front& front = symbolic_.fronts[f];
     for (const int c : symbolic_.children_of(f)) {
-        const Front& child = symbolic_.fronts[c];
-        const std::span<const int> relative_indices = symbolic_.relative_indices_of(c);
         const int first = symbolic_.pivot_rows_of(c);
-        const auto add_columns = [&](int begin, int end) {
-            for (auto j = static_cast<std::size_t>(first + begin); j < static_cast<std::size_t>(first + end);
-                 ++j) {
-                const std::size_t column = relative_indices[j] - front.pivots;
-                const Scalar* from = update(child, space) + update_column_offset(j, child.stride, w);
-                Scalar* to = update(front, space) + update_column_offset(column, front.stride, w);
-                const std::size_t from_stride = update_column_stride(j, child.stride, w);
-                const std::size_t to_stride = update_column_stride(column, front.stride, w);
-                for (std::size_t i = j; i < relative_indices.size();) {  // runs of rows contiguous in both
-                    std::size_t run_end = i + 1;
-                    while (run_end < relative_indices.size() &&
-                           relative_indices[run_end] == relative_indices[run_end - 1] + 1)
-                        ++run_end;
-                    const Scalar* source = from + i * block_unknowns;
-                    Scalar* target = to + (relative_indices[i] - front.pivots) * block_unknowns;
-                    const std::size_t count = (run_end - i) * block_unknowns;
-                    for (int q = 0; q < block_unknowns; ++q, source += from_stride, target += to_stride) {
-                        for (std::size_t k = 0; k < count; ++k) target[k] += source[k];
-                    }
-                    i = run_end;
-                }
-            }
-        };
-        parallel_for_chunks(pool, front.cost, static_cast<int>(relative_indices.size()) - first, add_columns);
+        parallel_for_chunks(pool, front.cost, symbolic_.fronts[c].rows - first, [&](int begin, int end) {
+            for (int j = first + begin; j < first + end; ++j) add_column_to_update(front, c, j, space);
+        });
     }
 }
 

@@ -36,10 +36,14 @@ class MultifrontalFactor {
     const SymbolicFactor& symbolic() const { return symbolic_; }
 
   private:
-    // The work of a front. All of it is split among the threads of the pool if the front is large.
+    // The work of a front. If the front is large, the threads of the pool share it, but for the entries of
+    // the matrix and the squares on the diagonal.
     /// Sets the panel of a front to the entries of the matrix.
     void assemble_panel(const BlockMatrix& matrix, std::size_t f, const ThreadPool& pool);
-    // Extend-add of the children's updates. Updates inside a subtree are in `space`.
+    // Extend-add of the children's updates, and of block column j of that of child `c`. Updates inside a
+    // subtree are in `space`.
+    void add_column_to_panel(const Front& front, int c, std::size_t j, Scalar* space);
+    void add_column_to_update(const Front& front, int c, std::size_t j, Scalar* space);
     void add_updates_to_panel(std::size_t f, Scalar* space, const ThreadPool& pool);
     void add_updates_to_update(std::size_t f, Scalar* space, const ThreadPool& pool);
     /// Marks the fronts to be factorised again.

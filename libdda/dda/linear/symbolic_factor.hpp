@@ -123,7 +123,7 @@ struct SymbolicFactor {
     std::span<const int> relative_indices_of(std::size_t f) const {
         return std::span(relative_indices).subspan(fronts[f].row_begin, fronts[f].rows);
     }
-    /// How many of the rows of front `f`, the first ones, are pivots of its parent.
+    /// How many of the rows of front `f`, which has a parent, are pivots of the parent: the first ones.
     int pivot_rows_of(std::size_t f) const {
         const std::span<const int> indices = relative_indices_of(f);
         return static_cast<int>(
