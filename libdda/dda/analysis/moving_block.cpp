@@ -68,6 +68,13 @@ std::vector<BlockIndex> free_blocks(const Model& model, const State& state, cons
     return found;
 }
 
+/// The block with the largest value, the first of several. @param blocks at least one.
+template <class Value>
+BlockIndex with_largest(std::span<const BlockIndex> blocks, const Value& value) {
+    return *std::max_element(blocks.begin(), blocks.end(),
+                             [&](BlockIndex a, BlockIndex b) { return value(a) < value(b); });
+}
+
 }  // namespace
 
 std::vector<BlockIndex> moving_blocks(const Model& model, const State& state, double tolerance) {
@@ -102,26 +109,20 @@ MovingBlock moving_block(const Model& model, const State& state, BlockIndex bloc
 
 std::optional<MovingBlock> block_moved_beyond(const Model& model, const State& state, double limit,
                                               double share, double tolerance) {
-    std::vector<BlockIndex> beyond = moving_blocks(model, state, tolerance);
-    std::erase_if(beyond, [&](BlockIndex block) { return !(displacement_of(state, block) > limit); });
+    const auto displacement = [&](BlockIndex block) { return displacement_of(state, block); };
+    const auto beyond =
+        free_blocks(model, state, [&](BlockIndex block) { return displacement(block) > limit; });
     if (beyond.empty() || share_of_mass(model, state, beyond) <= share) return {};
-    const auto farthest = std::max_element(beyond.begin(), beyond.end(), [&](BlockIndex a, BlockIndex b) {
-        return displacement_of(state, a) < displacement_of(state, b);
-    });
-    return moving_block(model, state, *farthest);
+    std::vector<BlockIndex> going_on = moving_blocks(model, state, tolerance);
+    std::erase_if(going_on, [&](BlockIndex block) { return !(displacement(block) > limit); });
+    return moving_block(model, state, with_largest(going_on.empty() ? beyond : going_on, displacement));
 }
 
 std::optional<MovingBlock> least_balanced_block(const Model& model, const State& state) {
-    std::optional<BlockIndex> found;
-    double largest = 0;
-    for (const BlockIndex block : model.blocks()) {
-        const double unbalanced = unbalanced_force(state.blocks, block, 1);
-        if (!is_free(model, state, block) || !(unbalanced > largest)) continue;
-        largest = unbalanced;
-        found = block;
-    }
-    if (!found) return {};
-    return moving_block(model, state, *found);
+    const auto unbalanced = [&](BlockIndex block) { return unbalanced_force(state.blocks, block, 1); };
+    const auto blocks = free_blocks(model, state, [&](BlockIndex block) { return unbalanced(block) > 0; });
+    if (blocks.empty()) return {};
+    return moving_block(model, state, with_largest(blocks, unbalanced));
 }
 
 std::string describe_manner(const Model& model, const MovingBlock& moving) {
@@ -136,14 +137,15 @@ std::string describe_manner(const Model& model, const MovingBlock& moving) {
     return moving.pushed_by ? "out of contact" + push : "out of contact, under its loads";
 }
 
-std::string describe(const Model& model, const State& state, const MovingBlock& moving) {
+std::string describe(const Model& model, const State& state, const MovingBlock& moving, double tolerance) {
+    const char* end = moving.unbalanced <= tolerance ? " and lies still" : " and does not stop";
     const Vec2 place = state.blocks.moments[moving.block].centroid + model.origin;
     char text[320];
-    std::snprintf(text, sizeof text,
-                  "block %d at (%.6g, %.6g) has moved %.3g m %s and does not stop; its unbalanced force is "
-                  "%.3g of the weight",
-                  moving.block.value(), place.x(), place.y(), moving.displacement,
-                  describe_manner(model, moving).c_str(), moving.unbalanced);
+    std::snprintf(
+        text, sizeof text,
+        "block %d at (%.6g, %.6g) has moved %.3g m %s%s; its unbalanced force is %.3g of the weight",
+        moving.block.value(), place.x(), place.y(), moving.displacement,
+        describe_manner(model, moving).c_str(), end, moving.unbalanced);
     return text;
 }
 

@@ -31,9 +31,9 @@ double share_of_mass(const Model& model, const State& state, std::span<const Blo
 /// Whether a static stage has come to rest: the blocks that move are at most the stage's `moving_share`.
 bool is_at_rest(const Model& model, const State& state, const Stage& stage);
 
-/// The block whose centroid has moved farthest, of those that have moved farther than `limit`, m, and still
-/// move: their unbalanced force over the weight is above `tolerance`. None where they are not more than
-/// `share` of the mass of all free blocks.
+/// The block whose centroid has moved farthest, where the blocks that have moved farther than `limit`, m, are
+/// more than `share` of the mass of all free blocks. Blocks that still move come first: their unbalanced
+/// force over the weight is above `tolerance`.
 std::optional<MovingBlock> block_moved_beyond(const Model& model, const State& state, double limit,
                                               double share, double tolerance);
 
@@ -48,6 +48,7 @@ std::optional<MovingBlock> least_balanced_block(const Model& model, const State&
 std::string describe_manner(const Model& model, const MovingBlock& moving);
 
 /// One line: block, place, displacement, what it moves along or is held by, and unbalanced force.
-std::string describe(const Model& model, const State& state, const MovingBlock& moving);
+/// @param tolerance unbalanced force over the weight, up to which the block lies still.
+std::string describe(const Model& model, const State& state, const MovingBlock& moving, double tolerance);
 
 }  // namespace rockslope::dda

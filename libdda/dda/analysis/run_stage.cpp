@@ -149,11 +149,11 @@ std::optional<std::string> settling_failure(const Model& model, const Stage& sta
     const std::string beginning = "stage '" + stage.name + "' does not settle: ";
     if (const auto moving =
             block_moved_beyond(model, state, stage.displacement_limit, stage.moving_share, stage.tolerance))
-        return beginning + describe(model, state, *moving);
+        return beginning + describe(model, state, *moving, stage.tolerance);
     if (state.stage_steps < stage.step_limit) return {};
     const auto moving = least_balanced_block(model, state);
     return beginning + "after " + std::to_string(stage.step_limit) + " steps " +
-           (moving ? describe(model, state, *moving) : "it is not in balance");
+           (moving ? describe(model, state, *moving, stage.tolerance) : "it is not in balance");
 }
 
 RunOutcome energy_failure(const Model& model, const Stage& stage, const State& state) {

@@ -64,15 +64,18 @@ TEST(MovingBlock, IsNotOneThatHasBeenExcavated) {
 
 // A chip that had fallen to the toe and lay there was told as one that does not stop, in place of the blocks
 // that slid.
-TEST(MovingBlock, IsNotOneThatHasComeToRest) {
+TEST(MovingBlock, IsOneThatHasComeToRestOnlyWhereNoneGoesOn) {
     FourBlocks blocks;
     blocks.move(1, {3, 0});
     blocks.move(2, {1, 0});
     blocks.accelerate(1, 0.9e-6 * g);
-    EXPECT_EQ(dda::block_moved_beyond(blocks.s.model, blocks.state, 0.1, 0, 1e-6)->block, 2);
-    EXPECT_FALSE(dda::block_moved_beyond(blocks.s.model, blocks.state, 0.1, 0.34, 1e-6))
-        << "a third of the mass";
-    EXPECT_FALSE(dda::block_moved_beyond(blocks.s.model, blocks.state, 2, 0, 1e-6));
+    EXPECT_EQ(dda::block_moved_beyond(blocks.s.model, blocks.state, 0.1, 0.6, 1e-6)->block, 2);
+    const auto still = dda::block_moved_beyond(blocks.s.model, blocks.state, 2, 0, 1e-6);
+    ASSERT_TRUE(still);
+    EXPECT_EQ(still->block, 1);
+    EXPECT_EQ(dda::describe(blocks.s.model, blocks.state, *still, 1e-6),
+              "block 1 at (1013.5, 2000.5) has moved 3 m out of contact, under its loads and lies still; its "
+              "unbalanced force is 9e-07 of the weight");
 }
 
 TEST(MovingBlock, IsTheLeastBalancedOne) {
@@ -104,12 +107,12 @@ TEST(MovingBlock, IsDescribedInTheUsersCoordinates) {
     blocks.move(1, {0.25, -0.5});
     blocks.accelerate(1, -g);
     const auto fall = dda::block_moved_beyond(blocks.s.model, blocks.state, 0.1, 0, 1e-6);
-    EXPECT_EQ(dda::describe(blocks.s.model, blocks.state, *fall),
+    EXPECT_EQ(dda::describe(blocks.s.model, blocks.state, *fall, 1e-6),
               "block 1 at (1010.75, 2000) has moved 0.559 m in free fall and does not stop; its unbalanced "
               "force is 1 of the weight");
     blocks.add_contact(1, 0, dda::ContactState::sliding, 0.1);
     const auto slide = dda::block_moved_beyond(blocks.s.model, blocks.state, 0.1, 0, 1e-6);
-    EXPECT_NE(dda::describe(blocks.s.model, blocks.state, *slide).find(" m along 'bedding' and does"),
+    EXPECT_NE(dda::describe(blocks.s.model, blocks.state, *slide, 1e-6).find(" m along 'bedding' and does"),
               std::string::npos);
 }
 
@@ -121,7 +124,7 @@ TEST(MovingBlock, FallsFreelyOnlyAtTheAccelerationOfGravity) {
     blocks.accelerate(1, 0.5 * g);
     const auto manner = [&] {
         return dda::describe(blocks.s.model, blocks.state,
-                             *dda::block_moved_beyond(blocks.s.model, blocks.state, 0.1, 0, 1e-6));
+                             *dda::block_moved_beyond(blocks.s.model, blocks.state, 0.1, 0, 1e-6), 1e-6);
     };
     EXPECT_NE(manner().find(" m out of contact, under its loads and"), std::string::npos) << manner();
     blocks.add_contact(0, 1, dda::ContactState::locked, 0);
