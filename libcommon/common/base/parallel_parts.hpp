@@ -22,4 +22,10 @@ auto parallel_parts(const ThreadPool& pool, std::size_t count, const Collect& co
     return found;
 }
 
+/// Appends the items that another part found to those of the parts before it.
+template <class Item>
+void append(std::vector<Item>& all, const std::vector<Item>& more) {
+    all.insert(all.end(), more.begin(), more.end());
+}
+
 }  // namespace rockslope

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <tuple>
 
-#include "common/base/parallel_filter.hpp"
+#include "common/base/parallel_parts.hpp"
 #include "dda/contact/candidates.hpp"
 #include "dda/contact/corner_meetings.hpp"
 #include "dda/contact/edge_directions.hpp"
@@ -335,35 +336,45 @@ class ContactDetector {
     PerEdge<EdgeDirection> directions_;  ///< at the start of the step
 };
 
-/// The contacts of candidates whose corner is far from both ends of the edge, and those of meeting corners.
-std::vector<SelectedContact> select_contacts(const ContactDetector& detector,
-                                             std::span<const ContactCandidate* const> singles,
-                                             const CornerMeetings<ContactCandidate>& meetings,
-                                             const ThreadPool& pool) {
-    // Each meeting has room for the most contacts that it may give, two for each candidate.
-    std::vector<SelectedContact> selected(singles.size() + 2 * meetings.size());
-    pool.parallel_for(singles.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t k = begin; k < end; ++k) selected[k] = detector.select_single(*singles[k]);
-    });
-    const auto room_of = [&](std::size_t meeting) {
-        return selected.begin() + static_cast<std::ptrdiff_t>(singles.size() + 2 * meetings.first(meeting));
-    };
-    std::vector<std::uint32_t> count(meetings.count());
-    pool.parallel_for(meetings.count(), [&](std::size_t begin, std::size_t end) {
-        std::vector<EntranceLine> lines;
-        std::vector<SelectedContact> of_meeting;
-        for (std::size_t meeting = begin; meeting < end; ++meeting) {
-            of_meeting.clear();
-            detector.select_entrance_lines(meetings.of(meeting), static_cast<int>(meeting), lines,
-                                           of_meeting);
-            count[meeting] = static_cast<std::uint32_t>(of_meeting.size());
-            std::copy(of_meeting.begin(), of_meeting.end(), room_of(meeting));
-        }
-    });
-    auto end = room_of(0);
-    for (std::size_t meeting = 0; meeting < meetings.count(); ++meeting)
-        end = std::copy_n(room_of(meeting), count[meeting], end);
-    selected.erase(end, selected.end());
+/// Candidates that may become contacts, and what is selected of them so far.
+struct EvaluatedPairs {
+    std::vector<ContactCandidate> candidates;
+    std::vector<SelectedContact> singles;       ///< whose corner is far from both ends of the edge
+    CornerMeetings<ContactCandidate> meetings;  ///< of the others
+};
+
+EvaluatedPairs evaluate_pairs(const ContactDetector& detector, std::span<const CornerEdge> pairs) {
+    // Most pairs are not near; only near ones get memory for their evaluation.
+    std::vector<CornerEdge> near;
+    near.reserve(pairs.size());
+    std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(near),
+                 [&](const CornerEdge& pair) { return detector.is_near(pair); });
+    EvaluatedPairs evaluated;
+    evaluated.candidates.reserve(near.size());  // they must keep their places
+    evaluated.singles.reserve(near.size());
+    evaluated.meetings.reserve(near.size());
+    for (const CornerEdge& pair : near) {
+        ContactCandidate& candidate = evaluated.candidates.emplace_back();
+        if (!detector.evaluate_candidate(pair, candidate))
+            evaluated.candidates.pop_back();
+        else if (candidate.partner_corner.exists())
+            evaluated.meetings.add(candidate);
+        else
+            evaluated.singles.push_back(detector.select_single(candidate));
+    }
+    return evaluated;
+}
+
+/// The contacts of the meetings [begin, end) of corners.
+std::vector<SelectedContact> select_of_meetings(const ContactDetector& detector,
+                                                const CornerMeetings<ContactCandidate>& meetings,
+                                                std::size_t begin, std::size_t end) {
+    std::vector<SelectedContact> selected;
+    // Each meeting may give two contacts for each candidate.
+    selected.reserve(2 * (meetings.first(end) - meetings.first(begin)));
+    std::vector<EntranceLine> lines;
+    for (std::size_t meeting = begin; meeting < end; ++meeting)
+        detector.select_entrance_lines(meetings.of(meeting), static_cast<int>(meeting), lines, selected);
     return selected;
 }
 
@@ -410,25 +421,19 @@ bool passes_entrance_angle_test(const Vec2& leaving, const Vec2& arriving, const
 std::vector<Contact> detect_contacts(const Model& model, const DetectionInput& at,
                                      std::span<const CornerEdge> candidates, const ThreadPool& pool) {
     const ContactDetector detector(model, at, pool);
-    // Most candidates are not near; only near ones get memory for their evaluation.
-    const std::vector<std::size_t> near = parallel_filter(
-        pool, candidates.size(), [&](std::size_t k) { return detector.is_near(candidates[k]); });
-    std::vector<ContactCandidate> evaluated(near.size());
-    const std::vector<std::size_t> accepted = parallel_filter(pool, near.size(), [&](std::size_t k) {
-        return detector.evaluate_candidate(candidates[near[k]], evaluated[k]);
+    const std::vector<EvaluatedPairs> parts =
+        parallel_parts(pool, candidates.size(), [&](std::size_t begin, std::size_t end) {
+            return evaluate_pairs(detector, candidates.subspan(begin, end - begin));
+        });
+    CornerMeetings<ContactCandidate> meetings;
+    for (const EvaluatedPairs& part : parts) meetings.add(part.meetings);
+    meetings.sort(model.topology.corner_count(), pool);
+    const auto of_meetings = parallel_parts(pool, meetings.count(), [&](std::size_t begin, std::size_t end) {
+        return select_of_meetings(detector, meetings, begin, end);
     });
-
-    std::vector<const ContactCandidate*> singles;
-    singles.reserve(accepted.size());
-    CornerMeetings<ContactCandidate> meetings(accepted.size());
-    for (const std::size_t k : accepted) {
-        if (evaluated[k].partner_corner.exists())
-            meetings.add(evaluated[k]);
-        else
-            singles.push_back(&evaluated[k]);
-    }
-    meetings.sort(model.topology.corner_count());
-    const std::vector<SelectedContact> selected = select_contacts(detector, singles, meetings, pool);
+    std::vector<SelectedContact> selected;
+    for (const EvaluatedPairs& part : parts) append(selected, part.singles);
+    for (const std::vector<SelectedContact>& part : of_meetings) append(selected, part);
     return sorted_contacts(model, detector, selected, pool);
 }
 

@@ -120,8 +120,8 @@ InheritedPenetrations::Found InheritedPenetrations::find(const Topology& topolog
     });
     Found& all = parts.front();
     for (const Found& more : std::span(parts).subspan(1)) {
-        all.entries.insert(all.entries.end(), more.entries.begin(), more.entries.end());
-        all.corners.insert(all.corners.end(), more.corners.begin(), more.corners.end());
+        append(all.entries, more.entries);
+        append(all.corners, more.corners);
     }
     return std::move(all);
 }

@@ -354,11 +354,6 @@ class Transfer {
         return selected;
     }
 
-    template <class Item>
-    static void append(std::vector<Item>& all, const std::vector<Item>& more) {
-        all.insert(all.end(), more.begin(), more.end());
-    }
-
     static bool is_passive(const Contact& contact) {
         return contact.state == ContactState::open && contact.inherited_penetration > 0 && contact.slip == 0;
     }

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "common/base/parallel_parts.hpp"
 #include "dda/contact/detect.hpp"
 #include "dda/contact/inherited_penetration.hpp"
 
@@ -205,6 +206,19 @@ class PenetrationSearch {
     double search_radius_;
 };
 
+/// The candidates in [begin, end) that are the first of their corner and block.
+std::vector<std::uint32_t> first_candidates(const Topology& topology, std::span<const CornerEdge> candidates,
+                                            std::size_t begin, std::size_t end) {
+    std::vector<std::uint32_t> first;
+    first.reserve(end - begin);
+    for (std::size_t k = begin; k < end; ++k) {
+        if (k == 0 || candidates[k].corner != candidates[k - 1].corner ||
+            topology.block_of_edge(candidates[k].edge) != topology.block_of_edge(candidates[k - 1].edge))
+            first.push_back(static_cast<std::uint32_t>(k));
+    }
+    return first;
+}
+
 /// Per block: whether it is convex, 1, or not, 0. A block that moves and strains stays so.
 PerBlock<char> convex_blocks(const Topology& topology, CornerSpan<const Vec2> vertices,
                              const ThreadPool& pool) {
@@ -236,11 +250,10 @@ std::vector<UndetectedPenetration> find_undetected_penetrations(const Model& mod
     // First candidate of each pair of a corner and a block, then the number of candidates.
     std::vector<std::uint32_t> first;
     first.reserve(candidates.size() + 1);
-    for (std::size_t k = 0; k < candidates.size(); ++k) {
-        if (k == 0 || candidates[k].corner != candidates[k - 1].corner ||
-            topology.block_of_edge(candidates[k].edge) != topology.block_of_edge(candidates[k - 1].edge))
-            first.push_back(static_cast<std::uint32_t>(k));
-    }
+    const auto firsts = parallel_parts(pool, candidates.size(), [&](std::size_t begin, std::size_t end) {
+        return first_candidates(topology, candidates, begin, end);
+    });
+    for (const std::vector<std::uint32_t>& part : firsts) append(first, part);
     const std::size_t count = first.size();
     first.push_back(static_cast<std::uint32_t>(candidates.size()));
 

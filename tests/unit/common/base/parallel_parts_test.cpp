@@ -18,8 +18,7 @@ TEST(ParallelParts, CoverTheRangeInOrderWithAnyNumberOfThreads) {
         for (const int threads : {1, 2, 5}) {
             const auto parts = parallel_parts(ThreadPool(threads), count, range);
             std::vector<std::size_t> joined;
-            for (const std::vector<std::size_t>& part : parts)
-                joined.insert(joined.end(), part.begin(), part.end());
+            for (const std::vector<std::size_t>& part : parts) append(joined, part);
             EXPECT_EQ(joined, range(0, count)) << count << ' ' << threads;
             EXPECT_EQ(parts.size(), count < 512 ? 1u : static_cast<std::size_t>(threads));
         }
