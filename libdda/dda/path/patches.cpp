@@ -26,6 +26,7 @@ Relaxation Patches::relax(const LimitedStep& step, const PatchAims& aims, RowSpa
     in_patch_.assign(displacement.size(), 0);
     is_claimed_.assign(displacement.size(), 0);
     forces_.evaluate(step, displacement, aims.length, pool);
+    find_links(pool);
     Relaxation taken;
     taken.unbalanced = find_unbalanced(aims);
     while (taken.visits < aims.path.visit_limit && fill_round(aims.extent)) {
@@ -39,6 +40,18 @@ Relaxation Patches::relax(const LimitedStep& step, const PatchAims& aims, RowSpa
         }
     }
     return taken;
+}
+
+void Patches::find_links(const ThreadPool& pool) {
+    links_.resize(step_->contacts.size());
+    pool.parallel_for(links_.size(), [&](std::size_t begin, std::size_t end) {
+        for (const ContactIndex k : indices<ContactIndex>(begin, end)) {
+            const LimitedContact& contact = step_->contacts[k];
+            links_[k] = contact.may_close
+                            ? Link{contact.rows->first, contact.rows->second, contact.least_normal}
+                            : Link{};
+        }
+    });
 }
 
 bool Patches::fill_round(PatchExtent extent) {
@@ -58,9 +71,7 @@ bool Patches::add_to_round(Patch& patch) {
     for (const RowIndex row : patch.rows) {
         is_claimed_[row] = 1;
         for (const ContactIndex k : step_->row_contacts.of(row)) {
-            const LimitedContact& contact = step_->contacts[k];
-            if (!contact.may_close) continue;
-            for (const RowIndex each : {contact.rows->first, contact.rows->second})
+            for (const RowIndex each : {links_[k].first, links_[k].second})
                 if (each.exists()) is_claimed_[each] = 1;
         }
     }
@@ -110,10 +121,9 @@ double Patches::find_unbalanced(const PatchAims& aims) {
 template <class Visit>
 void Patches::for_neighbours(RowIndex row, const Visit& visit) const {
     for (const ContactIndex k : step_->row_contacts.of(row)) {
-        const LimitedContact& contact = step_->contacts[k];
-        if (!contact.may_close) continue;
-        if (!is_wide_ && !(forces_.elastic()[k].normal > contact.least_normal)) continue;
-        const RowIndex other = contact.rows->first == row ? contact.rows->second : contact.rows->first;
+        const Link& link = links_[k];
+        if (!is_wide_ && !(forces_.elastic()[k].normal > link.least_normal)) continue;
+        const RowIndex other = link.first == row ? link.second : link.first;
         if (other.exists()) visit(other);
     }
 }

@@ -60,6 +60,15 @@ class Patches {
         PatchPath::Outcome outcome;  ///< of its last path
     };
 
+    /// The rows of a contact that may close, in few bytes: choosing patches visits contacts in any order.
+    struct Link {
+        RowIndex first = RowIndex::none();
+        RowIndex second = RowIndex::none();
+        double least_normal = 0;  ///< N per metre, see LimitedContact
+    };
+
+    /// Finds the links of all contacts.
+    void find_links(const ThreadPool& pool);
     /// Marks the blocks whose unbalanced force is over the aims. @return the largest unbalanced force, N per
     /// metre.
     double find_unbalanced(const PatchAims& aims);
@@ -99,6 +108,7 @@ class Patches {
     std::vector<Patch> round_;
     std::vector<Patch> grown_;  ///< for the next round
     LimitedForces forces_;
+    PerContact<Link> links_;
     PerRow<double> largest_;  ///< per row: of its unbalanced forces, N per metre
     PerRow<char> is_unbalanced_;
     PerRow<char> in_patch_;    ///< while a patch is formed

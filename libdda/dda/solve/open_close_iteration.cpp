@@ -56,7 +56,7 @@ class OpenCloseIteration {
           matrix_(problem, pattern, work.matrix, pool),
           pool_(pool),
           times_(work.times),
-          contacts_(problem, pool),
+          contacts_(problem, pool, std::move(work.trials)),
           entrances_(contacts_.entrances),
           dilation_(contacts_.dilation),
           augmentation_(problem, trials_),
@@ -112,6 +112,8 @@ class OpenCloseIteration {
     bool went_astray() const { return is_astray_; }
     /// Per row: the displacement of the patches that was nearest to balance, m; empty if there is none.
     RowSpan<const Vec6> nearest() const { return patches_.nearest(); }
+    /// The memory of the trials, for the next step.
+    PerContact<ContactTrial> release_trials() { return trials_.release(); }
 
   private:
     /// Iterations since the start, or since dilation or augmentation last changed the problem.
@@ -444,6 +446,7 @@ IterationOutcome iterate_open_close(const StepProblem& problem, Beginning beginn
     outcome.result = iteration.run(beginning);
     outcome.went_astray = iteration.went_astray();
     if (outcome.went_astray) outcome.nearest.assign(iteration.nearest().begin(), iteration.nearest().end());
+    work.trials = iteration.release_trials();
     return outcome;
 }
 

@@ -26,6 +26,7 @@ struct OpenCloseResult : StepCounts {
 /// Memory that the caller keeps from step to step.
 struct IterationWorkspace {
     BlockMatrix matrix;
+    PerContact<ContactTrial> trials;
     PatchBalance::Memory patches;
     PhaseTimes* times = nullptr;  ///< null: no timing
 };

@@ -5,31 +5,29 @@
 
 namespace rockslope::dda {
 
-EntranceLines::EntranceLines(const StepProblem& problem, TrialContacts& trials)
-    : p_(problem), trials_(trials) {
+EntranceLines::EntranceLines(const StepProblem& problem, TrialContacts& trials) : trials_(trials) {
     int groups = 0;
-    for (const ContactIndex k : p_.contacts.indices()) {
-        groups = std::max(groups, p_.contacts[k].group + 1);
-        if (p_.contacts[k].group >= 0 && !p_.contacts[k].inhibited) contacts_.push_back(k);
+    for (const ContactIndex k : problem.contacts.indices()) {
+        const Contact& contact = problem.contacts[k];
+        groups = std::max(groups, contact.group + 1);
+        if (contact.group >= 0 && !contact.inhibited)
+            members_.push_back({k, contact.group, contact.line, 2 * contact.inherited_penetration});
     }
-    first_.resize(groups, ContactIndex::none());
+    first_.resize(groups);
 }
 
 /// First entrance, Eq. (28).
 bool EntranceLines::select_first() {
-    std::fill(first_.begin(), first_.end(), ContactIndex::none());
-    for (const ContactIndex k : contacts_) {
-        ContactIndex& first = first_[p_.contacts[k].group];
-        const auto entrance_gap = [&](ContactIndex line) {
-            return trials_[line].gap() + 2 * p_.contacts[line].inherited_penetration;
-        };
-        if (!first.exists() || entrance_gap(k) > entrance_gap(first)) first = k;
+    std::fill(first_.begin(), first_.end(), First());
+    for (const Member& member : members_) {
+        First& first = first_[member.group];
+        const double gap = trials_[member.contact].gap() + member.allowed;
+        if (first.line < 0 || gap > first.gap) first = {member.line, gap};
     }
     bool exchanged = false;
-    for (const ContactIndex k : contacts_) {
-        const ContactIndex first = first_[p_.contacts[k].group];
-        const bool may_close = p_.contacts[first].line == p_.contacts[k].line;
-        if (std::exchange(trials_[k].may_close, may_close) != may_close) exchanged = true;
+    for (const Member& member : members_) {
+        const bool may_close = first_[member.group].line == member.line;
+        if (std::exchange(trials_[member.contact].may_close, may_close) != may_close) exchanged = true;
     }
     return exchanged;
 }

@@ -21,8 +21,10 @@ bool is_within(double force, const Strength& bounds) {
 
 }  // namespace
 
-TrialContacts::TrialContacts(const StepProblem& problem, const ThreadPool& pool)
-    : p_(problem), pool_(pool), trials_(problem.contacts.size()), bolts_(problem) {
+TrialContacts::TrialContacts(const StepProblem& problem, const ThreadPool& pool,
+                             PerContact<ContactTrial> memory)
+    : p_(problem), pool_(pool), trials_(std::move(memory)), bolts_(problem) {
+    trials_.resize(problem.contacts.size());
     for_each([&](ContactIndex k) { trials_[k] = initial_trial(k); });
 }
 

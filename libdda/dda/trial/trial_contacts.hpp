@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <utility>
 
 #include "dda/trial/contact_trial.hpp"
 #include "dda/trial/segment_strength.hpp"
@@ -23,8 +24,11 @@ class TrialContacts {
     enum class Gaps { exact, linear };
 
     /// Begins at the initial guess of the problem; without one, at the step's start. Shear bounds are zero.
-    /// @param problem must outlive the contacts.
-    TrialContacts(const StepProblem& problem, const ThreadPool& pool);
+    /// @param problem must outlive the contacts. @param memory trials of an earlier step: their memory is
+    /// used.
+    TrialContacts(const StepProblem& problem, const ThreadPool& pool, PerContact<ContactTrial> memory = {});
+    /// The memory of the trials, for a later step.
+    PerContact<ContactTrial> release() { return std::move(trials_); }
 
     std::size_t count() const { return trials_.size(); }
     ContactTrial& operator[](ContactIndex k) { return trials_[k]; }

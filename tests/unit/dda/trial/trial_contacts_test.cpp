@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "support/resting_block.hpp"
@@ -73,6 +74,30 @@ TEST(TrialContacts, ForceChangeIsTheDifferenceOfLawAndLinearSystem) {
     trials.set_displacement(d, d);
     EXPECT_NEAR(trials.force_change().largest, 0, 1e-9);
     EXPECT_FALSE(trials.update_active_set());
+}
+
+// The memory of another step's trials holds their states, which must not reach the next one.
+TEST(TrialContacts, BeginAfreshInTheMemoryOfOthers) {
+    RestingContacts block(Scene::mohr_coulomb(30));
+    dda::PerContact<dda::ContactTrial> memory(5);
+    for (dda::ContactTrial& other : memory) {
+        other.may_close = false;
+        other.bond_broken = other.has_shear_spring = true;
+        other.tilt = other.opening = other.held_normal = 1;
+    }
+    const auto place = memory.data();
+    dda::TrialContacts trials(block.problem, block.step.pool, std::move(memory));
+    ASSERT_EQ(trials.count(), 2u);
+    const dda::TrialContacts afresh(block.problem, block.step.pool);
+    for (const int k : {0, 1}) {
+        EXPECT_EQ(trials[k].may_close, afresh[k].may_close);
+        EXPECT_EQ(trials[k].bond_broken, afresh[k].bond_broken);
+        EXPECT_EQ(trials[k].has_shear_spring, afresh[k].has_shear_spring);
+        EXPECT_EQ(trials[k].tilt, afresh[k].tilt);
+        EXPECT_EQ(trials[k].opening, afresh[k].opening);
+        EXPECT_EQ(trials[k].held_normal, afresh[k].held_normal);
+    }
+    EXPECT_EQ(trials.release().data(), place);
 }
 
 TEST(TrialContacts, ASlidingContactHasItsFrictionForceAsALoad) {
