@@ -123,7 +123,8 @@ class Simulation : public dda::RunObserver {
     /// Restarts the energy ledger, after the test has changed the state.
     void restart_ledger() {
         state.energy = {};
-        dda::Ledger(model, dda::RowMap(model.motion)).update_stored_energy(state, state.energy);
+        const ThreadPool one_thread;
+        dda::Ledger(model, dda::RowMap(model.motion), one_thread).update_stored_energy(state, state.energy);
         state.energy.initial_stores = state.energy.stores();
         energy.reset();
     }

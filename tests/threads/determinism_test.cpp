@@ -61,6 +61,8 @@ void expect_same_bits(Simulation (&make)(int threads)) {
             EXPECT_EQ(one.state.contacts.contacts[k].history, other->state.contacts.contacts[k].history);
         }
         EXPECT_EQ(one.state.energy.residual(), other->state.energy.residual());
+        EXPECT_EQ(one.state.energy.friction_loss, other->state.energy.friction_loss);
+        EXPECT_EQ(one.state.energy.released, other->state.energy.released);
     }
 }
 

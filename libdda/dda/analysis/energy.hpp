@@ -10,6 +10,11 @@ struct EnergyGain {
     double time = 0;    ///< s, at the end of the step
     BlockIndex corner_block, edge_block;
     JointMaterialIndex joint_material;
+
+    /// Keeps the larger of both; of equal ones the first.
+    void keep_larger(const EnergyGain& later) {
+        if (later.amount > amount) *this = later;
+    }
 };
 
 /// The energy balance, J per metre of thickness. Stored energies are values at an instant. Losses and
@@ -44,6 +49,20 @@ struct Energy {
     /// The largest energy that the springs of one contact gained while they were replaced; `released` has its
     /// negative.
     EnergyGain largest_spring_gain;
+
+    /// Adds the losses and the work that some of the contacts had in a step.
+    void add_losses(const Energy& part) {
+        friction_loss += part.friction_loss;
+        damping_loss += part.damping_loss;
+        contact_damping_loss += part.contact_damping_loss;
+        numerical_loss += part.numerical_loss;
+        released += part.released;
+        boundary_loss += part.boundary_loss;
+        external_work += part.external_work;
+        friction_returned += part.friction_returned;
+        largest_gain.keep_larger(part.largest_gain);
+        largest_spring_gain.keep_larger(part.largest_spring_gain);
+    }
 
     /// Sum of the stored energies, J per metre.
     double stores() const { return kinetic + strain + contact + constraint + gravity; }

@@ -71,7 +71,8 @@ bool remove_blocks(const Model& model, std::span<const BlockIndex> blocks, State
     const Model active_model = without_removed_blocks(model, state.removed);
     const RowMap rows(active_model.motion);
     const double before = state.energy.stores();
-    Ledger(active_model, rows).update_stored_energy(state, state.energy);
+    const ThreadPool one_thread;
+    Ledger(active_model, rows, one_thread).update_stored_energy(state, state.energy);
     state.energy.excavated += before - state.energy.stores();
     return true;
 }

@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <functional>
 
 #include "dda/contact/contact_stiffness.hpp"
 #include "dda/trial/joint_motion.hpp"
@@ -10,26 +11,6 @@
 namespace rockslope::dda {
 
 namespace {
-
-double kinetic_energy(const RowMap& rows, const BlockSystem& blocks) {
-    double sum = 0;
-    for (const BlockIndex b : rows.block_of) {
-        const Vec6& v = blocks.velocity[b];
-        sum += v.dot(mass_matrix(blocks.mass[b], blocks.moments[b]) * v) / 2;
-    }
-    return sum;
-}
-
-double strain_energy(const Model& model, const RowMap& rows, const BlockSystem& blocks) {
-    double sum = 0;
-    for (const BlockIndex b : rows.block_of) {
-        const Vec3& stress = blocks.stress[b];
-        if (stress.isZero(0)) continue;
-        const Vec3 strain = elasticity(model.material_of(b), model.plane).inverse() * stress;
-        sum += blocks.moments[b].area * stress.dot(strain) / 2;
-    }
-    return sum;
-}
 
 double spring_energy(double force, double stiffness) {
     return force * force / (2 * stiffness);
@@ -42,7 +23,7 @@ bool is_rebounding(const AnyContact& contact) {
 }
 
 /// An augmented contact is rigid and stores no energy.
-double contact_energy(const Model& model, const Contact& contact) {
+double energy_of(const Model& model, const Contact& contact) {
     if (contact.state == ContactState::open || model.is_augmented(contact.joint_material)) return 0;
     const double shear =
         is_rebounding(contact) ? 0 : shear_energy(model, contact, shear_stiffness(model, contact));
@@ -67,17 +48,6 @@ SharedSpring shared_spring(const Model& model, std::span<const ContactIndex> mem
     return spring;
 }
 
-/// The energy of contacts, with one shear spring for each joint segment, Eq. (81).
-double contact_energy(const Model& model, ContactSpan<const Contact> contacts,
-                      const JointSegments& segments) {
-    double sum = 0;
-    for (const Contact& contact : contacts) sum += contact_energy(model, contact);
-    const auto stiffness_of = [&](ContactIndex k) { return shear_stiffness(model, contacts[k]); };
-    for (std::size_t segment = 0; segment < segments.count(); ++segment)
-        sum -= shared_spring(model, segments.contacts_of(segment), contacts, stiffness_of).uneven();
-    return sum;
-}
-
 double bolt_stiffness(const Model& model, const BoltSpec& bolt) {
     const Vec2& from = model.material_points[bolt.first].position;
     const Vec2& to = model.material_points[bolt.second].position;
@@ -98,16 +68,6 @@ double constraint_energy(const Model& model, const BlockSystem& blocks,
     return sum;
 }
 
-/// Heights are measured from the initial centroids, which keeps rounding errors small.
-double gravity_energy(const Model& model, const RowMap& rows, const BlockSystem& blocks,
-                      const PerBlock<Vec2>& datum) {
-    double sum = 0;
-    for (const BlockIndex b : rows.block_of) {
-        sum -= blocks.mass[b] * model.gravity.dot(blocks.moments[b].centroid - datum[b]);
-    }
-    return sum;
-}
-
 /// Splits the work that the force at the end of the step does on an elastic-plastic spring. The slip's part
 /// is friction loss, the change of the stored energy stays, and the remainder is the loss of the end-of-step
 /// evaluation, Eq. (42). That loss is never negative where the stiffness is constant.
@@ -118,8 +78,67 @@ void record_spring(double work, double slip_work, double stored_before, double s
 
 }  // namespace
 
-Ledger::Ledger(const Model& model, const RowMap& rows) : model_(model), rows_(rows) {
+Ledger::Ledger(const Model& model, const RowMap& rows, const ThreadPool& pool)
+    : model_(model), rows_(rows), pool_(pool) {
     for (const AreaMoments& moments : initial_block_system(model).moments) datum_.push_back(moments.centroid);
+}
+
+template <class Index, class Losses>
+void Ledger::add_losses(std::size_t count, const Losses& losses, Energy& energy) const {
+    const auto of_chunk = [&](std::size_t begin, std::size_t end) {
+        Energy part;
+        for (const Index k : indices<Index>(begin, end)) losses(k, part);
+        return part;
+    };
+    const auto add = [](Energy all, const Energy& part) {
+        all.add_losses(part);
+        return all;
+    };
+    energy.add_losses(pool_.parallel_reduce(count, Energy(), of_chunk, add));
+}
+
+template <class Index, class EnergyOf>
+double Ledger::sum(std::size_t count, const EnergyOf& energy_of) const {
+    const auto of_chunk = [&](std::size_t begin, std::size_t end) {
+        double part = 0;
+        for (const Index k : indices<Index>(begin, end)) part += energy_of(k);
+        return part;
+    };
+    return pool_.parallel_reduce(count, 0.0, of_chunk, std::plus<>());
+}
+
+double Ledger::contact_energy(ContactSpan<const Contact> contacts, const JointSegments& segments) const {
+    double energy =
+        sum<ContactIndex>(contacts.size(), [&](ContactIndex k) { return energy_of(model_, contacts[k]); });
+    const auto stiffness_of = [&](ContactIndex k) { return shear_stiffness(model_, contacts[k]); };
+    for (std::size_t segment = 0; segment < segments.count(); ++segment)
+        energy -= shared_spring(model_, segments.contacts_of(segment), contacts, stiffness_of).uneven();
+    return energy;
+}
+
+double Ledger::kinetic_energy(const BlockSystem& blocks) const {
+    return sum<RowIndex>(rows_.count(), [&](RowIndex row) {
+        const BlockIndex b = rows_.block_of[row];
+        const Vec6& v = blocks.velocity[b];
+        return v.dot(mass_matrix(blocks.mass[b], blocks.moments[b]) * v) / 2;
+    });
+}
+
+double Ledger::strain_energy(const BlockSystem& blocks) const {
+    return sum<RowIndex>(rows_.count(), [&](RowIndex row) {
+        const BlockIndex b = rows_.block_of[row];
+        const Vec3& stress = blocks.stress[b];
+        if (stress.isZero(0)) return 0.0;
+        const Vec3 strain = elasticity(model_.material_of(b), model_.plane).inverse() * stress;
+        return blocks.moments[b].area * stress.dot(strain) / 2;
+    });
+}
+
+double Ledger::gravity_energy(const BlockSystem& blocks) const {
+    return -sum<RowIndex>(rows_.count(), [&](RowIndex row) {
+        const BlockIndex b = rows_.block_of[row];
+        return blocks.mass[b] * model_.gravity.dot(blocks.moments[b].centroid - datum_[b]);
+    });
 }
 
 void Ledger::record_step(const StepWork& step, ContactSpan<const Contact> last, State& after) const {
@@ -137,23 +156,23 @@ void Ledger::update_stored_energy(const State& state, Energy& energy) const {
 }
 
 void Ledger::update_stored_energy(const State& state, const JointSegments& segments, Energy& energy) const {
-    energy.kinetic = kinetic_energy(rows_, state.blocks);
-    energy.strain = strain_energy(model_, rows_, state.blocks);
-    energy.contact = contact_energy(model_, state.contacts.contacts, segments);
+    energy.kinetic = kinetic_energy(state.blocks);
+    energy.strain = strain_energy(state.blocks);
+    energy.contact = contact_energy(state.contacts.contacts, segments);
     energy.constraint = constraint_energy(model_, state.blocks, state.bolt_force);
-    energy.gravity = gravity_energy(model_, rows_, state.blocks, datum_);
+    energy.gravity = gravity_energy(state.blocks);
 }
 
 void Ledger::record_transfer(ContactSpan<const Contact> before, ContactSpan<const Contact> after,
                              const JointSegments& segments, double time, Energy& energy) const {
-    const double lost = energy.contact - contact_energy(model_, after, segments);
+    const double lost = energy.contact - contact_energy(after, segments);
     energy.released += lost;
     if (!(-lost > energy.largest_spring_gain.amount)) return;
     auto old = before.begin();
     for (const Contact& contact : after) {
         while (old != before.end() && comes_before(*old, contact)) ++old;
         const bool continues = old != before.end() && !comes_before(contact, *old);
-        const double gain = contact_energy(model_, contact) - (continues ? contact_energy(model_, *old) : 0);
+        const double gain = energy_of(model_, contact) - (continues ? energy_of(model_, *old) : 0);
         if (gain > energy.largest_spring_gain.amount)
             energy.largest_spring_gain = {gain, time, contact.corner_block, contact.edge_block,
                                           contact.joint_material};
@@ -162,19 +181,19 @@ void Ledger::record_transfer(ContactSpan<const Contact> before, ContactSpan<cons
 
 void Ledger::record_contacts(const StepWork& step, const PerContact<Contact>& advanced,
                              Energy& energy) const {
-    const auto record_friction = [&](ContactIndex k, double loss) {
-        energy.friction_loss += loss;
-        energy.friction_returned += std::max(-loss, 0.0);
-        if (-loss <= energy.largest_gain.amount) return;
+    const auto record_friction = [&](ContactIndex k, double loss, Energy& to) {
         const Contact& contact = step.before[k];
-        energy.largest_gain = {-loss, step.time, contact.corner_block, contact.edge_block,
-                               contact.joint_material};
+        to.friction_loss += loss;
+        to.friction_returned += std::max(-loss, 0.0);
+        to.largest_gain.keep_larger(
+            {-loss, step.time, contact.corner_block, contact.edge_block, contact.joint_material});
     };
     const auto slips = [&](ContactIndex k) { return step.result.contacts[k].slip != 0; };
-    for (const ContactIndex k : step.before.indices()) {
-        if (has_segment_history(model_.joint_material_at(step.before[k].joint_material).law)) continue;
-        record_friction(k, record_contact(step, k, advanced[k], slips(k), energy));
-    }
+    const auto record_single = [&](ContactIndex k, Energy& to) {
+        if (has_segment_history(model_.joint_material_at(step.before[k].joint_material).law)) return;
+        record_friction(k, record_contact(step, k, advanced[k], slips(k), to), to);
+    };
+    add_losses<ContactIndex>(step.before.size(), record_single, energy);
     // A joint segment slips and dilates as a whole, and its contacts pass energy to each other.
     const auto stiffness_of = [&](ContactIndex k) { return step.springs[k].shear_stiffness; };
     for (std::size_t segment = 0; segment < step.segments.count(); ++segment) {
@@ -185,7 +204,7 @@ void Ledger::record_contacts(const StepWork& step, const PerContact<Contact>& ad
         const double less_uneven = shared_spring(model_, members, advanced, stiffness_of).uneven() -
                                    shared_spring(model_, members, step.before, stiffness_of).uneven();
         (any_slips ? loss : energy.released) += less_uneven;
-        record_friction(members[0], loss);
+        record_friction(members[0], loss, energy);
     }
 }
 
@@ -294,13 +313,12 @@ void Ledger::record_spring_changes(const StepWork& step, const PerContact<Contac
                                    Energy& energy) const {
     const auto before_of = [&](ContactIndex k) { return step.springs[k].shear_stiffness; };
     const auto after_of = [&](ContactIndex k) { return shear_stiffness(model_, after[k]); };
-    for (const ContactIndex k : after.indices()) {
+    energy.released += sum<ContactIndex>(after.size(), [&](ContactIndex k) {
         const Contact& contact = after[k];
-        if (contact.state == ContactState::open || model_.is_augmented(contact.joint_material)) continue;
-        if (after_of(k) == before_of(k)) continue;
-        energy.released +=
-            shear_energy(model_, contact, before_of(k)) - shear_energy(model_, contact, after_of(k));
-    }
+        if (contact.state == ContactState::open || model_.is_augmented(contact.joint_material)) return 0.0;
+        if (after_of(k) == before_of(k)) return 0.0;
+        return shear_energy(model_, contact, before_of(k)) - shear_energy(model_, contact, after_of(k));
+    });
     for (std::size_t segment = 0; segment < step.segments.count(); ++segment) {
         const auto members = step.segments.contacts_of(segment);
         energy.released -= shared_spring(model_, members, after, before_of).uneven() -
@@ -334,27 +352,28 @@ void Ledger::record_constraints(const StepWork& step, Energy& energy) const {
 
 void Ledger::record_blocks(const StepWork& step, Energy& energy) const {
     const PerRow<Vec6> loads = load_forces(model_, rows_, step.blocks, step.mid, step.loads);
-    for (const RowIndex row : rows_.rows()) {
+    const auto record_block = [&](RowIndex row, Energy& to) {
         const BlockIndex b = rows_.block_of[row];
         const Vec6& d = step.result.displacement[row];
         const Vec3 strain = d.tail<3>();
         const double elastic_work = step.blocks.moments[b].area *
                                     strain.dot(elasticity(model_.material_of(b), model_.plane) * strain);
-        energy.numerical_loss += elastic_work / 2;
-        energy.damping_loss +=
+        to.numerical_loss += elastic_work / 2;
+        to.damping_loss +=
             elastic_work * retardation_time(model_.material_of(b), step.blocks.moments[b]) / step.newmark.dt;
-        energy.external_work += loads[row].dot(d);
+        to.external_work += loads[row].dot(d);
 
         const Mat6 mass = mass_matrix(step.blocks.mass[b], step.blocks.moments[b]);
         const Vec6& v0 = step.blocks.velocity[b];
         const Vec6& a0 = step.blocks.acceleration[b];
         const Vec6 a1 = step.newmark.acceleration(d, v0, a0);
         const Vec6 v1 = step.newmark.velocity(v0, a0, a1);
-        energy.numerical_loss += d.dot(mass * a1) - (v1.dot(mass * v1) - v0.dot(mass * v0)) / 2;
-        energy.damping_loss += step.mass_damping * v1.dot(mass * d);
+        to.numerical_loss += d.dot(mass * a1) - (v1.dot(mass * v1) - v0.dot(mass * v0)) / 2;
+        to.damping_loss += step.mass_damping * v1.dot(mass * d);
         const double factor = step.velocity_factor;
-        energy.damping_loss += (1 - factor * factor) * v1.dot(mass * v1) / 2;
-    }
+        to.damping_loss += (1 - factor * factor) * v1.dot(mass * v1) / 2;
+    };
+    add_losses<RowIndex>(rows_.count(), record_block, energy);
 }
 
 /// The springs that hold a boundary face in a static stage are external: their reaction does external work.

@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "common/base/thread_pool.hpp"
 #include "dda/analysis/state.hpp"
 #include "dda/solve/open_close_iteration.hpp"
 #include "dda/terms/loads.hpp"
@@ -33,7 +34,8 @@ struct StepWork {
 /// linearised kinematics, of the solver and of the contact transfer.
 class Ledger {
   public:
-    Ledger(const Model& model, const RowMap& rows);
+    /// All three must outlive the ledger.
+    Ledger(const Model& model, const RowMap& rows, const ThreadPool& pool);
 
     /// Adds a step to the energy balance of the state at its end. @param last the contacts of the state at
     /// its start, before they were found anew.
@@ -61,6 +63,20 @@ class Ledger {
     void record_boundaries(const StepWork& step, Energy& energy) const;
 
   private:
+    /// Adds the losses and the work of contacts and blocks, which threads share.
+    /// @param losses(k, energy) adds those of one.
+    template <class Index, class Losses>
+    void add_losses(std::size_t count, const Losses& losses, Energy& energy) const;
+    /// The sum of the energies of contacts or blocks, J per metre, which threads share.
+    /// @param energy_of(k) of one.
+    template <class Index, class EnergyOf>
+    double sum(std::size_t count, const EnergyOf& energy_of) const;
+    /// The energy of contacts, with one shear spring for each joint segment, Eq. (81).
+    double contact_energy(ContactSpan<const Contact> contacts, const JointSegments& segments) const;
+    double kinetic_energy(const BlockSystem& blocks) const;
+    double strain_energy(const BlockSystem& blocks) const;
+    /// Heights are measured from the initial centroids, which keeps rounding errors small.
+    double gravity_energy(const BlockSystem& blocks) const;
     /// Adds the losses of a contact but that of its friction, and external work on it. @return what its
     /// friction takes, J per metre. @param slips whether it, or its joint segment, slips.
     double record_contact(const StepWork& step, ContactIndex k, const Contact& advanced, bool slips,
@@ -80,6 +96,7 @@ class Ledger {
 
     const Model& model_;
     const RowMap& rows_;
+    const ThreadPool& pool_;
     PerBlock<Vec2> datum_;  ///< per block, initial centroid, m
 };
 

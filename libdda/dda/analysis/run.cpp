@@ -65,7 +65,8 @@ State initial_state(const Model& model) {
     state.boundary_reactions = no_reactions(model);
     state.free_fields = fields_at_rest(model);
     const RowMap rows(model.motion);
-    Ledger(model, rows).update_stored_energy(state, state.energy);
+    const ThreadPool one_thread;
+    Ledger(model, rows, one_thread).update_stored_energy(state, state.energy);
     state.energy.initial_stores = state.energy.stores();
     return state;
 }

@@ -70,7 +70,7 @@ TimeStepper::TimeStepper(const Model& model, int threads)
       pool_(threads),
       rows_(model.motion),
       scale_(model, rows_),
-      ledger_(model_, rows_),
+      ledger_(model_, rows_, pool_),
       solver_(make_linear_solver(model.solver, pool_)) {}
 
 StepAttempt TimeStepper::advance(const Stage& stage, const State& state, double dt) {
@@ -139,11 +139,11 @@ StepAttempt TimeStepper::attempt_with(const Stage& stage, const State& state, do
         return attempt;
     }
     attempt.rejection = Rejection::none;
-    attempt.report = report_step(model_, rows_, attempt.state, step.dt, max_stiffness);
+    attempt.report = report_step(model_, rows_, attempt.state, step.dt, max_stiffness, pool_);
     static_cast<StepCounts&>(attempt.report) = result;
     attempt.report.largest_displacement = moved;
-    attempt.report.remaining_dilation =
-        remaining_dilation(model_, result.contacts, step.contacts.contacts, attempt.state.contacts.contacts);
+    attempt.report.remaining_dilation = remaining_dilation(model_, result.contacts, step.contacts.contacts,
+                                                           attempt.state.contacts.contacts, pool_);
     attempt.report.ended_counter_slips =
         ended_counter_slips(model_, step.segments, step.contacts.contacts, attempt.state.contacts.contacts);
     return attempt;
@@ -263,14 +263,16 @@ State TimeStepper::updated_state(const Stage& stage, const State& state, const S
     after.free_fields = step.fields;
 
     const double factor = velocity_factor(stage);
-    for (const RowIndex row : rows_.rows()) {
-        const BlockIndex b = rows_.block_of[row];
-        const Vec6& v0 = state.blocks.velocity[b];
-        const Vec6& a0 = state.blocks.acceleration[b];
-        const Vec6 a1 = step.newmark.acceleration(result.displacement[row], v0, a0);
-        after.blocks.velocity[b] = factor * step.newmark.velocity(v0, a0, a1);
-        after.blocks.acceleration[b] = a1;
-    }
+    pool_.parallel_for(rows_.count(), [&](std::size_t begin, std::size_t end) {
+        for (const RowIndex row : indices<RowIndex>(begin, end)) {
+            const BlockIndex b = rows_.block_of[row];
+            const Vec6& v0 = state.blocks.velocity[b];
+            const Vec6& a0 = state.blocks.acceleration[b];
+            const Vec6 a1 = step.newmark.acceleration(result.displacement[row], v0, a0);
+            after.blocks.velocity[b] = factor * step.newmark.velocity(v0, a0, a1);
+            after.blocks.acceleration[b] = a1;
+        }
+    });
     for (const BlockIndex b : model_.blocks()) {
         if (model_.motion[b] != Motion::prescribed || stage.is_static()) continue;
         after.blocks.velocity[b] += step.prescribed.velocity_change[b];

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "common/base/thread_pool.hpp"
 #include "dda/analysis/counter_slips.hpp"
 #include "dda/analysis/state.hpp"
 #include "dda/model/model.hpp"
@@ -39,13 +40,14 @@ double unbalanced_force(const BlockSystem& blocks, BlockIndex block, double refe
 /// @param step s, size of the step; @param max_stiffness N/m per metre, largest stiffness of a contact
 /// spring.
 StepReport report_step(const Model& model, const RowMap& rows, const State& after, double step,
-                       double max_stiffness);
+                       double max_stiffness, const ThreadPool& pool);
 
 /// The dilation that the step leaves to the next one, m: the largest difference between the dilation of a
 /// history and that of its contact, and of a contact that is open and overlaps, between the dilation that its
 /// history advances by and the dilation that the step was solved with.
 /// @param before, after contacts at the start and at the end of the step.
 double remaining_dilation(const Model& model, ContactSpan<const EvaluatedContact> evaluated,
-                          ContactSpan<const Contact> before, ContactSpan<const Contact> after);
+                          ContactSpan<const Contact> before, ContactSpan<const Contact> after,
+                          const ThreadPool& pool);
 
 }  // namespace rockslope::dda

@@ -16,11 +16,12 @@ constexpr double mass = 2500;   // kg, of a block of 1 m x 1 m
 constexpr double young = 10e9;  // Pa
 constexpr double poisson = 0.25;
 constexpr double spring = RestingContacts::spring;
+const ThreadPool one_thread;
 
 dda::Energy stored_in(const dda::Model& model, const dda::State& state) {
     dda::Energy energy;
     const dda::RowMap rows(model.motion);
-    dda::Ledger(model, rows).update_stored_energy(state, energy);
+    dda::Ledger(model, rows, one_thread).update_stored_energy(state, energy);
     return energy;
 }
 
@@ -87,7 +88,7 @@ TEST(Ledger, RecordsWhatSpringsGainOrLoseWhileTheyAreReplaced) {
     after[dda::ContactIndex(1)].corner = 5;
     const double whole = 9e8 / (2 * spring);
     const dda::RowMap rows(s.model.motion);
-    const dda::Ledger ledger(s.model, rows);
+    const dda::Ledger ledger(s.model, rows, one_thread);
     dda::Energy energy;
     energy.contact = whole;
     ledger.record_transfer(before, after, {}, 2.5, energy);
@@ -137,7 +138,7 @@ TEST(Ledger, ReleasesNothingWhereContactsShareTheForceOfTheirJointAnew) {
     const OnARoughJoint before(0.5);
     const OnARoughJoint after(0.9);
     dda::Energy energy = stored_in(before.step.model, before.state());
-    dda::Ledger(before.step.model, before.step.rows)
+    dda::Ledger(before.step.model, before.step.rows, one_thread)
         .record_transfer(before.step.set.contacts, after.step.set.contacts, after.step.found.segments, 1,
                          energy);
     EXPECT_NEAR(energy.released, 0, 1e-15);
@@ -185,7 +186,7 @@ struct RecordedStep {
                 2.5,
                 {}};
     }
-    dda::Ledger ledger() const { return {step.model, step.rows}; }
+    dda::Ledger ledger() const { return {step.model, step.rows, one_thread}; }
     void record_contacts() { ledger().record_contacts(work(), step.set.contacts, energy); }
 };
 

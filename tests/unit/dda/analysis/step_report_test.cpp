@@ -34,7 +34,7 @@ double remaining(double by_law, double solved) {
     end[0].history = dilated_by(by_law);
     end[0].dilation = solved;
     end[0].state = ContactState::sliding;
-    return dda::remaining_dilation(dilating_joint(), evaluated, start, end);
+    return dda::remaining_dilation(dilating_joint(), evaluated, start, end, ThreadPool());
 }
 
 TEST(RemainingDilation, IsWhatTheHistoryHasBeyondTheContact) {
@@ -54,10 +54,10 @@ TEST(RemainingDilation, IsTheLargestOfClosedOrOverlappingContacts) {
     end[0].history = dilated_by(.125);
     end[1].dilation = 1;  // open, and has a gap
     end[1].gap = .5;
-    EXPECT_EQ(dda::remaining_dilation(model, evaluated, start, end), .125);
+    EXPECT_EQ(dda::remaining_dilation(model, evaluated, start, end, ThreadPool()), .125);
     end[2].dilation = .25;  // open, and will close by it
     end[2].gap = -.125;
-    EXPECT_EQ(dda::remaining_dilation(model, evaluated, start, end), .25);
+    EXPECT_EQ(dda::remaining_dilation(model, evaluated, start, end, ThreadPool()), .25);
 }
 
 }  // namespace
