@@ -83,7 +83,7 @@ Strength ShearBounds::over_normal_force(ContactIndex k) const {
 
 double ShearBounds::bound_at(ContactIndex k, double normal, RowSpan<const Vec6> d) const {
     const ContactSprings& s = p_.springs[k];
-    const Strength bounds = single_strength(p_, k, {normal, s.rows.measure(s.shear, d)});
+    const Strength bounds = bounds_at(k, {normal, s.rows.measure(s.shear, d)});
     return trials_[k].slides_forward ? bounds.forward : bounds.backward;
 }
 

@@ -42,6 +42,19 @@ TEST(ShearLine, HasNoCohesionForAContactThatWasOpen) {
     EXPECT_EQ(line.at(-1e3), 0) << "the line ends at no normal force";
 }
 
+// As the shear bounds have it: a step whose lines had more cohesion than its bounds would not converge.
+TEST(ShearLine, OfALawWithoutALineHasNoCohesionEitherForAContactThatWasOpen) {
+    RestingContacts block(dda::Weakening{radians(30), radians(20), 2e4, 1e4, 5e-3});
+    const auto line_of = [&](const dda::StepContacts& contacts) {
+        return contacts.bounds.line(0, 1e4, std::vector<Vec6>{RestingContacts::displacement(0, 0)});
+    };
+    EXPECT_NEAR(line_of(block.contacts).at(1e4), 2e4 * 0.5 + 1e4 * tan30, 1e-9) << "closed";
+    for (dda::Contact& contact : block.step.found.set.contacts) contact.state = dda::ContactState::open;
+    const dda::StepContacts contacts(block.problem, block.step.pool);
+    EXPECT_NEAR(line_of(contacts).cohesion, 0, 1e-9);
+    EXPECT_NEAR(line_of(contacts).at(1e4), 1e4 * tan30, 1e-9);
+}
+
 // Patton's bilinear law is steep up to 2e6 Pa, 1e6 N over 0.5 m, and flat beyond: the secant from N to N / 2
 // is one of its branches where both ends are on it, and their chord where they are not.
 TEST(ShearLine, IsTheSecantOfALawWithoutALine) {
