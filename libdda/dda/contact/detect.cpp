@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <tuple>
+#include <utility>
 
 #include "common/base/parallel_parts.hpp"
 #include "dda/contact/candidates.hpp"
@@ -253,9 +254,14 @@ class ContactDetector {
         return cross(arriving, leaving) < -parallel_tolerance * arriving.norm() * leaving.norm();
     }
 
-    /// The joint material of the edge; if the edge is free, that of an edge of the corner; else the default.
+    /// The joint material of the edge; if the edge is free, that of the edge of the corner that lies more
+    /// along it, or else of the other one; else the default.
     JointMaterialIndex joint_material_of(CornerIndex corner, EdgeIndex edge) const {
-        for (const EdgeIndex e : {edge, edge_from(corner), edge_to(corner)}) {
+        const Vec2& along = directions_[edge].tangent;
+        EdgeIndex on_it = edge_from(corner), other = edge_to(corner);
+        if (directions_[other].tangent.dot(along) < directions_[on_it].tangent.dot(along))
+            std::swap(on_it, other);
+        for (const EdgeIndex e : {edge, on_it, other}) {
             const JointMaterialIndex material = topology_.joint_material[e];
             if (material.exists()) return material;
         }

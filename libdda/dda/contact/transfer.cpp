@@ -19,7 +19,7 @@ namespace {
 /// rounding and the strain of a step.
 constexpr double depth_tolerance_ratio = 1e-8;
 
-/// Copies state, forces, slip and history of a predecessor.
+/// Copies state, forces, slip and history of a predecessor, and with the history the joint whose law it is.
 void copy_state(const Contact& from, Contact& to) {
     to.state = from.state;
     to.normal_force = from.normal_force;
@@ -29,6 +29,7 @@ void copy_state(const Contact& from, Contact& to) {
     to.slip = from.slip;
     to.bonded = from.bonded;
     to.bond_strain = from.bond_strain;
+    to.joint_material = from.joint_material;
     to.inherit_history(from.history, from.dilation);
     to.joint = from.joint >= 0 ? from.joint : to.joint;
 }

@@ -66,5 +66,22 @@ TEST(JointHistory, EndsUnderUnequalLoadsHaveTheSameHistory) {
     EXPECT_EQ(contacts[0].dilation, contacts[1].dilation);
 }
 
+// On free ground a contact has the joint of the block's face that lies there, as long as it lasts, with a
+// history of that joint's law.
+TEST(JointHistory, OfABlockThatRollsOnFreeGroundIsOfTheJointOfEachContact) {
+    Scene s;
+    s.friction(40);
+    s.model.joint_materials.push_back({"rough", joint_tests::granite(), 0, 0});
+    s.box({-1, -1}, 30, 1, dda::Motion::fixed);
+    const int block = s.box({0, .001}, 1, 1);
+    int faces = 0;
+    for (const dda::CornerIndex corner : s.model.topology.corners_of(block))
+        s.model.topology.joint_material[dda::edge_from(corner)] = faces++ % 2;
+    s.model.initial_velocity = {Vec6::Zero(), (Vec6() << 4, 0, -8, 0, 0, 0).finished()};
+    Simulation sim(s);
+    ASSERT_EQ(sim.shake(1, .002).status, dda::RunStatus::completed);
+    EXPECT_LT(sim.state.blocks.rotation[1], -radians(170)) << "on its other faces";
+}
+
 }  // namespace
 }  // namespace rockslope::joint_history_test

@@ -48,6 +48,24 @@ TEST(Detect, AWholeSharedEdgeIsTwoContactsOfHalfItsLength) {
     EXPECT_NE(contacts[0].point.x(), contacts[1].point.x()) << "one at each end";
 }
 
+// On free ground a block has the joint of the face that lies there, not of the one that rises from it: at
+// both ends of the face, whichever of them begins it.
+TEST(Detect, OnFreeGroundABlockHasTheJointOfItsLowerFace) {
+    Scene s;
+    s.model.joint_materials.push_back({"face", Scene::mohr_coulomb(10), 0, 0});
+    s.box({-2, 0}, 5, 1);
+    const int block = s.box({0, 1}, 1, 1);
+    const auto& topology = s.model.topology;
+    for (const dda::CornerIndex corner : topology.corners_of(block)) {
+        const bool is_lower =
+            s.model.vertices[corner].y() == 1 && s.model.vertices[topology.next[corner]].y() == 1;
+        s.model.topology.joint_material[dda::edge_from(corner)] = is_lower ? 1 : 0;
+    }
+    const auto contacts = detect(s);
+    ASSERT_EQ(contacts.size(), 2u);
+    for (const Contact& c : contacts) EXPECT_EQ(c.joint_material, 1) << c.point.x();
+}
+
 TEST(Detect, OffsetSquaresTouchAtBothEndsOfTheOverlap) {
     Scene s;
     s.box({0, 0}, 1, 1);

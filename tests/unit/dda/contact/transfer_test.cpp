@@ -59,6 +59,15 @@ class Transfer : public testing::Test {
     Contact old = loaded(contact(1, 0, 4, 2, {0, 0}, up));
 };
 
+// On free ground detection takes the joint of the face that lies there now; the history is of the one before.
+TEST_F(Transfer, AContactKeepsItsJointWithItsHistory) {
+    Contact now = contact(1, 0, 4, 2, {0, 0}, up);
+    now.joint_material = 1;
+    const Contact carried = moved_to(now);
+    expect_carried(carried);
+    EXPECT_EQ(carried.joint_material, 0);
+}
+
 TEST_F(Transfer, TheSamePairKeepsItsState) {
     expect_carried(moved_to(contact(1, 0, 4, 2, {.05, 0}, up)));
 }
