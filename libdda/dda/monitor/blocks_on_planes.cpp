@@ -80,6 +80,7 @@ bool find_plane(const Model& model, const State& state, const std::vector<Suppor
     const double mass = state.blocks.mass[plane.block];
     for (const Contact* contact : contacts)
         add_strength(model, *contact, contact->normal_force / on_plane, mass, plane);
+    if (!std::isfinite(plane.peak.friction + plane.peak.adhesion)) return false;  // glued to its base
     reduce(model.strength_reduction, plane.peak);
     reduce(model.strength_reduction, plane.residual);
     const Vec2 along(normal.y(), -normal.x());

@@ -21,7 +21,8 @@ struct BlockOnPlane {
 
 /// The blocks of a state that rest on one plane: at least 95 % of the normal forces on a block come from one
 /// plane, to 3 degrees, of one fixed or prescribed block below it. The strength is that of the contacts
-/// there. Mohr-Coulomb contacts have cohesion times their length; other laws give their present strength.
+/// there. Mohr-Coulomb contacts have cohesion times their length; other laws give their present strength. A
+/// block that is glued to its base has no yield coefficient and is left out.
 std::vector<BlockOnPlane> find_blocks_on_planes(const Model& model, const State& state);
 
 /// The acceleration of a block by one load with its history at 1, m/s2.

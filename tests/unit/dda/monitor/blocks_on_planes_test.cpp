@@ -44,6 +44,16 @@ TimeTable sampled(double duration, const std::function<double(double)>& f) {
     return {times, values};
 }
 
+// Its yield coefficient would be infinite, or no number.
+TEST(BlocksOnPlanes, LeavesOutABlockThatIsGluedToItsBase) {
+    Tower glued(20, 35);
+    glued.s.model.joint_materials[0].law = Elastic{};
+    glued.s.model.motion[2] = Motion::removed;
+    Simulation sim(glued.s);
+    ASSERT_EQ(sim.shake(0.05, 1e-3).status, RunStatus::completed);
+    EXPECT_TRUE(find_blocks_on_planes(sim.model, sim.state).empty());
+}
+
 TEST(BlocksOnPlanes, FindsTheBlocksOnOnePlaneOfAPrescribedBlock) {
     const Tower tower(20, 35);
     Simulation sim(tower.s);
