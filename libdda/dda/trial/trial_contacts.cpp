@@ -39,7 +39,9 @@ ContactTrial TrialContacts::initial_trial(ContactIndex k) const {
     trial.shear_origin = contact.shear_force;
     const bool was_closed = contact.state != ContactState::open;
     trial.coheres = was_closed && trial.has_cohesion;
-    trial.has_normal_spring = trial.may_close && (was_closed || (contact.gap < 0 && contact.group < 0));
+    // A bond that has just got a contact bears tension from the start.
+    trial.has_normal_spring =
+        trial.may_close && (was_closed || contact.bonded || (contact.gap < 0 && contact.group < 0));
     trial.has_shear_spring = trial.has_normal_spring && contact.state != ContactState::sliding;
     trial.friction_force = contact.shear_force;
     trial.slides_forward = contact.shear_force >= 0;

@@ -76,6 +76,22 @@ TEST(TrialContacts, ForceChangeIsTheDifferenceOfLawAndLinearSystem) {
     EXPECT_FALSE(trials.update_active_set());
 }
 
+// A corner that slides along a glued joint meets the next edge of it as a new, open contact.
+TEST(TrialContacts, ABondBearsTensionFromTheStartAlsoInANewContact) {
+    RestingContacts block(dda::Elastic{});
+    for (dda::Contact& contact : block.step.found.set.contacts) {
+        contact.state = ContactState::open;
+        contact.bonded = true;
+        contact.gap = 1e-7;
+    }
+    const dda::TrialContacts trials(block.problem, block.step.pool);
+    for (const int k : {0, 1}) {
+        EXPECT_TRUE(trials[k].has_normal_spring);
+        EXPECT_TRUE(trials[k].has_shear_spring);
+        EXPECT_NEAR(trials.linear_forces(k, 0, 0).normal, -100, 1e-6);
+    }
+}
+
 // The memory of another step's trials holds their states, which must not reach the next one.
 TEST(TrialContacts, BeginAfreshInTheMemoryOfOthers) {
     RestingContacts block(Scene::mohr_coulomb(30));
